@@ -12,6 +12,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
+#include "geometry/contours/split_contours.h"
 #include "geometry/unite_all.h"
 
 namespace clearcut::inline geometry {
@@ -22,6 +23,8 @@ using ClipperLib::IntPoint;
 constexpr double kGridPerMm = 1e6;  // 1 nm
 /// Points of the input up to which contours are split at their touches in a tenth of a millisecond.
 constexpr std::size_t kQuicklySplit = 400;
+/// Touches times points of the input up to which polyclipping splits contours in some tenths of a second.
+constexpr std::size_t kMostForPolyclipping = 1'000'000;
 
 IntPoint to_grid(Vec2 p) {
   return {static_cast<ClipperLib::cInt>(std::llround(p.x * kGridPerMm)),
@@ -222,17 +225,27 @@ bool is_sliver(const Loop& loop, const Tolerances& tol) {
   return loop.size() < 2 || 2 * std::abs(signed_area(loop)) <= 2 * tol.chord * length(loop);
 }
 
+void append_region(const ClipperLib::Path& contour, const std::vector<const ClipperLib::Path*>& holes,
+                   const Sources& sources, const Tolerances& tol, Regions& out) {
+  Loop outer = loop_of(contour, sources, tol);
+  if (is_sliver(outer, tol)) return;
+  std::vector<Loop> islands;
+  for (const ClipperLib::Path* hole : holes) {
+    Loop island = loop_of(*hole, sources, tol);
+    if (!is_sliver(island, tol)) islands.push_back(std::move(island));
+  }
+  out.push_back(Region::from_valid_loops(std::move(outer), std::move(islands)));
+}
+
 void append_regions(const ClipperLib::PolyNode& node, const Sources& sources, const Tolerances& tol,
                     Regions& out) {
   for (const auto* child : node.Childs) {
-    Loop outer = loop_of(child->Contour, sources, tol);
-    std::vector<Loop> islands;
+    std::vector<const ClipperLib::Path*> holes;
     for (const auto* hole : child->Childs) {
-      Loop island = loop_of(hole->Contour, sources, tol);
-      if (!is_sliver(island, tol)) islands.push_back(std::move(island));
+      holes.push_back(&hole->Contour);
       append_regions(*hole, sources, tol, out);
     }
-    if (!is_sliver(outer, tol)) out.push_back(Region::from_valid_loops(std::move(outer), std::move(islands)));
+    append_region(child->Contour, holes, sources, tol, out);
   }
 }
 
@@ -244,37 +257,46 @@ void add_regions(const Regions& regions, ClipperLib::PolyType type, Sources& sou
   }
 }
 
-/// Does a contour come back to one of its points?
-bool touches_itself(const ClipperLib::PolyTree& tree) {
+/// How often contours come back to one of their points.
+std::size_t touches_of(const ClipperLib::PolyTree& tree) {
+  std::size_t touches = 0;
   for (const auto* node = tree.GetFirst(); node; node = node->GetNext()) {
     std::unordered_set<std::pair<std::int64_t, std::int64_t>, GridHash> seen;
-    for (const auto& p : node->Contour) {
-      if (!seen.insert({p.X, p.Y}).second) return true;
-    }
+    for (const auto& p : node->Contour) touches += seen.insert({p.X, p.Y}).second ? 0 : 1;
   }
-  return false;
+  return touches;
 }
 
-/// Contours that touch themselves are split there. That takes polyclipping time quadratic in their vertices, so large
-/// inputs are clipped without it at first. False where there was no input: loops without area are none to it.
-bool execute(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, ClipperLib::PolyFillType fill,
-             std::size_t points, ClipperLib::PolyTree& tree) {
-  if (points > kQuicklySplit) {
-    clipper.StrictlySimple(false);
-    if (!clipper.Execute(operation, tree, fill, fill)) return false;
-    if (!touches_itself(tree)) return true;
-  }
-  clipper.StrictlySimple(true);
-  return clipper.Execute(operation, tree, fill, fill);
-}
-
-Regions executed(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, ClipperLib::PolyFillType fill,
-                 const Sources& sources, const Tolerances& tol) {
-  ClipperLib::PolyTree tree;
-  if (!execute(clipper, operation, fill, sources.point_count(), tree)) return {};
+Regions regions_of(const ClipperLib::PolyTree& tree, const Sources& sources, const Tolerances& tol) {
   Regions regions;
   append_regions(tree, sources, tol, regions);
   return regions;
+}
+
+/// Contours that touch themselves are split there. That takes polyclipping the time of all points for every touch, so large
+/// inputs are clipped without it at first, and what touches itself often is split here.
+Regions executed(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, ClipperLib::PolyFillType fill,
+                 const Sources& sources, const Tolerances& tol) {
+  ClipperLib::PolyTree tree;
+  if (sources.point_count() > kQuicklySplit) {
+    clipper.StrictlySimple(false);
+    // False where there was no input: loops without area are none to it.
+    if (!clipper.Execute(operation, tree, fill, fill)) return {};
+    const std::size_t touches = touches_of(tree);
+    if (touches == 0) return regions_of(tree, sources, tol);
+    if (touches * sources.point_count() > kMostForPolyclipping) {
+      Regions regions;
+      for (const SplitContour& split : split_contours(tree)) {
+        std::vector<const ClipperLib::Path*> holes;
+        for (const ClipperLib::Path& hole : split.holes) holes.push_back(&hole);
+        append_region(split.contour, holes, sources, tol, regions);
+      }
+      return regions;
+    }
+  }
+  clipper.StrictlySimple(true);
+  if (!clipper.Execute(operation, tree, fill, fill)) return {};
+  return regions_of(tree, sources, tol);
 }
 
 Regions combined(const Regions& a, const Regions& b, ClipperLib::ClipType operation, const Tolerances& tol) {

@@ -107,6 +107,38 @@ TEST(Boolean, OrientationCountsUnderTheNonZeroRule) {
               64, 1e-6);
 }
 
+/// Thousands of places where contours touch themselves: polyclipping alone takes the square of them to split it.
+TEST(Boolean, AScribbleIsResolvedEvenOdd) {
+  Random random(3);
+  std::vector<Vec2> points;
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 at = direction_of(2 * kPi * i * 7 / 1000);
+    points.push_back({at.x * random.between(45, 90), at.y * random.between(45, 90)});
+  }
+  const std::vector<Loop> loops{loop_from_points(points)};
+  const Regions regions = resolve_even_odd(loops, kTol);
+  EXPECT_GT(regions.size(), 1000U);
+  for (const Region& region : regions) {
+    EXPECT_GT(signed_area(region.outer()), 0);
+    for (const Loop& island : region.islands()) EXPECT_LT(signed_area(island), 0);
+  }
+  const auto is_filled = [&](Vec2 p) {
+    bool filled = false;
+    for (const Edge& edge : loops[0]) {
+      const Vec2 a = edge.from, b = edge.to;
+      if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) filled = !filled;
+    }
+    return filled;
+  };
+  for (int i = 0; i < 500; ++i) {
+    const Vec2 p{random.between(-90, 90), random.between(-90, 90)};
+    const bool near = std::any_of(loops[0].begin(), loops[0].end(),
+                                  [&](const Edge& edge) { return distance(edge, p) < 0.001; });
+    if (near) continue;
+    EXPECT_EQ(contains(regions, p), is_filled(p)) << i;
+  }
+}
+
 /// Says nothing about where the result lies: that is what the point test below is for.
 TEST(Boolean, AreasOfRandomPairsAddUp) {
   Random random(7);

@@ -46,8 +46,9 @@ TEST(Isolation, PadsArePartedByCuttersThatMeetInTheGap) {
   const PlanResult result = planned(two_pads(0.2), "endmill:0.4");
   ASSERT_NE(condition(result, "not-parted"), nullptr);
   EXPECT_THAT(condition(result, "not-parted")->text,
-              ::testing::HasSubstr("the 2 pieces that stay are parted into 1, because gaps are narrower than T1 (0.4 mm); "
-                                   "a cutter of 0.2 mm parts them all"));
+              ::testing::HasSubstr(
+                  "the 2 pieces that stay are parted into 1, because gaps are narrower than T1 (0.4 mm); "
+                  "a cutter of 0.2 mm parts them all"));
   EXPECT_EQ(verdict_of(result.findings), Verdict::kConditional);
 }
 
@@ -56,8 +57,7 @@ TEST(Isolation, PiecesWithinPiecesCount) {
   const std::string ring =
       "%FSLAX33Y33*%%MOMM*%%ADD10C,10X6*%%ADD11C,2*%%ADD12C,5.5*%D10*X0Y0D03*D11*X0Y0D03*X20000D03*M02*";
   EXPECT_EQ(verdict_of(planned(ring, "endmill:0.5").findings), Verdict::kClean);
-  const std::string close =
-      "%FSLAX33Y33*%%MOMM*%%ADD10C,10X6*%%ADD12C,5.5*%D10*X0Y0D03*D12*X0Y0D03*M02*";
+  const std::string close = "%FSLAX33Y33*%%MOMM*%%ADD10C,10X6*%%ADD12C,5.5*%D10*X0Y0D03*D12*X0Y0D03*M02*";
   EXPECT_EQ(condition(planned(close, "endmill:0.2"), "not-parted"), nullptr);
   EXPECT_NE(condition(planned(close, "endmill:0.3"), "not-parted"), nullptr);
 }

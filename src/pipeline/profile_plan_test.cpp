@@ -116,6 +116,52 @@ TEST(DrawingRoles, SeveralOuterOutlinesThatAllHoldOthersAreAskedAbout) {
       read::read_part_text(two(rectangle("0", 200, 0, 220, 20)), "plate.dxf", asking(6)).features.size(), 3u);
 }
 
+/// What the question promises: islands stand, whatever layer they are drawn on.
+TEST(DrawingRoles, IslandsOfAnOuterPocketMayLieOnOtherLayers) {
+  const std::string text =
+      dxf(rectangle("A", 0, 0, 80, 50) + circle("B", 20, 20, 8) + circle("B", 60, 20, 8) +
+          circle("C", 60, 20, 3) + rectangle("A", 100, 0, 180, 50) +
+          rectangle("POCKET_D1", 110, 10, 120, 20) + rectangle("D1", 130, 10, 140, 20));
+  auto options = asking(6);
+  options.depth.reset();
+  options.depth_if_missing = 6;
+  options.layer_rules = {asked(read::LayerRole::kPocket, "outer")};
+  const Part part = read::read_part_text(text, "plate.dxf", options);
+  const double island = 80 * 50 - kPi * 128, whole = 80 * 50;
+  ASSERT_EQ(part.features.size(), 5u);
+  std::vector<double> areas;
+  for (const Feature& feature : part.features) areas.push_back(area(feature.target));
+  EXPECT_THAT(areas, ::testing::UnorderedElementsAre(
+                         ::testing::DoubleNear(island, 1e-6), ::testing::DoubleNear(kPi * 9, 1e-6),
+                         ::testing::DoubleNear(whole, 1e-6), ::testing::DoubleNear(100, 1e-6),
+                         ::testing::DoubleNear(100, 1e-6)));
+  // A depth that the option says counts, for all of it.
+  options.layer_rules.front().depth = 3;
+  for (const Feature& feature : read::read_part_text(text, "plate.dxf", options).features)
+    EXPECT_EQ(feature.floor_z, area(feature.target) > 100.5 || area(feature.target) < 99 ? -3 : -1);
+}
+
+TEST(DrawingRoles, AnOutlineInAPocketOfAnotherLayerIsAskedAbout) {
+  const std::string text =
+      dxf(rectangle("A", 0, 0, 80, 50) + circle("B", 20, 20, 8) + rectangle("C", 100, 0, 120, 20));
+  const std::string question = refusal(text, asking(6));
+  EXPECT_THAT(question, HasSubstr("layer B: the outline of 16 x 16 mm at (12, 12) lies in a pocket"));
+  EXPECT_THAT(question, HasSubstr("--op island:B"));
+  read::DrawingOverview overview;
+  auto looking = asking();
+  looking.overview = &overview;
+  read::read_part_text(text, "plate.dxf", looking);
+  EXPECT_THAT(overview.question, HasSubstr("--op island:B"));
+  auto options = asking(6);
+  options.layer_rules = {asked(read::LayerRole::kIsland, "B")};
+  EXPECT_NEAR(area(read::read_part_text(text, "plate.dxf", options).features[0].target), 4000 - 64 * kPi,
+              1e-6);
+  options.layer_rules = {asked(read::LayerRole::kPocket, "B")};
+  EXPECT_NEAR(area(read::read_part_text(text, "plate.dxf", options).features[0].target), 4000, 1e-6);
+  // The same outline on two layers is one.
+  EXPECT_EQ(refusal(dxf(rectangle("A", 0, 0, 80, 50) + rectangle("B", 0, 0, 80, 50)), asking(6)), "");
+}
+
 TEST(DrawingRoles, AnOuterOutlineThatHoldsOthersIsAskedAbout) {
   const std::string text = plate("0", "0", "0");
   const std::string question = refusal(text, asking(6));

@@ -81,7 +81,8 @@ Aperture standard(char kind, const std::string& definition, std::vector<double> 
     numbers.resize(4, 0);
     if (!(a > 0) || !(numbers[1] >= kFewestSides && numbers[1] <= kMostSides)) fail(definition, context);
     Aperture aperture;
-    aperture.shape = {{true, {regular_polygon({}, a / 2, static_cast<int>(numbers[1]), numbers[2] * kPi / 180)}, {}}};
+    aperture.shape = {
+        {true, {regular_polygon({}, a / 2, static_cast<int>(numbers[1]), numbers[2] * kPi / 180)}, {}}};
     cut_hole(aperture, numbers[3] * context.mm);
     return aperture;
   }

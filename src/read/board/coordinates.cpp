@@ -28,7 +28,8 @@ std::optional<double> coordinate(std::string_view text, const CoordinateFormat& 
   std::string digits(text);
   const auto all = static_cast<std::size_t>(format.whole + format.decimals);
   if (format.trailing_omitted && digits.size() < all) digits.resize(all, '0');
-  if (text.empty() || digits.size() > kMostDigits || digits.find_first_not_of("0123456789") != std::string::npos)
+  if (text.empty() || digits.size() > kMostDigits ||
+      digits.find_first_not_of("0123456789") != std::string::npos)
     return std::nullopt;
   double scale = 1;
   for (int i = 0; i < format.decimals; ++i) scale *= 10;

@@ -9,8 +9,8 @@
 namespace clearcut::read {
 
 struct CoordinateFormat {
-  int whole = 3;                   ///< digits before the point
-  int decimals = 3;                ///< digits after it
+  int whole = 3;                  ///< digits before the point
+  int decimals = 3;               ///< digits after it
   bool trailing_omitted = false;  ///< zeros at the end are left out; else those at the beginning
 };
 

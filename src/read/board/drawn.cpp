@@ -28,7 +28,8 @@ Regions dark_area(const std::vector<Drawn>& drawn, const RepairOptions& options)
     const bool adds = drawn[i].dark;
     std::vector<RawCurve> curves;
     for (; i < drawn.size() && drawn[i].dark == adds; ++i)
-      for (const Path& piece : drawn[i].pieces) curves.push_back({piece, true, "what is drawn", Compound{0, true}});
+      for (const Path& piece : drawn[i].pieces)
+        curves.push_back({piece, true, "what is drawn", Compound{0, true}});
     if (curves.empty() || (!adds && dark.empty())) continue;
     const Regions area = repair(std::move(curves), options, crossings);
     dark = dark.empty() ? area : adds ? unite(dark, area, options.tol) : subtract(dark, area, options.tol);

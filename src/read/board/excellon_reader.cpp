@@ -48,8 +48,9 @@ class ExcellonReader {
     if (!ended_) fail("the file ends without M30: it is cut short; export it again");
     finish_route();
     if (assumed_ && has_digits_)
-      diagnostics_.warn(file_, "the file does not say how its numbers are written: " + std::to_string(format_.decimals) +
-                                   " digits after the point assumed; compare the size");
+      diagnostics_.warn(
+          file_, "the file does not say how its numbers are written: " + std::to_string(format_.decimals) +
+                     " digits after the point assumed; compare the size");
     return std::move(tools_);
   }
 
@@ -58,7 +59,8 @@ class ExcellonReader {
     throw InputError(file_ + ":" + std::to_string(line_), what);
   }
   [[noreturn]] void not_understood(std::string_view line) const {
-    fail("'" + printable(line) + "' is not understood; export the drill file again (Excellon, decimal numbers, no patterns)");
+    fail("'" + printable(line) +
+         "' is not understood; export the drill file again (Excellon, decimal numbers, no patterns)");
   }
 
   void take(std::string_view line) {
@@ -90,7 +92,8 @@ class ExcellonReader {
     mm_ = mm;
     unit_overruled_ = overrules;
     has_unit_ = true;
-    if (!stated_digits_) format_.whole = mm == kMmPerInch ? 2 : 3, format_.decimals = mm == kMmPerInch ? 4 : 3;
+    if (!stated_digits_)
+      format_.whole = mm == kMmPerInch ? 2 : 3, format_.decimals = mm == kMmPerInch ? 4 : 3;
   }
 
   /// "METRIC,TZ,000.000", "INCH,LZ".
@@ -112,9 +115,11 @@ class ExcellonReader {
     if (line == "M72") return set_unit(kMmPerInch, false);
     if (line[0] == 'T' && line.find('C') != std::string_view::npos) return define_tool(line);
     if (line == "ICI,ON") incremental_ = true;
-    for (const std::string_view known : {"FMAT", "VER", "DETECT", "ATC", "ICI", "G90", "R,", "T", "TCST", "AFS", "CCW", "CP"})
+    for (const std::string_view known :
+         {"FMAT", "VER", "DETECT", "ATC", "ICI", "G90", "R,", "T", "TCST", "AFS", "CCW", "CP"})
       if (line.starts_with(known)) return;
-    diagnostics_.warn(file_ + ":" + std::to_string(line_), "'" + printable(line) + "' in the header is not used");
+    diagnostics_.warn(file_ + ":" + std::to_string(line_),
+                      "'" + printable(line) + "' in the header is not used");
   }
 
   /// "T1C0.8", "T01F85S300C.0118".
@@ -221,7 +226,8 @@ class ExcellonReader {
   DrillTool& tool() {
     const auto found = tools_.find(tool_);
     if (found == tools_.end() || found->second.diameter == 0)
-      fail("tool T" + std::to_string(tool_) + " has no diameter; add a line like T" + std::to_string(tool_) + "C0.8 to the header");
+      fail("tool T" + std::to_string(tool_) + " has no diameter; add a line like T" + std::to_string(tool_) +
+           "C0.8 to the header");
     return found->second;
   }
 
@@ -267,7 +273,8 @@ class ExcellonReader {
   }
 
   void repeat(double times, double x, double y, std::string_view line) {
-    if (!(times >= 1 && times <= kMostRepeatedHoles && times == std::floor(times)) || mode_ != Mode::kDrill) not_understood(line);
+    if (!(times >= 1 && times <= kMostRepeatedHoles && times == std::floor(times)) || mode_ != Mode::kDrill)
+      not_understood(line);
     for (int i = 0; i < static_cast<int>(times); ++i) {
       at_ = at_ + Vec2{x, y};
       drill(at_);
@@ -293,7 +300,8 @@ class ExcellonReader {
   std::size_t count_ = 0;
 };
 
-DrawnGroup group_named(const std::string& name, LayerRole role, const std::string& file, const ReadOptions& options) {
+DrawnGroup group_named(const std::string& name, LayerRole role, const std::string& file,
+                       const ReadOptions& options) {
   DrawnGroup group;
   group.name = name;
   group.where = file + ": " + name;
@@ -319,10 +327,12 @@ void add_groups(int number, const DrillTool& tool, const std::string& file, cons
   repair.where = slots.where;
   std::vector<Drawn> drawn;
   for (const Path& line : tool.slots) {
-    drawn.push_back({true, stroke_pieces({{line, false}}, {tool.diameter, StrokeCap::kRound, StrokeJoin::kRound}), {}});
+    drawn.push_back(
+        {true, stroke_pieces({{line, false}}, {tool.diameter, StrokeCap::kRound, StrokeJoin::kRound}), {}});
     drawn.back() = mapped(drawn.back(), Affine::scaling(options.scale, options.scale));
   }
-  for (Path& loop : loops_of(dark_area(drawn, repair))) slots.curves.push_back({std::move(loop), true, "a slot", {}});
+  for (Path& loop : loops_of(dark_area(drawn, repair)))
+    slots.curves.push_back({std::move(loop), true, "a slot", {}});
   for (DrawnGroup* group : {&holes, &slots})
     if (!group->curves.empty()) groups.push_back(std::move(*group));
 }

@@ -1,4 +1,6 @@
 // Drill files as several programs write them.
+#include "read/board/excellon_reader.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,7 +9,6 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/region.h"
-#include "read/board/excellon_reader.h"
 
 namespace clearcut::read {
 namespace {
@@ -39,7 +40,8 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(Excellon, DecimalsAreWhatTheySay) {
-  const Part part = read("M48\n; by KiCad\nFMAT,2\nMETRIC\nT1C0.800\nT2C1.0\n%\nG90\nG05\nT1\nX25.0Y-15.5\nT2\nX1.\nM30\n");
+  const Part part =
+      read("M48\n; by KiCad\nFMAT,2\nMETRIC\nT1C0.800\nT2C1.0\n%\nG90\nG05\nT1\nX25.0Y-15.5\nT2\nX1.\nM30\n");
   ASSERT_EQ(part.features.size(), 2U);
   EXPECT_EQ(part.features[0].name, "T1 0.8 mm");
   EXPECT_EQ(part.features[0].kind, FeatureKind::kRoundHole);
@@ -75,9 +77,12 @@ TEST(Excellon, SlotsAreAsWideAsTheirTool) {
   const Part canned = read("M48\nMETRIC\nT2C1.0\n%\nT2\nX30.0Y-18.0G85X33.0Y-18.0\nM30\n");
   ASSERT_EQ(canned.features.size(), 1U);
   EXPECT_NEAR(area(canned.features[0].target), slot, 1e-9);
-  const Part routed = read("M48\nMETRIC\nT2C1.0\n%\nT2\nG00X30.0Y-18.0\nM15\nG01X31.5Y-18.0\nG01X33.0Y-18.0\nM16\nG05\nX0.0Y0.0\nM30\n");
+  const Part routed = read(
+      "M48\nMETRIC\nT2C1.0\n%\nT2\nG00X30.0Y-18.0\nM15\nG01X31.5Y-18.0\nG01X33.0Y-18.0\nM16\nG05\nX0.0Y0."
+      "0\nM30\n");
   ASSERT_EQ(routed.features.size(), 2U);
-  const Feature& feature = routed.features[0].kind == FeatureKind::kRoundHole ? routed.features[1] : routed.features[0];
+  const Feature& feature =
+      routed.features[0].kind == FeatureKind::kRoundHole ? routed.features[1] : routed.features[0];
   EXPECT_NEAR(area(feature.target), slot, 1e-6);
   EXPECT_NEAR(center_of(feature).x, 31.5, 1e-9);
 }

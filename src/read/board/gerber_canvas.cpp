@@ -18,7 +18,8 @@ constexpr std::size_t kDeepestBlocks = 50;
 
 Affine ApertureTransform::at(Vec2 place) const {
   const Affine turned = turn_deg == 0 ? Affine{} : Affine::rotation(turn_deg * kPi / 180);
-  return Affine::translation(place) * turned * Affine::scaling(mirror_x ? -scale : scale, mirror_y ? -scale : scale);
+  return Affine::translation(place) * turned *
+         Affine::scaling(mirror_x ? -scale : scale, mirror_y ? -scale : scale);
 }
 
 void GerberCanvas::fail(const std::string& what) const {
@@ -42,7 +43,8 @@ void GerberCanvas::select(int number) {
 }
 
 const Aperture& GerberCanvas::aperture() const {
-  if (!aperture_) fail("something is drawn before an aperture is chosen; the file is damaged, export it again");
+  if (!aperture_)
+    fail("something is drawn before an aperture is chosen; the file is damaged, export it again");
   return *aperture_;
 }
 
@@ -108,8 +110,10 @@ std::vector<Path> GerberCanvas::swept(const Path& line) const {
   const Aperture& pen = aperture();
   if (pen.diameter && *pen.diameter == 0) return {};
   if (pen.diameter)
-    return stroke_pieces({{line, false}}, {*pen.diameter * transform_.scale, StrokeCap::kRound, StrokeJoin::kRound});
-  const bool straight = std::none_of(line.begin(), line.end(), [](const Edge& edge) { return edge.is_arc(); });
+    return stroke_pieces({{line, false}},
+                         {*pen.diameter * transform_.scale, StrokeCap::kRound, StrokeJoin::kRound});
+  const bool straight =
+      std::none_of(line.begin(), line.end(), [](const Edge& edge) { return edge.is_arc(); });
   if (!pen.size || !straight) {
     fail("a line is drawn with aperture D" + std::to_string(number_) + ", which is no circle" +
          (straight ? " or rectangle" : "") + "; export the layer again as RS-274X or X2");

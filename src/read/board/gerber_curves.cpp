@@ -32,7 +32,8 @@ std::optional<Vec2> quadrant_center(Vec2 from, Vec2 to, Vec2 offset, Turn turn) 
     for (const double y : {-1.0, 1.0}) {
       const Vec2 center = from + Vec2{x * std::abs(offset.x), y * std::abs(offset.y)};
       if (std::abs(Edge::arc(from, to, center, turn).sweep()) > kPi / 2 * kRounding) continue;
-      if (!best || difference_of_radii(center, from, to) < difference_of_radii(*best, from, to)) best = center;
+      if (!best || difference_of_radii(center, from, to) < difference_of_radii(*best, from, to))
+        best = center;
     }
   }
   return best;
@@ -61,7 +62,8 @@ std::optional<Path> gerber_edge(Vec2 from, Vec2 to, Vec2 offset, Turn turn, bool
   }
   const std::optional<Vec2> center =
       single_quadrant ? quadrant_center(from, to, offset, turn) : std::optional(from + offset);
-  if (!center || difference_of_radii(*center, from, to) > kSameRadii * distance(*center, from)) return std::nullopt;
+  if (!center || difference_of_radii(*center, from, to) > kSameRadii * distance(*center, from))
+    return std::nullopt;
   return Path{Edge::arc(from, to, on_bisector(*center, from, to), turn)};
 }
 

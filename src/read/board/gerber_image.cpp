@@ -25,13 +25,13 @@ bool has_no_effect(std::string_view text) {
   const bool scale = text.starts_with("SF");
   if (!scale && !text.starts_with("MI") && !text.starts_with("OF")) return false;
   const auto words = words_of(text.substr(2));
-  return words && std::all_of(words->begin(), words->end(), [&](const auto& word) {
-           return plain_number(word.second) == (scale ? 1 : 0);
-         });
+  return words && std::all_of(words->begin(), words->end(),
+                              [&](const auto& word) { return plain_number(word.second) == (scale ? 1 : 0); });
 }
 
 bool is_one_of(std::string_view text, const auto& codes) {
-  return std::any_of(codes.begin(), codes.end(), [&](std::string_view code) { return text.starts_with(code); });
+  return std::any_of(codes.begin(), codes.end(),
+                     [&](std::string_view code) { return text.starts_with(code); });
 }
 
 class GerberReader {
@@ -192,7 +192,9 @@ class GerberReader {
   double length(std::string_view digits, std::string_view text) const {
     need_unit();
     if (!has_format_)
-      fail("the file does not say how its numbers are written (%FS...); export the layer again as RS-274X or X2");
+      fail(
+          "the file does not say how its numbers are written (%FS...); export the layer again as RS-274X or "
+          "X2");
     const auto value = coordinate(digits, format_);
     if (!value) not_understood(text);
     return *value * mm_;
@@ -208,7 +210,8 @@ class GerberReader {
     at_ = move.end(from, is_incremental_);
     if (operation_ == 1) {
       const auto edges = gerber_edge(from, at_, move.center_offset(), turn_, single_quadrant_);
-      if (!edges) fail("an arc has no center at the same distance from both of its ends; export the layer again");
+      if (!edges)
+        fail("an arc has no center at the same distance from both of its ends; export the layer again");
       canvas_.draw_to(at_, *edges);
     } else if (operation_ == 2) {
       canvas_.lift();

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "read/board/gerber_image.h"
 #include "read/common/drawing.h"
-#include "read/common/outline_roles.h"
+#include "read/common/layers/outline_roles.h"
 #include "read/common/text.h"
 
 namespace clearcut::read {
@@ -21,23 +21,25 @@ struct LayerWord {
 };
 
 /// First fields of the attribute FileFunction (section 5.6.3 of the specification).
-constexpr std::array kFunctions{LayerWord{"COPPER", LayerRole::kIsolate}, LayerWord{"PROFILE", LayerRole::kProfile},
-                                LayerWord{"PLATED", LayerRole::kHole}, LayerWord{"NONPLATED", LayerRole::kHole}};
+constexpr std::array kFunctions{
+    LayerWord{"COPPER", LayerRole::kIsolate}, LayerWord{"PROFILE", LayerRole::kProfile},
+    LayerWord{"PLATED", LayerRole::kHole}, LayerWord{"NONPLATED", LayerRole::kHole}};
 
 /// Parts of names as CAD programs give them: KiCad, EAGLE, Altium and their kin.
-constexpr std::array kNames{LayerWord{"EDGE_CUTS", LayerRole::kProfile}, LayerWord{"EDGE.CUTS", LayerRole::kProfile},
-                            LayerWord{"OUTLINE", LayerRole::kProfile},   LayerWord{"PROFILE", LayerRole::kProfile},
-                            LayerWord{"DIMENSION", LayerRole::kProfile}, LayerWord{".GKO", LayerRole::kProfile},
-                            LayerWord{".GM1", LayerRole::kProfile},      LayerWord{".GML", LayerRole::kProfile},
-                            LayerWord{"F_CU", LayerRole::kIsolate},      LayerWord{"B_CU", LayerRole::kIsolate},
-                            LayerWord{"F.CU", LayerRole::kIsolate},      LayerWord{"B.CU", LayerRole::kIsolate},
-                            LayerWord{"COPPER", LayerRole::kIsolate},    LayerWord{".GTL", LayerRole::kIsolate},
-                            LayerWord{".GBL", LayerRole::kIsolate},      LayerWord{".CMP", LayerRole::kIsolate},
-                            LayerWord{".SOL", LayerRole::kIsolate},      LayerWord{"MASK", LayerRole::kPocket},
-                            LayerWord{"PASTE", LayerRole::kPocket},      LayerWord{"SILK", LayerRole::kPocket},
-                            LayerWord{".GTS", LayerRole::kPocket},       LayerWord{".GBS", LayerRole::kPocket},
-                            LayerWord{".GTP", LayerRole::kPocket},       LayerWord{".GBP", LayerRole::kPocket},
-                            LayerWord{".GTO", LayerRole::kPocket},       LayerWord{".GBO", LayerRole::kPocket}};
+constexpr std::array kNames{
+    LayerWord{"EDGE_CUTS", LayerRole::kProfile}, LayerWord{"EDGE.CUTS", LayerRole::kProfile},
+    LayerWord{"OUTLINE", LayerRole::kProfile},   LayerWord{"PROFILE", LayerRole::kProfile},
+    LayerWord{"DIMENSION", LayerRole::kProfile}, LayerWord{".GKO", LayerRole::kProfile},
+    LayerWord{".GM1", LayerRole::kProfile},      LayerWord{".GML", LayerRole::kProfile},
+    LayerWord{"F_CU", LayerRole::kIsolate},      LayerWord{"B_CU", LayerRole::kIsolate},
+    LayerWord{"F.CU", LayerRole::kIsolate},      LayerWord{"B.CU", LayerRole::kIsolate},
+    LayerWord{"COPPER", LayerRole::kIsolate},    LayerWord{".GTL", LayerRole::kIsolate},
+    LayerWord{".GBL", LayerRole::kIsolate},      LayerWord{".CMP", LayerRole::kIsolate},
+    LayerWord{".SOL", LayerRole::kIsolate},      LayerWord{"MASK", LayerRole::kPocket},
+    LayerWord{"PASTE", LayerRole::kPocket},      LayerWord{"SILK", LayerRole::kPocket},
+    LayerWord{".GTS", LayerRole::kPocket},       LayerWord{".GBS", LayerRole::kPocket},
+    LayerWord{".GTP", LayerRole::kPocket},       LayerWord{".GBP", LayerRole::kPocket},
+    LayerWord{".GTO", LayerRole::kPocket},       LayerWord{".GBO", LayerRole::kPocket}};
 
 std::optional<LayerRole> role_of_function(const std::string& function) {
   const std::string field = capitals(function.substr(0, function.find(',')));
@@ -112,17 +114,20 @@ Part read_gerber(std::string_view text, const std::string& file_name, const Read
   DrawnGroup group = group_of(image.function, file_name, options);
   if (!group.says_role && options.ask_if_unclear && !options.overview) {
     throw InputError(file_name,
-                     "nothing says what this layer is for (no attribute FileFunction, no usual name): say --op isolate:'*' for copper, "
+                     "nothing says what this layer is for (no attribute FileFunction, no usual name): say "
+                     "--op isolate:'*' for copper, "
                      "profile:'*' for the board's outline, pocket:'*' to mill what is drawn");
   }
   const bool follows = group.role == LayerRole::kProfile || group.role == LayerRole::kInside ||
                        group.role == LayerRole::kEngrave;
   group.curves = follows ? lines_of(std::move(image.drawn)) : areas_of(image.drawn, repair);
   if (!image.function.empty())
-    part.diagnostics.note(file_name, "the layer is " + printable(image.function) + ", read as " + name_of(group.role));
+    part.diagnostics.note(file_name,
+                          "the layer is " + printable(image.function) + ", read as " + name_of(group.role));
   if (is_bottom(image.function, file_name) && !options.mirror) {
-    part.diagnostics.warn(file_name, "this is the bottom of the board, drawn as seen from the top; --mirror gives it as "
-                                     "seen from below, as it lies when the board is turned over");
+    part.diagnostics.warn(file_name,
+                          "this is the bottom of the board, drawn as seen from the top; --mirror gives it as "
+                          "seen from below, as it lies when the board is turned over");
   }
   std::vector<DrawnGroup> groups{std::move(group)};
   question_size(groups, file_name, options);

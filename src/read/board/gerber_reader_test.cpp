@@ -1,4 +1,6 @@
 // Gerber layers by areas that are known by formula, and beside the winding of what was drawn.
+#include "read/board/gerber_reader.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +13,6 @@
 #include "base/units.h"
 #include "geometry/region.h"
 #include "read/board/gerber_image.h"
-#include "read/board/gerber_reader.h"
 #include "read/read_part.h"
 
 namespace clearcut::read {
@@ -67,8 +68,10 @@ TEST(Gerber, LinesAndArcsAreAsWideAsTheirAperture) {
   // Modal: the coordinates alone go on with D01.
   EXPECT_NEAR(dark_area_of("%ADD10C,2*%D10*X0Y0D02*X5000D01*X10000*"), 20 + kPi, 1e-6);
   EXPECT_NEAR(dark_area_of("%ADD10R,2X2*%D10*X0Y0D02*X10000Y10000D01*"), 4 + 40, 1e-6);
-  EXPECT_NEAR(dark_area_of("%ADD10C,1*%D10*G75*X5000Y0D02*G03*X0Y5000I-5000J0D01*"), kPi / 2 * 5 + kPi / 4, 1e-6);
-  EXPECT_NEAR(dark_area_of("%ADD10C,1*%D10*G74*X5000Y0D02*G03*X0Y5000I5000J0D01*"), kPi / 2 * 5 + kPi / 4, 1e-6);
+  EXPECT_NEAR(dark_area_of("%ADD10C,1*%D10*G75*X5000Y0D02*G03*X0Y5000I-5000J0D01*"), kPi / 2 * 5 + kPi / 4,
+              1e-6);
+  EXPECT_NEAR(dark_area_of("%ADD10C,1*%D10*G74*X5000Y0D02*G03*X0Y5000I5000J0D01*"), kPi / 2 * 5 + kPi / 4,
+              1e-6);
   EXPECT_NEAR(dark_area_of("%ADD10C,1*%D10*G75*X5000Y0D02*G02*X5000Y0I-5000J0D01*"), kPi * 10, 1e-6);
   // A dot.
   EXPECT_NEAR(dark_area_of("%ADD10C,2*%D10*X1000Y0D02*X1000Y0D01*"), kPi, 1e-9);
@@ -82,14 +85,16 @@ TEST(Gerber, NumbersComeInAllTheirWays) {
   EXPECT_NEAR(corner(dark_of("%ADD10R,1X1*%D10*X2Y1D03*", "%FSTAX33Y33*%\n%MOMM*%\n")).x, 199.5, 1e-9);
   // Inches, six decimals.
   EXPECT_NEAR(corner(dark_of("%ADD10R,1X1*%D10*X1000000Y0D03*", "%FSLAX26Y26*%\n%MOIN*%\n")).x, 12.7, 1e-9);
-  EXPECT_NEAR(corner(dark_of("%ADD10R,1X1*%D10*X2000Y0D02*X-1000Y1000D03*", "%FSLIX33Y33*%\n%MOMM*%\n")).x, 0.5, 1e-9);
+  EXPECT_NEAR(corner(dark_of("%ADD10R,1X1*%D10*X2000Y0D02*X-1000Y1000D03*", "%FSLIX33Y33*%\n%MOMM*%\n")).x,
+              0.5, 1e-9);
   // Old files say the unit by G70.
   EXPECT_NEAR(corner(dark_of("%ADD10R,1X1*%G54D10*X10000Y0D03*", "%FSLAX24Y24*%\nG70*\n")).x, 12.7, 1e-9);
 }
 
 TEST(Gerber, WhatIsClearTakesAwayWhatWasDrawnBefore) {
-  EXPECT_NEAR(dark_area_of("%ADD10R,4X4*%%ADD11C,2*%%ADD12C,1*%D10*X0Y0D03*%LPC*%D11*X0Y0D03*%LPD*%D12*X0Y0D03*"),
-              16 - kPi + kPi / 4, 1e-6);
+  EXPECT_NEAR(
+      dark_area_of("%ADD10R,4X4*%%ADD11C,2*%%ADD12C,1*%D10*X0Y0D03*%LPC*%D11*X0Y0D03*%LPD*%D12*X0Y0D03*"),
+      16 - kPi + kPi / 4, 1e-6);
   // Clear before anything is drawn clears nothing.
   EXPECT_NEAR(dark_area_of("%ADD10R,4X4*%%LPC*%D10*X0Y0D03*%LPD*%X1000Y0D03*"), 16, 1e-9);
 }
@@ -99,24 +104,30 @@ TEST(Gerber, RegionsMayCutInToTheirHoles) {
   // The outline left open, and clockwise.
   EXPECT_NEAR(dark_area_of("G36*X0Y0D02*G01*Y10000D01*X10000D01*Y0D01*G37*"), 100, 1e-9);
   // A hole that is reached by a cut along one line.
-  EXPECT_NEAR(dark_area_of("G36*X0Y0D02*G01*X10000D01*Y10000D01*X0D01*Y5000D01*X3000D01*Y7000D01*X7000D01*Y3000D01*"
-                           "X3000D01*Y5000D01*X0D01*Y0D01*G37*"),
-              100 - 16, 1e-6);
+  EXPECT_NEAR(
+      dark_area_of("G36*X0Y0D02*G01*X10000D01*Y10000D01*X0D01*Y5000D01*X3000D01*Y7000D01*X7000D01*Y3000D01*"
+                   "X3000D01*Y5000D01*X0D01*Y0D01*G37*"),
+      100 - 16, 1e-6);
   // Two outlines that overlap.
-  EXPECT_NEAR(dark_area_of("G36*X0Y0D02*G01*X10000D01*Y10000D01*X0D01*Y0D01*X5000Y5000D02*Y15000D01*X15000D01*Y5000D01*"
-                           "X5000D01*G37*"),
-              175, 1e-9);
+  EXPECT_NEAR(
+      dark_area_of(
+          "G36*X0Y0D02*G01*X10000D01*Y10000D01*X0D01*Y0D01*X5000Y5000D02*Y15000D01*X15000D01*Y5000D01*"
+          "X5000D01*G37*"),
+      175, 1e-9);
   EXPECT_NEAR(dark_area_of("G36*X0Y0D02*G01*X10000D01*G75*G03*X0Y0I-5000J0D01*G37*"), kPi * 25 / 2, 1e-9);
 }
 
 TEST(Gerber, MacrosAreEvaluated) {
   const std::string rounded =
-      "%AMRR*0 a pad with round corners*4,1,4,$2,$3,$4,$5,$6,$7,$8,$9,$2,$3,0*1,1,$1+$1,$2,$3*1,1,$1+$1,$4,$5*"
-      "1,1,$1+$1,$6,$7*1,1,$1x2,$8,$9*20,1,$1+$1,$2,$3,$4,$5,0*20,1,$1+$1,$4,$5,$6,$7,0*20,1,$1+$1,$6,$7,$8,$9,0*"
+      "%AMRR*0 a pad with round "
+      "corners*4,1,4,$2,$3,$4,$5,$6,$7,$8,$9,$2,$3,0*1,1,$1+$1,$2,$3*1,1,$1+$1,$4,$5*"
+      "1,1,$1+$1,$6,$7*1,1,$1x2,$8,$9*20,1,$1+$1,$2,$3,$4,$5,0*20,1,$1+$1,$4,$5,$6,$7,0*20,1,$1+$1,$6,$7,$8,$"
+      "9,0*"
       "20,1,$1+$1,$8,$9,$2,$3,0*%%ADD10RR,0.5X-1X-1X1X-1X1X1X-1X1*%D10*X0Y0D03*";
   EXPECT_NEAR(dark_area_of(rounded), 4 + 4 * 2 * 0.5 + kPi / 4, 1e-6);
   EXPECT_NEAR(dark_area_of("%AMB*21,1,$1,$2-(1/2),1,0,90*%%ADD10B,3X1.5*%D10*X0Y0D03*"), 3, 1e-9);
-  EXPECT_NEAR(dark_area_of("%AMV*$3=$1x$2*1,1,$3,0,0*1,0,$3/2,0,0*%%ADD10V,2X2*%D10*X0Y0D03*"), kPi * 3, 1e-6);
+  EXPECT_NEAR(dark_area_of("%AMV*$3=$1x$2*1,1,$3,0,0*1,0,$3/2,0,0*%%ADD10V,2X2*%D10*X0Y0D03*"), kPi * 3,
+              1e-6);
   EXPECT_NEAR(dark_area_of("%AMH*5,1,6,0,0,2,0*%%ADD10H*%D10*X0Y0D03*", kHead), 1.5 * std::sqrt(3), 1e-9);
   // A ring of 4 and 2 mm with four gaps of 0.5 mm.
   const double strip = [] {
@@ -141,7 +152,8 @@ TEST(Gerber, BlocksAreRepeatedMirroredTurnedAndScaled) {
 }
 
 TEST(Gerber, CopperStaysAndIsParted) {
-  const std::string copper = "%TF.FileFunction,Copper,L1,Top*%" + kHead + "%ADD10C,2*%D10*X0Y0D03*X5000D03*" + kEnd;
+  const std::string copper =
+      "%TF.FileFunction,Copper,L1,Top*%" + kHead + "%ADD10C,2*%D10*X0Y0D03*X5000D03*" + kEnd;
   const Part part = read_gerber(copper, "a.gbr", milled());
   ASSERT_EQ(part.features.size(), 1U);
   const Feature& feature = part.features.front();
@@ -152,13 +164,15 @@ TEST(Gerber, CopperStaysAndIsParted) {
   ReadOptions wide = milled();
   wide.layer_rules = {rule_of_option("isolate_w0.5_d0.2:*", "--op")};
   wide.depth.reset();
-  EXPECT_NEAR(area(read_gerber(copper, "a.gbr", wide).features.front().target), 2 * kPi * (1.5 * 1.5 - 1), 1e-6);
+  EXPECT_NEAR(area(read_gerber(copper, "a.gbr", wide).features.front().target), 2 * kPi * (1.5 * 1.5 - 1),
+              1e-6);
 }
 
 TEST(Gerber, TheFileOrItsNameSaysWhatTheLayerIs) {
   const std::string outline = "%ADD10C,0.1*%D10*X0Y0D02*X10000D01*Y10000D01*X0D01*Y0D01*";
   const auto kind = [&](const std::string& function, const std::string& name) {
-    const std::string text = (function.empty() ? "" : "%TF.FileFunction," + function + "*%") + kHead + outline + kEnd;
+    const std::string text =
+        (function.empty() ? "" : "%TF.FileFunction," + function + "*%") + kHead + outline + kEnd;
     return read_gerber(text, name, milled()).features.front().kind;
   };
   EXPECT_EQ(kind("Profile,NP", "x.gbr"), FeatureKind::kOutsideProfile);
@@ -181,7 +195,8 @@ TEST(Gerber, IsMirroredForTheOtherSide) {
   options.mirror = true;
   const Part part = read_gerber(kHead + "%ADD10R,1X2*%D10*X5000Y0D03*" + kEnd, "x.gbr", options);
   EXPECT_NEAR(box(part.features.front().target).min.x, -5.5, 1e-9);
-  const Part bottom = read_gerber("%TF.FileFunction,Copper,L2,Bot*%" + kHead + "%ADD10C,1*%D10*X0Y0D03*" + kEnd, "x.gbr", milled());
+  const Part bottom = read_gerber(
+      "%TF.FileFunction,Copper,L2,Bot*%" + kHead + "%ADD10C,1*%D10*X0Y0D03*" + kEnd, "x.gbr", milled());
   std::string said;
   for (const Diagnostic& item : bottom.diagnostics.items()) said += item.what;
   EXPECT_THAT(said, HasSubstr("--mirror"));
@@ -194,11 +209,13 @@ TEST(Gerber, DamageIsRefusedWithItsPlace) {
   EXPECT_THAT(refusal("%MOMM*%%ADD10C,1*%D10*X0Y0D03*" + kEnd), HasSubstr("how its numbers are written"));
   EXPECT_THAT(refusal("%FSLAX33Y33*%%ADD10C,1*%D10*X0Y0D03*" + kEnd), HasSubstr("unit"));
   EXPECT_THAT(refusal(kHead + "%ADD10O,1X2*%D10*X0Y0D02*X100D01*" + kEnd), HasSubstr("no circle"));
-  EXPECT_THAT(refusal(kHead + "%ADD10C,1*%D10*G75*X0Y0D02*G02*X100Y0I0J9000000D01*X0Y0I1J1D01*" + kEnd), HasSubstr("arc"));
+  EXPECT_THAT(refusal(kHead + "%ADD10C,1*%D10*G75*X0Y0D02*G02*X100Y0I0J9000000D01*X0Y0I1J1D01*" + kEnd),
+              HasSubstr("arc"));
   EXPECT_THAT(refusal(kHead + "%AMX*1,1,$1+*%%ADD10X,1*%" + kEnd), HasSubstr("macro"));
   EXPECT_THAT(refusal(kHead + "%ADD10Q,1*%" + kEnd), HasSubstr("aperture"));
   EXPECT_THAT(refusal(kHead + "%SFA2B2*%" + kEnd), HasSubstr("no longer in use"));
-  EXPECT_THAT(refusal(kHead + "%ADD10R,1X1*%%SRX9999Y9999I1J1*%D10*X0Y0D03*%SR*%" + kEnd), HasSubstr("2 million"));
+  EXPECT_THAT(refusal(kHead + "%ADD10R,1X1*%%SRX9999Y9999I1J1*%D10*X0Y0D03*%SR*%" + kEnd),
+              HasSubstr("2 million"));
 }
 
 /// Random flashes and strokes, dark and clear, beside what each drew last over sampled points.
@@ -212,14 +229,19 @@ TEST(Gerber, RandomDrawingsAreDarkWhereTheLastThingDrawnIs) {
     };
     std::vector<Thing> things;
     std::string body = "%ADD10C,1*%%ADD11C,2.5*%%ADD12C,4*%";
-    const auto place = [&] { return Vec2{static_cast<double>(random.below(20)), static_cast<double>(random.below(20))}; };
+    const auto place = [&] {
+      return Vec2{static_cast<double>(random.below(20)), static_cast<double>(random.below(20))};
+    };
     const auto words = [](Vec2 p) { return "X" + trimmed(p.x * 1000, 0) + "Y" + trimmed(p.y * 1000, 0); };
     for (std::uint64_t count = 2 + random.below(8); count > 0; --count) {
       const auto size = random.below(3);
-      Thing thing{things.empty() || random.unit() < 0.7, place(), place(), size == 0 ? 0.5 : size == 1 ? 1.25 : 2};
+      Thing thing{things.empty() || random.unit() < 0.7, place(), place(),
+                  size == 0   ? 0.5
+                  : size == 1 ? 1.25
+                              : 2};
       if (random.unit() < 0.5) thing.to = thing.from;
-      body += (thing.dark ? "%LPD*%D1" : "%LPC*%D1") + std::to_string(size) + "*" + words(thing.from) + "D02*" +
-              words(thing.to) + "D01*\n";
+      body += (thing.dark ? "%LPD*%D1" : "%LPC*%D1") + std::to_string(size) + "*" + words(thing.from) +
+              "D02*" + words(thing.to) + "D01*\n";
       things.push_back(thing);
     }
     const Regions dark = dark_of(body);

@@ -112,13 +112,12 @@ Drawn thermal(const Primitive& p, const ApertureContext& context) {
   if (gap > 0) {
     parts.push_back({false, {box_about(center, 2 * outer, gap), box_about(center, gap, 2 * outer)}, {}});
   }
-  return mapped(Drawn{true, loops_of(dark_area(parts, context.repair)), {}},
-                Affine::rotation(p.turn(6)));
+  return mapped(Drawn{true, loops_of(dark_area(parts, context.repair)), {}}, Affine::rotation(p.turn(6)));
 }
 
 Drawn drawn_by(const Primitive& p, const ApertureContext& context) {
   const double code = p.number(0);
-  Drawn drawn = code == 1                  ? circle(p)
+  Drawn drawn = code == 1                 ? circle(p)
                 : code == 2 || code == 20 ? vector_line(p)
                 : code == 21              ? box_primitive(p, false)
                 : code == 22              ? box_primitive(p, true)
@@ -134,10 +133,11 @@ Drawn drawn_by(const Primitive& p, const ApertureContext& context) {
 void set_variable(const std::string& block, MacroVariables& variables, const ApertureContext& context) {
   const std::size_t equals = block.find('=');
   const auto number = equals == std::string::npos ? std::nullopt : plain_number(block.substr(1, equals - 1));
-  const auto value = number ? macro_value(std::string_view(block).substr(equals + 1), variables) : std::nullopt;
+  const auto value =
+      number ? macro_value(std::string_view(block).substr(equals + 1), variables) : std::nullopt;
   if (!value || !(*number >= 1 && *number <= 1000)) {
-    throw InputError(context.repair.where, "macro variable '" + printable(block) +
-                                               "' is not understood; export the layer again");
+    throw InputError(context.repair.where,
+                     "macro variable '" + printable(block) + "' is not understood; export the layer again");
   }
   variables[static_cast<int>(*number)] = *value;
 }
@@ -146,7 +146,8 @@ void set_variable(const std::string& block, MacroVariables& variables, const Ape
 
 Path regular_polygon(Vec2 center, double radius, int corners, double turned) {
   std::vector<Vec2> points;
-  for (int i = 0; i < corners; ++i) points.push_back(center + direction_of(turned + 2 * kPi * i / corners) * radius);
+  for (int i = 0; i < corners; ++i)
+    points.push_back(center + direction_of(turned + 2 * kPi * i / corners) * radius);
   return polygon(points);
 }
 

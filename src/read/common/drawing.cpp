@@ -10,7 +10,8 @@
 #include "geometry/boolean.h"
 #include "read/common/features/area_features.h"
 #include "read/common/holes/drawn_holes.h"
-#include "read/common/outline_roles.h"
+#include "read/common/layers/layer_overlaps.h"
+#include "read/common/layers/outline_roles.h"
 #include "read/common/stock_edge.h"
 #include "read/common/text.h"
 #include "read/repair/crossings/nesting.h"
@@ -116,58 +117,6 @@ void add_profiles(const std::vector<ShapedGroup>& groups, const ReadOptions& opt
   }
 }
 
-bool near_any(const Regions& regions, const Regions& others) {
-  const Box around = box(others);
-  return std::any_of(regions.begin(), regions.end(),
-                     [&](const Region& region) { return region.box().overlaps(around); });
-}
-
-/// mm2. Layers that share less do not overlap.
-constexpr double kShared = 0.01;
-
-bool are_pockets_of_one_floor(const DrawnGroup& a, const DrawnGroup& b, const ReadOptions& options) {
-  const auto depth = [&](const DrawnGroup& group) { return options.depth ? options.depth : group.depth; };
-  const bool same_top = options.top || a.top.value_or(0) == b.top.value_or(0);
-  return a.role == LayerRole::kPocket && b.role == LayerRole::kPocket && same_top && depth(a) == depth(b);
-}
-
-/// The regions of one group that overlap regions of the other are taken out of it.
-Regions take_overlapping(Regions& regions, const Regions& others, const Tolerances& tol) {
-  Regions overlapping, apart;
-  for (Region& region : regions) {
-    const bool meets = near_any(others, {region}) && area(intersect({region}, others, tol)) >= kShared;
-    (meets ? overlapping : apart).push_back(std::move(region));
-  }
-  regions = std::move(apart);
-  return overlapping;
-}
-
-/// Pockets of two layers and one floor that overlap become one pocket, of the layer that has more of it: there is no wall
-/// where they meet.
-void unite_overlaps(ShapedGroup& later, ShapedGroup& earlier, const ReadOptions& options,
-                    Diagnostics& diagnostics) {
-  const Regions all = earlier.regions;
-  const Regions from_later = take_overlapping(later.regions, all, options.tol);
-  if (from_later.empty()) return;
-  const Regions from_earlier = take_overlapping(earlier.regions, from_later, options.tol);
-  ShapedGroup& larger = area(from_later) > area(from_earlier) ? later : earlier;
-  const Regions united = unite(from_later, from_earlier, options.tol);
-  larger.regions.insert(larger.regions.end(), united.begin(), united.end());
-  diagnostics.note(later.group.where, "overlaps layer " + printable(earlier.group.name) +
-                                          " of the same depth; what overlaps is milled as one pocket");
-}
-
-void unite_overlapping_layers(std::vector<ShapedGroup>& groups, const ReadOptions& options,
-                              Diagnostics& diagnostics) {
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const bool meet = !groups[i].regions.empty() && !groups[j].regions.empty() &&
-                        are_pockets_of_one_floor(groups[i].group, groups[j].group, options);
-      if (meet) unite_overlaps(groups[i], groups[j], options, diagnostics);
-    }
-  }
-}
-
 void add_group_features(ShapedGroup& shaped, const ReadOptions& options, Diagnostics& diagnostics,
                         std::vector<Feature>& out) {
   if (shaped.regions.empty() && shaped.lines.empty()) return;
@@ -257,6 +206,14 @@ void mirror(std::vector<DrawnGroup>& groups) {
 bool have_several_floors(const std::vector<Feature>& features) {
   return std::any_of(features.begin(), features.end(),
                      [&](const Feature& feature) { return feature.floor_z < features.front().floor_z; });
+}
+
+/// What a plan asks, for the overview; else it is asked.
+void ask_of_layers(const std::vector<ShapedGroup>& shaped, const ReadOptions& options) {
+  const auto question = question_of_layers(shaped, options);
+  if (!question) return;
+  if (!options.overview) throw InputError(question->where, question->text);
+  if (options.overview->question.empty()) options.overview->question = question->text;
 }
 
 /// In the words of the reader; "" for none.
@@ -372,7 +329,8 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   for (const DrawnGroup& group : groups) layers.push_back(group.name);
   const Regions islands = islands_of(groups, options, part.diagnostics);
   std::vector<ShapedGroup> shaped = shaped_groups(groups, options, part.diagnostics);
-  assign_outline_roles(shaped, layers, options, part.source_file);
+  assign_outline_roles(shaped, layers, options, part.source_file, part.diagnostics);
+  if (options.overview || options.ask_if_unclear) ask_of_layers(shaped, options);
   if (options.overview) return;
   give_through_depths(shaped, options);
   unite_overlapping_layers(shaped, options, part.diagnostics);

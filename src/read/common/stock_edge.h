@@ -5,7 +5,7 @@
 
 #include "base/tolerances.h"
 #include "model/part.h"
-#include "read/common/outline_roles.h"
+#include "read/common/layers/outline_roles.h"
 
 namespace clearcut::read {
 

@@ -108,11 +108,13 @@ bool is_curve(std::string_view dxf_type) {
 }
 
 std::optional<Affine> entity_map(const DxfDocument& document, const DxfEntity& entity) {
-  // LINE, ELLIPSE and SPLINE are written in the coordinates of the drawing whatever their extrusion.
-  if (entity.type == "LINE" || entity.type == "ELLIPSE" || entity.type == "SPLINE") return Affine{};
+  // LINE, ELLIPSE and SPLINE are written in the coordinates of the drawing whatever their extrusion. That of an ellipse
+  // says in which plane it lies.
+  if (entity.type == "LINE" || entity.type == "SPLINE") return Affine{};
   const double x = document.number(entity, 210, 0), y = document.number(entity, 220, 0);
   const double z = document.number(entity, 230, 1);
   if (std::abs(x) + std::abs(y) > 1e-6 * std::abs(z)) return std::nullopt;
+  if (entity.type == "ELLIPSE") return Affine{};
   return z < 0 ? Affine::scaling(-1, 1) : Affine{};
 }
 

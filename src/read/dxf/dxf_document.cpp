@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "base/error.h"
 #include "base/text/stripped.h"
@@ -188,6 +189,32 @@ DxfDocument parse_dxf(std::string_view text, const std::string& file_name) {
     throw InputError(file_name, "no ENTITIES section; this is not a DXF drawing, or it is cut short");
   }
   return document;
+}
+
+double mm_of_insunits(int code) {
+  constexpr double kInch = 25.4, kMetre = 1000, kSurveyFoot = 1200.0 / 3937 * kMetre;
+  constexpr std::pair<int, double> kUnits[] = {{1, kInch},
+                                               {2, 12 * kInch},
+                                               {3, 63360 * kInch},
+                                               {4, 1},
+                                               {5, 10},
+                                               {6, kMetre},
+                                               {7, 1000 * kMetre},
+                                               {8, kInch / 1e6},
+                                               {9, kInch / 1000},
+                                               {10, 36 * kInch},
+                                               {13, 0.001},
+                                               {14, 100},
+                                               {15, 10 * kMetre},
+                                               {16, 100 * kMetre},
+                                               {21, kSurveyFoot},
+                                               {22, kSurveyFoot / 12},
+                                               {23, 3 * kSurveyFoot},
+                                               {24, 5280 * kSurveyFoot}};
+  for (const auto& [unit, mm] : kUnits) {
+    if (unit == code) return mm;
+  }
+  return 0;
 }
 
 }  // namespace clearcut::read

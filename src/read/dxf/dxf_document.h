@@ -57,4 +57,7 @@ struct DxfDocument {
 ///         group or has no ENTITIES. Cost O(length).
 DxfDocument parse_dxf(std::string_view text, const std::string& file_name);
 
+/// mm per unit for a value of $INSUNITS, 0 where it says nothing.
+double mm_of_insunits(int code);
+
 }  // namespace clearcut::read

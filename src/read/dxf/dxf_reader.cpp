@@ -1,6 +1,7 @@
 #include "read/dxf/dxf_reader.h"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <span>
@@ -21,36 +22,10 @@ namespace clearcut::read {
 namespace {
 
 constexpr int kDeepestBlocks = 16;
+/// Units of the drawing. Heights that differ less are one.
+constexpr double kFlat = 1e-6;
 /// Entities after all blocks are put in place: beyond this the drawing is a trap.
 constexpr int kMostEntities = 2'000'000;
-
-/// mm per unit for $INSUNITS, 0 where it says nothing.
-double mm_of_insunits(int code) {
-  switch (code) {
-    case 1:
-      return 25.4;
-    case 2:
-      return 304.8;
-    case 4:
-      return 1;
-    case 5:
-      return 10;
-    case 6:
-      return 1000;
-    case 8:
-      return 25.4e-6;
-    case 9:
-      return 0.0254;
-    case 10:
-      return 914.4;
-    case 13:
-      return 0.001;
-    case 14:
-      return 100;
-    default:
-      return 0;
-  }
-}
 
 /// Curves by layer while a document is walked through.
 class Collector {
@@ -82,13 +57,30 @@ class Collector {
     }
   }
 
-  void report() const {
+  /// What of space and of pens does not count.
+  void warn_of_space() const {
     if (risen_ > 0) {
       diagnostics_.warn(document_.file,
                         std::to_string(risen_) +
                             " curve(s) rise or fall: their heights are not read, they are taken as "
                             "flat outlines cut to the depth given");
     }
+    const auto [low, high] = heights_;
+    if (risen_ == 0 && high - low > kFlat) {
+      diagnostics_.warn(document_.file, "outlines lie at heights from " + trimmed(low * unit_, 4) + " to " +
+                                            trimmed(high * unit_, 4) +
+                                            " mm: heights are not read, all are cut to the depth given");
+    }
+    if (wide_ > 0) {
+      diagnostics_.warn(document_.file,
+                        std::to_string(wide_) +
+                            " polyline(s) have a width, which does not count: they are read as their middle "
+                            "lines; draw the edges of what they cover");
+    }
+  }
+
+  void report() const {
+    warn_of_space();
     report_left_out(diagnostics_, document_.file, not_read_, "not read, because they are no outlines:");
     lettering_.report(diagnostics_);
     report_left_out(diagnostics_, document_.file, texts_not_read_,
@@ -207,7 +199,8 @@ class Collector {
       leave_out(std::string(entity.type) + " without length", layer);
     } else {
       group.curves.push_back(std::move(*curve));
-      if (rises(entity, followers)) ++risen_;
+      note_heights(entity, followers);
+      if (is_wide(entity, followers)) ++wide_;
     }
   }
 
@@ -267,20 +260,38 @@ class Collector {
     ++compounds_;
   }
 
-  /// Whether heights differ along a curve.
-  bool rises(const DxfEntity& entity, std::span<const DxfEntity> followers) const {
-    constexpr double kFlat = 1e-6;
-    if (entity.type != "LINE" && entity.type != "SPLINE" && entity.type != "POLYLINE") return false;
+  /// Of a curve as it is written, whatever block it is in.
+  void note_heights(const DxfEntity& entity, std::span<const DxfEntity> followers) {
     std::vector<double> heights;
+    const bool light = entity.type == "LWPOLYLINE", line = entity.type == "LINE";
+    const bool of_drawing = line || entity.type == "SPLINE" || entity.type == "ELLIPSE";
+    const double up = !of_drawing && document_.number(entity, 230, 1) < 0 ? -1 : 1;
     const auto add = [&](const DxfEntity& one) {
       for (const DxfGroup& group : one.groups)
-        if (group.code == 30 || group.code == 31) heights.push_back(document_.number(group));
+        if (light ? group.code == 38 : group.code == 30 || (group.code == 31 && line))
+          heights.push_back(up * document_.number(group));
     };
-    if (entity.type != "POLYLINE") add(entity);
+    if (followers.empty()) add(entity);
     for (const DxfEntity& vertex : followers) add(vertex);
-    if (heights.empty()) return false;
+    if (heights.empty()) heights.push_back(0);
     const auto [low, high] = std::minmax_element(heights.begin(), heights.end());
-    return *high - *low > kFlat;
+    if (*high - *low > kFlat) ++risen_;
+    if (!any_height_) heights_ = {*low, *high};
+    any_height_ = true;
+    heights_ = {std::min(heights_[0], *low), std::max(heights_[1], *high)};
+  }
+
+  /// Of polylines: at the whole of them, or at a vertex.
+  bool is_wide(const DxfEntity& entity, std::span<const DxfEntity> followers) const {
+    constexpr std::array kWidths{40, 41, 43};
+    if (entity.type != "LWPOLYLINE" && entity.type != "POLYLINE") return false;
+    const auto has_width = [&](const DxfEntity& one) {
+      return std::any_of(one.groups.begin(), one.groups.end(), [&](const DxfGroup& group) {
+        return std::find(kWidths.begin(), kWidths.end(), group.code) != kWidths.end() &&
+               document_.number(group) > 0;
+      });
+    };
+    return has_width(entity) || std::any_of(followers.begin(), followers.end(), has_width);
   }
 
   DrawnGroup& group_of(const std::string& layer) {
@@ -358,6 +369,9 @@ class Collector {
   LeftOut not_read_, external_, hidden_, not_chosen_, ignored_;
   std::map<std::string, std::string> seen_;  ///< layers with curves, as written, by their names in capitals
   int risen_ = 0;                            ///< curves that are not flat
+  std::array<double, 2> heights_{};          ///< lowest and highest, in units of the drawing
+  bool any_height_ = false;
+  int wide_ = 0;  ///< polylines
   int count_ = 0;
 };
 

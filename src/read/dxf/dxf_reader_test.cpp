@@ -253,6 +253,41 @@ TEST(Dxf, BadFilesGiveOneLineSayingWhere) {
               HasSubstr("unknown unit"));
 }
 
+TEST(Dxf, RareUnitsAreUnitsToo) {
+  const std::string dot = " 0 CIRCLE 8 D1 10 0 20 0 40 1";
+  for (const auto& [code, mm] :
+       {std::pair(21, 1200.0 / 3937 * 1000), std::pair(15, 1e4), std::pair(3, 1609344.0)}) {
+    ReadOptions tiny;
+    tiny.scale = 1e-4;
+    const Part part = read(dxf(dot, "", code), tiny);
+    EXPECT_NEAR(box(part.features[0].target).width(), 2e-4 * mm, 1e-9 * mm) << code;
+    EXPECT_EQ(said(part, Severity::kWarning, "names no unit"), 0);
+  }
+}
+
+TEST(Dxf, OutlinesAtSeveralHeightsAreSaid) {
+  const auto heights = [](const std::string& entities) {
+    return said(read(dxf(entities)), Severity::kWarning, "at heights from -5 to 0 mm");
+  };
+  EXPECT_EQ(heights(kSquare + " 0 CIRCLE 8 D5 10 5 20 5 30 -5 40 2"), 1);
+  EXPECT_EQ(heights(kSquare + " 0 CIRCLE 8 D5 10 -5 20 5 30 5 40 2 230 -1"), 1);
+  EXPECT_EQ(heights(kSquare + " 0 LWPOLYLINE 8 D5 38 -5 70 1 10 3 20 3 10 5 20 3 10 4 20 5"), 1);
+  EXPECT_EQ(heights(kSquare + kCircle), 0);
+  EXPECT_EQ(said(read(dxf(" 0 CIRCLE 8 D5 10 5 20 5 30 -5 40 2")), Severity::kWarning, "height"), 0);
+}
+
+/// A ring of AutoCAD's DONUT is a polyline with a width.
+TEST(Dxf, WidthsOfPolylinesAreSaid) {
+  const auto wide = [](const std::string& entities) {
+    return said(read(dxf(entities)), Severity::kWarning, "1 polyline(s) have a width");
+  };
+  const std::string ends = " 10 0 20 0 42 1 10 9 20 0 42 1";
+  EXPECT_EQ(wide(" 0 LWPOLYLINE 8 D5 70 1 43 2" + ends), 1);
+  EXPECT_EQ(wide(" 0 LWPOLYLINE 8 D5 70 1 43 0" + ends), 0);
+  EXPECT_EQ(wide(" 0 POLYLINE 8 D5 70 1 40 2 41 2 0 VERTEX 10 0 20 0 42 1 0 VERTEX 10 9 20 0 42 1 0 SEQEND"),
+            1);
+}
+
 TEST(Dxf, ManyInsertsOfInsertsAreRefusedNotExpanded) {
   std::string blocks = " 0 BLOCK 2 B0 10 0 20 0" + kSquare + " 0 ENDBLK";
   for (int i = 1; i < 12; ++i) {

@@ -41,6 +41,8 @@ const Drawing kDrawings[] = {
     {"InfiniteLine", " 0 XLINE 8 D5 10 1 20 1 11 1 21 0", "", "", "no outlines: 1 XLINE on layer D5"},
     {"ThreeTexts", " 0 TEXT 8 A 1 x 0 TEXT 8 A 1 y 0 MTEXT 8 B 1 z", "", "",
      "1 MTEXT on layer B, 2 TEXT on layer A"},
+    {"EllipseOnEdge", " 0 ELLIPSE 8 D5 10 5 20 5 11 3 21 0 40 0.5 210 0 220 -1 230 0", "", "",
+     "no outlines: 1 ELLIPSE that is not flat"},
     {"LayerOff", " 0 CIRCLE 8 O 10 5 20 5 40 2", "", " 0 LAYER 2 O 62 -7 70 0",
      "off or frozen, or they are invisible: 1 O"},
     {"LayerFrozen", " 0 CIRCLE 8 F 10 5 20 5 40 2", "", " 0 LAYER 2 F 62 7 70 1",

@@ -63,7 +63,7 @@ bool runs_along(const Edge& edge, const Edge& other, double gap) {
          is_near(1);
 }
 
-/// The edge that two make which overlap at an end of each by more than a gap or two.
+/// The edge that two make which overlap at an end of each by more than a gap; less than that is joined.
 std::optional<Edge> united(const Edge& a, const Edge& b, double gap) {
   if (a.is_arc() != b.is_arc()) return std::nullopt;
   for (const bool a_end : {false, true}) {
@@ -71,7 +71,7 @@ std::optional<Edge> united(const Edge& a, const Edge& b, double gap) {
       const Vec2 inner_a = a_end ? a.to : a.from, outer_a = a_end ? a.from : a.to;
       const Vec2 inner_b = b_end ? b.to : b.from, outer_b = b_end ? b.from : b.to;
       const bool overlap =
-          distance(inner_a, inner_b) > 3 * gap && distance(b, inner_a) <= gap && distance(a, inner_b) <= gap;
+          distance(inner_a, inner_b) > gap && distance(b, inner_a) <= gap && distance(a, inner_b) <= gap;
       if (!overlap) continue;
       const Edge whole = a.is_arc() ? arc_through(outer_a, inner_a, outer_b) : Edge::line(outer_a, outer_b);
       if (runs_along(a, whole, gap) && runs_along(b, whole, gap)) return whole;

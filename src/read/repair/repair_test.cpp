@@ -128,11 +128,12 @@ std::vector<RawCurve> square_with_base(const std::vector<std::vector<Vec2>>& bas
 
 TEST(Repair, CurvesThatRunAlongEachOtherCountOnce) {
   const std::vector<std::vector<std::vector<Vec2>>> bases{
-      {{{0, 0}, {60, 0}}, {{20, 0}, {60, 0}}},                       // a piece again, to the corner
-      {{{60, 0}, {0, 0}}, {{20, 0}, {30, 0}}},                       // a piece again, in the middle
-      {{{0, 0}, {40, 0}}, {{30, 0}, {60, 0}}},                       // two that overlap in part
-      {{{0, 0}, {40, 0}}, {{60, 0}, {30, 0}}, {{10, 0}, {50, 0}}},   // and a third over both
-      {{{0, 0}, {25, 0}}, {{20, 0}, {45, 0}}, {{40, 0}, {60, 0}}}};  // three in a row
+      {{{0, 0}, {60, 0}}, {{20, 0}, {60, 0}}},                      // a piece again, to the corner
+      {{{60, 0}, {0, 0}}, {{20, 0}, {30, 0}}},                      // a piece again, in the middle
+      {{{0, 0}, {40, 0}}, {{30, 0}, {60, 0}}},                      // two that overlap in part
+      {{{0, 0}, {40, 0}}, {{60, 0}, {30, 0}}, {{10, 0}, {50, 0}}},  // and a third over both
+      {{{0, 0}, {25, 0}}, {{20, 0}, {45, 0}}, {{40, 0}, {60, 0}}},  // three in a row
+      {{{0, 0}, {40, 0}}, {{60, 0}, {39.984, 0}}}};  // two that overlap by little more than a gap
   for (const auto& base : bases) {
     const Repaired result = repaired(square_with_base(base));
     ASSERT_EQ(result.regions.size(), 1U);

@@ -1,8 +1,10 @@
 #include "read/svg/svg_elements.h"
 
 #include <charconv>
+#include <map>
 #include <pugixml.hpp>
 
+#include "base/error.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/svg/svg_numbers.h"
@@ -50,8 +52,51 @@ std::optional<double> svg_mm(std::string_view text) {
   return *value * *mm;
 }
 
+namespace {
+
+/// Values by names, of a document type's inner part.
+std::map<std::string, std::string, std::less<>> entities_of(std::string_view prolog) {
+  std::map<std::string, std::string, std::less<>> entities;
+  constexpr std::string_view kBegin = "<!ENTITY", kBlanks = " \t\r\n";
+  for (std::size_t at = prolog.find(kBegin); at != std::string_view::npos; at = prolog.find(kBegin, at)) {
+    at += kBegin.size();
+    const std::size_t name = prolog.find_first_not_of(kBlanks, at);
+    const std::size_t end = prolog.find_first_of(kBlanks, name);
+    const std::size_t quote = prolog.find_first_not_of(kBlanks, end);
+    if (quote == std::string_view::npos || (prolog[quote] != '"' && prolog[quote] != '\'')) continue;
+    const std::size_t close = prolog.find(prolog[quote], quote + 1);
+    if (close == std::string_view::npos) break;
+    entities.emplace(prolog.substr(name, end - name), prolog.substr(quote + 1, close - quote - 1));
+    at = close;
+  }
+  return entities;
+}
+
+}  // namespace
+
+std::optional<std::string> with_svg_entities(std::string_view text, const std::string& file) {
+  constexpr std::size_t kLongestName = 256, kLargest = 256'000'000;
+  const std::size_t root = text.find("<svg");
+  const auto entities = entities_of(text.substr(0, root));
+  if (entities.empty() || root == std::string_view::npos) return std::nullopt;
+  std::string out(text.substr(0, root));
+  for (std::string_view rest = text.substr(root); !rest.empty();) {
+    const std::size_t begin = rest.find('&');
+    out += rest.substr(0, begin);
+    if (begin == std::string_view::npos) break;
+    const std::string_view name = rest.substr(begin + 1, rest.substr(begin + 1, kLongestName).find(';'));
+    const auto entity = entities.find(name);
+    out += entity == entities.end() ? std::string_view("&") : std::string_view(entity->second);
+    rest.remove_prefix(entity == entities.end() ? begin + 1 : begin + name.size() + 2);
+    if (out.size() > kLargest) throw InputError(file, "its entities make it larger than 256 MB; simplify it");
+  }
+  return out;
+}
+
 void apply_svg_style(const pugi::xml_node& node, const SvgStyleSheet& sheet, SvgStyle& style) {
   style.cut_off.clear();
+  style.transform.clear();
+  style.transform_origin = svg_text_of(node, "transform-origin");
   style.font.outer_size = style.font.size;
   for (const char* property : {"fill", "stroke", "fill-rule", "fill-opacity", "stroke-opacity", "opacity",
                                "visibility", "display", "clip-path", "mask", "stroke-width", "stroke-linecap",
@@ -59,8 +104,11 @@ void apply_svg_style(const pugi::xml_node& node, const SvgStyleSheet& sheet, Svg
     style.set(property, svg_text_of(node, property));
   }
   for (const char* property : kSvgFontProperties) style.set(property, svg_text_of(node, property));
-  sheet.apply(local_name(node), svg_text_of(node, "id"), svg_text_of(node, "class"), style);
-  apply_declarations(svg_text_of(node, "style"), style);
+  // What is important goes before all that is not, and then the style of the element before that of sheets.
+  for (const bool important : {false, true}) {
+    sheet.apply(local_name(node), svg_text_of(node, "id"), svg_text_of(node, "class"), important, style);
+    apply_declarations(svg_text_of(node, "style"), important, style);
+  }
 }
 
 }  // namespace clearcut::read

@@ -28,6 +28,10 @@ std::string svg_source(const pugi::xml_node& node);
 /// A length in mm, "5mm"; without unit it is mm. Nothing where it is not understood.
 std::optional<double> svg_mm(std::string_view text);
 
+/// The file with the entities that it defines put in, as Adobe Illustrator once wrote styles: <!ENTITY st0 "fill:none;">.
+/// Entities within entities stay. Nothing where it defines none. Throws InputError where the text grows too large.
+std::optional<std::string> with_svg_entities(std::string_view text, const std::string& file);
+
 /// What `node` itself says on top of `style`, which it takes over from the element around it.
 void apply_svg_style(const pugi::xml_node& node, const SvgStyleSheet& sheet, SvgStyle& style);
 

@@ -24,6 +24,10 @@ std::optional<Affine> transform_named(std::string_view name, const std::vector<d
   if (name == "matrix" && n.size() == 6) return Affine{n[0], n[1], n[2], n[3], n[4], n[5]};
   if (name == "translate" && n.size() == 1) return Affine::translation({n[0], 0});
   if (name == "translate" && n.size() == 2) return Affine::translation({n[0], n[1]});
+  if (name == "translateX" && n.size() == 1) return Affine::translation({n[0], 0});
+  if (name == "translateY" && n.size() == 1) return Affine::translation({0, n[0]});
+  if (name == "scaleX" && n.size() == 1) return Affine::scaling(n[0], 1);
+  if (name == "scaleY" && n.size() == 1) return Affine::scaling(1, n[0]);
   if (name == "scale" && n.size() == 1) return Affine::scaling(n[0], n[0]);
   if (name == "scale" && n.size() == 2) return Affine::scaling(n[0], n[1]);
   if (name == "rotate" && n.size() == 1) return Affine::rotation(n[0] * degree);
@@ -34,6 +38,15 @@ std::optional<Affine> transform_named(std::string_view name, const std::vector<d
   if (name == "skewX" && n.size() == 1) return Affine{1, 0, base::tan(n[0] * degree), 1, 0, 0};
   if (name == "skewY" && n.size() == 1) return Affine{1, base::tan(n[0] * degree), 0, 1, 0, 0};
   return std::nullopt;
+}
+
+/// Degrees or user units for a unit in a transform.
+std::optional<double> transform_unit(std::string_view unit) {
+  if (unit == "deg") return 1;
+  if (unit == "rad") return 180 / kPi;
+  if (unit == "grad") return 0.9;
+  if (unit == "turn") return 360;
+  return px_per_unit(unit);
 }
 
 }  // namespace
@@ -100,6 +113,12 @@ std::optional<double> svg_length(std::string_view text, double whole) {
   return *value * *unit;
 }
 
+std::optional<double> svg_plain_length(std::string_view text) {
+  if (text.find('%') != std::string_view::npos) return std::nullopt;
+  if (SvgScanner(text).at_end()) return 0;
+  return svg_length(text, 0);
+}
+
 std::optional<Affine> svg_transform(std::string_view text) {
   Affine whole;
   SvgScanner scanner(text);
@@ -109,7 +128,11 @@ std::optional<Affine> svg_transform(std::string_view text) {
     if (scanner.peek() != '(') return std::nullopt;
     scanner.skip();
     std::vector<double> numbers;
-    while (const auto number = scanner.number()) numbers.push_back(*number);
+    while (const auto number = scanner.number()) {
+      const auto unit = transform_unit(scanner.word());
+      if (!unit) return std::nullopt;
+      numbers.push_back(*number * *unit);
+    }
     if (scanner.peek() != ')') return std::nullopt;
     scanner.skip();
     const auto one = transform_named(name, numbers);

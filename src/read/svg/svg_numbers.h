@@ -37,7 +37,11 @@ std::optional<double> px_per_unit(std::string_view unit);
 /// "12", "3.5mm", "50%" (of `whole`) in user units.
 std::optional<double> svg_length(std::string_view text, double whole);
 
-/// A list of matrix(), translate(), scale(), rotate(), skewX(), skewY(); nothing when it is not understood.
+/// "12", "3px", "2mm" in user units, "" 0; nothing for anything else.
+std::optional<double> svg_plain_length(std::string_view text);
+
+/// A list of matrix(), translate(), scale(), rotate(), skewX(), skewY(), with the units of style
+/// sheets ("5px", "45deg"); nothing when it is not understood.
 std::optional<Affine> svg_transform(std::string_view text);
 
 }  // namespace clearcut::read

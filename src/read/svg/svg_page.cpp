@@ -8,7 +8,8 @@
 namespace clearcut::read {
 namespace {
 
-constexpr double kMmPerPx = 25.4 / 96;
+constexpr double kPxPerInch = 96;
+constexpr double kMmPerPx = 25.4 / kPxPerInch;
 
 struct ViewBox {
   double x = 0, y = 0, width = 0, height = 0;
@@ -32,6 +33,12 @@ bool is_physical(const std::string& length) {
   if (!scanner.number()) return false;
   const std::string_view unit = scanner.word();
   return !unit.empty() && unit != "px" && px_per_unit(unit);
+}
+
+/// Nothing for lengths in percent.
+std::optional<double> stated(const std::string& text) {
+  const auto length = text.find('%') == std::string::npos ? svg_length(text, 0) : std::nullopt;
+  return length && *length > 0 ? length : std::nullopt;
 }
 
 }  // namespace
@@ -68,10 +75,6 @@ PixelSize pixel_size_of(std::string_view text, std::string_view inkscape_version
 SvgPage page_of(const SvgViewport& viewport, std::optional<double> user_unit, double px_per_inch) {
   SvgPage page;
   const auto box = view_box_of(viewport.view_box);
-  const auto stated = [](const std::string& text) {
-    const auto length = text.find('%') == std::string::npos ? svg_length(text, 0) : std::nullopt;
-    return length && *length > 0 ? length : std::nullopt;
-  };
   auto width = stated(viewport.width), height = stated(viewport.height);
   if (user_unit && box) {
     width = box->width;
@@ -82,9 +85,15 @@ SvgPage page_of(const SvgViewport& viewport, std::optional<double> user_unit, do
   if (box && height && !width) width = *height * box->width / box->height;
   if (!width) width = box ? box->width : 0;
   if (!height) height = box ? box->height : 0;
+  page.has_size = is_physical(viewport.width) || is_physical(viewport.height);
+  // Without a viewBox a user unit is a px: of the program that wrote it, if that had pixels of its own.
+  const bool own_pixels = !box && px_per_inch != kPxPerInch;
+  page.physical = user_unit || (page.has_size && !own_pixels);
+  const double stretch = !user_unit && page.has_size && own_pixels ? px_per_inch / kPxPerInch : 1;
+  width = *width * stretch;
+  height = *height * stretch;
   page.view_width = box ? box->width : *width;
   page.view_height = box ? box->height : *height;
-  page.physical = user_unit || is_physical(viewport.width) || is_physical(viewport.height);
   const double unit = user_unit ? *user_unit : page.physical ? kMmPerPx : 25.4 / px_per_inch;
   const Affine up = Affine::translation({0, *height * unit}) * Affine::scaling(unit, -unit);
   page.to_mm = up * view_box_map(viewport.view_box, viewport.aspect, *width, *height);

@@ -18,7 +18,8 @@ struct SvgPage {
   Affine to_mm;           ///< of the outermost user units, y up
   double view_width = 0;  ///< user units, for percentages
   double view_height = 0;
-  bool physical = false;  ///< the file states a physical size
+  bool physical = false;  ///< the file states how large a user unit is
+  bool has_size = false;  ///< the page's size is stated in mm or the like
 };
 
 /// How large a px is where the file states no physical size.

@@ -14,11 +14,12 @@
 #include "read/common/units.h"
 #include "read/lettering/lettering.h"
 #include "read/svg/svg_elements.h"
+#include "read/svg/svg_inherited.h"
 #include "read/svg/svg_numbers.h"
 #include "read/svg/svg_page.h"
 #include "read/svg/svg_shapes.h"
 #include "read/svg/svg_style.h"
-#include "read/svg/svg_text.h"
+#include "read/svg/text/svg_text.h"
 
 namespace clearcut::read {
 namespace {
@@ -26,18 +27,6 @@ namespace {
 constexpr int kDeepest = 200;
 /// Elements drawn, with every use counted again: beyond this the drawing is a trap.
 constexpr int kMostElements = 1'000'000;
-
-/// What an element takes over from the groups around it.
-struct Inherited {
-  SvgStyle style;
-  Affine map;  ///< user units to mm
-  SvgViewSize view;
-  std::string layer;    ///< name of the nearest named group
-  bool chosen = false;  ///< a group around it is among the chosen layers
-  std::optional<LayerRole> role;
-  std::optional<HoleRequest> hole;
-  std::optional<double> depth, top, width;  ///< mm
-};
 
 class SvgCollector {
  public:
@@ -53,7 +42,8 @@ class SvgCollector {
         {said("width"), said("height"), said("viewBox"), said("preserveAspectRatio")},
         options_.unit ? std::optional(require_unit(*options_.unit, "unit")) : std::nullopt, pixels_.per_inch);
     physical_ = page.physical;
-    Inherited start;
+    has_size_ = page.has_size;
+    SvgInherited start;
     start.map = Affine::scaling(options_.scale, options_.scale) * page.to_mm;
     start.view = {page.view_width, page.view_height};
     take(root, start, 0, true);
@@ -116,8 +106,9 @@ class SvgCollector {
     const std::string size = all.empty() ? ""
                                          : "; the drawing is " + trimmed(all.width(), 2) + " x " +
                                                trimmed(all.height(), 2) + " mm then";
-    diagnostics_.warn(file_, "the file states no physical size: " + trimmed(pixels_.per_inch, 0) +
-                                 " px per inch assumed" +
+    diagnostics_.warn(file_, std::string(has_size_ ? "the file has a size and no viewBox: "
+                                                   : "the file states no physical size: ") +
+                                 trimmed(pixels_.per_inch, 0) + " px per inch assumed" +
                                  (pixels_.because.empty() ? "" : ", " + pixels_.because) + size);
   }
 
@@ -144,15 +135,15 @@ class SvgCollector {
     }
   }
 
-  void take(const pugi::xml_node& node, const Inherited& outer, int depth, bool is_root) {
+  void take(const pugi::xml_node& node, const SvgInherited& outer, int depth, bool is_root) {
     if (++count_ > kMostElements)
       throw InputError(file_, "more than 1 million elements with all uses; simplify it");
     if (depth > kDeepest)
       throw InputError(place(node), "uses within uses deeper than 200; the drawing refers to itself");
     const std::string_view name = local_name(node);
     if (is_svg_definition(name)) return;
-    Inherited own = outer;
-    inherit(node, name, own);
+    SvgInherited own = outer;
+    inherit(node, own);
     if (!is_root) check_lengths(node);
     if (!own.style.shown || !own.style.seen) {
       ++hidden_[std::string(name)];
@@ -161,8 +152,10 @@ class SvgCollector {
     } else if (name == "svg") {
       take_viewport(node, own, svg_attribute(node, "width", own.view.width, own.view.width),
                     svg_attribute(node, "height", own.view.height, own.view.height), depth);
-    } else if (name == "g" || name == "a" || name == "switch") {
+    } else if (name == "g" || name == "a") {
       take_children(node, own, depth);
+    } else if (name == "switch") {
+      take_switch(node, own, depth);
     } else if (name == "use") {
       take_use(node, own, depth);
     } else if (is_svg_shape(name)) {
@@ -188,14 +181,29 @@ class SvgCollector {
     }
   }
 
-  void take_children(const pugi::xml_node& node, const Inherited& own, int depth) {
+  void take_children(const pugi::xml_node& node, const SvgInherited& own, int depth) {
     for (const pugi::xml_node& child : node) {
       if (child.type() == pugi::node_element) take(child, own, depth + 1, false);
     }
   }
 
+  /// Of its children the first that asks for no extension and no language, as a browser without any of them draws it.
+  void take_switch(const pugi::xml_node& node, const SvgInherited& own, int depth) {
+    bool taken = false;
+    for (const pugi::xml_node& child : node) {
+      if (child.type() != pugi::node_element) continue;
+      const bool plain = !child.attribute("requiredExtensions") && !child.attribute("systemLanguage");
+      if (plain && !taken) {
+        take(child, own, depth + 1, false);
+      } else {
+        ++hidden_[std::string(local_name(child)) + " of a switch"];
+      }
+      taken = taken || plain;
+    }
+  }
+
   /// A nested <svg>, or a <symbol> in use: its own viewBox within a place of the page.
-  void take_viewport(const pugi::xml_node& node, Inherited own, double width, double height, int depth) {
+  void take_viewport(const pugi::xml_node& node, SvgInherited own, double width, double height, int depth) {
     const std::string view_box(svg_text_of(node, "viewBox"));
     own.map = own.map *
               Affine::translation({svg_attribute(node, "x", own.view.width, 0),
@@ -205,7 +213,7 @@ class SvgCollector {
     take_children(node, own, depth);
   }
 
-  void take_use(const pugi::xml_node& node, Inherited own, int depth) {
+  void take_use(const pugi::xml_node& node, SvgInherited own, int depth) {
     std::string_view target = svg_text_of(node, "href");
     if (target.empty()) target = svg_text_of(node, "xlink:href");
     const auto found = target.substr(0, 1) == "#" ? by_id_.find(std::string(target.substr(1))) : by_id_.end();
@@ -217,57 +225,25 @@ class SvgCollector {
     own.map = own.map * Affine::translation({svg_attribute(node, "x", own.view.width, 0),
                                              svg_attribute(node, "y", own.view.height, 0)});
     const pugi::xml_node& used = found->second;
-    if (local_name(used) != "symbol") return take(used, own, depth + 1, false);
+    const bool is_svg = local_name(used) == "svg";
+    if (local_name(used) != "symbol" && !is_svg) return take(used, own, depth + 1, false);
     if (depth > kDeepest)
       throw InputError(place(node), "uses within uses deeper than 200; the drawing refers to itself");
-    inherit(used, "symbol", own);
-    take_viewport(used, own, svg_attribute(node, "width", own.view.width, own.view.width),
-                  svg_attribute(node, "height", own.view.height, own.view.height), depth + 1);
+    inherit(used, own);
+    // The size that the use gives goes before that of an <svg>.
+    const auto size = [&](const char* side, double whole) {
+      return svg_attribute(node, side, whole, is_svg ? svg_attribute(used, side, whole, whole) : whole);
+    };
+    take_viewport(used, own, size("width", own.view.width), size("height", own.view.height), depth + 1);
   }
 
-  /// Style, transform, layer and depth of this element on top of what is around it.
-  void inherit(const pugi::xml_node& node, std::string_view name, Inherited& own) {
-    apply_svg_style(node, sheet_, own.style);
+  void inherit(const pugi::xml_node& node, SvgInherited& own) {
+    const std::string problem = inherit_svg(node, sheet_, options_, own);
+    if (!problem.empty()) throw InputError(place(node), problem);
     if (!own.style.cut_off.empty()) ++cut_off_[own.style.cut_off];
-    if (const auto text = svg_text_of(node, "transform"); !text.empty()) {
-      const auto transform = svg_transform(text);
-      if (!transform)
-        throw InputError(place(node), "transform '" + printable(text) + "' is not understood; correct it");
-      own.map = own.map * *transform;
-    }
-    if (name == "g" || name == "text" || is_svg_shape(name)) inherit_layer(node, name, own);
-    if (const auto depth = length_attribute(node, "data-depth")) own.depth = depth;
-    if (const auto top = length_attribute(node, "data-top")) own.top = top;
   }
 
-  void inherit_layer(const pugi::xml_node& node, std::string_view name, Inherited& own) const {
-    std::string label(svg_text_of(node, "inkscape:label"));
-    if (label.empty()) label = unescaped_svg_id(svg_text_of(node, "id"));
-    if (label.empty()) return;
-    const LayerMeaning meaning = meaning_of_layer(label);
-    // Every shape has an id; only one that says a role is more than a number.
-    if (name != "g" && !meaning.says_role) return;
-    own.layer = label;
-    if (meaning.says_role) own.role = meaning.role, own.hole = meaning.hole, own.width = meaning.width;
-    if (meaning.depth) own.depth = meaning.depth;
-    if (meaning.top) own.top = meaning.top;
-    own.chosen =
-        own.chosen || std::any_of(options_.layers.begin(), options_.layers.end(),
-                                  [&](const std::string& pattern) { return matches(pattern, label); });
-  }
-
-  /// A length in mm; without unit it is mm.
-  std::optional<double> length_attribute(const pugi::xml_node& node, const char* name) const {
-    const std::string_view text = svg_text_of(node, name);
-    if (text.empty()) return std::nullopt;
-    const auto length = svg_mm(text);
-    if (!length)
-      throw InputError(place(node),
-                       std::string(name) + " '" + printable(text) + "' is no length; write it like \"5mm\"");
-    return length;
-  }
-
-  void take_shape(const pugi::xml_node& node, const Inherited& own) {
+  void take_shape(const pugi::xml_node& node, const SvgInherited& own) {
     const std::string name(local_name(node));
     const bool filled = own.style.fills() && name != "line";
     const bool stroked = own.style.strokes();
@@ -283,7 +259,7 @@ class SvgCollector {
   }
 
   /// The group of what is drawn so; nothing, and counted, where that is not to be read.
-  DrawnGroup* wanted_group(const Inherited& own, bool filled) {
+  DrawnGroup* wanted_group(const SvgInherited& own, bool filled) {
     DrawnGroup& group = group_of(own, filled ? own.style.fill : own.style.stroke);
     const bool chosen = options_.layers.empty() || own.chosen;
     if (!chosen) ++not_chosen_[own.layer.empty() ? "(no layer)" : own.layer];
@@ -292,7 +268,7 @@ class SvgCollector {
   }
 
   /// All letters of one element fill an area together.
-  void take_text(const pugi::xml_node& node, const Inherited& own) {
+  void take_text(const pugi::xml_node& node, const SvgInherited& own) {
     if (!options_.text_outlines.value_or(false)) {
       ++texts_not_read_["text" + (own.layer.empty() ? "" : " on layer " + own.layer)];
       return;
@@ -309,7 +285,7 @@ class SvgCollector {
           run.loops.take(svg_source(node), filled ? std::optional(compound) : std::nullopt);
       drawn = drawn || !curves.empty();
       if (curves.empty()) continue;
-      Inherited part = own;
+      SvgInherited part = own;
       part.style = run.style;
       if (!run.style.visible || (!filled && !run.style.strokes())) {
         ++hidden_["text"];
@@ -322,7 +298,7 @@ class SvgCollector {
   }
 
   /// Strokes of a group are one area; that of a filled shape is one with its fill, whose curves come last in the group.
-  void add_stroke(const pugi::xml_node& node, const Inherited& own, bool filled, DrawnGroup& group) {
+  void add_stroke(const pugi::xml_node& node, const SvgInherited& own, bool filled, DrawnGroup& group) {
     const Pen pen = own.style.pen(own.view.diagonal());
     if (!(pen.width > 0)) {
       ++hidden_[std::string(local_name(node)) + " with a stroke without width"];
@@ -354,7 +330,7 @@ class SvgCollector {
     return sum;
   }
 
-  void add_curves(const pugi::xml_node& node, const Inherited& own, bool filled, DrawnGroup& group) {
+  void add_curves(const pugi::xml_node& node, const SvgInherited& own, bool filled, DrawnGroup& group) {
     SvgPathData data = svg_shape(node, own.view, own.map);
     if (!data.error.empty()) throw InputError(place(node), data.error + "; correct it");
     if (!filled) ++stroke_only_;
@@ -372,7 +348,7 @@ class SvgCollector {
     }
   }
 
-  DrawnGroup& group_of(const Inherited& own, const std::string& color) {
+  DrawnGroup& group_of(const SvgInherited& own, const std::string& color) {
     DrawnGroup group;
     group.name = own.layer.empty() ? "pocket" : own.layer;
     group.where = own.layer.empty() ? file_ : file_ + ": layer " + printable(own.layer);
@@ -398,6 +374,7 @@ class SvgCollector {
   bool sheet_understood_ = true;
   PixelSize pixels_;
   bool physical_ = true;
+  bool has_size_ = false;
   std::map<std::string, pugi::xml_node> by_id_;
   std::vector<DrawnGroup> groups_;
   std::map<std::tuple<std::string, LayerRole, std::optional<double>, std::optional<double>>, std::size_t>
@@ -418,10 +395,12 @@ class SvgCollector {
 
 }  // namespace
 
-Part read_svg(std::string_view text, const std::string& file_name, const ReadOptions& options) {
-  if (text.substr(0, 2) == "\x1f\x8b") {
+Part read_svg(std::string_view written, const std::string& file_name, const ReadOptions& options) {
+  if (written.substr(0, 2) == "\x1f\x8b") {
     throw InputError(file_name, "this is a compressed SVG; save it as plain SVG");
   }
+  const auto expanded = with_svg_entities(written, file_name);
+  const std::string_view text = expanded ? std::string_view(*expanded) : written;
   pugi::xml_document document;
   const pugi::xml_parse_result parsed =
       document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata);

@@ -84,14 +84,33 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kNames{{
                                                                                 {"brown", "#a52a2a"},
                                                                                 {"silver", "#c0c0c0"}}};
 
+/// Whether a colour is seen at all: "none", "rgba(0, 0, 0, 0)", "#f000" and "#ff000000" are not.
+bool is_seen(std::string_view color) {
+  if (color == "none" || color == "transparent") return false;
+  if (color.substr(0, 1) == "#") {
+    if (color.size() == 5) return color[4] != '0';
+    return color.size() != 9 || color.substr(7) != "00";
+  }
+  const bool by_numbers = color.substr(0, 3) == "rgb" || color.substr(0, 3) == "hsl";
+  const bool has_alpha =
+      by_numbers && (color.substr(3, 1) == "a" || color.find('/') != std::string_view::npos);
+  return !has_alpha || !is_zero(color.substr(color.find_last_of(",/ ") + 1));
+}
+
 }  // namespace
+
+bool SvgStyle::fills() const {
+  return fill_seen && is_seen(fill);
+}
+
+bool SvgStyle::strokes() const {
+  return stroke_seen && is_seen(stroke);
+}
 
 void SvgStyle::set(std::string_view property, std::string_view value) {
   if ((property == "clip-path" || property == "mask") && value.find("url") != std::string_view::npos)
     cut_off = property;
   value = stripped(value);
-  const std::size_t important = value.find('!');
-  if (important != std::string_view::npos) value = stripped(value.substr(0, important));
   if (value.empty() || value == "inherit") return;
   if (property == "fill") fill = small(value);
   if (property == "stroke") stroke = small(value);
@@ -106,6 +125,8 @@ void SvgStyle::set(std::string_view property, std::string_view value) {
   if (property == "opacity") seen = !is_zero(value);
   if (property == "visibility") visible = value == "visible";
   if (property == "display") shown = value != "none";
+  if (property == "transform") transform = value;
+  if (property == "transform-origin") transform_origin = value;
   font.set(property, value);
 }
 
@@ -142,11 +163,14 @@ std::string normal_color(std::string_view color) {
   return hex_color(values[0], values[1], values[2]);
 }
 
-void apply_declarations(std::string_view declarations, SvgStyle& style) {
+void apply_declarations(std::string_view declarations, bool important, SvgStyle& style) {
   for_pieces(declarations, ';', [&](std::string_view declaration) {
     const std::size_t colon = declaration.find(':');
     if (colon == std::string_view::npos) return;
-    style.set(stripped(declaration.substr(0, colon)), declaration.substr(colon + 1));
+    const std::size_t mark = declaration.find('!', colon);
+    if ((mark != std::string_view::npos) != important) return;
+    const std::size_t length = mark == std::string_view::npos ? mark : mark - colon - 1;
+    style.set(stripped(declaration.substr(0, colon)), declaration.substr(colon + 1, length));
   });
 }
 
@@ -161,7 +185,7 @@ bool SvgStyleSheet::add(std::string_view css) {
     const std::string_view declarations = rest.substr(open + 1, close - open - 1);
     for_pieces(rest.substr(0, open), ',', [&](std::string_view selector) {
       if (is_simple(selector)) {
-        rules_[std::string(selector)] += std::string(declarations) + ";";
+        rules_[std::string(selector)].push_back({count_++, std::string(declarations)});
       } else {
         understood = false;
       }
@@ -172,18 +196,26 @@ bool SvgStyleSheet::add(std::string_view css) {
 }
 
 void SvgStyleSheet::apply(std::string_view element, std::string_view id, std::string_view classes,
-                          SvgStyle& style) const {
-  const auto apply_rule = [&](const std::string& selector) {
-    const auto rule = rules_.find(selector);
-    if (rule != rules_.end()) apply_declarations(rule->second, style);
-  };
+                          bool important, SvgStyle& style) const {
   if (rules_.empty()) return;
-  apply_rule("*");
-  apply_rule(std::string(element));
+  const auto apply_rules = [&](std::vector<const Rule*> rules) {
+    std::stable_sort(rules.begin(), rules.end(),
+                     [](const Rule* a, const Rule* b) { return a->order < b->order; });
+    for (const Rule* rule : rules) apply_declarations(rule->declarations, important, style);
+  };
+  const auto add = [&](const std::string& selector, std::vector<const Rule*>& to) {
+    const auto found = rules_.find(selector);
+    if (found == rules_.end()) return;
+    for (const Rule& rule : found->second) to.push_back(&rule);
+  };
+  std::vector<const Rule*> all, elements, of_classes, of_id;
+  add("*", all);
+  add(std::string(element), elements);
   for_pieces(classes, ' ', [&](std::string_view name) {
-    if (!name.empty()) apply_rule("." + std::string(name));
+    if (!name.empty()) add("." + std::string(name), of_classes);
   });
-  if (!id.empty()) apply_rule("#" + std::string(id));
+  if (!id.empty()) add("#" + std::string(id), of_id);
+  for (auto* rules : {&all, &elements, &of_classes, &of_id}) apply_rules(std::move(*rules));
 }
 
 }  // namespace clearcut::read

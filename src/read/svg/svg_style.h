@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "read/common/strokes/stroke.h"
-#include "read/svg/svg_font.h"
+#include "read/svg/text/svg_font.h"
 
 namespace clearcut::read {
 
@@ -29,8 +29,10 @@ struct SvgStyle {
   SvgFont font;
   std::string cut_off;  ///< "clip-path" or "mask", which hides part of the element; not inherited
 
-  bool fills() const { return fill_seen && fill != "none" && fill != "transparent"; }
-  bool strokes() const { return stroke_seen && stroke != "none" && stroke != "transparent"; }
+  std::string transform, transform_origin;  ///< as written; not inherited
+
+  bool fills() const;
+  bool strokes() const;
   /// Its pen in user units; widths in percent are of `diagonal`.
   Pen pen(double diagonal) const;
   void set(std::string_view property, std::string_view value);
@@ -44,13 +46,20 @@ class SvgStyleSheet {
  public:
   /// Adds the rules of one <style>; false when something in it was not understood.
   bool add(std::string_view css);
-  void apply(std::string_view element, std::string_view id, std::string_view classes, SvgStyle& style) const;
+  /// What its rules say of an element, those that are said to be important or the others.
+  void apply(std::string_view element, std::string_view id, std::string_view classes, bool important,
+             SvgStyle& style) const;
 
  private:
-  std::map<std::string, std::string, std::less<>> rules_;  ///< selector -> declarations
+  struct Rule {
+    int order;  ///< in the sheet: of rules as special as each other the last counts
+    std::string declarations;
+  };
+  std::map<std::string, std::vector<Rule>, std::less<>> rules_;  ///< by selector
+  int count_ = 0;
 };
 
-/// Applies "fill:none;stroke:#000".
-void apply_declarations(std::string_view declarations, SvgStyle& style);
+/// Applies those of "fill:none;stroke:#000 !important" that are important, or the others.
+void apply_declarations(std::string_view declarations, bool important, SvgStyle& style);
 
 }  // namespace clearcut::read

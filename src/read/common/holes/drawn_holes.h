@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "read/common/outline_roles.h"
+#include "read/common/layers/outline_roles.h"
 
 namespace clearcut::read {
 

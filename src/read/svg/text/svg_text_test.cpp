@@ -1,5 +1,5 @@
 // Letters of SVG drawings: where they stand, how large, and what is said of them.
-#include "read/svg/svg_text.h"
+#include "read/svg/text/svg_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "read/svg/svg_font.h"
+#include "read/svg/text/svg_font.h"
 
 #include <algorithm>
 #include <array>

@@ -21,7 +21,7 @@ const char* name_of(LayerRole role);
 /// outermost outline is where that is unclear and options.ask_if_unclear. Throws InputError for options that match nothing.
 /// Cost O(n log n) for n outlines.
 void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<std::string>& layers,
-                          const ReadOptions& options, const std::string& file);
+                          const ReadOptions& options, const std::string& file, Diagnostics& diagnostics);
 
 /// The curves chained where their ends meet, open or closed, in their order. Cost O(n log n) unless many ends meet.
 std::vector<Path> chained_lines(const std::vector<RawCurve>& curves, double gap);

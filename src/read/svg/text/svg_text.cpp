@@ -1,4 +1,4 @@
-#include "read/svg/svg_text.h"
+#include "read/svg/text/svg_text.h"
 
 #include <cmath>
 #include <optional>

@@ -1,4 +1,4 @@
-#include "read/common/outline_roles.h"
+#include "read/common/layers/outline_roles.h"
 
 #include <algorithm>
 #include <array>
@@ -32,15 +32,16 @@ constexpr std::array<std::pair<const char*, LayerRole>, 12> kRoleNames{{{"pocket
 struct Outline {
   Loop loop;
   std::size_t group = 0;
-  std::vector<int> about;  ///< outlines it lies in, from the largest
+  std::size_t drawn_in = 0;  ///< the group at first
+  std::vector<int> about;    ///< outlines it lies in, from the largest
 };
 
 std::vector<Outline> outlines_of(const std::vector<ShapedGroup>& groups) {
   std::vector<Outline> outlines;
   for (std::size_t i = 0; i < groups.size(); ++i) {
     for (const Region& region : groups[i].regions) {
-      outlines.push_back({region.outer(), i, {}});
-      for (const Loop& island : region.islands()) outlines.push_back({island, i, {}});
+      outlines.push_back({region.outer(), i, i, {}});
+      for (const Loop& island : region.islands()) outlines.push_back({island, i, i, {}});
     }
   }
   std::vector<Loop> loops;
@@ -111,9 +112,28 @@ bool stays(const LayerRule& rule, const DrawnGroup& group) {
   return *rule.role == LayerRole::kChamfer && group.says_role;
 }
 
+/// What the outlines enclose. Those of one layer do not cross; those of several are mended together.
+Regions regions_of(const std::vector<const Outline*>& outlines, const std::string& where,
+                   const ReadOptions& options, Diagnostics& diagnostics) {
+  std::vector<Loop> loops;
+  std::vector<RawCurve> curves;
+  std::set<std::size_t> layers;
+  for (const Outline* outline : outlines) {
+    loops.push_back(outline->loop);
+    curves.push_back({outline->loop, true, "outline", {}});
+    layers.insert(outline->drawn_in);
+  }
+  if (layers.size() < 2) return nested(loops);
+  RepairOptions how;
+  how.tol = options.tol;
+  how.where = where;
+  how.find_arcs = false;
+  return repair(std::move(curves), how, diagnostics);
+}
+
 /// Outlines of one rule leave their groups for a new one.
 void move_out(const LayerRule& rule, const std::set<std::size_t>& chosen, std::vector<Outline>& outlines,
-              std::vector<ShapedGroup>& groups) {
+              std::vector<ShapedGroup>& groups, const ReadOptions& options, Diagnostics& diagnostics) {
   ShapedGroup moved;
   const DrawnGroup& first = groups[outlines[*chosen.begin()].group].group;
   moved.group.name = name_of(*rule.role);
@@ -124,22 +144,80 @@ void move_out(const LayerRule& rule, const std::set<std::size_t>& chosen, std::v
   moved.group.top = rule.top ? rule.top : first.top;
   moved.group.hole = rule.hole;
   moved.group.width = rule.width ? rule.width : first.width;
-  std::vector<Loop> loops;
+  std::vector<const Outline*> moving;
   for (const std::size_t i : chosen) {
-    loops.push_back(outlines[i].loop);
+    moving.push_back(&outlines[i]);
     if (!stays(rule, groups[outlines[i].group].group)) outlines[i].group = groups.size();
   }
-  moved.regions = nested(loops);
+  moved.regions = regions_of(moving, moved.group.where, options, diagnostics);
   groups.push_back(std::move(moved));
 }
 
-/// Regions of a group from the outlines that are still its own.
-void renest(const std::vector<Outline>& outlines, std::size_t group, ShapedGroup& shaped) {
-  std::vector<Loop> loops;
+/// Regions of a group from the outlines that are its own now.
+void renest(const std::vector<Outline>& outlines, std::size_t group, ShapedGroup& shaped,
+            const ReadOptions& options, Diagnostics& diagnostics) {
+  std::vector<const Outline*> own;
   for (const Outline& outline : outlines) {
-    if (outline.group == group) loops.push_back(outline.loop);
+    if (outline.group == group) own.push_back(&outline);
   }
-  shaped.regions = nested(loops);
+  shaped.regions = own.empty() ? Regions{} : regions_of(own, shaped.group.where, options, diagnostics);
+}
+
+/// Whether an outline of `inner` in one of `outer` is an island as long as nobody says more: it is on the same layer, or on
+/// one of which nothing is said and that is no deeper.
+bool may_be_island(const DrawnGroup& inner, const DrawnGroup& outer, const ReadOptions& options) {
+  const bool same_depth = options.depth || !inner.depth || inner.depth == outer.depth;
+  const bool same_top = options.top || inner.top.value_or(0) == outer.top.value_or(0);
+  return &inner == &outer || (inner.role == LayerRole::kPocket && !inner.says_role && same_depth && same_top);
+}
+
+/// An outermost outline, and the outlines in it that are its islands, pockets in those, and so on, on whatever layer.
+std::set<std::size_t> with_islands(std::size_t outer, const std::vector<Outline>& outlines,
+                                   const std::vector<ShapedGroup>& groups, const ReadOptions& options) {
+  std::vector<std::size_t> within;
+  for (std::size_t i = 0; i < outlines.size(); ++i)
+    if (!outlines[i].about.empty() && outlines[i].about.front() == static_cast<int>(outer))
+      within.push_back(i);
+  std::stable_sort(within.begin(), within.end(), [&](std::size_t a, std::size_t b) {
+    return outlines[a].about.size() < outlines[b].about.size();
+  });
+  const DrawnGroup& own = groups[outlines[outer].group].group;
+  std::set<std::size_t> all{outer};
+  for (const std::size_t i : within) {
+    const auto& about = outlines[i].about;
+    const bool nests = std::all_of(about.begin(), about.end(),
+                                   [&](int j) { return all.count(static_cast<std::size_t>(j)) > 0; });
+    if (nests && may_be_island(groups[outlines[i].group].group, own, options)) all.insert(i);
+  }
+  return all;
+}
+
+/// The outermost outlines are pockets and what lies in them are islands, also on other layers.
+void make_outer_pockets(const LayerRule& rule, const std::set<std::size_t>& outer,
+                        std::vector<Outline>& outlines, std::vector<ShapedGroup>& groups,
+                        const ReadOptions& options, Diagnostics& diagnostics) {
+  std::set<std::size_t> touched;
+  for (const std::size_t one : outer) {
+    const std::set<std::size_t> pocket = with_islands(one, outlines, groups, options);
+    const std::size_t own = outlines[one].group;
+    std::set<std::size_t> from;
+    for (const std::size_t i : pocket) from.insert(outlines[i].group);
+    if (rule.depth || rule.top) {
+      move_out(rule, pocket, outlines, groups, options, diagnostics);
+    } else if (from.size() > 1) {
+      for (const std::size_t i : pocket) outlines[i].group = own;
+    } else {
+      continue;  // what nesting gives
+    }
+    touched.insert(from.begin(), from.end());
+    for (const std::size_t group : from) {
+      if (group == own) continue;
+      diagnostics.note(groups[group].group.where, "outlines in the outermost one of layer " +
+                                                      printable(groups[own].group.name) +
+                                                      " nest in it: islands, and pockets in those");
+    }
+  }
+  for (const std::size_t group : touched) renest(outlines, group, groups[group], options, diagnostics);
 }
 
 /// Those of chamfers last: they ask what outlines are.
@@ -166,7 +244,8 @@ void add_broken_edges(std::vector<ShapedGroup>& groups) {
 
 /// Whether an option or rule that names outlines was used.
 bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>& outlines,
-                         const std::vector<std::string>& layers, const ReadOptions& options) {
+                         const std::vector<std::string>& layers, const ReadOptions& options,
+                         Diagnostics& diagnostics) {
   bool any = false;
   for (const LayerRule& rule : in_turn(options.layer_rules)) {
     const bool is_layer = std::any_of(layers.begin(), layers.end(),
@@ -178,12 +257,15 @@ bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>&
       continue;
     }
     any = true;
-    // The outermost as a pocket is what nesting gives.
-    if (chosen->empty() || (capitals(rule.pattern) == "OUTER" && *rule.role == LayerRole::kPocket)) continue;
+    if (chosen->empty()) continue;
+    if (capitals(rule.pattern) == "OUTER" && *rule.role == LayerRole::kPocket) {
+      make_outer_pockets(rule, *chosen, outlines, groups, options, diagnostics);
+      continue;
+    }
     std::set<std::size_t> touched;
     for (const std::size_t i : *chosen) touched.insert(outlines[i].group);
-    move_out(rule, *chosen, outlines, groups);
-    for (const std::size_t group : touched) renest(outlines, group, groups[group]);
+    move_out(rule, *chosen, outlines, groups, options, diagnostics);
+    for (const std::size_t group : touched) renest(outlines, group, groups[group], options, diagnostics);
   }
   return any;
 }
@@ -292,12 +374,12 @@ LayerRule rule_of_option(const std::string& text, const std::string& place) {
 }
 
 void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<std::string>& layers,
-                          const ReadOptions& options, const std::string& file) {
+                          const ReadOptions& options, const std::string& file, Diagnostics& diagnostics) {
   add_broken_edges(groups);
   const bool wanted = options.ask_if_unclear || options.overview || !options.layer_rules.empty();
   if (!wanted) return;
   std::vector<Outline> outlines = outlines_of(groups);
-  const bool chosen = apply_outline_rules(groups, outlines, layers, options);
+  const bool chosen = apply_outline_rules(groups, outlines, layers, options, diagnostics);
   const auto unclear = chosen ? std::vector<std::size_t>{} : unclear_outlines(groups, outlines);
   if (options.overview) fill_overview(groups, outlines, options, *options.overview);
   if (unclear.empty()) return;

@@ -1,0 +1,30 @@
+// Layers whose outlines overlap.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "read/common/layers/outline_roles.h"
+
+namespace clearcut::read {
+
+/// Whether the boxes of any of `regions` and of `others` as a whole overlap.
+bool near_any(const Regions& regions, const Regions& others);
+
+/// What is to be asked of a drawing.
+struct DrawingQuestion {
+  std::string where;  ///< file and layer
+  std::string text;
+};
+
+/// The first outline that lies in a pocket of another layer, of the same top and depth, where nothing says what either is:
+/// it may be an island.
+std::optional<DrawingQuestion> question_of_layers(const std::vector<ShapedGroup>& groups,
+                                                  const ReadOptions& options);
+
+/// Makes pockets of several layers, of one top and one depth, one pocket where they overlap.
+void unite_overlapping_layers(std::vector<ShapedGroup>& groups, const ReadOptions& options,
+                              Diagnostics& diagnostics);
+
+}  // namespace clearcut::read
