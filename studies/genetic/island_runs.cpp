@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "base/error.h"
 #include "order/genetic/islands/state_text.h"
-#include "studies/genetic/study_run.h"
 #include "studies/genetic/study_rows.h"
+#include "studies/genetic/study_run.h"
 
 namespace clearcut::studies {
 namespace {
@@ -28,11 +29,26 @@ IslandRuns::IslandRuns(const GeneticStudy& study, const GeneticStudyOptions& opt
     : study_(study), options_(options), store_(store) {
   for (const StudyRun& run : missing_study_runs(study, options, csv))
     progress_[{run.run, run.level}].resize(static_cast<std::size_t>(islands(run).islands));
+  check_settings();
   for (const std::string& name : store.names())
     if (const auto piece = piece_of(name)) take_over(*piece);
   for (const auto& [key, done] : progress_) {
     const StudyRun run{key.second, key.first};
     if (!has_what_it_needs(run)) forget(run);
+  }
+}
+
+/// Before anything is erased: all states have the settings of one of the levels.
+void IslandRuns::check_settings() const {
+  std::set<std::string> settings;
+  for (const StudyLevel& level : study_.levels) settings.insert(settings_text(study_, level, options_.seed));
+  for (const std::string& name : store_.names()) {
+    if (!piece_of(name)) continue;
+    const std::string text = store_.read(name).value_or("");
+    const auto end = text.find('\n');
+    if (end != std::string::npos && !settings.contains(text.substr(0, end)))
+      throw InputError("states of islands",
+                       "beside the rows come from another study or other settings; begin a new file");
   }
 }
 
@@ -47,15 +63,16 @@ void IslandRuns::take_over(const Piece& piece) {
   done = std::max(done, piece.epoch.number);
 }
 
+/// The last state of each island, and those that it will meet of the one before it: none where somebody took files away.
 bool IslandRuns::has_what_it_needs(const StudyRun& run) const {
   const std::vector<long long>& done = progress_.at({run.run, run.level});
   for (int island = 0; island < static_cast<int>(done.size()); ++island) {
-    const long long epoch = done[static_cast<std::size_t>(island)];
     const int before = order::island_before(island, islands(run));
-    if (epoch == 0) continue;
-    if (!state_text({run, {island, epoch}})) return false;
-    const bool is_next_possible = epoch < last_epoch(run) && is_ready(run, island);
-    if (is_next_possible && !state_text({run, {before, epoch}})) return false;
+    const long long epoch = done[static_cast<std::size_t>(island)];
+    if (epoch > 0 && !state_text({run, {island, epoch}})) return false;
+    const long long met = std::min(done[static_cast<std::size_t>(before)], last_epoch(run) - 1);
+    for (long long number = std::max(1LL, epoch); number <= met; ++number)
+      if (!state_text({run, {before, number}})) return false;
   }
   return true;
 }
@@ -105,9 +122,6 @@ std::optional<std::string> IslandRuns::state_text(const Piece& piece) const {
   const StudyLevel& level = level_of(study_, piece.run);
   const auto end = text->find('\n');
   if (end == std::string::npos) return {};
-  if (text->substr(0, end) != settings_text(study_, level, options_.seed))
-    throw InputError("states of islands",
-                     "beside the rows come from another study or other settings; begin a new file");
   std::string state = text->substr(end + 1);
   return state_of(level, state) ? std::optional(std::move(state)) : std::nullopt;
 }

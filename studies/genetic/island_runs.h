@@ -60,6 +60,7 @@ class IslandRuns {
   bool is_ready(const StudyRun& run, int island) const;
   /// As input() has it; nothing where it is not there or cannot be read.
   std::optional<std::string> state_text(const Piece& piece) const;
+  void check_settings() const;
   void take_over(const Piece& piece);
   bool has_what_it_needs(const StudyRun& run) const;
   void forget(const StudyRun& run);

@@ -134,6 +134,27 @@ TEST(IslandRuns, DamagedStatesAreMadeAnew) {
   EXPECT_TRUE(pieces.store.texts.empty());
 }
 
+/// Whatever is taken away, what is left is either enough or made anew.
+TEST(IslandRuns, StatesThatWereTakenAwayAreMadeAnew) {
+  const std::string whole = serial("spread", small());
+  Pieces pieces("spread", small());
+  pieces.run(5, 21);
+  const auto states = pieces.store.texts;
+  ASSERT_GT(states.size(), 3U);
+  ASSERT_LT(states.size(), 12U);
+  for (unsigned left = 0; left < 1U << states.size(); left += 3) {
+    Pieces again("spread", small());
+    unsigned bit = 1;
+    for (const auto& state : states) {
+      if (left & bit) again.store.texts.insert(state);
+      bit <<= 1;
+    }
+    again.run(left);
+    ASSERT_EQ(again.csv(), whole) << left;
+    EXPECT_TRUE(again.store.texts.empty());
+  }
+}
+
 TEST(IslandRuns, StatesAndRowsOfOtherSettingsAreRefused) {
   Pieces pieces("spread", small());
   pieces.run(7, 12);
@@ -141,7 +162,14 @@ TEST(IslandRuns, StatesAndRowsOfOtherSettingsAreRefused) {
   other.seed = 2;
   Pieces others("spread", other);
   others.store.texts = pieces.store.texts;
-  EXPECT_THAT([&] { others.run(1); }, ThrowsMessage<InputError>(HasSubstr("other settings; begin a new file")));
+  EXPECT_THAT([&] { others.run(1); },
+              ThrowsMessage<InputError>(HasSubstr("other settings; begin a new file")));
+  other = small();
+  other.generations = 12;
+  Pieces fewer("spread", other);
+  fewer.store.texts = pieces.store.texts;
+  EXPECT_THROW(fewer.run(1), InputError);
+  EXPECT_EQ(fewer.store.texts, pieces.store.texts);  // nothing was erased
   const std::string rows = serial("spread", small());
   for (const order::IslandOptions islands : {order::IslandOptions{1}, {2, 10, 1}, {3, 9, 1}, {3, 10, 2}}) {
     const GeneticStudyOptions options = small(islands);

@@ -18,8 +18,7 @@ constexpr std::size_t kSettingsCount = 11;
 /// Of studies on islands, after those.
 constexpr const char* kIslandSettings = ",islands,migrate_every,migrants";
 constexpr std::size_t kIslandSettingsCount = 3;
-constexpr const char* kValues =
-    ",run,generation,best,mean,worst,fitness_percent,improved_percent,seconds";
+constexpr const char* kValues = ",run,generation,best,mean,worst,fitness_percent,improved_percent,seconds";
 
 std::string header_of(bool islands) {
   return fmt::format("{}{}{}", kSettings, islands ? kIslandSettings : "", kValues);

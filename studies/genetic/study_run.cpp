@@ -59,8 +59,7 @@ std::vector<StudyRow> rows_of_islands(const GeneticStudy& study, const StudyRun&
   const auto result = order::end_islands(std::move(states));
   std::vector<StudyRow> rows;
   for (const auto& sample : result.samples) {
-    StudyRow row{
-        .level = run.level, .run = run.run, .generation = sample.generation, .best = sample.best};
+    StudyRow row{.level = run.level, .run = run.run, .generation = sample.generation, .best = sample.best};
     row.mean = sample.mean;
     row.worst = sample.worst;
     row.fitness = 100 * lattice_optimum(level) / sample.best;

@@ -82,9 +82,8 @@ TEST(GeneticState, ARunInPiecesIsTheRunInOne) {
 TEST(GeneticState, WhatIsNoStateIsNotTakenForOne) {
   const Problem problem = open_lattice(3, 3);
   const GeneticOptions options = settings(20);
-  const std::string text = text_of_state(
-      continue_genetic(problem, *length_objective(), options,
-                       begin_genetic(problem, *length_objective(), options)));
+  const std::string text = text_of_state(continue_genetic(
+      problem, *length_objective(), options, begin_genetic(problem, *length_objective(), options)));
   ASSERT_TRUE(state_of_text(text, 25, 9));
   EXPECT_EQ(text_of_state(*state_of_text(text, 25, 9)), text);
   EXPECT_FALSE(state_of_text(text, 24, 9));
@@ -143,9 +142,7 @@ std::vector<GeneticState> run_all(const Problem& problem, const GeneticOptions& 
     const std::vector<GeneticState> before = states;
     states.clear();
     for (int island = 0; island < islands.islands; ++island) {
-      const auto at = [&](int i) {
-        return before.empty() ? nullptr : &before[static_cast<std::size_t>(i)];
-      };
+      const auto at = [&](int i) { return before.empty() ? nullptr : &before[static_cast<std::size_t>(i)]; };
       states.push_back(run_epoch(problem, *length_objective(), options, islands, {island, epoch}, at(island),
                                  at(island_before(island, islands))));
     }
