@@ -47,6 +47,20 @@ int run(StudyCommand& command) {
   });
 }
 
+void add_island_options(CLI::App& command, order::IslandOptions& options) {
+  command
+      .add_option("--islands", options.islands,
+                  "Populations in each run, side by side in a ring; the best of each move to the next")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command.add_option("--migrate-every", options.migrate_every, "Generations between two such moves")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command.add_option("--migrants", options.migrants, "How many move, to the places of the worst")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+}
+
 }  // namespace
 
 void add_study_command(CLI::App& app, int& exit_code) {
@@ -82,17 +96,7 @@ void add_study_command(CLI::App& app, int& exit_code) {
   command->add_flag("--published", options.published_size,
                     "Runs, generations and lattices of the text: days");
   command->add_option("--seed", options.seed, "Seed of the first run")->capture_default_str();
-  command
-      ->add_option("--islands", options.islands.islands,
-                   "Populations in each run, side by side in a ring; the best of each move to the next")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  command->add_option("--migrate-every", options.islands.migrate_every, "Generations between two such moves")
-      ->capture_default_str()
-      ->check(CLI::PositiveNumber);
-  command->add_option("--migrants", options.islands.migrants, "How many move, to the places of the worst")
-      ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
+  add_island_options(*command, options.islands);
   command
       ->add_option("--threads", state->threads,
                    "Threads; 0: all cores (the default; with --mpi of each process, and 1 the default)")
