@@ -17,10 +17,10 @@ Crew::~Crew() {
   changed_.notify_all();
 }
 
-void Crew::give(const std::string& task) {
+void Crew::give(const std::string& task, const std::string& input) {
   {
     const std::lock_guard lock(mutex_);
-    waiting_.push_back(task);
+    waiting_.emplace_back(task, input);
     in_hand_.insert(task);
   }
   changed_.notify_one();
@@ -52,12 +52,12 @@ void Crew::work() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return stop_ || !waiting_.empty(); });
     if (stop_) return;
-    const std::string task = std::move(waiting_.front());
+    const auto [task, input] = std::move(waiting_.front());
     waiting_.pop_front();
     lock.unlock();
     std::string result, error;
     try {
-      result = perform_(task, stop_);
+      result = perform_(task, input, stop_);
     } catch (const std::exception& exception) {
       error = exception.what();
     }

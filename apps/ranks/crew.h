@@ -14,8 +14,9 @@
 
 namespace clearcut::ranks {
 
-/// Does a task and gives its result; asked to stop, it may throw or give anything.
-using Perform = std::function<std::string(const std::string& task, const std::atomic<bool>& stop)>;
+/// Does a task and gives its result; asked to stop, it may throw or give anything. `input`: what the task rests on.
+using Perform = std::function<std::string(const std::string& task, const std::string& input,
+                                          const std::atomic<bool>& stop)>;
 
 class Crew {
  public:
@@ -26,7 +27,7 @@ class Crew {
   /// Tells tasks under way to stop and waits until they have.
   ~Crew();
 
-  void give(const std::string& task);
+  void give(const std::string& task, const std::string& input);
   /// How many tasks more there is room for.
   int room() const;
   /// Tasks given whose results were not taken yet.
@@ -43,7 +44,7 @@ class Crew {
   int most_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::deque<std::string> waiting_;
+  std::deque<std::pair<std::string, std::string>> waiting_;  ///< tasks with their inputs
   std::multiset<std::string> in_hand_;
   std::vector<std::pair<std::string, std::string>> results_;
   std::string error_;

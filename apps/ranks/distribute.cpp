@@ -26,6 +26,7 @@ struct Report {
 
 constexpr const char* kReport = "report";
 constexpr const char* kTasks = "tasks";  // the answer to a report
+constexpr const char* kMore = "more";    // tasks that came up after it
 constexpr const char* kEnd = "end";
 constexpr const char* kSomeDied = "some died";
 
@@ -82,6 +83,7 @@ class Distribution {
                             timing_.silence, leader_));
     }
     ledger_.emplace(work_.tasks(), ranks_.count(), now());
+    room_.assign(static_cast<std::size_t>(ranks_.count()), 0);
     // Who takes another's place first hears what the others have in hand.
     hands_out_from_ = leader_ == 0 ? 0 : now() + 2 * timing_.beat;
     for (int rank = 0; rank < leader_; ++rank) ledger_->bury(rank);
@@ -97,6 +99,7 @@ class Distribution {
       ledger_.reset();
     }
     if (fields.at(0) == kTasks && message.from == leader_ && waits_) take_answer(unpack(fields.at(1)));
+    if (fields.at(0) == kMore && message.from == leader_) take(unpack(fields.at(1)));
     if (fields.at(0) != kReport) return;
     // A report to one that does not hand out: its sender knows that all before it have died.
     if (!ledger_) lead();
@@ -107,13 +110,37 @@ class Distribution {
     ledger_->heard(from, report.in_hand, now());
     for (const auto& [task, result] : report.results) finish(task, result);
     if (!report.error.empty()) throw InputError("", report.error);
-    const auto tasks =
-        now() < hands_out_from_ ? std::vector<std::string>{} : ledger_->hand_out(from, report.room);
+    const auto tasks = given_to(from, report.room);
+    room_[static_cast<std::size_t>(from)] = report.room - static_cast<int>(tasks.size()) / 2;
     ranks_.send(from, pack({kTasks, pack(tasks)}));
   }
 
+  /// Tasks for a rank, each followed by its input.
+  std::vector<std::string> given_to(int rank, int room) {
+    std::vector<std::string> tasks;
+    if (now() < hands_out_from_) return tasks;
+    for (const std::string& task : ledger_->hand_out(rank, room)) {
+      tasks.push_back(task);
+      tasks.push_back(work_.input ? work_.input(task) : "");
+    }
+    return tasks;
+  }
+
   void finish(const std::string& task, const std::string& result) {
-    if (ledger_->finish(task)) work_.finished(task, result);
+    if (!ledger_->finish(task)) return;
+    work_.finished(task, result);
+    if (work_.next) ledger_->add(work_.next(task));
+  }
+
+  /// To those that were given less than they had room for.
+  void give_what_came_up() {
+    for (int rank = 0; rank < ranks_.count(); ++rank) {
+      int& room = room_[static_cast<std::size_t>(rank)];
+      if (room == 0) continue;
+      const auto tasks = given_to(rank, room);
+      room -= static_cast<int>(tasks.size()) / 2;
+      if (!tasks.empty()) ranks_.send(rank, pack({kMore, pack(tasks)}));
+    }
   }
 
   void tell_end() {
@@ -128,11 +155,11 @@ class Distribution {
     for (const auto& [task, result] : crew_.take_results()) finish(task, result);
     if (const std::string error = crew_.error(); !error.empty()) throw InputError("", error);
     ledger_->heard(self, {}, now());
-    if (now() >= hands_out_from_) {
-      for (const std::string& task : ledger_->hand_out(self, crew_.room())) crew_.give(task);
-    }
+    take(given_to(self, crew_.room()));
+    give_what_came_up();
     for (const int rank : ledger_->take_back(now() - timing_.silence)) {
       some_died_ = true;
+      room_[static_cast<std::size_t>(rank)] = 0;
       work_.say(
           fmt::format("rank {} has not been heard of for {} s; others do its work", rank, timing_.silence));
     }
@@ -161,9 +188,13 @@ class Distribution {
     waits_ = false;
     last_answer_ = now();
     unanswered_.clear();
-    for (const std::string& task : tasks) crew_.give(task);
+    take(tasks);
     // Where there is nothing to do, asking all the time would only keep others from working.
     if (tasks.empty()) asks_again_ = now() + timing_.beat / 4;
+  }
+
+  void take(const std::vector<std::string>& tasks) {
+    for (std::size_t i = 0; i + 1 < tasks.size(); i += 2) crew_.give(tasks[i], tasks[i + 1]);
   }
 
   /// Whoever hands out has died: the next rank does it.
@@ -180,6 +211,7 @@ class Distribution {
   Timing timing_;
   Clock::time_point began_ = Clock::now();
   std::optional<Ledger> ledger_;  ///< of the rank that hands out
+  std::vector<int> room_;  ///< by rank: what it could do beside what it was given, where this rank hands out
   int leader_ = 0;
   double hands_out_from_ = 0;
   bool waits_ = false;  ///< for an answer to a report

@@ -1,7 +1,7 @@
 // Work handed out to the processes of a job as they have room for it, none of it lost when one of them dies.
 //
 // Rank 0 hands out. Every rank, also that one, does tasks on threads of its own and reports at least once in `beat` seconds: what it
-// has room for, what it has in hand, what it has finished. Each report is answered, with tasks or none. A rank that is not heard of for
+// has room for, what it has in hand, what it has finished. Each report is answered, with tasks or none; a rank that got none gets some as soon as there are. A rank that is not heard of for
 // `silence` seconds has died: others do what it had in hand. Where rank 0 itself no longer answers, the next one takes its place and
 // asks anew what is still to be done. A rank that only seemed dead does no harm: a task gives the same result anywhere, and the first counts.
 #pragma once
@@ -18,10 +18,14 @@ namespace clearcut::ranks {
 struct Work {
   /// All that is not done yet. Asked on rank 0, and again on one that takes its place.
   std::function<std::vector<std::string>()> tasks;
+  /// What a task rests on and its rank may not have, on the rank that hands out; travels with the task. May be empty.
+  std::function<std::string(const std::string& task)> input{};
   /// On any rank, from several threads. What it throws ends the work on all of them.
   Perform perform;
   /// On the rank that hands out, once for each task.
   std::function<void(const std::string& task, const std::string& result)> finished;
+  /// The same, after that: tasks that can be done only now. They come before all others. May be empty.
+  std::function<std::vector<std::string>(const std::string& task)> next{};
   /// Told of deaths, on the rank that hands out.
   std::function<void(const std::string& text)> say;
   int threads = 1;

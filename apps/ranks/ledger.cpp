@@ -1,5 +1,6 @@
 #include "ranks/ledger.h"
 
+#include <iterator>
 #include <utility>
 
 namespace clearcut::ranks {
@@ -31,6 +32,13 @@ std::vector<std::string> Ledger::hand_out(int rank, int most) {
     given.push_back(task);
   }
   return given;
+}
+
+void Ledger::add(const std::vector<std::string>& tasks) {
+  auto place = waiting_.begin();
+  for (const std::string& task : tasks) {
+    if (holders_.emplace(task, kNobody).second) place = std::next(waiting_.insert(place, task));
+  }
 }
 
 bool Ledger::finish(const std::string& task) {

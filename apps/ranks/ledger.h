@@ -20,6 +20,8 @@ class Ledger {
   void bury(int rank) { is_silent_[static_cast<std::size_t>(rank)] = true; }
   /// Up to `most` tasks that nobody has in hand; now `rank` has.
   std::vector<std::string> hand_out(int rank, int most);
+  /// Tasks that can be done only now, before all that wait. Those that are known already are left out.
+  void add(const std::vector<std::string>& tasks);
   /// Whether the task was not finished before.
   bool finish(const std::string& task);
   /// Takes the tasks back from ranks that were last heard of before `since`; gives those that were not silent so far.

@@ -3,7 +3,9 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <list>
+#include <set>
 #include <string>
 
 namespace {
@@ -26,6 +28,57 @@ void forget_what_arrived() {
     int done = 0;
     return MPI_Test(&sent.request, &done, MPI_STATUS_IGNORE) != MPI_SUCCESS || done != 0;
   });
+}
+
+/// A message that is being received. Where its sender dies halfway it stays here: waiting for it would be waiting for ever.
+struct Coming {
+  int from = 0;
+  std::string bytes;
+  MPI_Request request{};
+  bool has_arrived = false;
+};
+
+/// In the order in which they were sent, by each sender. A list, because MPI holds on to the bytes' address.
+std::list<Coming>& on_their_way_here() {
+  static std::list<Coming> all;
+  return all;
+}
+
+/// Begins to receive what there is to be received.
+bool begin_receiving() {
+  for (;;) {
+    int found = 0, bytes = 0;
+    MPI_Message message{};
+    MPI_Status status{};
+    if (MPI_Improbe(MPI_ANY_SOURCE, kTag, MPI_COMM_WORLD, &found, &message, &status) != MPI_SUCCESS)
+      return false;
+    if (found == 0) return true;
+    if (MPI_Get_count(&status, MPI_BYTE, &bytes) != MPI_SUCCESS) return false;
+    Coming& coming = on_their_way_here().emplace_back();
+    coming.from = status.MPI_SOURCE;
+    coming.bytes.resize(static_cast<std::size_t>(bytes));
+    if (MPI_Imrecv(coming.bytes.data(), bytes, MPI_BYTE, &message, &coming.request) == MPI_SUCCESS) continue;
+    on_their_way_here().pop_back();
+    return false;
+  }
+}
+
+bool has_arrived(Coming& coming) {
+  int done = 0;
+  if (!coming.has_arrived && MPI_Test(&coming.request, &done, MPI_STATUS_IGNORE) == MPI_SUCCESS)
+    coming.has_arrived = done != 0;
+  return coming.has_arrived;
+}
+
+/// The first that is there whole and no earlier one of the same sender is still to come; null where there is none.
+Coming* first_arrived() {
+  std::set<int> awaited;
+  for (Coming& coming : on_their_way_here()) {
+    if (awaited.contains(coming.from)) continue;
+    if (has_arrived(coming)) return &coming;
+    awaited.insert(coming.from);
+  }
+  return nullptr;
 }
 
 bool join(int* number, int* count, int* here) {
@@ -52,20 +105,23 @@ bool send(int to, const char* bytes, std::size_t size) {
 
 bool probe(bool* is_there, int* from, std::size_t* size) {
   forget_what_arrived();
-  int found = 0, bytes = 0;
-  MPI_Status status{};
-  if (MPI_Iprobe(MPI_ANY_SOURCE, kTag, MPI_COMM_WORLD, &found, &status) != MPI_SUCCESS) return false;
-  *is_there = found != 0;
-  if (found == 0) return true;
-  *from = status.MPI_SOURCE;
-  if (MPI_Get_count(&status, MPI_BYTE, &bytes) != MPI_SUCCESS) return false;
-  *size = static_cast<std::size_t>(bytes);
+  const bool is_good = begin_receiving();
+  const Coming* first = first_arrived();
+  *is_there = first != nullptr;
+  if (first == nullptr) return is_good;
+  *from = first->from;
+  *size = first->bytes.size();
   return true;
 }
 
 bool take(int from, char* bytes, std::size_t size) {
-  return MPI_Recv(bytes, static_cast<int>(size), MPI_BYTE, from, kTag, MPI_COMM_WORLD, MPI_STATUS_IGNORE) ==
-         MPI_SUCCESS;
+  auto& all = on_their_way_here();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [from](const Coming& coming) { return coming.from == from; });
+  if (found == all.end() || !found->has_arrived || found->bytes.size() != size) return false;
+  std::copy(found->bytes.begin(), found->bytes.end(), bytes);
+  all.erase(found);
+  return true;
 }
 
 bool leave() {

@@ -13,13 +13,15 @@ struct Study {
 };
 
 Study study(const std::string& name, std::optional<int> runs, std::optional<long long> generations,
-            std::optional<int> side, const std::string& objective, std::uint64_t seed, int threads,
-            const std::string& csv, const py::object& progress) {
+            std::optional<int> side, const std::string& objective, int islands, long long migrate_every,
+            int migrants, std::uint64_t seed, int threads, const std::string& csv,
+            const py::object& progress) {
   Study out;
   out.options.runs = runs;
   out.options.generations = generations;
   out.options.side = side;
   out.options.objective = objective;
+  out.options.islands = {islands, migrate_every, migrants};
   out.options.seed = seed;
   out.options.threads = threads;
   out.study = studies::genetic_study(name, out.options);
@@ -89,8 +91,9 @@ void add_studies(py::module_& module) {
           doc("study_svg"));
   module.def("study", &study, py::arg("name"), py::kw_only(), py::arg("runs") = py::none(),
              py::arg("generations") = py::none(), py::arg("side") = py::none(),
-             py::arg("objective") = "length", py::arg("seed") = 1, py::arg("threads") = 0,
-             py::arg("csv") = "", py::arg("progress") = py::none(), doc("run_genetic_study"));
+             py::arg("objective") = "length", py::arg("islands") = 1, py::arg("migrate_every") = 100,
+             py::arg("migrants") = 1, py::arg("seed") = 1, py::arg("threads") = 0, py::arg("csv") = "",
+             py::arg("progress") = py::none(), doc("run_genetic_study"));
   module.def("study_names", &studies::genetic_study_names, "The studies there are.");
   module.def("reproduce", &reproduce, py::arg("table"), py::call_guard<py::gil_scoped_release>(),
              "A published table beside our figures.");

@@ -119,6 +119,14 @@ class ToursAndStudies(unittest.TestCase):
         self.assertIn("exchange", str(study.table()))
         self.assertIn("mutation", clearcut.study_names())
 
+    def test_a_study_on_islands(self):
+        options = dict(runs=1, generations=20, side=5, islands=3, migrate_every=5, migrants=2)
+        study = clearcut.study("spread", **options)
+        self.assertIn(",3,5,2,1,20,", study.csv())
+        self.assertEqual(clearcut.study("spread", threads=1, **options).csv(), study.csv())
+        with self.assertRaisesRegex(clearcut.InputError, "migrants"):
+            clearcut.study("spread", islands=2, migrants=25)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,6 +1,7 @@
 // Seeded random numbers: the same seed gives the same sequence on every platform and thread count.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace clearcut::inline base {
@@ -8,6 +9,9 @@ namespace clearcut::inline base {
 /// xoshiro256** 1.0 seeded by splitmix64 (Blackman & Vigna, public domain algorithm). Not for secrets.
 class Random {
  public:
+  /// All that decides what comes next.
+  using State = std::array<std::uint64_t, 4>;
+
   explicit Random(std::uint64_t seed) {
     for (auto& word : state_) {
       seed += 0x9e3779b97f4a7c15ULL;
@@ -17,6 +21,9 @@ class Random {
       word = z ^ (z >> 31);
     }
   }
+  /// Goes on where another stood.
+  explicit Random(const State& state) : state_(state) {}
+  const State& state() const { return state_; }
   std::uint64_t next() {
     const std::uint64_t result = rotate(state_[1] * 5, 7) * 9;
     const std::uint64_t t = state_[1] << 17;
@@ -41,7 +48,7 @@ class Random {
 
  private:
   static std::uint64_t rotate(std::uint64_t x, int k) { return (x << k) | (x >> (64 - k)); }
-  std::uint64_t state_[4];
+  State state_{};
 };
 
 }  // namespace clearcut::inline base

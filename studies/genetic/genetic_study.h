@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "order/genetic/genetic.h"
+#include "order/genetic/islands/islands.h"
 #include "report/text_table.h"
 
 namespace clearcut::studies {
@@ -19,7 +20,8 @@ struct StudyLevel {
   std::string name;  ///< of the level: "pmx", "25", ...
   int side = 20;     ///< of the lattice, points
   std::string objective = "length";
-  order::GeneticOptions genetic{};
+  order::GeneticOptions genetic{};  ///< of each island
+  order::IslandOptions islands{};
 };
 
 /// What a study measures of each run.
@@ -55,7 +57,8 @@ struct GeneticStudyOptions {
   std::optional<long long> generations;  ///< of each run
   std::optional<int> side;               ///< of the lattice, where that is not the factor
   std::string objective = "length";
-  bool published_size = false;  ///< runs, generations and sides of the text: days of work
+  order::IslandOptions islands{};  ///< populations side by side in each run
+  bool published_size = false;     ///< runs, generations and sides of the text: days of work
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all cores
   std::stop_token

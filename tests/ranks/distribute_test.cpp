@@ -78,7 +78,7 @@ Work work_of(Job& job, int count, int rank, const std::function<void(int rank, i
     std::erase_if(left, [&job](const std::string& task) { return job.file.contains(task); });
     return left;
   };
-  work.perform = [rank, perform](const std::string& task, const std::atomic<bool>&) {
+  work.perform = [rank, perform](const std::string& task, const std::string&, const std::atomic<bool>&) {
     perform(rank, std::stoi(task));
     return task + "!";
   };
@@ -196,6 +196,93 @@ TEST(Distribute, WhatATaskThrowsEndsAll) {
               -1);
     EXPECT_THAT(errors, ::testing::ElementsAre("part.dxf: is odd"));
     EXPECT_LT(job.file.size(), 1000U);
+  }
+}
+
+/// Chains of tasks: each but the first of a chain can be done only when the one before is, and rests on its result.
+Work chains(Job& job, int rank, int count, int length,
+            const std::function<void(int rank, int task)>& perform) {
+  constexpr int kStep = 1000;  // task kStep * i + chain is the i-th of its chain
+  Work work = work_of(job, 0, rank, perform);
+  const auto is_done = [&job](int task) { return job.file.contains(std::to_string(task)); };
+  work.tasks = [&job, count, length, is_done] {
+    const std::lock_guard lock(job.mutex);
+    std::vector<std::string> tasks;
+    for (int chain = 0; chain < count; ++chain) {
+      int link = 0;
+      while (link < length && is_done(kStep * link + chain)) ++link;
+      if (link < length) tasks.push_back(std::to_string(kStep * link + chain));
+    }
+    return tasks;
+  };
+  work.input = [&job](const std::string& task) {
+    const std::lock_guard lock(job.mutex);
+    const int number = std::stoi(task);
+    return number < kStep ? "" : job.file.at(std::to_string(number - kStep));
+  };
+  work.perform = [rank, perform](const std::string& task, const std::string& input,
+                                 const std::atomic<bool>&) {
+    perform(rank, std::stoi(task));
+    return input + task + " ";
+  };
+  work.next = [length](const std::string& task) {
+    const int number = std::stoi(task) + kStep;
+    return number < kStep * length ? std::vector<std::string>{std::to_string(number)}
+                                   : std::vector<std::string>{};
+  };
+  return work;
+}
+
+void run_chains(Job& job, int count, int length, const std::function<void(int rank, int task)>& perform) {
+  std::vector<std::jthread> threads;
+  for (int rank = 0; rank < static_cast<int>(job.queues.size()); ++rank) {
+    threads.emplace_back([&job, &perform, rank, count, length] {
+      ThreadRank self(job, rank);
+      try {
+        distribute(self, chains(job, rank, count, length, perform), kShort);
+      } catch (const Died&) {
+      }
+    });
+  }
+}
+
+void expect_whole_chains(const Job& job, int count, int length) {
+  ASSERT_EQ(job.file.size(), static_cast<std::size_t>(count * length));
+  EXPECT_EQ(job.file.at("2001"), "1 1001 2001 ");
+  EXPECT_EQ(job.repeated, 0);
+}
+
+TEST(Distribute, WhatCanBeDoneOnlyLaterIsDoneThen) {
+  for (const int ranks : {1, 2, 5}) {
+    Job job(ranks);
+    run_chains(job, 3, 40, [](int, int) {});
+    expect_whole_chains(job, 3, 40);
+    EXPECT_EQ(job.said, "");
+  }
+}
+
+/// Fewer tasks than ranks at any time: one that has nothing to do is not left without until it asks again.
+TEST(Distribute, ARankIsGivenWhatComesUp) {
+  Job job(3);
+  std::array<std::atomic<int>, 3> done{};
+  const auto began = std::chrono::steady_clock::now();
+  run_chains(job, 2, 50, [&](int rank, int) {
+    ++done[static_cast<std::size_t>(rank)];
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  });
+  expect_whole_chains(job, 2, 50);
+  EXPECT_GT(done[1] + done[2], 20);
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(2));
+}
+
+TEST(Distribute, ChainsGoOnWhoeverDies) {
+  for (const int dies : {0, 2}) {
+    Job job(3);
+    run_chains(job, 4, 30, [&](int rank, int task) {
+      if (rank == dies && task > 10000) job.is_dead[static_cast<std::size_t>(dies)] = true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    });
+    expect_whole_chains(job, 4, 30);
   }
 }
 

@@ -135,6 +135,58 @@ TEST_F(ManyMachines, AStudyThatWasKilledGoesOn) {
   EXPECT_EQ(text("many.csv"), text("serial.csv"));
 }
 
+/// Four populations in each run, whose best move now and then.
+std::string islands(const std::string& options) {
+  return "clearcut study selection --islands 4 --side 15 --runs 2 --quiet " + options;
+}
+
+TEST_F(ManyMachines, IslandsUnderMpirunGiveTheBytesOfOneProcess) {
+  if (!has_mpi()) GTEST_SKIP() << "needs libopenmpi-dev and openmpi-bin";
+  shell(islands("--generations 100 --migrate-every 30 -o serial.csv"));
+  ASSERT_GT(text("serial.csv").size(), 10000U) << said();
+  for (const char* ranks : {"1", "3"}) {
+    EXPECT_EQ(shell(std::string("mpirun --oversubscribe -n ") + ranks + " " +
+                    islands("--generations 100 --migrate-every 30 -o many.csv --mpi --threads 2")),
+              0)
+        << said();
+    EXPECT_EQ(text("many.csv"), text("serial.csv"));
+    EXPECT_FALSE(fs::exists(folder_.path("many.csv.islands")));
+    fs::remove(folder_.path("many.csv"));
+  }
+}
+
+/// Kills one rank in the middle of a run: some of its islands' states are there.
+std::string killed_between_islands(const std::string& mpirun, int rank) {
+  return mpirun + " -n 2 --oversubscribe bash -c 'echo $$ > pid.$OMPI_COMM_WORLD_RANK; exec " +
+         islands("--generations 1500 -o many.csv --mpi") + "' & job=$!\n" +
+         "until ls many.csv.islands/*.[5-9] || ! kill -0 $job; do sleep 0.02; done > /dev/null 2>&1\n" +
+         "kill -9 $(cat pid." + std::to_string(rank) + ")\nwait $job";
+}
+
+TEST_F(ManyMachines, ARankThatDiesLosesNoFinishedEpoch) {
+  if (!has_mpi()) GTEST_SKIP() << "needs libopenmpi-dev and openmpi-bin";
+  shell(islands("--generations 1500 -o serial.csv"));
+  for (const int rank : {0, 1}) {
+    shell(killed_between_islands("mpirun --enable-recovery", rank));
+    EXPECT_THAT(said(), HasSubstr("rank " + std::to_string(rank) + " has not been heard of"));
+    EXPECT_EQ(text("many.csv"), text("serial.csv")) << rank;
+    fs::remove(folder_.path("many.csv"));
+  }
+}
+
+TEST_F(ManyMachines, IslandsThatWereKilledGoOn) {
+  if (!has_mpi()) GTEST_SKIP() << "needs libopenmpi-dev and openmpi-bin";
+  shell(islands("--generations 1500 -o serial.csv"));
+  EXPECT_NE(shell(killed_between_islands("mpirun", 1)), 0);
+  EXPECT_TRUE(fs::exists(folder_.path("many.csv.islands"))) << said();
+  EXPECT_EQ(shell("mpirun --oversubscribe -n 2 " + islands("--generations 500 -o many.csv --mpi")), 2);
+  EXPECT_THAT(said(), HasSubstr("from another study or other settings"));
+  EXPECT_EQ(shell("mpirun --oversubscribe -n 2 " + islands("--generations 1500 -o many.csv --mpi")), 0)
+      << said();
+  EXPECT_EQ(text("many.csv"), text("serial.csv"));
+  EXPECT_FALSE(fs::exists(folder_.path("many.csv.islands")));
+}
+
 TEST_F(ManyMachines, BatchUnderMpirun) {
   if (!has_mpi()) GTEST_SKIP() << "needs libopenmpi-dev and openmpi-bin";
   write_parts();

@@ -101,7 +101,7 @@ class Batch {
       for (const BatchPart& part : parts_) names.push_back(part.name);
       return names;
     };
-    work.perform = [this](const std::string& name, const std::atomic<bool>& stop) {
+    work.perform = [this](const std::string& name, const std::string&, const std::atomic<bool>& stop) {
       const Taken taken = take(index_of(name), &stop);
       return ranks::pack({taken.is_kept ? "kept" : "planned", ranks::pack(row_fields(taken.row))});
     };

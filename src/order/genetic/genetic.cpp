@@ -30,37 +30,50 @@ bool is_sampled(long long generation) {
   return generation < 10;
 }
 
+GenerationSample sample_of(const Pool& pool, long long generation) {
+  return {generation, pool.best().value, pool.mean_value(), pool.worst().value};
+}
+
 class Evolution {
  public:
-  Evolution(const Moves& moves, const Objective& objective, const GeneticOptions& options)
+  /// Begins where `state` holds no individuals.
+  Evolution(const Moves& moves, const Objective& objective, const GeneticOptions& options, GeneticState state)
       : options_(options),
         moves_(moves),
         context_(moves, options.neighbours),
         fitness_(moves, objective),
         has_rules_(!moves.problem().precedence.empty()),
-        random_(options.seed),
+        random_(state.random),
         selection_(selection_named(options.selection)),
         crossover_(crossover_named(options.crossover, context_)),
         mutation_(mutation_named(options.mutation, context_)),
         replacement_(replacement_named(options.replacement)),
-        pool_(first_individuals(), moves.problem().closed()),
-        watch_(options.stop) {}
-
-  GeneticResult run() {
+        pool_(state.individuals.empty() ? first_individuals() : std::move(state.individuals),
+              moves.problem().closed()),
+        watch_(options.stop),
+        idle_(state.idle),
+        result_(std::move(state.reached)) {
+    if (!result_.samples.empty()) return;
     sample();
     report();
-    for (long long idle = 0; idle < options_.patience && !is_over();) {
+  }
+
+  GeneticState run() {
+    while (idle_ < options_.patience && !is_over()) {
       const bool gained = one_generation();
-      idle = gained ? 0 : idle + 1;
+      idle_ = gained ? 0 : idle_ + 1;
       ++result_.generations;
       if (is_sampled(result_.generations)) sample();
       if (gained) report();
     }
-    if (result_.samples.back().generation != result_.generations) sample();
+    return state();
+  }
+
+  GeneticState state() {
     result_.tour = pool_.best().genome.genes();
     result_.value = pool_.best().value;
-    result_.seconds = watch_.seconds();
-    return std::move(result_);
+    result_.seconds += watch_.seconds();
+    return {pool_.take_individuals(), random_, idle_, std::move(result_)};
   }
 
  private:
@@ -156,10 +169,7 @@ class Evolution {
     result_.records += value < pool_.best().value - enough ? 1 : 0;
   }
 
-  void sample() {
-    result_.samples.push_back(
-        {result_.generations, pool_.best().value, pool_.mean_value(), pool_.worst().value});
-  }
+  void sample() { result_.samples.push_back(sample_of(pool_, result_.generations)); }
   void report() const {
     if (options_.progress)
       options_.progress({pool_.best().genome.genes(), pool_.best().value, watch_.seconds()});
@@ -180,16 +190,40 @@ class Evolution {
   Individual child_;
   std::vector<int> mates_;  // by rank
   std::vector<double> mate_values_;
+  long long idle_;  ///< generations since the last gain
   GeneticResult result_;
 };
 
 }  // namespace
 
+GeneticState begin_genetic(const Problem& problem, const Objective& objective,
+                           const GeneticOptions& options) {
+  check(problem);
+  check_options(options);
+  const Moves moves(problem);
+  return Evolution(moves, objective, options, {.random = Random(options.seed)}).state();
+}
+
+GeneticState continue_genetic(const Problem& problem, const Objective& objective,
+                              const GeneticOptions& options, GeneticState state) {
+  check(problem);
+  check_options(options);
+  const Moves moves(problem);
+  return Evolution(moves, objective, options, std::move(state)).run();
+}
+
+GeneticResult end_genetic(GeneticState state) {
+  GeneticResult& reached = state.reached;
+  if (reached.samples.back().generation != reached.generations)
+    reached.samples.push_back(sample_of(Pool(std::move(state.individuals), false), reached.generations));
+  return std::move(reached);
+}
+
 GeneticResult run_genetic(const Problem& problem, const Objective& objective, const GeneticOptions& options) {
   check(problem);
   check_options(options);
   const Moves moves(problem);
-  return Evolution(moves, objective, options).run();
+  return end_genetic(Evolution(moves, objective, options, {.random = Random(options.seed)}).run());
 }
 
 Solution solve_genetic(const Problem& problem, const Objective& objective, const GeneticOptions& options) {

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "base/random.h"
+#include "order/genetic/fitness.h"
 #include "order/solve.h"
 
 namespace clearcut::order {
@@ -62,6 +64,24 @@ struct GeneticResult {
 /// Cost O(1) for a mutated child that is not taken in, O(n) for the others; objectives that depend on the whole
 /// path are evaluated whole. Memory O(population n); no matrix of distances.
 GeneticResult run_genetic(const Problem& problem, const Objective& objective, const GeneticOptions& options);
+
+/// Where a run stands between two generations. It goes on from here to the same result as if it had never stopped.
+struct GeneticState {
+  std::vector<Individual> individuals{};
+  Random random{1};
+  long long idle = 0;       ///< generations since the last gain
+  GeneticResult reached{};  ///< its tour and value are those of the best individual
+};
+
+/// The first population of a run. Throws as run_genetic.
+GeneticState begin_genetic(const Problem& problem, const Objective& objective, const GeneticOptions& options);
+
+/// Goes on from `state` until `options` end the run; `stop.rounds` counts the generations from its beginning. Throws as run_genetic.
+GeneticState continue_genetic(const Problem& problem, const Objective& objective,
+                              const GeneticOptions& options, GeneticState state);
+
+/// What a run has reached that goes on no more.
+GeneticResult end_genetic(GeneticState state);
 
 /// The same as a Solution with its proven gap, which the algorithm itself cannot know.
 Solution solve_genetic(const Problem& problem, const Objective& objective, const GeneticOptions& options);

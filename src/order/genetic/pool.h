@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "order/genetic/fitness.h"
@@ -24,6 +25,9 @@ class Pool {
 
   /// Puts `by` in the place of individual i; `by` gets what was there.
   void replace(int i, Individual& by);
+
+  /// In their places; the pool is empty then and of no more use.
+  std::vector<Individual> take_individuals() { return std::move(individuals_); }
 
   /// Whether i and j share more than `most` of their edges; remembered until one of them is replaced.
   bool too_similar(int i, int j, double most);

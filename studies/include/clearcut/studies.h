@@ -2,6 +2,7 @@
 #pragma once
 
 #include "studies/genetic/genetic_study.h"
+#include "studies/genetic/island_runs.h"
 #include "studies/method_study.h"
 #include "studies/reproduce/page/reproduction_page.h"
 #include "studies/reproduce/reproduce.h"

@@ -1,0 +1,113 @@
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+
+#include <memory>
+
+#include "arguments/suggest.h"
+#include "commands/commands.h"
+#include "study/study_files.h"
+#include "study/study_ranks.h"
+#include "terminal/output.h"
+
+namespace clearcut::cli {
+namespace {
+
+void write_results(const StudyCommand& command, const studies::GeneticStudy& study,
+                   const std::vector<studies::StudyRow>& rows) {
+  std::vector<OutputFile> files;
+  if (!command.csv.empty()) files.push_back({command.csv, studies::study_csv(study, command.options, rows)});
+  if (!command.svg.empty()) files.push_back({command.svg, studies::study_svg(study, rows)});
+  write_outputs(files, {});
+  const auto table = studies::study_table(study, rows);
+  if (!command.quiet && command.csv != "-") print_table(table, command.as_markdown);
+}
+
+void run(StudyCommand& command, const studies::GeneticStudy& study) {
+  const RowFile file(command, study);
+  const std::string earlier = file.begin();
+  command.options.threads = command.threads.value_or(0);
+  command.options.finished = [&](const std::vector<studies::StudyRow>& rows) {
+    file.append(studies::study_lines(study, command.options, rows));
+  };
+  command.options.progress = [&](int done, int total, const auto&) {
+    show_study_progress(command, done, total);
+  };
+  write_results(command, study, studies::run_genetic_study(study, command.options, earlier));
+}
+
+int run(StudyCommand& command) {
+  const studies::GeneticStudy study = studies::genetic_study(command.name, command.options);
+  if (!command.is_mpi) {
+    run(command, study);
+    return kClean;
+  }
+  return run_study_on_ranks(command, study, [&](const std::vector<studies::StudyRow>& rows) {
+    write_results(command, study, rows);
+    return kClean;
+  });
+}
+
+void add_island_options(CLI::App& command, order::IslandOptions& options) {
+  command
+      .add_option("--islands", options.islands,
+                  "Populations in each run, side by side in a ring; the best of each move to the next")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command.add_option("--migrate-every", options.migrate_every, "Generations between two such moves")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command.add_option("--migrants", options.migrants, "How many move, to the places of the worst")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand(
+      "study", "Repeat a Monte-Carlo study of the published genetic algorithm on square lattices");
+  command->group("Research");
+  auto state = std::make_shared<StudyCommand>();
+  auto& options = state->options;
+  command->option_defaults()->group("Study");
+  command
+      ->add_option("NAME", state->name,
+                   "population, selection, crossover, mutation, crossover-rate, mutation-rate, neighbours, "
+                   "sensitivity, "
+                   "size, time or spread")
+      ->required()
+      ->check(one_of({"population", "selection", "crossover", "mutation", "crossover-rate", "mutation-rate",
+                      "neighbours", "sensitivity", "size", "time", "spread"}));
+  command
+      ->add_option("-o,--output,--csv", state->csv,
+                   "Rows to write (CSV); rows already in it are kept and not run again")
+      ->type_name("FILE");
+  command->add_option("--svg", state->svg, "Box plots and curves to write")->type_name("FILE");
+  command->add_option("--runs", options.runs, "Runs of each level")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command->add_option("--generations", options.generations, "Generations of each run")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  command->add_option("--side", options.side, "Points along a side of the lattice")->capture_default_str();
+  command->add_option("--objective", options.objective, "length, turns or angle")
+      ->capture_default_str()
+      ->check(one_of({"length", "turns", "angle"}));
+  command->add_flag("--published", options.published_size,
+                    "Runs, generations and lattices of the text: days");
+  command->add_option("--seed", options.seed, "Seed of the first run")->capture_default_str();
+  add_island_options(*command, options.islands);
+  command
+      ->add_option("--threads", state->threads,
+                   "Threads; 0: all cores (the default; with --mpi of each process, and 1 the default)")
+      ->check(CLI::NonNegativeNumber);
+  command->add_flag(
+      "--mpi", state->is_mpi,
+      "Share the runs with the other processes of an MPI job (mpirun, srun); needs the package clearcut-mpi");
+  command->option_defaults()->group("Output");
+  command->add_flag("--markdown", state->as_markdown, "Print a Markdown table");
+  command->add_flag("--quiet", state->quiet, "Print nothing but errors");
+  command->callback([state, &exit_code] { exit_code = run(*state); });
+}
+
+}  // namespace clearcut::cli
