@@ -37,6 +37,7 @@ class Reading(TypedDict, total=False):
     body: str
     breakthrough: float | None
     drills: Sequence[float]
+    mirror: bool
 
 class Settings(TypedDict, total=False):
     """The attributes of PlanOptions as keywords."""

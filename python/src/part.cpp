@@ -13,6 +13,7 @@ struct Reading {
   std::optional<double> top, depth, scale, join_gap;
   std::optional<std::string> open_curves, strokes, letters;
   SolidOptions solid;
+  bool mirror = false;
 
   ReadOptions options() const {
     ReadOptions options;
@@ -24,6 +25,7 @@ struct Reading {
     options.depth = depth;
     if (scale) options.scale = *scale;
     options.scale_is_right = scale.has_value();
+    options.mirror = mirror;
     options.join_gap = join_gap;
     if (open_curves && *open_curves != "skip" && *open_curves != "refuse")
       throw InputError("open_curves", "'" + *open_curves + "' is unknown; use refuse or skip");
@@ -47,10 +49,11 @@ auto reader(Use use) {
                std::optional<double> depth, std::optional<double> scale, std::optional<double> join_gap,
                std::optional<std::string> open_curves, std::optional<std::string> strokes,
                std::optional<std::string> letters, std::string up, double turn, std::string body,
-               std::optional<double> breakthrough, std::vector<double> drills) {
+               std::optional<double> breakthrough, std::vector<double> drills, bool mirror) {
     Reading reading{
         std::move(unit),        std::move(layers),  std::move(ops),     top, depth, scale, join_gap,
         std::move(open_curves), std::move(strokes), std::move(letters), {}};
+    reading.mirror = mirror;
     reading.solid.up = std::move(up);
     reading.solid.turn_deg = turn;
     reading.solid.body = std::move(body);
@@ -68,7 +71,7 @@ void add_reader(py::module_& module, const char* name, const char* first, const 
              py::arg("depth") = py::none(), py::arg("scale") = py::none(), py::arg("join_gap") = py::none(),
              py::arg("open_curves") = py::none(), py::arg("strokes") = py::none(),
              py::arg("letters") = py::none(), py::arg("up") = "", py::arg("turn") = 0.0, py::arg("body") = "",
-             py::arg("breakthrough") = py::none(), py::arg("drills") = std::vector<double>{},
+             py::arg("breakthrough") = py::none(), py::arg("drills") = std::vector<double>{}, py::arg("mirror") = false,
              py::call_guard<py::gil_scoped_release>(), text);
 }
 

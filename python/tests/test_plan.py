@@ -23,6 +23,14 @@ class Plans(unittest.TestCase):
         self.assertIn("<svg", plan.picture())
         self.assertIn("<html", plan.page())
 
+    def test_boards_are_read_from_either_side(self):
+        copper = EXAMPLES / "board-F_Cu.gbr"
+        seen = [clearcut.read_part(str(copper), depth=0.1, mirror=mirror) for mirror in (False, True)]
+        left, right = (min(ring[:, 0].min() for region in part.features[0].target for ring in region.polygon(0.1))
+                       for part in seen)
+        self.assertGreater(left, 8)
+        self.assertLess(right, -30)
+
     def test_options_can_be_kept_and_changed(self):
         options = clearcut.PlanOptions(tools=["endmill:6"], stepdown="0.04in", feed="40ipm", entry="ramp")
         self.assertAlmostEqual(options.stepdown, 1.016)
@@ -215,6 +223,9 @@ class Ending(unittest.TestCase):
             sent.append(time.monotonic())
             signal.raise_signal(signal.SIGINT)
 
+        # Programs that a shell started in the background ignore the signal.
+        handler = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, handler)
         timer = threading.Timer(1.5, interrupt)
         timer.start()
         try:

@@ -1,7 +1,7 @@
 // What a part holds: what was found and mended, what has to be said, and what each outline of a drawing is for.
 
 const part = { asked: 0, outlines: [], said: '' };
-const outlineKinds = ['pocket', 'profile', 'inside', 'drill', 'engrave', 'vcarve', 'chamfer', 'face', 'island', 'ignore'];
+const outlineKinds = ['pocket', 'profile', 'inside', 'drill', 'engrave', 'vcarve', 'isolate', 'chamfer', 'face', 'island', 'ignore'];
 const mostOutlines = 300;  // that are listed
 const round = (value, digits) => Number(value.toFixed(digits));
 
