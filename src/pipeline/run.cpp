@@ -17,7 +17,7 @@
 #include "pipeline/certify.h"
 #include "pipeline/contour_results.h"
 #include "pipeline/progress_meter.h"
-#include "pipeline/rapids_over_rests.h"
+#include "pipeline/selection/rapids_over_rests.h"
 #include "pipeline/selection/selection.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/out_of_reach.h"

@@ -10,7 +10,8 @@ namespace clearcut::link {
 struct HighRapids {
   double above_material = 1;  ///< mm over what stands where a rapid down ends and the plunge begins
   MmPerMin plunge_feed;
-  bool removes = true;  ///< whether what the section's moves sweep is gone: not of cones, which are narrower below
+  bool removes =
+      true;  ///< whether what the section's moves sweep is gone: not of cones, which are narrower below
 };
 
 /// Ends the rapids down of `section` above the material in their way and goes on at the plunge feed; lifts level rapids over

@@ -39,7 +39,8 @@ TEST(HighRapids, DownEndAboveWhatStandsAndTheRestIsFed) {
   auto material = block();
   material.add(level({0, 0}, {20, 0}, -4, MoveKind::kCut), kRadius);
   // 2 mm beside what was cut: a rim of it stands in the cutter's way.
-  const auto moves = kept_high({vertical({0, 2}, 10, -3), vertical({0, 2}, -3, -6, MoveKind::kPlunge)}, material);
+  const auto moves =
+      kept_high({vertical({0, 2}, 10, -3), vertical({0, 2}, -3, -6, MoveKind::kPlunge)}, material);
   ASSERT_EQ(moves.size(), 3u);
   EXPECT_EQ(moves[0].z_to, 1);
   EXPECT_EQ(moves[1].kind, MoveKind::kPlunge);
@@ -72,9 +73,8 @@ TEST(HighRapids, AcrossRiseOverWhatStandsInTheirWay) {
   auto material = block();
   material.add(level({0, 0}, {0.5, 0}, -4, MoveKind::kCut), kRadius);
   material.add(level({20, 0}, {20.5, 0}, -4, MoveKind::kCut), kRadius);
-  const auto moves =
-      kept_high({level({0, 0}, {20, 0}, -3, MoveKind::kRapid), vertical({20, 0}, -3, -4, MoveKind::kPlunge)},
-                material);
+  const auto moves = kept_high(
+      {level({0, 0}, {20, 0}, -3, MoveKind::kRapid), vertical({20, 0}, -3, -4, MoveKind::kPlunge)}, material);
   ASSERT_EQ(moves.size(), 4u);
   EXPECT_EQ(moves[1].z_to, 1);
   EXPECT_TRUE(is_rapid(moves[2].kind));

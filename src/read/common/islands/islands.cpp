@@ -13,9 +13,8 @@ namespace {
 constexpr double kBeyond = 0.01;
 
 bool lies_within(const Region& region, const Regions& islands, const Tolerances& tol) {
-  const bool near = std::any_of(islands.begin(), islands.end(), [&](const Region& island) {
-    return island.box().overlaps(region.box());
-  });
+  const bool near = std::any_of(islands.begin(), islands.end(),
+                                [&](const Region& island) { return island.box().overlaps(region.box()); });
   return near && area(subtract({region}, islands, tol)) < kBeyond;
 }
 
@@ -31,7 +30,8 @@ bool is_as_large(const Region& region, const Regions& islands) {
 Regions without_islands(Regions regions, const Regions& islands, const std::string& place,
                         const Tolerances& tol, Diagnostics& diagnostics) {
   Regions within, about;
-  for (Region& region : regions) (lies_within(region, islands, tol) ? within : about).push_back(std::move(region));
+  for (Region& region : regions)
+    (lies_within(region, islands, tol) ? within : about).push_back(std::move(region));
   if (!about.empty()) about = subtract(about, islands, tol);
   for (Region& region : within) {
     if (is_as_large(region, islands)) {

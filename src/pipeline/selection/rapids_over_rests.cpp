@@ -1,4 +1,4 @@
-#include "pipeline/rapids_over_rests.h"
+#include "pipeline/selection/rapids_over_rests.h"
 
 #include <algorithm>
 
@@ -46,8 +46,8 @@ void keep_rapids_high(Toolpath& toolpath, const ResolvedPlan& plan) {
     const auto& step = plan.part.workplan[static_cast<std::size_t>(section.workingstep)];
     const Tool& tool = tool_of(plan.part, step);
     const MmPerMin plunge_feed = plan.steps[static_cast<std::size_t>(section.workingstep)].plunge_feed;
-    link::keep_rapids_high(section, tool.radius(),
-                           {defaults.above_material, plunge_feed, !is_conical(tool)}, material);
+    link::keep_rapids_high(section, tool.radius(), {defaults.above_material, plunge_feed, !is_conical(tool)},
+                           material);
   }
 }
 

@@ -37,8 +37,8 @@ TEST(RapidsOverRests, OfPublishedContoursMeetNothing) {
   for (const char* strategy : {"lom", "second", "fixed", "bisectors"}) {
     for (const char* stepover : {"", "0.99"}) {
       const PlanResult result = planned(strategy, stepover, false);
-      EXPECT_EQ(result.findings.all.rapid_in_material, 0)
-          << strategy << " " << stepover << "\n" << faults_of(result.findings);
+      EXPECT_EQ(result.findings.all.rapid_in_material, 0) << strategy << " " << stepover << "\n"
+                                                          << faults_of(result.findings);
     }
   }
 }
