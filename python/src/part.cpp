@@ -71,8 +71,8 @@ void add_reader(py::module_& module, const char* name, const char* first, const 
              py::arg("depth") = py::none(), py::arg("scale") = py::none(), py::arg("join_gap") = py::none(),
              py::arg("open_curves") = py::none(), py::arg("strokes") = py::none(),
              py::arg("letters") = py::none(), py::arg("up") = "", py::arg("turn") = 0.0, py::arg("body") = "",
-             py::arg("breakthrough") = py::none(), py::arg("drills") = std::vector<double>{}, py::arg("mirror") = false,
-             py::call_guard<py::gil_scoped_release>(), text);
+             py::arg("breakthrough") = py::none(), py::arg("drills") = std::vector<double>{},
+             py::arg("mirror") = false, py::call_guard<py::gil_scoped_release>(), text);
 }
 
 GivenPart part_of_text(const std::string& text, const std::string& name, const ReadOptions& options) {

@@ -294,6 +294,20 @@ TEST(Tabs, StandAtTheirPlacesAndHeights) {
   for (const Tab& tab : found->profile->tabs) EXPECT_NEAR(tab.top_z, -4, 1e-9);
 }
 
+/// In an acute corner the kerfs of both sides run into each other: a tab of one would be cut by the other.
+TEST(Tabs, AreNotPlacedWhereTheKerfOfAnotherSideComes) {
+  const std::string kite =
+      "0\nLWPOLYLINE\n8\nINSIDE_D4\n90\n4\n70\n1\n10\n21.736\n20\n4.934\n10\n-4.683\n20\n8.467\n10\n-22.621\n"
+      "20\n2.13\n10\n9.985\n20\n-8.94\n";
+  const auto result =
+      plan_part(read::read_part_text(dxf(kite), "kite.dxf", asking()), with_mill("endmill:2", 6));
+  EXPECT_EQ(faults_of(result.findings), "");
+  for (const Feature& feature : result.part.features) {
+    if (!feature.profile) continue;
+    for (const Tab& tab : feature.profile->tabs) EXPECT_GT(tab.center.x, -14);
+  }
+}
+
 TEST(Tabs, WrongProgramsAreFaultyByName) {
   const Part part = read::read_part_text(dxf(rectangle("PROFILE_D6", 0, 0, 80, 50)), "plate.dxf", asking());
   const std::string without = plan_part(part, with_mill("endmill:4")).program;

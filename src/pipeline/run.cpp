@@ -12,11 +12,12 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "kinematics/kinematics.h"
-#include "link/slot_feed.h"
+#include "link/sections/slot_feed.h"
 #include "model/results/not_machined.h"
 #include "pipeline/certify.h"
 #include "pipeline/contour_results.h"
 #include "pipeline/progress_meter.h"
+#include "pipeline/selection/rapids_over_rests.h"
 #include "pipeline/selection/selection.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/out_of_reach.h"
@@ -201,13 +202,15 @@ void slow_down_slots(Toolpath& toolpath, const ResolvedPlan& plan) {
   }
 }
 
-Toolpath toolpath_of(const Selection& selection, const ResolvedPlan& plan) {
+/// `over_rests`: rapids stay above all that the passes leave.
+Toolpath toolpath_of(const Selection& selection, const ResolvedPlan& plan, bool over_rests) {
   const Part& part = plan.part;
   Toolpath toolpath;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     if (!selection.section(i).moves.empty()) toolpath.sections.push_back(selection.section(i));
   }
   if (part.order_free) toolpath.sections = in_short_order(std::move(toolpath.sections), part);
+  if (over_rests) keep_rapids_high(toolpath, plan);
   slow_down_slots(toolpath, plan);
   return toolpath;
 }
@@ -252,8 +255,11 @@ std::string no_passes(std::size_t i, const Selection& selection, const std::vect
   const bool fits =
       tool_of(part, step).diameter <= resolve::largest_fitting_diameter(feature_of(part, step), plan.tol);
   if (!fits || stock::only_plunges(tool_of(part, step))) return does_not_fit(part, step, plan.tol);
-  return fmt::format("{} found no passes for {}; use another --strategy, for example contour",
-                     selection.candidate(i).strategy->name, name);
+  return fmt::format("{} found no passes for {}; {}", selection.candidate(i).strategy->name, name,
+                     plan.steps[i].published_grid
+                         ? "no point of the published grid lies where the cutter's centre may be; use a "
+                           "smaller --stepover, or leave --grid out"
+                         : "use another --strategy, for example contour");
 }
 
 void report_what_does_not_fit(Part& part, const Selection& selection, const std::vector<StepWork>& works,
@@ -272,7 +278,12 @@ void report_what_does_not_fit(Part& part, const Selection& selection, const std:
     const bool fits =
         tool_of(part, step).diameter <= resolve::largest_fitting_diameter(feature_of(part, step), plan.tol);
     if (fits && works[i].layers.empty()) continue;
-    part.diagnostics.skip(feature_of(part, step).name, no_passes(i, selection, works, plan));
+    const std::string& name = feature_of(part, step).name;
+    if (fits && plan.steps[i].published_grid) {
+      say_not_machined(part.diagnostics, "", name, no_passes(i, selection, works, plan));
+    } else {
+      part.diagnostics.skip(name, no_passes(i, selection, works, plan));
+    }
   }
 }
 
@@ -306,6 +317,19 @@ bool retry_unclean(Selection& selection, PlanResult& result) {
     retried = true;
   }
   return retried;
+}
+
+/// Whether rapids meet what passes leave by design, so that the program is linked again with rapids over that; said in the
+/// diagnostics. False when they are over it already.
+bool begin_to_go_over_rests(bool& over_rests, const Selection& selection, const ResolvedPlan& plan,
+                            PlanResult& result) {
+  const int met = result.findings.all.rapid_in_material;
+  if (over_rests || met == 0 || !may_leave_material(selection, plan)) return false;
+  over_rests = true;
+  result.part.diagnostics.note(
+      "plan", fmt::format("{} would meet what the passes before leave: rapids end above it, the rest is fed",
+                          met == 1 ? "1 rapid" : fmt::format("{} rapids", met)));
+  return true;
 }
 
 /// What a step asks for that its strategy has not: "" where all is used.
@@ -376,12 +400,13 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   Selection selection(steps, planner, plan.threads);
   report_what_does_not_fit(result.part, selection, works, plan);
   Toolpath toolpath;
+  bool over_rests = false;
   do {
     meter.begin(Stage::kCertifying, 1);
-    toolpath = toolpath_of(selection, plan);
+    toolpath = toolpath_of(selection, plan, over_rests);
     certify(result, toolpath, plan);
     meter.add();
-  } while (retry_unclean(selection, result));
+  } while (retry_unclean(selection, result) || begin_to_go_over_rests(over_rests, selection, plan, result));
   add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   explain_rounded_places(result, plan);

@@ -34,6 +34,8 @@ constexpr double kBeforeTab = 0.02;
 constexpr double kTabHeight = 2;
 /// Of their depth.
 constexpr double kTabShare = 0.5;
+/// mm. Kerfs that overlap by less only touch.
+constexpr double kRounding = 1e-6;
 /// mm along the outline between places that are looked at for a tab.
 constexpr double kTabSearch = 0.5;
 
@@ -135,9 +137,8 @@ class TabPlacer {
     const Stretch on = stretch(middle, half);
     const Edge& edge = cut_.line[on.edge];
     const Edge piece = edge.part(on.from / edge.length(), on.to / edge.length());
-    // The free side is right of a counter-clockwise outline for outer profiles. A little of the part goes along, so that
-    // no sliver stays between.
-    const double side = cut_.side == ProfileSide::kOutside ? -1 : 1;
+    // A little of the part goes along, so that no sliver stays between.
+    const double side = free_side();
     const Edge near = moved(piece, -side * kOverlap), far = moved(piece, side * wide).reversed();
     return {Region::from_valid_loops(
         {near, Edge::line(near.to, far.from), far, Edge::line(far.to, near.from)}, {})};
@@ -147,8 +148,7 @@ class TabPlacer {
     const Stretch on = stretch(middle, 0);
     const Edge& edge = cut_.line[on.edge];
     const double t = std::clamp(on.from / edge.length(), 0.0, 1.0);
-    const double side = cut_.side == ProfileSide::kOutside ? -1 : 1;
-    return edge.at(t) + left_of(edge.tangent_at(t)) * (side * radius_);
+    return edge.at(t) + left_of(edge.tangent_at(t)) * (free_side() * radius_);
   }
 
   /// mm to both sides of the middle over which the cutter cannot be at depth.
@@ -179,11 +179,30 @@ class TabPlacer {
     const double clear = 2 * radius_;
     if (on.from < clear || on.to > edge.length() - clear) return false;
     if (edge.is_arc() && edge.radius() < 2 * half) return false;
-    return std::all_of(chosen.begin(), chosen.end(), [&](double other) {
+    const bool apart_from_others = std::all_of(chosen.begin(), chosen.end(), [&](double other) {
       const double apart = std::abs(other - middle);
       return std::min(apart, around_ - apart) > 2 * half + radius_;
     });
+    return apart_from_others && is_free(on);
   }
+
+  /// Whether no kerf along another side, in a notch or an acute corner, comes into the stretch's own: a tab there would be cut,
+  /// and nothing stands beyond it that it could hold.
+  bool is_free(const Stretch& on) const {
+    const Edge& own = cut_.line[on.edge];
+    const double kerf = 2 * radius_;
+    const Edge far = moved(own.part(on.from / own.length(), on.to / own.length()), free_side() * kerf);
+    const Box reached = far.box().grown(kerf);
+    for (std::size_t i = 0; i < cut_.line.size(); ++i) {
+      const Edge& other = cut_.line[i];
+      if (i != on.edge && other.box().overlaps(reached) && distance(far, other) < kerf - kRounding)
+        return false;
+    }
+    return true;
+  }
+
+  /// Of which side of the outline the free side is: right of a counter-clockwise one for outer profiles.
+  double free_side() const { return cut_.side == ProfileSide::kOutside ? -1 : 1; }
 
   const ProfileCut& cut_;
   double radius_;

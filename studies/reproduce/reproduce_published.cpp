@@ -151,12 +151,13 @@ Reproduction published_fishhead_table(const TableWatch& watch) {
       "published: mean of {} seeds and its 95 % interval (Student's t); ours: one seed, the same grid",
       kFishheadSeeds));
   result.table.notes.push_back(
-      "every program is checked, and none is clean: the grid leaves a rim, and rapids of later layers and "
-      "features, which "
-      "are planned as if it were cut, pass through it");
+      "every program is checked, and none is clean: the grid leaves a rim, over which rapids of later layers "
+      "and "
+      "features end; what of it stands in their way below is fed through");
   result.table.notes.push_back(
-      "POCKET6 is not machined by either: the cutter's centre has 4 mm there, and no point of the grid lies "
-      "in them");
+      "POCKET6 is not machined by either, which program and certificate say: the cutter's centre has 4 mm "
+      "there, and no "
+      "point of the grid lies in them");
   result.table.notes.push_back(
       "clearcut plan examples/fishhead.p21 --strategy tour --stepover 0.5 --stepdown 2 --grid published "
       "--solver published --objective 20:turns,1:length");

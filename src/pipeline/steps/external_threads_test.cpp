@@ -100,6 +100,20 @@ TEST(ExternalThreads, ManyLieOnTheirHelix) {
   }
 }
 
+/// One mill cuts both threads about one axis; each is checked by its own moves.
+TEST(ExternalThreads, AHoleInTheBossIsThreadedToo) {
+  for (const char* inside : {"THREAD_M8_D10", "THREAD_M10x1_D8"}) {
+    const double diameter =
+        thread_named(std::string(inside).substr(7, std::string(inside).find("_D") - 7))->diameter;
+    const Part part = drawn(boss("THREAD_M20_EXTERNAL_D12", 20) + circle(inside, kCenter, diameter / 2));
+    ASSERT_EQ(part.features.size(), 3u) << inside;
+    const PlanResult result =
+        plan_part(part, with({"endmill:10", "threadmill:5", diameter > 8 ? "drill:9" : "drill:6.8"}));
+    expect_clean(result);
+    EXPECT_EQ(result.toolpath.sections.size(), 4u) << inside;
+  }
+}
+
 TEST(ExternalThreads, WrongOnesAreFound) {
   const Part part = drawn(boss("THREAD_M20x1.5_EXTERNAL_D8", 20));
   const auto options = with({"endmill:10", "threadmill:12"});

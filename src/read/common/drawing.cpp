@@ -10,6 +10,7 @@
 #include "geometry/boolean.h"
 #include "read/common/features/area_features.h"
 #include "read/common/holes/drawn_holes.h"
+#include "read/common/islands/islands.h"
 #include "read/common/layers/layer_overlaps.h"
 #include "read/common/layers/outline_roles.h"
 #include "read/common/stock_edge.h"
@@ -341,7 +342,8 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
     const bool stands =
         role == LayerRole::kChamfer || role == LayerRole::kIsolate || is_external_thread(one.group);
     if (!islands.empty() && !stands && near_any(islands, one.regions))
-      one.regions = subtract(one.regions, islands, options.tol);
+      one.regions =
+          without_islands(std::move(one.regions), islands, one.group.where, options.tol, part.diagnostics);
     add_group_features(one, options, part.diagnostics, features);
   }
   add_profiles(shaped, options, part.diagnostics, features);

@@ -28,7 +28,7 @@ class HoleCheck {
       const Move& move = *checked.move;
       if (move.is_vertical() && distance(move.path.from, hole_.center) <= kOnAxis) upright_.push_back(i);
       const bool mills = checked.tool->kind == ToolKind::kThreadMill;
-      if (mills && distance(move.path.from, hole_.center) < around(*checked.tool)) mills_.push_back(&checked);
+      if (mills && is_at_work(checked)) mills_.push_back(&checked);
     }
   }
 
@@ -46,9 +46,14 @@ class HoleCheck {
   }
 
  private:
-  /// mm from the axis within which a thread mill is at work on it.
-  double around(const Tool& mill) const {
-    return hole_.external ? hole_.diameter / 2 + mill.diameter : hole_.diameter;
+  /// Whether a thread mill is near enough to the axis to work on the thread, and not on another about the same axis: in a hole in the
+  /// boss, whose mill stays within the core, or about the boss that the hole is in, whose mill stays beyond the wall.
+  bool is_at_work(const CheckedMove& mill) const {
+    const double apart = distance(mill.move->path.from, hole_.center);
+    if (hole_.external)
+      return apart < hole_.diameter / 2 + mill.tool->diameter &&
+             apart + mill.radius() > root_diameter(*hole_.thread) / 2;
+    return apart < hole_.diameter && apart - mill.radius() < hole_.diameter / 2;
   }
   const CheckedMove& at(std::size_t i) const { return program_.moves[i]; }
 

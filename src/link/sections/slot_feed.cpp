@@ -1,4 +1,4 @@
-#include "link/slot_feed.h"
+#include "link/sections/slot_feed.h"
 
 #include <algorithm>
 #include <cmath>

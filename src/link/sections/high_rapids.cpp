@@ -1,0 +1,100 @@
+#include "link/sections/high_rapids.h"
+
+#include <algorithm>
+
+namespace clearcut::link {
+namespace {
+
+/// mm. Material thinner than this, beside or below the cutter, comes from rounding.
+constexpr double kResidual = 1e-3;
+/// mm by which the height that is tried next is at least higher: places found on a boundary may lie below it.
+constexpr double kHigher = 0.05;
+
+/// mm; the lowest height, `z` or above, at which a cutter meets nothing along `path`.
+double clear_height(const Edge& path, double radius, double z, const stock::Material& material) {
+  while (z < material.z_top()) {
+    const auto met = material.in_reach(path, radius - kResidual, z + kResidual);
+    if (!met) return z;
+    z = std::max(material.height(*met), z + kHigher);
+  }
+  return z;
+}
+
+/// The moves of a section, written anew one by one.
+class Rewriter {
+ public:
+  Rewriter(double radius, const HighRapids& options, stock::Material& material)
+      : radius_(radius), options_(options), material_(material) {}
+
+  void add(const Move& move) {
+    if (moves_.empty()) z_ = move.z_from;
+    if (!is_rapid(move.kind)) return add_feed(move);
+    if (move.is_vertical()) return go_to_height(move.path.from, move.z_to);
+    if (move.z_from == move.z_to) return cross(move);
+    return_to(move);
+    append(move);
+  }
+
+  std::vector<Move> take() { return std::move(moves_); }
+
+ private:
+  void append(const Move& move) {
+    moves_.push_back(move);
+    z_ = move.z_to;
+  }
+
+  void vertical(Vec2 at, double z, MoveKind kind, MmPerMin feed) {
+    if (z != z_) append({Edge::line(at, at), z_, z, kind, feed, 0});
+  }
+
+  /// From where a lifted rapid has ended back to where the next move begins.
+  void return_to(const Move& next) {
+    if (z_ != next.z_from) go_to_height(next.path.from, next.z_from);
+  }
+
+  void add_feed(const Move& move) {
+    return_to(move);
+    append(move);
+    if (options_.removes) material_.add(move, radius_);
+  }
+
+  void go_to_height(Vec2 at, double z) {
+    if (z >= z_) return vertical(at, z, MoveKind::kRapid, {});
+    const double met = clear_height(Edge::line(at, at), radius_, z, material_);
+    if (met <= z) return vertical(at, z, MoveKind::kRapid, {});
+    vertical(at, std::min(z_, met + options_.above_material), MoveKind::kRapid, {});
+    vertical(at, z, MoveKind::kPlunge, options_.plunge_feed);
+    if (options_.removes && moves_.back().kind == MoveKind::kPlunge) material_.add(moves_.back(), radius_);
+  }
+
+  void cross(Move move) {
+    const double met = clear_height(move.path, radius_, move.z_from, material_);
+    if (met <= move.z_from) {
+      return_to(move);
+      return append(move);
+    }
+    const double high = std::max(z_, met + options_.above_material);
+    if (!moves_.empty() && moves_.back().is_vertical() && is_rapid(moves_.back().kind) && high > z_) {
+      moves_.back().z_to = z_ = high;
+    }
+    vertical(move.path.from, high, MoveKind::kRapid, {});
+    move.z_from = move.z_to = high;
+    append(move);
+  }
+
+  double radius_;
+  const HighRapids& options_;
+  stock::Material& material_;
+  std::vector<Move> moves_;
+  double z_ = 0;  ///< mm; where the cutter is
+};
+
+}  // namespace
+
+void keep_rapids_high(Section& section, double radius, const HighRapids& options, stock::Material& material) {
+  Rewriter rewriter(radius, options, material);
+  for (const Move& move : section.moves) rewriter.add(move);
+  section.moves = rewriter.take();
+}
+
+}  // namespace clearcut::link

@@ -1,0 +1,54 @@
+#include "pipeline/selection/rapids_over_rests.h"
+
+#include <algorithm>
+
+#include "link/link.h"
+#include "link/sections/high_rapids.h"
+#include "stock/material.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+stock::Material block_of(const Part& part) {
+  std::vector<double> radii;
+  for (const Tool& tool : part.tools) radii.push_back(tool.radius());
+  return {part.stock ? std::optional(part.stock->plan) : std::nullopt, part.top_z(), radii};
+}
+
+/// What a program on the same set-up has cut before.
+void remove_earlier(const ResolvedPlan& plan, stock::Material& material) {
+  if (!plan.earlier) return;
+  for (const Section& section : plan.earlier->sections) {
+    const Tool* const tool = tool_numbered(plan.part.tools, section.tool_number);
+    if (section.carried_below || tool == nullptr || is_conical(*tool)) continue;
+    for (const Move& move : section.moves) {
+      if (!is_rapid(move.kind)) material.add(move, tool->radius());
+    }
+  }
+}
+
+}  // namespace
+
+bool may_leave_material(const Selection& selection, const ResolvedPlan& plan) {
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const bool promises =
+        selection.candidate(i).strategy->in_auto != AutoUse::kNever && !plan.steps[i].published_grid;
+    if (!promises || selection.section(i).moves.empty()) return true;
+  }
+  return false;
+}
+
+void keep_rapids_high(Toolpath& toolpath, const ResolvedPlan& plan) {
+  stock::Material material = block_of(plan.part);
+  remove_earlier(plan, material);
+  const link::LinkOptions defaults;
+  for (Section& section : toolpath.sections) {
+    const auto& step = plan.part.workplan[static_cast<std::size_t>(section.workingstep)];
+    const Tool& tool = tool_of(plan.part, step);
+    const MmPerMin plunge_feed = plan.steps[static_cast<std::size_t>(section.workingstep)].plunge_feed;
+    link::keep_rapids_high(section, tool.radius(), {defaults.above_material, plunge_feed, !is_conical(tool)},
+                           material);
+  }
+}
+
+}  // namespace clearcut::pipeline
