@@ -6,14 +6,14 @@ namespace clearcut::link {
 namespace {
 
 /// mm. Material thinner than this, beside or below the cutter, comes from rounding.
-constexpr double kResidual = 1e-3;
+constexpr double kRounding = 1e-3;
 /// mm by which the height that is tried next is at least higher: places found on a boundary may lie below it.
 constexpr double kHigher = 0.05;
 
 /// mm; the lowest height, `z` or above, at which a cutter meets nothing along `path`.
 double clear_height(const Edge& path, double radius, double z, const stock::Material& material) {
   while (z < material.z_top()) {
-    const auto met = material.in_reach(path, radius - kResidual, z + kResidual);
+    const auto met = material.in_reach(path, radius - kRounding, z + kRounding);
     if (!met) return z;
     z = std::max(material.height(*met), z + kHigher);
   }
