@@ -9,6 +9,7 @@
 #include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "read/common/features/area_features.h"
+#include "read/common/features/within_deeper.h"
 #include "read/common/holes/drawn_holes.h"
 #include "read/common/islands/islands.h"
 #include "read/common/layers/layer_overlaps.h"
@@ -204,6 +205,14 @@ void mirror(std::vector<DrawnGroup>& groups) {
   }
 }
 
+/// Asks, or says, what pockets would cut away.
+void ask_of_cut_away(Part& part, const std::vector<Feature>& features, const ReadOptions& options) {
+  const auto question = question_of_cut_away(features, options.tol);
+  if (!question) return;
+  if (options.ask_if_unclear) throw InputError(part.source_file, *question);
+  part.diagnostics.warn(part.source_file, *question);
+}
+
 bool have_several_floors(const std::vector<Feature>& features) {
   return std::any_of(features.begin(), features.end(),
                      [&](const Feature& feature) { return feature.floor_z < features.front().floor_z; });
@@ -351,6 +360,7 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
     throw InputError(part.source_file, "nothing to mill was found" + what_was_left_out(part.diagnostics) +
                                            "; draw the pockets as closed curves");
   }
+  ask_of_cut_away(part, features, options);
   std::stable_sort(features.begin(), features.end(), goes_before);
   set_stock(part, shaped, features, options);
   const bool several_floors = have_several_floors(features);

@@ -1,0 +1,18 @@
+// Features of a drawing that lie within a deeper pocket.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/tolerances.h"
+#include "model/part.h"
+
+namespace clearcut::read {
+
+/// What is to be asked of the first feature of which a pocket around it, as deep as itself or deeper and from the same height, leaves
+/// nothing: a shallower pocket may be a step, anything else may be meant on the floor. Nothing where there is none. Cost O(n m) boxes
+/// for n features and m pockets, and a boolean for each that lies within such a pocket.
+std::optional<std::string> question_of_cut_away(const std::vector<Feature>& features, const Tolerances& tol);
+
+}  // namespace clearcut::read
