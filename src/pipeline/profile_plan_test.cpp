@@ -123,6 +123,7 @@ TEST(DrawingRoles, IslandsOfAnOuterPocketMayLieOnOtherLayers) {
           circle("C", 60, 20, 3) + rectangle("A", 100, 0, 180, 50) +
           rectangle("POCKET_D1", 110, 10, 120, 20) + rectangle("D1", 130, 10, 140, 20));
   auto options = asking(6);
+  options.ask_if_unclear = false;  // shallow pockets in deeper ones are asked about
   options.depth.reset();
   options.depth_if_missing = 6;
   options.layer_rules = {asked(read::LayerRole::kPocket, "outer")};
