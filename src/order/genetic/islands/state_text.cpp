@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <iterator>
 #include <limits>
 #include <string_view>
@@ -19,12 +19,21 @@ namespace {
 constexpr const char* kBegin = "state";
 constexpr const char* kEnd = "end";  // a text that was cut short lacks it
 
+/// std::bit_cast, which not every standard library has.
+template <class To, class From>
+To same_bits(const From& from) {
+  static_assert(sizeof(To) == sizeof(From));
+  To to;
+  std::memcpy(&to, &from, sizeof to);
+  return to;
+}
+
 class Writer {
  public:
   void word(std::string_view text) { fmt::format_to(std::back_inserter(text_), "{} ", text); }
   void whole(long long value) { fmt::format_to(std::back_inserter(text_), "{} ", value); }
   void bits(std::uint64_t value) { fmt::format_to(std::back_inserter(text_), "{:x} ", value); }
-  void real(double value) { bits(std::bit_cast<std::uint64_t>(value)); }
+  void real(double value) { bits(same_bits<std::uint64_t>(value)); }
   std::string text() && {
     text_.pop_back();
     return std::move(text_);
@@ -49,7 +58,7 @@ class Words {
   }
   std::uint64_t bits() { return number<std::uint64_t>(16); }
   double real() {
-    const auto value = std::bit_cast<double>(bits());
+    const auto value = same_bits<double>(bits());
     good_ = good_ && std::isfinite(value);
     return good_ ? value : 0;
   }

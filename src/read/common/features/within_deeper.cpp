@@ -47,14 +47,15 @@ std::string question_of(const Feature& feature, const Feature& pocket) {
   if (is_pocket(feature)) {
     meant = "if it is a step in that pocket draw its outline on layer " + layer + ", too";
   } else if (feature.carving || feature.profile) {
-    meant = "if it is meant on that floor say so in its layer's name, as in TOP" + trimmed(pocket.floor_z, 4) + " D" +
-            trimmed(depth, 4);
+    meant = "if it is meant on that floor say so in its layer's name, as in TOP" +
+            trimmed(pocket.floor_z, 4) + " D" + trimmed(depth, 4);
   } else {
     meant = "if it is meant on that floor give its depth from the top, as in D" +
             trimmed(feature.top_z - pocket.floor_z + depth, 4);
   }
   return name + " is " + trimmed(depth, 4) + " mm deep and lies in a pocket of layer " + layer +
-         ", which takes all of it away: " + meant + "; --op ignore:" + printable(feature.source) + " leaves it out";
+         ", which takes all of it away: " + meant + "; --op ignore:" + printable(feature.source) +
+         " leaves it out";
 }
 
 }  // namespace
