@@ -35,16 +35,22 @@ double left_by(const Feature& feature, double diameter, const Tolerances& tol) {
   return closed ? target - area(reached) : area(subtract(feature.target, reached, tol));
 }
 
-/// mm, in whole hundredths; 0 when none does.
-double largest_that_reaches(const Feature& feature, double below, const Tolerances& tol) {
-  const double may_stay = allowed_to_stay(area(feature.target));
+/// mm, in whole hundredths; the largest diameter below `below` for which `suffices` holds, 0 when none does.
+template <class Suffices>
+double largest_diameter(double below, Suffices suffices) {
   double low = kSmallest, high = below;
-  if (high <= low || left_by(feature, low, tol) > may_stay) return 0;
+  if (high <= low || !suffices(low)) return 0;
   for (int i = 0; i < kHalvings; ++i) {
     const double middle = (low + high) / 2;
-    (left_by(feature, middle, tol) <= may_stay ? low : high) = middle;
+    (suffices(middle) ? low : high) = middle;
   }
   return std::floor(low * 100) / 100;
+}
+
+double largest_that_reaches(const Feature& feature, double below, const Tolerances& tol) {
+  const double may_stay = allowed_to_stay(area(feature.target));
+  return largest_diameter(below,
+                          [&](double diameter) { return left_by(feature, diameter, tol) <= may_stay; });
 }
 
 /// That no cutter fits into a feature is a condition, which somebody may accept, and no fault of the program.
@@ -89,16 +95,10 @@ std::size_t parted_by(const Feature& feature, const std::vector<Vec2>& pieces, d
   return standing.size();
 }
 
-/// mm, in whole hundredths; 0 when none does.
 double largest_that_parts(const Feature& feature, const std::vector<Vec2>& pieces, double below,
                           const Tolerances& tol) {
-  double low = kSmallest, high = below;
-  if (high <= low || parted_by(feature, pieces, low, tol) < pieces.size()) return 0;
-  for (int i = 0; i < kHalvings; ++i) {
-    const double middle = (low + high) / 2;
-    (parted_by(feature, pieces, middle, tol) == pieces.size() ? low : high) = middle;
-  }
-  return std::floor(low * 100) / 100;
+  return largest_diameter(
+      below, [&](double diameter) { return parted_by(feature, pieces, diameter, tol) == pieces.size(); });
 }
 
 /// That pieces to be isolated stay joined, if they do: a short circuit, however small the area is.

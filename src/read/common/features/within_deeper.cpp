@@ -3,14 +3,12 @@
 #include <cmath>
 
 #include "base/text/format.h"
-#include "geometry/boolean.h"
+#include "read/common/layers/layer_overlaps.h"
 #include "read/common/text.h"
 
 namespace clearcut::read {
 namespace {
 
-/// Of its area: what lies in a pocket but for rounding.
-constexpr double kWholly = 0.999;
 /// mm. Depths that differ by less are the same.
 constexpr double kSameDepth = 1e-6;
 
@@ -33,11 +31,6 @@ bool would_cut_away(const Feature& pocket, const Feature& feature) {
 
 bool holds(const Box& outer, const Box& inner) {
   return outer.grown(kSameDepth).contains(inner.min) && outer.grown(kSameDepth).contains(inner.max);
-}
-
-bool lies_in(const Regions& inner, const Regions& outer, const Tolerances& tol) {
-  const double own = area(inner);
-  return own > 0 && own < kWholly * area(outer) && area(intersect(inner, outer, tol)) > kWholly * own;
 }
 
 std::string question_of(const Feature& feature, const Feature& pocket) {

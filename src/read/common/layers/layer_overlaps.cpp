@@ -11,6 +11,8 @@ namespace {
 
 /// mm2. Layers that share less do not overlap.
 constexpr double kShared = 0.01;
+/// Of an area: what lies in another, or is all of it, but for rounding.
+constexpr double kWholly = 0.999;
 
 bool are_pockets_of_one_floor(const DrawnGroup& a, const DrawnGroup& b, const ReadOptions& options) {
   const auto depth = [&](const DrawnGroup& group) { return options.depth ? options.depth : group.depth; };
@@ -31,15 +33,12 @@ Regions take_overlapping(Regions& regions, const Regions& others, const Toleranc
 
 /// The first outline of `inner` that lies in a pocket of `outer`.
 const Region* region_within(const Regions& inner, const Regions& outer, const Tolerances& tol) {
-  constexpr double kSame = 0.999;  // of an outline that is drawn on both layers
   std::vector<Box> boxes;
   for (const Region& pocket : outer) boxes.push_back(pocket.box());
   for (const Region& region : inner) {
     const Box place = region.box();
-    const double own = area({region});
     for (std::size_t i = 0; i < outer.size(); ++i) {
-      if (!boxes[i].overlaps(place) || own >= kSame * area({outer[i]})) continue;
-      if (area(intersect({region}, {outer[i]}, tol)) > kSame * own) return &region;
+      if (boxes[i].overlaps(place) && lies_in({region}, {outer[i]}, tol)) return &region;
     }
   }
   return nullptr;
@@ -81,6 +80,11 @@ bool near_any(const Regions& regions, const Regions& others) {
   const Box around = box(others);
   return std::any_of(regions.begin(), regions.end(),
                      [&](const Region& region) { return region.box().overlaps(around); });
+}
+
+bool lies_in(const Regions& inner, const Regions& outer, const Tolerances& tol) {
+  const double own = area(inner);
+  return own > 0 && own < kWholly * area(outer) && area(intersect(inner, outer, tol)) > kWholly * own;
 }
 
 std::optional<DrawingQuestion> question_of_layers(const std::vector<ShapedGroup>& groups,

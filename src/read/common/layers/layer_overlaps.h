@@ -12,6 +12,9 @@ namespace clearcut::read {
 /// Whether the boxes of any of `regions` and of `others` as a whole overlap.
 bool near_any(const Regions& regions, const Regions& others);
 
+/// Whether `inner` lies in `outer` but for rounding, and is not all of it.
+bool lies_in(const Regions& inner, const Regions& outer, const Tolerances& tol);
+
 /// What is to be asked of a drawing.
 struct DrawingQuestion {
   std::string where;  ///< file and layer
