@@ -27,7 +27,8 @@ SPDX = {
 # Those whose copyright files are prose.
 IN_PROSE = {"libc6": "LGPL-2.1-or-later", "libstdc++6": "GPL-3.0-or-later WITH GCC-exception-3.1",
             "libgcc-s1": "GPL-3.0-or-later WITH GCC-exception-3.1", "g++-12": "GPL-3.0-or-later",
-            "libhwloc15": "BSD-3-Clause", "libopenmpi3": "BSD-3-Clause-Open-MPI", "zlib1g": "Zlib", "libfreetype6": "FTL OR GPL-2.0-or-later", "libpng16-16": "libpng-2.0"}
+            "libhwloc15": "BSD-3-Clause", "libopenmpi3": "BSD-3-Clause-Open-MPI", "zlib1g": "Zlib",
+            "libfreetype6": "FTL OR GPL-2.0-or-later", "libfontconfig1": "HPND-sell-variant", "libpng16-16": "libpng-2.0"}
 
 
 def said(*command):
