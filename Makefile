@@ -67,7 +67,7 @@ reproduce-packages:
 format:
 	@scripts/format.sh
 
-# ESLint over the report's scripts and style; needs npm, which the build does not.
+# ESLint, types and unit tests of the pages' scripts; needs npm, which the build does not.
 lint-viewer:
 	@scripts/lint_viewer.sh
 

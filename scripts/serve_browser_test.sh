@@ -12,7 +12,7 @@ if ! cmp -s "$source/package-lock.json" "$kit/package-lock.json" || [ ! -e "$kit
   cp "$source/package.json" "$source/package-lock.json" "$kit/"
   (cd "$kit" && npm ci --no-audit --no-fund --loglevel=error)
 fi
-cp "$source/serve_browser_test.mjs" "$kit/"
+cp "$source"/*.mjs "$kit/"
 cat > "$kit/square.json" <<'PART'
 {"name": "square", "units": "mm", "outer": [[0, 0, 0], [50, 0, 0], [50, 50, 0], [0, 50, 0]], "islands": [], "top": 0, "depth": 2}
 PART

@@ -11,7 +11,7 @@ if ! cmp -s "$source/package-lock.json" "$kit/package-lock.json" || [ ! -e "$kit
   cp "$source/package.json" "$source/package-lock.json" "$kit/"
   (cd "$kit" && npm ci --no-audit --no-fund --loglevel=error)
 fi
-cp "$source/viewer_browser_test.mjs" "$kit/"
+cp "$source"/*.mjs "$kit/"
 "$clearcut" plan examples/fishhead.p21 -o "$kit/fishhead.ngc" --stepdown 2 --report "$kit/fishhead.html" --quiet
 cat > "$kit/square.json" <<'PART'
 {"name": "square", "units": "mm", "outer": [[0, 0, 0], [50, 0, 0], [50, 50, 0], [0, 50, 0]], "islands": [], "top": 0, "depth": 2}

@@ -6,9 +6,12 @@ import { createRequire } from 'node:module';
 
 const require = createRequire(import.meta.url);
 const [folder, ...words] = process.argv.slice(2);
+/** @type {{ runCommand: RunCommand }} */
 const { runCommand } = require(path.resolve(import.meta.dirname, 'page/run_command.js'));
+/** @type {MakeModule} */
 const makeModule = require(path.resolve(folder, 'clearcut.js'));
 const wasm = new WebAssembly.Module(fs.readFileSync(path.join(folder, 'clearcut.wasm')));
+/** @type {NamedBytes[]} */
 const files = fs.readdirSync('.', { withFileTypes: true }).filter(one => one.isFile()).map(one => [one.name, fs.readFileSync(one.name)]);
 const end = await runCommand(makeModule, wasm, words, files, line => {
   if (!line.startsWith('{"progress"')) process.stderr.write(`${line}\n`);

@@ -1,64 +1,53 @@
 // node serve_browser_test.mjs FOLDER BROWSER ADDRESS COMMAND: what a person does with the page of `clearcut serve`, and whether it follows.
 // FOLDER holds square.json, twice.toml, large.json, plate.dxf and tools.toml; screenshots go to FOLDER/pictures.
-import { execFileSync } from 'node:child_process';
+import { execFileSync, spawnSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
-import { chromium } from 'playwright-core';
+import { check, conclude, fits, isAccessible, launch, reportIn, textOf, watch } from './browser.mjs';
+
+/** @typedef {import('playwright-core').Page} Page */
 
 const [folder, executablePath] = process.argv.slice(2, 4).map(argument => resolve(argument));
-const address = process.argv[4], command = resolve(process.argv[5]), axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-let failed = 0;
-function check(right, what) {
-  console.log((right ? 'ok      ' : 'FAILED  ') + what);
-  if (!right) ++failed;
-}
+const address = process.argv[4], command = resolve(process.argv[5]);
+const browser = await launch(executablePath, ['--enable-unsafe-swiftshader']);
 
-const browser = await chromium.launch({ executablePath, args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-  '--disable-background-networking', '--disable-component-update', '--disable-sync', '--enable-unsafe-swiftshader'] });
-
+/** @type {(width: number, height: number, colorScheme: 'light' | 'dark') => Promise<Page>} */
 async function open(width, height, colorScheme) {
   // axe is put into the page, which its policy forbids to everybody else.
   const context = await browser.newContext({ viewport: { width, height }, colorScheme, reducedMotion: 'reduce', bypassCSP: false });
   context.setDefaultTimeout(120000);  // a machine may be busy with other work
   const page = await context.newPage();
-  page.on('pageerror', error => check(false, 'no error: ' + error.message));
-  page.on('console', message => { if (message.type() === 'error') check(false, 'no console error: ' + message.text()); });
-  page.on('request', request => { if (!request.url().startsWith(address) && !/^(data|blob):/.test(request.url())) check(false, 'no other address: ' + request.url()); });
+  watch(page, url => url.startsWith(address) || /^(data|blob):/.test(url));
   await page.goto(address, { timeout: 60000 });
   return page;
 }
 
-async function isAccessible(page, what) {
-  const found = await page.evaluate(`${axe}; axe.run(document, { iframes: false, runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa'] })`);
-  check(found.violations.length === 0, `${what}: no findings of axe ` + found.violations.map(one => `${one.id} ${one.nodes[0].target}`).join(', '));
-}
-
-const fits = page => page.evaluate('document.documentElement.scrollWidth <= innerWidth');
+/** @type {(name: string) => string} */
 const picture = name => `${folder}/pictures/${name}.png`;
 
+/** @type {(page: Page) => Promise<void>} */
 async function plans(page) {
   await page.setInputFiles('#plan-files', `${folder}/square.json`);
   await page.fill('#plan-options', '--accept out-of-reach');
-  check((await page.textContent('#plan-command')).startsWith('clearcut plan square.json --tool endmill:6'), 'the command line is shown');
+  check((await textOf(page, '#plan-command')).startsWith('clearcut plan square.json --tool endmill:6'), 'the command line is shown');
   await page.click('#plan-go');
   await page.waitForSelector('#plan-result:not([hidden])', { timeout: 120000 });
-  check(await page.textContent('#plan-verdict') === 'CLEAN', 'a plan ends with its verdict');
-  const frame = page.frame({ url: /\/report$/ });
-  await frame.waitForSelector('#play', { timeout: 60000 });
+  check(await textOf(page, '#plan-verdict') === 'CLEAN', 'a plan ends with its verdict');
+  const frame = await reportIn(page, '#plan-report');
   check(await frame.isVisible('#play'), 'the report plays in the frame');
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#plan-downloads a')]);
   await download.saveAs(`${folder}/square.ngc`);
   check(download.suggestedFilename() === 'square.ngc' && readFileSync(`${folder}/square.ngc`, 'utf8').includes('G1'), 'the program is downloaded');
 }
 
+/** @type {(page: Page, selector: string, name: string) => Promise<string>} */
 async function saved(page, selector, name) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click(selector)]);
   await download.saveAs(`${folder}/drive/${name}`);
   return readFileSync(`${folder}/drive/${name}`, 'utf8');
 }
 
-/** Everything that a job says: what outlines are for, a library, material, controller; and what comes back. */
+/** Everything that a job says: what outlines are for, a library, material, controller; and what comes back. @type {(page: Page) => Promise<void>} */
 async function drives(page) {
   rmSync(`${folder}/drive`, { recursive: true, force: true });
   mkdirSync(`${folder}/drive`);
@@ -67,7 +56,7 @@ async function drives(page) {
   await page.waitForSelector('#outlines tbody tr', { timeout: 60000 });
   const outlines = await page.locator('#outlines tbody tr').count();
   check(outlines === 10, 'the outlines of the drawing are listed');
-  check((await page.textContent('#found-title')).startsWith('What was found: 9 features'), 'and what was found');
+  check((await textOf(page, '#found-title')).startsWith('What was found: 9 features'), 'and what was found');
   await page.selectOption('#plan-list li:last-child select', 'tools');
   await page.selectOption('[aria-label="What outline 3 is for"]', 'ignore');
   await page.selectOption('[aria-label="What outline 4 is for"]', 'pocket');
@@ -76,34 +65,35 @@ async function drives(page) {
   await page.selectOption('#material', 'aluminium');
   await page.selectOption('#post', 'grbl');
   await page.fill('#plan-options', '--accept out-of-reach --accept tool-change --stepdown 2 --no-tool-change');
-  const shown = await page.textContent('#plan-command');
+  const shown = await textOf(page, '#plan-command');
   check(['--tools tools.toml', '--op ignore:3', '--op pocket_d4:4', '--material aluminium', '--post grbl'].every(word => shown.includes(word)), 'the command line says it all: ' + shown);
   await page.click('#plan-go');
-  await page.waitForFunction(() => /^Done|error/.test(document.getElementById('plan-status').textContent + document.getElementById('plan-status').className), null, { timeout: 240000 });
-  check((await page.textContent('#plan-status')).startsWith('Done'), 'it is planned: ' + await page.textContent('#plan-status'));
+  await page.waitForFunction(() => { const status = document.getElementById('plan-status'); return /^Done|error/.test(`${status?.textContent}${status?.className}`); }, null, { timeout: 240000 });
+  check((await textOf(page, '#plan-status')).startsWith('Done'), 'it is planned: ' + await textOf(page, '#plan-status'));
   const program = await saved(page, '#plan-downloads li:first-child a', 'plate.ngc'), sheet = await saved(page, 'a[download="plate-setup.html"]', 'sheet.html');
   check(sheet.includes('<html') && sheet.includes('plate'), 'the set-up sheet is downloaded');
   const job = await saved(page, '#plan-job', 'plate.toml');
-  check(!(await page.textContent('#plan-downloads')).includes('without'), 'the job holds everything');
+  check(!(await textOf(page, '#plan-downloads')).includes('without'), 'the job holds everything');
   for (const file of ['plate.dxf', 'tools.toml']) copyFileSync(`${folder}/${file}`, `${folder}/drive/${file}`);
   try {
     execFileSync(command, ['plan', 'plate.toml', '-o', 'again.ngc', '--quiet'], { cwd: `${folder}/drive`, stdio: 'pipe' });
   } catch (error) {
-    check(error.status === 1, 'the job can be planned: ' + error.stderr + job);
+    const ended = /** @type {{ status: number | null, stderr: Buffer }} */ (error);
+    check(ended.status === 1, 'the job can be planned: ' + ended.stderr + job);
   }
   check(readFileSync(`${folder}/drive/again.ngc`, 'utf8') === program, 'the job planned by the command gives the same bytes');
   await page.screenshot({ path: picture('serve-drive-1366'), fullPage: true });
 }
 
-/** A job that is milled from two sides: each set-up has its results. */
+/** A job that is milled from two sides: each set-up has its results. @type {(page: Page) => Promise<void>} */
 async function plansSetups(page) {
   await page.goto(address);
   await page.setInputFiles('#plan-files', [`${folder}/twice.toml`, `${folder}/square.json`]);
-  await page.waitForFunction(() => document.getElementById('found').textContent.includes('set-up 2: '), null, { timeout: 60000 });
+  await page.waitForFunction(() => document.getElementById('found')?.textContent?.includes('set-up 2: '), null, { timeout: 60000 });
   await page.fill('#plan-options', '--accept out-of-reach');
   await page.click('#plan-go');
   await page.waitForSelector('#plan-result:not([hidden])', { timeout: 120000 });
-  check((await page.textContent('#plan-downloads')).includes('Program of set-up 2'), 'each set-up has its program');
+  check((await textOf(page, '#plan-downloads')).includes('Program of set-up 2'), 'each set-up has its program');
   check(await page.locator('#plan-setup option').count() === 2, 'and its report');
   const secondIsShown = page.waitForResponse(/\/report-2$/);
   await page.selectOption('#plan-setup', { label: 'Set-up 2' });
@@ -112,6 +102,7 @@ async function plansSetups(page) {
   await isAccessible(page, 'the page with two set-ups');
 }
 
+/** @type {(page: Page) => Promise<void>} */
 async function compares(page) {
   await page.goto(address);
   await page.setInputFiles('#plan-files', `${folder}/square.json`);
@@ -120,21 +111,23 @@ async function compares(page) {
   await page.waitForSelector('#comparison tbody tr', { timeout: 240000 });
   check(await page.locator('#comparison tr.fastest').count() === 1 && await page.locator('#comparison tbody tr').count() > 2, 'strategies are compared');
   await page.click('#comparison button[aria-label="Take the strategy zigzag"]');
-  check((await page.textContent('#plan-command')).includes('--strategy zigzag'), 'and one is taken');
+  check((await textOf(page, '#plan-command')).includes('--strategy zigzag'), 'and one is taken');
   await page.screenshot({ path: picture('serve-compare-1366') });
   await isAccessible(page, 'the page with a comparison');
 }
 
+/** @type {(page: Page) => Promise<void>} */
 async function cancels(page) {
   await page.setInputFiles('#plan-files', `${folder}/large.json`);
   await page.selectOption('#plan-list li:last-child select', 'part');
   await page.fill('#tool-diameter', '1');
   await page.click('#plan-go');
-  await page.waitForFunction(() => /Planning|Reading/.test(document.getElementById('plan-status').textContent), null, { timeout: 60000 });
+  await page.waitForFunction(() => /Planning|Reading/.test(document.getElementById('plan-status')?.textContent ?? ''), null, { timeout: 60000 });
   await page.click('#plan-cancel');
-  check(await page.textContent('#plan-status') === 'Cancelled.', 'a plan is cancelled');
+  check(await textOf(page, '#plan-status') === 'Cancelled.', 'a plan is cancelled');
 }
 
+/** @type {(page: Page) => Promise<void>} */
 async function checks(page) {
   await page.focus('#tab-plan');
   await page.keyboard.press('ArrowRight');
@@ -144,22 +137,36 @@ async function checks(page) {
   await page.fill('#check-diameter', '6');
   await page.click('#check-go');
   await page.waitForSelector('#check-result:not([hidden])', { timeout: 120000 });
-  check(await page.textContent('#check-verdict') === 'FAULTY', 'a wrong program is FAULTY');
+  check(await textOf(page, '#check-verdict') === 'FAULTY', 'a wrong program is FAULTY');
   check(await page.locator('#check-faults li').count() > 0, 'its faults are listed');
   check(await page.locator('#check-lines li.fault').count() > 0, 'their lines are marked');
 }
 
-/** The same program without its part, in a block. */
+/** A condition that is met is none that is open. @type {(page: Page) => Promise<void>} */
+async function checksWithConditions(page) {
+  await page.goto(address);
+  await page.click('#tab-check');
+  spawnSync(command, ['plan', 'square.json', '--tool', 'endmill:20', '-o', 'wide.ngc', '--quiet'], { cwd: folder });
+  await page.setInputFiles('#check-files', [`${folder}/wide.ngc`, `${folder}/square.json`]);
+  await page.fill('#check-diameter', '20');
+  for (const [options, verdict, open] of [['', 'CONDITIONAL', 1], ['--accept out-of-reach', 'CLEAN', 0]]) {
+    await page.fill('#check-options', String(options));
+    await page.click('#check-go');
+    await page.waitForFunction(wanted => document.getElementById('check-verdict')?.textContent === wanted, verdict, { timeout: 120000 });
+    check(await page.locator('#check-faults li.condition').count() === open, `${verdict}: ${open} open conditions are listed`);
+  }
+}
+
+/** The same program without its part, in a block. @type {(page: Page) => Promise<void>} */
 async function checksAlone(page) {
   await page.click('#check [aria-label="Remove square.json"]');
   check(await page.isVisible('#check-stock') && !await page.isVisible('#check-depth'), 'without a part the stock is asked for');
   await page.fill('#check-stock', '50,50,5');
-  check((await page.textContent('#check-command')).includes('--stock 50,50,5') && !(await page.textContent('#check-command')).includes('--part'), 'and the command line says so');
+  check((await textOf(page, '#check-command')).includes('--stock 50,50,5') && !(await textOf(page, '#check-command')).includes('--part'), 'and the command line says so');
   await page.click('#check-go');
-  await page.waitForFunction(() => document.getElementById('check-verdict').textContent.endsWith('WITHOUT A PART'), null, { timeout: 120000 });
-  const frame = await (await page.$('#check-report')).contentFrame();
-  await frame.waitForSelector('#play', { timeout: 60000 });
-  check((await frame.textContent('#tiles')).includes('not asked'), 'a program is checked alone, and its report says what was not asked');
+  await page.waitForFunction(() => document.getElementById('check-verdict')?.textContent?.endsWith('WITHOUT A PART'), null, { timeout: 120000 });
+  const frame = await reportIn(page, '#check-report');
+  check((await textOf(frame, '#tiles')).includes('not asked'), 'a program is checked alone, and its report says what was not asked');
 }
 
 const page = await open(1366, 768, 'light');
@@ -180,11 +187,11 @@ await isAccessible(page, 'the page with a check');
 await checksAlone(page);
 await page.screenshot({ path: picture('serve-alone-1366'), fullPage: true });
 await isAccessible(page, 'the page with a program alone');
+await checksWithConditions(page);
 const phone = await open(390, 844, 'dark');
 await plans(phone);
 check(await fits(phone), 'nothing overflows at 390');
 await phone.screenshot({ path: picture('serve-390-dark'), fullPage: true });
 await isAccessible(phone, 'the dark page on a phone');
 await browser.close();
-console.log(failed === 0 ? 'the page of the server: all is well' : `the page of the server: ${failed} failed`);
-process.exit(failed === 0 ? 0 : 1);
+conclude('the page of the server');

@@ -1,93 +1,92 @@
 // node viewer_browser_test.mjs FOLDER BROWSER: what a person does with FOLDER/fishhead.html, and whether the page follows.
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
-import { chromium } from 'playwright-core';
+import { axe, boxOf, check, conclude, holds, launch, numberOf, numbersOf, pointOf, textOf, watch } from './browser.mjs';
+
+/** @typedef {import('playwright-core').Page} Page */
 
 const [folder, executablePath] = process.argv.slice(2).map(argument => resolve(argument));
-const fishhead = folder + '/fishhead.html', axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
-let failed = 0;
-function check(right, what) {
-  console.log((right ? 'ok      ' : 'FAILED  ') + what);
-  if (!right) ++failed;
-}
+const fishhead = folder + '/fishhead.html';
+const browser = await launch(executablePath, ['--enable-unsafe-swiftshader']);
 
-const launch = more => chromium.launch({ executablePath, args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-  '--disable-background-networking', '--disable-component-update', '--disable-sync', ...more] });
-const browser = await launch(['--enable-unsafe-swiftshader']);
-
+/** @type {(width: number, height: number, colorScheme: 'light' | 'dark', hash?: string, where?: import('playwright-core').Browser, file?: string) => Promise<Page>} */
 async function open(width, height, colorScheme, hash = '', where = browser, file = fishhead) {
   const page = await where.newPage({ viewport: { width, height }, colorScheme, reducedMotion: 'reduce' });
-  page.on('pageerror', error => check(false, 'no error: ' + error.message));
-  page.on('console', message => { if (message.type() === 'error') check(false, 'no console error: ' + message.text()); });
-  page.on('request', request => { if (!request.url().startsWith('file://')) check(false, 'no network: ' + request.url()); });
+  watch(page, url => url.startsWith('file://'));
   await page.goto('file://' + file + hash, { timeout: 120000 });
   return page;
 }
 
-const selectedLine = page => page.$eval('#program [aria-selected=true]', row => Number(row.dataset.line)).catch(() => 0);
-const evaluate = (page, code) => page.evaluate(code);
+/** @type {(page: Page) => Promise<number>} */
+const selectedLine = page => page.$eval('#program [aria-selected=true]', row => Number(row.getAttribute('data-line'))).catch(() => 0);
 
+/** @type {(page: Page) => Promise<void>} */
 async function plays(page) {
   await page.keyboard.press(' ');
   await page.waitForFunction('at.time > 0', null, { timeout: 60000 });
   await page.keyboard.press(' ');
-  check(await page.textContent('#play') === 'Play', 'space plays and stops');
+  check(await textOf(page, '#play') === 'Play', 'space plays and stops');
   await page.keyboard.press('Home');
   for (let k = 0; k < 3; ++k) await page.keyboard.press('ArrowRight');
-  check(await evaluate(page, 'shownMove()') === 2, 'three arrows are three moves');
+  check(await numberOf(page, 'shownMove()') === 2, 'three arrows are three moves');
   await page.keyboard.press('ArrowLeft');
-  check(await evaluate(page, 'shownMove()') === 1, 'left arrow goes back');
+  check(await numberOf(page, 'shownMove()') === 1, 'left arrow goes back');
 }
 
+/** @type {(page: Page) => Promise<void>} */
 async function clicks(page) {
   await page.selectOption('#path', 'all');
-  const i = await evaluate(page, 'moves.kind.findIndex((kind, i) => kind === 4 && moves.x1[i] - moves.x0[i] > 60)');
-  const point = await evaluate(page, `(() => { const s = toScreen(pointAt(${i}, 0.4)), box = overlay.getBoundingClientRect(); return { x: s.x + box.left, y: s.y + box.top }; })()`);
+  const i = await numberOf(page, 'moves.kind.findIndex((kind, i) => kind === 4 && moves.x1[i] - moves.x0[i] > 60)');
+  const point = await pointOf(page, `(() => { const s = toScreen(pointAt(${i}, 0.4)), box = overlay.getBoundingClientRect(); return { x: s.x + box.left, y: s.y + box.top }; })()`);
   await page.mouse.click(point.x, point.y);
-  const clicked = await evaluate(page, 'selected');
-  check(clicked >= 0 && await selectedLine(page) === await evaluate(page, `moves.line[${clicked}]`), 'a click on a move selects its line');
+  const clicked = await numberOf(page, 'selected');
+  check(clicked >= 0 && await selectedLine(page) === await numberOf(page, `moves.line[${clicked}]`), 'a click on a move selects its line');
   await page.$eval('#program', box => { box.scrollTop = 24 * 20; });
   await page.click('#program [data-line="30"]');
-  check(await evaluate(page, 'selected === moveOfLine[30] && at.time === moves.t[selected + 1]'), 'a click on a line brings the cutter there');
-  const before = await evaluate(page, 'view.k');
+  check(await holds(page, 'selected === moveOfLine[30] && at.time === moves.t[selected + 1]'), 'a click on a line brings the cutter there');
+  const before = await numberOf(page, 'view.k');
   await page.mouse.move(point.x, point.y);
   await page.mouse.wheel(0, -400);
   await page.waitForFunction(`view.k > ${before}`);
   await page.click('#fit');
-  check(await evaluate(page, 'fitted'), 'wheel zooms, the button fits');
+  check(await holds(page, 'fitted'), 'wheel zooms, the button fits');
 }
 
+/** @type {(page: Page) => Promise<void>} */
 async function chooses(page) {
-  for (const name of await evaluate(page, 'Object.keys(COLORINGS)')) {
+  /** @type {string[]} */
+  const colorings = await page.evaluate('Object.keys(COLORINGS)');
+  for (const name of colorings) {
     await page.selectOption('#color-by', name);
     await page.screenshot({ path: `${folder}/pictures/color-${name}.png` });
   }
-  check(await evaluate(page, 'Object.keys(COLORINGS).length') === 5, 'five ways to colour');
+  check(colorings.length === 5, 'five ways to colour');
   await page.selectOption('#unit', 'inch');
-  check((await page.textContent('#tiles')).includes(' in') || (await page.textContent('#tiles')).includes('\u00a0in'), 'inches');
+  check((await textOf(page, '#tiles')).includes(' in') || (await textOf(page, '#tiles')).includes('\u00a0in'), 'inches');
   await page.click('#measure');
-  const box = await (await page.$('#overlay')).boundingBox();
+  const box = await boxOf(page, '#overlay');
   await page.mouse.click(box.x + 300, box.y + 200);
   await page.mouse.click(box.x + 400, box.y + 200);
-  const inches = parseFloat(await page.textContent('#measured')), wanted = await evaluate(page, '100 / view.k / 25.4');
+  const inches = parseFloat(await textOf(page, '#measured')), wanted = await numberOf(page, '100 / view.k / 25.4');
   check(Math.abs(inches - wanted) < 0.001, 'a distance is measured');
 }
 
-/** Going back gives the heights of a fresh page at that time, to the bit. */
+/** Going back gives the heights of a fresh page at that time, to the bit. @type {(page: Page) => Promise<void>} */
 async function scrubs(page) {
-  await evaluate(page, 'show(total * 0.9); show(total * 0.4); show(total * 0.6); show(total * 0.4)');
-  const back = await evaluate(page, 'Array.from(heights)'), fresh = await open(1366, 768, 'light');
-  await evaluate(fresh, 'show(total * 0.4)');
-  const wanted = await evaluate(fresh, 'Array.from(heights)'), off = back.filter((v, k) => v !== wanted[k]).length;
+  await holds(page, 'show(total * 0.9); show(total * 0.4); show(total * 0.6); show(total * 0.4)');
+  const back = await numbersOf(page, 'Array.from(heights)'), fresh = await open(1366, 768, 'light');
+  await holds(fresh, 'show(total * 0.4)');
+  const wanted = await numbersOf(fresh, 'Array.from(heights)'), off = back.filter((v, k) => v !== wanted[k]).length;
   check(off === 0 && back.some(h => h < 0), `scrubbing back gives the heights of a fresh replay (${off} of ${back.length} cells differ)`);
   await fresh.close();
 }
 
+/** @type {(page: Page) => Promise<Buffer>} */
 const stagePicture = async page => {
   await page.waitForFunction('!redrawAsked && detail.settled', null, { timeout: 60000 });
-  return (await page.$('#stage')).screenshot();
+  return page.locator('#stage').screenshot();
 };
+/** @type {(page: Page, a: Buffer, b: Buffer) => Promise<number>} */
 const pixelsApart = (page, a, b) => page.evaluate(`(async () => {
   const data = async text => {
     const image = new Image(); image.src = 'data:image/png;base64,' + text; await image.decode();
@@ -103,45 +102,46 @@ const pixelsApart = (page, a, b) => page.evaluate(`(async () => {
 
 /** Orbit, pan, zoom, standard views, sections, a click, a distance. */
 async function inSpace() {
-  const page = await open(1366, 768, 'light', '#t=5000'), box = await (await page.$('#overlay')).boundingBox(), middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
-  check(await evaluate(page, 'space.on'), 'the page opens in space');
+  const page = await open(1366, 768, 'light', '#t=5000'), box = await boxOf(page, '#overlay'), middle = { x: box.x + box.width / 2, y: box.y + box.height / 2 };
+  check(await holds(page, 'space.on'), 'the page opens in space');
   await page.click('[data-view=front]');
-  check(await evaluate(page, 'camera.yaw === 0 && camera.pitch === 0') && await page.getAttribute('[data-view=front]', 'aria-pressed') === 'true', 'the front view');
+  check(await holds(page, 'camera.yaw === 0 && camera.pitch === 0') && await page.getAttribute('[data-view=front]', 'aria-pressed') === 'true', 'the front view');
   await page.click('[data-view=iso]');
   await page.mouse.move(middle.x, middle.y);
   await page.mouse.down(); await page.mouse.move(middle.x + 50, middle.y - 20, { steps: 4 }); await page.mouse.up();
-  check(await evaluate(page, 'Math.abs(camera.yaw - 25) < 1e-6 && Math.abs(camera.pitch - 27.264) < 1e-6'), 'dragging turns the part');
+  check(await holds(page, 'Math.abs(camera.yaw - 25) < 1e-6 && Math.abs(camera.pitch - 27.264) < 1e-6'), 'dragging turns the part');
   await page.keyboard.press('Shift+ArrowRight');
-  check(await evaluate(page, 'Math.abs(camera.yaw - 40) < 1e-6'), 'so does Shift with an arrow');
-  const before = await evaluate(page, 'camera.k');
+  check(await holds(page, 'Math.abs(camera.yaw - 40) < 1e-6'), 'so does Shift with an arrow');
+  const before = await numberOf(page, 'camera.k');
   await page.mouse.wheel(0, -400);
   await page.waitForFunction(`camera.k > ${before}`);
-  const place = await evaluate(page, 'projected({ x: 0, y: 0, z: 0 })');
+  const place = await pointOf(page, 'projected({ x: 0, y: 0, z: 0 })');
   await page.keyboard.down('Shift');
   await page.mouse.move(middle.x, middle.y);
   await page.mouse.down(); await page.mouse.move(middle.x + 40, middle.y + 30, { steps: 3 }); await page.mouse.up();
   await page.keyboard.up('Shift');
-  const moved = await evaluate(page, 'projected({ x: 0, y: 0, z: 0 })');
+  const moved = await pointOf(page, 'projected({ x: 0, y: 0, z: 0 })');
   check(Math.abs(moved.x - place.x - 40) < 0.01 && Math.abs(moved.y - place.y - 30) < 0.01, 'Shift with dragging moves it');
   await page.click('[data-view=iso]');
   await sections(page);
   await page.selectOption('#path', 'all');
-  const i = await evaluate(page, 'moves.kind.findIndex((kind, i) => kind === 4 && moves.x1[i] - moves.x0[i] > 60)');
-  const point = await evaluate(page, `(() => { const s = toScreen(pointAt(${i}, 0.4)); return { x: s.x + ${box.x}, y: s.y + ${box.y} }; })()`);
+  const i = await numberOf(page, 'moves.kind.findIndex((kind, i) => kind === 4 && moves.x1[i] - moves.x0[i] > 60)');
+  const point = await pointOf(page, `(() => { const s = toScreen(pointAt(${i}, 0.4)); return { x: s.x + ${box.x}, y: s.y + ${box.y} }; })()`);
   await page.mouse.click(point.x, point.y);
-  const clicked = await evaluate(page, 'selected');
-  check(clicked >= 0 && await selectedLine(page) === await evaluate(page, `moves.line[${clicked}]`), 'a click on a move in space selects its line');
+  const clicked = await numberOf(page, 'selected');
+  check(clicked >= 0 && await selectedLine(page) === await numberOf(page, `moves.line[${clicked}]`), 'a click on a move in space selects its line');
   await page.click('[data-view=top]');
   await page.click('#measure');
-  const [a, b] = await evaluate(page, '[{ x: 40, y: 60 }, { x: 90, y: 60 }].map(p => projected({ ...p, z: 0 }))');
+  const a = await pointOf(page, 'projected({ x: 40, y: 60, z: 0 })'), b = await pointOf(page, 'projected({ x: 90, y: 60, z: 0 })');
   await page.mouse.click(box.x + a.x, box.y + a.y);
   await page.mouse.click(box.x + b.x, box.y + b.y);
-  const words = await page.textContent('#measured');
+  const words = await textOf(page, '#measured');
   check(/x 50\.0\d\d|x 49\.9\d\d/.test(words) && words.includes('z '), 'a distance in space: ' + words);
   await page.keyboard.press('Escape');
   await page.close();
 }
 
+/** @type {(page: Page) => Promise<void>} */
 async function sections(page) {
   const whole = await stagePicture(page);
   for (const axis of ['x', 'y', 'z']) {
@@ -158,8 +158,8 @@ async function sections(page) {
 async function scrubsInSpace() {
   const used = await open(1366, 768, 'light'), fresh = await open(1366, 768, 'light');
   for (const share of [0.35, 0.7]) {
-    await evaluate(used, `show(total * 0.95); show(total * 0.1); show(total * ${share} + 5); show(total * ${share})`);
-    await evaluate(fresh, `show(total * ${share})`);
+    await holds(used, `show(total * 0.95); show(total * 0.1); show(total * ${share} + 5); show(total * ${share})`);
+    await holds(fresh, `show(total * ${share})`);
     const apart = await pixelsApart(fresh, await stagePicture(used), await stagePicture(fresh));
     check(apart === 0, `scrubbed both ways to ${share} it looks as a fresh replay does (${apart} pixels differ)`);
   }
@@ -168,9 +168,9 @@ async function scrubsInSpace() {
 
 async function frames() {
   const page = await open(1280, 720, 'light', '#t=5000');
-  const rate = await evaluate(page, `new Promise(done => { let n = 0; const from = performance.now();
+  const rate = await numberOf(page, `new Promise(done => { let n = 0; const from = performance.now();
     const step = now => { orbit(3, 0); if (++n < 90) requestAnimationFrame(step); else done(90000 / (now - from)); }; requestAnimationFrame(step); })`);
-  console.log(`orbits with ${rate.toFixed(1)} frames/s in ${await evaluate(page, 'gl.getParameter(gl.getExtension("WEBGL_debug_renderer_info").UNMASKED_RENDERER_WEBGL)')}, detail ${await evaluate(page, 'detail.now')}`);
+  console.log(`orbits with ${rate.toFixed(1)} frames/s in ${await holds(page, 'gl.getParameter(gl.getExtension("WEBGL_debug_renderer_info").UNMASKED_RENDERER_WEBGL)')}, detail ${await numberOf(page, 'detail.now')}`);
   check(rate > 2, 'the part turns');
   await page.close();
 }
@@ -178,16 +178,16 @@ async function frames() {
 /** A pocket of a part without stock has a floor. */
 async function withoutStock() {
   const page = await open(1366, 768, 'light', '#t=1e9', browser, folder + '/square.html');
-  await evaluate(page, "by('path').value = 'none'; redraw()");
+  await holds(page, "by('path').value = 'none'; redraw()");
   await stagePicture(page);
-  check(await evaluate(page, `(() => { drawScene(DETAILS[1]); const s = projected({ x: 25, y: 25, z: -2 }), pixel = new Uint8Array(4);
+  check(await numberOf(page, `(() => { drawScene(DETAILS[1]); const s = projected({ x: 25, y: 25, z: -2 }), pixel = new Uint8Array(4);
     gl.readPixels(s.x * view.ratio, stageCanvas.height - s.y * view.ratio, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel); return pixel[3]; })()`) === 255, 'a pocket without stock has a floor');
   await page.close();
 }
 
 /** A program of a million lines, a spiral in chords: the page of the fishhead with other moves. */
 function millionPage() {
-  const n = 1e6, text = readFileSync(fishhead, 'utf8'), [whole, json] = /id="job">(.*?)<\/script>/s.exec(text), job = JSON.parse(json), x = [], y = [], program = [];
+  const n = 1e6, text = readFileSync(fishhead, 'utf8'), [whole, json] = /id="job">(.*?)<\/script>/s.exec(text) ?? [''], job = JSON.parse(json), x = [], y = [], program = [];
   let px = 67000, py = 92000;
   for (let i = 0; i < n; ++i) {
     const a = 0.01 * i, r = 10000 + 0.4 * (i % 1e5), qx = Math.round(67000 + r * Math.cos(a)), qy = Math.round(92000 + r * Math.sin(a));
@@ -202,44 +202,55 @@ function millionPage() {
 async function aMillionLines() {
   millionPage();
   const page = await open(1280, 720, 'light', '#t=1', browser, folder + '/million.html');
-  console.log('a million lines: opened in', await evaluate(page, 'Math.round(performance.timing.loadEventEnd - performance.timing.navigationStart)'), 'ms');
+  console.log('a million lines: opened in', await numberOf(page, 'Math.round(performance.timing.loadEventEnd - performance.timing.navigationStart)'), 'ms');
   await page.$eval('#program', box => { box.scrollTop = box.scrollHeight; });
   await page.waitForSelector('#program [data-line="1000000"]');
   check(await page.locator('#program [role=option]').count() < 60, 'only the lines in sight are elements');
   await page.click('#program [data-line="1000000"]', { timeout: 120000 });
-  check(await evaluate(page, 'at.time === total') && await selectedLine(page) === 1e6, 'the last line is reached by a click');
+  check(await holds(page, 'at.time === total') && await selectedLine(page) === 1e6, 'the last line is reached by a click');
   await page.keyboard.press('ArrowUp');
   check(await selectedLine(page) === 999999, 'and the one before it by an arrow');
   await page.selectOption('#path', 'all');
   await stagePicture(page);
-  check(await evaluate(page, 'pathLines.count > 1e5 && pathLines.count <= 3e5') && await page.isVisible('#path-note'), 'the whole path is drawn in fewer lines, which is said: ' + await page.textContent('#path-note'));
+  check(await holds(page, 'pathLines.count > 1e5 && pathLines.count <= 3e5') && await page.isVisible('#path-note'), 'the whole path is drawn in fewer lines, which is said: ' + await textOf(page, '#path-note'));
   await page.screenshot({ path: `${folder}/pictures/million.png` });
   await page.close();
 }
 
+/** Names that every object of the language has are neither views nor faults. */
+async function strangeAddresses() {
+  for (const hash of ['#view=constructor', '#fault=length', '#fault=-1&line=x&t=y']) {
+    const page = await open(1366, 768, 'light', hash);
+    check(await holds(page, 'space.on && at.time === 0'), `opened at ${hash} it begins at the beginning`);
+    await page.close();
+  }
+}
+
 /** Where there is no WebGL the page says so and stays flat. */
 async function withoutWebGl() {
-  const flat = await launch(['--disable-3d-apis']), page = await open(1366, 768, 'light', '#t=3000', flat);
-  check(!await evaluate(page, 'space.on') && (await page.textContent('#space-note')).startsWith('No view in space: '), 'without WebGL: ' + await page.textContent('#space-note'));
+  const flat = await launch(executablePath, ['--disable-3d-apis']), page = await open(1366, 768, 'light', '#t=3000', flat);
+  check(!await holds(page, 'space.on') && (await textOf(page, '#space-note')).startsWith('No view in space: '), 'without WebGL: ' + await textOf(page, '#space-note'));
   check(await page.isVisible('#space-note') && await page.isDisabled('[data-view=top]'), 'it is said on the stage');
-  check(await evaluate(page, 'reliefContext.getImageData(width / 2, height / 2, 1, 1).data[3] === 255'), 'and the part is shown from above');
+  check(await holds(page, 'reliefContext.getImageData(width / 2, height / 2, 1, 1).data[3] === 255'), 'and the part is shown from above');
   await page.screenshot({ path: `${folder}/pictures/without-webgl.png` });
   await flat.close();
 }
 
+/** @type {(width: number, height: number, scheme: 'light' | 'dark') => Promise<void>} */
 async function looks(width, height, scheme) {
   const page = await open(width, height, scheme, '#t=5000'), name = `${width} ${scheme}`;
   await stagePicture(page);
   await page.screenshot({ path: `${folder}/pictures/${width}-${scheme}.png`, fullPage: width < 500 });
-  check(await evaluate(page, 'document.documentElement.scrollWidth <= innerWidth'), name + ': nothing overflows sideways');
+  check(await holds(page, 'document.documentElement.scrollWidth <= innerWidth'), name + ': nothing overflows sideways');
   if (width >= 1366) {
-    const seen = await evaluate(page, `['overlay', 'play', 'verdict', 'reason', 'plot'].every(id => {
+    const seen = await holds(page, `['overlay', 'play', 'verdict', 'reason', 'plot'].every(id => {
       const box = by(id).getBoundingClientRect(); return box.height > 0 && box.top >= 0 && box.bottom <= innerHeight; })`);
     check(seen, name + ': part, play and verdict without scrolling');
   }
-  const small = await evaluate(page, `[...document.querySelectorAll('body *')].filter(e => e.textContent.trim() && parseFloat(getComputedStyle(e).fontSize) < 12).length`);
+  const small = await numberOf(page, `[...document.querySelectorAll('body *')].filter(e => e.textContent.trim() && parseFloat(getComputedStyle(e).fontSize) < 12).length`);
   check(small === 0, name + ': no text under 12 px');
   await page.evaluate(axe);
+  /** @type {import('./browser.mjs').AxeFindings} */
   const { violations } = await page.evaluate('axe.run()');
   const serious = violations.filter(one => ['serious', 'critical'].includes(one.impact));
   check(serious.length === 0, name + ': axe ' + serious.map(one => one.id + ' ' + one.nodes[0].html.slice(0, 120)).join('; '));
@@ -248,11 +259,13 @@ async function looks(width, height, scheme) {
 
 const page = await open(1366, 768, 'light', '#view=above');
 check(statSync(fishhead).size < 10e6, `the page has ${statSync(fishhead).size} bytes`);
-console.log('opened in', await evaluate(page, 'Math.round(performance.timing.loadEventEnd - performance.timing.navigationStart)'), 'ms');
+console.log('opened in', await numberOf(page, 'Math.round(performance.timing.loadEventEnd - performance.timing.navigationStart)'), 'ms');
 for (const part of [plays, clicks, chooses, scrubs]) await part(page);
 await page.close();
-for (const part of [inSpace, scrubsInSpace, withoutStock, frames, aMillionLines, withoutWebGl]) await part();
-for (const [width, height] of [[390, 844], [1366, 768], [1920, 1080]]) for (const scheme of ['light', 'dark']) await looks(width, height, scheme);
+for (const part of [inSpace, scrubsInSpace, withoutStock, frames, aMillionLines, strangeAddresses, withoutWebGl]) await part();
+for (const [width, height] of [[390, 844], [1366, 768], [1920, 1080]]) {
+  await looks(width, height, 'light');
+  await looks(width, height, 'dark');
+}
 await browser.close();
-console.log(failed === 0 ? 'the page in the browser: all well' : `the page in the browser: ${failed} failed`);
-process.exit(failed === 0 ? 0 : 1);
+conclude('the page in the browser');

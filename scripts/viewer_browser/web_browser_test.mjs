@@ -4,66 +4,57 @@
 import { spawnSync } from 'node:child_process';
 import { createReadStream, existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { createServer } from 'node:http';
-import { createRequire } from 'node:module';
 import { extname, join, resolve } from 'node:path';
-import { chromium } from 'playwright-core';
+import { check, conclude, fits, isAccessible, launch, reportIn, textOf, watch } from './browser.mjs';
+
+/** @typedef {import('playwright-core').Page} Page */
 
 const [folder, executablePath, site, examples, command] = process.argv.slice(2).map(argument => resolve(argument));
-const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+/** @type {Record<string, string>} */
 const kinds = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.json': 'application/json', '.svg': 'image/svg+xml', '.wasm': 'application/wasm',
   '.webmanifest': 'application/manifest+json' };
-let failed = 0;
-function check(right, what) {
-  console.log((right ? 'ok      ' : 'FAILED  ') + what);
-  if (!right) ++failed;
-}
-
+/** @type {string[]} */
 const asked = [];
 const host = createServer((request, response) => {
-  const name = new URL(request.url, 'http://host').pathname.replace(/^\/app\//, '') || 'index.html', file = join(site, name);
+  const name = new URL(request.url ?? '', 'http://host').pathname.replace(/^\/app\//, '') || 'index.html', file = join(site, name);
   asked.push(`${request.method} ${name}`);
   if (!/^[\w.]+$/.test(name) || !existsSync(file)) return response.writeHead(404).end();
   response.writeHead(200, { 'Content-Type': kinds[extname(name)] ?? 'application/octet-stream' });
   return createReadStream(file).pipe(response);
 });
-await new Promise(ready => { host.listen(0, '127.0.0.1', ready); });
-const address = `http://127.0.0.1:${host.address().port}/app/`;
+await new Promise(ready => { host.listen(0, '127.0.0.1', () => ready(true)); });
+const bound = host.address(), address = `http://127.0.0.1:${bound !== null && typeof bound === 'object' ? bound.port : 0}/app/`;
 
-const browser = await chromium.launch({ executablePath, args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-  '--disable-background-networking', '--disable-component-update', '--disable-sync'] });
+const browser = await launch(executablePath);
 
+/** @type {(width: number, height: number, colorScheme: 'light' | 'dark') => Promise<Page>} */
 async function open(width, height, colorScheme) {
   const context = await browser.newContext({ viewport: { width, height }, colorScheme, reducedMotion: 'reduce' });
   const page = await context.newPage();
-  page.on('pageerror', error => check(false, `no error: ${error.message}`));
-  page.on('console', message => { if (message.type() === 'error') check(false, `no console error: ${message.text()}`); });
-  page.on('request', request => { if (!request.url().startsWith(address) && !/^(data|blob):/.test(request.url())) check(false, `no other address: ${request.url()}`); });
+  watch(page, url => url.startsWith(address) || /^(data|blob):/.test(url));
   await page.goto(address, { timeout: 60000 });
   return page;
 }
 
-async function isAccessible(page, what) {
-  const found = await page.evaluate(`${axe}; axe.run(document, { iframes: false, runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa'] })`);
-  check(found.violations.length === 0, `${what}: no findings of axe ${found.violations.map(one => `${one.id} ${one.nodes[0].target}`).join(', ')}`);
-}
-
-const fits = page => page.evaluate('document.documentElement.scrollWidth <= innerWidth');
+/** @type {(name: string) => string} */
 const picture = name => `${folder}/pictures/${name}.png`;
+/** @type {(page: Page) => Promise<string[]>} */
 const partOf = page => page.selectOption('#plan-list li:last-child select', 'part');
 
+/** @type {(page: Page, verdict: string) => Promise<void>} */
 async function planned(page, verdict) {
   await page.click('#plan-go');
   await page.waitForSelector('#plan-result:not([hidden])', { timeout: 240000 });
-  check(await page.textContent('#plan-verdict') === verdict, `a plan ends with its verdict, ${verdict}`);
+  check(await textOf(page, '#plan-verdict') === verdict, `a plan ends with its verdict, ${verdict}`);
 }
 
+/** @type {(page: Page) => Promise<void>} */
 async function plansBracket(page) {
   await page.setInputFiles('#plan-files', join(examples, 'bracket.dxf'));
   await page.fill('#plan-options', '--stepdown 2.5');
-  check((await page.textContent('#plan-command')).startsWith('clearcut plan bracket.dxf --tool endmill:6'), 'the command line is shown');
+  check((await textOf(page, '#plan-command')).startsWith('clearcut plan bracket.dxf --tool endmill:6'), 'the command line is shown');
   await planned(page, 'CLEAN');
-  const handle = await page.$('#plan-report'), frame = await handle.contentFrame();
-  await frame.waitForSelector('#play', { timeout: 60000 });
+  const frame = await reportIn(page, '#plan-report');
   check(await frame.isVisible('#play'), 'the report plays in the frame');
   for (const [title, ending] of [['Program', 'ngc'], ['Certificate', 'json'], ['Report', 'html']]) {
     const [download] = await Promise.all([page.waitForEvent('download'), page.click(`#plan-downloads a:text-is("${title}")`)]);
@@ -77,6 +68,7 @@ async function plansBracket(page) {
   check(end.status === 0, 'the command finds the downloaded program CLEAN, too');
 }
 
+/** @type {(page: Page) => Promise<void>} */
 async function cancels(page) {
   const part = { name: 'large', units: 'mm', outer: [[0, 0, 0.1], [400, 0, 0.2], [400, 300, 0.1], [0, 300, 0.3]], islands: [[[200, 150, 1], [150, 150, 1]]], top: 0, depth: 5 };
   writeFileSync(`${folder}/large.json`, JSON.stringify(part));
@@ -85,31 +77,33 @@ async function cancels(page) {
   await page.fill('#tool-diameter', '1');
   await page.fill('#plan-options', '');
   await page.click('#plan-go');
-  await page.waitForFunction(() => /Planning|Reading/.test(document.getElementById('plan-status').textContent), null, { timeout: 60000 });
+  await page.waitForFunction(() => /Planning|Reading/.test(document.getElementById('plan-status')?.textContent ?? ''), null, { timeout: 60000 });
   await page.waitForTimeout(1500);
   check(page.workers().length === 1, 'a plan runs in a worker');
   await page.click('#plan-cancel');
-  check(await page.textContent('#plan-status') === 'Cancelled.', 'a plan is cancelled');
+  check(await textOf(page, '#plan-status') === 'Cancelled.', 'a plan is cancelled');
   for (let i = 0; i < 100 && page.workers().length > 0; ++i) await page.waitForTimeout(100);
   check(page.workers().length === 0, 'its worker is gone');
 }
 
+/** @type {(page: Page) => Promise<void>} */
 async function refuses(page) {
   await page.setInputFiles('#plan-files', join(examples, 'bracket.step'));
   await partOf(page);
   await page.fill('#tool-diameter', '6');
   await page.click('#plan-go');
-  await page.waitForFunction(() => document.getElementById('plan-status').classList.contains('error'), null, { timeout: 60000 });
-  check(/bracket\.step.*a STEP solid, which this page cannot read/.test(await page.textContent('#plan-status')), 'a STEP solid is refused in plain words');
+  await page.waitForFunction(() => document.getElementById('plan-status')?.classList.contains('error'), null, { timeout: 60000 });
+  check(/bracket\.step.*a STEP solid, which this page cannot read/.test(await textOf(page, '#plan-status')), 'a STEP solid is refused in plain words');
   await page.setInputFiles('#plan-files', join(examples, 'bracket.dxf'));
   await partOf(page);
   await page.fill('#plan-options', '--no-such-option');
   await page.click('#plan-go');
-  await page.waitForFunction(() => /no-such-option/.test(document.getElementById('plan-status').textContent), null, { timeout: 60000 });
+  await page.waitForFunction(() => /no-such-option/.test(document.getElementById('plan-status')?.textContent ?? ''), null, { timeout: 60000 });
   check(true, 'an unknown option is refused in the words of the command');
   await page.fill('#plan-options', '');
 }
 
+/** @type {(page: Page) => Promise<void>} */
 async function checks(page) {
   await page.click('#tab-check');
   writeFileSync(`${folder}/wrong.ngc`, 'G21 G90 G17 G54\nT1 M6\nS5000 M3\nG0 Z5\nG0 X-20 Y25\nG0 Z-1\nG1 X70 F900\nG0 Z5\nM30\n');
@@ -117,19 +111,19 @@ async function checks(page) {
   await page.fill('#check-diameter', '6');
   await page.click('#check-go');
   await page.waitForSelector('#check-result:not([hidden])', { timeout: 120000 });
-  check(await page.textContent('#check-verdict') === 'FAULTY', 'a wrong program is FAULTY');
+  check(await textOf(page, '#check-verdict') === 'FAULTY', 'a wrong program is FAULTY');
   check(await page.locator('#check-faults li').count() > 0, 'its faults are listed');
   check(await page.locator('#check-lines li.fault').count() > 0, 'their lines are marked');
-  check(/Nothing is uploaded/.test(await page.textContent('#promise')), 'the page says that nothing is uploaded');
+  check(/Nothing is uploaded/.test(await textOf(page, '#promise')), 'the page says that nothing is uploaded');
   await page.click('#check [aria-label="Remove bracket.dxf"]');
   await page.fill('#check-stock', '0:70,0:50,-5:0');
   await page.click('#check-go');
-  await page.waitForFunction(() => document.getElementById('check-verdict').textContent.endsWith('WITHOUT A PART'), null, { timeout: 120000 });
-  const frame = await (await page.$('#check-report')).contentFrame();
-  await frame.waitForSelector('#play', { timeout: 60000 });
-  check((await frame.textContent('#tiles')).includes('not asked'), 'a program is checked alone, and its report says what was not asked');
+  await page.waitForFunction(() => document.getElementById('check-verdict')?.textContent?.endsWith('WITHOUT A PART'), null, { timeout: 120000 });
+  const frame = await reportIn(page, '#check-report');
+  check((await textOf(frame, '#tiles')).includes('not asked'), 'a program is checked alone, and its report says what was not asked');
 }
 
+/** @type {(page: Page) => Promise<void>} */
 async function worksOffline(page) {
   await page.evaluate('navigator.serviceWorker.ready');
   await page.reload();
@@ -145,7 +139,8 @@ async function worksOffline(page) {
 
 const page = await open(1366, 768, 'light');
 await isAccessible(page, 'the empty page');
-const manifest = await page.evaluate(async () => (await fetch(document.querySelector('link[rel=manifest]').href)).json());
+/** @type {{ name: string, display: string, icons: object[] }} */
+const manifest = await page.evaluate(async () => (await fetch(document.querySelector('link[rel=manifest]')?.getAttribute('href') ?? '')).json());
 check(manifest.name === 'Clearcut' && manifest.display === 'standalone' && manifest.icons.length > 0, 'it can be installed as an app');
 await plansBracket(page);
 await page.screenshot({ path: picture('web-1366') });
@@ -164,5 +159,4 @@ await phone.context().close();
 await worksOffline(page);
 check(asked.every(one => one.startsWith('GET ')), 'nothing was sent to the host');
 await browser.close();
-console.log(failed === 0 ? 'the page without a server: all is well' : `the page without a server: ${failed} failed`);
-process.exit(failed === 0 ? 0 : 1);
+conclude('the page without a server');

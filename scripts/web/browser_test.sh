@@ -11,5 +11,5 @@ if ! cmp -s "$source/package-lock.json" "$kit/package-lock.json" || [ ! -e "$kit
   cp "$source/package.json" "$source/package-lock.json" "$kit/"
   (cd "$kit" && npm ci --no-audit --no-fund --loglevel=error)
 fi
-cp "$source/web_browser_test.mjs" "$kit/"
+cp "$source"/*.mjs "$kit/"
 timeout 900 node "$kit/web_browser_test.mjs" "$kit" "$browser" "$site" examples ${2:+"$(realpath "$2")"}

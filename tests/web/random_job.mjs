@@ -1,6 +1,6 @@
 // A random part and how it is planned, the same for the same seed.
 
-/** Numbers from 0 to below 1 (Mulberry32). */
+/** Numbers from 0 to below 1 (Mulberry32). @type {(seed: number) => () => number} */
 function randomNumbers(seed) {
   let state = seed >>> 0;
   return () => {
@@ -11,10 +11,15 @@ function randomNumbers(seed) {
   };
 }
 
+/** @type {(value: number) => number} */
 const rounded = value => Math.round(value * 1000) / 1000;
 
-/** A loop around (x, y), star-shaped, some of its sides arcs. */
+/**
+ * A loop around (x, y), star-shaped, some of its sides arcs.
+ * @type {(random: () => number, x: number, y: number, least: number, most: number, corners: number) => Corner[]}
+ */
 function star(random, x, y, least, most, corners) {
+  /** @type {Corner[]} */
   const points = [];
   for (let i = 0; i < corners; ++i) {
     const angle = 2 * Math.PI * (i + 0.6 * random()) / corners, radius = least + (most - least) * random();
@@ -23,14 +28,20 @@ function star(random, x, y, least, most, corners) {
   return points;
 }
 
-/** A box with sides in whole millimetres: equal lengths, equal distances. */
+/** A box with sides in whole millimetres: equal lengths, equal distances. @type {(random: () => number) => Corner[]} */
 function box(random) {
   const width = 20 + Math.floor(60 * random()), height = 20 + Math.floor(60 * random());
   return [[0, 0, 0], [width, 0, 0], [width, height, 0], [0, height, 0]];
 }
 
+/** @typedef {[number, number, number]} Corner x and y in mm, and the bulge of the edge that leaves it. */
+/** @typedef {{ name: string, words: string[], files: [string, Uint8Array][], seed?: number }} WebJob A part's files, and the words after `plan`. */
+
+/** @type {(seed: number) => WebJob} */
 export function randomJob(seed) {
-  const random = randomNumbers(seed), among = list => list[Math.floor(random() * list.length)];
+  const random = randomNumbers(seed);
+  /** @type {<Kind>(list: Kind[]) => Kind} */
+  const among = list => list[Math.floor(random() * list.length)];
   const isBox = random() < 0.25, size = 20 + 30 * random();
   const outer = isBox ? box(random) : star(random, size, size, 0.5 * size, size, 4 + Math.floor(9 * random()));
   const islands = [];

@@ -7,10 +7,15 @@ import path from 'node:path';
 import { createRequire } from 'node:module';
 import { randomJob } from './random_job.mjs';
 
+/** @typedef {import('./random_job.mjs').WebJob} WebJob */
+/** How a run ended. @typedef {{ code: number | null, messages: string, text: string, program: string, seconds: number }} Ran */
+
 const require = createRequire(import.meta.url);
 const [command, built, examples] = process.argv.slice(2, 5).map(word => path.resolve(word));
 const count = Number(process.argv[5] ?? 20), seed = Number(process.argv[6] ?? 1);
+/** @type {{ runCommand: RunCommand }} */
 const { runCommand } = require(path.resolve(import.meta.dirname, '../../apps/web/page/run_command.js'));
+/** @type {MakeModule} */
 const makeModule = require(path.join(built, 'clearcut.js'));
 const wasm = new WebAssembly.Module(fs.readFileSync(path.join(built, 'clearcut.wasm')));
 
@@ -22,9 +27,12 @@ const exampleParts = [['bracket.dxf', '--tool=endmill:6', '--stepdown=2.5'], ['b
   ['sign.dxf', '--tool=vbit:60deg:10'], ['plate.dxf', '--tool=endmill:5', '--tool=chamfer:90deg:8:tip=0.4', '--stepdown=3'], ['five_pockets.toml'],
   ['bracket.step', '--tool=endmill:6']];
 
+/** @type {[string, Uint8Array][]} */
 const exampleFiles = fs.readdirSync(examples, { withFileTypes: true }).filter(one => one.isFile()).map(one => [one.name, fs.readFileSync(path.join(examples, one.name))]);
 
+/** @type {() => WebJob[]} */
 function jobs() {
+  /** @type {WebJob[]} */
   const out = [];
   for (const words of exampleParts)
     for (const post of controllers)
@@ -38,6 +46,7 @@ function jobs() {
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'clearcut-web-'));
 process.on('exit', () => fs.rmSync(folder, { recursive: true, force: true }));
 
+/** @type {(job: WebJob, words: string[]) => Ran} */
 function native(job, words) {
   fs.rmSync(folder, { recursive: true, force: true });
   fs.mkdirSync(path.join(folder, 'results'), { recursive: true });
@@ -48,6 +57,7 @@ function native(job, words) {
   return { code: end.status, messages: end.stderr.replace(/^\{"progress".*\n/gm, ''), text: end.stdout, program: fs.existsSync(program) ? fs.readFileSync(program, 'utf8') : '', seconds };
 }
 
+/** @type {(job: WebJob, words: string[]) => Promise<Ran>} */
 async function inBrowser(job, words) {
   let messages = '';
   const began = performance.now();
@@ -56,17 +66,18 @@ async function inBrowser(job, words) {
   return { code: end.code, messages, text: end.text, program: program ? new TextDecoder().decode(program) : '', seconds: (performance.now() - began) / 1000 };
 }
 
-/** Where two texts part, as a line of both. */
+/** Where two texts part, as a line of both. @type {(one: string, other: string) => string} */
 function firstDifference(one, other) {
   const a = one.split('\n'), b = other.split('\n'), at = a.findIndex((line, i) => line !== b[i]);
   return `line ${at + 1}: ${a[at] ?? 'the end'} | ${b[at] ?? 'the end'}`;
 }
 
+/** @type {(job: WebJob) => boolean} */
 const isSolid = job => job.words[0].endsWith('.step');
 let same = 0, nativeSeconds = 0, webSeconds = 0;
 const different = {
   length: 0,
-  push(line) { ++this.length; console.log(`DIFFERENT ${line}`); },
+  push(/** @type {string} */ line) { ++this.length; console.log(`DIFFERENT ${line}`); },
 };
 for (const job of jobs()) {
   const words = ['plan', ...job.words, '--threads=1', '--output=results/program'];
@@ -79,7 +90,8 @@ for (const job of jobs()) {
   const own = native(job, words);
   nativeSeconds += own.seconds;
   webSeconds += web.seconds;
-  const parts = ['code', 'program', 'messages', 'text'].filter(part => own[part] !== web[part]);
+  /** @type {(keyof Ran)[]} */
+  const compared = ['code', 'program', 'messages', 'text'], parts = compared.filter(part => own[part] !== web[part]);
   if (parts.length === 0) ++same;
   else different.push(`${job.name}: ${parts.map(part => `${part}: ${firstDifference(String(own[part]), String(web[part]))}`).join('; ')}`);
   if (parts.length > 0 && process.env.CLEARCUT_KEEP && job.seed !== undefined) fs.writeFileSync(path.join(process.env.CLEARCUT_KEEP, `${job.seed}.json`), job.files[0][1]);

@@ -1,17 +1,23 @@
 // All strategies that fit the part, planned and certified side by side.
 
-const compareColumns = [['strategy', one => one.strategy], ['clean', one => one.clean ? 'yes' : 'no'], ['time', one => minutes(one.time_s)], ['feed mm', one => one.feed_mm.toFixed(0)],
-  ['retracts', one => String(one.retracts)], ['engagement', one => `${one.engagement_max_deg.toFixed(0)}°`], ['left mm', one => one.uncut_thickness_mm.toFixed(4)]];
+/** What is no finite number comes as null. @type {(value: number | null, count: number) => string} */
+const digits = (value, count) => value === null ? '?' : value.toFixed(count);
+/** @type {[string, (one: PlannedRun) => string][]} */
+const compareColumns = [['strategy', one => one.strategy], ['clean', one => one.clean ? 'yes' : 'no'], ['time', one => minutes(one.time_s)], ['feed mm', one => digits(one.feed_mm, 0)],
+  ['retracts', one => String(one.retracts)], ['engagement', one => `${digits(one.engagement_max_deg, 0)}°`], ['left mm', one => digits(one.uncut_thickness_mm, 4)]];
 
+/** @type {(seconds: number | null) => string} */
 function minutes(seconds) {
+  if (seconds === null) return '?';
   const whole = Math.round(seconds);
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, '0')}`;
 }
 
+/** @type {(one: StrategyRun) => HTMLElement} */
 function compareRow(one) {
-  const row = made('tr', '', one.fastest ? { class: 'fastest' } : {});
+  const row = made('tr', '', one.planned && one.fastest ? { class: 'fastest' } : {});
   if (!one.planned) {
-    row.append(made('td', one.strategy), made('td', one.refusal ?? 'does not fit', { colspan: String(compareColumns.length) }));
+    row.append(made('td', one.strategy), made('td', one.refusal || 'does not fit', { colspan: String(compareColumns.length) }));
     return row;
   }
   const take = made('button', 'Take', { type: 'button', 'aria-label': `Take the strategy ${one.strategy}` });
@@ -26,11 +32,12 @@ function compareRow(one) {
   return row;
 }
 
+/** @type {(compared: { strategies: StrategyRun[] }) => void} */
 function showComparison(compared) {
   const head = made('tr');
   head.append(...[...compareColumns.map(([title]) => title), ''].map(title => title ? made('th', title, { scope: 'col' }) : made('td')));
-  element('comparison').querySelector('thead').replaceChildren(head);
-  element('comparison').querySelector('tbody').replaceChildren(...compared.strategies.map(compareRow));
+  theOne('thead', element('comparison')).replaceChildren(head);
+  theOne('tbody', element('comparison')).replaceChildren(...compared.strategies.map(compareRow));
   element('comparison-box').hidden = false;
 }
 
@@ -47,7 +54,7 @@ async function startComparison() {
       say(element('plan-status'), answer.message ?? 'There is nothing to compare.', true);
     }
   } catch (error) {
-    say(element('plan-status'), error.message, true);
+    say(element('plan-status'), wordsOfError(error), true);
   }
   showPlanCommand();
 }

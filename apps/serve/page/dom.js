@@ -1,40 +1,67 @@
 'use strict';
 // Small helpers of the page.
 
-const element = id => document.getElementById(id);
+/**
+ * The element of the page with that id.
+ * @template {keyof PageElements} Id @param {Id} id @returns {PageElements[Id]}
+ */
+function element(id) {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`This page has no element ${id}.`);
+  return /** @type {PageElements[Id]} */ (found);
+}
 
-/** An element of that kind with text and attributes. */
+
+/**
+ * An element of that kind with text and attributes.
+ * @template {keyof HTMLElementTagNameMap} Kind @param {Kind} kind @param {string} [text] @param {Record<string, string | number>} [attributes] @returns {HTMLElementTagNameMap[Kind]}
+ */
 function made(kind, text, attributes = {}) {
   const one = document.createElement(kind);
   if (text) one.textContent = text;
-  for (const [name, value] of Object.entries(attributes)) one.setAttribute(name, value);
+  for (const [name, value] of Object.entries(attributes)) one.setAttribute(name, String(value));
   return one;
 }
 
+/** @type {(list: HTMLElement, texts: string[]) => void} */
 function fillList(list, texts) { list.replaceChildren(...texts.map(text => made('li', text))); }
 
-/** Shows the page at `address` in the frame of that id, or hides it where there is none. A new frame each time: one that was hidden with its page may stay blank with the next. */
+/**
+ * Shows the page at `address` in the frame of that id, or hides it where there is none. A new frame each time: one that was hidden with its page may stay blank with the next.
+ * @type {(id: 'plan-report' | 'check-report', address?: string) => void}
+ */
 function showFrame(id, address) {
-  const frame = element(id).cloneNode();
+  const frame = /** @type {HTMLIFrameElement} */ (element(id).cloneNode());
   frame.hidden = !address;
   frame.src = address ?? 'about:blank';
   element(id).replaceWith(frame);
 }
 
+/** @type {(select: HTMLSelectElement, values: string[], first?: string) => void} */
 function fillSelect(select, values, first) {
   const options = values.map(value => made('option', value, { value }));
   if (first) options.unshift(made('option', first, { value: '' }));
   select.replaceChildren(...options);
 }
 
-/** Says what is going on; errors are told apart. */
+/** Says what is going on; errors are told apart. @type {(status: HTMLElement, text: string, isError?: boolean) => void} */
 function say(status, text, isError = false) {
   status.textContent = text;
   status.classList.toggle('error', isError);
 }
 
-/** A word as a shell takes it. */
+/** A word as a shell takes it. @type {(word: string) => string} */
 function quoted(word) { return /^[\w@%+=:,./-]+$/.test(word) ? word : `"${word.replaceAll('"', '')}"`; }
 
-/** A file's name without its ending. */
+/** What an error says. @type {(error: unknown) => string} */
+const wordsOfError = error => error instanceof Error ? error.message : String(error);
+
+/** The only element of that kind in another. @type {<Kind extends keyof HTMLElementTagNameMap>(kind: Kind, within: Element) => HTMLElementTagNameMap[Kind]} */
+function theOne(kind, within) {
+  const found = within.querySelector(kind);
+  if (!found) throw new Error(`There is no ${kind}.`);
+  return found;
+}
+
+/** A file's name without its ending. @type {(name: string) => string} */
 const stemOf = name => name.replace(/\.[^.]*$/, '');

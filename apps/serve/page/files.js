@@ -3,25 +3,29 @@
 const partKinds = ['dxf', 'svg', 'step', 'stp', 'p21', 'stpnc', '238', 'json', 'edges', 'toml'];
 const programKinds = ['ngc', 'nc', 'gcode', 'tap', 'cnc', 'h', 'mpf', 'txt', 'gc', 'eia', 'min'];
 const libraryKinds = ['fctb', 'fctl', 'tbl'];
+/** @type {(name: string) => string} */
 const kindOf = name => name.slice(name.lastIndexOf('.') + 1).toLowerCase();
 
 /** A list of files with their roles: 'part', 'program', 'tools', 'machine' or 'file'. */
 class ChosenFiles {
+  /** @param {HTMLElement} drop @param {HTMLInputElement} input @param {HTMLElement} list @param {FileRole[]} roles @param {() => void} changed */
   constructor(drop, input, list, roles, changed) {
+    /** @type {ChosenFile[]} */
     this.entries = [];
     this.list = list;
     this.roles = roles;
     this.changed = changed;
-    input.addEventListener('change', () => { this.add(input.files); input.value = ''; });
+    input.addEventListener('change', () => { this.add(input.files ?? []); input.value = ''; });
     drop.addEventListener('dragover', event => { event.preventDefault(); drop.classList.add('over'); });
     drop.addEventListener('dragleave', () => drop.classList.remove('over'));
     drop.addEventListener('drop', event => {
       event.preventDefault();
       drop.classList.remove('over');
-      this.add(event.dataTransfer.files);
+      this.add(event.dataTransfer?.files ?? []);
     });
   }
 
+  /** @type {(files: Iterable<File>) => void} */
   add(files) {
     for (const file of files) {
       this.entries = this.entries.filter(entry => entry.file.name !== file.name);
@@ -30,7 +34,7 @@ class ChosenFiles {
     this.show();
   }
 
-  /** What a file of that name is for, where its role is not taken. */
+  /** What a file of that name is for, where its role is not taken. @type {(name: string) => FileRole} */
   likelyRole(name) {
     const kind = kindOf(name);
     if (this.roles.includes('program') && programKinds.includes(kind) && !this.of('program')) return 'program';
@@ -38,8 +42,10 @@ class ChosenFiles {
     return partKinds.includes(kind) && !this.of('part') ? 'part' : 'file';
   }
 
+  /** @type {(role: FileRole) => File | undefined} */
   of(role) { return this.entries.find(entry => entry.role === role)?.file; }
 
+  /** @type {(chosen: ChosenFile, role: FileRole) => void} */
   setRole(chosen, role) {
     for (const entry of this.entries) if (role !== 'file' && entry.role === role) entry.role = 'file';
     chosen.role = role;
@@ -51,13 +57,14 @@ class ChosenFiles {
     this.changed();
   }
 
+  /** @type {(entry: ChosenFile) => HTMLElement} */
   line(entry) {
     const line = made('li');
     const role = made('select', '', { 'aria-label': `What ${entry.file.name} is` });
     const words = { part: 'the part', program: 'the program', tools: 'a tool library', machine: 'a machine file', file: 'named by another' };
     role.replaceChildren(...this.roles.map(value => made('option', words[value], { value })));
     role.value = entry.role;
-    role.addEventListener('change', () => this.setRole(entry, role.value));
+    role.addEventListener('change', () => this.setRole(entry, this.roles[role.selectedIndex]));
     const remove = made('button', 'Remove', { type: 'button', 'aria-label': `Remove ${entry.file.name}` });
     remove.addEventListener('click', () => {
       this.entries = this.entries.filter(one => one !== entry);
@@ -67,7 +74,7 @@ class ChosenFiles {
     return line;
   }
 
-  /** As a form for the server. */
+  /** As a form for the server. @type {(options: string) => FormData} */
   form(options) {
     const form = new FormData();
     form.append('options', options);
@@ -75,3 +82,6 @@ class ChosenFiles {
     return form;
   }
 }
+
+/** The list of a tab, whose elements have names that begin with the tab's. @type {(tab: 'plan' | 'check', roles: FileRole[], changed: () => void) => ChosenFiles} */
+const listOfFiles = (tab, roles, changed) => new ChosenFiles(element(`${tab}-drop`), element(`${tab}-files`), element(`${tab}-list`), roles, changed);

@@ -1,40 +1,48 @@
 // The same work as a job file: what the choices and further options say, in the keys of a job.
 
+/** @type {Record<string, [JobTable, string, string]>} */
 const flagKeys = { '--rest': ['plan', 'rest', 'true'], '--inch': ['output', 'inch', 'true'], '--exact-stop': ['output', 'exact_stop', 'true'], '--no-arcs': ['output', 'arcs', 'false'],
   '--no-tool-change': ['output', 'tool_change', 'false'], '--no-length-offset': ['output', 'length_offset', 'false'] };
+/** @type {Record<Exclude<JobTable, 'library'>, string[]>} */
 const keysOf = { part: ['unit', 'depth', 'top', 'join-gap', 'open-curves', 'strokes', 'text', 'up', 'turn', 'body', 'breakthrough'], machine: ['rapid', 'acceleration', 'junction-deviation'],
   output: ['post', 'decimals', 'spindle-wait'],
   plan: ['strategy', 'stepover', 'stepdown', 'allowance', 'allowance-floor', 'scallop', 'lead', 'lead-angle', 'entry', 'entry-angle', 'direction', 'feed', 'plunge-feed', 'ramp-feed', 'slot-feed', 'spindle',
     'passage', 'grid', 'solver', 'clearance', 'engagement', 'objective', 'time', 'seed', 'helix-diameter', 'helix-min', 'lead-feed', 'lead-overlap', 'overrun', 'link-feed', 'link-lift', 'slot-angle', 'after',
     'finish', 'finish-stock', 'finish-stock-floor', 'finish-depths', 'material'] };
+/** @type {Exclude<JobTable, 'library'>[]} */
+const tablesWithKeys = ['part', 'machine', 'output', 'plan'];
+/** @type {Record<string, [JobTable, string]>} */
 const listKeys = { '--layer': ['part', 'layers'], '--accept': ['plan', 'accept'] };
 
-/** Words as the server takes them apart. */
+/** Words as the server takes them apart. @type {(text: string) => string[]} */
 function wordsOf(text) {
   return [...text.matchAll(/(?:[^\s"']+|"[^"]*"|'[^']*')+/g)].map(([word]) => word.replace(/"([^"]*)"|'([^']*)'/g, (all, a, b) => a ?? b));
 }
 
-/** Options with their values: [name, [value, ...]]. */
+/** Options with their values: [name, [value, ...]]. @type {(text: string) => [string, string[]][]} */
 function optionsOf(text) {
+  /** @type {[string, string[]][]} */
   const options = [];
   for (const word of wordsOf(text)) {
     const equals = word.indexOf('=');
     if (word.startsWith('--')) options.push(equals > 0 ? [word.slice(0, equals), [word.slice(equals + 1)]] : [word, []]);
-    else if (options.length > 0) options.at(-1)[1].push(word);
+    else options.at(-1)?.[1].push(word);
   }
   return options;
 }
 
+/** @type {(text: string) => string} */
 const tomlText = text => JSON.stringify(text);
+/** @type {(text: string) => string} */
 const tomlValue = text => /^-?\d+(\.\d+)?$/.test(text) ? text : tomlText(text);
 
-/** A tool as a table, null where more is said of it than a job's simplest table holds. */
+/** A tool as a table, null where more is said of it than a job's simplest table holds. @type {(text: string, number: number) => string | null} */
 function toolTable(text, number) {
   const found = /^([a-z]+):(\d+(?:\.\d+)?)(?:mm)?(?::T(\d+))?$/.exec(text);
   return found && `[[tool]]\nnumber = ${found[3] ?? number}\nkind = ${tomlText(found[1])}\ndiameter = ${found[2]}\n`;
 }
 
-/** What outlines are for, null where a job has no word for it. */
+/** What outlines are for, null where a job has no word for it. @type {(text: string) => string | null} */
 function layerTable(text) {
   const found = /^([a-z]+)(?:_d(\d+(?:\.\d+)?))?:(.+)$/.exec(text);
   if (!found) return null;
@@ -42,30 +50,33 @@ function layerTable(text) {
   return `[[layer]]\nname = ${tomlText(found[3])}\nrole = ${tomlText(role)}\n${found[2] ? `depth = ${found[2]}\n` : ''}`;
 }
 
-/** Files one option under its table; false where a job has no key for it. */
+/** Files one option under its table; false where a job has no key for it. @type {(option: [string, string[]], job: JobTables) => boolean} */
 function takeOption([name, values], job) {
+  /** @type {(table: JobTable, key: string, value: string) => void} */
   const add = (table, key, value) => job[table].push(`${key.replaceAll('-', '_')} = ${value}`);
   if (name === '--tool' || name === '--op') {
-    const tables = values.map(value => name === '--tool' ? toolTable(value, job.tools.length + 1) : layerTable(value));
-    if (tables.includes(null)) return false;
+    const tables = values.map(value => name === '--tool' ? toolTable(value, job.tools.length + 1) : layerTable(value)).filter(table => table !== null);
+    if (tables.length < values.length) return false;
     (name === '--tool' ? job.tools : job.layers).push(...tables);
   } else if (name === '--tools' && values.length === 1) job.library.push(`library = ${tomlText(values[0])}`);
   else if (name === '--machine') add('machine', 'file', tomlText(values[0]));
   else if (flagKeys[name] && values.length === 0) add(...flagKeys[name]);
   else if (listKeys[name]) job.lists.set(name, [...(job.lists.get(name) ?? []), ...values]);
   else {
-    const table = Object.keys(keysOf).find(one => keysOf[one].includes(name.slice(2)));
+    const table = tablesWithKeys.find(one => keysOf[one].includes(name.slice(2)));
     if (!table || values.length !== 1) return false;
     add(table, name.slice(2), name === '--turn' ? values[0] : tomlValue(values[0]));
   }
   return true;
 }
 
-/** The job's text, and the options that it cannot hold. */
+/** The job's text, and the options that it cannot hold. @type {(file: string, options: string) => JobText} */
 function jobOf(file, options) {
+  /** @type {JobTables} */
   const job = { part: [`file = ${tomlText(file)}`], layers: [], library: [], tools: [], machine: [], plan: [], output: [`program = ${tomlText(stemOf(file) + '.ngc')}`], lists: new Map() };
   const left = optionsOf(options).filter(option => !takeOption(option, job)).map(([name, values]) => [name, ...values].join(' '));
   for (const [name, values] of job.lists) job[listKeys[name][0]].push(`${listKeys[name][1]} = [${values.map(tomlText).join(', ')}]`);
+  /** @type {(name: string, lines: string[]) => string[]} */
   const table = (name, lines) => lines.length > 0 ? [`[${name}]\n${lines.join('\n')}\n`] : [];
   const text = [...table('part', job.part), ...job.layers, ...table('tools', job.library), ...job.tools, ...table('machine', job.machine), ...table('plan', job.plan), ...table('output', job.output)].join('\n');
   const note = left.length > 0 ? `# A job has no words for these; say them on the command line: ${left.join(' ')}\n` : '';

@@ -1,7 +1,9 @@
 // Tabs, and what the command itself says of its options.
 
+/** @type {('plan' | 'check')[]} */
 const tabs = ['plan', 'check'];
 
+/** @type {(name: 'plan' | 'check') => void} */
 function showTab(name) {
   for (const one of tabs) {
     const chosen = one === name;
@@ -11,6 +13,7 @@ function showTab(name) {
   }
 }
 
+/** @type {() => void} */
 function setUpTabs() {
   tabs.forEach((name, i) => {
     const tab = element(`tab-${name}`);
@@ -23,26 +26,30 @@ function setUpTabs() {
     });
   });
   // A file dropped beside a list must not replace the page.
-  for (const kind of ['dragover', 'drop']) document.addEventListener(kind, event => event.preventDefault());
+  document.addEventListener('dragover', event => event.preventDefault());
+  document.addEventListener('drop', event => event.preventDefault());
 }
 
 const toolKinds = ['endmill', 'facemill', 'bullnose', 'ball', 'drill', 'reamer'];  // others need an angle: see the options
 
 async function setUpOptions() {
   const options = await pipeline.options();
+  /** @type {(command: string, name: string) => string[]} */
   const values = (command, name) => options[command].find(one => one.names.includes(name))?.values ?? [];
   fillSelect(element('unit'), values('plan', '--unit'), 'as the file says');
   fillSelect(element('strategy'), values('plan', '--strategy').filter(name => name !== 'auto'), 'the fastest');
   fillSelect(element('material'), values('plan', '--material'), 'not said');
   fillSelect(element('post'), values('plan', '--post').filter(name => name !== 'linuxcnc'), 'linuxcnc');
   fillSelect(element('dialect'), values('verify', '--dialect'), 'recognise it');
-  for (const [list, command] of [['plan-names', 'plan'], ['check-names', 'verify']]) {
+  /** @type {['plan-names' | 'check-names', string][]} */
+  const lists = [['plan-names', 'plan'], ['check-names', 'verify']];
+  for (const [list, command] of lists) {
     const usable = options[command].filter(one => !one.positional && !['Output', 'Help'].includes(one.group));
     element(list).replaceChildren(...usable.map(one => made('option', '', { value: `${one.names.at(-1)}${one.value ? ' ' : ''}`, label: one.help.slice(0, 80) })));
   }
 }
 
-for (const id of ['tool-kind', 'check-kind']) fillSelect(element(id), toolKinds);
+for (const select of [element('tool-kind'), element('check-kind')]) fillSelect(select, toolKinds);
 if (pipeline.promise) element('promise').textContent = pipeline.promise;
 setUpTabs();
 setUpPlan();

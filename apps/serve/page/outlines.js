@@ -1,27 +1,33 @@
 // What a part holds: what was found and mended, what has to be said, and what each outline of a drawing is for.
 
-const part = { asked: 0, outlines: [], said: '' };
+/** @type {{ asked: number, outlines: OutlineInfo[] }} */
+const part = { asked: 0, outlines: [] };
 const outlineKinds = ['pocket', 'profile', 'inside', 'drill', 'engrave', 'vcarve', 'isolate', 'chamfer', 'face', 'island', 'ignore'];
 const mostOutlines = 300;  // that are listed
+/** @type {(value: number, digits: number) => number} */
 const round = (value, digits) => Number(value.toFixed(digits));
 
-/** The options that say what outlines are for, where that was changed. */
+/** The options that say what outlines are for, where that was changed. @type {() => string[]} */
 function outlineOptions() {
+  /** @type {string[]} */
   const words = [];
-  for (const row of element('outlines').querySelectorAll('tbody tr')) {
+  for (const row of theOne('tbody', element('outlines')).rows) {
     const outline = part.outlines[Number(row.dataset.index)];
-    const kind = row.querySelector('select').value, depth = row.querySelector('input').value.trim();
+    const kind = theOne('select', row).value, depth = theOne('input', row).value.trim();
     if (kind || depth) words.push(`--op ${kind || outline.role}${depth ? `_d${depth}` : ''}:${outline.number}`);
   }
   return words;
 }
 
+/** @type {(outline: OutlineInfo) => string} */
 function sizeOf(outline) {
   if (outline.diameter_mm) return `Ø ${round(outline.diameter_mm, 2)}`;
+  if (!outline.extent_mm) return '';
   const { x, y } = outline.extent_mm;
   return `${round(x[1] - x[0], 2)} × ${round(y[1] - y[0], 2)}`;
 }
 
+/** @type {(outline: OutlineInfo, index: number) => HTMLElement} */
 function outlineRow(outline, index) {
   const row = made('tr', '', { 'data-index': index });
   const kind = made('select', '', { 'aria-label': `What outline ${outline.number} is for` });
@@ -34,29 +40,34 @@ function outlineRow(outline, index) {
   return row;
 }
 
+/** @type {(outlines: OutlineInfo[]) => void} */
 function showOutlines(outlines) {
   part.outlines = outlines;
   element('outlines-box').hidden = outlines.length === 0;
-  element('outlines').querySelector('tbody').replaceChildren(...outlines.slice(0, mostOutlines).map(outlineRow));
+  theOne('tbody', element('outlines')).replaceChildren(...outlines.slice(0, mostOutlines).map(outlineRow));
   element('outlines-title').textContent = `Outlines of the drawing: ${outlines.length}${outlines.length > mostOutlines ? `, the first ${mostOutlines} listed` : ''}`;
 }
 
+/** @type {(feature: FeatureInfo) => string} */
 function featureText(feature) {
   const { x, y } = feature.extent_mm ?? { x: [0, 0], y: [0, 0] };
   return `${feature.name}: ${feature.kind.replaceAll('_', ' ')}, ${round(x[1] - x[0], 1)} × ${round(y[1] - y[0], 1)} mm, z ${round(feature.top_z, 3)} to ${round(feature.floor_z, 3)}`;
 }
 
+/** @type {(info: PartInfo) => string[]} */
 const textsOf = info => [...info.asks.map(text => `To say: ${text}`), ...info.found.map(one => `${one.kind}: ${one.where ? `${one.where}: ` : ''}${one.what}`), ...info.features.map(featureText)];
 
-/** The set-ups of a job as one part, each text with its set-up. */
+/** The set-ups of a job as one part, each text with its set-up. @type {(setups: PartInfo[]) => PartInfo} */
 function joinedSetups(setups) {
-  const named = (list, text) => setups.flatMap((one, i) => list(one).map(entry => text(entry, `set-up ${i + 1}: `)));
-  return { asks: named(one => one.asks, (ask, setup) => setup + ask), found: named(one => one.found, (one, setup) => ({ ...one, what: setup + one.what })),
-    features: named(one => one.features, (feature, setup) => ({ ...feature, name: setup + feature.name })), outlines: [] };
+  const named = setups.map((one, i) => ({ one, setup: `set-up ${i + 1}: ` }));
+  return { asks: named.flatMap(({ one, setup }) => one.asks.map(ask => setup + ask)),
+    found: named.flatMap(({ one, setup }) => one.found.map(item => ({ ...item, what: setup + item.what }))),
+    features: named.flatMap(({ one, setup }) => one.features.map(feature => ({ ...feature, name: setup + feature.name }))), outlines: [] };
 }
 
+/** @type {(answer: InfoAnswer) => void} */
 function showPart(answer) {
-  const info = answer.info?.setups ? joinedSetups(answer.info.setups) : answer.info;
+  const info = answer.info && 'setups' in answer.info ? joinedSetups(answer.info.setups) : answer.info;
   const texts = info ? textsOf(info) : [answer.message ?? 'The part cannot be read.'];
   fillList(element('found'), texts.slice(0, mostOutlines));
   element('found-box').hidden = texts.length === 0;
@@ -77,7 +88,7 @@ async function readPart() {
     showPart(answer);
   } catch (error) {
     if (mine !== part.asked) return;
-    showPart({ message: error.message });
+    showPart({ message: wordsOfError(error) });
   }
   showPlanCommand();
 }

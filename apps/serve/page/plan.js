@@ -1,15 +1,19 @@
 // The tab that plans.
 
-const plan = { files: null, id: '', unfollow: null, read: null };
+/** @type {{ files: ChosenFiles, id: string, unfollow: (() => void) | null, read?: File, part: string, job: JobText | null, jobAddress: string }} */
+const plan = { files: listOfFiles('plan', ['part', 'tools', 'machine', 'file'], () => planFilesChanged()), id: '', unfollow: null, part: '', job: null, jobAddress: '' };
 
-/** Files that say their tools themselves. */
+/** Files that say their tools themselves. @type {(name: string) => boolean} */
 const saysTools = name => ['toml', 'p21', 'stpnc', '238'].includes(kindOf(name));
 
-/** The options as on the command line, with the strategy or without. */
+/** The options as on the command line, with the strategy or without. @type {(which?: { strategy: boolean }) => string} */
 function planOptions({ strategy } = { strategy: true }) {
+  /** @type {string[]} */
   const words = [];
+  /** @type {(name: string, value: string) => void} */
   const add = (name, value) => { if (value.trim()) words.push(`${name} ${quoted(value.trim())}`); };
-  for (const role of ['tools', 'machine']) add(`--${role}`, plan.files.of(role)?.name ?? '');
+  add('--tools', plan.files.of('tools')?.name ?? '');
+  add('--machine', plan.files.of('machine')?.name ?? '');
   const diameter = element('tool-diameter').value.trim();
   if (diameter) add('--tool', `${element('tool-kind').value}:${diameter}`);
   add('--depth', element('depth').value);
@@ -38,34 +42,41 @@ function planFilesChanged() {
   plan.read = part;
 }
 
+/** @type {(state: WaitingState | RunningState) => string} */
 function progressText(state) {
   if (state.state === 'waiting') return state.ahead > 0 ? `Waiting; ${state.ahead} before it.` : 'Waiting for its turn.';
-  const seconds = Math.round(state.seconds ?? 0);
-  const progress = state.progress;
+  const seconds = Math.round(state.seconds), progress = state.progress;
   if (!progress) return `Reading and preparing … ${seconds} s`;
   if (progress.stage === 'certifying') return `Certifying the program … ${seconds} s`;
   const left = progress.left_s ? `, at most ${progress.left_s} s left` : '';
   return `Planning: ${progress.done} of at most ${progress.most} candidates … ${seconds} s${left}`;
 }
 
+/** @type {(state: WaitingState | RunningState) => void} */
 function showProgress(state) {
   const bar = element('plan-progress');
   bar.hidden = false;
-  if (state.progress?.most > 0 && state.progress.stage === 'planning') {
-    bar.max = state.progress.most;
-    bar.value = state.progress.done;
+  const progress = state.state === 'running' ? state.progress : undefined;
+  if (progress && progress.most > 0 && progress.stage === 'planning') {
+    bar.max = progress.most;
+    bar.value = progress.done;
   } else {
     bar.removeAttribute('value');
   }
   say(element('plan-status'), progressText(state));
 }
 
+/** @type {[string, string, string][]} */
 const downloads = [['program', 'Program', '.ngc'], ['certificate', 'Certificate', '.json'], ['report', 'Report', '.html'], ['picture', 'Picture', '.svg'], ['setup-sheet', 'Set-up sheet', '-setup.html'], ['text', 'Figures', '.txt']];
 
-/** Results of a kind: one, or one for each set-up of the job, as [set-up or '', address]. */
+/**
+ * Results of a kind: one, or one for each set-up of the job, as [set-up or '', address].
+ * @type {(results: Record<string, string>, kind: string) => [string, string][]}
+ */
 const resultsOf = (results, kind) => Object.entries(results).filter(([name]) => name === kind || /^-\d+$/.test(name.slice(kind.length)) && name.startsWith(kind))
   .map(([name, address]) => [name.slice(kind.length + 1), address]);
 
+/** @type {(results: Record<string, string>, stem: string) => void} */
 function showDownloads(results, stem) {
   const links = downloads.flatMap(([kind, title, ending]) => resultsOf(results, kind).map(([setup, address]) =>
     made('a', setup ? `${title} of set-up ${setup}` : title, { href: address, download: (setup ? `${stem}-${setup}` : stem) + ending })));
@@ -76,7 +87,7 @@ function showDownloads(results, stem) {
   }), ...jobDownload(stem));
 }
 
-/** The report, and a choice of set-ups where there are several. */
+/** The report, and a choice of set-ups where there are several. @type {(results: Record<string, string>) => void} */
 function showReports(results) {
   const reports = resultsOf(results, 'report'), choice = element('plan-setup');
   choice.replaceChildren(...reports.map(([setup, address]) => made('option', `Set-up ${setup}`, { value: address })));
@@ -84,9 +95,9 @@ function showReports(results) {
   showFrame('plan-report', reports[0]?.[1]);
 }
 
-/** The job file of what was planned; where the part is a job, it is there already. */
+/** The job file of what was planned; where the part is a job, it is there already. @type {(stem: string) => HTMLElement[]} */
 function jobDownload(stem) {
-  URL.revokeObjectURL(plan.jobAddress ?? '');
+  URL.revokeObjectURL(plan.jobAddress);
   if (!plan.job) return [];
   plan.jobAddress = URL.createObjectURL(new Blob([plan.job.text], { type: 'application/toml' }));
   const line = made('li');
@@ -95,6 +106,7 @@ function jobDownload(stem) {
   return [line];
 }
 
+/** @type {(state: DoneState) => void} */
 function showPlan(state) {
   const verdict = element('plan-verdict');
   verdict.textContent = state.verdict;
@@ -116,6 +128,7 @@ function endPlan() {
   showPlanCommand();
 }
 
+/** @type {(state: WorkState) => void} */
 function hearPlan(state) {
   if (state.state === 'waiting' || state.state === 'running') return showProgress(state);
   endPlan();
@@ -123,6 +136,7 @@ function hearPlan(state) {
   say(element('plan-status'), state.message || 'Cancelled.', state.state === 'failed');
 }
 
+/** @type {(id: string) => void} */
 function followPlan(id) {
   plan.unfollow = pipeline.follow(id, hearPlan, error => {
     endPlan();
@@ -130,8 +144,11 @@ function followPlan(id) {
   });
 }
 
+/** @type {(event: Event) => Promise<void>} */
 async function startPlan(event) {
   event.preventDefault();
+  const part = plan.files.of('part');
+  if (!part) return;
   if (plan.id) pipeline.drop(plan.id);  // its results are not wanted any more
   plan.id = '';
   element('plan-result').hidden = true;
@@ -139,7 +156,7 @@ async function startPlan(event) {
   element('plan-go').disabled = true;
   say(element('plan-status'), 'Sending the files …');
   const options = planOptions();
-  plan.part = plan.files.of('part').name;
+  plan.part = part.name;
   plan.job = kindOf(plan.part) === 'toml' ? null : jobOf(plan.part, options);
   try {
     plan.id = await pipeline.plan(plan.files.form(options));
@@ -147,7 +164,7 @@ async function startPlan(event) {
     followPlan(plan.id);
   } catch (error) {
     endPlan();
-    say(element('plan-status'), error.message, true);
+    say(element('plan-status'), wordsOfError(error), true);
   }
 }
 
@@ -160,13 +177,12 @@ async function cancelPlan() {
 }
 
 function setUpPlan() {
-  plan.files = new ChosenFiles(document.querySelector('[data-files=plan]'), element('plan-files'), element('plan-list'), ['part', 'tools', 'machine', 'file'], planFilesChanged);
   element('plan-form').addEventListener('submit', startPlan);
   element('plan-form').addEventListener('input', showPlanCommand);
-  element('tool-diameter').addEventListener('input', event => { event.target.dataset.typed = '1'; });
+  element('tool-diameter').addEventListener('input', () => { element('tool-diameter').dataset.typed = '1'; });
   element('plan-cancel').addEventListener('click', cancelPlan);
   element('plan-compare').addEventListener('click', startComparison);
-  element('plan-setup').addEventListener('change', event => showFrame('plan-report', event.target.value));
+  element('plan-setup').addEventListener('change', () => showFrame('plan-report', element('plan-setup').value));
   element('unit').addEventListener('change', readPart);
   showPlanCommand();
 }

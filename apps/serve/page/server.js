@@ -1,6 +1,6 @@
 // The way to the pipeline, by a server. The page without a server has the same functions (apps/web/page/local.js).
 
-/** The answer as JSON; throws an Error with the server's own words. */
+/** The answer as JSON; throws an Error with the server's own words. @template Answer @param {string} path @param {RequestInit} [request] @returns {Promise<Answer>} */
 async function asked(path, request) {
   const answer = await fetch(path, request).catch(() => { throw new Error('The server does not answer. Is it still running?'); });
   const json = await answer.json().catch(() => ({}));
@@ -8,25 +8,25 @@ async function asked(path, request) {
   return json;
 }
 
+/** See Pipeline for what each does. @type {Pipeline} */
 const pipeline = {
-  /** What happens to files, where it is not what the page says. */
   promise: '',
   options: () => asked('/options'),
-  /** Begins a plan; gives its name. */
   plan: async form => (await asked('/plan', { method: 'POST', body: form })).id,
-  /** Ends a plan and forgets it. */
   drop: id => asked(`/plan/${id}`, { method: 'DELETE' }).catch(() => {}),
-  /** Calls `hear` with each state of a plan until its last, `broken` where none comes any more. Gives what ends that. */
   follow(id, hear, broken) {
-    let events = null, isOver = false;
+    /** @type {EventSource | null} */
+    let events = null;
+    let isOver = false;
     const ask = async () => {
-      events.close();
+      events?.close();
       try {
+        /** @type {WorkState} */
         const state = await asked(`/plan/${id}`);
         if (!isOver) hear(state);
         if (!isOver) setTimeout(open, 1000);
       } catch (error) {
-        if (!isOver) broken(error);
+        if (!isOver) broken(new Error(wordsOfError(error)));
       }
     };
     const open = () => {
@@ -36,12 +36,9 @@ const pipeline = {
       events.onerror = ask;
     };
     open();
-    return () => { isOver = true; events.close(); };
+    return () => { isOver = true; events?.close(); };
   },
-  /** Checks a program; gives its last state with certificate and text. */
   check: form => asked('/check', { method: 'POST', body: form }),
-  /** What a part holds. */
   info: form => asked('/info', { method: 'POST', body: form }),
-  /** Every strategy on a part. */
   compare: form => asked('/compare', { method: 'POST', body: form }),
 };

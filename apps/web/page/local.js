@@ -2,9 +2,10 @@
 // functions as by a server (apps/serve/page/server.js).
 
 const mostMessages = 200;
-const local = { wasm: null, works: new Map(), last: 0 };
+/** @type {{ wasm: Promise<WebAssembly.Module> | null, works: Map<string, LocalWork>, last: number, checked: Record<string, string> }} */
+const local = { wasm: null, works: new Map(), last: 0, checked: {} };
 
-/** The command, fetched and compiled once. */
+/** The command, fetched and compiled once. @type {() => Promise<WebAssembly.Module>} */
 function compiledCommand() {
   local.wasm ??= fetch('clearcut.wasm')
     .then(answer => { if (!answer.ok) throw new Error(); return answer.arrayBuffer(); })
@@ -13,44 +14,33 @@ function compiledCommand() {
   return local.wasm;
 }
 
-/** A file's name that is no option. */
+/** A file's name that is no option. @type {(name: string) => string} */
 const plainName = name => name.startsWith('-') ? `./${name}` : name;
 
-async function filesOf(form) {
-  const chosen = [...form.entries()].filter(([, value]) => value instanceof File);
-  return Promise.all(chosen.map(async ([, file]) => [file.name, new Uint8Array(await file.arrayBuffer())]));
+/** @type {(form: FormData) => Promise<NamedBytes[]>} */
+function filesOf(form) {
+  const chosen = [...form.values()].filter(value => value instanceof File);
+  return Promise.all(chosen.map(async file => /** @type {NamedBytes} */ ([file.name, new Uint8Array(await file.arrayBuffer())])));
 }
 
-const nameIn = (form, role) => plainName(form.get(role).name);
-
-/** What the command says while it runs: progress, or a message. */
-function hearLine(work, line) {
-  if (line.startsWith('{"progress"')) {
-    work.state.progress = JSON.parse(line).progress;
-  } else if (line && work.state.messages.length < mostMessages) {
-    work.state.messages.push(line.replace(/^clearcut: /, ''));
-  }
-  tellWork(work);
+/** The name of the file with that role, as the command takes it. @type {(form: FormData, role: string) => string} */
+function nameIn(form, role) {
+  const file = form.get(role);
+  return file instanceof File ? plainName(file.name) : '';
 }
 
-function tellWork(work) {
-  if (work.state.state === 'running') work.state.seconds = (performance.now() - work.began) / 1000;
-  work.hear?.(work.state);
-}
+/** @type {(form: FormData) => string[]} */
+const optionsIn = form => wordsOf(String(form.get('options') ?? ''));
 
-function closeWork(work, state) {
-  clearInterval(work.clock);
-  work.worker?.terminate();
-  tellWork(work);
-  Object.assign(work.state, state);
-  tellWork(work);
-  work.ended(work.state);
-}
-
+/** @type {Record<string, string>} */
 const resultTypes = { 'program.ngc': 'text/plain', 'certificate.json': 'application/json', 'report.html': 'text/html', 'picture.svg': 'image/svg+xml', 'setup-sheet.html': 'text/html' };
 
-/** Files of the folder of results as [name, bytes, type]; the name of a set-up's own ends in its number, "program-2". */
+/**
+ * Files of the folder of results as [name, bytes, type]; the name of a set-up's own ends in its number, "program-2".
+ * @type {(files: CommandEnd['results']) => [string, Uint8Array<ArrayBuffer>, string][]}
+ */
 function namedResults(files) {
+  /** @type {[string, Uint8Array<ArrayBuffer>, string][]} */
   const found = [];
   for (const [file, bytes] of Object.entries(files)) {
     const [, stem, number, ending] = /^([a-z-]+?)(-\d+)?(\.[a-z]+)$/.exec(file) ?? [], type = resultTypes[stem + ending];
@@ -59,49 +49,110 @@ function namedResults(files) {
   return found;
 }
 
+/** @type {(verdict: string) => number} */
 const severity = verdict => verdict.startsWith('FAULTY') ? 2 : verdict.startsWith('CONDITIONAL') ? 1 : 0;
 
-/** Of a command that prints JSON about a part. */
-function stateOfAnswer(work, end) {
-  if (end.code > 1 || !end.text.startsWith('{')) return { state: 'failed', message: work.state.messages.at(-1) ?? 'ended without an answer' };
-  return { state: 'done', [work.answers]: JSON.parse(end.text) };
-}
+/** An address that this page alone knows. @type {(content: BlobPart, type: string) => string} */
+const linkTo = (content, type) => URL.createObjectURL(new Blob([content], { type: `${type};charset=utf-8` }));
 
-/** The last state of a command that ended by itself. */
+/** The last state of a plan or a check that ended by itself. @type {(work: LocalWork, end: CommandEnd) => WorkState} */
 function stateOfEnd(work, end) {
-  if (work.answers) return stateOfAnswer(work, end);
-  const { messages } = work.state, named = namedResults(end.results);
+  const named = namedResults(end.results);
+  /** @type {Certificate[]} */
   const certificates = named.filter(([name]) => name.startsWith('certificate')).map(([, bytes]) => JSON.parse(new TextDecoder().decode(bytes)));
-  if (end.code > 1 || certificates.length === 0) return { state: 'failed', message: messages.at(-1) ?? 'ended without a result' };
+  if (end.code > 1 || certificates.length === 0) return { state: 'failed', message: work.messages.at(-1) ?? 'ended without a result' };
   const worst = certificates.reduce((a, b) => severity(b.verdict) > severity(a.verdict) ? b : a);
-  const state = { state: 'done', certificate: worst, verdict: worst.verdict, text: end.text, results: {} };
-  const link = (name, bytes, type) => { state.results[name] = URL.createObjectURL(new Blob([bytes], { type: `${type};charset=utf-8` })); };
-  if (!work.keepsLinks) return state;
-  for (const [name, bytes, type] of named) link(name, bytes, type);
-  link('text', end.text, 'text/plain');
-  return state;
+  const results = Object.fromEntries(named.map(([name, bytes, type]) => [name, linkTo(bytes, type)]));
+  results.text = linkTo(end.text, 'text/plain');
+  return { state: 'done', seconds: work.seconds, verdict: worst.verdict, messages: work.messages, results, certificate: worst, text: end.text };
 }
 
-const broken = reason => ({ state: 'failed', message: `The planner broke down (${reason}); this browser may give it too little memory.` });
+const broken = (/** @type {string} */ reason) => new Error(`The planner broke down (${reason}); this browser may give it too little memory.`);
 
-/** Runs the command in a worker of its own. */
-function startWork(words, files, keepsLinks) {
-  const work = { state: { state: 'running', messages: [], seconds: 0 }, began: performance.now(), keepsLinks };
-  work.end = new Promise(resolve => { work.ended = resolve; });
-  work.clock = setInterval(() => tellWork(work), 500);
-  compiledCommand().then(wasm => {
-    if (work.isDropped) return;
-    work.worker = new Worker('worker.js');
-    work.worker.onmessage = ({ data }) => {
-      if (data.line !== undefined) hearLine(work, data.line);
-      else closeWork(work, data.end ? stateOfEnd(work, data.end) : broken(data.broken));
-    };
-    work.worker.onerror = event => closeWork(work, broken(event.message));
-    work.worker.postMessage({ wasm, words, files });
-  }).catch(error => closeWork(work, { state: 'failed', message: error.message }));
-  return work;
+/** A run of the command in a worker of its own. */
+class LocalWork {
+  /** @param {string[]} words @param {NamedBytes[]} files */
+  constructor(words, files) {
+    this.began = performance.now();
+    /** What was noticed. @type {string[]} */
+    this.messages = [];
+    /** @type {WorkState} */
+    this.state = { state: 'running', seconds: 0 };
+    /** Who follows it. @type {((state: WorkState) => void) | null} */
+    this.hear = null;
+    /** @type {Worker | null} */
+    this.worker = null;
+    this.isDropped = false;
+    this.clock = setInterval(() => this.tell(), 500);
+    /** Rejected where the worker breaks down; of a run that was dropped nothing comes any more. */
+    this.end = compiledCommand().then(wasm => this.run({ wasm, words, files })).finally(() => this.stop());
+  }
+
+  /** s since it began. */
+  get seconds() { return (performance.now() - this.began) / 1000; }
+
+  /** @type {(task: WorkerTask) => Promise<CommandEnd>} */
+  run(task) {
+    return new Promise((resolve, reject) => {
+      if (this.isDropped) return;
+      this.worker = new Worker('worker.js');
+      this.worker.onmessage = event => {
+        /** @type {WorkerMessage} */
+        const told = event.data;
+        if ('line' in told) this.hearLine(told.line);
+        else if ('end' in told) resolve(told.end);
+        else reject(broken(told.broken));
+      };
+      this.worker.onerror = event => reject(broken(event.message));
+      this.worker.postMessage(task);
+    });
+  }
+
+  /** What the command says while it runs: progress, or a message. @type {(line: string) => void} */
+  hearLine(line) {
+    if (line.startsWith('{"progress"')) {
+      if (this.state.state === 'running') this.state.progress = JSON.parse(line).progress;
+    } else if (line && this.messages.length < mostMessages) {
+      this.messages.push(line.replace(/^clearcut: /, ''));
+    }
+    this.tell();
+  }
+
+  tell() {
+    if (this.state.state === 'running') this.state.seconds = this.seconds;
+    this.hear?.(this.state);
+  }
+
+  stop() {
+    clearInterval(this.clock);
+    this.worker?.terminate();
+  }
+
+  drop() {
+    this.isDropped = true;
+    this.hear = null;
+    this.stop();
+    if (this.state.state === 'done') forgetLinks(this.state.results);
+  }
+
+  /** The last state of a plan or a check. @type {() => Promise<WorkState>} */
+  async last() {
+    try {
+      this.state = stateOfEnd(this, await this.end);
+    } catch (error) {
+      this.state = { state: 'failed', message: wordsOfError(error) };
+    }
+    this.tell();
+    return this.state;
+  }
 }
 
+/** @type {(links: Record<string, string>) => void} */
+function forgetLinks(links) {
+  for (const link of Object.values(links)) URL.revokeObjectURL(link);
+}
+
+/** See Pipeline for what each does. @type {Pipeline} */
 const pipeline = {
   promise: 'Nothing is uploaded: this page plans and checks in your browser, also without a network.',
   async options() {
@@ -110,41 +161,39 @@ const pipeline = {
     return answer.json();
   },
   async plan(form) {
-    const words = ['plan', nameIn(form, 'part'), ...wordsOf(form.get('options')), '--output=results/program.ngc',
+    const words = ['plan', nameIn(form, 'part'), ...optionsIn(form), '--output=results/program.ngc',
       '--certificate=results/certificate.json', '--svg=results/picture.svg', '--report=results/report.html', '--setup-sheet=results/setup-sheet.html'];
-    const id = String(++local.last);
-    local.works.set(id, startWork(words, await filesOf(form), true));
+    const work = new LocalWork(words, await filesOf(form)), id = String(++local.last);
+    local.works.set(id, work);
+    work.last();
     return id;
   },
   async drop(id) {
-    const work = local.works.get(id);
-    if (!work) return;
+    local.works.get(id)?.drop();
     local.works.delete(id);
-    work.isDropped = true;
-    work.hear = null;
-    clearInterval(work.clock);
-    work.worker?.terminate();
-    for (const link of Object.values(work.state.results ?? {})) URL.revokeObjectURL(link);
   },
-  follow(id, hear) {
+  follow(id, hear, lost) {
     const work = local.works.get(id);
+    if (!work) {
+      lost(new Error('There is no plan of that name, or no more.'));
+      return () => {};
+    }
     work.hear = hear;
-    setTimeout(() => tellWork(work));
+    setTimeout(() => work.tell());
     return () => { work.hear = null; };
   },
   async check(form) {
     const part = form.get('part') ? [`--part=${nameIn(form, 'part')}`] : [];
-    const words = ['verify', nameIn(form, 'program'), ...part, ...wordsOf(form.get('options')), '--json=results/certificate.json',
-      '--report=results/report.html'];
-    for (const link of Object.values(local.checked ?? {})) URL.revokeObjectURL(link);
-    const state = await startWork(words, await filesOf(form), true).end;
-    local.checked = state.results;
+    const words = ['verify', nameIn(form, 'program'), ...part, ...optionsIn(form), '--json=results/certificate.json', '--report=results/report.html'];
+    forgetLinks(local.checked);
+    const state = await new LocalWork(words, await filesOf(form)).last();
+    local.checked = state.state === 'done' ? state.results : {};
     return state;
   },
   async info(form) {
-    const work = startWork(['info', nameIn(form, 'part'), ...wordsOf(form.get('options')), '--json'], await filesOf(form), false);
-    work.answers = 'info';
-    return work.end;
+    const work = new LocalWork(['info', nameIn(form, 'part'), ...optionsIn(form), '--json'], await filesOf(form)), end = await work.end;
+    if (end.code > 1 || !end.text.startsWith('{')) return { state: 'failed', message: work.messages.at(-1) ?? 'ended without an answer' };
+    return { state: 'done', info: JSON.parse(end.text) };
   },
   compare: async () => ({ state: 'failed', message: 'This page plans one strategy at a time; to compare all, run clearcut compare.' }),
 };

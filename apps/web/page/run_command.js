@@ -6,8 +6,10 @@
  * `makeModule`: what emscripten's script gives; `wasm`: the compiled WebAssembly.Module; `words`: as on the command line;
  * `files`: [name, Uint8Array] pairs, put into the folder it runs in; `heard` is called with each line on standard error.
  * Gives the exit code, standard output, and the files of the folder results/.
+ * @type {RunCommand}
  */
 async function runCommand(makeModule, wasm, words, files, heard) {
+  /** @type {string[]} */
   const lines = [];
   const module = await makeModule({
     noInitialRun: true,
@@ -26,6 +28,7 @@ async function runCommand(makeModule, wasm, words, files, heard) {
   FS.chdir('/files');
   for (const [name, bytes] of files) FS.writeFile(name, bytes);
   const code = module.callMain(words);
+  /** @type {CommandEnd['results']} */
   const results = {};
   for (const name of FS.readdir('results')) if (!name.startsWith('.')) results[name] = FS.readFile(`results/${name}`);
   return { code, text: lines.length > 0 ? `${lines.join('\n')}\n` : '', results };

@@ -2,18 +2,21 @@
 function writeHeader() {
   by('title').textContent = job.name;
   by('tiles').replaceChildren();
-  const f = job.figures, has = kind => job.faults.some(fault => fault.kind === kind);
-  for (const [figure, words, bad] of [[clock(f.time_s), 'machining time'], [lengthText(f.feed_mm, 0), 'feed'],
+  const f = job.figures, has = (/** @type {string} */ kind) => job.faults.some(fault => fault.kind === kind);
+  /** @type {[string | number, string, boolean?][]} */
+  const figures = [[clock(f.time_s), 'machining time'], [lengthText(f.feed_mm, 0), 'feed'],
     [lengthText(f.rapid_mm, 0), 'rapid'], [f.retracts, 'retracts'],
     [job.asked ? lengthText(f.uncut_thickness_mm, 4) : 'not asked', 'left at most, proven', has('uncut')],
     [job.asked ? lengthText(f.gouge_mm, 4) : 'not asked', 'deepest gouge', has('gouge')],
-    [f.rapid_in_material, 'rapids in material', f.rapid_in_material > 0], [fixed(f.max_deg, 0) + '\u00b0', 'largest engagement']]) {
+    [f.rapid_in_material, 'rapids in material', f.rapid_in_material > 0], [fixed(f.max_deg, 0) + '\u00b0', 'largest engagement']];
+  for (const [figure, words, bad] of figures) {
     const tile = element('div', undefined, by('tiles'), bad ? 'bad' : '');
     element('dt', words, tile);
     element('dd', figure, tile);
   }
 }
 
+/** @type {(n: number, word: string) => string} */
 const counted = (n, word) => n + ' ' + word + (n === 1 ? '' : 's');
 
 /** The verdict in one line, then what speaks against it and what it rests on. */
@@ -33,12 +36,13 @@ function writeVerdict() {
   for (const condition of [...job.conditions].sort((a, b) => (a.met_by ? 1 : 0) - (b.met_by ? 1 : 0))) {
     const words = (condition.line ? ', line ' + condition.line : '') + (condition.met_by ? ' (met: ' + condition.met_by + ')' : '');
     const button = listButton(by('conditions'), condition.name, words, condition.text);
-    button.parentElement.classList.toggle('met', condition.met_by !== '');
+    button.parentElement?.classList.toggle('met', condition.met_by !== '');
     if (condition.line > 0 && lineCount > 0) button.onclick = () => { play(false); goToLine(condition.line); };
     else button.disabled = true;
   }
 }
 
+/** @type {(list: HTMLElement, head: string, words: string, text: string) => HTMLButtonElement} */
 function listButton(list, head, words, text) {
   const button = element('button', undefined, element('li', undefined, list), 'row');
   button.type = 'button';
@@ -47,10 +51,14 @@ function listButton(list, head, words, text) {
   return button;
 }
 
+/** @type {(fault: JobFault) => Place | null} */
+const placeOfFault = ({ x, y, z }) => x === null || y === null ? null : { x, y, z: z ?? 0 };
+
+/** @type {(k: number) => void} */
 function goToFault(k) {
   const fault = job.faults[k], buttons = by('faults').querySelectorAll('button');
   play(false);
-  marked = fault.x === null || fault.y === null ? null : fault;
+  marked = placeOfFault(fault);
   const i = fault.line > 0 ? moves.line.indexOf(fault.line) : -1;
   if (marked) bringIntoView(marked);
   if (i >= 0) selectMove(i, true);
@@ -58,8 +66,11 @@ function goToFault(k) {
   buttons.forEach((button, n) => button.classList.toggle('chosen', n === k));
 }
 
+/** @type {(s: number) => number} */
 function sectionTime(s) { return moves.t[Math.min(job.sections[s].first, count)]; }
+/** @type {(s: number) => number} */
 function sectionEnd(s) { return s + 1 < job.sections.length ? sectionTime(s + 1) : total; }
+/** @type {(feature: JobFeature) => string} */
 const shadeOf = feature => job.shades[Math.max(0, Math.min(255, Math.round(255 * (feature.floor - job.bottom) / depth)))];
 
 function writeFeatures() {
@@ -79,13 +90,13 @@ function writeFeatures() {
     element('td', clock(feature.time), row);
     element('td', bare(feature.left, 4), row);
     element('td', feature.clean === null ? '?' : feature.clean ? 'yes' : 'no', row, feature.clean === null ? '' : feature.clean ? 'good' : 'bad');
-    row.dataset.feature = i;
+    row.dataset.feature = String(i);
     button.disabled = s < 0;
     button.onclick = () => show(sectionTime(s) + 1e-3);
   });
 }
 
-/** When a fault can be seen: at its line, else when its feature is done, else at the end. */
+/** When a fault can be seen: at its line, else when its feature is done, else at the end. @type {(fault: JobFault) => number} */
 function timeOfFault(fault) {
   const i = fault.line > 0 ? moves.line.indexOf(fault.line) : -1;
   if (i >= 0) return moves.t[i + 1];
@@ -96,9 +107,9 @@ function timeOfFault(fault) {
   return total;
 }
 
-const faultTimes = job.faults.map(timeOfFault);
+const faultTimes = job.faults.map(timeOfFault), faultPlaces = job.faults.map(placeOfFault).filter(place => place !== null);
 
-let timeMark = null;
+const timeMark = element('b');
 function writeTimeline() {
   job.sections.forEach((section, s) => {
     const piece = element('span', undefined, by('timeline')), feature = job.features[section.feature];
@@ -108,9 +119,10 @@ function writeTimeline() {
     piece.title = section.label;
   });
   for (const time of faultTimes) element('i', undefined, by('timeline')).style.left = 100 * time / (total || 1) + '%';
-  timeMark = element('b', undefined, by('timeline'));
+  by('timeline').append(timeMark);
 }
 
+/** @type {Record<string, HTMLElement>} */
 const nowCells = {};
 function writeNow() {
   for (const words of ['feature', 'tool', 'move', 'feed', 'line', 'engaged', ...forces ? ['force'] : [], 'position']) {
@@ -121,7 +133,7 @@ function writeNow() {
 
 function updateNow() {
   by('clock').textContent = clock(at.time) + ' / ' + clock(total);
-  by('scrub').value = total > 0 ? Math.round(100000 * at.time / total) : 0;
+  by('scrub').value = String(total > 0 ? Math.round(100000 * at.time / total) : 0);
   by('scrub').setAttribute('aria-valuetext', clock(at.time) + ' of ' + clock(total));
   by('play').textContent = playing ? 'Pause' : 'Play';
   timeMark.style.left = 100 * at.time / (total || 1) + '%';
@@ -132,7 +144,7 @@ function updateNow() {
   nowCells.move.textContent = KINDS[moves.kind[i]] || '?';
   nowCells.feed.textContent = feedText(moves.feed[i]);
   nowCells.position.textContent = 'x ' + bare(p.x, 3) + '  y ' + bare(p.y, 3) + '  z ' + lengthText(p.z, 3);
-  nowCells.line.textContent = moves.line[i] > 0 ? moves.line[i] : 'planned';
+  nowCells.line.textContent = moves.line[i] > 0 ? String(moves.line[i]) : 'planned';
   nowCells.engaged.textContent = engagements ? 'up to ' + engagements[i] + '\u00b0' : 'not known';
   if (forces) nowCells.force.textContent = 'up to ' + forceText(forces[i]);
   for (const row of by('features').rows) row.classList.toggle('now', row.dataset.feature === String(section.feature));

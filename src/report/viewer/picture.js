@@ -1,7 +1,12 @@
 // ---- Pictures.
-const shades = job.shades.map(color => [1, 3, 5].map(k => parseInt(color.slice(k, k + 2), 16)));
+/** Red, green and blue of "#rrggbb", 0 to 255. @type {(color: string) => Triple} */
+function channelsOf(color) {
+  const at_ = (/** @type {number} */ k) => parseInt(color.slice(k, k + 2), 16);
+  return [at_(1), at_(3), at_(5)];
+}
+const shades = job.shades.map(channelsOf);
 
-/** Index of a height's colour. */
+/** Index of a height's colour. @type {(h: number) => number} */
 const shadeAt = h => Math.max(0, Math.min(255, Math.round(255 * (h - job.bottom) / depth)));
 
 /** Colours the dirty part of the relief: shade of the depth, light from the upper left, shadow at the foot of walls. */
@@ -9,6 +14,7 @@ function shade() {
   const box = taken(dirty);
   if (!box) return;
   const picture = reliefContext.createImageData(box.w, box.h), out = picture.data;
+  /** @type {(x: number, y: number) => number} */
   const z = (x, y) => heights[Math.max(0, Math.min(height - 1, y)) * width + Math.max(0, Math.min(width - 1, x))];
   for (let y = box.y0; y < box.y0 + box.h; ++y) {
     for (let x = box.x0; x < box.x0 + box.w; ++x) {
@@ -30,28 +36,30 @@ function shade() {
 
 const outlines = job.features.map(feature => new Path2D(feature.path));
 const TRAIL = 500;
+/** @type {Place | null} */
 let marked = null;
 
-/** Where the cutter of a feature that is not clean could be, over its floor. */
-function reachOf(feature) {
-  const canvas = newCanvas(), c = canvas.getContext('2d');
+/** Where the cutter of a feature that is not clean could be, over its floor. @type {(feature: JobFeature, reach: NonNullable<JobFeature['reach']>) => Uint8ClampedArray} */
+function reachOf(feature, reach) {
+  const canvas = newCanvas(), c = contextOf(canvas);
   toWorld(c, 1);
   c.clip(new Path2D(feature.path), 'evenodd');
-  c.lineWidth = feature.reach.d; c.lineJoin = c.lineCap = 'round';
-  const centers = new Path2D(feature.reach.centers);
-  c.fill(centers, 'evenodd'); c.stroke(centers); c.stroke(new Path2D(feature.reach.lines));
+  c.lineWidth = reach.d; c.lineJoin = c.lineCap = 'round';
+  const centers = new Path2D(reach.centers);
+  c.fill(centers, 'evenodd'); c.stroke(centers); c.stroke(new Path2D(reach.lines));
   return c.getImageData(0, 0, width, height).data;
 }
 
-/** Red where something is left within reach: how the program ends. A rest thinner than a pixel is not seen. */
+/** Red where something is left within reach: how the program ends. A rest thinner than a pixel is not seen. @type {HTMLCanvasElement | null} */
 let rests = null;
 function restsAtTheEnd() {
   if (rests) return rests;
   rests = newCanvas();
-  const c = rests.getContext('2d'), picture = c.createImageData(width, height), red = [1, 3, 5].map(k => parseInt(job.bad.slice(k, k + 2), 16));
+  const c = contextOf(rests), picture = c.createImageData(width, height), red = channelsOf(job.bad);
   let cells = 0;
-  for (const feature of job.features.filter(feature => feature.reach)) {
-    const reach = reachOf(feature), floor = feature.floor + 1.5 * depth / 255;
+  for (const feature of job.features) {
+    if (!feature.reach) continue;
+    const reach = reachOf(feature, feature.reach), floor = feature.floor + 1.5 * depth / 255;
     for (let k = 0; k < heights.length; ++k) {
       if (reach[4 * k + 3] < 255 || heights[k] <= floor) continue;
       picture.data.set([...red, 255], 4 * k);
@@ -63,7 +71,7 @@ function restsAtTheEnd() {
   return rests;
 }
 
-/** A canvas of the part's size, where it lies in the view. */
+/** A canvas of the part's size, where it lies in the view. @type {(c: Context2D, canvas: HTMLCanvasElement) => void} */
 function drawWorldPicture(c, canvas) {
   const corner = toScreen({ x: wx0, y: wy1 }), k = view.k / scale;
   c.save();
@@ -72,12 +80,13 @@ function drawWorldPicture(c, canvas) {
   c.restore();
 }
 
-/** What is left in red, and the places of all faults. */
+/** What is left in red, and the places of all faults. @type {(c: Context2D, px: number) => void} */
 function drawRests(c, px) {
   drawWorldPicture(c, restsAtTheEnd());
-  for (const fault of job.faults) if (fault.x !== null && fault.y !== null) drawMark(c, px, fault);
+  for (const place of faultPlaces) drawMark(c, px, place);
 }
 
+/** @type {(c: Context2D, px: number) => void} */
 function drawOutlines(c, px) {
   c.lineWidth = 0.8 * px; c.strokeStyle = css('outline');
   c.save();
@@ -98,7 +107,7 @@ function drawOutlines(c, px) {
 
 function drawOverlay() {
   measureStage();
-  const c = overlay.getContext('2d'), px = 1 / view.k, mode = by('path').value;
+  const c = contextOf(overlay), px = 1 / view.k, mode = by('path').value;
   c.setTransform(1, 0, 0, 1, 0, 0);
   c.clearRect(0, 0, overlay.width, overlay.height);
   c.globalAlpha = mode === 'all' ? 0.3 : dark.matches ? 0.6 : 1;
@@ -116,14 +125,15 @@ function drawOverlay() {
 }
 
 /** The whole path in a canvas of its own, drawn anew only when the view or what is shown has changed. */
-let pathPicture = null, pathKey = '';
+const pathPicture = document.createElement('canvas');
+let pathKey = '';
+/** @type {(c: Context2D) => void} */
 function drawWholePath(c) {
   const key = [view.x, view.y, view.k, view.w, view.h, view.ratio, pictureVersion].join();
   if (key !== pathKey) {
     pathKey = key;
-    pathPicture = pathPicture || document.createElement('canvas');
     pathPicture.width = overlay.width; pathPicture.height = overlay.height;
-    const p = pathPicture.getContext('2d');
+    const p = contextOf(pathPicture);
     setPlan(p);
     p.lineJoin = p.lineCap = 'round';
     p.lineWidth = 1.2 / view.k;
@@ -141,11 +151,12 @@ function drawWholePath(c) {
   c.stroke();
 }
 
+/** @type {(a: number, b: number, from: number, to: number) => boolean} */
 const meets = (a, b, from, to) => Math.max(a, b) >= from && Math.min(a, b) <= to;
-/** Whether the line goes on in move i + 1 of the same class. */
+/** Whether the line goes on in move i + 1 of the same class. @type {(i: number, k: number) => boolean} */
 const goesOnAfter = (i, k) => i + 1 < count && classOf[i + 1] === k && moves.turn[i + 1] === 0;
 
-/** One stroke for all moves of a class. Rests of lines shorter than half a pixel are left to the next move. */
+/** One stroke for all moves of a class. Rests of lines shorter than half a pixel are left to the next move. @type {(c: Context2D, k: number, color: string) => void} */
 function strokeClass(c, k, color) {
   const short = 0.5 / view.k, min = toPlan({ x: 0, y: view.h }), max = toPlan({ x: view.w, y: 0 });
   let last = -2, x = 0, y = 0;
@@ -168,6 +179,7 @@ function strokeClass(c, k, color) {
   c.globalAlpha = 1;
 }
 
+/** @type {(c: Context2D, px: number) => void} */
 function drawTrail(c, px) {
   const last = shownMove();
   for (let i = Math.max(0, last - TRAIL); i <= last; ++i) {
@@ -184,6 +196,7 @@ function drawTrail(c, px) {
   c.globalAlpha = 1;
 }
 
+/** @type {(c: Context2D, px: number) => void} */
 function drawTool(c, px) {
   if (count === 0) return;
   const i = Math.max(0, shownMove()), tool = toolOf(i), p = pointAt(i, shownFraction());
@@ -199,8 +212,11 @@ function drawTool(c, px) {
   c.stroke();
 }
 
+/** @type {(c: Context2D, px: number, place: Point) => void} */
 function drawMark(c, px, place) {
-  for (const [color, w] of [['#fff', 6], [css('bad'), 3]]) {
+  /** @type {[string, number][]} */
+  const rings = [['#fff', 6], [css('bad'), 3]];
+  for (const [color, w] of rings) {
     c.beginPath();
     c.arc(place.x, place.y, 12 * px, 0, 2 * Math.PI);
     c.lineWidth = w * px; c.strokeStyle = color;
@@ -208,6 +224,7 @@ function drawMark(c, px, place) {
   }
 }
 
+/** @type {(c: Context2D, px: number) => void} */
 function drawMeasure(c, px) {
   if (!measure.from) return;
   c.strokeStyle = c.fillStyle = css('ink'); c.lineWidth = 1.5 * px;

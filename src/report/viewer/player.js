@@ -12,13 +12,14 @@ function shownFraction() {
   return selected < 0 && at.move < count && at.fraction > 1e-9 ? at.fraction : 1;
 }
 
+/** @type {(time: number, keepMark?: boolean) => void} */
 function show(time, keepMark) {
   selected = -1;
   if (!keepMark) unmark();
   goTo(time);
   redraw();
 }
-/** Shows the end of move i. */
+/** Shows the end of move i. @type {(i: number, keepMark?: boolean) => void} */
 function selectMove(i, keepMark) {
   play(false);
   if (!keepMark) unmark();
@@ -45,6 +46,7 @@ function redrawSoon() {
   requestAnimationFrame(() => { redrawAsked = false; redraw(); });
 }
 
+/** @type {(now: number) => void} */
 function frame(now) {
   if (!playing) return;
   const step = Math.min(0.1, (now - lastFrame) / 1000) * Number(by('speed').value);
@@ -56,6 +58,7 @@ function frame(now) {
   requestAnimationFrame(frame);
 }
 
+/** @type {(on: boolean) => void} */
 function play(on) {
   if (on === playing) return;
   if (on && at.time >= total) goTo(0);
@@ -66,22 +69,28 @@ function play(on) {
   if (on) requestAnimationFrame(frame);
 }
 
-/** To the end of the move under way, or one move on or back. */
+/** To the end of the move under way, or one move on or back. @type {(by_: number) => void} */
 function stepMove(by_) {
   const i = shownMove(), next = by_ > 0 && shownFraction() > 0 && shownFraction() < 1 ? i : i + by_;
   if (next < 0) { play(false); show(0); } else selectMove(Math.min(count - 1, next));
 }
 
 const TURN = 15;  // degrees
+/** @type {Record<string, [number, number]>} */
 const TURNS = { ArrowRight: [TURN, 0], ArrowLeft: [-TURN, 0], ArrowUp: [0, TURN], ArrowDown: [0, -TURN] };
+/** @type {Record<string, () => void>} */
 const KEYS = { ' ': () => play(!playing), ArrowRight: () => stepMove(1), ArrowLeft: () => stepMove(-1), Home: () => show(0), End: () => show(total),
   '+': () => zoom(1.5), '=': () => zoom(1.5), '-': () => zoom(1 / 1.5), '0': () => by('fit').click(), 'm': () => setMeasuring(!measure.on),
   'Escape': () => setMeasuring(false) };
+/** Whether a key means something else where it is pressed: in a list, a field, or to a button. @type {(event: KeyboardEvent) => boolean} */
+function isKeyOfElement({ target, key }) {
+  if (target instanceof HTMLInputElement) return target.type !== 'range' || key !== ' ';
+  return target instanceof HTMLSelectElement || target instanceof HTMLButtonElement && key === ' ';
+}
+
+/** @type {(event: KeyboardEvent) => void} */
 function keyPressed(event) {
-  const on = event.target.tagName;
-  if (event.ctrlKey || event.metaKey || event.altKey || on === 'SELECT' || count === 0) return;
-  if (on === 'INPUT' && (event.target.type !== 'range' || event.key !== ' ')) return;
-  if (on === 'BUTTON' && event.key === ' ') return;
+  if (event.ctrlKey || event.metaKey || event.altKey || count === 0 || isKeyOfElement(event)) return;
   const turn = event.shiftKey && space.on ? TURNS[event.key] : undefined, action = turn ? () => orbit(...turn) : KEYS[event.key];
   if (!action) return;
   event.preventDefault();
@@ -92,13 +101,13 @@ function listen() {
   by('play').onclick = () => play(!playing);
   by('back').onclick = () => stepMove(-1);
   by('forward').onclick = () => stepMove(1);
-  by('scrub').oninput = () => show(total * by('scrub').value / 100000);
+  by('scrub').oninput = () => show(total * Number(by('scrub').value) / 100000);
   by('path').onchange = redraw;
   by('color-by').onchange = () => {
     if (by('color-by').value !== 'kind' && by('path').value !== 'all') by('path').value = 'all';
     colorMoves(); redraw();
   };
-  const filter = change => () => { change(); ++pictureVersion; redraw(); };
+  const filter = (/** @type {() => void} */ change) => () => { change(); ++pictureVersion; redraw(); };
   by('rapids').onchange = filter(() => { filters.rapids = by('rapids').checked; });
   by('operation').onchange = filter(() => { filters.operation = Number(by('operation').value); });
   by('layer').onchange = filter(() => { filters.layer = Number(by('layer').value); });
@@ -109,18 +118,19 @@ function listen() {
   document.onkeydown = keyPressed;
 }
 
-function option(select, words, value) { element('option', words, select).value = value; }
+/** @type {(select: HTMLSelectElement, words: string, value: string | number) => void} */
+function option(select, words, value) { element('option', words, select).value = String(value); }
 
 function writeLayers() {
   by('layer').replaceChildren();
   option(by('layer'), 'all', -1);
   layerHeights.forEach((milli, k) => option(by('layer'), 'z ' + bare(milli / 1000, 2), k));
-  by('layer').value = filters.layer;
+  by('layer').value = String(filters.layer);
 }
 
 function writeChoices() {
   for (const speed of SPEEDS) option(by('speed'), speed + '\u00d7', speed);
-  by('speed').value = SPEEDS.find(speed => total / speed <= 60) || 1000;
+  by('speed').value = String(SPEEDS.find(speed => total / speed <= 60) || 1000);
   for (const name of Object.keys(COLORINGS)) option(by('color-by'), name, name);
   option(by('operation'), 'all', -1);
   job.sections.forEach((section, s) => option(by('operation'), section.label || 'operation ' + (s + 1), s));
@@ -129,8 +139,8 @@ function writeChoices() {
 
 /** Returns whether the address names a moment. */
 function openAtHash() {
-  const hash = new URLSearchParams(location.hash.slice(1)), line = moves.line.indexOf(Number(hash.get('line') || -1));
-  if (hash.has('fault') && job.faults[hash.get('fault')]) goToFault(Number(hash.get('fault')));
+  const hash = new URLSearchParams(location.hash.slice(1)), line = moves.line.indexOf(Number(hash.get('line') || -1)), fault = Number(hash.get('fault') ?? -1);
+  if (job.faults[fault]) goToFault(fault);
   else if (hash.has('t')) show(Number(hash.get('t')) || 0);
   else if (line >= 0) selectMove(line);
   else return false;
@@ -139,8 +149,8 @@ function openAtHash() {
 
 /** The view that the address names ("#view=above"), else the whole part in space. */
 function openView() {
-  const name = new URLSearchParams(location.hash.slice(1)).get('view');
-  chooseView(name === 'above' || STANDPOINTS[name] ? name : 'iso');
+  const name = new URLSearchParams(location.hash.slice(1)).get('view') ?? 'iso';
+  chooseView(name === 'above' || Object.hasOwn(STANDPOINTS, name) ? name : 'iso');
 }
 
 fullStock();

@@ -1,8 +1,9 @@
 // ---- Feed, engagement and force over time, on the same scale of time as the bar of features above.
-let plotKey = '', plotPicture = null;
+const plotPicture = document.createElement('canvas');
+let plotKey = '';
 by('plot').classList.toggle('with-force', forces !== null);
 
-/** The greatest value in each column of pixels. */
+/** The greatest value in each column of pixels. @type {(value: (i: number) => number, w: number) => Float64Array} */
 function columnsOf(value, w) {
   const columns = new Float64Array(w);
   for (let i = 0; i < count; ++i) {
@@ -12,6 +13,7 @@ function columnsOf(value, w) {
   return columns;
 }
 
+/** @type {(c: Context2D, strip: PlacedStrip) => void} */
 function plotCurve(c, strip) {
   const columns = columnsOf(strip.value, strip.w);
   c.fillStyle = strip.color;
@@ -25,6 +27,7 @@ function plotCurve(c, strip) {
   c.fillRect(0, strip.y + strip.h, strip.w, 1);
 }
 
+/** @type {(c: Context2D, words: string, y: number) => void} */
 function writePlotWords(c, words, y) {
   c.font = '12px system-ui, sans-serif';
   const w = c.measureText(words).width;
@@ -36,10 +39,10 @@ function writePlotWords(c, words, y) {
   c.fillText(words, 6, y + 12);
 }
 
+/** @type {(w: number, h: number, ratio: number) => void} */
 function drawPlotPicture(w, h, ratio) {
-  plotPicture = document.createElement('canvas');
   plotPicture.width = Math.round(w * ratio); plotPicture.height = Math.round(h * ratio);
-  const c = plotPicture.getContext('2d'), strips = plotStrips(), share = h / strips.length;
+  const c = contextOf(plotPicture), strips = plotStrips(), share = h / strips.length;
   c.scale(ratio, ratio);
   if (count === 0 || !(total > 0)) return;
   strips.forEach((strip, k) => {
@@ -48,9 +51,10 @@ function drawPlotPicture(w, h, ratio) {
   });
 }
 
-/** What is known of every move, each with its greatest value. */
+/** What is known of every move, each with its greatest value. @type {() => PlotStrip[]} */
 function plotStrips() {
   const mostFeed = job.feeds.reduce((most, row) => Math.max(most, row[1]), 0);
+  /** @type {PlotStrip[]} */
   const strips = [{ value: i => moves.feed[i], most: mostFeed, color: css('faint'), alpha: 0.6, words: 'feed, up to ' + feedText(mostFeed) }];
   if (engagements) strips.push({ value: i => engagements[i], most: 180, color: css('accent'), alpha: 0.75, words: 'engagement, up to 180\u00b0' });
   if (forces) strips.push({ value: i => forces[i], most: mostForce, color: css('entry'), alpha: 0.8, words: 'force, up to ' + forceText(mostForce) });
@@ -65,7 +69,7 @@ function drawPlot() {
     drawPlotPicture(w, h, ratio);
     canvas.width = plotPicture.width; canvas.height = plotPicture.height;
   }
-  const c = canvas.getContext('2d');
+  const c = contextOf(canvas);
   c.setTransform(1, 0, 0, 1, 0, 0);
   c.clearRect(0, 0, canvas.width, canvas.height);
   c.drawImage(plotPicture, 0, 0);
@@ -76,9 +80,9 @@ function drawPlot() {
   c.fillRect(w * at.time / (total || 1) - 1, 0, 2, h);
 }
 
-/** A press or a drag on an element as wide as the whole time goes to the moment. */
+/** A press or a drag on an element as wide as the whole time goes to the moment. @type {(target: HTMLElement) => void} */
 function seekBy(target) {
-  const seek = event => {
+  const seek = (/** @type {PointerEvent} */ event) => {
     const box = target.getBoundingClientRect();
     show(total * Math.max(0, Math.min(1, (event.clientX - box.left) / box.width)));
   };

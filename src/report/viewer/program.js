@@ -1,8 +1,10 @@
 // ---- The program's text: only the lines in sight are elements, so a million lines are no burden.
 const ROW = 20, TALLEST = 8e6;  // pixels; browsers draw no element that is much taller
 const lineCount = job.program.length;
+/** @type {HTMLDivElement[]} */
 const rows = [];
-let selectedLine = 0, faultLines = null;
+const faultLines = new Set(job.faults.map(fault => fault.line));
+let selectedLine = 0;
 
 const programHeight = () => Math.min(lineCount * ROW, TALLEST);
 /** Pixels of text for each pixel of the scroll bar: 1 unless the text is taller than any element. */
@@ -22,19 +24,19 @@ function drawProgram() {
     const line = first + k + 1;
     row.setAttribute('role', 'option');
     row.id = 'line-' + line;
-    row.dataset.line = line;
+    row.dataset.line = String(line);
     row.style.top = (first + k) * ROW - top + box.scrollTop + 'px';
     row.textContent = String(line).padStart(String(lineCount).length) + '  ' + job.program[line - 1];
     row.className = faultLines.has(line) ? 'fault' : '';
     row.setAttribute('aria-selected', String(line === selectedLine));
-    row.setAttribute('aria-posinset', line);
-    row.setAttribute('aria-setsize', lineCount);
+    row.setAttribute('aria-posinset', String(line));
+    row.setAttribute('aria-setsize', String(lineCount));
   });
   if (rows.some(row => !row.hidden && row.dataset.line === String(selectedLine))) box.setAttribute('aria-activedescendant', 'line-' + selectedLine);
   else box.removeAttribute('aria-activedescendant');
 }
 
-/** Selects a line and scrolls to it if it is out of sight. */
+/** Selects a line and scrolls to it if it is out of sight. @type {(line: number) => void} */
 function selectLine(line) {
   if (lineCount === 0 || line === selectedLine) return;
   selectedLine = line;
@@ -43,7 +45,7 @@ function selectLine(line) {
   drawProgram();
 }
 
-/** Brings the cutter to the end of the line's first move; a line without one leaves it where the line before does. */
+/** Brings the cutter to the end of the line's first move; a line without one leaves it where the line before does. @type {(line: number) => void} */
 function goToLine(line) {
   line = Math.max(1, Math.min(lineCount, line));
   let k = line;
@@ -55,12 +57,11 @@ function goToLine(line) {
 
 function listenToProgram() {
   by('program-box').hidden = lineCount === 0;
-  faultLines = new Set(job.faults.map(fault => fault.line));
   by('program-space').style.height = programHeight() + 'px';
   by('program').onscroll = drawProgram;
   by('program').onclick = event => {
-    const row = event.target.closest('[data-line]');
-    if (row) { play(false); goToLine(Number(row.dataset.line)); }
+    const row = event.target instanceof Element ? event.target.closest('[data-line]') : null;
+    if (row instanceof HTMLElement) { play(false); goToLine(Number(row.dataset.line)); }
   };
   by('program').onkeydown = event => {
     const page = Math.floor(by('program').clientHeight / ROW) - 1;

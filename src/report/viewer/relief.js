@@ -8,7 +8,7 @@ const NOTHING = -1e30;  // the height where there is no stock
 const ceilings = new Float32Array(earlier ? width * height : 0);  // of hollows that an earlier set-up cut from below
 const heights = new Float32Array(width * height);  // row by row from the greatest y; at the middles of the cells
 const relief = newCanvas(), overlay = by('overlay');
-const reliefContext = relief.getContext('2d');
+const reliefContext = contextOf(relief);
 
 function newCanvas() {
   const canvas = document.createElement('canvas');
@@ -16,6 +16,7 @@ function newCanvas() {
   return canvas;
 }
 
+/** @type {(context: Context2D, k: number) => void} */
 function toWorld(context, k) { context.setTransform(scale * k, 0, 0, -scale * k, -wx0 * scale * k, wy1 * scale * k); }
 
 /** Columns and rows of the stock in the grid: from, up to and not with. */
@@ -28,32 +29,32 @@ function fillBlock() {
   for (let y = block.y0; y < block.y1; ++y) heights.fill(job.top, y * width + block.x0, y * width + block.x1);
 }
 
-/** Cuts what was cut before, of the sections with that ceiling. */
-function cutEarlier(below) {
-  for (let i = 0; i < earlier.kind.length; ++i)
-    if (job.earlier.sections[earlier.section[i]].below === below) cut(i, 0, 1, earlier);
+/** Cuts what was cut before, of the sections with that ceiling. @type {(before: Moves, below: number | null) => void} */
+function cutEarlier(before, below) {
+  for (let i = 0; i < before.kind.length; ++i)
+    if (before.below[before.section[i]] === below) cut(i, 0, 1, before);
 }
 
-/** Notes where all is hollow under a ceiling: cutting down to it opens the hollow. */
-function noteHollows() {
+/** Notes where all is hollow under a ceiling: cutting down to it opens the hollow. @type {(before: Moves) => void} */
+function noteHollows(before) {
   const found = new Float32Array(heights.length).fill(-Infinity);
   ceilings.fill(-Infinity);
-  for (const below of new Set(job.earlier.sections.map(section => section.below))) {
+  for (const below of new Set(before.below)) {
     if (below === null) continue;
     fillBlock();
-    cutEarlier(below);
+    cutEarlier(before, below);
     for (let k = 0; k < heights.length; ++k) if (heights[k] !== NOTHING && heights[k] < below) found[k] = Math.max(found[k], below);
   }
   ceilings.set(found);
 }
 
-/** The heights before the first move: the block less what was cut before. */
+/** The heights before the first move: the block less what was cut before. @type {Float32Array | null} */
 let stockHeights = null;
 function fullStock() {
   if (!stockHeights) {
-    if (earlier) noteHollows();
+    if (earlier) noteHollows(earlier);
     fillBlock();
-    if (earlier) cutEarlier(null);
+    if (earlier) cutEarlier(earlier, null);
     stockHeights = heights.slice();
   }
   heights.set(stockHeights);
@@ -62,32 +63,36 @@ function fullStock() {
 
 /** How far a cutter's end lies above its tip, by the distance from its axis in sixteenths of a cell; its reach in cells. */
 const FINE = 16;
+/** @type {CutterEnd[]} */
 const ends = job.tools.map(tool => {
   const radius = tool.d / 2, full = Math.ceil((radius * scale + 0.5) * FINE), above = new Float32Array(full + 1);
   for (let k = 0; k <= full; ++k) above[k] = endAt(tool, Math.min(radius, k / FINE / scale));
   return { above, full: radius * scale + 0.5, lip: above[full] };
 });
 
+/** @type {(tool: JobTool, r: number) => number} */
 function endAt(tool, r) {
-  if (tool.a > 0) return Math.max(0, r - tool.t / 2) / tool.a;
-  const round = Math.min(tool.r || 0, tool.d / 2), out = r - (tool.d / 2 - round);
+  if (tool.a !== null && tool.a > 0) return Math.max(0, r - tool.t / 2) / tool.a;
+  const round = Math.min(tool.r, tool.d / 2), out = r - (tool.d / 2 - round);
   return out > 0 ? round - Math.sqrt(Math.max(0, round * round - out * out)) : 0;
 }
 
 // Cells that have changed since the flat picture and since the view in space were drawn last.
+/** @type {() => CellBox} */
 const everything = () => ({ x0: 0, y0: 0, x1: width, y1: height });
 const dirty = everything(), soiled = everything();
+/** @type {(box: CellBox, x0: number, y0: number, x1: number, y1: number) => void} */
 function grow(box, x0, y0, x1, y1) {
   box.x0 = Math.min(box.x0, x0); box.y0 = Math.min(box.y0, y0);
   box.x1 = Math.max(box.x1, x1); box.y1 = Math.max(box.y1, y1);
 }
-/** Marks what lies within a box in cells, and what a shadow of it may reach. */
+/** Marks what lies within a box in cells, and what a shadow of it may reach. @type {(box: CellBox) => void} */
 function soil(box) {
   grow(dirty, box.x0 - 9, box.y0 - 9, box.x1 + 9, box.y1 + 9);
   grow(soiled, box.x0, box.y0, box.x1, box.y1);
 }
 function soilAll() { soil(everything()); }
-/** The changed cells as whole numbers within the grid, or null; from then on nothing is changed. */
+/** The changed cells as whole numbers within the grid, or null; from then on nothing is changed. @type {(box: CellBox) => CellPart | null} */
 function taken(box) {
   const x0 = Math.max(0, Math.floor(box.x0)), y0 = Math.max(0, Math.floor(box.y0));
   const w = Math.min(width, Math.ceil(box.x1)) - x0, h = Math.min(height, Math.ceil(box.y1)) - y0;
@@ -95,9 +100,13 @@ function taken(box) {
   return w > 0 && h > 0 ? { x0, y0, w, h } : null;
 }
 
-/** Plan of move i of m between fractions f and g in cells; rows grow downwards, which turns arcs the other way. */
+/**
+ * Plan of move i of m between fractions f and g in cells; rows grow downwards, which turns arcs the other way.
+ * @type {(i: number, f: number, g: number, m: Moves) => Strip}
+ */
 function stripOf(i, f, g, m) {
-  const p = pointAt(i, f, m), q = pointAt(i, g, m), column = x => (x - wx0) * scale - 0.5, row = y => (wy1 - y) * scale - 0.5;
+  const p = pointAt(i, f, m), q = pointAt(i, g, m), column = (/** @type {number} */ x) => (x - wx0) * scale - 0.5, row = (/** @type {number} */ y) => (wy1 - y) * scale - 0.5;
+  /** @type {Strip} */
   const strip = { ax: column(p.x), ay: row(p.y), bx: column(q.x), by: row(q.y), arc: null };
   if (m.turn[i] !== 0) {
     const arc = arcOf(i, m), from = -(arc.a + arc.sweep * f), to = -(arc.a + arc.sweep * g), back = to < from;
@@ -106,7 +115,7 @@ function stripOf(i, f, g, m) {
   return strip;
 }
 
-/** The smallest box around a strip's middle line. */
+/** The smallest box around a strip's middle line. @type {(strip: Strip) => CellBox} */
 function boxOf(strip) {
   const box = { x0: Math.min(strip.ax, strip.bx), x1: Math.max(strip.ax, strip.bx), y0: Math.min(strip.ay, strip.by), y1: Math.max(strip.ay, strip.by) };
   const arc = strip.arc, full = 2 * Math.PI;
@@ -122,6 +131,7 @@ function boxOf(strip) {
 /**
  * Lowers a cell to the cutter's end, whose tip is at z and whose axis passes at a distance in cells. Cutters are half a cell wider
  * than they are, and their flank rises over one cell: what two strips leave that touch is no ridge, and walls are no staircases.
+ * @type {(k: number, distance: number, z: number, end: CutterEnd) => void}
  */
 function lower(k, distance, z, end) {
   let h = z;
@@ -133,9 +143,12 @@ function lower(k, distance, z, end) {
   if (h < heights[k]) heights[k] = h;
 }
 
+/** @type {(box: CellBox, reach: number) => [number, number]} */
 const rowsOf = (box, reach) => [Math.max(block.y0, Math.ceil(box.y0 - reach)), Math.min(block.y1 - 1, Math.floor(box.y1 + reach))];
+/** @type {(from: number, to: number) => [number, number]} */
 const columnsIn = (from, to) => [Math.max(block.x0, Math.ceil(from)), Math.min(block.x1 - 1, Math.floor(to))];
 
+/** @type {(strip: Strip, z: number, end: CutterEnd) => void} */
 function cutLine(strip, z, end) {
   const { ax, ay } = strip, reach = end.full + 1, length = Math.hypot(strip.bx - ax, strip.by - ay);
   const ux = length > 0 ? (strip.bx - ax) / length : 1, uy = length > 0 ? (strip.by - ay) / length : 0;
@@ -152,8 +165,9 @@ function cutLine(strip, z, end) {
   }
 }
 
-function cutArc(strip, z, end) {
-  const arc = strip.arc, reach = end.full + 1, box = boxOf(strip), [first, last] = rowsOf(box, reach);
+/** @type {(strip: Strip, arc: NonNullable<Strip['arc']>, z: number, end: CutterEnd) => void} */
+function cutArc(strip, arc, z, end) {
+  const reach = end.full + 1, box = boxOf(strip), [first, last] = rowsOf(box, reach);
   const fx = Math.cos(arc.from), fy = Math.sin(arc.from), tx = Math.cos(arc.from + arc.sweep), ty = Math.sin(arc.from + arc.sweep);
   const wide = arc.sweep >= Math.PI, whole = arc.sweep >= 2 * Math.PI - 1e-9, hole = arc.r - reach;
   for (let y = first; y <= last; ++y) {
@@ -172,7 +186,10 @@ function cutArc(strip, z, end) {
   }
 }
 
-/** Takes away what move i of m cuts between fractions f and g. Slopes go down in steps, each as deep as its lower end. */
+/**
+ * Takes away what move i of m cuts between fractions f and g. Slopes go down in steps, each as deep as its lower end.
+ * @type {(i: number, f: number, g: number, m?: Moves) => void}
+ */
 function cut(i, f, g, m = moves) {
   const tool = m.tools[m.section[i]];
   if (tool < 0 || Math.min(m.z0[i], m.z1[i]) >= job.top || g <= f) return;
@@ -184,13 +201,13 @@ function cut(i, f, g, m = moves) {
     if (b <= a) continue;
     const strip = stripOf(i, a, b, m), z = Math.min(pointAt(i, a, m).z, pointAt(i, b, m).z);
     if (z >= job.top) continue;
-    if (strip.arc) cutArc(strip, z, end);
+    if (strip.arc) cutArc(strip, strip.arc, z, end);
     else cutLine(strip, z, end);
   }
   soil(reachOfMove(i, m));
 }
 
-/** The cells that move i of m may change. */
+/** The cells that move i of m may change. @type {(i: number, m?: Moves) => CellBox} */
 function reachOfMove(i, m = moves) {
   const box = boxOf(stripOf(i, 0, 1, m)), reach = ends[m.tools[m.section[i]]].full + 2;
   return { x0: box.x0 - reach, y0: box.y0 - reach, x1: box.x1 + reach, y1: box.y1 + reach };
@@ -198,15 +215,17 @@ function reachOfMove(i, m = moves) {
 
 // What lay under the move that is under way. It is put back before that move goes on, so that the heights depend on the
 // moment alone, not on the way there.
-const under = { move: -1, box: null, heights: null };
+/** @type {{ move: number, box: CellPart, heights: Float32Array }} */
+const under = { move: -1, box: { x0: 0, y0: 0, w: 0, h: 0 }, heights: new Float32Array(0) };
 
+/** @type {(i: number, f: number) => void} */
 function cutPart(i, f) {
   putBack();
   if (moves.tools[moves.section[i]] < 0 || f <= 0) return;
   const changed = { ...reachOfMove(i) }, box = taken(changed);
   if (!box) return;
   under.move = i; under.box = box;
-  if (!under.heights || under.heights.length < box.w * box.h) under.heights = new Float32Array(box.w * box.h);
+  if (under.heights.length < box.w * box.h) under.heights = new Float32Array(box.w * box.h);
   for (let y = 0; y < box.h; ++y) {
     const from = (box.y0 + y) * width + box.x0;
     under.heights.set(heights.subarray(from, from + box.w), y * box.w);

@@ -1,6 +1,7 @@
 // ---- Time: where the machine is, with snapshots to go back to.
 const at = { move: 0, fraction: 0, time: 0 };
 const SNAPSHOTS = 16;
+/** @type {Snapshot[]} */
 const snapshots = [];
 
 function takeSnapshot() {
@@ -9,6 +10,7 @@ function takeSnapshot() {
   snapshots.push({ move: at.move, heights: heights.slice() });
 }
 
+/** @type {(time: number) => void} */
 function rewind(time) {
   const snapshot = snapshots.findLast(one => moves.t[one.move] <= time && one.move > 0);
   fullStock();
@@ -20,7 +22,7 @@ function rewind(time) {
   soilAll();
 }
 
-/** The heights are those of all whole moves up to then and of the part of the one under way: the same from either side. */
+/** The heights are those of all whole moves up to then and of the part of the one under way: the same from either side. @type {(time: number) => void} */
 function goTo(time) {
   time = Math.max(0, Math.min(total, time));
   if (time < at.time) rewind(time);

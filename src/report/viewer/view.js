@@ -1,12 +1,17 @@
 // ---- What of the part is seen: zoom, pan, a click on the path, a distance.
 const view = { x: 0, y: 0, k: 1, w: 1, h: 1, ratio: 1 };  // the middle in mm; pixels per mm; the stage in pixels
 const NEAR = 8, MOST = 4000;  // pixels around a click; pixels per mm
+/** @type {Map<number, Point>} */
 const pointers = new Map();
 let dragged = 0, fitted = true;
+/** @type {{ on: boolean, from: Place | null, to: Place | null }} */
 const measure = { on: false, from: null, to: null };
 
+/** @type {(p: Point & { z?: number }) => Point} */
 const toScreen = p => space.on ? projected(p) : ({ x: view.w / 2 + (p.x - view.x) * view.k, y: view.h / 2 - (p.y - view.y) * view.k });
-const toPlan = p => ({ x: view.x + (p.x - view.w / 2) / view.k, y: view.y - (p.y - view.h / 2) / view.k });
+/** @type {(p: Point) => Place} */
+const toPlan = p => ({ x: view.x + (p.x - view.w / 2) / view.k, y: view.y - (p.y - view.h / 2) / view.k, z: 0 });
+/** @type {(c: Context2D) => void} */
 function setPlan(c) {
   const k = view.k * view.ratio;
   c.setTransform(k, 0, 0, -k, (view.w / 2 - view.x * view.k) * view.ratio, (view.h / 2 + view.y * view.k) * view.ratio);
@@ -27,6 +32,7 @@ function measureStage() {
   if (space.on && camera.fitted) fitSpace();
 }
 
+/** @type {(factor: number, at_?: Point) => void} */
 function zoom(factor, at_ = { x: view.w / 2, y: view.h / 2 }) {
   if (space.on) { zoomSpace(factor, at_); return; }
   const fixedPoint = toPlan(at_);
@@ -37,16 +43,16 @@ function zoom(factor, at_ = { x: view.w / 2, y: view.h / 2 }) {
   redrawSoon();
 }
 
-/** Moves the view only if the place is outside of it. */
+/** Moves the view only if the place is outside of it. @type {(p: Place) => void} */
 function bringIntoView(p) {
   const s = toScreen(p);
   if (s.x > 20 && s.y > 20 && s.x < view.w - 20 && s.y < view.h - 20) return;
-  if (space.on) { camera.x = p.x; camera.y = p.y; camera.z = p.z || 0; camera.fitted = false; return; }
+  if (space.on) { camera.x = p.x; camera.y = p.y; camera.z = p.z; camera.fitted = false; return; }
   view.x = p.x; view.y = p.y;
   fitted = false;
 }
 
-/** mm from p to move i in plan. */
+/** mm from p to move i in plan. @type {(i: number, p: Point) => number} */
 function distanceToMove(i, p) {
   const x0 = moves.x0[i], y0 = moves.y0[i], dx = moves.x1[i] - x0, dy = moves.y1[i] - y0;
   if (moves.turn[i] === 0) {
@@ -59,7 +65,7 @@ function distanceToMove(i, p) {
   return Math.min(Math.hypot(x0 - p.x, y0 - p.y), Math.hypot(moves.x1[i] - p.x, moves.y1[i] - p.y));
 }
 
-/** The move that is drawn nearest to p; of several that lie on each other the one nearest in time. -1: none is near. */
+/** The move that is drawn nearest to p; of several that lie on each other the one nearest in time. -1: none is near. @type {(p: Point) => number} */
 function moveNear(p) {
   const limit = NEAR / view.k, same = 0.5 / view.k;
   const last = by('path').value === 'recent' ? shownMove() : count - 1, first = by('path').value === 'recent' ? Math.max(0, last - TRAIL) : 0;
@@ -74,6 +80,7 @@ function moveNear(p) {
   return best;
 }
 
+/** @type {(on: boolean) => void} */
 function setMeasuring(on) {
   measure.on = on; measure.from = measure.to = null;
   by('measure').setAttribute('aria-pressed', String(on));
@@ -92,28 +99,30 @@ function writeMeasured() {
   }
 }
 
+/** @type {(s: Point) => void} */
 function clickAt(s) {
-  const p = space.on ? measure.on && surfaceAt(s) : toPlan(s);
   if (measure.on) {
+    const p = space.on ? surfaceAt(s) : toPlan(s);
     if (!p) return;
     if (!measure.from || measure.to) { measure.from = p; measure.to = null; } else measure.to = p;
     writeMeasured();
     redrawSoon();
     return;
   }
-  const i = space.on ? moveNearInSpace(s) : moveNear(p);
+  const i = space.on ? moveNearInSpace(s) : moveNear(toPlan(s));
   if (i >= 0) selectMove(i);
 }
 
+/** @type {(event: MouseEvent) => Point} */
 const placeOf = event => {
   const box = overlay.getBoundingClientRect();
   return { x: event.clientX - box.left, y: event.clientY - box.top };
 };
 
-/** One pointer drags, two pinch. */
+/** One pointer drags, two pinch. @type {(event: PointerEvent) => void} */
 function pointerMoved(event) {
-  if (!pointers.has(event.pointerId)) return;
   const was = pointers.get(event.pointerId), now = placeOf(event), other = [...pointers.entries()].find(([id]) => id !== event.pointerId);
+  if (!was) return;
   dragged += Math.hypot(now.x - was.x, now.y - was.y);
   pointers.set(event.pointerId, now);
   if (dragged < 4) return;
@@ -128,7 +137,7 @@ function pointerMoved(event) {
   redrawSoon();
 }
 
-/** One pointer turns the part; two, Shift, or another button than the first move it. */
+/** One pointer turns the part; two, Shift, or another button than the first move it. @type {(event: PointerEvent, dx: number, dy: number, moves_: boolean) => void} */
 function dragInSpace(event, dx, dy, moves_) {
   if (moves_ || event.shiftKey || (event.buttons & 6)) panSpace(dx, dy);
   else orbit(-0.4 * dx, 0.4 * dy);

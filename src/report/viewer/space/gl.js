@@ -1,44 +1,55 @@
 // ---- What every drawing in space needs of WebGL 2.
-let gl = null;
+/** @type {WebGL2RenderingContext} */
+let gl;
 
+/** @type {(kind: number, text: string) => WebGLShader} */
 function compiled(kind, text) {
   const shader = gl.createShader(kind);
+  if (!shader) throw new Error('a shader cannot be made');
   gl.shaderSource(shader, text);
   gl.compileShader(shader);
-  if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) && !gl.isContextLost()) throw new Error(gl.getShaderInfoLog(shader));
+  if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) && !gl.isContextLost()) throw new Error(gl.getShaderInfoLog(shader) ?? '');
   return shader;
 }
 
-/** A program with the places of its uniforms by name; attributes have the places given. */
+/** A program with the places of its uniforms by name; attributes have the places given. @type {(vertex: string, fragment: string, attributes: string[]) => Shader} */
 function programOf(vertex, fragment, attributes) {
-  const program = gl.createProgram(), uniforms = {};
+  const program = gl.createProgram();
+  /** @type {Shader['uniforms']} */
+  const uniforms = {};
   gl.attachShader(program, compiled(gl.VERTEX_SHADER, vertex));
   gl.attachShader(program, compiled(gl.FRAGMENT_SHADER, fragment));
   attributes.forEach((name, k) => gl.bindAttribLocation(program, k, name));
   gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) throw new Error(gl.getProgramInfoLog(program));
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) throw new Error(gl.getProgramInfoLog(program) ?? '');
   const count_ = gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS) || 0;
   for (let k = 0; k < count_; ++k) {
-    const name = gl.getActiveUniform(program, k).name;
-    uniforms[name] = gl.getUniformLocation(program, name);
+    const name = gl.getActiveUniform(program, k)?.name;
+    if (name) uniforms[name] = gl.getUniformLocation(program, name);
   }
   return { program, uniforms };
 }
 
-const SETTERS = { 1: (place, v) => gl.uniform1f(place, v), 2: (place, v) => gl.uniform2fv(place, v), 3: (place, v) => gl.uniform3fv(place, v),
+/** By the length of the vector. @type {Record<number, (place: WebGLUniformLocation | null, v: number[] | Float32Array) => void>} */
+const SETTERS = { 2: (place, v) => gl.uniform2fv(place, v), 3: (place, v) => gl.uniform3fv(place, v),
   4: (place, v) => gl.uniform4fv(place, v), 16: (place, v) => gl.uniformMatrix4fv(place, false, v) };
 
-/** Uses a program with these values; whole numbers come as {i: value}. What the program does not have is passed over. */
+/**
+ * Uses a program with these values; whole numbers come as {i: value}. What the program does not have is passed over.
+ * @type {(made: Shader, values: UniformValues) => void}
+ */
 function use(made, values) {
   gl.useProgram(made.program);
   for (const [name, value] of Object.entries(values)) {
     const place = made.uniforms[name];
     if (place === undefined) continue;
-    if (value.i !== undefined) gl.uniform1i(place, value.i);
-    else SETTERS[value.length || 1](place, value);
+    if (typeof value === 'number') gl.uniform1f(place, value);
+    else if ('i' in value) gl.uniform1i(place, value.i);
+    else SETTERS[value.length](place, value);
   }
 }
 
+/** @type {(target: number, data?: Float32Array, usage?: number) => WebGLBuffer} */
 function bufferOf(target, data, usage) {
   const buffer = gl.createBuffer();
   gl.bindBuffer(target, buffer);
@@ -46,6 +57,7 @@ function bufferOf(target, data, usage) {
   return buffer;
 }
 
+/** @type {(unit_: number, internal: number, w: number, h: number, format: number, type: number, data: ArrayBufferView) => WebGLTexture} */
 function textureOf(unit_, internal, w, h, format, type, data) {
   const texture = gl.createTexture();
   gl.activeTexture(gl.TEXTURE0 + unit_);
@@ -56,15 +68,17 @@ function textureOf(unit_, internal, w, h, format, type, data) {
   return texture;
 }
 
+/** @type {Map<string, number[]>} */
 const channels = new Map();
-/** A colour of the page's style as red, green and blue from 0 to 1. */
+/** A colour of the page's style as red, green and blue from 0 to 1. @type {(color: string) => number[]} */
 function rgb(color) {
-  if (!channels.has(color)) {
-    const canvas = document.createElement('canvas'), c = canvas.getContext('2d', { willReadFrequently: true });
-    canvas.width = canvas.height = 1;
-    c.fillStyle = color;
-    c.fillRect(0, 0, 1, 1);
-    channels.set(color, [...c.getImageData(0, 0, 1, 1).data.slice(0, 3)].map(v => v / 255));
-  }
-  return channels.get(color);
+  const known = channels.get(color);
+  if (known) return known;
+  const canvas = document.createElement('canvas'), c = contextOf(canvas, { willReadFrequently: true });
+  canvas.width = canvas.height = 1;
+  c.fillStyle = color;
+  c.fillRect(0, 0, 1, 1);
+  const found = [...c.getImageData(0, 0, 1, 1).data.slice(0, 3)].map(v => v / 255);
+  channels.set(color, found);
+  return found;
 }

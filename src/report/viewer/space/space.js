@@ -1,46 +1,53 @@
 // ---- The view in space: when it can be had, what it draws, and in which detail.
+/** @type {{ axis: string, at: number }} */
 const section = { axis: 'none', at: 0 };
-const stageCanvas = by('space');
+const stageCanvas = by('space'), viewButtons = [...by('views').querySelectorAll('button')];
 // Detail: cells of a step of the surface, samples of a pixel, and pixels for each of the stage's. While something moves, as much as
 // the machine can draw in time; at rest always the first.
+/** @type {Detail[]} */
 const DETAILS = [{ step: 1, samples: 4, share: 1 }, { step: 1, samples: 0, share: 1 }, { step: 2, samples: 0, share: 1 }, { step: 4, samples: 0, share: 1 }, { step: 4, samples: 0, share: 0.5 }];
 const detail = { now: 1, most: 0, restAt: 0, lastFrame: 0, interval: 22, settled: true };
+/** @type {Record<number, FrameBuffer>} */
 let buffers = {};  // by samples and size
 
-/** The half of the section that is taken away has a scalar product above the last number. */
+/** The half of the section that is taken away has a scalar product above the last number. @type {() => [number, number, number, number]} */
 function sectionPlane() {
   if (section.axis === 'x') return [1, 0, 0, section.at];
   if (section.axis === 'y') return [0, -1, 0, -section.at];
   return [0, 0, 0, 1];
 }
+/** @type {(p: Point) => boolean} */
 function isCutOff(p) {
   const plane = sectionPlane();
   return plane[0] * p.x + plane[1] * p.y > plane[3];
 }
 
+/** @type {() => boolean} */
 function startSpace() {
   try {
-    gl = stageCanvas.getContext('webgl2', { alpha: true, antialias: false, depth: true, powerPreference: 'high-performance' });
-    if (!gl) return noSpace('this browser or this machine has no WebGL 2');
+    const context = stageCanvas.getContext('webgl2', { alpha: true, antialias: false, depth: true, powerPreference: 'high-performance' });
+    if (!context) return noSpace('this browser or this machine has no WebGL 2');
+    gl = context;
     if (gl.getParameter(gl.MAX_TEXTURE_SIZE) < Math.max(width, height)) return noSpace('the graphics processor takes no picture of this size');
     makeSurface(); makeLines(); makeCutters(); makeClamps();
     buffers = {};
     space.supported = true;
   } catch (error) {
-    return noSpace(error.message);
+    return noSpace(error instanceof Error ? error.message : String(error));
   }
   return true;
 }
 
+/** @type {(why: string) => boolean} */
 function noSpace(why) {
   space.supported = false; space.why = why;
   by('space-note').textContent = 'No view in space: ' + why + '. The part is shown from above.';
   by('space-note').hidden = false;
-  for (const button of by('views').querySelectorAll('button[data-view]')) if (button.dataset.view !== 'above') button.disabled = true;
+  for (const button of viewButtons) if (button.dataset.view !== 'above') button.disabled = true;
   return false;
 }
 
-/** 'above': the flat picture; or one of the standpoints in space. */
+/** 'above': the flat picture; or one of the standpoints in space. @type {(name: string) => void} */
 function chooseView(name) {
   const on = name !== 'above' && (space.supported ?? startSpace());
   space.on = on;
@@ -58,19 +65,21 @@ function chooseView(name) {
 }
 
 function markStandpoint() {
-  for (const button of by('views').querySelectorAll('button[data-view]')) {
-    const stand = STANDPOINTS[button.dataset.view];
+  for (const button of viewButtons) {
+    const stand = STANDPOINTS[button.dataset.view ?? ''];
     const here = space.on ? stand && camera.yaw === stand[0] && camera.pitch === stand[1] : button.dataset.view === 'above';
     button.setAttribute('aria-pressed', String(Boolean(here)));
   }
 }
 
-/** A frame buffer to be copied to the stage; those of another size are given back. */
+/** A frame buffer to be copied to the stage; those of another size are given back. @type {(w: number, h: number, samples: number) => WebGLFramebuffer} */
 function bufferFor(w, h, samples) {
   const key = [w, h, samples].join();
   if (buffers[samples]?.key === key) return buffers[samples].frame;
   if (buffers[samples]) { gl.deleteFramebuffer(buffers[samples].frame); buffers[samples].parts.forEach(part => gl.deleteRenderbuffer(part)); }
-  const made = buffers[samples] = { key, frame: gl.createFramebuffer(), parts: [] };
+  /** @type {FrameBuffer} */
+  const made = { key, frame: gl.createFramebuffer(), parts: [] };
+  buffers[samples] = made;
   gl.bindFramebuffer(gl.FRAMEBUFFER, made.frame);
   for (const [format, place] of [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
     const part = gl.createRenderbuffer();
@@ -82,6 +91,7 @@ function bufferFor(w, h, samples) {
   return made.frame;
 }
 
+/** @type {(one: Detail) => void} */
 function drawScene(one) {
   const w = Math.round(stageCanvas.width * one.share), h = Math.round(stageCanvas.height * one.share), direct = one.samples === 0 && one.share === 1, rough = one.step > 1;
   const frame = direct ? null : bufferFor(w, h, one.samples);
@@ -108,7 +118,7 @@ function drawScene(one) {
   gl.blitFramebuffer(0, 0, w, h, 0, 0, stageCanvas.width, stageCanvas.height, gl.COLOR_BUFFER_BIT, one.share === 1 ? gl.NEAREST : gl.LINEAR);
 }
 
-/** Less detail where frames take long, more where they are quick; not again what was too slow once. */
+/** Less detail where frames take long, more where they are quick; not again what was too slow once. @type {(since: number) => void} */
 function adaptDetail(since) {
   if (since > 1000) return;
   detail.interval = 0.8 * detail.interval + 0.2 * Math.min(since, 100);
@@ -137,18 +147,19 @@ function drawAtRest() {
 /** Marks over the picture: the move under way, faults, what is measured, the axes. */
 function drawSpaceOverlay() {
   measureStage();
-  const c = overlay.getContext('2d');
+  const c = contextOf(overlay);
   c.setTransform(1, 0, 0, 1, 0, 0);
   c.clearRect(0, 0, overlay.width, overlay.height);
   c.scale(view.ratio, view.ratio);
   const i = shownMove();
   if (i >= 0 && by('path').value !== 'none') drawMoveInSpace(c, i);
-  if (at.time >= total && !job.clean) for (const fault of job.faults) if (fault.x !== null && fault.y !== null) drawMark(c, 1, projected(fault));
+  if (at.time >= total && !job.clean) for (const place of faultPlaces) drawMark(c, 1, projected(place));
   if (marked) drawMark(c, 1, projected(marked));
   drawMeasure(c, 1);
   drawAxes(c);
 }
 
+/** @type {(c: Context2D, i: number) => void} */
 function drawMoveInSpace(c, i) {
   const done = shownFraction(), chords = chordsOf(i);
   c.beginPath();
@@ -161,6 +172,7 @@ function drawMoveInSpace(c, i) {
   c.stroke();
 }
 
+/** @type {(c: Context2D) => void} */
 function drawAxes(c) {
   const axes = cameraAxes(), x = view.w - 38, y = view.h - 88;
   c.font = '12px system-ui, sans-serif'; c.lineWidth = 1.5; c.textAlign = 'center'; c.textBaseline = 'middle';
@@ -174,16 +186,17 @@ function drawAxes(c) {
   c.textAlign = 'start'; c.textBaseline = 'alphabetic';
 }
 
+/** @type {Record<string, () => [number, number]>} */
 const SECTION_RANGE = { x: () => [sx0, sx1], y: () => [sy0, sy1], z: () => [bottomZ, job.top] };
-/** Reads the choice of a section and where its slider stands. */
+/** Reads the choice of a section and where its slider stands. @type {(moved: boolean) => void} */
 function chooseSection(moved) {
   section.axis = by('section').value;
   const slider = by('section-at'), range = SECTION_RANGE[section.axis];
   slider.hidden = !range;
   if (range) {
     const [from, to] = range();
-    if (!moved) slider.value = 500;
-    section.at = from + (to - from) * slider.value / 1000;
+    if (!moved) slider.value = '500';
+    section.at = from + (to - from) * Number(slider.value) / 1000;
     slider.setAttribute('aria-valuetext', section.axis + ' ' + lengthText(section.at, 2));
     slider.title = section.axis + ' ' + lengthText(section.at, 2);
   }
@@ -191,7 +204,7 @@ function chooseSection(moved) {
 }
 
 function listenToSpace() {
-  for (const button of by('views').querySelectorAll('button[data-view]')) button.onclick = () => chooseView(button.dataset.view);
+  for (const button of viewButtons) button.onclick = () => chooseView(button.dataset.view ?? 'above');
   by('section').onchange = () => chooseSection(false);
   by('section-at').oninput = () => chooseSection(true);
   stageCanvas.addEventListener('webglcontextlost', event => { event.preventDefault(); space.supported = null; });

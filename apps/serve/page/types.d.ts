@@ -1,0 +1,188 @@
+// Types of the page's scripts, for the checker (`make lint-viewer`); no page holds this file. What the server sends and takes is as in its
+// description (GET /openapi.json), and the JSON of commands as `clearcut info` and `clearcut compare` print it with --json. Lengths are mm, times s.
+
+/** What a file that was chosen is for. */
+type FileRole = 'part' | 'program' | 'tools' | 'machine' | 'file';
+interface ChosenFile { file: File; role: FileRole }
+
+/** How far a plan is. */
+interface PlanProgress {
+  stage: 'planning' | 'certifying';
+  /** Candidates that are done, and how many there may be. */
+  done: number; most: number;
+  /** s at most; absent: not known. */
+  left_s?: number;
+}
+
+/** Of a plan or a check: GET /plan/{id}, its events, POST /check. */
+type WorkState = WaitingState | RunningState | FailedState | DoneState;
+/** `ahead`: plans before it. */
+interface WaitingState { state: 'waiting'; ahead: number }
+/** `seconds`: since it began. */
+interface RunningState { state: 'running'; progress?: PlanProgress; seconds: number }
+/** `message`: why it failed. */
+interface FailedState { state: 'failed' | 'cancelled'; message?: string }
+interface DoneState {
+  state: 'done';
+  /** From its beginning to its end. */
+  seconds: number;
+  verdict: string;
+  /** What was noticed. */
+  messages: string[];
+  /** Addresses by name: 'program', 'certificate', ..., of several set-ups 'program-1', ... */
+  results: Record<string, string>;
+  /** Of a check. */
+  certificate?: Certificate;
+  /** Of a check: figures as a terminal shows them. */
+  text?: string;
+}
+
+/** What the page reads of a certificate (docs/certificate.schema.json). */
+interface Certificate {
+  verdict: string;
+  faults: CertificateFault[];
+  conditions: Condition[];
+}
+interface CertificateFault {
+  kind: string;
+  feature: string;
+  /** Of the program; 0: of no line. */
+  line: number;
+  text: string;
+}
+/** POST /info. */
+interface InfoAnswer { state?: string; message?: string; info?: PartInfo | SetupInfos | null }
+/** POST /compare. */
+interface CompareAnswer { state?: string; message?: string; compare?: { strategies: StrategyRun[] } | null }
+
+/** From and to. */
+interface Extent { x: [number, number]; y: [number, number] }
+interface PartInfo { asks: string[]; found: Found[]; features: FeatureInfo[]; outlines: OutlineInfo[] }
+/** Of a job with several set-ups. */
+interface SetupInfos { setups: PartInfo[] }
+/** What was mended, left out or is worth a word. */
+interface Found { kind: 'note' | 'repair' | 'warning' | 'skipped'; where: string; what: string }
+interface FeatureInfo { name: string; kind: string; top_z: number; floor_z: number; extent_mm: Extent | null }
+interface OutlineInfo {
+  number: number;
+  layer: string;
+  extent_mm: Extent | null;
+  /** Of a circle; null: it is none. */
+  diameter_mm: number | null;
+  /** Number of the outline around it; null: none. */
+  within: number | null;
+  /** null: not said yet. */
+  depth_mm: number | null;
+  /** What it is read as; '': not said yet. */
+  role: string;
+}
+
+/** A strategy that was planned and certified, or why it was not. */
+type StrategyRun = PlannedRun | RefusedRun;
+interface RefusedRun { strategy: string; planned: false; refusal: string }
+interface PlannedRun {
+  strategy: string; planned: true; clean: boolean; fastest: boolean;
+  time_s: number | null; feed_mm: number | null; retracts: number; engagement_max_deg: number | null; uncut_thickness_mm: number | null;
+}
+
+/** GET /options: of each command. */
+type Options = Record<string, CommandOption[]>;
+interface CommandOption { names: string[]; positional: boolean; group: string; help: string; value: string; values: string[] }
+
+/** The way to the pipeline, by a server or in the browser itself. */
+interface Pipeline {
+  /** What happens to files, where it is not what the page says. */
+  promise: string;
+  options(): Promise<Options>;
+  /** Begins a plan; gives its name. */
+  plan(form: FormData): Promise<string>;
+  /** Ends a plan and forgets it. */
+  drop(id: string): Promise<void>;
+  /** Calls `hear` with each state of a plan until its last, `broken` where none comes any more. Gives what ends that. */
+  follow(id: string, hear: (state: WorkState) => void, broken: (error: Error) => void): () => void;
+  /** Checks a program; gives its last state with certificate and text. */
+  check(form: FormData): Promise<WorkState>;
+  /** What a part holds. */
+  info(form: FormData): Promise<InfoAnswer>;
+  /** Every strategy on a part. */
+  compare(form: FormData): Promise<CompareAnswer>;
+}
+
+/** A job file and the options that it has no words for. */
+interface JobText { text: string; left: string[] }
+/** Lines of a job file by their tables. */
+interface JobTables { part: string[]; layers: string[]; library: string[]; tools: string[]; machine: string[]; plan: string[]; output: string[]; lists: Map<string, string[]> }
+type JobTable = 'part' | 'library' | 'machine' | 'plan' | 'output';
+
+/** The elements of index.html by their ids; a test holds them to it. */
+interface PageElements {
+  'tab-plan': HTMLButtonElement;
+  'tab-check': HTMLButtonElement;
+  'promise': HTMLParagraphElement;
+  'plan': HTMLElement;
+  'plan-form': HTMLFormElement;
+  'plan-drop': HTMLDivElement;
+  'plan-files': HTMLInputElement;
+  'plan-kinds': HTMLParagraphElement;
+  'plan-list': HTMLUListElement;
+  'tool-kind': HTMLSelectElement;
+  'tool-diameter': HTMLInputElement;
+  'depth': HTMLInputElement;
+  'unit': HTMLSelectElement;
+  'strategy': HTMLSelectElement;
+  'post': HTMLSelectElement;
+  'material': HTMLSelectElement;
+  'found-box': HTMLDetailsElement;
+  'found-title': HTMLElement;
+  'found': HTMLUListElement;
+  'outlines-box': HTMLDetailsElement;
+  'outlines-title': HTMLElement;
+  'outlines': HTMLTableElement;
+  'plan-options': HTMLInputElement;
+  'plan-names': HTMLDataListElement;
+  'plan-command': HTMLElement;
+  'plan-go': HTMLButtonElement;
+  'plan-compare': HTMLButtonElement;
+  'plan-cancel': HTMLButtonElement;
+  'plan-status': HTMLDivElement;
+  'plan-progress': HTMLProgressElement;
+  'comparison-box': HTMLDivElement;
+  'comparison': HTMLTableElement;
+  'plan-result': HTMLDivElement;
+  'plan-verdict': HTMLElement;
+  'plan-summary': HTMLSpanElement;
+  'plan-downloads': HTMLUListElement;
+  'plan-notes': HTMLDetailsElement;
+  'plan-messages': HTMLUListElement;
+  'plan-setups': HTMLLabelElement;
+  'plan-setup': HTMLSelectElement;
+  'plan-report': HTMLIFrameElement;
+  'check': HTMLElement;
+  'check-form': HTMLFormElement;
+  'check-drop': HTMLDivElement;
+  'check-files': HTMLInputElement;
+  'check-kinds': HTMLParagraphElement;
+  'check-list': HTMLUListElement;
+  'check-kind': HTMLSelectElement;
+  'check-diameter': HTMLInputElement;
+  'check-depth-box': HTMLLabelElement;
+  'check-depth': HTMLInputElement;
+  'check-stock-box': HTMLLabelElement;
+  'check-stock': HTMLInputElement;
+  'dialect': HTMLSelectElement;
+  'check-options': HTMLInputElement;
+  'check-names': HTMLDataListElement;
+  'check-command': HTMLElement;
+  'check-go': HTMLButtonElement;
+  'check-status': HTMLDivElement;
+  'check-result': HTMLDivElement;
+  'check-verdict': HTMLElement;
+  'check-summary': HTMLSpanElement;
+  'check-faults': HTMLUListElement;
+  'check-report': HTMLIFrameElement;
+  'check-lines-title': HTMLHeadingElement;
+  'check-lines': HTMLOListElement;
+  'check-notes': HTMLDetailsElement;
+  'check-messages': HTMLUListElement;
+  'check-text': HTMLPreElement;
+}
