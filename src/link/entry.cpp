@@ -93,33 +93,66 @@ std::optional<Entry> ramp_along(const EntryPlace& place, const LinkOptions& opti
   return entry;
 }
 
-std::optional<Vec2> ramp_end(const EntryPlace& place, const LegalArea& area, const LinkOptions& options) {
-  const double longest =
-      options.zigzag_length > 0 ? options.zigzag_length : kLongestRamp * options.tool_radius;
-  for (double reach = longest; reach >= kShortestRamp * options.tool_radius; reach /= 2) {
+/// mm; the way to and fro.
+double longest_ramp(const LinkOptions& options) {
+  return options.zigzag_length > 0 ? options.zigzag_length : kLongestRamp * options.tool_radius;
+}
+
+std::optional<Path> straight_stroke(const EntryPlace& place, const LegalArea& area,
+                                    const LinkOptions& options) {
+  for (double reach = longest_ramp(options); reach >= kShortestRamp * options.tool_radius; reach /= 2) {
     for (const double side : {1.0, -1.0}) {
       const Vec2 end = place.start + place.direction * (side * reach);
-      if (area.holds_line(place.start, end)) return end;
+      if (area.holds(end) && area.holds_line(place.start, end)) return Path{Edge::line(place.start, end)};
     }
   }
   return std::nullopt;
 }
 
-std::vector<Move> ramp(const EntryPlace& place, Vec2 end, const LinkOptions& options) {
-  const double per_stroke = distance(place.start, end) * base::tan(options.entry_angle.radians());
+/// The first `reach` mm of a path, or all of it.
+Path beginning_of(const Path& run, double reach) {
+  Path out;
+  for (const Edge& edge : run) {
+    const double size = edge.length();
+    out.push_back(size <= reach ? edge : edge.part(0, reach / size));
+    reach -= size;
+    if (reach <= 0) break;
+  }
+  return out;
+}
+
+/// What is run to and fro on the way down.
+std::optional<Path> stroke_at(const EntryPlace& place, const LegalArea& area, const LinkOptions& options) {
+  Path along;
+  if (place.run) along = beginning_of(*place.run, longest_ramp(options));
+  if (place.stays_on_run && length(along) > kShortestRamp * options.tool_radius) return along;
+  auto straight = straight_stroke(place, area, options);
+  const double needed = straight ? 2 * length(*straight) : kShortestRamp * options.tool_radius;
+  return length(along) > needed ? std::move(along) : straight;
+}
+
+std::vector<Move> ramp(const EntryPlace& place, const Path& stroke, const LinkOptions& options) {
+  const double around = length(stroke), per_stroke = around * base::tan(options.entry_angle.radians());
   const double drop = place.z_above - place.z;
   const int pairs = std::max(1, static_cast<int>(std::ceil(drop / (2 * per_stroke))));
+  const Path back = reversed(stroke);
   std::vector<Move> moves;
-  const auto stroke = [&](Vec2 a, Vec2 b, double za, double zb) {
-    moves.push_back({Edge::line(a, b), za, zb, MoveKind::kRamp, options.ramp_feed, 0});
+  const auto run = [&](const Path& path, double z_from, double z_to) {
+    double z = z_from, along = 0;
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      along += path[i].length();
+      const double next = i + 1 == path.size() ? z_to : z_from + (z_to - z_from) * along / around;
+      moves.push_back({path[i], z, next, MoveKind::kRamp, options.ramp_feed, 0});
+      z = next;
+    }
   };
   for (int i = 0; i < pairs; ++i) {
     const double from = place.z_above - drop * i / pairs, to = place.z_above - drop * (i + 1) / pairs;
-    stroke(place.start, end, from, (from + to) / 2);
-    stroke(end, place.start, (from + to) / 2, to);
+    run(stroke, from, (from + to) / 2);
+    run(back, (from + to) / 2, to);
   }
-  stroke(place.start, end, place.z, place.z);
-  stroke(end, place.start, place.z, place.z);
+  run(stroke, place.z, place.z);
+  run(back, place.z, place.z);
   return moves;
 }
 
@@ -134,8 +167,8 @@ Entry entry_at(const EntryPlace& place, const Regions& legal, const LinkOptions&
     if (place.ring && options.entry != EntryKind::kZigzagRamp) {
       if (auto along = ramp_along(place, options)) return *std::move(along);
     }
-    if (const auto end = ramp_end(place, LegalArea(legal), options))
-      return {ramp(place, *end, options), EntryKind::kZigzagRamp};
+    if (const auto stroke = stroke_at(place, LegalArea(legal), options))
+      return {ramp(place, *stroke, options), EntryKind::kZigzagRamp};
   }
   const Edge down = Edge::line(place.start, place.start);
   return {{{down, place.z_above, place.z, MoveKind::kPlunge, options.plunge_feed, 0}}, EntryKind::kPlunge};

@@ -18,6 +18,8 @@ struct EntryPlace {
   double z = 0;                       ///< depth of the pass
   std::optional<Vec2> circle_center;  ///< the pass begins by circling this point once
   const Path* ring = nullptr;         ///< for closed passes: the whole pass from its start
+  const Path* run = nullptr;          ///< what is cut from the start on, all of it in one go
+  bool stays_on_run = false;          ///< beside the pass something may stand that no earlier one has cut
 };
 
 /// The moves of one entry.
@@ -35,7 +37,8 @@ struct Entry {
 ///          As wide as options.helix_widest and, while it does not fit, narrower down to helix_narrowest; no
 ///          steeper than the entry angle, at least once round, with a level circle at the end.
 /// Ramp     Along the ring at the entry angle, as far as that takes, a few times round at most.
-/// Zigzag   To and fro along the beginning of the pass on zigzag_length mm, or less if that does not fit.
+/// Zigzag   To and fro along the beginning of the pass on zigzag_length mm, or less if that does not fit: straight on or straight
+///          back, or along its bends where it has to stay on the pass, or that way is more than twice as long.
 /// Plunge   Straight down.
 ///
 /// Cost     O(edges near the entry).

@@ -89,5 +89,24 @@ TEST(Entry, PlungeGoesStraightDown) {
   EXPECT_EQ(moves[0].kind, MoveKind::kPlunge);
 }
 
+/// A tangent leaves the area on the outer side of an arc, little by little: the way to and fro follows the arc.
+TEST(Entry, ZigzagAlongAnArcStaysOnIt) {
+  const Edge half = Edge::arc({20, 0}, {0, 20}, {0, 0}, Turn::kCounterClockwise);
+  const Edge inner = Edge::arc({0, 19.9}, {19.9, 0}, {0, 0}, Turn::kClockwise);
+  const Loop band{half, Edge::line(half.to, inner.from), inner, Edge::line(inner.to, half.from)};
+  const Regions legal{Region::from_valid_loops(band, {})};
+  const Path run{half};
+  auto place = place_at({20, 0});
+  place.direction = {0, 1};
+  place.run = &run;
+  for (const bool stays : {false, true}) {
+    place.stays_on_run = stays;
+    const auto entry = entry_at(place, legal, options_for(EntryKind::kZigzagRamp));
+    EXPECT_EQ(entry.kind, EntryKind::kZigzagRamp);
+    expect_entry(entry.moves, place, 5, legal);
+    for (const Move& move : entry.moves) EXPECT_NEAR(norm(move.path.at(0.5)), 20, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace clearcut::link

@@ -282,7 +282,10 @@ double Linker::enter_material(Vec2 start, const Path& path, const Path* ring, st
   const Edge first = path.front();
   const Vec2 heading = first.from == first.to ? Vec2{1, 0} : first.tangent_at(0);
   const double z_above = std::min(approach_z(start, item), passes.z_top + kEntryHeight);
-  const EntryPlace place{start, heading, z_above, passes.z, work_.pass(item).entry_center, ring};
+  const Pass& pass = work_.pass(item);
+  EntryPlace place{start, heading, z_above, passes.z, pass.entry_center, ring};
+  if (pass.kinds.empty()) place.run = &path;
+  place.stays_on_run = !pass.may_cut_to_start;
   const Entry entry = entry_at(place, passes.legal, options_);
   go_over(entry.moves.front().path.from, item);
   moves_.vertical(z_above, MoveKind::kPlunge, options_.plunge_feed);

@@ -80,6 +80,11 @@ Regions solid_around(const Part& part, const ProfileCut& cut, double reach, cons
   return solid;
 }
 
+/// mm across the kerf of a profile: what its cutter may take, with stock left for finishing on both sides.
+double allowed_width(double radius, double stock) {
+  return (2 + kBeyondKerf) * radius + kToolSpare + 2 * stock;
+}
+
 void shape(Feature& feature, const Part& part, double radius, double stock, const Tolerances& tol) {
   const ProfileCut& cut = *feature.profile;
   if (cut.side == ProfileSide::kOn) {
@@ -89,7 +94,7 @@ void shape(Feature& feature, const Part& part, double radius, double stock, cons
   }
   const Regions solid = solid_around(part, cut, kBand * radius, tol);
   feature.target = stock::kerf_of(cut, 2 * radius, tol);
-  feature.allowed = stock::kerf_of(cut, (2 + kBeyondKerf) * radius + kToolSpare + 2 * stock, tol);
+  feature.allowed = stock::kerf_of(cut, allowed_width(radius, stock), tol);
   // Without others in the way it stays exact as it is.
   if (solid.empty() || area(intersect(feature.allowed, solid, tol)) < kSpeck) return;
   feature.target = subtract(feature.target, solid, tol);
@@ -105,8 +110,9 @@ struct Stretch {
 
 class TabPlacer {
  public:
-  TabPlacer(const ProfileCut& cut, double radius, const TabOptions& options)
-      : cut_(cut), radius_(radius), options_(options) {
+  /// `kerf`: mm, the width of what the cutter may take.
+  TabPlacer(const ProfileCut& cut, double radius, double kerf, const TabOptions& options)
+      : cut_(cut), radius_(radius), kerf_(kerf), options_(options) {
     double at = 0;
     for (const Edge& edge : cut.line) {
       starts_.push_back(at);
@@ -132,14 +138,16 @@ class TabPlacer {
     return chosen;
   }
 
-  /// Outline's stretch of `half` mm to both sides of the middle, moved over the kerf: `wide` mm.
-  Regions across(double middle, double half, double wide) const {
+  /// Outline's stretch of `half` mm to both sides of the middle, moved over the kerf; no farther, for beyond it may lie the
+  /// kerf of another side.
+  Regions across(double middle, double half) const {
     const Stretch on = stretch(middle, half);
     const Edge& edge = cut_.line[on.edge];
     const Edge piece = edge.part(on.from / edge.length(), on.to / edge.length());
     // A little of the part goes along, so that no sliver stays between.
     const double side = free_side();
-    const Edge near = moved(piece, -side * kOverlap), far = moved(piece, side * wide).reversed();
+    const Edge near = moved(piece, -side * kOverlap),
+               far = moved(piece, side * (kerf_ + kOverlap)).reversed();
     return {Region::from_valid_loops(
         {near, Edge::line(near.to, far.from), far, Edge::line(far.to, near.from)}, {})};
   }
@@ -151,11 +159,20 @@ class TabPlacer {
     return edge.at(t) + left_of(edge.tangent_at(t)) * (free_side() * radius_);
   }
 
-  /// mm to both sides of the middle over which the cutter cannot be at depth.
-  double half_gap() const { return options_.width / 2 + radius_; }
+  /// mm along the outline, to both sides of the middle, over which the cutter's widest place cannot be at depth.
+  double half_gap(double middle) const {
+    const Edge& edge = cut_.line[stretch(middle, 0).edge];
+    if (!edge.is_arc()) return options_.width / 2 + radius_;
+    // The tab's sides run to the arc's centre; the cutter touches them from a circle about it.
+    const bool hollow = (edge.turn == Turn::kCounterClockwise) == (cut_.side == ProfileSide::kInside);
+    const double around = edge.radius() + (hollow ? -kerf_ / 2 : radius_);
+    return options_.width / 2 + edge.radius() * std::asin(std::min(1.0, radius_ / std::max(around, radius_)));
+  }
 
  private:
   static constexpr double kOverlap = 0.01;  ///< mm
+  static constexpr double kNarrowArc =
+      1.25;  ///< Of the kerf. Radius of arcs that are too narrow to move across it.
 
   static Edge moved(const Edge& edge, double d) {
     Edge out = edge;
@@ -172,13 +189,13 @@ class TabPlacer {
 
   /// On one line, or an arc much wider than the tab, away from corners and other tabs.
   bool fits(double middle, const std::vector<double>& chosen) const {
-    const double half = half_gap() + kBeforeTab;
+    const double half = half_gap(middle) + kBeforeTab;
     const Stretch on = stretch(middle, half);
     const Edge& edge = cut_.line[on.edge];
     // The kerf along the next side must not run into it.
-    const double clear = 2 * radius_;
+    const double clear = kerf_ + kOverlap;
     if (on.from < clear || on.to > edge.length() - clear) return false;
-    if (edge.is_arc() && edge.radius() < 2 * half) return false;
+    if (edge.is_arc() && edge.radius() < std::max(2 * half, kNarrowArc * kerf_)) return false;
     const bool apart_from_others = std::all_of(chosen.begin(), chosen.end(), [&](double other) {
       const double apart = std::abs(other - middle);
       return std::min(apart, around_ - apart) > 2 * half + radius_;
@@ -190,7 +207,7 @@ class TabPlacer {
   /// and nothing stands beyond it that it could hold.
   bool is_free(const Stretch& on) const {
     const Edge& own = cut_.line[on.edge];
-    const double kerf = 2 * radius_;
+    const double kerf = kerf_ + kOverlap;
     const Edge far = moved(own.part(on.from / own.length(), on.to / own.length()), free_side() * kerf);
     const Box reached = far.box().grown(kerf);
     for (std::size_t i = 0; i < cut_.line.size(); ++i) {
@@ -206,12 +223,13 @@ class TabPlacer {
 
   const ProfileCut& cut_;
   double radius_;
+  double kerf_;
   const TabOptions& options_;
   std::vector<double> starts_;
   double around_ = 0;
 };
 
-std::vector<Tab> tabs_of(const Feature& feature, const TabPlacer& placer, double top_z, double radius,
+std::vector<Tab> tabs_of(const Feature& feature, const TabPlacer& placer, double top_z,
                          const TabOptions& options) {
   std::vector<Tab> tabs;
   for (const double place : placer.places()) {
@@ -220,16 +238,16 @@ std::vector<Tab> tabs_of(const Feature& feature, const TabPlacer& placer, double
     tab.width = options.width;
     tab.top_z = top_z;
     tab.bottom_z = feature.floor_z;
-    tab.body = placer.across(place, options.width / 2, kBand * radius);
+    tab.body = placer.across(place, options.width / 2);
     tabs.push_back(std::move(tab));
   }
   return tabs;
 }
 
 /// The layers below the tabs' tops; `feature` keeps those above.
-std::optional<Feature> split_at_tabs(Feature& feature, double radius, Part& part,
+std::optional<Feature> split_at_tabs(Feature& feature, double radius, double stock, Part& part,
                                      const PlanOptions& options) {
-  const TabPlacer placer(*feature.profile, radius, options.tabs);
+  const TabPlacer placer(*feature.profile, radius, allowed_width(radius, stock), options.tabs);
   const double under = feature.floor_z + feature.profile->beyond;
   const double height =
       options.tabs.height.value_or(std::min(kTabHeight, kTabShare * (feature.top_z - under)));
@@ -238,7 +256,7 @@ std::optional<Feature> split_at_tabs(Feature& feature, double radius, Part& part
     throw InputError("--tab-height", trimmed(height, 3) + " mm is as high as the profile " + feature.name +
                                          " is deep; make it lower");
   }
-  std::vector<Tab> tabs = tabs_of(feature, placer, top, radius, options.tabs);
+  std::vector<Tab> tabs = tabs_of(feature, placer, top, options.tabs);
   const int count = static_cast<int>(tabs.size());
   if (count < options.tabs.count) {
     const std::string what = "only " + std::to_string(count) + " of " + std::to_string(options.tabs.count) +
@@ -257,10 +275,8 @@ std::optional<Feature> split_at_tabs(Feature& feature, double radius, Part& part
   feature.through = false;
   const Tolerances& tol = options.tol;
   for (const double place : placer.places()) {
-    below.target =
-        subtract(below.target, placer.across(place, placer.half_gap() + kBeforeTab, kBand * radius), tol);
-    below.allowed =
-        subtract(below.allowed, placer.across(place, options.tabs.width / 2, kBand * radius), tol);
+    below.target = subtract(below.target, placer.across(place, placer.half_gap(place) + kBeforeTab), tol);
+    below.allowed = subtract(below.allowed, placer.across(place, options.tabs.width / 2), tol);
   }
   below.profile->tabs = std::move(tabs);
   return below;
@@ -293,9 +309,10 @@ void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources
     const double radius = tool_of(part, step).radius();
     // What is left for finishing counts on both sides of the kerf.
     const double finish = options.shop.finish ? options.shop.finish_stock.value_or(kFinishStock) : 0;
-    shape(feature, part, radius, step.operation.allowance_side + finish, options.tol);
+    const double stock = step.operation.allowance_side + finish;
+    shape(feature, part, radius, stock, options.tol);
     const bool held = options.tabs.count > 0 && feature.profile->side != ProfileSide::kOn;
-    auto below = held ? split_at_tabs(feature, radius, part, options) : std::nullopt;
+    auto below = held ? split_at_tabs(feature, radius, stock, part, options) : std::nullopt;
     if (!below) continue;
     Workingstep lower = step;
     lower.name = below->name;

@@ -4,14 +4,22 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "plan/common/rings.h"
+#include "stock/kerf.h"
 
 namespace clearcut::plan::profile {
 namespace {
 
 /// mm. An edge whose distance from the outline is right to within this belongs to the profile.
 constexpr double kOnContour = 1e-3;
+/// Of the cutter's radius, and mm: how far beside its contour the centre may go down or come from. Just more than the play of
+/// the kerf.
+constexpr double kBesideContour = 0.02;
+constexpr double kBesideSpare = 0.02;
+/// mm2. What a boolean leaves of areas that only touch.
+constexpr double kSpeck = 0.01;
 
 double distance_to(const Path& line, Vec2 p) {
   double least = std::numeric_limits<double>::infinity();
@@ -57,6 +65,15 @@ void add_runs(const Loop& loop, const Path& line, double reach, LayerPasses& res
   }
 }
 
+/// Where the centre may be on its ways to the passes: in acute corners, where the kerfs of two sides run into each other,
+/// there is room beside the contour, but nothing is cut there that does not lie in either kerf.
+Regions along_contour(const Region& inside, const ProfileCut& cut, double reach, double radius,
+                      const Tolerances& tol) {
+  const Regions beside = stock::kerf_of(cut, reach + kBesideContour * radius + kBesideSpare, tol);
+  if (area(subtract({inside}, beside, tol)) < kSpeck) return {inside};
+  return intersect({inside}, beside, tol);
+}
+
 }  // namespace
 
 LayerPasses plan_profile(const Layer& layer, const ProfileCut& cut, const Tolerances& tol) {
@@ -76,7 +93,8 @@ LayerPasses plan_profile(const Layer& layer, const ProfileCut& cut, const Tolera
     for (const Region& inside : safe_inset(clearance, region, reach, tol)) {
       add_runs(inside.outer(), cut.line, reach, result);
       for (const Loop& island : inside.islands()) add_runs(island, cut.line, reach, result);
-      result.legal.push_back(inside);
+      for (Region& room : along_contour(inside, cut, reach, layer.tool_radius, tol))
+        result.legal.push_back(std::move(room));
     }
     for (const Path& line : clearance.fit_lines(reach, layer.reserve)) {
       result.fit_lines.push_back(line);
