@@ -36,6 +36,7 @@ using read::job_text;
 using read::JobFile;
 using read::JobOutput;
 using read::OperationRule;
+using read::parse_zero_point;
 using read::part_of_job;
 using read::part_of_setup;
 using read::read_job;

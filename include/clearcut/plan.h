@@ -42,12 +42,20 @@ using resolve::ToolCutting;
 // Names as options and files say them; unknown ones are an InputError that lists those there are.
 using resolve::direction_named;
 using resolve::entry_named;
+using resolve::is_bisector_passage;
+using resolve::is_published_grid;
+using resolve::is_published_solver;
 using resolve::order_named;
 using resolve::strategy_named;
 
 /// Throws InputError naming the first option that is out of its range.
 inline void check_options(const PlanOptions& options) {
   resolve::check(options);
+}
+
+/// Throws InputError where settings of the published solver are given, and the other is chosen.
+inline void check_solver(const VisitSolver& solver) {
+  resolve::check(solver, "--solver");
 }
 
 // What PlanOptions::strategy takes, and what it means.

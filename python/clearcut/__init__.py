@@ -95,9 +95,20 @@ def read_part(file: AnyPath, **reading: Unpack[Reading]) -> Part:
     return _core.read_part(os.fspath(file), **reading)
 
 
-def read_job(file: AnyPath, **reading: Unpack[Reading]) -> tuple[Part, PlanOptions]:
-    """The part of a job file and all that the job asks of its plan; `reading` goes before what the job says."""
-    job = _core.read_job(os.fspath(file), **reading)
+def read_job(
+    file: AnyPath, *, setup: int | None = None, earlier: Iterable[Plan | Check] = (), **reading: Unpack[Reading]
+) -> tuple[Part, PlanOptions]:
+    """The part of a job file and all that the job asks of its plan; `reading` goes before what the job says.
+
+    Of a job with several set-ups `setup` says which, from 1, and `earlier` gives the plans or checks of all before it, in
+    order: its stock is what they leave. plan_setups() does it for all of them.
+    """
+    name = os.fspath(file)
+    if setup is None:
+        job = _core.read_job(name, **reading)
+    else:
+        question = _core._SetupQuestion(name, setup, [(one.part, one.moves) for one in earlier])
+        job = _core._read_setup(question, **reading)
     return job.part, job.options
 
 
@@ -118,6 +129,33 @@ def plan(
     """
     part, options = _asked(part, options, settings)
     return _core._plan(part, options, list(strategies), progress, cancel)
+
+
+def plan_setups(
+    job: AnyPath,
+    *,
+    reading: Reading | None = None,
+    strategies: Iterable[Strategy] = (),
+    progress: Progress | None = None,
+    cancel: Cancel | None = None,
+    **settings: Unpack[Settings],
+) -> list[Plan]:
+    """Plans every [[setup]] of a job file, each on the stock that those before it leave: one plan each, in order.
+
+    `settings` go before what the job says, for all of them; program numbers count up. Raises InputError for a job without set-ups.
+    """
+    name = os.fspath(job)
+    count = _core._setup_count(name)
+    if count == 0:
+        raise InputError(f"{name}: has no [[setup]]; plan() plans it")
+    plans: list[Plan] = []
+    for number in range(1, count + 1):
+        part, asked = read_job(name, setup=number, earlier=plans, **(reading or {}))
+        options = asked.replaced(**settings)
+        if options.program_number is not None:
+            options.program_number += number - 1
+        plans.append(plan(part, options, strategies=strategies, progress=progress, cancel=cancel))
+    return plans
 
 
 def verify(
@@ -197,6 +235,8 @@ def _asked(given: Part | AnyPath, options: PlanOptions | None, settings: Any) ->
         return read_part(file), (options or PlanOptions()).replaced(**settings)
     if options is not None:
         raise TypeError("a job file has options of its own; change some of them by keywords, or use read_job()")
+    if _core._setup_count(file) > 0:
+        raise InputError(f"{file}: has several set-ups; use plan_setups(), or read_job() with setup= and earlier=")
     job, asked = read_job(file)
     return job, asked.replaced(**settings)
 
@@ -249,7 +289,7 @@ __all__ = [
     "CandidateResult", "Diagnostic", "Engagement", "Fault", "Feature", "FeatureFindings", "Figures", "Findings", "InputError",
     "InternalError", "Layer", "LayerFindings", "LayerPasses", "LibraryTool", "Machine", "Moves", "Part", "Pass", "Place",
     "Plan", "PlanOptions", "Region", "Strategy", "Study", "Table", "Tool", "Tour", "__version__", "compare",
-    "description_of", "dilate", "explain", "inset", "intersect", "part", "plan", "read_job", "read_machine", "read_part",
+    "description_of", "dilate", "explain", "inset", "intersect", "part", "plan", "plan_setups", "read_job", "read_machine", "read_part",
     "read_part_text", "read_tools", "region", "regions", "reproduce", "reproducible_tables", "resolve_even_odd",
     "strategy_names", "study", "study_names", "subtract", "tour", "unite", "verify", "verify_alone", "verify_file", "write_files",
 ]

@@ -38,6 +38,7 @@ class Reading(TypedDict, total=False):
     breakthrough: float | None
     drills: Sequence[float]
     mirror: bool
+    origin: str | None
 
 class Settings(TypedDict, total=False):
     """The attributes of PlanOptions as keywords."""
@@ -76,6 +77,7 @@ class Settings(TypedDict, total=False):
     finish_stock: Length | None
     finish_stock_floor: Length | None
     finish_depths: float | None
+    style: str | None
     material: str | None
     tabs: int
     tab_width: Length
@@ -97,6 +99,21 @@ class Settings(TypedDict, total=False):
     length_offset: bool
     exact_stop: bool
     spindle_wait: float | None
+    program_number: int | None
+    work_offset: str
+    block_numbers: bool
+    optional_stop: bool
+    passage: str | None
+    grid: str | None
+    solver: str | None
+    generations: int | None
+    population: int | None
+    selection: str | None
+    crossover: str | None
+    mutation: str | None
+    crossover_rate: float | None
+    mutation_rate: float | None
+    most_shared: float | None
     objective: str
     time: float | None
     seed: int
@@ -214,6 +231,7 @@ class Job:
     def options(self) -> PlanOptions: ...
 
 class Machine:
+    def __init__(self, kind: str) -> None: ...
     @property
     def name(self) -> str: ...
     acceleration: float
@@ -224,6 +242,12 @@ def read_machine(file: str) -> Machine: ...
 def read_part(file: str, name: str = "", **reading: Unpack[Reading]) -> Part: ...
 def read_part_text(text: str, name: str = "", **reading: Unpack[Reading]) -> Part: ...
 def read_job(file: str, name: str = "", **reading: Unpack[Reading]) -> Job: ...
+
+class _SetupQuestion:
+    def __init__(self, file: str, number: int, earlier: list[tuple[Part, Moves]]) -> None: ...
+
+def _read_setup(question: _SetupQuestion, name: str = "", **reading: Unpack[Reading]) -> Job: ...
+def _setup_count(file: str) -> int: ...
 
 class PlanOptions:
     def __init__(self, **settings: Unpack[Settings]) -> None: ...
@@ -263,6 +287,7 @@ class PlanOptions:
     finish_stock: Length | None
     finish_stock_floor: Length | None
     finish_depths: float | None
+    style: str | None
     material: str | None
     tabs: int
     tab_width: Length
@@ -284,6 +309,21 @@ class PlanOptions:
     length_offset: bool
     exact_stop: bool
     spindle_wait: float | None
+    program_number: int | None
+    work_offset: str
+    block_numbers: bool
+    optional_stop: bool
+    passage: str | None
+    grid: str | None
+    solver: str | None
+    generations: int | None
+    population: int | None
+    selection: str | None
+    crossover: str | None
+    mutation: str | None
+    crossover_rate: float | None
+    mutation_rate: float | None
+    most_shared: float | None
     objective: str
     time: float | None
     seed: int
@@ -555,7 +595,7 @@ class StrategySelection:
     @property
     def kept(self) -> str: ...
 
-class _Judged:
+class _Checked:
     @property
     def part(self) -> Part: ...
     @property
@@ -579,7 +619,7 @@ class _Judged:
     def table(self) -> str: ...
     def picture(self) -> str: ...
 
-class Plan(_Judged):
+class Plan(_Checked):
     @property
     def selections(self) -> list[StrategySelection]: ...
     def values(self) -> str: ...
@@ -596,7 +636,7 @@ class Plan(_Judged):
         segments: str | os.PathLike[str] | None = None,
     ) -> None: ...
 
-class Check(_Judged):
+class Check(_Checked):
     @property
     def dialect(self) -> str: ...
     def page(self) -> str: ...

@@ -62,10 +62,10 @@ PYBIND11_MODULE(_core, module) {
       py::cpp_function(&Workers::wait, py::call_guard<py::gil_scoped_release>()));
   add_geometry(module);
   add_findings(module);
+  add_moves(module);
   add_part(module);
   add_strategies(module);
   add_options(module);
-  add_moves(module);
   add_plan(module);
   add_tours(module);
   add_studies(module);

@@ -20,6 +20,7 @@ class Moves {
         options_(std::move(options)) {}
 
   std::size_t size() const;
+  const Toolpath& toolpath() const { return *toolpath_; }
   /// One number of each move.
   template <class Value, class Of>
   py::array_t<Value> column(Of of) const {

@@ -1,94 +1,8 @@
 // PlanOptions as keywords: the names of the command's options with underscores.
-#include "bindings.h"
+#include "option_attributes.h"
 
 namespace clearcut::python {
 namespace {
-
-/// A number, or text with a unit as on the command line.
-double quantity_of(const py::handle& value, const std::string& name,
-                   std::optional<double> (*convert)(std::string_view), const char* expected) {
-  if (!py::isinstance<py::str>(value)) return value.cast<double>();
-  const auto text = value.cast<std::string>();
-  const auto number = convert(text);
-  if (!number) throw InputError("--" + name, "'" + text + "' is not " + expected);
-  return *number;
-}
-
-double length_of(const py::handle& value, const std::string& name) {
-  return quantity_of(value, name, length_in_mm, "a length; write 6, 6mm or 0.25in");
-}
-
-MmPerMin feed_of(const py::handle& value, const std::string& name) {
-  return MmPerMin::of(
-      quantity_of(value, name, feed_in_mm_per_min, "a feed; write 800, 800mm/min or 40in/min"));
-}
-
-std::string option_name(std::string keyword) {
-  for (char& c : keyword) {
-    if (c == '_') c = '-';
-  }
-  return keyword;
-}
-
-using Class = py::class_<AskedOptions>;
-
-/// A value that may be absent, with how it is read and shown. `at` gives its place in the options.
-template <class At, class From, class To>
-void add_optional(Class& options, const char* name, const char* text, At at, From from, To to) {
-  options.def_property(
-      name,
-      [at, to](AskedOptions& given) -> py::object {
-        const auto& value = at(given);
-        return value ? py::cast(to(*value)) : py::none();
-      },
-      [at, from, name](AskedOptions& given, const py::object& value) {
-        if (value.is_none())
-          at(given).reset();
-        else
-          at(given) = from(value, option_name(name));
-      },
-      text);
-}
-
-template <class At>
-void add_length(Class& options, const char* name, const char* text, At at) {
-  add_optional(options, name, text, at, length_of, [](double mm) { return mm; });
-}
-
-template <class At>
-void add_feed(Class& options, const char* name, const char* text, At at) {
-  add_optional(options, name, text, at, feed_of, [](MmPerMin feed) { return feed.mm_per_min(); });
-}
-
-template <class At>
-void add_angle(Class& options, const char* name, const char* text, At at) {
-  add_optional(
-      options, name, text, at,
-      [](const py::handle& degrees, const std::string&) {
-        return Radians::of_degrees(degrees.cast<double>());
-      },
-      [](Radians angle) { return angle.degrees(); });
-}
-
-/// Numbers and words that are taken as they are.
-template <class Value, class At>
-void add_plain(Class& options, const char* name, const char* text, At at) {
-  add_optional(
-      options, name, text, at,
-      [](const py::handle& value, const std::string&) { return value.cast<Value>(); },
-      [](const Value& value) { return value; });
-}
-
-/// One of a few names.
-template <class At, class Named, class NameOf>
-void add_named(Class& options, const char* name, const char* text, At at, Named named, NameOf name_of_value) {
-  add_optional(
-      options, name, text, at,
-      [named](const py::handle& value, const std::string& option) {
-        return named(value.cast<std::string>(), "--" + option);
-      },
-      name_of_value);
-}
 
 /// Tools, texts like "endmill:6" and tools of a library, one or several.
 void set_tools(AskedOptions& options, const py::object& value) {
@@ -132,7 +46,7 @@ std::string stepover_of(const py::handle& value, const std::string&) {
   return py::str(value).cast<std::string>();
 }
 
-void add_cutting(Class& options) {
+void add_cutting(OptionsClass& options) {
   add_plain<std::string>(
       options, "strategy", doc("PlanOptions::strategy"), [](auto& o) -> auto& { return o.strategy; });
   add_optional(
@@ -180,7 +94,7 @@ void add_cutting(Class& options) {
       options, "spindle", "Spindle speed, rpm.", [](auto& o) -> auto& { return o.cutting.spindle_rpm; });
 }
 
-void add_shop(Class& options) {
+void add_shop(OptionsClass& options) {
   const auto length = [&](const char* name, const char* text, auto at) {
     add_length(options, name, text, at);
   };
@@ -216,6 +130,8 @@ void add_shop(Class& options) {
       options, "finish_depths", doc("ShopOptions::finish_depths"),
       [](auto& o) -> auto& { return o.shop.finish_depths; });
   add_plain<std::string>(
+      options, "style", doc("ShopOptions::style"), [](auto& o) -> auto& { return o.shop.style; });
+  add_plain<std::string>(
       options, "material", doc("ShopOptions::material"), [](auto& o) -> auto& { return o.shop.material; });
   add_length(
       options, "tab_height", doc("TabOptions::height"), [](auto& o) -> auto& { return o.tabs.height; });
@@ -229,44 +145,7 @@ void add_shop(Class& options) {
           doc("TabOptions::width"));
 }
 
-/// A plain value somewhere in the options.
-template <class At>
-void add_value(Class& options, const char* name, const char* text, At at) {
-  using Value = std::remove_cvref_t<decltype(at(std::declval<AskedOptions&>()))>;
-  options.def_property(
-      name, [at](AskedOptions& given) { return at(given); },
-      [at](AskedOptions& given, const Value& value) { at(given) = value; }, text);
-}
-
-void add_post(Class& options) {
-  add_value(
-      options, "post", doc("PostOptions::dialect"), [](auto& o) -> auto& { return o.post.dialect; });
-  add_value(
-      options, "inch", "Write the program in inches.", [](auto& o) -> auto& { return o.post.inch; });
-  add_value(
-      options, "program_name", doc("PostOptions::program_name"),
-      [](auto& o) -> auto& { return o.post.program_name; });
-  add_plain<int>(
-      options, "decimals", doc("PostOptions::decimals"), [](auto& o) -> auto& { return o.post.decimals; });
-  add_value(
-      options, "arcs", doc("PostOptions::arcs"), [](auto& o) -> auto& { return o.post.arcs; });
-  add_value(
-      options, "tool_change", doc("PostOptions::tool_changer"),
-      [](auto& o) -> auto& { return o.post.tool_changer; });
-  add_value(
-      options, "length_offset", doc("PostOptions::length_offset"),
-      [](auto& o) -> auto& { return o.post.length_offset; });
-  add_value(
-      options, "exact_stop", doc("PostOptions::exact_stop"),
-      [](auto& o) -> auto& { return o.post.exact_stop; });
-  add_optional(
-      options, "spindle_wait", doc("PostOptions::spindle_wait"),
-      [](auto& o) -> auto& { return o.post.spindle_wait; },
-      [](const py::handle& s, const std::string&) { return Seconds::of(s.cast<double>()); },
-      [](Seconds time) { return time.seconds(); });
-}
-
-void add_machine(Class& options) {
+void add_machine(OptionsClass& options) {
   options
       .def_property(
           "machine", [](const AskedOptions& o) { return o.machine; }, &set_machine,
@@ -296,7 +175,7 @@ void add_machine(Class& options) {
       "first.");
 }
 
-void add_search(Class& options) {
+void add_search(OptionsClass& options) {
   options.def_property(
       "tools", [](const AskedOptions& o) { return o.tools; }, &set_tools,
       "What cuts instead of the part's own tools: texts like 'endmill:6', tools, tools of a library; "
@@ -374,7 +253,7 @@ void set_all(const py::object& options, const py::dict& settings) {
 }  // namespace
 
 void add_options(py::module_& module) {
-  Class options(
+  OptionsClass options(
       module, "PlanOptions",
       "What is asked of a plan, by the names of the command's options with underscores. What is not set is "
       "taken from the part's operations, else from the documented defaults.");
@@ -395,7 +274,8 @@ void add_options(py::module_& module) {
       "check", [](const AskedOptions& given) { check_options(given); }, doc("check_options"));
   add_cutting(options);
   add_shop(options);
-  add_post(options);
+  add_post_options(options);
+  add_published_options(options);
   add_machine(options);
   add_search(options);
 }

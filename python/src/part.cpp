@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "bindings.h"
+#include "moves.h"
 
 namespace clearcut::python {
 namespace {
@@ -14,6 +14,7 @@ struct Reading {
   std::optional<std::string> open_curves, strokes, letters;
   SolidOptions solid;
   bool mirror = false;
+  std::optional<ZeroPoint> origin;
 
   ReadOptions options() const {
     ReadOptions options;
@@ -42,57 +43,71 @@ struct Reading {
 };
 
 /// Calls `use` with what the keywords of every reader say.
-template <class Use>
+template <class What, class Use>
 auto reader(Use use) {
-  return [use](const std::string& what, const std::string& name, std::optional<std::string> unit,
+  return [use](const What& what, const std::string& name, std::optional<std::string> unit,
                std::vector<std::string> layers, std::vector<std::string> ops, std::optional<double> top,
                std::optional<double> depth, std::optional<double> scale, std::optional<double> join_gap,
                std::optional<std::string> open_curves, std::optional<std::string> strokes,
                std::optional<std::string> letters, std::string up, double turn, std::string body,
-               std::optional<double> breakthrough, std::vector<double> drills, bool mirror) {
-    Reading reading{
-        std::move(unit),        std::move(layers),  std::move(ops),     top, depth, scale, join_gap,
-        std::move(open_curves), std::move(strokes), std::move(letters), {}};
+               std::optional<double> breakthrough, std::vector<double> drills, bool mirror,
+               const std::optional<std::string>& origin) {
+    Reading reading;
+    reading.unit = std::move(unit);
+    reading.layers = std::move(layers);
+    reading.ops = std::move(ops);
+    reading.top = top;
+    reading.depth = depth;
+    reading.scale = scale;
+    reading.join_gap = join_gap;
+    reading.open_curves = std::move(open_curves);
+    reading.strokes = std::move(strokes);
+    reading.letters = std::move(letters);
     reading.mirror = mirror;
     reading.solid.up = std::move(up);
     reading.solid.turn_deg = turn;
     reading.solid.body = std::move(body);
     reading.solid.breakthrough = breakthrough;
     reading.solid.drills = std::move(drills);
-    return use(what, name, reading.options());
+    if (origin) reading.origin = parse_zero_point(*origin);
+    return use(what, name, reading);
   };
 }
 
-template <class Use>
+template <class What, class Use>
 void add_reader(py::module_& module, const char* name, const char* first, const char* text, Use use) {
-  module.def(name, reader(use), py::arg(first), py::arg("name") = "", py::kw_only(),
+  module.def(name, reader<What>(use), py::arg(first), py::arg("name") = "", py::kw_only(),
              py::arg("unit") = py::none(), py::arg("layers") = std::vector<std::string>{},
              py::arg("ops") = std::vector<std::string>{}, py::arg("top") = py::none(),
              py::arg("depth") = py::none(), py::arg("scale") = py::none(), py::arg("join_gap") = py::none(),
              py::arg("open_curves") = py::none(), py::arg("strokes") = py::none(),
              py::arg("letters") = py::none(), py::arg("up") = "", py::arg("turn") = 0.0, py::arg("body") = "",
              py::arg("breakthrough") = py::none(), py::arg("drills") = std::vector<double>{},
-             py::arg("mirror") = false, py::call_guard<py::gil_scoped_release>(), text);
+             py::arg("mirror") = false, py::arg("origin") = py::none(),
+             py::call_guard<py::gil_scoped_release>(), text);
 }
 
-GivenPart part_of_text(const std::string& text, const std::string& name, const ReadOptions& options) {
+/// With its zero where it is asked for.
+Part moved(Part part, const std::optional<ZeroPoint>& origin) {
+  if (!origin) return part;
+  const auto zero = zero_of(part, *origin);
+  return with_zero_at(std::move(part), zero);
+}
+
+GivenPart part_of_text(const std::string& text, const std::string& name, const Reading& reading) {
   // No file of that name is read, so one may be written: the first pocket of an example is called as its results are.
-  return {read_part_text(text, name, options), {{"part", name + " (text)", sha256_hex(text)}}};
+  return {moved(read_part_text(text, name, reading.options()), reading.origin),
+          {{"part", name + " (text)", sha256_hex(text)}}};
 }
 
-GivenPart part_of_file(const std::string& file, const std::string&, const ReadOptions& options) {
-  return {read_part(file, options), {certificate_file("part", file)}};
+GivenPart part_of_file(const std::string& file, const std::string&, const Reading& reading) {
+  return {moved(read_part(file, reading.options()), reading.origin), {certificate_file("part", file)}};
 }
 
-Job job_of_file(const std::string& file, const std::string&, const ReadOptions& reading) {
-  const JobFile job = read_job(file);
+/// Options and files of a job.
+Job asked_by(const JobFile& job, const std::string& file) {
   Job out;
-  StepSources sources;
-  StepChoices published;
-  out.part.part = part_of_job(job, reading, sources, published);
   static_cast<PlanOptions&>(out.options) = options_of_job(job);
-  out.options.step_sources = std::move(sources);
-  out.options.step_published = std::move(published);
   const auto add = [&out](const char* role, const std::string& path) {
     out.part.inputs.push_back(certificate_file(role, path));
   };
@@ -104,6 +119,62 @@ Job job_of_file(const std::string& file, const std::string&, const ReadOptions& 
   }
   if (job.machine_file) add("machine", job.machine_file->string());
   if (job.after) add("earlier program", job.after->string());
+  return out;
+}
+
+Job job_of_file(const std::string& file, const std::string&, const Reading& reading) {
+  JobFile job = read_job(file);
+  Job out = asked_by(job, file);
+  if (reading.origin) job.zero = reading.origin;
+  out.part.part = part_of_job(job, reading.options(), out.options.step_sources, out.options.step_published);
+  return out;
+}
+
+/// One set-up of a job, and the plans or checks of those before it.
+struct SetupQuestion {
+  std::string file;
+  int number = 1;  ///< from 1
+  std::vector<std::pair<GivenPart, Moves>> earlier;
+};
+
+/// What the set-ups before have cut.
+std::vector<MachinedSetup> machined_before(const SetupQuestion& asked, const JobFile& whole,
+                                           const ReadOptions& reading) {
+  std::vector<MachinedSetup> machined;
+  for (const auto& [given, moves] : asked.earlier) {
+    MachinedSetup one{given.part, moves.toolpath(), {}};
+    StepSources sources;
+    StepChoices published;
+    part_of_setup(whole, static_cast<int>(machined.size()) + 1, reading, one.place, sources, published);
+    machined.push_back(std::move(one));
+  }
+  return machined;
+}
+
+Job job_of_setup(const SetupQuestion& asked, const std::string&, const Reading& reading) {
+  const JobFile whole = read_job(asked.file);
+  const int count = static_cast<int>(whole.setups.size());
+  if (asked.number < 1 || asked.number > count)
+    throw InputError("setup", std::to_string(asked.number) + ": " + asked.file + " has " +
+                                  (count == 0 ? "no [[setup]]" : std::to_string(count)));
+  if (static_cast<int>(asked.earlier.size()) != asked.number - 1)
+    throw InputError("earlier", "set-up " + std::to_string(asked.number) + " begins with what " +
+                                    std::to_string(asked.number - 1) +
+                                    " before it leave; give the plans of those in order");
+  if (reading.origin)
+    throw InputError("origin", "each set-up of a job has its own; write origin = ... in its [[setup]]");
+  Job out = asked_by(whole.setups[static_cast<std::size_t>(asked.number - 1)], asked.file);
+  SetupPlace place;
+  const ReadOptions options = reading.options();
+  Part& part = out.part.part;
+  part = part_of_setup(whole, asked.number, options, place, out.options.step_sources,
+                       out.options.step_published);
+  if (asked.number == 1) return out;
+  CarriedStock carried = carried_stock(machined_before(asked, whole, options), place, part);
+  part.stock = carried.block;
+  part.diagnostics.note("set-up", carried.told);
+  out.options.earlier = std::move(carried.sweeps);
+  out.options.conditions = std::move(carried.conditions);
   return out;
 }
 
@@ -217,6 +288,16 @@ void add_part_class(py::module_& module) {
       });
 }
 
+/// Throws InputError where there is no such kind.
+Machine machine_of_kind(const std::string& kind) {
+  const auto& kinds = machine_kinds();
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+    throw InputError("--machine-kind", "'" + kind + "' is unknown; use router or mill");
+  Machine machine;
+  fill_machine_kind(machine, kind);
+  return machine;
+}
+
 }  // namespace
 
 CertificateFile certificate_file(const std::string& role, const std::string& file) {
@@ -238,10 +319,18 @@ void add_part(py::module_& module) {
   add_tools(module);
   add_features(module);
   add_part_class(module);
-  add_reader(module, "read_part", "file", doc("read_part"), part_of_file);
-  add_reader(module, "read_job", "file", doc("part_of_job"), job_of_file);
-  add_reader(module, "read_part_text", "text", doc("read_part_text"), part_of_text);
+  add_reader<std::string>(module, "read_part", "file", doc("read_part"), part_of_file);
+  add_reader<std::string>(module, "read_job", "file", doc("part_of_job"), job_of_file);
+  add_reader<std::string>(module, "read_part_text", "text", doc("read_part_text"), part_of_text);
+  py::class_<SetupQuestion>(module, "_SetupQuestion",
+                            "One set-up of a job, from 1, and part and moves of those before it.")
+      .def(py::init<std::string, int, std::vector<std::pair<GivenPart, Moves>>>(), py::arg("file"),
+           py::arg("number"), py::arg("earlier"));
+  add_reader<SetupQuestion>(module, "_read_setup", "question", doc("part_of_setup"), job_of_setup);
+  module.def(
+      "_setup_count", [](const std::string& file) { return read_job(file).setups.size(); }, py::arg("file"));
   py::class_<Machine>(module, "Machine", doc("Machine"))
+      .def(py::init(&machine_of_kind), py::arg("kind"), doc("fill_machine_kind"))
       .def_readonly("name", &Machine::name)
       .def_readwrite("acceleration", &Machine::acceleration, doc("Machine::acceleration"))
       .def_readwrite("junction_deviation", &Machine::junction_deviation, doc("Machine::junction_deviation"));

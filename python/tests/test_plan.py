@@ -1,5 +1,6 @@
 """Plans, checks and what they give, held against the command."""
 import json
+import re
 import signal
 import threading
 import time
@@ -46,6 +47,27 @@ class Plans(unittest.TestCase):
         options = clearcut.PlanOptions(tools=tools)
         self.assertEqual([tool.number for tool in options.tools], [tool.tool.number for tool in tools])
 
+    def test_every_option_of_the_command_is_a_keyword(self):
+        help_text = run_command("plan", "--help").stdout
+        options = set(re.findall(r"^\s+(?:-\w, )?--([a-z-]+)", help_text, re.MULTILINE))
+        self.assertGreater(len(options), 90)
+        keywords = {name.replace("_", "-") for name in dir(clearcut.PlanOptions)}
+        reading = {"layer": "layers", "op": "ops", "text": "letters"}
+        readers = {word for name in clearcut.read_part.__doc__.split("\n")[0].replace("(", ",").split(",")
+                   for word in [name.split(":")[0].strip(" *").replace("_", "-")]}
+        elsewhere = {
+            "tool",  # tools=
+            "no-arcs", "no-tool-change", "no-length-offset",  # arcs=, tool_change=, length_offset=
+            "machine-kind",  # machine=Machine(kind)
+            "clearance",  # Part.clearance_z
+            "setup", "earlier-setup",  # read_job(), plan_setups()
+            "output", "certificate", "svg", "report", "setup-sheet", "result",  # Plan.write() and others
+            "explain",  # explain()
+            "quiet", "help",
+        }
+        missing = {one for one in options - keywords - elsewhere if reading.get(one, one) not in readers}
+        self.assertEqual(missing, set())
+
     def test_unknown_options_are_named(self):
         with self.assertRaisesRegex(TypeError, "'stepdwon' is no option of a plan"):
             clearcut.plan(pocket(), stepdwon=2)
@@ -55,6 +77,22 @@ class Plans(unittest.TestCase):
         first = clearcut.plan(part, tools="endmill:6", strategy="zigzag")
         second = clearcut.plan(part, tools="endmill:6", strategy="zigzag", threads=1)
         self.assertEqual(first.program, second.program)
+
+    def test_wishes_that_cannot_be_met_are_refused(self):
+        for wish, text in (({"style": "nonsense"}, "must be machinist or fastest"), ({"grid": "mine"}, "use one of published, ours"),
+                           ({"passage": "long"}, "use one of bisector, shortest"), ({"work_offset": "G60"}, "use one of G54"),
+                           ({"solver": "best"}, "use one of published, modern"),
+                           ({"generations": 20}, "add --solver published")):
+            with self.subTest(**wish), self.assertRaisesRegex(clearcut.InputError, text):
+                clearcut.plan(pocket(), tools="endmill:6", **wish)
+        with self.assertRaisesRegex(clearcut.InputError, "use router or mill"):
+            clearcut.Machine("lathe")
+
+    def test_a_kind_of_machine_limits_the_spindle(self):
+        router = clearcut.Machine("router")
+        self.assertIn("S8000", clearcut.plan(pocket(), tools="endmill:6", machine=router).program)
+        slow = clearcut.plan(pocket(), tools="endmill:6", spindle=2000, machine=router)
+        self.assertEqual({fault.kind for fault in slow.faults}, {"spindle speed"})
 
     def test_explains_without_planning(self):
         self.assertIn("stepdown", clearcut.explain(pocket(), tools="endmill:6", stepdown=1))
@@ -94,6 +132,64 @@ class LikeTheCommand(unittest.TestCase):
                  "--allowance", "0.2", "--direction", "conventional", "--seed", "3"]
         self.assert_same(EXAMPLES / "bracket.json", words, tools="endmill:8:T2", strategy="adaptive", engagement=80,
                          feed=900, post="grbl", allowance=0.2, direction="conventional", seed=3)
+
+    def test_how_the_program_is_written(self):
+        words = ["--tool", "endmill:6", "--strategy", "contour", "--style", "machinist", "--work-offset", "G56", "--block-numbers",
+                 "--post", "fanuc", "--program-number", "77", "--optional-stop"]
+        self.assert_same(EXAMPLES / "bracket.json", words, tools="endmill:6", strategy="contour", style="machinist", work_offset="g56",
+                         block_numbers=True, post="fanuc", program_number=77, optional_stop=True)
+
+    def test_published_methods(self):
+        words = ["--tool", "endmill:10", "--strategy", "tour", "--grid", "published", "--solver", "published", "--generations", "20",
+                 "--crossover", "ox", "--mutation-rate", "0.5"]
+        self.assert_same(EXAMPLES / "bracket.json", words, tools="endmill:10", strategy="tour", grid="published", solver="published",
+                         generations=20, crossover="ox", mutation_rate=0.5)
+        self.assert_same(EXAMPLES / "bracket.json", ["--tool", "endmill:6", "--strategy", "contour", "--passage", "bisector"],
+                         tools="endmill:6", strategy="contour", passage="bisector")
+
+    def test_zero_elsewhere(self):
+        for origin in ("corner", "centre", "10,5,-1"):
+            self.assert_same(EXAMPLES / "bracket.dxf", ["--depth", "5", "--tool", "endmill:6", "--strategy", "zigzag", "--origin", origin],
+                             reading={"depth": 5, "origin": origin}, tools="endmill:6", strategy="zigzag")
+
+    def test_set_ups(self):
+        here = folder(self)
+        for name, size, depth in (("wide", 60, 3), ("narrow", 40, 8)):
+            low, high = 40 - size / 2, 40 + size / 2
+            outer = [[low, low, 0], [high, low, 0], [high, high, 0], [low, high, 0]]
+            (here / f"{name}.json").write_text(json.dumps({"name": name, "units": "mm", "top": 0, "depth": depth, "outer": outer}))
+        job = here / "job.toml"
+        job.write_text("""[stock]
+x = [0, 80]
+y = [0, 80]
+z = [-12, 0]
+[plan]
+strategy = "zigzag"
+[[tool]]
+kind = "endmill"
+diameter = 8
+[[setup]]
+name = "first"
+file = "wide.json"
+[[setup]]
+name = "second"
+file = "narrow.json"
+work_offset = "G55"
+""")
+        run = run_command("plan", job, "-o", here / "p.nc", "--post", "haas", "--program-number", "40", "--quiet")
+        self.assertLess(run.returncode, 2, run.stderr)
+        plans = clearcut.plan_setups(job, post="haas", program_number=40)
+        self.assertEqual([plan.program for plan in plans], [(here / f"p-{n}.nc").read_text() for n in (1, 2)])
+        self.assertIn("O00041", plans[1].program)
+        # The second begins in what the first has left: a plan of its own without that would cut all of it.
+        part, options = clearcut.read_job(job, setup=2, earlier=plans[:1])
+        check = clearcut.verify(part, plans[1].program, options, post="haas", dialect="haas")
+        self.assertTrue(check.clean, check.faults)
+        for wrong, text in ((lambda: clearcut.plan(job), "use plan_setups"), (lambda: clearcut.read_job(job, setup=3), "has 2"),
+                            (lambda: clearcut.read_job(job, setup=2), "give the plans of those in order"),
+                            (lambda: clearcut.plan_setups(EXAMPLES / "bracket.toml"), "has no")):
+            with self.assertRaisesRegex(clearcut.InputError, text):
+                wrong()
 
     def test_job(self):
         self.assert_same(EXAMPLES / "bracket.toml", [])

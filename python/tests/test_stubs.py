@@ -37,7 +37,7 @@ class Stubs(unittest.TestCase):
                 self.assertIn(name, self.classes[""])
                 continue
             self.assertIn(name, self.classes)
-            inherited = self.classes["_Judged"] if name in ("Plan", "Check") else set()
+            inherited = self.classes["_Checked"] if name in ("Plan", "Check") else set()
             if issubclass(value, Exception):
                 continue
             members = {member for member in vars(value) if not member.startswith("__")}

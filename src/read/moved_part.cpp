@@ -1,5 +1,9 @@
 #include "read/moved_part.h"
 
+#include <cstdio>
+
+#include "base/error.h"
+
 namespace clearcut::read {
 namespace {
 
@@ -64,6 +68,18 @@ class Mover {
 };
 
 }  // namespace
+
+ZeroPoint parse_zero_point(const std::string& text) {
+  ZeroPoint zero;
+  if (text == "corner" || text == "centre") {
+    zero.place = text;
+    return zero;
+  }
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &zero.point[0], &zero.point[1], &zero.point[2], &rest) != 3)
+    throw InputError("--origin", "'" + text + "' is unknown; use corner, centre, or X,Y,Z in mm");
+  return zero;
+}
 
 std::array<double, 3> zero_of(const Part& part, const ZeroPoint& zero) {
   if (zero.place.empty()) return zero.point;

@@ -18,6 +18,14 @@ Value named(const std::array<Value, kCount>& values, const std::string& name, co
   throw InputError(place, "'" + name + "' is unknown; use one of " + known);
 }
 
+/// Whether `name` is that of what is published, and not that of ours.
+bool is_first(const std::string& published, const std::string& ours, const std::string& name,
+              const std::string& place) {
+  if (name != published && name != ours)
+    throw InputError(place, "'" + name + "' is unknown; use one of " + published + ", " + ours);
+  return name == published;
+}
+
 struct StepNcName {
   const char* theirs;
   const char* ours;
@@ -96,6 +104,18 @@ const char* name_of(Finish finish) {
       break;
   }
   return "all";
+}
+
+bool is_bisector_passage(const std::string& name, const std::string& place) {
+  return is_first("bisector", "shortest", name, place);
+}
+
+bool is_published_grid(const std::string& name, const std::string& place) {
+  return is_first("published", "ours", name, place);
+}
+
+bool is_published_solver(const std::string& name, const std::string& place) {
+  return is_first("published", "modern", name, place);
 }
 
 }  // namespace clearcut::resolve

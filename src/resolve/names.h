@@ -29,4 +29,10 @@ const char* name_of(ContourOrder order);
 
 const char* name_of(Finish finish);
 
+/// What the texts print, or ours: "bisector" or "shortest" passages, the "published" grid or "ours", the "published" solver or the
+/// "modern" one; true for what is printed. Throw InputError at `place`.
+bool is_bisector_passage(const std::string& name, const std::string& place);
+bool is_published_grid(const std::string& name, const std::string& place);
+bool is_published_solver(const std::string& name, const std::string& place);
+
 }  // namespace clearcut::resolve

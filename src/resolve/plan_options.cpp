@@ -275,6 +275,12 @@ void check_holder(const Tool& tool, const std::string& place) {
     throw InputError(place, "a shank wider than the cutter needs where it begins: length= of the flutes");
 }
 
+void check(const VisitSolver& solver, const std::string& place) {
+  if (!solver.is_published && solver.published.is_set())
+    throw InputError(place,
+                     "is not published, but settings of that solver are given; add --solver published");
+}
+
 void check(const PlanOptions& options) {
   require(absent_or_positive(options.stepdown), "--stepdown", "must be above 0 mm");
   require(absent_or_not_negative(options.allowance), "--allowance", "must be 0 mm or more");
@@ -287,6 +293,7 @@ void check(const PlanOptions& options) {
   require(!options.cutting.plunge_feed || options.cutting.plunge_feed->mm_per_min() > 0, "--plunge-feed",
           "must be above 0 mm/min");
   require(absent_or_positive(options.cutting.spindle_rpm), "--spindle", "must be above 0 rpm");
+  if (options.published.solver) check(*options.published.solver, "--solver");
   require(!options.entry_angle || (options.entry_angle->degrees() > 0 && options.entry_angle->degrees() < 90),
           "--entry-angle", "must lie between 0 and 90 degrees");
   require(absent_or_not_negative(options.lead), "--lead", "must be 0 mm or more");

@@ -104,6 +104,9 @@ KeepOut parse_keep_out(const std::string& text);
 /// Throws InputError at `place` where a holder, or a shank that is wider than its cutter, is half stated.
 void check_holder(const Tool& tool, const std::string& place);
 
+/// Throws InputError at `place` where settings of the published solver are given, and the other is chosen.
+void check(const VisitSolver& solver, const std::string& place);
+
 /// Checks that every option is in its sensible range; throws InputError naming the first that is not.
 void check(const PlanOptions& options);
 

@@ -137,7 +137,7 @@ double most_rpm(const Tool& tool, const Machine& machine) {
 double default_spindle(const Tool& tool, const Machine& machine) {
   const double rpm =
       std::max(10.0, std::round(kDefaultCuttingSpeed * 1000 / (kPi * tool.diameter) / 10) * 10);
-  return std::min(rpm, most_rpm(tool, machine));
+  return std::min(std::max(rpm, machine.min_spindle_rpm.value_or(0)), most_rpm(tool, machine));
 }
 
 /// Puts the values that options set into an operation, with their sources.

@@ -20,11 +20,6 @@ void name_kind_as_source(Sources& sources) {
     if (!sources.find(limit)) sources.set(limit, {Origin::kUser, "--machine-kind"});
 }
 
-/// Whether as published.
-const std::map<std::string, bool> kGrids{{"ours", false}, {"published", true}};
-/// Whether along bisectors.
-const std::map<std::string, bool> kPassages{{"bisector", true}, {"shortest", false}};
-
 std::optional<MmPerMin> feed_of(const std::optional<double>& mm_per_min) {
   if (!mm_per_min) return std::nullopt;
   return MmPerMin::of(*mm_per_min);
@@ -38,19 +33,6 @@ Vec2 point_of(const std::string& text, const char* option) {
     throw InputError(option, "'" + text + "' is not a point; write X,Y in mm");
   }
   return point;
-}
-
-/// "corner", "centre", or "X,Y,Z".
-ZeroPoint zero_point_of(const std::string& text) {
-  ZeroPoint zero;
-  if (text == "corner" || text == "centre") {
-    zero.place = text;
-    return zero;
-  }
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &zero.point[0], &zero.point[1], &zero.point[2], &rest) != 3)
-    throw InputError("--origin", "'" + text + "' is unknown; use corner, centre, or X,Y,Z in mm");
-  return zero;
 }
 
 /// A tool library and the files that its tools lie in.
@@ -119,7 +101,7 @@ Part PlanArguments::read_overview(DrawingOverview& overview) const {
 
 Part PlanArguments::read(Block block) const {
   auto from_job = job();
-  const auto zero = zero_ ? std::optional(zero_point_of(*zero_)) : std::nullopt;
+  const auto zero = zero_ ? std::optional(parse_zero_point(*zero_)) : std::nullopt;
   if (from_job && zero) from_job->zero = zero;
   Part part;
   if (setup_.number > 0) {
@@ -287,7 +269,8 @@ PlanOptions PlanArguments::options() const {
   add_places(keep_outs_, predrilled_, options);
   options.post = post_.options(options.post);
   options.step_published = step_published_;
-  options.published = {named(kPassages, passage_, "--passage"), named(kGrids, grid_, "--grid"), std::nullopt};
+  if (passage_) options.published.bisector_passages = is_bisector_passage(*passage_, "--passage");
+  if (grid_) options.published.published_grid = is_published_grid(*grid_, "--grid");
   if (from_job && solver_.has_settings_alone())
     solver_.refine(options.step_published);
   else

@@ -3,13 +3,6 @@
 namespace clearcut::cli {
 namespace {
 
-const std::map<std::string, bool> kSolvers{{"modern", false}, {"published", true}};
-
-[[noreturn]] void refuse_settings() {
-  throw InputError("--solver",
-                   "is not published, but settings of that solver are given; add --solver published");
-}
-
 /// What `typed` sets goes before `solver`.
 void lay_over(PublishedSolver& solver, const PublishedSolver& typed) {
   const auto take = [](auto& own, const auto& theirs) {
@@ -51,10 +44,9 @@ void SolverArguments::add_options(CLI::App& command) {
 }
 
 std::optional<VisitSolver> SolverArguments::solver() const {
-  const auto is_published = named(kSolvers, name_, "--solver");
-  if (!is_published.value_or(false) && published_.is_set()) refuse_settings();
-  if (!is_published) return std::nullopt;
-  return VisitSolver{*is_published, published_};
+  const VisitSolver solver{name_ && is_published_solver(*name_, "--solver"), published_};
+  check_solver(solver);
+  return name_ ? std::optional(solver) : std::nullopt;
 }
 
 void SolverArguments::refine(StepChoices& of_job) const {
@@ -64,7 +56,7 @@ void SolverArguments::refine(StepChoices& of_job) const {
     lay_over(choices.solver->published, published_);
     is_used = true;
   }
-  if (!is_used) refuse_settings();
+  if (!is_used) check_solver({false, published_});
 }
 
 }  // namespace clearcut::cli

@@ -5,23 +5,10 @@
 #include <clearcut/plan.h>
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <optional>
 #include <string>
 
 namespace clearcut::cli {
-
-/// What `name` stands for; absent where none was typed. Throws InputError listing the names for one that is unknown.
-template <class Value>
-std::optional<Value> named(const std::map<std::string, Value>& names, const std::optional<std::string>& name,
-                           const char* option) {
-  if (!name) return std::nullopt;
-  const auto found = names.find(*name);
-  if (found != names.end()) return found->second;
-  std::string known;
-  for (const auto& [text, value] : names) known += (known.empty() ? "" : ", ") + text;
-  throw InputError(option, "'" + *name + "' is unknown; use one of " + known);
-}
 
 /// --solver and what belongs to the published one, for every command that orders visits.
 class SolverArguments {

@@ -31,7 +31,7 @@ enum class FaultKind {
   kToolLength,       ///< the length in force is not that of the tool that cuts
   kSpindleOff,  ///< a feed move in material while the spindle stands, has no speed or has not had its time to start
   kSpindleDirection,
-  kSpindleSpeed,    ///< above what the tool or the machine may
+  kSpindleSpeed,    ///< above what the tool or the machine may, or below what the machine can
   kBeyondFlutes,    ///< deeper than the flutes are long
   kBeyondStock,     ///< below the bottom of the stock, farther than a way through needs
   kOverEngagement,  ///< more of the cutter's circle in material than the limit asked for

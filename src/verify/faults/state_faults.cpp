@@ -84,6 +84,11 @@ class StateCheck {
     const auto& of_machine = options_.machine.max_spindle_rpm;
     if (of_machine && is_beyond(checked, *of_machine))
       return too_fast(checked, "the machine has", *of_machine);
+    const auto& least = options_.machine.min_spindle_rpm;
+    if (least && checked.control->spindle_rpm < *least * (1 - kSpeedRounding))
+      return fault(FaultKind::kSpindleSpeed, checked, 0,
+                   "The spindle is asked for " + trimmed(checked.control->spindle_rpm, 0) +
+                       " rpm where the machine turns no slower than " + trimmed(*least, 0));
     if (!checked.tool || !checked.tool->max_spindle_rpm) return std::nullopt;
     const double of_tool = *checked.tool->max_spindle_rpm;
     if (!is_beyond(checked, of_tool)) return std::nullopt;

@@ -84,6 +84,12 @@ TEST(StateFaults, SpindleBeyondTheMachineAndTooShortAWait) {
   EXPECT_TRUE(has(checked(limited, pocketing(), table(), options), FaultKind::kSpindleSpeed));
   limited.tools[0].max_spindle_rpm = 10000;
   EXPECT_FALSE(has(checked(limited, pocketing(), table(), options), FaultKind::kSpindleSpeed));
+  options.machine.min_spindle_rpm = 10000;
+  EXPECT_FALSE(has(checked(pocket(), pocketing(), table(), options), FaultKind::kSpindleSpeed));
+  options.machine.max_spindle_rpm = 24000;
+  options.machine.min_spindle_rpm = 12000;
+  EXPECT_TRUE(has(checked(pocket(), pocketing(), table(), options), FaultKind::kSpindleSpeed));
+  options.machine.min_spindle_rpm.reset();
   options.machine.spindle_wait_s = 3;
   ControlTable control = table();
   control.events.push_back({ControlEventKind::kSpindleStart, 0, 1, 0, 1});

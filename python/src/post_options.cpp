@@ -1,0 +1,57 @@
+// How the program is written, as keywords.
+#include "option_attributes.h"
+
+namespace clearcut::python {
+namespace {
+
+/// "G54" to "G59".
+int work_offset_of(const std::string& word) {
+  if (word.size() == 3 && (word[0] == 'G' || word[0] == 'g') && word[1] == '5' && word[2] >= '4' && word[2] <= '9')
+    return 50 + (word[2] - '0');
+  throw InputError("--work-offset", "'" + word + "' is unknown; use one of G54, G55, G56, G57, G58, G59");
+}
+
+}  // namespace
+
+void add_post_options(OptionsClass& options) {
+  add_value(
+      options, "post", doc("PostOptions::dialect"), [](auto& o) -> auto& { return o.post.dialect; });
+  add_value(
+      options, "inch", "Write the program in inches.", [](auto& o) -> auto& { return o.post.inch; });
+  add_value(
+      options, "program_name", doc("PostOptions::program_name"),
+      [](auto& o) -> auto& { return o.post.program_name; });
+  add_plain<int>(
+      options, "decimals", doc("PostOptions::decimals"), [](auto& o) -> auto& { return o.post.decimals; });
+  add_value(
+      options, "arcs", doc("PostOptions::arcs"), [](auto& o) -> auto& { return o.post.arcs; });
+  add_value(
+      options, "tool_change", doc("PostOptions::tool_changer"),
+      [](auto& o) -> auto& { return o.post.tool_changer; });
+  add_value(
+      options, "length_offset", doc("PostOptions::length_offset"),
+      [](auto& o) -> auto& { return o.post.length_offset; });
+  add_value(
+      options, "exact_stop", doc("PostOptions::exact_stop"),
+      [](auto& o) -> auto& { return o.post.exact_stop; });
+  add_optional(
+      options, "spindle_wait", doc("PostOptions::spindle_wait"),
+      [](auto& o) -> auto& { return o.post.spindle_wait; },
+      [](const py::handle& s, const std::string&) { return Seconds::of(s.cast<double>()); },
+      [](Seconds time) { return time.seconds(); });
+  add_plain<int>(
+      options, "program_number", doc("PostOptions::program_number"),
+      [](auto& o) -> auto& { return o.post.program_number; });
+  options.def_property(
+      "work_offset", [](const AskedOptions& o) { return "G" + std::to_string(o.post.work_offset); },
+      [](AskedOptions& o, const std::string& word) { o.post.work_offset = work_offset_of(word); },
+      doc("PostOptions::work_offset"));
+  add_value(
+      options, "block_numbers", doc("PostOptions::block_numbers"),
+      [](auto& o) -> auto& { return o.post.block_numbers; });
+  add_value(
+      options, "optional_stop", doc("PostOptions::optional_stop"),
+      [](auto& o) -> auto& { return o.post.optional_stop; });
+}
+
+}  // namespace clearcut::python
