@@ -12,7 +12,7 @@ namespace clearcut::python {
 
 /// A number, or text with a unit as on the command line.
 inline double quantity_of(const py::handle& value, const std::string& name,
-                   std::optional<double> (*convert)(std::string_view), const char* expected) {
+                          std::optional<double> (*convert)(std::string_view), const char* expected) {
   if (!py::isinstance<py::str>(value)) return value.cast<double>();
   const auto text = value.cast<std::string>();
   const auto number = convert(text);
@@ -87,7 +87,8 @@ void add_plain(OptionsClass& options, const char* name, const char* text, At at)
 
 /// One of a few names.
 template <class At, class Named, class NameOf>
-void add_named(OptionsClass& options, const char* name, const char* text, At at, Named named, NameOf name_of_value) {
+void add_named(OptionsClass& options, const char* name, const char* text, At at, Named named,
+               NameOf name_of_value) {
   add_optional(
       options, name, text, at,
       [named](const py::handle& value, const std::string& option) {

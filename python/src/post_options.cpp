@@ -6,7 +6,8 @@ namespace {
 
 /// "G54" to "G59".
 int work_offset_of(const std::string& word) {
-  if (word.size() == 3 && (word[0] == 'G' || word[0] == 'g') && word[1] == '5' && word[2] >= '4' && word[2] <= '9')
+  if (word.size() == 3 && (word[0] == 'G' || word[0] == 'g') && word[1] == '5' && word[2] >= '4' &&
+      word[2] <= '9')
     return 50 + (word[2] - '0');
   throw InputError("--work-offset", "'" + word + "' is unknown; use one of G54, G55, G56, G57, G58, G59");
 }

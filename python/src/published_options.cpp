@@ -41,12 +41,11 @@ void set_solver(AskedOptions& o, const std::optional<std::string>& name) {
 }  // namespace
 
 void add_published_options(OptionsClass& options) {
-  add_choice(
-      options, "passage", "From contour to contour: bisector (of a corner) or shortest.", "bisector",
-      "shortest", &PublishedChoices::bisector_passages, is_bisector_passage);
-  add_choice(
-      options, "grid", "Of the strategy tour: ours, or published (Tour eq. 4.8; leaves what it leaves).",
-      "published", "ours", &PublishedChoices::published_grid, is_published_grid);
+  add_choice(options, "passage", "From contour to contour: bisector (of a corner) or shortest.", "bisector",
+             "shortest", &PublishedChoices::bisector_passages, is_bisector_passage);
+  add_choice(options, "grid",
+             "Of the strategy tour: ours, or published (Tour eq. 4.8; leaves what it leaves).", "published",
+             "ours", &PublishedChoices::published_grid, is_published_grid);
   options.def_property(
       "solver",
       [](const AskedOptions& o) -> std::optional<std::string> {
@@ -56,20 +55,17 @@ void add_published_options(OptionsClass& options) {
       &set_solver, "Orders visits: modern, or published (the genetic algorithm of the Tour text).");
   add_setting(options, "generations", doc("PublishedSolver::generations"), &PublishedSolver::generations);
   add_setting(options, "population", "Individuals of the published solver.", &PublishedSolver::population);
-  add_setting(
-      options, "selection", "Of the published solver: random, rank, roulette, tournament or truncation.",
-      &PublishedSolver::selection);
-  add_setting(
-      options, "crossover", "Of the published solver: pmx, ox, erx, cx or eax.", &PublishedSolver::crossover);
-  add_setting(
-      options, "mutation", "Of the published solver: exchange, inversion or nearest.",
-      &PublishedSolver::mutation);
-  add_setting(
-      options, "crossover_rate", "Of the published solver: chance of two parents.",
-      &PublishedSolver::crossover_rate);
-  add_setting(
-      options, "mutation_rate", "Of the published solver: chance of a mutation.",
-      &PublishedSolver::mutation_rate);
+  add_setting(options, "selection",
+              "Of the published solver: random, rank, roulette, tournament or truncation.",
+              &PublishedSolver::selection);
+  add_setting(options, "crossover", "Of the published solver: pmx, ox, erx, cx or eax.",
+              &PublishedSolver::crossover);
+  add_setting(options, "mutation", "Of the published solver: exchange, inversion or nearest.",
+              &PublishedSolver::mutation);
+  add_setting(options, "crossover_rate", "Of the published solver: chance of two parents.",
+              &PublishedSolver::crossover_rate);
+  add_setting(options, "mutation_rate", "Of the published solver: chance of a mutation.",
+              &PublishedSolver::mutation_rate);
   add_setting(options, "most_shared", doc("PublishedSolver::most_shared"), &PublishedSolver::most_shared);
 }
 

@@ -34,11 +34,13 @@ TEST(Facing, TheWidestCutterFacesAndStockThatEndsAtTheTopIsLeftAlone) {
   EXPECT_EQ(plan_part(with_stock_up_to(0), with({"endmill:5"})).part.workplan.size(), 2u);
 }
 
-/// A face on a random outline; `dense` samples of it know nothing of offsets, strategies or the certificate.
-TEST(Facing, RandomOutlinesAreFacedAllOver) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> away(8, 25), share(0.1, 0.9), place(-26, 26);
-  for (int round = 0; round < 40; ++round) {
+class FacesOfRandomOutlines : public ::testing::TestWithParam<int> {};
+
+/// A face on a random outline; dense samples of it know nothing of offsets, strategies or the certificate.
+TEST_P(FacesOfRandomOutlines, AreFacedAllOver) {
+  for (int round = GetParam(); round < 1000; round += 4) {
+    std::mt19937 random(static_cast<unsigned>(round));
+    std::uniform_real_distribution<double> away(8, 25), share(0.1, 0.9), place(-26, 26);
     std::vector<BulgeVertex> corners;
     const int count = 3 + round % 9;
     for (int i = 0; i < count; ++i)
@@ -57,7 +59,7 @@ TEST(Facing, RandomOutlinesAreFacedAllOver) {
         for (int i = 0; i <= steps; ++i) path.push_back(move.path.at(static_cast<double>(i) / steps));
       }
     }
-    for (int i = 0; i < 300; ++i) {
+    for (int i = 0; i < 100; ++i) {
       const Vec2 p{place(random), place(random)};
       if (!contains(part.features.front().target, p)) continue;
       double nearest = HUGE_VAL;
@@ -66,6 +68,8 @@ TEST(Facing, RandomOutlinesAreFacedAllOver) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Quarters, FacesOfRandomOutlines, ::testing::Range(0, 4));
 
 }  // namespace
 }  // namespace clearcut::pipeline
