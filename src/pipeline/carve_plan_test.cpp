@@ -65,6 +65,21 @@ TEST(VCarving, ADepthLimitLeavesAFloorThatAMillClears) {
   EXPECT_THAT(refusal(drawn(text), {"endmill:3"}), HasSubstr("V-carving needs a V-bit"));
 }
 
+/// Its tip cannot stand in the narrow ends of a floor: they are none of its faults. What it can reach is.
+TEST(VCarving, ABitWithAFlatTipIsCleanAndAProgramNotDeepEnoughIsNot) {
+  const auto triangle = [](const std::string& layer) {
+    return drawn(outline(layer, {{{-1.153, 8.551}}, {{-5.097, 1.363}}, {{-1.25, -4.776}}}));
+  };
+  const auto options = with({"vbit:60deg:12:tip=0.2", "endmill:1.5"});
+  for (const char* layer : {"VCARVE", "VCARVE_D2", "VCARVE_D0.6"}) {
+    const PlanResult result = plan_part(triangle(layer), options);
+    EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << layer << ": " << faults_of(result.findings);
+  }
+  const PlanResult shallow = plan_part(triangle("VCARVE_D0.5"), options);
+  const CheckResult wrong = check_program(triangle("VCARVE_D0.6"), shallow.program, "shallow.ngc", options);
+  EXPECT_TRUE(has(wrong.findings, FaultKind::kUncut)) << faults_of(wrong.findings);
+}
+
 /// A cone of 60 degrees goes deeper than the one of 90 that is assumed before a bit is chosen.
 TEST(VCarving, StockWithoutAThicknessReachesBelowTheBitsTip) {
   const std::string text =

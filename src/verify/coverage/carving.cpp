@@ -21,6 +21,8 @@ constexpr double kTouch = 1e-7;
 constexpr int kMostShrinks = 200;
 /// mm. Squares of the floor are not divided below this half diagonal.
 constexpr double kSmallestCell = 0.004;
+/// Directions in which the place of a flat tip over a point of the floor is looked for.
+constexpr int kDirections = 32;
 /// Radians. A smaller turn of the outline is no corner.
 constexpr double kSmooth = 1e-6;
 
@@ -170,6 +172,15 @@ class CarvingCheck {
     return found;
   }
 
+  /// Whether a flat tip can stand over p at the floor: narrow ends of the floor are out of its reach.
+  bool is_in_tips_reach(Vec2 p) const {
+    if (tip_ <= 0 || depth_into(p) >= widest_) return true;
+    for (int i = 0; i < kDirections; ++i) {
+      if (depth_into(p + direction_of(2 * kPi * i / kDirections) * tip_) >= widest_) return true;
+    }
+    return false;
+  }
+
   void check_cell(Vec2 p, double half) {
     const double diagonal = half * std::sqrt(2.0), foot = widest_ - tip_;
     const double inside = depth_into(p);
@@ -178,7 +189,7 @@ class CarvingCheck {
     const double over = shaped_.at(p) - feature_.floor_z;
     if (over + diagonal / slope_ <= kHighestCusp) return;
     const bool untouched = over - diagonal / slope_ > kHighestCusp && !is_near_a_mill(p, diagonal);
-    if (untouched && inside - diagonal >= foot)
+    if (untouched && inside - diagonal >= foot && is_in_tips_reach(p))
       return keep(p, std::min(over, foot / slope_), feature_.floor_z, 0);
     if (diagonal > kSmallestCell) {
       for (const Vec2 way : {Vec2{-0.5, -0.5}, Vec2{0.5, -0.5}, Vec2{-0.5, 0.5}, Vec2{0.5, 0.5}})
@@ -186,7 +197,8 @@ class CarvingCheck {
       return;
     }
     if (inside < foot + tol_.uncut || in_a_mills_way(p, 0)) return;
-    if (over > kHighestCusp) keep(p, std::min(over, foot / slope_), feature_.floor_z, 0);
+    if (over > kHighestCusp && is_in_tips_reach(p))
+      keep(p, std::min(over, foot / slope_), feature_.floor_z, 0);
   }
 
   const Feature& feature_;
