@@ -148,12 +148,15 @@ class ShapedCheck {
   std::optional<Gouge> worst_;
 };
 
+/// mm. More than rounding takes of a bound for heights.
+constexpr double kRounding = 1e-9;
+
 /// Parameter along a straight move, prolonged at both ends, at which a cone's flank is lowest over p.
-double lowest_place(const Move& move, const Tool& tool, Vec2 p) {
+double lowest_place(const Move& move, double slope, Vec2 p) {
   const Vec2 along = move.path.to - move.path.from;
   const double length = norm(along), near = dot(p - move.path.from, along) / (length * length);
   const double aside = std::abs(cross(p - move.path.from, along)) / length;
-  const double rise = (move.z_to - move.z_from) / length, steep = rise * flank_slope(tool);
+  const double rise = (move.z_to - move.z_from) / length, steep = rise * slope;
   if (std::abs(steep) >= 1) return rise < 0 ? 1 : 0;
   return near - steep * aside / std::sqrt(1 - steep * steep) / length;
 }
@@ -174,24 +177,37 @@ std::optional<double> height_at(const Tool& tool, double distance) {
 }
 
 void CutHeights::add(const Move& move, const Tool& tool) {
-  const Box box =
-      (move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box()).grown(tool.radius());
-  index_.add(box, static_cast<std::uint32_t>(entries_.size()));
-  entries_.push_back({&move, &tool});
+  const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+  index_.add(path.grown(tool.radius()), static_cast<std::uint32_t>(entries_.size()));
+  entries_.push_back({&move, &tool, is_conical(tool) ? flank_slope(tool) : 0, path});
+}
+
+std::optional<double> CutHeights::height_over(const Entry& entry, double distance) {
+  if (entry.slope <= 0) return height_at(*entry.tool, distance);
+  if (distance > entry.tool->radius()) return std::nullopt;
+  return std::max(0.0, distance - entry.tool->tip_diameter / 2) / entry.slope;
+}
+
+/// mm; no cutter's surface comes lower over p along this move.
+double CutHeights::least_height(const Entry& entry, Vec2 p) {
+  const double low = std::min(entry.move->z_from, entry.move->z_to);
+  if (entry.slope <= 0) return low;
+  return low + std::max(0.0, entry.path.distance_to(p) - entry.tool->tip_diameter / 2) / entry.slope -
+         kRounding;
 }
 
 double CutHeights::at(Vec2 p) const {
   double lowest = std::numeric_limits<double>::infinity();
   for (const std::uint32_t i : index_.at(p)) {
-    const Move& move = *entries_[i].move;
-    const Tool& tool = *entries_[i].tool;
-    if (std::min(move.z_from, move.z_to) >= lowest) continue;
+    const Entry& entry = entries_[i];
+    if (least_height(entry, p) >= lowest) continue;
+    const Move& move = *entry.move;
     const auto sample = [&](double t) {
       const double c = std::clamp(t, 0.0, 1.0);
       const Vec2 center = move.is_vertical() ? move.path.from : move.path.at(c);
       const double z =
           move.is_vertical() ? std::min(move.z_from, move.z_to) : move.z_from + (move.z_to - move.z_from) * c;
-      if (const auto above = height_at(tool, distance(center, p))) lowest = std::min(lowest, z + *above);
+      if (const auto above = height_over(entry, distance(center, p))) lowest = std::min(lowest, z + *above);
     };
     if (move.is_vertical()) {
       sample(0);
@@ -201,7 +217,7 @@ double CutHeights::at(Vec2 p) const {
     if (move.z_from == move.z_to) continue;
     sample(0);
     sample(1);
-    if (is_conical(tool) && !move.path.is_arc()) sample(lowest_place(move, tool, p));
+    if (entry.slope > 0 && !move.path.is_arc()) sample(lowest_place(move, entry.slope, p));
   }
   return lowest;
 }

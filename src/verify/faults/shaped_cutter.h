@@ -38,7 +38,12 @@ class CutHeights {
   struct Entry {
     const Move* move;
     const Tool* tool;
+    double slope;  ///< of a cone's flank, kept because it takes a tangent; 0 for other cutters
+    Box path;
   };
+
+  static std::optional<double> height_over(const Entry& entry, double distance);
+  static double least_height(const Entry& entry, Vec2 p);
 
   std::vector<Entry> entries_;
   BoxIndex index_{1};  ///< cells of 1 mm: smaller than most cutters
