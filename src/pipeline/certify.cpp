@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/files/digest.h"
+#include "base/inch.h"
 #include "base/text/format.h"
 #include "base/version.h"
 #include "link/link.h"
@@ -23,12 +24,25 @@ namespace {
 /// Hexadecimal digits of a hash in a header.
 constexpr std::size_t kHashShown = 16;
 
-std::string stock_line(const Part& part) {
+/// Lengths of a header, in the program's unit.
+struct Lengths {
+  bool inch = false;
+
+  double of(double mm) const { return inch ? mm / kMmPerInch : mm; }
+  const char* unit() const { return inch ? "IN" : "MM"; }
+  std::string place(double mm) const { return trimmed(of(mm), inch ? 4 : 3); }
+  std::string error(double mm) const { return fmt::format("{:.{}f} {}", of(mm), inch ? 5 : 4, unit()); }
+};
+
+std::string stock_line(const Part& part, const Lengths& lengths) {
   if (!part.stock) return "STOCK: NOT GIVEN";
   const auto& stock = *part.stock;
-  return fmt::format("STOCK: X {} TO {} Y {} TO {} Z {} TO {} MM", trimmed(stock.plan.min.x, 3),
-                     trimmed(stock.plan.max.x, 3), trimmed(stock.plan.min.y, 3), trimmed(stock.plan.max.y, 3),
-                     trimmed(stock.z_bottom, 3), trimmed(stock.z_top, 3));
+  const auto range = [&](double low, double high) {
+    return lengths.place(low) + " TO " + lengths.place(high);
+  };
+  return fmt::format("STOCK: X {} Y {} Z {} {}", range(stock.plan.min.x, stock.plan.max.x),
+                     range(stock.plan.min.y, stock.plan.max.y), range(stock.z_bottom, stock.z_top),
+                     lengths.unit());
 }
 
 constexpr std::size_t kConditionsShown = 3;
@@ -46,26 +60,40 @@ std::string condition_line(const Findings& findings) {
 }
 
 /// The certificate in short lines, always as many: the numbered places of the findings must stay true.
-std::vector<std::string> verdict_lines(const Findings* findings, const std::string& motion_hash) {
+std::vector<std::string> verdict_lines(const Findings* findings, const std::string& motion_hash,
+                                       const Lengths& lengths) {
   if (findings == nullptr) return {"CERTIFICATE: PENDING", "-", "-", "-", "-", "-", "-"};
   const Figures& all = findings->all;
   return {fmt::format("CERTIFICATE: {}", name_of(verdict_of(*findings))),
           condition_line(*findings),
-          fmt::format("LEFT UNCUT: BELOW {:.4f} MM", all.uncut_thickness_mm),
-          fmt::format("GOUGE: {:.4f} MM", all.gouge_mm),
+          "LEFT UNCUT: BELOW " + lengths.error(all.uncut_thickness_mm),
+          "GOUGE: " + lengths.error(all.gouge_mm),
           fmt::format("RAPIDS IN MATERIAL: {}", all.rapid_in_material),
           fmt::format("TIME: {:.1f} S", all.time_s),
           fmt::format("MOTION SHA-256: {}", motion_hash.substr(0, kHashShown))};
 }
 
-std::vector<std::string> header(const Part& part, const Findings* findings, const std::string& motion_hash) {
-  std::vector<std::string> lines{fmt::format("PART: {}", part.name), stock_line(part)};
-  for (const auto& tool : part.tools) {
-    lines.push_back(fmt::format("TOOL T{}: {} {} MM{}", tool.number, name_of(tool.kind),
-                                trimmed(tool.diameter, 4), post::thread_words(tool)));
+/// The tools that the program calls, in the order of the part's.
+std::vector<std::string> tool_lines(const Part& part, const Toolpath& toolpath, bool inch) {
+  std::vector<std::string> lines;
+  for (const Tool& tool : part.tools) {
+    const bool called =
+        std::any_of(toolpath.sections.begin(), toolpath.sections.end(),
+                    [&](const Section& section) { return section.tool_number == tool.number; });
+    if (!called) continue;
+    lines.push_back(fmt::format("TOOL T{}: {} {}{}", tool.number, name_of(tool.kind),
+                                post::size_text(tool.diameter, inch), post::shape_words(tool, inch)));
   }
+  return lines;
+}
+
+std::vector<std::string> header(const Part& part, const Toolpath& toolpath, const Findings* findings,
+                                const std::string& motion_hash, bool inch) {
+  const Lengths lengths{inch};
+  std::vector<std::string> lines{fmt::format("PART: {}", part.name), stock_line(part, lengths)};
+  for (auto& line : tool_lines(part, toolpath, inch)) lines.push_back(std::move(line));
   lines.push_back(fmt::format("WRITTEN BY CLEARCUT {}", kVersion));
-  for (auto& line : verdict_lines(findings, motion_hash)) lines.push_back(std::move(line));
+  for (auto& line : verdict_lines(findings, motion_hash, lengths)) lines.push_back(std::move(line));
   for (const auto& name : names_not_machined(part.diagnostics)) lines.push_back("NOT MACHINED: " + name);
   return lines;
 }
@@ -97,7 +125,7 @@ PostOptions post_options_of(const ResolvedPlan& plan) {
 std::string post_with(const Findings* findings, const std::string& motion_hash, const Toolpath& toolpath,
                       const Part& part, const ResolvedPlan& plan) {
   PostOptions post_options = post_options_of(plan);
-  post_options.header = header(part, findings, motion_hash);
+  post_options.header = header(part, toolpath, findings, motion_hash, post_options.inch);
   if (post_options.program_name.empty()) post_options.program_name = part.name;
   return post::write_program(toolpath, part, post_options);
 }

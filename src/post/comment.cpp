@@ -2,26 +2,47 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
+#include "base/inch.h"
 #include "base/text/format.h"
 
 namespace clearcut::post {
+namespace {
+
+/// Decimals of an inch that sizes of tools have.
+constexpr int kInchDecimals = 4;
+/// mm. What those decimals may miss a size by and still name it.
+constexpr double kSameSize = 1e-5;
+
+void append_blank(std::string& text) {
+  if (!text.empty() && text.back() != ' ') text += ' ';
+}
+
+}  // namespace
 
 std::string plain_comment(std::string_view text) {
-  constexpr std::string_view kPunctuation = " +-=/.,:_<>#'";
+  constexpr std::string_view kPunctuation = "+-=/.,:_<>#'";
   std::string plain;
   bool first_word = true;
   for (const char c : text) {
     const auto byte = static_cast<unsigned char>(c);
     if (c == ',' && first_word) {
       plain += ':';
+    } else if (c == ' ') {
+      append_blank(plain);
     } else if (byte < 128 && (std::isalnum(byte) || kPunctuation.find(c) != std::string_view::npos)) {
       plain += static_cast<char>(std::toupper(byte));
     } else if (byte < 128 || byte >= 192) {  // one mark for a whole UTF-8 character
-      plain += c == '(' || c == ')' || std::isspace(byte) ? ' ' : '.';
+      if (c == '(' || c == ')' || std::isspace(byte)) {
+        append_blank(plain);
+      } else {
+        plain += '.';
+      }
     }
     first_word = first_word && (std::isalnum(byte) || c == ' ' || c == '_');
   }
+  while (!plain.empty() && plain.back() == ' ') plain.pop_back();
   return plain;
 }
 
@@ -30,17 +51,30 @@ std::string operation_comment(int workingstep, std::string_view label) {
   return "OPERATION" + number + ": " + plain_comment(label);
 }
 
-std::string thread_words(const Tool& tool) {
-  return (tool.pitch > 0 ? " PITCH " + trimmed(tool.pitch, 4) : "") + (tool.left_hand ? " LEFT HAND" : "") +
+std::string size_text(double mm, bool inch) {
+  if (!inch) return trimmed(mm, 4) + " MM";
+  const std::string inches = trimmed(mm / kMmPerInch, kInchDecimals);
+  const bool exact = std::abs(std::stod(inches) * kMmPerInch - mm) < kSameSize;
+  return inches + " IN" + (exact ? "" : " = " + trimmed(mm, 4) + " MM");
+}
+
+std::string shape_words(const Tool& tool, bool inch) {
+  std::string words;
+  if (is_conical(tool)) words += " " + trimmed(tool.tip_angle->degrees(), 2) + " DEG";
+  if (is_conical(tool) && tool.tip_diameter > 0) words += " TIP " + size_text(tool.tip_diameter, inch);
+  const bool rounded = tool.corner_radius > 0 && tool.corner_radius < tool.radius();
+  if (rounded) words += " R " + size_text(tool.corner_radius, inch);
+  const std::string pitch = inch ? size_text(tool.pitch, true) : trimmed(tool.pitch, 4);
+  return words + (tool.pitch > 0 ? " PITCH " + pitch : "") + (tool.left_hand ? " LEFT HAND" : "") +
          (tool.floating ? " FLOATING HOLDER" : "");
 }
 
-std::string tool_change_comment(const Part& part, int number) {
+std::string tool_change_comment(const Part& part, int number, bool inch) {
   const std::string change = "TOOL CHANGE T" + std::to_string(number);
   const Tool* const tool = tool_numbered(part.tools, number);
   if (tool == nullptr) return change;
-  return change + ": " + plain_comment(name_of(tool->kind)) + " D" + trimmed(tool->diameter, 4) + " MM" +
-         thread_words(*tool);
+  return change + ": " + plain_comment(name_of(tool->kind)) + " D" + size_text(tool->diameter, inch) +
+         shape_words(*tool, inch);
 }
 
 int program_number(std::string_view name) {

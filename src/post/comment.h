@@ -13,18 +13,23 @@ inline constexpr std::string_view kEndComment = "END OF PROGRAM";
 
 /// Upper-case letters, digits and plain punctuation only: no parentheses (they nest), no '%' (ends a tape),
 /// no
-/// '!', '?', '~' (Grbl acts on them even inside comments), no leading word LinuxCNC would execute ("MSG,").
+/// '!', '?', '~' (Grbl acts on them even inside comments), no leading word LinuxCNC would execute ("MSG,"), and one blank between
+/// words.
 std::string plain_comment(std::string_view text);
 
 /// The comment that opens a section: "OPERATION 3: POCKET1", without the number when the workingstep is
 /// unknown. `workingstep` counts from 0, the comment from 1.
 std::string operation_comment(int workingstep, std::string_view label);
 
-/// Of taps and thread mills what their diameter does not tell: " PITCH 1 LEFT HAND FLOATING HOLDER"; "" of other tools.
-std::string thread_words(const Tool& tool);
+/// A length in the program's unit: "6 MM", "0.25 IN"; "0.2362 IN = 6 MM" where inches do not say it exactly.
+std::string size_text(double mm, bool inch);
+
+/// What a cutter's diameter does not tell: " 60 DEG TIP 0.4 MM" of a cone, " R 1 MM" of a rounded corner, " PITCH 1 LEFT HAND
+/// FLOATING HOLDER" of taps and thread mills.
+std::string shape_words(const Tool& tool, bool inch);
 
 /// "TOOL CHANGE T2: ENDMILL D6 MM", the tool as the part knows it.
-std::string tool_change_comment(const Part& part, int number);
+std::string tool_change_comment(const Part& part, int number, bool inch);
 
 /// Number of a program named "1234" or "O1234"; 1 for any other name.
 int program_number(std::string_view name);

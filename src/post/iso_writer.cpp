@@ -228,7 +228,7 @@ void IsoWriter::change_tool(int number) {
   set_spindle({});
   home();
   if (options_.optional_stop && held_.tool != 0) out_.line("M1");
-  out_.comment(tool_change_comment(part_, number));
+  out_.comment(tool_change_comment(part_, number, options_.inch));
   if (changes_tools()) {
     load_by_changer(number);
   } else {

@@ -153,7 +153,7 @@ void KlartextWriter::write_section(const Section& section) {
   if (new_tool) {
     set_coolant(false);
     set_spindle(5);
-    comment(tool_change_comment(part_, section.tool_number));
+    comment(tool_change_comment(part_, section.tool_number, options_.inch));
   }
   call_tool(section);
   set_spindle(section.spindle_rpm <= 0 ? 5 : section.spindle_clockwise ? 3 : 4);

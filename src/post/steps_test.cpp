@@ -123,7 +123,7 @@ TEST(Steps, PrintedArcsPassEveryControlsRule) {
 }
 
 TEST(Comments, ArePlain) {
-  EXPECT_EQ(plain_comment("Pocket (1)\n50% ~!?"), "POCKET  1  50. ...");
+  EXPECT_EQ(plain_comment("Pocket (1)\n50% ~!?"), "POCKET 1 50. ...");
   EXPECT_EQ(plain_comment("MSG, hello, all"), "MSG: HELLO, ALL");
   EXPECT_EQ(plain_comment("T\xC3\xA4sch"), "T.SCH");
   EXPECT_EQ(operation_comment(2, "Pocket"), "OPERATION 3: POCKET");
@@ -135,6 +135,26 @@ TEST(Comments, ProgramNumbers) {
   EXPECT_EQ(program_number("77"), 77);
   EXPECT_EQ(program_number("fishhead"), 1);
   EXPECT_EQ(program_number("0"), 1);
+}
+
+TEST(Comment, NamesToolsInTheUnitOfTheProgram) {
+  Part part;
+  Tool mill;
+  mill.number = 1;
+  mill.kind = ToolKind::kEndMill;
+  mill.diameter = 6.35;
+  Tool bit = mill;
+  bit.number = 2;
+  bit.kind = ToolKind::kVBit;
+  bit.diameter = 10;
+  bit.tip_angle = Radians::of_degrees(60);
+  bit.tip_diameter = 0.4;
+  part.tools = {mill, bit};
+  EXPECT_EQ(tool_change_comment(part, 1, false), "TOOL CHANGE T1: ENDMILL D6.35 MM");
+  EXPECT_EQ(tool_change_comment(part, 1, true), "TOOL CHANGE T1: ENDMILL D0.25 IN");
+  EXPECT_EQ(tool_change_comment(part, 2, false), "TOOL CHANGE T2: VBIT D10 MM 60 DEG TIP 0.4 MM");
+  EXPECT_EQ(tool_change_comment(part, 2, true),
+            "TOOL CHANGE T2: VBIT D0.3937 IN = 10 MM 60 DEG TIP 0.0157 IN = 0.4 MM");
 }
 
 }  // namespace

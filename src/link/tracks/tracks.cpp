@@ -12,6 +12,8 @@ namespace {
 
 /// mm. Rounding of a written coordinate: half of 0.0001 inch at most. It may make a piece steeper; its feed allows for that.
 constexpr double kRounded = 0.0013;
+/// mm. Of starts that are as near as each other to within this the first is taken, so that no rounding chooses.
+constexpr double kAsNear = 0.01;
 
 Track turned(const Track& track) {
   Track out{{}, track.closed};
@@ -37,7 +39,7 @@ TrackStart nearest_start(const Track& track, Vec2 from) {
   TrackStart best;
   const auto offer = [&](Vec2 at, std::size_t piece, bool backwards) {
     const double d = distance(from, at);
-    if (d < best.distance) best = {d, piece, backwards};
+    if (d < best.distance - kAsNear) best = {d, piece, backwards};
   };
   const std::size_t starts = track.closed ? track.pieces.size() : 1;
   for (std::size_t i = 0; i < starts; ++i) offer(track.pieces[i].path.from, i, false);
@@ -47,12 +49,13 @@ TrackStart nearest_start(const Track& track, Vec2 from) {
 
 class TrackLinker {
  public:
-  TrackLinker(double clear_z, const LinkOptions& options) : clear_z_(clear_z), options_(options) {}
+  TrackLinker(double clear_z, const LinkOptions& options, const TipRoom& room)
+      : clear_z_(clear_z), options_(options), room_(room) {}
 
   void run(const Track& track) {
     const Track::Piece& first = track.pieces.front();
     if (!list_) list_.emplace(first.path.from, options_.safe_z);
-    if (list_->at() != first.path.from) {
+    if (list_->at() != first.path.from && !stay_down_to(first)) {
       list_->vertical(std::max(options_.cross_z, clear_z_), MoveKind::kRapid, {});
       list_->line(first.path.from, MoveKind::kRapid, {});
     }
@@ -82,6 +85,21 @@ class TrackLinker {
   }
 
  private:
+  /// Goes to the start of a track at the height of the shallower end, if that is allowed and as quick as over the part.
+  bool stay_down_to(const Track::Piece& first) {
+    const Vec2 to = first.path.from;
+    const double z = std::max(list_->z(), first.z_from), apart = distance(list_->at(), to);
+    const double over = std::max(options_.cross_z, clear_z_);
+    const double rapid = (over - list_->z() + apart + over - clear_z_) / options_.machine.rapid.mm_per_s();
+    const double lifted = rapid + (clear_z_ - first.z_from) / options_.plunge_feed.mm_per_s();
+    const double down = (z - list_->z() + apart) / options_.feed.mm_per_s() +
+                        (z - first.z_from) / options_.plunge_feed.mm_per_s();
+    if (!room_ || z >= clear_z_ || down > lifted || !room_(list_->at(), to, z)) return false;
+    if (list_->z() < z) list_->vertical(z, MoveKind::kRetract, options_.feed);
+    list_->line(to, MoveKind::kLink, options_.feed);
+    return true;
+  }
+
   MmPerMin feed_of(const Track::Piece& piece) const {
     if (piece.z_from <= piece.z_to) return options_.feed;
     const double down = piece.z_from - piece.z_to + 2 * kRounded;
@@ -92,20 +110,22 @@ class TrackLinker {
 
   double clear_z_;
   const LinkOptions& options_;
+  const TipRoom& room_;
   std::optional<MoveList> list_;
 };
 
 }  // namespace
 
-Section link_tracks(std::vector<std::vector<Track>> sets, double clear_z, const LinkOptions& options) {
-  TrackLinker linker(clear_z, options);
+Section link_tracks(std::vector<std::vector<Track>> sets, double clear_z, const LinkOptions& options,
+                    const TipRoom& room) {
+  TrackLinker linker(clear_z, options, room);
   for (std::vector<Track>& set : sets) {
     while (!set.empty()) {
       std::size_t next = 0;
       TrackStart best;
       for (std::size_t i = 0; i < set.size(); ++i) {
         const TrackStart one = nearest_start(set[i], linker.at());
-        if (one.distance < best.distance) best = one, next = i;
+        if (one.distance < best.distance - kAsNear) best = one, next = i;
       }
       Track track = std::move(set[next]);
       set.erase(set.begin() + static_cast<std::ptrdiff_t>(next));

@@ -80,15 +80,8 @@ plan::carve::TrackSets chamfer_tracks(const Feature& feature, const Tool& tool, 
   return plan::carve::chamfer_edge(*feature.chamfer, shape, standing_above(feature, plan), plan.tol).sets;
 }
 
-plan::carve::TrackSets tracks_of(int workingstep, const ResolvedPlan& plan) {
-  const Workingstep& step = plan.part.workplan[static_cast<std::size_t>(workingstep)];
-  const Feature& feature = feature_of(plan.part, step);
-  const Tool& tool = tool_of(plan.part, step);
-  const double stepdown = plan.steps[static_cast<std::size_t>(workingstep)].stepdown;
-  if (feature.chamfer) return chamfer_tracks(feature, tool, stepdown, plan);
-  if (feature.profile)
-    return plan::carve::engrave_line(feature.profile->line, feature.profile->closed, feature.top_z,
-                                     feature.floor_z, stepdown);
+plan::carve::CarveShape carve_shape(const Feature& feature, const Tool& tool, double stepdown,
+                                    const ResolvedPlan& plan) {
   plan::carve::CarveShape shape;
   shape.top = feature.top_z;
   shape.floor = feature.floor_z;
@@ -98,13 +91,51 @@ plan::carve::TrackSets tracks_of(int workingstep, const ResolvedPlan& plan) {
   shape.arcs_aside = aside_of(shape.slope, post::rounding_of(plan.post), plan) - shape.aside;
   shape.stepdown = stepdown;
   shape.cusp = kCusp;
+  return shape;
+}
+
+/// mm. Rounding of distances between a straight way and an outline that it comes as near as it may.
+constexpr double kRounding = 1e-7;
+
+/// A straight way is free where the cone, its tip at that height, fits between the outlines all along.
+link::TipRoom room_within(const Regions& target, const plan::carve::CarveShape& shape) {
+  return [&target, shape](Vec2 from, Vec2 to, double z) {
+    const double needed = shape.tip_radius + shape.aside + (shape.top - z) * shape.slope - kRounding;
+    const Edge way = Edge::line(from, to);
+    return std::any_of(target.begin(), target.end(), [&](const Region& region) {
+      const auto edges = region.edges();
+      return region.contains(from) && std::all_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+               return distance(edge, way) >= needed;
+             });
+    });
+  };
+}
+
+/// What the tip runs along, and where it may cross from one track to the next.
+struct Tracks {
   plan::carve::TrackSets sets;
+  link::TipRoom room;
+};
+
+Tracks tracks_of(int workingstep, const ResolvedPlan& plan) {
+  const Workingstep& step = plan.part.workplan[static_cast<std::size_t>(workingstep)];
+  const Feature& feature = feature_of(plan.part, step);
+  const Tool& tool = tool_of(plan.part, step);
+  const double stepdown = plan.steps[static_cast<std::size_t>(workingstep)].stepdown;
+  if (feature.chamfer) return {chamfer_tracks(feature, tool, stepdown, plan), {}};
+  if (feature.profile)
+    return {plan::carve::engrave_line(feature.profile->line, feature.profile->closed, feature.top_z,
+                                      feature.floor_z, stepdown),
+            {}};
+  const auto shape = carve_shape(feature, tool, stepdown, plan);
+  Tracks tracks;
   for (const Region& region : feature.target) {
     for (auto& set :
          plan::carve::carve_region(region, shape, cleared_before(workingstep, region, plan), plan.tol))
-      sets.push_back(std::move(set));
+      tracks.sets.push_back(std::move(set));
   }
-  return sets;
+  tracks.room = room_within(feature.target, shape);
+  return tracks;
 }
 
 }  // namespace
@@ -114,8 +145,9 @@ std::optional<Section> carve_step(int workingstep, const ResolvedPlan& plan) {
   if (!is_carved(feature_of(plan.part, step), tool_of(plan.part, step))) return std::nullopt;
   const link::LinkOptions link =
       link_options(plan, workingstep, plan.steps[static_cast<std::size_t>(workingstep)].entry);
+  Tracks tracks = tracks_of(workingstep, plan);
   Section section =
-      link::link_tracks(tracks_of(workingstep, plan), plan.part.top_z() + link.above_material, link);
+      link::link_tracks(std::move(tracks.sets), plan.part.top_z() + link.above_material, link, tracks.room);
   describe(section, workingstep, plan);
   return section;
 }

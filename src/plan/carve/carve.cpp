@@ -11,8 +11,6 @@ namespace {
 
 /// mm. Curved pieces of the medial axis are replaced by chords this near to them.
 constexpr double kChord = 0.0002;
-/// mm. Length of the pieces of a path that are left out if a mill has cleared their middle.
-constexpr double kRingPiece = 0.1;
 /// mm. Width of the rim of what a mill clears that is cut once more.
 constexpr double kRim = 0.02;
 
@@ -25,6 +23,9 @@ class RegionCarver {
         widest_(nearest_ + (shape.top - shape.floor) * shape.slope) {
     for (const Region& one : cleared) {
       for (Region& rest : inset(one, kRim, tol)) cleared_.push_back(std::move(rest));
+    }
+    for (const Region& one : cleared_) {
+      for (const Edge& edge : one.edges()) rims_.push_back(edge);
     }
   }
 
@@ -132,19 +133,33 @@ class RegionCarver {
 
   bool is_cleared(Vec2 p) const { return contains(cleared_, p); }
 
+  /// Shares of an edge at which it enters or leaves what a mill clears, with 0 and 1, in order. Between two of them all of it is
+  /// cleared, or nothing: so rounding moves the ends of passes by no more than itself.
+  std::vector<double> crossings(const Edge& edge) const {
+    std::vector<double> shares{0, 1};
+    const Box here = edge.box();
+    for (const Edge& rim : rims_) {
+      if (!rim.box().overlaps(here)) continue;
+      for (const Vec2 p : intersections(edge, rim)) shares.push_back(nearest(edge, p).t);
+    }
+    std::sort(shares.begin(), shares.end());
+    shares.erase(std::unique(shares.begin(), shares.end()), shares.end());
+    return shares;
+  }
+
   void add_uncleared(const Loop& loop, std::vector<Track>& set) const {
     Track run;
     bool whole = true;
     for (const Edge& edge : loop) {
-      const int pieces = std::max(1, static_cast<int>(std::ceil(edge.length() / kRingPiece)));
-      for (int i = 0; i < pieces; ++i) {
-        const double a = static_cast<double>(i) / pieces, b = (i + 1.0) / pieces;
+      const std::vector<double> shares = crossings(edge);
+      for (std::size_t i = 0; i + 1 < shares.size(); ++i) {
+        const double a = shares[i], b = shares[i + 1];
         if (is_cleared(edge.at((a + b) / 2))) {
           whole = false;
           if (!run.pieces.empty()) set.push_back(std::move(run));
           run = {};
         } else {
-          run.pieces.push_back({pieces == 1 ? edge : edge.part(a, b), shape_.floor, shape_.floor});
+          run.pieces.push_back({shares.size() == 2 ? edge : edge.part(a, b), shape_.floor, shape_.floor});
         }
       }
     }
@@ -155,11 +170,11 @@ class RegionCarver {
   void add_uncleared_part(const Chain& chain, std::vector<Chain>& out) const {
     Chain run;
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
-      const double length = distance(chain[i].point, chain[i + 1].point);
-      const int pieces = std::max(1, static_cast<int>(std::ceil(length / kRingPiece)));
-      for (int k = 0; k < pieces; ++k) {
-        const AxisPoint a = part_way(chain[i], chain[i + 1], static_cast<double>(k) / pieces);
-        const AxisPoint b = part_way(chain[i], chain[i + 1], (k + 1.0) / pieces);
+      if (chain[i].point == chain[i + 1].point) continue;
+      const std::vector<double> shares = crossings(Edge::line(chain[i].point, chain[i + 1].point));
+      for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
+        const AxisPoint a = part_way(chain[i], chain[i + 1], shares[k]);
+        const AxisPoint b = part_way(chain[i], chain[i + 1], shares[k + 1]);
         if (is_cleared(lerp(a.point, b.point, 0.5))) {
           if (run.size() > 1) out.push_back(std::move(run));
           run = {};
@@ -177,6 +192,7 @@ class RegionCarver {
   double nearest_;  ///< mm; clearance at which the tip is at the top of the material
   double widest_;   ///< mm; clearance from which on the tip is at the floor
   Regions cleared_;
+  std::vector<Edge> rims_;  ///< the outlines of `cleared_`
   std::vector<Chain> axis_;
 };
 
