@@ -78,7 +78,8 @@ struct Sample {
 void add_samples(const Side& side, double step, std::vector<Sample>& samples) {
   const Vec2 chord = side.to - side.from;
   const double size = std::hypot(chord.x, chord.y);
-  const int count = 1 + static_cast<int>((side.sweep == 0 ? size : std::abs(side.radius * side.sweep)) / step);
+  const int count =
+      1 + static_cast<int>((side.sweep == 0 ? size : std::abs(side.radius * side.sweep)) / step);
   const double start = std::atan2(side.from.y - side.center.y, side.from.x - side.center.x);
   for (int i = 0; i < count; ++i) {
     const double share = (i + 0.5) / count;

@@ -21,8 +21,8 @@ constexpr double kTouch = 1e-7;
 constexpr int kMostShrinks = 200;
 /// mm. Squares of the floor are not divided below this half diagonal.
 constexpr double kSmallestCell = 0.004;
-/// Directions in which the place of a flat tip over a point of the floor is looked for.
-constexpr int kDirections = 32;
+/// mm. Squares in which the place of a flat tip is looked for are not divided below this half diagonal.
+constexpr double kSmallestPlace = 0.0005;
 /// Radians. A smaller turn of the outline is no corner.
 constexpr double kSmooth = 1e-6;
 
@@ -173,12 +173,19 @@ class CarvingCheck {
   }
 
   /// Whether a flat tip can stand over p at the floor: narrow ends of the floor are out of its reach.
-  bool is_in_tips_reach(Vec2 p) const {
-    if (tip_ <= 0 || depth_into(p) >= widest_) return true;
-    for (int i = 0; i < kDirections; ++i) {
-      if (depth_into(p + direction_of(2 * kPi * i / kDirections) * tip_) >= widest_) return true;
-    }
-    return false;
+  bool is_in_tips_reach(Vec2 p) const { return tip_ <= 0 || has_place_for_tip(p, p, tip_); }
+
+  /// Whether in a square about `middle` the tip's axis has a place at the floor, within the tip's radius of p. Nowhere is the depth
+  /// more than it is in the middle and the distance from there.
+  bool has_place_for_tip(Vec2 p, Vec2 middle, double half) const {
+    const double diagonal = half * std::sqrt(2.0), away = distance(p, middle);
+    if (away - diagonal > tip_) return false;
+    const double inside = depth_into(middle);
+    if (away <= tip_ && inside >= widest_) return true;
+    if (inside + diagonal < widest_ || diagonal < kSmallestPlace) return false;
+    const auto quarters = {Vec2{-0.5, -0.5}, Vec2{0.5, -0.5}, Vec2{-0.5, 0.5}, Vec2{0.5, 0.5}};
+    return std::any_of(quarters.begin(), quarters.end(),
+                       [&](Vec2 way) { return has_place_for_tip(p, middle + way * half, half / 2); });
   }
 
   void check_cell(Vec2 p, double half) {
