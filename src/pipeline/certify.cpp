@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "base/error.h"
 #include "base/files/digest.h"
@@ -45,18 +46,38 @@ std::string stock_line(const Part& part, const Lengths& lengths) {
                      lengths.unit());
 }
 
-constexpr std::size_t kConditionsShown = 3;
 /// Characters; every control takes a comment as long in one line.
 constexpr std::size_t kConditionLine = 60;
+/// Of them for how many more kinds there are.
+constexpr std::size_t kForMore = 9;
 
-/// "NONE", or the first few by name.
+/// Each kind of condition once, with how often it is there: "2 X OUT-OF-REACH (AT MOST ...)".
+std::vector<std::string> kinds_of(const std::vector<Condition>& conditions) {
+  std::vector<std::string> kinds;
+  std::map<std::string, int> counts;
+  for (const Condition& one : conditions) {
+    const std::string kind = one.name + (one.met_by.empty() ? "" : " (" + one.met_by + ")");
+    if (++counts[kind] == 1) kinds.push_back(kind);
+  }
+  for (std::string& kind : kinds)
+    if (const int count = counts[kind]; count > 1) kind = fmt::format("{} X {}", count, kind);
+  return kinds;
+}
+
+/// "NONE", or the first few kinds.
 std::string condition_line(const Findings& findings) {
   std::string text = "CONDITIONS:";
-  const auto& all = findings.conditions;
-  for (std::size_t i = 0; i < std::min(all.size(), kConditionsShown); ++i)
-    text += (i > 0 ? ", " : " ") + all[i].name + (all[i].met_by.empty() ? "" : " (" + all[i].met_by + ")");
-  if (all.size() > kConditionsShown) text += fmt::format(" AND {} MORE", all.size() - kConditionsShown);
-  return all.empty() ? text + " NONE" : text.substr(0, kConditionLine);
+  const std::vector<std::string> kinds = kinds_of(findings.conditions);
+  if (kinds.empty()) return text + " NONE";
+  std::size_t shown = 0;
+  for (; shown < kinds.size(); ++shown) {
+    const std::string more = (shown > 0 ? ", " : " ") + kinds[shown];
+    const std::size_t room = kConditionLine - (shown + 1 < kinds.size() ? kForMore : 0);
+    if (shown > 0 && text.size() + more.size() > room) break;
+    text += more.substr(0, room - text.size());
+  }
+  if (shown < kinds.size()) text += fmt::format(", {} MORE", kinds.size() - shown);
+  return text;
 }
 
 /// The certificate in short lines, always as many: the numbered places of the findings must stay true.

@@ -369,6 +369,7 @@ TEST(OutOfReach, IsSaidWithTheLargestCutterThatReaches) {
       dxf(rectangle("POCKET_D2", 0, 0, 40, 30) + rectangle("POCKET_D2", 50, 0, 90, 30)), "two.dxf", asking());
   const auto result = plan_part(part, with_mill("endmill:10"));
   ASSERT_EQ(result.findings.conditions.size(), 2u);
+  EXPECT_THAT(result.program, HasSubstr("(CONDITIONS: 2 X OUT-OF-REACH AT MOST 2 PERCENT OR 1 MM2)"));
   EXPECT_EQ(result.findings.conditions[0].name, "out-of-reach");
   EXPECT_THAT(result.findings.conditions[0].text, HasSubstr("out of the reach of T1 (10 mm)"));
   EXPECT_THAT(result.findings.conditions[0].text,
