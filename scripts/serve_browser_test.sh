@@ -42,6 +42,7 @@ cat > "$kit/large.json" <<'PART'
 {"name": "large", "units": "mm", "outer": [[0, 0, 0.1], [400, 0, 0.2], [400, 300, 0.1], [0, 300, 0.3]],
  "islands": [[[200, 150, 1], [150, 150, 1]]], "top": 0, "depth": 5}
 PART
+rm -f "$kit/serve.txt"
 "$clearcut" serve --port 0 > "$kit/serve.txt" &
 server=$!
 trap 'kill $server 2> /dev/null || true' EXIT

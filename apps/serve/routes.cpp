@@ -6,6 +6,7 @@
 
 #include "serve/page_text.h"
 #include "serve/result_files.h"
+#include "serve/schemas.h"
 
 namespace clearcut::serve {
 namespace {
@@ -67,9 +68,17 @@ std::vector<Route> plan_routes() {
        with_upload({{202, "queued; where its state and events are"}}),
        json,
        {},
-       post_plan});
-  out.push_back(
-      {"GET", "/plan/{id}", "State of a plan", {}, {{200, "the state"}, unknown}, json, get_plan, {}});
+       post_plan,
+       "Queued"});
+  out.push_back({"GET",
+                 "/plan/{id}",
+                 "State of a plan",
+                 {},
+                 {{200, "the state"}, unknown},
+                 json,
+                 get_plan,
+                 {},
+                 "State"});
   out.push_back({"DELETE",
                  "/plan/{id}",
                  "Cancel a plan and forget it",
@@ -77,7 +86,8 @@ std::vector<Route> plan_routes() {
                  {{200, "gone"}, unknown},
                  json,
                  drop_plan,
-                 {}});
+                 {},
+                 "Gone"});
   out.push_back(
       {"GET",
        "/plan/{id}/events",
@@ -86,7 +96,8 @@ std::vector<Route> plan_routes() {
        {{200, "events"}, unknown, {503, "too many connections follow plans; ask for the state instead"}},
        "text/event-stream",
        get_events,
-       {}});
+       {},
+       "State"});
   return out;
 }
 
@@ -107,12 +118,13 @@ std::vector<Route> all_routes() {
                  with_upload({{200, "verdict and faults"}}),
                  "application/json",
                  {},
-                 post_check});
-  for (const auto& [path, what, answer, reader] :
+                 post_check,
+                 "Checked"});
+  for (const auto& [path, what, answer, reader, schema] :
        {std::tuple{"/info", "What a part holds: outlines and what they are for, features, what was mended",
-                   "state, and the JSON of the command under info", &post_info},
+                   "state, and the JSON of the command under info", &post_info, "Info"},
         std::tuple{"/compare", "All strategies that fit a part, planned and certified",
-                   "state, and the JSON of the command under compare", &post_compare}})
+                   "state, and the JSON of the command under compare", &post_compare, "Compare"}})
     out.push_back({"POST",
                    path,
                    what,
@@ -120,7 +132,8 @@ std::vector<Route> all_routes() {
                    with_upload({{200, answer}}),
                    "application/json",
                    {},
-                   reader});
+                   reader,
+                   schema});
   return out;
 }
 
@@ -139,10 +152,12 @@ Json operation_of(const Route& route) {
   Json answers = Json::object();
   for (const auto& [status, text] : route.answers) {
     const bool is_good = status < 300;
+    const std::string schema = is_good ? route.schema : "Error";
+    const Json content =
+        schema.empty() ? Json::object() : Json{{"schema", {{"$ref", "#/components/schemas/" + schema}}}};
     answers[std::to_string(status)] = {
         {"description", text},
-        {"content",
-         {{is_good ? route.type.substr(0, route.type.find(';')) : "application/json", Json::object()}}}};
+        {"content", {{is_good ? route.type.substr(0, route.type.find(';')) : "application/json", content}}}};
   }
   Json operation{{"summary", route.summary}, {"responses", answers}};
   for (const char* name : {"id", "setup"}) {
@@ -168,8 +183,10 @@ std::string openapi_json() {
     for (char& c : method) c = static_cast<char>(std::tolower(c));
     paths[route.path][method] = operation_of(route);
   }
-  const Json all{
-      {"openapi", "3.1.0"}, {"info", {{"title", "clearcut serve"}, {"version", kVersion}}}, {"paths", paths}};
+  const Json all{{"openapi", "3.1.0"},
+                 {"info", {{"title", "clearcut serve"}, {"version", kVersion}}},
+                 {"paths", paths},
+                 {"components", {{"schemas", schemas()}}}};
   return all.dump(1) + "\n";
 }
 

@@ -37,6 +37,7 @@ struct Route {
   /// For requests with a form, read as it comes.
   std::function<void(Service&, const httplib::Request&, httplib::Response&, const httplib::ContentReader&)>
       reader;
+  std::string schema{};  ///< of a good answer, by its name in schemas(); "": any
 };
 
 const std::vector<Route>& routes();

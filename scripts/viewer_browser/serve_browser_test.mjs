@@ -38,6 +38,8 @@ async function plans(page) {
   const [download] = await Promise.all([page.waitForEvent('download'), page.click('#plan-downloads a')]);
   await download.saveAs(`${folder}/square.ngc`);
   check(download.suggestedFilename() === 'square.ngc' && readFileSync(`${folder}/square.ngc`, 'utf8').includes('G1'), 'the program is downloaded');
+  const verified = spawnSync(command, ['verify', 'square.ngc', '--part', 'square.json', '--tool', 'endmill:6'], { cwd: folder });
+  check(verified.status === 0, 'the command finds it CLEAN, too');
 }
 
 /** @type {(page: Page, selector: string, name: string) => Promise<string>} */
@@ -83,6 +85,22 @@ async function drives(page) {
   }
   check(readFileSync(`${folder}/drive/again.ngc`, 'utf8') === program, 'the job planned by the command gives the same bytes');
   await page.screenshot({ path: picture('serve-drive-1366'), fullPage: true });
+}
+
+/** The examples, each with what has to be said of it, planned to the end. @type {(page: Page) => Promise<void>} */
+async function plansExamples(page) {
+  const examples = [['bracket.dxf', '6', '--stepdown 2.5'], ['bracket.svg', '6', ''], ['bracket.json', '6', ''], ['bracket.step', '6', ''], ['fishhead.p21', '', '--stepdown 50'],
+    ['fishhead_sloped.p21', '', '--stepdown 50'], ['sign.dxf', '', '--tool vbit:60deg:10'], ['plate.dxf', '5', '--tool chamfer:90deg:8:tip=0.4 --stepdown 3'],
+    ['bracket.toml', '', '', 'bracket.dxf', 'mill.toml', 'tools.toml'], ['flange.toml', '', '', 'flange.dxf'], ['gland.toml', '', '', 'gland.dxf'], ['two_sided.toml', '', '', 'two_sided.step']];
+  for (const [name, diameter, options, ...others] of examples) {
+    await page.goto(address);
+    await page.setInputFiles('#plan-files', [name, ...others].map(one => `examples/${one}`));
+    await page.fill('#tool-diameter', diameter);
+    await page.fill('#plan-options', `${options} --accept out-of-reach --accept tool-change`);
+    await page.click('#plan-go');
+    await page.waitForFunction(() => { const status = document.getElementById('plan-status'); return /^Done/.test(status?.textContent ?? '') || status?.classList.contains('error'); }, null, { timeout: 240000 });
+    check(/^Done: CLEAN/.test(await textOf(page, '#plan-status')), `${name}: ${await textOf(page, '#plan-status')}`);
+  }
 }
 
 /** A job that is milled from two sides: each set-up has its results. @type {(page: Page) => Promise<void>} */
@@ -140,6 +158,12 @@ async function checks(page) {
   check(await textOf(page, '#check-verdict') === 'FAULTY', 'a wrong program is FAULTY');
   check(await page.locator('#check-faults li').count() > 0, 'its faults are listed');
   check(await page.locator('#check-lines li.fault').count() > 0, 'their lines are marked');
+  const frame = await reportIn(page, '#check-report');
+  await page.click('#check-faults button:text-is("Line 6")');
+  await frame.waitForFunction('selected >= 0 && moves.line[selected] === 6', null, { timeout: 60000 });
+  check(true, 'a click on the line of a fault brings the report there');
+  const play = await frame.locator('#play').boundingBox();
+  check(play !== null && play.y > 0 && play.y + play.height <= 768, 'verdict, faults, part and play are seen without scrolling');
 }
 
 /** A condition that is met is none that is open. @type {(page: Page) => Promise<void>} */
@@ -178,6 +202,7 @@ check(await fits(page), 'nothing overflows at 1366');
 await drives(page);
 await isAccessible(page, 'the page with outlines');
 check(await fits(page), 'nothing overflows with outlines');
+await plansExamples(page);
 await plansSetups(page);
 await compares(page);
 await cancels(page);

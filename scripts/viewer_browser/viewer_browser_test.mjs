@@ -242,6 +242,7 @@ async function looks(width, height, scheme) {
   await stagePicture(page);
   await page.screenshot({ path: `${folder}/pictures/${width}-${scheme}.png`, fullPage: width < 500 });
   check(await holds(page, 'document.documentElement.scrollWidth <= innerWidth'), name + ': nothing overflows sideways');
+  check(await holds(page, 'by("play").getBoundingClientRect().bottom <= innerHeight'), name + ': play without scrolling');
   if (width >= 1366) {
     const seen = await holds(page, `['overlay', 'play', 'verdict', 'reason', 'plot'].every(id => {
       const box = by(id).getBoundingClientRect(); return box.height > 0 && box.top >= 0 && box.bottom <= innerHeight; })`);
@@ -263,7 +264,7 @@ console.log('opened in', await numberOf(page, 'Math.round(performance.timing.loa
 for (const part of [plays, clicks, chooses, scrubs]) await part(page);
 await page.close();
 for (const part of [inSpace, scrubsInSpace, withoutStock, frames, aMillionLines, strangeAddresses, withoutWebGl]) await part();
-for (const [width, height] of [[390, 844], [1366, 768], [1920, 1080]]) {
+for (const [width, height] of [[390, 844], [1366, 768], [1920, 1080], [3840, 2160]]) {
   await looks(width, height, 'light');
   await looks(width, height, 'dark');
 }

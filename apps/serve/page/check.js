@@ -35,12 +35,11 @@ function showCheckCommand() {
   if (element('check-result').hidden) say(element('check-status'), whatIsJudged(program, part));
 }
 
-/** @type {(number: number) => void} */
+/** Brings the report above to the line, and the list below, which may not be there. @type {(number: number) => void} */
 function showLine(number) {
-  const line = element('check-lines').children[number - 1];
-  if (!line) return;
-  line.classList.add('fault');
-  line.scrollIntoView({ block: 'center' });
+  const frame = element('check-report'), list = element('check-lines'), line = list.children[number - 1];
+  frame.src = `${frame.src.replace(/#.*/, '')}#line=${number}`;
+  if (line instanceof HTMLElement) list.scrollTop = line.offsetTop - list.offsetTop - list.clientHeight / 2;
 }
 
 /** @type {(text: string, line: number, kind: string) => HTMLElement} */

@@ -3,7 +3,7 @@
 /** What is no finite number comes as null. @type {(value: number | null, count: number) => string} */
 const digits = (value, count) => value === null ? '?' : value.toFixed(count);
 /** @type {[string, (one: PlannedRun) => string][]} */
-const compareColumns = [['strategy', one => one.strategy], ['clean', one => one.clean ? 'yes' : 'no'], ['time', one => minutes(one.time_s)], ['feed mm', one => digits(one.feed_mm, 0)],
+const compareColumns = [['strategy', one => one.fastest ? `${one.strategy}, the fastest` : one.strategy], ['clean', one => one.clean ? 'yes' : 'no'], ['time', one => minutes(one.time_s)], ['feed mm', one => digits(one.feed_mm, 0)],
   ['retracts', one => String(one.retracts)], ['engagement', one => `${digits(one.engagement_max_deg, 0)}°`], ['left mm', one => digits(one.uncut_thickness_mm, 4)]];
 
 /** @type {(seconds: number | null) => string} */

@@ -31,7 +31,7 @@ function sizeOf(outline) {
 function outlineRow(outline, index) {
   const row = made('tr', '', { 'data-index': index });
   const kind = made('select', '', { 'aria-label': `What outline ${outline.number} is for` });
-  fillSelect(kind, outlineKinds, outline.role ? `${outline.role}, as read` : 'as read');
+  fillSelect(kind, outlineKinds, outline.role ? `${outline.role} (read)` : 'not said yet');
   const depth = made('input', '', { 'aria-label': `Depth of outline ${outline.number}, mm`, inputmode: 'decimal', size: '4', placeholder: outline.depth_mm === null ? '' : String(round(outline.depth_mm, 3)) });
   const layer = made('td', outline.layer, { title: outline.within ? `within outline ${outline.within}` : 'within no other' });
   row.append(made('td', String(outline.number)), layer, made('td', sizeOf(outline)), made('td'), made('td'));

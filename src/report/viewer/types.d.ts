@@ -207,6 +207,7 @@ type Standpoint = 'iso' | 'top' | 'front' | 'right';
 interface PageElements {
   'title': HTMLHeadingElement;
   'tiles': HTMLDListElement;
+  'unit': HTMLSelectElement;
   'work': HTMLElement;
   'tools': HTMLDivElement;
   'color-by': HTMLSelectElement;
@@ -217,7 +218,7 @@ interface PageElements {
   'section-box': HTMLSpanElement;
   'section': HTMLSelectElement;
   'section-at': HTMLInputElement;
-  'unit': HTMLSelectElement;
+  'section-place': HTMLOutputElement;
   'stage': HTMLDivElement;
   'space': HTMLCanvasElement;
   'overlay': HTMLCanvasElement;

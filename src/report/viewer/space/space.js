@@ -192,13 +192,13 @@ const SECTION_RANGE = { x: () => [sx0, sx1], y: () => [sy0, sy1], z: () => [bott
 function chooseSection(moved) {
   section.axis = by('section').value;
   const slider = by('section-at'), range = SECTION_RANGE[section.axis];
-  slider.hidden = !range;
+  slider.hidden = by('section-place').hidden = !range;
   if (range) {
     const [from, to] = range();
     if (!moved) slider.value = '500';
     section.at = from + (to - from) * Number(slider.value) / 1000;
-    slider.setAttribute('aria-valuetext', section.axis + ' ' + lengthText(section.at, 2));
-    slider.title = section.axis + ' ' + lengthText(section.at, 2);
+    by('section-place').value = section.axis + ' ' + lengthText(section.at, 2);
+    slider.setAttribute('aria-valuetext', by('section-place').value);
   }
   redrawSoon();
 }

@@ -1,0 +1,87 @@
+#include "serve/schemas.h"
+
+namespace clearcut::serve {
+namespace {
+
+Json described(const char* type, const char* what) {
+  return {{"type", type}, {"description", what}};
+}
+
+Json list_of(const char* what) {
+  return {{"type", "array"}, {"items", {{"type", "string"}}}, {"description", what}};
+}
+
+Json reference(const char* name) {
+  return {{"$ref", std::string("#/components/schemas/") + name}};
+}
+
+/// Nothing but these properties.
+Json object(const Json& properties, const std::vector<std::string>& required) {
+  return {{"type", "object"},
+          {"properties", properties},
+          {"required", required},
+          {"additionalProperties", false}};
+}
+
+Json progress() {
+  return object({{"stage", {{"type", "string"}, {"enum", {"planning", "certifying"}}}},
+                 {"done", described("integer", "candidates that are planned")},
+                 {"most", described("integer", "how many there may be")},
+                 {"left_s", described("number", "s left at most; absent: not known")}},
+                {"stage", "done", "most"});
+}
+
+/// What every answer about work holds.
+Json work() {
+  return {{"state", {{"type", "string"}, {"enum", {"waiting", "running", "done", "failed", "cancelled"}}}},
+          {"ahead", described("integer", "plans before it, while it waits")},
+          {"progress", reference("Progress")},
+          {"seconds", described("number", "since it began, or from its beginning to its end")},
+          {"exit_code", described("integer", "of the command, at the end")},
+          {"message", described("string", "why it failed")},
+          {"messages", list_of("what was noticed, at the end")}};
+}
+
+Json state() {
+  Json properties = work();
+  properties["id"] = described("string", "name of the plan");
+  properties["verdict"] =
+      described("string", "CLEAN, CONDITIONAL or FAULTY, perhaps with AS FAR AS CAN BE SAID WITHOUT A PART");
+  properties["results"] = {{"type", "object"},
+                           {"additionalProperties", {{"type", "string"}}},
+                           {"description", "addresses of the results by their names"}};
+  return properties;
+}
+
+Json checked() {
+  Json properties = state();
+  properties["certificate"] = described("object", "as docs/certificate.schema.json says");
+  properties["text"] = described("string", "figures as a terminal shows them");
+  return properties;
+}
+
+/// Of a command that prints JSON.
+Json answer_of(const char* command, const char* what) {
+  Json properties = work();
+  properties[command] = {{"type", {"object", "null"}}, {"description", what}};
+  return object(properties, {"state", command});
+}
+
+}  // namespace
+
+Json schemas() {
+  return {{"Error", object({{"error", described("string", "one line that says what to do")}}, {"error"})},
+          {"Queued", object({{"id", described("string", "name of the plan")},
+                             {"status", described("string", "address of its state")},
+                             {"events", described("string", "address of its events")},
+                             {"command", list_of("words of the command that plans")}},
+                            {"id", "status", "events", "command"})},
+          {"Gone", object({{"state", {{"const", "cancelled"}, {"type", "string"}}}}, {"state"})},
+          {"Progress", progress()},
+          {"State", object(state(), {"id", "state"})},
+          {"Checked", object(checked(), {"id", "state"})},
+          {"Info", answer_of("info", "what `clearcut info --json` prints")},
+          {"Compare", answer_of("compare", "what `clearcut compare --json` prints")}};
+}
+
+}  // namespace clearcut::serve
