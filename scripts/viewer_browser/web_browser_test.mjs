@@ -69,6 +69,22 @@ async function plansBracket(page) {
 }
 
 /** @type {(page: Page) => Promise<void>} */
+async function compares(page) {
+  writeFileSync(`${folder}/small.json`, JSON.stringify({ name: 'small', units: 'mm', outer: [[0, 0, 0], [40, 0, 0], [40, 30, 0], [0, 30, 0]], islands: [], top: 0, depth: 2 }));
+  await page.setInputFiles('#plan-files', `${folder}/small.json`);
+  await partOf(page);
+  await page.fill('#plan-options', '--accept out-of-reach');
+  await page.click('#plan-compare');
+  await page.waitForSelector('#comparison tbody tr', { timeout: 300000 });
+  const rows = await page.locator('#comparison tbody tr').count();
+  check(rows > 10 && await page.locator('#comparison tr.fastest').count() === 1, `${rows} strategies are compared`);
+  if (!command) return;
+  const said = JSON.parse(spawnSync(command, ['compare', `${folder}/small.json`, '--tool', 'endmill:6', '--accept', 'out-of-reach', '--json'], { encoding: 'utf8' }).stdout);
+  const fastest = said.strategies.find((/** @type {{ fastest?: boolean }} */ one) => one.fastest).strategy;
+  check((await textOf(page, '#comparison tr.fastest td')).startsWith(fastest), `the fastest is that of the command, ${fastest}`);
+}
+
+/** @type {(page: Page) => Promise<void>} */
 async function cancels(page) {
   const part = { name: 'large', units: 'mm', outer: [[0, 0, 0.1], [400, 0, 0.2], [400, 300, 0.1], [0, 300, 0.3]], islands: [[[200, 150, 1], [150, 150, 1]]], top: 0, depth: 5 };
   writeFileSync(`${folder}/large.json`, JSON.stringify(part));
@@ -146,6 +162,7 @@ await plansBracket(page);
 await page.screenshot({ path: picture('web-1366') });
 await isAccessible(page, 'the page with a plan');
 check(await fits(page), 'nothing overflows at 1366');
+await compares(page);
 await cancels(page);
 await refuses(page);
 await checks(page);

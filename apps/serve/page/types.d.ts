@@ -40,6 +40,9 @@ interface DoneState {
 /** What the page reads of a certificate (docs/certificate.schema.json). */
 interface Certificate {
   verdict: string;
+  /** Of the whole program; null: no finite number. */
+  time_s: number | null; feed_mm: number | null; retracts: number; uncut_thickness_mm: number | null; engagement: { max_deg: number | null };
+  features: { clean: boolean }[];
   faults: CertificateFault[];
   conditions: Condition[];
 }

@@ -152,6 +152,22 @@ function forgetLinks(links) {
   for (const link of Object.values(links)) URL.revokeObjectURL(link);
 }
 
+/** The part, planned and certified by one strategy. @type {(strategy: string, form: FormData, files: NamedBytes[]) => Promise<StrategyRun>} */
+async function runOf(strategy, form, files) {
+  const words = ['plan', nameIn(form, 'part'), ...optionsIn(form), `--strategy=${strategy}`, '--output=results/program.ngc', '--certificate=results/certificate.json'];
+  const state = await new LocalWork(words, files).last();
+  if (state.state === 'done') forgetLinks(state.results);
+  if (state.state !== 'done' || !state.certificate) return { strategy, planned: false, refusal: state.state === 'failed' && state.message || 'ended without a result' };
+  const { time_s, feed_mm, retracts, engagement, uncut_thickness_mm, features } = state.certificate;
+  return { strategy, planned: true, clean: features.every(feature => feature.clean), fastest: false, time_s, feed_mm, retracts, engagement_max_deg: engagement.max_deg, uncut_thickness_mm };
+}
+
+/** The first of those that take the least time and are clean. @type {(runs: StrategyRun[]) => PlannedRun | undefined} */
+function fastestOf(runs) {
+  const seconds = (/** @type {PlannedRun} */ run) => run.time_s ?? Infinity;
+  return runs.filter(run => run.planned).filter(run => run.clean).reduce((/** @type {PlannedRun | undefined} */ best, run) => best && seconds(best) <= seconds(run) ? best : run, undefined);
+}
+
 /** See Pipeline for what each does. @type {Pipeline} */
 const pipeline = {
   promise: 'Nothing is uploaded: this page plans and checks in your browser, also without a network.',
@@ -195,7 +211,19 @@ const pipeline = {
     if (end.code > 1 || !end.text.startsWith('{')) return { state: 'failed', message: work.messages.at(-1) ?? 'ended without an answer' };
     return { state: 'done', info: JSON.parse(end.text) };
   },
-  compare: async () => ({ state: 'failed', message: 'This page plans one strategy at a time; to compare all, run clearcut compare.' }),
+  async compare(form) {
+    const options = await pipeline.options(), files = await filesOf(form);
+    const names = options.plan.find(one => one.names.includes('--strategy'))?.values ?? [], left = [...names.keys()];
+    /** @type {StrategyRun[]} */
+    const runs = [];
+    const planSome = async () => {
+      for (let k = left.shift(); k !== undefined; k = left.shift()) runs[k] = await runOf(names[k], form, files);
+    };
+    await Promise.all([planSome(), planSome()]);
+    const fastest = fastestOf(runs);
+    if (fastest) fastest.fastest = true;
+    return runs.some(run => run.planned) ? { state: 'done', compare: { strategies: runs } } : { state: 'failed', message: runs[0] && !runs[0].planned ? runs[0].refusal : '' };
+  },
 };
 
 if ('serviceWorker' in navigator) navigator.serviceWorker.register('offline.js').catch(() => {});  // then it works with a network only

@@ -217,13 +217,14 @@ interface PageElements {
   'rapids': HTMLInputElement;
   'section-box': HTMLSpanElement;
   'section': HTMLSelectElement;
-  'section-at': HTMLInputElement;
-  'section-place': HTMLOutputElement;
   'stage': HTMLDivElement;
   'space': HTMLCanvasElement;
   'overlay': HTMLCanvasElement;
   'views': HTMLDivElement;
   'space-note': HTMLSpanElement;
+  'section-slider': HTMLDivElement;
+  'section-at': HTMLInputElement;
+  'section-place': HTMLOutputElement;
   'zoom': HTMLDivElement;
   'zoom-in': HTMLButtonElement;
   'zoom-out': HTMLButtonElement;

@@ -53,6 +53,7 @@ function chooseView(name) {
   space.on = on;
   stageCanvas.hidden = !on;
   by('section-box').hidden = !on;
+  by('section-slider').hidden = !on || section.axis === 'none';
   by('path-note').hidden = true;
   measureStage();
   if (on) standAt(name);
@@ -192,7 +193,7 @@ const SECTION_RANGE = { x: () => [sx0, sx1], y: () => [sy0, sy1], z: () => [bott
 function chooseSection(moved) {
   section.axis = by('section').value;
   const slider = by('section-at'), range = SECTION_RANGE[section.axis];
-  slider.hidden = by('section-place').hidden = !range;
+  by('section-slider').hidden = !range;
   if (range) {
     const [from, to] = range();
     if (!moved) slider.value = '500';
