@@ -130,6 +130,10 @@ async function checks(page) {
   check(await textOf(page, '#check-verdict') === 'FAULTY', 'a wrong program is FAULTY');
   check(await page.locator('#check-faults li').count() > 0, 'its faults are listed');
   check(await page.locator('#check-lines li.fault').count() > 0, 'their lines are marked');
+  const faulty = await reportIn(page, '#check-report');
+  await page.click('#check-faults button:text-is("Line 6")');
+  await faulty.waitForFunction('selected >= 0 && moves.line[selected] === 6', null, { timeout: 60000 });
+  check(true, 'a click on the line of a fault brings the report there');
   check(/Nothing is uploaded/.test(await textOf(page, '#promise')), 'the page says that nothing is uploaded');
   await page.click('#check [aria-label="Remove bracket.dxf"]');
   await page.fill('#check-stock', '0:70,0:50,-5:0');

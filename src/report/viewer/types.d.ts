@@ -206,8 +206,8 @@ type Standpoint = 'iso' | 'top' | 'front' | 'right';
 /** The elements of body.html by their ids; a test holds them to it. */
 interface PageElements {
   'title': HTMLHeadingElement;
-  'tiles': HTMLDListElement;
   'unit': HTMLSelectElement;
+  'tiles': HTMLDListElement;
   'work': HTMLElement;
   'tools': HTMLDivElement;
   'color-by': HTMLSelectElement;
