@@ -18,7 +18,7 @@ else()
   list(TRANSFORM CLEARCUT_ELEMENTARY REPLACE "(.+)" "-u;\\1" OUTPUT_VARIABLE wanted)
   list(TRANSFORM CLEARCUT_ELEMENTARY REPLACE "(.+)" "--redefine-sym;\\1=clearcut_musl_\\1;-G;clearcut_musl_\\1;-G;\\1" OUTPUT_VARIABLE names)
   add_custom_command(OUTPUT ${CLEARCUT_ELEMENTARY_OBJECT}
-    COMMAND ${CMAKE_LINKER} -r ${wanted} -o elementary_all.o ${CLEARCUT_MUSL}
+    COMMAND ${CMAKE_CXX_COMPILER} -r -nostdlib ${wanted} -o elementary_all.o ${CLEARCUT_MUSL}
     COMMAND ${CMAKE_OBJCOPY} ${names} elementary_all.o ${CLEARCUT_ELEMENTARY_OBJECT}
     DEPENDS ${CLEARCUT_MUSL} VERBATIM)
   set_source_files_properties(${CLEARCUT_ELEMENTARY_OBJECT} PROPERTIES EXTERNAL_OBJECT TRUE GENERATED TRUE)
