@@ -98,7 +98,7 @@ Regions swept(const Regions& allowed, double radius, double stock, double more, 
 }
 
 Regions left_over(const Part& part, int workingstep, const Layer& layer,
-                  const std::optional<Toolpath>& earlier, const Tolerances& tol) {
+                  const std::optional<Toolpath>& earlier, const Tolerances& tol, const RoomBefore& room) {
   const Workingstep& own = step_at(part, workingstep);
   Regions left = layer.target;
   const bool upright = feature_of(part, own).wall_slope.radians() == 0;
@@ -106,7 +106,10 @@ Regions left_over(const Part& part, int workingstep, const Layer& layer,
     const Workingstep& step = step_at(part, i);
     if (step.feature != own.feature || !reaches(part, step, layer.z)) continue;
     const double stock = step.operation.allowance_side + layer.reserve;
-    left = subtract(left, swept(layer.allowed, tool_of(part, step).radius(), stock, -kSpare, tol), tol);
+    const std::optional<Regions> bounded = room ? room(i) : std::nullopt;
+    left = subtract(
+        left, swept(bounded ? *bounded : layer.allowed, tool_of(part, step).radius(), stock, -kSpare, tol),
+        tol);
   }
   const double own_stock = own.operation.allowance_side;
   if (earlier && !left.empty()) {

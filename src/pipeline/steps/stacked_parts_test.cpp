@@ -159,5 +159,18 @@ TEST(StackedFeatures, AFloorIsFinishedWhereTheDeeperPocketsCutterCannotReach) {
   EXPECT_EQ(faults_of(plan_part(part, options).findings), "");
 }
 
+/// The wide cutter clears the box in one layer below the floor of the round pocket in it, which bounds it there. The narrow
+/// cutter's first layer lies above that floor, where the wide one would have had more room.
+TEST(StackedFeatures, ANarrowCutterTakesWhatTheDeeperLayerOfAWiderOneLeftAbove) {
+  const Part part = drawn(circle("A_POCKET_D3", {}, 10) + circle("B_POCKET_D4", {}, 10) +
+                          box("B_POCKET_D4", -24, -13, 24, 13) + circle("C_POCKET_D8", {}, 10) +
+                          circle("C_POCKET_D8", {}, 12));
+  for (const char* strategy : {"contour", "zigzag"}) {
+    resolve::PlanOptions options = with({"endmill:6", "endmill:8"});
+    options.strategy = strategy;
+    EXPECT_EQ(faults_of(plan_part(part, options).findings), "") << strategy;
+  }
+}
+
 }  // namespace
 }  // namespace clearcut::pipeline

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/parallel.h"
 #include "base/progress.h"
@@ -118,6 +119,26 @@ bool is_wall_finishing(const Workingstep& step, const Feature& feature, const Re
   return !resolve::is_thicker_than(left, 2 * kThinStock * layer.tool_radius, tol);
 }
 
+/// Where earlier steps of a feature were bounded that runs into other pockets: those are open down to their floors, and the
+/// layers of a step with a wider cutter may all lie below.
+class RoomOfEarlierSteps {
+ public:
+  explicit RoomOfEarlierSteps(const ResolvedPlan& plan) : plan_(plan) {}
+
+  /// What bounded the highest layer of `step` at z or below.
+  std::optional<Regions> operator()(int step, double z) {
+    const auto [known, added] = layers_.try_emplace(step);
+    if (added) known->second = standing_layers(step, plan_);
+    for (const Layer& layer : known->second)
+      if (layer.z <= z + plan_.tol.coincident) return layer.allowed;
+    return std::nullopt;
+  }
+
+ private:
+  const ResolvedPlan& plan_;
+  std::map<int, std::vector<Layer>> layers_;  ///< from the top down
+};
+
 /// The layers with what earlier steps of the feature or an earlier program have left of them, where the step is to cut
 /// that alone: rest machining and finishing.
 std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, const ResolvedPlan& plan) {
@@ -127,6 +148,8 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
   const bool met = resolve::meets_earlier(part, index, plan.earlier);
   const std::optional<Toolpath> earlier = met ? plan.earlier : std::nullopt;
   std::vector<LayerLeft> out;
+  RoomOfEarlierSteps rooms(plan);
+  const bool runs_into_others = !MeetingPockets(part, index, plan.tol).empty();
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const bool last = i + 1 == layers.size();
     if (finishing && step.operation.kind == OperationKind::kBottomFinishing && !last) continue;
@@ -134,7 +157,9 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
     const bool whole_floor =
         finishing && last && !step.operation.rest && step.operation.kind != OperationKind::kSideFinishing;
     if (!whole_floor && (finishing || step.operation.rest || met)) {
-      const Regions left = resolve::left_over(part, index, one.layer, earlier, plan.tol);
+      resolve::RoomBefore room;
+      if (runs_into_others) room = [&](int earlier_step) { return rooms(earlier_step, one.layer.z); };
+      const Regions left = resolve::left_over(part, index, one.layer, earlier, plan.tol, room);
       one.walls_only =
           finishing && is_wall_finishing(step, feature_of(part, step), left, last, one.layer, plan.tol);
       if (!one.walls_only) one.layer.target = left;
