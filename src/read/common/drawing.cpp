@@ -205,6 +205,37 @@ void mirror(std::vector<DrawnGroup>& groups) {
   }
 }
 
+/// The features of all groups in the groups' order, those of profiles last.
+std::vector<Feature> features_of(std::vector<ShapedGroup>& shaped, const Regions& islands,
+                                 const ReadOptions& options, Diagnostics& diagnostics) {
+  give_through_depths(shaped, options);
+  unite_overlapping_layers(shaped, options, diagnostics);
+  std::vector<Feature> features;
+  for (ShapedGroup& one : shaped) {
+    const LayerRole role = one.group.role;
+    if (role == LayerRole::kStock || role == LayerRole::kIgnore || role == LayerRole::kProfile) continue;
+    const bool stands =
+        role == LayerRole::kChamfer || role == LayerRole::kIsolate || is_external_thread(one.group);
+    if (!islands.empty() && !stands && near_any(islands, one.regions))
+      one.regions =
+          without_islands(std::move(one.regions), islands, one.group.where, options.tol, diagnostics);
+    add_group_features(one, options, diagnostics, features);
+  }
+  add_profiles(shaped, options, diagnostics, features);
+  return features;
+}
+
+/// What a plan asks of pockets that cut others away, for the overview.
+void question_cut_away(std::vector<ShapedGroup> shaped, const Regions& islands, const ReadOptions& options) {
+  if (shaped.size() < 2 || !options.overview->question.empty()) return;
+  Diagnostics said_when_planned;
+  try {
+    const auto features = features_of(shaped, islands, options, said_when_planned);
+    options.overview->question = question_of_cut_away(features, options.tol).value_or("");
+  } catch (const InputError&) {  // a depth is missing: that is asked first
+  }
+}
+
 /// Asks, or says, what pockets would cut away.
 void ask_of_cut_away(Part& part, const std::vector<Feature>& features, const ReadOptions& options) {
   const auto question = question_of_cut_away(features, options.tol);
@@ -341,21 +372,8 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   std::vector<ShapedGroup> shaped = shaped_groups(groups, options, part.diagnostics);
   assign_outline_roles(shaped, layers, options, part.source_file, part.diagnostics);
   if (options.overview || options.ask_if_unclear) ask_of_layers(shaped, options);
-  if (options.overview) return;
-  give_through_depths(shaped, options);
-  unite_overlapping_layers(shaped, options, part.diagnostics);
-  std::vector<Feature> features;
-  for (ShapedGroup& one : shaped) {
-    const LayerRole role = one.group.role;
-    if (role == LayerRole::kStock || role == LayerRole::kIgnore || role == LayerRole::kProfile) continue;
-    const bool stands =
-        role == LayerRole::kChamfer || role == LayerRole::kIsolate || is_external_thread(one.group);
-    if (!islands.empty() && !stands && near_any(islands, one.regions))
-      one.regions =
-          without_islands(std::move(one.regions), islands, one.group.where, options.tol, part.diagnostics);
-    add_group_features(one, options, part.diagnostics, features);
-  }
-  add_profiles(shaped, options, part.diagnostics, features);
+  if (options.overview) return question_cut_away(std::move(shaped), islands, options);
+  std::vector<Feature> features = features_of(shaped, islands, options, part.diagnostics);
   if (features.empty()) {
     throw InputError(part.source_file, "nothing to mill was found" + what_was_left_out(part.diagnostics) +
                                            "; draw the pockets as closed curves");

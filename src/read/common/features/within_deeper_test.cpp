@@ -29,13 +29,26 @@ std::string drawn(const std::string& layer, const Rectangle& r) {
   return text + " ";
 }
 
-Part part_of(const std::string& entities, bool asks = false) {
+Part part_of(const std::string& entities, const ReadOptions& options) {
   std::string text =
       "0 SECTION 2 HEADER 9 $INSUNITS 70 4 0 ENDSEC 0 SECTION 2 ENTITIES " + entities + "0 ENDSEC 0 EOF ";
   std::replace(text.begin(), text.end(), ' ', '\n');
+  return read_part_text(text, "steps.dxf", options);
+}
+
+Part part_of(const std::string& entities, bool asks = false) {
   ReadOptions options;
   options.ask_if_unclear = asks;
-  return read_part_text(text, "steps.dxf", options);
+  return part_of(entities, options);
+}
+
+std::string overview_question(const std::string& entities) {
+  DrawingOverview overview;
+  ReadOptions options;
+  options.ask_if_unclear = true;
+  options.overview = &overview;
+  part_of(entities, options);
+  return overview.question;
 }
 
 /// The question; "" where none is asked.
@@ -61,6 +74,14 @@ TEST(WithinDeeper, ASteppedPocketIsDrawnWithItsOutlineOnBothLayers) {
                         "step in that pocket draw its outline on layer POCKET_D5, too; --op ignore:POCKET_D2 "
                         "leaves it out"));
   EXPECT_EQ(asked(drawn("POCKET_D2", outer) + drawn("POCKET_D5", step)), "");
+}
+
+TEST(WithinDeeper, TheOverviewAsksTheSame) {
+  const std::string entities = drawn("POCKET_D5", {0, 0, 60, 40}) + drawn("POCKET_D2", {10, 10, 40, 20});
+  EXPECT_THAT(asked(entities), HasSubstr(overview_question(entities)));
+  EXPECT_THAT(overview_question(entities), HasSubstr("POCKET_D2 is 2 mm deep and lies in a pocket"));
+  EXPECT_EQ(overview_question(drawn("POCKET_D2", {0, 0, 60, 40}) + drawn("POCKET_D5", {10, 10, 40, 20})), "");
+  EXPECT_EQ(overview_question(drawn("POCKET", {0, 0, 60, 40}) + drawn("POCKET_D2", {10, 10, 40, 20})), "");
 }
 
 /// Any two rectangles: it is asked exactly where the one that is no deeper lies in the other.
