@@ -21,6 +21,12 @@ std::optional<double> plain_number(std::string_view text) {
   return value;
 }
 
+std::optional<int> code_number(std::string_view text) {
+  const auto number = plain_number(text);
+  if (!number || !(*number >= 0 && *number < 1e9)) return std::nullopt;
+  return static_cast<int>(*number);
+}
+
 std::optional<double> coordinate(std::string_view text, const CoordinateFormat& format) {
   if (text.find('.') != std::string_view::npos) return plain_number(text);
   const bool negative = !text.empty() && text[0] == '-';

@@ -19,6 +19,8 @@ std::optional<double> coordinate(std::string_view text, const CoordinateFormat& 
 
 /// A number as it stands: "0.8", "-3", ".5".
 std::optional<double> plain_number(std::string_view text);
+/// What a code or a tool is called by, 0 to below 1e9, without its decimals; nothing for anything else.
+std::optional<int> code_number(std::string_view text);
 
 /// "X100Y-5D01" as X 100, Y -5, D 01. Nothing where anything else stands.
 using Words = std::vector<std::pair<char, std::string_view>>;

@@ -126,12 +126,12 @@ class ExcellonReader {
   void define_tool(std::string_view line) {
     const auto words = words_of(line);
     if (!words || words->empty()) not_understood(line);
-    const auto number = plain_number(words->front().second);
+    const auto number = code_number(words->front().second);
     for (const auto& [letter, digits] : *words) {
       if (letter != 'C' || !number) continue;
       const auto diameter = plain_number(digits);
       if (!diameter || !(*diameter > 0)) not_understood(line);
-      tools_[static_cast<int>(*number)].diameter = *diameter * mm_;
+      tools_[*number].diameter = *diameter * mm_;
     }
   }
 
@@ -163,14 +163,14 @@ class ExcellonReader {
   void choose(std::string_view digits, std::string_view line) {
     // T0102 is tool 1 with the compensation 2.
     if (digits.size() >= 4) digits = digits.substr(0, digits.size() / 2);
-    const auto number = plain_number(digits);
+    const auto number = code_number(digits);
     if (!number) not_understood(line);
     finish_route();
-    tool_ = static_cast<int>(*number);
+    tool_ = *number;
   }
 
   void general(std::string_view digits, std::string_view line) {
-    switch (static_cast<int>(plain_number(digits).value_or(-1))) {
+    switch (code_number(digits).value_or(-1)) {
       case 0:
         finish_route();
         return void(mode_ = Mode::kMove);
@@ -193,7 +193,7 @@ class ExcellonReader {
   }
 
   void machine(std::string_view digits, std::string_view line) {
-    switch (static_cast<int>(plain_number(digits).value_or(-1))) {
+    switch (code_number(digits).value_or(-1)) {
       case 15:
         return void(is_down_ = true);
       case 16:

@@ -102,6 +102,7 @@ TEST(Excellon, DamageIsRefusedWithItsPlace) {
   EXPECT_THAT(refusal("M48\nT1C1\n%\nT1\nX1.0Y1.0\nM30\n"), HasSubstr("unit"));
   EXPECT_THAT(refusal("M48\nMETRIC\nT1C1\n%\nT1\nG02X1.0Y1.0A5\nM30\n"), HasSubstr("b.drl:6: "));
   EXPECT_THAT(refusal("M48\nMETRIC\nT1C-1\n%\nM30\n"), HasSubstr("not understood"));
+  EXPECT_THAT(refusal("M48\nMETRIC\nT1C1\n%\nT55555555555555555555\nM30\n"), HasSubstr("not understood"));
 }
 
 }  // namespace
