@@ -47,6 +47,15 @@ TEST_F(Memory, WhatNeedsLessIsPlanned) {
   EXPECT_EQ(planned.exit_code, 0) << planned.err;
 }
 
+TEST_F(Memory, PartsOfABatchHaveTheSameLimit) {
+  allow("0.003");
+  const auto batch = run_clearcut({"batch", plate_, "--output", folder_.path("out"), "--tool", "endmill:1",
+                                   "--strategy", "adaptive", "--part-memory", "4000"});
+  EXPECT_EQ(batch.exit_code, 1) << batch.err;
+  EXPECT_THAT(batch.out, HasSubstr("0 of 1 CLEAN, 1 UNUSABLE"));
+  EXPECT_THAT(batch.out, HasSubstr("limit of memory"));
+}
+
 TEST_F(Memory, ALimitThatIsNoNumberIsRefused) {
   allow("much");
   const auto refused = plan("zigzag");

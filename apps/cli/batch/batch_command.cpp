@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <mutex>
@@ -58,6 +59,13 @@ Share share_of(const std::string& text) {
   return share;
 }
 
+/// What each part's own command may hold, unless the caller's environment says: less than its address space, so that it refuses in a
+/// line what needs more.
+void allow_parts(double megabytes) {
+  constexpr double kShare = 0.9, kMegabytesInGigabyte = 1000;
+  ::setenv("CLEARCUT_MEMORY", trimmed(kShare * megabytes / kMegabytesInGigabyte, 6).c_str(), 0);
+}
+
 class Batch {
  public:
   /// `processes` share the machine, each with as many jobs as the command says; one alone takes all cores where it says nothing.
@@ -72,6 +80,7 @@ class Batch {
     limits_.bytes = command.part_megabytes > 0
                         ? static_cast<std::uint64_t>(command.part_megabytes * (1 << 20))
                         : fair_share(jobs_ * processes.value_or(1));
+    if (command.part_megabytes > 0) allow_parts(command.part_megabytes);
   }
 
   void run() {
