@@ -18,6 +18,9 @@ constexpr double kAtWall = 0.05;
 /// Number of directions in which the boundary is searched for.
 constexpr int kDirections = 16;
 
+/// Seconds. Above the rounding of times.
+constexpr double kRounding = 1e-9;
+
 /// Seconds by which an entry beside the material is preferred to one into it.
 constexpr double kAirWorth = 1e6;
 
@@ -143,8 +146,9 @@ Linker::Candidate Linker::choose() const {
   Candidate best;
   for (std::size_t i = first; i < items.size(); ++i) {
     if (!progress_.available(i)) continue;
-    const double least = items[i].path.distance_to(moves_.at()) / options_.feed.mm_per_s();
+    const double apart = items[i].path.distance_to(moves_.at()), least = apart / options_.feed.mm_per_s();
     if (std::min(least, 0.5) > best.cost) continue;
+    if (std::min(least, least_retract_time(i, apart)) > best.cost + kRounding) continue;
     const PassStart start = nearest_start(work_.pass(i), moves_.at());
     // Whether the way there is clear is asked only of the few that may be the best: it costs most where there are many.
     if (least_cost(i, start) >= best.cost) continue;
@@ -152,6 +156,12 @@ Linker::Candidate Linker::choose() const {
     if (candidate.cost < best.cost) best = candidate;
   }
   return best;
+}
+
+/// Seconds that a retract to a pass takes at least whose box lies `apart` mm away.
+double Linker::least_retract_time(std::size_t item, double apart) const {
+  const double up = inside_height(work_, options_, here(), item) - here().z;
+  return rapid_time(up, options_.machine) + rapid_time(apart, options_.machine);
 }
 
 /// Seconds that the link to a pass takes if the way there is clear.

@@ -147,6 +147,9 @@ void add_waits(const ControlTable& control, const Machine& machine, std::vector<
 void append_moves(const Part& part, const Toolpath& toolpath, const Machine& machine,
                   std::vector<CheckedMove>& out, const ControlTable* control) {
   const std::size_t begin = out.size();
+  std::size_t count = begin;
+  for (const Section& section : toolpath.sections) count += section.moves.size();
+  out.reserve(count);
   for (const Section& section : toolpath.sections) {
     const std::size_t first = out.size() - begin;
     const std::vector<Seconds> times = times_of(section, first, machine, control);

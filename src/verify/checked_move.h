@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/rare.h"
 #include "model/control.h"
 #include "model/machine.h"
 #include "model/move.h"
@@ -15,6 +16,30 @@
 #include "verify/faults/gouge.h"
 
 namespace clearcut::verify {
+
+/// Cutting length by classes of engagement: a move has few of them.
+class AngleClasses {
+ public:
+  static constexpr int kCount = 18;  ///< of 10 degrees each
+
+  void add(double angle_deg, double length_mm) {
+    const int number = std::min(kCount - 1, static_cast<int>(angle_deg / 10));
+    for (Share& share : shares_)
+      if (share.number == number) return void(share.length_mm += length_mm);
+    shares_.push_back({number, length_mm});
+  }
+  void add_to(std::array<double, kCount>& histogram_mm) const {
+    for (const Share& share : shares_)
+      histogram_mm[static_cast<std::size_t>(share.number)] += share.length_mm;
+  }
+
+ private:
+  struct Share {
+    int number = 0;
+    double length_mm = 0;
+  };
+  std::vector<Share> shares_;
+};
 
 /// What the cutter engages on one move.
 struct MoveLoad {
@@ -26,16 +51,16 @@ struct MoveLoad {
   double angle_mm_deg = 0;  ///< integral of the engagement over the length, degree mm
   double max_deg = 0;
   Place max_at;
-  std::array<double, 18> histogram_mm{};
+  AngleClasses classes;
   double axial_mm = 0;  ///< mm; greatest height of material above the tip
   Place axial_at;
-  std::optional<Place> rapid_contact;   ///< a place where a rapid touches material
-  std::optional<Place> plunge_contact;  ///< a place where a cutter that must not plunge does so
-  std::optional<Place>
-      holder_contact;     ///< a place where the holder, or a shank wider than the cutter, touches material
-  bool is_shank = false;  ///< which of them: the shank
-  std::optional<CuttingLoad> forces;  ///< only if the work's material is known
-  double force_mm_n = 0;              ///< N mm; integral of the force over the length
+  Rare<Place> rapid_contact;   ///< a place where a rapid touches material
+  Rare<Place> plunge_contact;  ///< a place where a cutter that must not plunge does so
+  Rare<Place>
+      holder_contact;        ///< a place where the holder, or a shank wider than the cutter, touches material
+  bool is_shank = false;     ///< which of them: the shank
+  Rare<CuttingLoad> forces;  ///< only if the work's material is known
+  double force_mm_n = 0;     ///< N mm; integral of the force over the length
 };
 
 /// mm; radius of the flat part of a cutter's end, with which floors are cut without cusps.

@@ -78,8 +78,7 @@ void add_load(Figures& figures, const MoveLoad& load) {
   engagement.over_limit_mm += load.over_limit_mm;
   engagement.climb_mm += load.climb_mm;
   engagement.conventional_mm += load.conventional_mm;
-  for (std::size_t i = 0; i < load.histogram_mm.size(); ++i)
-    engagement.histogram_mm[i] += load.histogram_mm[i];
+  load.classes.add_to(engagement.histogram_mm);
   if (load.forces) add_forces(figures, *load.forces);
   figures.air_cut_mm += load.air_mm;
   figures.max_axial_mm = std::max(figures.max_axial_mm, load.axial_mm);

@@ -18,10 +18,15 @@ constexpr double kTouch = 1e-9;
 /// mm. A way that strays no more than it may halfway between two crossings strays by less than that.
 constexpr double kNearEnd = 4 * LegalArea::kSlack;
 
+/// Cells' widths from which on a way is long.
+constexpr double kLongWay = 4;
+
 /// Of a cell with edges: whether it lies inside.
 constexpr char kUnknown = 2;
 /// Root of how much longer than wide an area may be for its cells to be as many as those of a square one.
 constexpr double kMostSlender = 64;
+/// Share of an area's box from which on its cells cover the whole of it.
+constexpr double kMuchSmaller = 0.25;
 
 /// A few numbers; when there are many, some are forgotten.
 template <typename T>
@@ -80,14 +85,15 @@ LegalArea::LegalArea(Regions regions) : regions_(std::move(regions)) {
     }
   }
   if (edges_.empty()) return;
+  grid_ = densest_part();
   // Long narrow areas have as many cells as square ones.
-  const double longest = std::max({box_.width(), box_.height(), 1e-9});
-  const double size = std::max(std::sqrt(box_.width() * box_.height()), longest / kMostSlender);
+  const double longest = std::max({grid_.width(), grid_.height(), 1e-9});
+  const double size = std::max(std::sqrt(grid_.width() * grid_.height()), longest / kMostSlender);
   const double across = std::clamp(2 * std::sqrt(static_cast<double>(edges_.size())), 24.0, 512.0);
   cell_ = size / across;
   cells_per_mm_ = 1 / cell_;
-  columns_ = column(box_.max.x) + 1;
-  rows_ = row(box_.max.y) + 1;
+  columns_ = column(grid_.max.x) + 1;
+  rows_ = row(grid_.max.y) + 1;
   cells_.resize(columns_ * rows_);
   first_columns_.reserve(boxes_.size());
   for (const Box& box : boxes_) first_columns_.push_back(column(box.min.x));
@@ -99,6 +105,16 @@ LegalArea::LegalArea(Regions regions) : regions_(std::move(regions)) {
     }
   }
   mark_empty_cells();
+}
+
+/// Where nearly all edges lie: a frame far around them would leave them all in one cell.
+Box LegalArea::densest_part() const {
+  Box part;
+  for (const Box& box : boxes_) {
+    if (box.width() < box_.width() / 2 && box.height() < box_.height() / 2) part.add(box);
+  }
+  const bool much_smaller = part.width() * part.height() < kMuchSmaller * box_.width() * box_.height();
+  return !part.empty() && much_smaller ? part : box_;
 }
 
 /// Neighbouring cells without edges lie on the same side: one exact test for each connected group.
@@ -128,7 +144,7 @@ void LegalArea::mark_empty_cells() {
 
 Box LegalArea::cell_box(std::size_t cell) const {
   const std::size_t column = cell % columns_, row = cell / columns_;
-  const Vec2 low = box_.min + Vec2{static_cast<double>(column), static_cast<double>(row)} * cell_;
+  const Vec2 low = grid_.min + Vec2{static_cast<double>(column), static_cast<double>(row)} * cell_;
   return {low, low + Vec2{cell_, cell_}};
 }
 
@@ -160,11 +176,11 @@ int LegalArea::crossings(std::size_t edge, Vec2 p, double x) const {
 }
 
 std::size_t LegalArea::column(double x) const {
-  return static_cast<std::size_t>(std::clamp(x - box_.min.x, 0.0, box_.width()) * cells_per_mm_);
+  return static_cast<std::size_t>(std::clamp(x - grid_.min.x, 0.0, grid_.width()) * cells_per_mm_);
 }
 
 std::size_t LegalArea::row(double y) const {
-  return static_cast<std::size_t>(std::clamp(y - box_.min.y, 0.0, box_.height()) * cells_per_mm_);
+  return static_cast<std::size_t>(std::clamp(y - grid_.min.y, 0.0, grid_.height()) * cells_per_mm_);
 }
 
 /// Calls f(edge) for those near the way, row by row, only in the cells that the way passes through; for most once.
@@ -183,9 +199,11 @@ void LegalArea::for_edges_along(Vec2 a, Vec2 b, const F& f) const {
   };
   Few<std::size_t> met;
   for (std::size_t r = row(where.min.y); r <= row(where.max.y); ++r) {
-    const double low = box_.min.y + static_cast<double>(r) * cell_ - 2 * kSlack;
+    const double low = grid_.min.y + static_cast<double>(r) * cell_ - 2 * kSlack;
+    const double high = low + cell_ + 4 * kSlack;
     const bool level = b.y - a.y < cell_;
-    const double x0 = level ? a.x : x_at(low), x1 = level ? b.x : x_at(low + cell_ + 4 * kSlack);
+    // The first and the last row hold what lies beyond the grid, too.
+    const double x0 = level || r == 0 ? a.x : x_at(low), x1 = level || r + 1 == rows_ ? b.x : x_at(high);
     const std::size_t last = column(std::max(x0, x1) + kSlack);
     for (std::size_t c = column(std::min(x0, x1) - kSlack); c <= last; ++c) {
       for (const std::size_t i : cells_[r * columns_ + c]) {
@@ -223,8 +241,23 @@ bool LegalArea::surely_holds(const Box& where) const {
   return true;
 }
 
+/// Whether a place on the way, one for each cell's width, lies in a cell without edges outside and so far from its border that
+/// the way is refused in any case. A long way past many islands is settled here. May say no though it is so.
+bool LegalArea::passes_outside(Vec2 a, Vec2 b) const {
+  const double places = std::ceil(distance(a, b) * cells_per_mm_);
+  if (edges_.empty() || places < kLongWay || cell_ <= 2 * kNearEnd) return false;
+  for (double i = 1; i < places; ++i) {
+    const Vec2 p = lerp(a, b, i / places);
+    if (!box_.contains(p)) continue;
+    const std::size_t cell = row(p.y) * columns_ + column(p.x);
+    if (inside_[cell] == 0 && cell_box(cell).grown(-kNearEnd).contains(p)) return true;
+  }
+  return false;
+}
+
 bool LegalArea::holds_line(Vec2 a, Vec2 b) const {
   if (distance(a, b) <= kSlack) return holds(a) && holds(b);
+  if (passes_outside(a, b)) return false;
   const double length = distance(a, b);
   std::array<std::byte, 512> memory;
   std::pmr::monotonic_buffer_resource resource(memory.data(), memory.size());

@@ -28,12 +28,14 @@ class LegalArea {
   static constexpr double kSlack = 5e-4;
 
  private:
+  Box densest_part() const;
   void mark_empty_cells();
   Box cell_box(std::size_t cell) const;
   int crossings(std::size_t edge, Vec2 p, double x) const;
   template <typename F>
   void for_edges_along(Vec2 a, Vec2 b, const F& f) const;
   bool strays_beside(Vec2 a, Vec2 b, Vec2 end) const;
+  bool passes_outside(Vec2 a, Vec2 b) const;
   static void add_cuts(Vec2 a, Vec2 b, const Edge& edge, std::pmr::vector<double>& cuts);
   static void add_arc_cuts(Vec2 a, Vec2 b, const Edge& arc, std::pmr::vector<double>& cuts);
   std::size_t column(double x) const;
@@ -41,6 +43,7 @@ class LegalArea {
 
   Regions regions_;
   Box box_;
+  Box grid_;  ///< what the cells cover; those at its border hold what lies beyond, too
   std::vector<Edge> edges_;
   std::vector<Box> boxes_;
   std::vector<std::size_t> first_columns_;  ///< per edge: of the cells it stands in

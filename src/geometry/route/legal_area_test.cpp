@@ -122,5 +122,29 @@ TEST(LegalArea, HoldsTheWaysThatNoEdgeCrosses) {
   EXPECT_LT(held, asked * 4 / 5);
 }
 
+/// A board with islands in a frame of two metres: what holds and what does not is the same as by every edge.
+TEST(LegalArea, AFrameFarAroundChangesNothing) {
+  for (int seed = 1; seed <= 20; ++seed) {
+    Random random(static_cast<std::uint64_t>(seed));
+    std::vector<Loop> islands;
+    for (int i = 0; i < 36; ++i)
+      islands.push_back(
+          reversed(star(random, {i % 6 * 5.0, i / 6 * 5.0}, random.between(0.5, 2.4), 3 + i % 9)));
+    const std::vector<Vec2> frame{{-1000, -900}, {1100, -900}, {1100, 1000}, {-1000, 1000}};
+    const Region region = Region::from_valid_loops(loop_from_points(frame), std::move(islands));
+    const LegalArea area({region});
+    const auto place = [&](double beyond) {
+      return Vec2{random.between(-beyond, 25 + beyond), random.between(-beyond, 25 + beyond)};
+    };
+    for (int i = 0; i < 200; ++i) {
+      const double beyond = i % 4 == 0 ? 1200 : i % 4 == 1 ? 40 : 2;
+      const Vec2 a = place(beyond),
+                 b = i % 3 == 0 ? a + direction_of(i) * random.between(0.1, 4) : place(beyond);
+      EXPECT_EQ(area.contains(a), region.contains(a)) << seed << ' ' << i;
+      EXPECT_EQ(area.holds_line(a, b), holds_plainly(region, a, b)) << seed << ' ' << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace clearcut::inline geometry

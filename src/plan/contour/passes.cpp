@@ -14,6 +14,9 @@ namespace {
 /// mm. Curved bisectors are replaced by chords this near to them.
 constexpr double kBisectorChord = 0.005;
 
+/// mm. Above the rounding of distances.
+constexpr double kRounding = 1e-9;
+
 Nearest nearest_on(const Path& path, Vec2 p, std::size_t& edge) {
   Nearest best{{}, std::numeric_limits<double>::infinity(), 0};
   for (std::size_t i = 0; i < path.size(); ++i) {
@@ -121,29 +124,42 @@ class PassBuilder {
     pass.offset = pass.start_priority = ring.level;
     pass.reversible = false;
     rings_of_[node].push_back(passes_.size());
+    boxes_.resize(passes_.size());
+    boxes_.push_back(box(loop));
     passes_.push_back(std::move(pass));
   }
 
   int nearest_ring(std::size_t node, Vec2 p) const {
-    std::size_t best = rings_of_[node].front(), edge = 0;
-    if (rings_of_[node].size() == 1) return static_cast<int>(best);
-    double best_distance = std::numeric_limits<double>::infinity();
-    for (const std::size_t ring : rings_of_[node]) {
+    if (rings_of_[node].size() == 1) return static_cast<int>(rings_of_[node].front());
+    NearestRing best{rings_of_[node].front()};
+    look_through(rings_of_[node], p, best);
+    return static_cast<int>(best.ring);
+  }
+
+  struct NearestRing {
+    std::size_t ring = 0;
+    double distance = std::numeric_limits<double>::infinity();
+  };
+
+  /// Of a node round many islands only the rings are measured whose boxes come near enough.
+  void look_through(const std::vector<std::size_t>& rings, Vec2 p, NearestRing& best) const {
+    std::size_t edge = 0;
+    for (const std::size_t ring : rings) {
+      if (boxes_[ring].distance_to(p) > best.distance + kRounding) continue;
       const double d = nearest_on(passes_[ring].path, p, edge).distance;
-      if (d < best_distance) {
-        best_distance = d;
-        best = ring;
-      }
+      if (d < best.distance) best = {ring, d};
     }
-    return static_cast<int>(best);
   }
 
   void add_detour(const RingNode& node, const ResidualPath& residual, const Region& domain) {
     const Vec2 root = residual.points.front();
-    insert_path(passes_[ring_at_root(node, root)].path, root, [&](Vec2 from, Vec2 in, Vec2 out) {
+    const std::size_t ring = ring_at_root(node, root);
+    insert_path(passes_[ring].path, root, [&](Vec2 from, Vec2 in, Vec2 out) {
       std::vector<Vec2> points = residual.points;
       points.front() = points.back() = from;
-      return loop_for(points, in, out, domain).value_or(line_path(points));
+      Path path = loop_for(points, in, out, domain).value_or(line_path(points));
+      boxes_[ring].add(box(path));
+      return path;
     });
   }
 
@@ -179,18 +195,10 @@ class PassBuilder {
   }
 
   std::size_t ring_at_root(const RingNode& node, Vec2 root) const {
-    std::size_t best = 0, edge = 0;
-    double best_distance = std::numeric_limits<double>::infinity();
-    for (const int child : node.children) {
-      for (const std::size_t ring : rings_of_[static_cast<std::size_t>(child)]) {
-        const double d = nearest_on(passes_[ring].path, root, edge).distance;
-        if (d < best_distance) {
-          best_distance = d;
-          best = ring;
-        }
-      }
-    }
-    return best;
+    NearestRing best;
+    for (const int child : node.children)
+      look_through(rings_of_[static_cast<std::size_t>(child)], root, best);
+    return best.ring;
   }
 
   void add_ridge(std::size_t node, const ResidualPath& residual) {
@@ -313,6 +321,7 @@ class PassBuilder {
   /// For each node: indices of its rings' passes, the outer one first.
   std::vector<std::vector<std::size_t>> rings_of_;
   std::vector<int> component_of_;
+  std::vector<Box> boxes_;  ///< of the rings among the passes
   int components_ = 0;
 };
 

@@ -51,6 +51,27 @@ std::string refusal(const std::string& text, const std::string& name = "x.gbr") 
   return "not refused";
 }
 
+/// Rows of pads with a track through each row, drawn in segments that end on the pads: beyond their discs the tracks show.
+TEST(Gerber, ABoardOfThousandsOfPadsAndTracksIsRead) {
+  constexpr int kRows = 48, kPads = 48;
+  constexpr double kPitch = 2.5, kRadius = 0.8, kWidth = 0.3;  // mm
+  std::string body = "%ADD10C,1.6*%%ADD11C,0.3*%D10*\n", tracks = "D11*\n";
+  for (int row = 0; row < kRows; ++row) {
+    for (int pad = 0; pad < kPads; ++pad) {
+      const std::string x = "X" + std::to_string(pad * 2500), y = "Y" + std::to_string(row * 2500);
+      body += x + y + "D03*\n";
+      if (pad + 1 < kPads) tracks += x + y + "D02*X" + std::to_string((pad + 1) * 2500) + "D01*\n";
+    }
+  }
+  const double half = kWidth / 2;
+  const double in_disc =
+      half * std::sqrt(kRadius * kRadius - half * half) + kRadius * kRadius * std::asin(half / kRadius);
+  const double row = kPads * kPi * kRadius * kRadius + (kPads - 1) * (kWidth * kPitch - 2 * in_disc);
+  const Regions dark = dark_of(body + tracks);
+  EXPECT_EQ(dark.size(), static_cast<std::size_t>(kRows));
+  EXPECT_NEAR(area(dark), kRows * row, 0.05);
+}
+
 TEST(Gerber, StandardAperturesHaveTheirAreas) {
   const double disc = kPi;  // of 2 mm
   EXPECT_NEAR(dark_area_of("%ADD10C,2*%D10*X0Y0D03*"), disc, 1e-9);

@@ -161,7 +161,7 @@ class LoadMeter {
     const double angle = degrees(contact.angle);
     load.cutting_mm += length;
     load.angle_mm_deg += angle * length;
-    load.histogram_mm[std::min<std::size_t>(17, static_cast<std::size_t>(angle / 10))] += length;
+    load.classes.add(angle, length);
     if (options_.limit_deg && angle > *options_.limit_deg) load.over_limit_mm += length;
     if (options_.material)
       add_forces(checked, {contact, axial, length, {move.path.at(t), z, move.line}}, *options_.material);

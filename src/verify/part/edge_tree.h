@@ -88,9 +88,17 @@ class EdgeTree {
     });
   }
 
+  /// Edges of which each begins where the one before ends.
+  struct Chain {
+    Vec2 from, to;
+    std::uint32_t open_before = 0;  ///< chains before it that do not end where they begin
+  };
+  void find_chains();
+
   std::vector<Edge> edges_;
-  std::vector<Box> boxes_;           ///< of each edge
-  std::vector<std::uint32_t> gaps_;  ///< before each edge: how many do not begin where the one before ends
+  std::vector<Box> boxes_;               ///< of each edge
+  std::vector<std::uint32_t> chain_of_;  ///< of each edge
+  std::vector<Chain> chains_;
   BoxTree tree_;
 };
 

@@ -30,6 +30,13 @@ TEST(EdgeTree, CountsTurnsAsTheEdgesOneByOneDo) {
     for (int loop = 0; loop < 3; ++loop) {
       for (const Edge& edge : comb(random, {7.0 * loop, 3.0 * loop}, 5 + round)) edges.push_back(edge);
     }
+    // Small loops, of which several share a box; some are told in pieces.
+    for (int loop = 0; loop < round; ++loop) {
+      for (const Edge& edge : comb(random, {60 * random.between(0, 1), 8 * random.between(0, 1)}, 1))
+        edges.push_back(edge);
+    }
+    for (std::size_t i = 0; round % 4 == 0 && i + 20 < edges.size(); i += 20)
+      std::swap(edges[i], edges[i + 9]);
     const EdgeTree tree(edges);
     for (int i = 0; i < 500; ++i) {
       const bool on_heights = i % 2 == 0;

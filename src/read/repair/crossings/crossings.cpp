@@ -17,6 +17,8 @@ namespace clearcut::read {
 namespace {
 
 constexpr std::size_t kMostMeetings = 20'000;
+/// Of what is filled together, which one boolean resolves: a board of 5000 pads and 10 000 tracks has about 300 000.
+constexpr std::size_t kMostMeetingsInFill = 1'000'000;
 constexpr std::size_t kMostCrossingPairs = 500;
 /// mm. How far the library may move a boundary: its grid.
 constexpr double kBooleanRounding = 2e-6;
@@ -40,11 +42,14 @@ bool is_harmful(const Meeting& meeting) {
   return meeting.kind != MeetingKind::kTouch;
 }
 
-std::vector<Meeting> meetings_of(const std::vector<Loop>& loops, const RepairOptions& options) {
-  auto found = meetings(loops, kMostMeetings, options.where);
-  if (found.size() >= kMostMeetings) {
-    throw InputError(options.where, "outlines meet or cross in more than 20 000 places, the first at " +
-                                        place_text(found.front().at) + "; simplify the drawing");
+/// Throws InputError where there are `most`.
+std::vector<Meeting> meetings_of(const std::vector<Loop>& loops, const RepairOptions& options,
+                                 std::size_t most = kMostMeetings) {
+  auto found = meetings(loops, most, options.where);
+  if (found.size() >= most) {
+    throw InputError(options.where, "outlines meet or cross in more than " + std::to_string(most) +
+                                        " places, the first at " + place_text(found.front().at) +
+                                        "; simplify the drawing");
   }
   return found;
 }
@@ -65,7 +70,7 @@ std::vector<Loop> outlines_by_winding(const std::vector<Loop>& loops) {
 /// One compound of several loops, or one loop that crosses itself.
 std::vector<Loop> resolve_compound(const std::vector<Loop>& loops, bool nonzero, const RepairOptions& options,
                                    Diagnostics& diagnostics) {
-  const auto met = meetings_of(loops, options);
+  const auto met = meetings_of(loops, options, kMostMeetingsInFill);
   const auto crossing = std::find_if(met.begin(), met.end(), is_harmful);
   if (crossing == met.end()) return nonzero && loops.size() > 1 ? outlines_by_winding(loops) : loops;
   diagnostics.repair(options.where + " at " + place_text(crossing->at),
