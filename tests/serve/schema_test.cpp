@@ -79,17 +79,20 @@ TEST_F(Description, HoldsForPlans) {
   expect_described("get", "/plan/{id}", client.Get("/plan/" + id));
   expect_described("delete", "/plan/{id}", client.Delete("/plan/" + id));
   expect_described("get", "/plan/{id}", client.Get("/plan/" + id));
-  expect_described("post", "/plan", client.Post("/plan", form_of("square.json", kSquare, "--no-such-option")));
+  expect_described("post", "/plan",
+                   client.Post("/plan", form_of("square.json", kSquare, "--no-such-option")));
 }
 
 TEST_F(Description, HoldsForQuestions) {
   auto client = this->client();
   auto form = form_of("square.json", kSquare, "--tool endmill:6");
-  form.push_back({"program", "G21 G90 G17 G54\nT1 M6\nG0 X-20 Y25\nG0 Z-1\nM30\n", "square.ngc", "text/plain"});
+  form.push_back(
+      {"program", "G21 G90 G17 G54\nT1 M6\nG0 X-20 Y25\nG0 Z-1\nM30\n", "square.ngc", "text/plain"});
   expect_described("post", "/check", client.Post("/check", form));
   expect_described("post", "/info", client.Post("/info", form_of("square.json", kSquare, "")));
   expect_described("post", "/info", client.Post("/info", form_of("square.json", "{", "")));
-  expect_described("post", "/compare", client.Post("/compare", form_of("square.json", kSquare, "--tool endmill:6")));
+  expect_described("post", "/compare",
+                   client.Post("/compare", form_of("square.json", kSquare, "--tool endmill:6")));
 }
 
 TEST_F(Description, WouldSayWhatIsNotDescribed) {
