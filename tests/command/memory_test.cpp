@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "base/files/file.h"
 #include "support/command.h"
 
 namespace clearcut {
@@ -49,11 +50,12 @@ TEST_F(Memory, WhatNeedsLessIsPlanned) {
 
 TEST_F(Memory, PartsOfABatchHaveTheSameLimit) {
   allow("0.003");
-  const auto batch = run_clearcut({"batch", plate_, "--output", folder_.path("out"), "--tool", "endmill:1",
+  const std::string list = folder_.file("list.txt", "plate.json\n");
+  const auto batch = run_clearcut({"batch", list, "--output", folder_.path("out"), "--tool", "endmill:1",
                                    "--strategy", "adaptive", "--part-memory", "4000"});
   EXPECT_EQ(batch.exit_code, 1) << batch.err;
   EXPECT_THAT(batch.out, HasSubstr("0 of 1 CLEAN, 1 UNUSABLE"));
-  EXPECT_THAT(batch.out, HasSubstr("limit of memory"));
+  EXPECT_THAT(read_file(folder_.path("out/results.csv")), HasSubstr("limit of memory"));
 }
 
 TEST_F(Memory, ALimitThatIsNoNumberIsRefused) {
