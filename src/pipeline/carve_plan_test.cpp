@@ -80,6 +80,14 @@ TEST(VCarving, ABitWithAFlatTipIsCleanAndAProgramNotDeepEnoughIsNot) {
   EXPECT_TRUE(has(wrong.findings, FaultKind::kUncut)) << faults_of(wrong.findings);
 }
 
+/// Beside the rim of what the mill has cleared a flat tip goes on until all that it covers is cleared.
+TEST(VCarving, AFlatTipLeavesNothingBesideTheMillsRim) {
+  const Part part =
+      drawn(outline("VCARVE_D0.6", {{{-10.036, -2.395}}, {{-0.846, -6.095}}, {{2.519, -0.319}}}));
+  const PlanResult result = plan_part(part, with({"vbit:30deg:6:tip=0.2", "endmill:1.5"}));
+  EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << faults_of(result.findings);
+}
+
 /// A cone of 60 degrees goes deeper than the one of 90 that is assumed before a bit is chosen.
 TEST(VCarving, StockWithoutAThicknessReachesBelowTheBitsTip) {
   const std::string text =

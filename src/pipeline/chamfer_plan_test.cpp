@@ -122,5 +122,16 @@ TEST(Chamfering, AnOptionBreaksTheEdgesOfWhatIsMilledBesides) {
   EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << faults_of(result.findings);
 }
 
+/// In a kerf of 2 mm a cone of 120 degrees, 1 mm up, touches the other side wherever it runs.
+TEST(Chamfering, WhereTheConeHasNoRoomTheSkipSaysHowMuchItNeeds) {
+  const std::string text = box("PROFILE_D4", 0, 0, 40, 30) + box("CHAMFER_D1", 0, 0, 40, 30);
+  const PlanResult result = plan_part(drawn(text), with({"endmill:2", "chamfer:120deg:8:tip=0.4"}));
+  EXPECT_TRUE(has(result.findings, FaultKind::kNothingCut)) << faults_of(result.findings);
+  const auto& said = result.part.diagnostics.items();
+  EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](const Diagnostic& one) {
+    return one.what.find("it needs 1.932 mm there") != std::string::npos;
+  }));
+}
+
 }  // namespace
 }  // namespace clearcut::pipeline

@@ -136,7 +136,18 @@ std::vector<SelectionStep> selection_steps(const ResolvedPlan& plan, const Strat
   return steps;
 }
 
+/// A cone has no size that fits beside any edge: how wide it is at the top of the chamfer decides.
+std::string no_room_beside_edge(const Feature& feature, const Tool& tool) {
+  const double width = radius_at(tool, feature.chamfer->depth);
+  return fmt::format(
+      "the cone of T{} has no room beside the edge of {}: it needs {} mm there, free up to the top; make the "
+      "chamfer less "
+      "deep, take a narrower cone, or mill more away beside the edge first",
+      tool.number, feature.name, trimmed(width, 3));
+}
+
 std::string does_not_fit(const Part& part, const Workingstep& step, const Tolerances& tol) {
+  if (feature_of(part, step).chamfer) return no_room_beside_edge(feature_of(part, step), tool_of(part, step));
   if (stock::only_plunges(tool_of(part, step)) && !stock::round_hole_of(feature_of(part, step), tol)) {
     return fmt::format("tool T{} ({} {} mm) only makes round holes; {} needs a mill",
                        tool_of(part, step).number, name_of(tool_of(part, step).kind),

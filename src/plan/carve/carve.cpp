@@ -22,7 +22,8 @@ class RegionCarver {
         nearest_(shape.tip_radius + shape.aside),
         widest_(nearest_ + (shape.top - shape.floor) * shape.slope) {
     for (const Region& one : cleared) {
-      for (Region& rest : inset(one, kRim, tol)) cleared_.push_back(std::move(rest));
+      // A pass covers a tip's radius on both sides: it goes on until all of that is cleared.
+      for (Region& rest : inset(one, kRim + shape.tip_radius, tol)) cleared_.push_back(std::move(rest));
     }
     for (const Region& one : cleared_) {
       for (const Edge& edge : one.edges()) rims_.push_back(edge);
