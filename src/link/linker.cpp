@@ -60,6 +60,13 @@ double inside_height(const Work& work, const LinkOptions& options, const CutterA
   return clear ? std::min(top + options.above_material, options.cross_z) : options.cross_z;
 }
 
+/// Seconds that a retract to a pass takes at least whose box lies `apart` mm away.
+double least_retract_time(const Work& work, const LinkOptions& options, const CutterAt& from,
+                          std::size_t item, double apart) {
+  const double up = inside_height(work, options, from, item) - from.z;
+  return rapid_time(up, options.machine) + rapid_time(apart, options.machine);
+}
+
 }  // namespace
 
 void Linker::cut_nearest_first() {
@@ -148,7 +155,8 @@ Linker::Candidate Linker::choose() const {
     if (!progress_.available(i)) continue;
     const double apart = items[i].path.distance_to(moves_.at()), least = apart / options_.feed.mm_per_s();
     if (std::min(least, 0.5) > best.cost) continue;
-    if (std::min(least, least_retract_time(i, apart)) > best.cost + kRounding) continue;
+    if (std::min(least, least_retract_time(work_, options_, here(), i, apart)) > best.cost + kRounding)
+      continue;
     const PassStart start = nearest_start(work_.pass(i), moves_.at());
     // Whether the way there is clear is asked only of the few that may be the best: it costs most where there are many.
     if (least_cost(i, start) >= best.cost) continue;
@@ -156,12 +164,6 @@ Linker::Candidate Linker::choose() const {
     if (candidate.cost < best.cost) best = candidate;
   }
   return best;
-}
-
-/// Seconds that a retract to a pass takes at least whose box lies `apart` mm away.
-double Linker::least_retract_time(std::size_t item, double apart) const {
-  const double up = inside_height(work_, options_, here(), item) - here().z;
-  return rapid_time(up, options_.machine) + rapid_time(apart, options_.machine);
 }
 
 /// Seconds that the link to a pass takes if the way there is clear.

@@ -85,7 +85,6 @@ class Linker {
   Candidate evaluate(std::size_t item, const PassStart& start) const;
   double retract_time(const CutterAt& from, const Beginning& to, double height) const;
   double straight_time(const CutterAt& from, const Beginning& to) const;
-  double least_retract_time(std::size_t item, double apart) const;
   double least_cost(std::size_t item, const PassStart& start) const;
   double retract_height(const CutterAt& from, Vec2 to, std::size_t item) const;
   double approach_z(Vec2 p, std::size_t item) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
 #include "geometry/boolean.h"
@@ -166,7 +167,8 @@ class TabPlacer {
     // The tab's sides run to the arc's centre; the cutter touches them from a circle about it.
     const bool hollow = (edge.turn == Turn::kCounterClockwise) == (cut_.side == ProfileSide::kInside);
     const double around = edge.radius() + (hollow ? -kerf_ / 2 : radius_);
-    return options_.width / 2 + edge.radius() * std::asin(std::min(1.0, radius_ / std::max(around, radius_)));
+    return options_.width / 2 +
+           edge.radius() * base::asin(std::min(1.0, radius_ / std::max(around, radius_)));
   }
 
  private:
