@@ -40,12 +40,22 @@ void ProgressLine::hear(const Progress& at) {
   show(now);
 }
 
+void ProgressLine::search(const SearchProgress& at) {
+  const double now = now_s();
+  const bool is_first = !search_;
+  search_ = at;
+  if (!is_first && now - last_said_s < kRenewEvery) return;
+  last_said_s = now;
+  show(now);
+}
+
 void ProgressLine::count(std::size_t, std::size_t, const std::string&) {}
 
 void ProgressLine::expect(const std::string&, double) {}
 
 void ProgressLine::show(double now) {
-  std::fprintf(stderr, "%s\n", json_of(*at_, now - began_s_).c_str());
+  const double spent_s = now - began_s_;
+  std::fprintf(stderr, "%s\n", (search_ ? json_of(*search_, spent_s) : json_of(*at_, spent_s)).c_str());
   std::fflush(stderr);
 }
 

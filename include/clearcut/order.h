@@ -12,6 +12,7 @@ using pipeline::tour_line;
 using pipeline::tour_svg;
 using pipeline::TourOptions;
 using pipeline::TourResult;
+using pipeline::TourSample;
 
 /// Orders the points of a problem, with a proven bound; see order::solve. Throws InputError for problems that contradict
 /// themselves.

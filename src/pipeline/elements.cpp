@@ -166,9 +166,15 @@ ElementsResult plan_elements(const ElementJob& job, const resolve::PlanOptions& 
   plan::grid::check(job);
   ElementsResult result;
   result.points = plan::grid::tabulate(job);
+  const auto tell = [&](Stage stage) {
+    throw_if_cancelled(options.cancel);
+    if (options.progress) options.progress({stage, result.searches.size(), job.elements.size()});
+  };
   const auto visits = plan::grid::plan_visits(job, result.points, [&](const std::vector<Vec2>& points) {
+    tell(Stage::kPlanning);
     return searched_visit(points, options, result.searches.emplace_back());
   });
+  tell(Stage::kCertifying);
   result.elements = figures_of(job, result.points, visits);
   const ResolvedPlan plan =
       resolve::resolve(part_of(job, visits, options.tol), options, strategies_of(options));

@@ -27,8 +27,8 @@ struct ElementsResult {
 };
 
 /// Checks the job, tabulates and reduces its elements, orders the visits, and makes a checked program of them.
-/// options: post, machine, tol, seed, time_s (longest search for one order, default 2 s) count; the rest
-/// comes from the job. What the reduction leaves uncut is in the findings, as everywhere. Throws InputError
+/// options: post, machine, tol, seed, time_s (longest search for one order, default 2 s), progress (told before each
+/// search), cancel count; the rest comes from the job. What the reduction leaves uncut is in the findings, as everywhere. Throws InputError
 /// with all faults of the job on one line.
 ElementsResult plan_elements(const ElementJob& job, const resolve::PlanOptions& options);
 

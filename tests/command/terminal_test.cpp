@@ -271,6 +271,15 @@ std::vector<std::string> long_work(const ScratchFolder& folder, const std::strin
   return {command, part, "--tool", "endmill:1", "--tool", "endmill:1.5"};
 }
 
+TEST(Progress, OfATourSaysItsBestValueSoFar) {
+  const std::vector<std::string> call{"tour",     "13x12",     "--closed", "--objective", "1:length,7:turns",
+                                      "--solver", "published", "--time",   "3",           "--patience",
+                                      "100000000"};
+  EXPECT_THAT(on_terminal(call, {}).shown, HasSubstr("searching: best "));
+  EXPECT_THAT(on_terminal(call, {{"CLEARCUT_PROGRESS", "json"}}).shown,
+              HasSubstr(R"({"progress":{"stage":"searching","best":)"));
+}
+
 TEST(Interrupt, LeavesNothingBehindAndIsCode130) {
   for (const char* command : {"plan", "compare", "tools"}) {
     const ScratchFolder folder;

@@ -24,7 +24,9 @@ void add_verify_command(CLI::App& app, int& exit_code);
 void add_setup_sheet_command(CLI::App& app, int& exit_code);
 void add_check_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
-void add_elements_command(CLI::App& app, int& exit_code);
+/// `print_reductions`: prints the published table of reductions beside ours; null in builds without studies.
+void add_elements_command(CLI::App& app, int& exit_code, void (*print_reductions)());
+void print_grid_reductions();
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_tools_command(CLI::App& app, int& exit_code);
 void add_reproduce_command(CLI::App& app, int& exit_code);

@@ -2,11 +2,11 @@
 #include <clearcut/error.h>
 #include <clearcut/file.h>
 #include <clearcut/report.h>
-#include <clearcut/studies.h>
 
 #include <array>
 #include <map>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "arguments/certificate_info.h"
@@ -14,6 +14,7 @@
 #include "arguments/suggest.h"
 #include "commands/commands.h"
 #include "terminal/output.h"
+#include "terminal/progress.h"
 #include "terminal/terminal.h"
 
 namespace clearcut::cli {
@@ -44,6 +45,7 @@ struct ElementsCommand {
   bool print_points = false;
   SolverArguments solver;
   bool table = false;
+  void (*print_reductions)() = nullptr;
   bool quiet = false;
   PlanOptions options;
 };
@@ -77,16 +79,27 @@ std::vector<OutputFile> output_files(const ElementsCommand& command, const Eleme
   return files;
 }
 
+/// Plans while a line says how far it is.
+ElementsResult planned(const ElementsCommand& command, const ElementJob& job) {
+  PlanOptions options = command.options;
+  std::optional<ProgressLine> line;
+  if (!command.quiet) {
+    line.emplace(kCancel);
+    options.progress = line->callback();
+  }
+  return plan_elements(job, options);
+}
+
 int run(const ElementsCommand& command) {
   if (command.table) {
-    print_table(studies::grid_reduction_table());
+    command.print_reductions();
     return kClean;
   }
   if ((command.input.empty() && command.elements.empty()) || command.output.empty())
     throw InputError("elements",
                      "needs a job or elements and a program to write: clearcut elements JOB.toml -o OUT.ngc");
   const ElementJob job = job_of(command);
-  const ElementsResult result = plan_elements(job, command.options);
+  const ElementsResult result = planned(command, job);
   write_outputs(output_files(command, job, result), {command.input});
   if (!command.quiet) {
     print(result.plan.part.diagnostics, true);
@@ -136,7 +149,7 @@ void add_element_options(CLI::App& command, ElementsCommand& state) {
 
 }  // namespace
 
-void add_elements_command(CLI::App& app, int& exit_code) {
+void add_elements_command(CLI::App& app, int& exit_code, void (*print_reductions)()) {
   auto* command = app.add_subcommand("elements", "Plan a job of design elements on a grid of squares");
   command->group("Grids and tours");
   auto state = std::make_shared<ElementsCommand>();
@@ -156,14 +169,18 @@ void add_elements_command(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   command->add_option("--points", state->points, "Table of all points to write (CSV)")->type_name("FILE");
   command->add_flag("--print-points", state->print_points, "Print the table of all points");
+  command->option_defaults()->group("Controller");
   command
       ->add_option("--post", state->options.post.dialect,
                    "Controller: linuxcnc (default), grbl, fanuc, haas, heidenhain, mach3, mach4, marlin")
       ->check(one_of({"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"}));
+  command->option_defaults()->group("Search");
   command->add_option("--seed", state->options.seed, "Seed of the search (default 1)");
   state->solver.add_options(*command);
   command->option_defaults()->group("Output");
-  command->add_flag("--table", state->table, "Print the published table of reductions beside our figures");
+  state->print_reductions = print_reductions;
+  if (print_reductions != nullptr)
+    command->add_flag("--table", state->table, "Print the published table of reductions beside our figures");
   command->add_flag("--quiet", state->quiet, "Print nothing but errors");
   command->callback([state, command, &exit_code] {
     state->options.published.solver = state->solver.solver();

@@ -35,8 +35,6 @@ CertificateBasis basis_of(const PlanCommand& command) {
   return certificate_basis("plan", command.arguments.input_files(), command.output);
 }
 
-const std::string kCancel = "Ctrl-C stops; nothing is written before the end.";
-
 std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptions& options,
                                      const PlanResult& result) {
   std::vector<OutputFile> files{{command.output, result.program}};

@@ -189,6 +189,10 @@ void reproduce_tables(const ReproduceCommand& command) {
 
 }  // namespace
 
+void print_grid_reductions() {
+  print_table(studies::grid_reduction_table());
+}
+
 void add_compare_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("compare", "Plan a part by every strategy and rival, in one table");
   command->group("Choosing");

@@ -6,6 +6,7 @@
 #include "arguments/suggest.h"
 #include "commands/commands.h"
 #include "terminal/output.h"
+#include "terminal/progress.h"
 
 namespace clearcut::cli {
 namespace {
@@ -67,9 +68,19 @@ void add_genetic_options(CLI::App& command, TourOptions& options) {
       ->group(group);
 }
 
+/// Searches while a line says the best value so far.
+TourResult solved(const TourCommand& command) {
+  ProgressLine line(kCancel);
+  TourOptions options = command.options;
+  options.improved = [&line, &options](const TourSample& sample) {
+    line.search({sample.best, sample.seconds, options.time_s});
+  };
+  return solve_tour(command.input, options);
+}
+
 void run(TourCommand command) {
   if (command.open || command.closed) command.options.closed = command.closed;
-  const auto result = solve_tour(command.input, command.options);
+  const auto result = solved(command);
   std::vector<OutputFile> files;
   if (!command.json.empty()) files.push_back({command.json, tour_json(result)});
   if (!command.svg.empty()) files.push_back({command.svg, tour_svg(result)});

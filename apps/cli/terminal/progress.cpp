@@ -66,6 +66,11 @@ void ProgressLine::hear(const Progress& at) {
   at_ = at;
 }
 
+void ProgressLine::search(const SearchProgress& at) {
+  const std::lock_guard lock(mutex_);
+  search_ = at;
+}
+
 void ProgressLine::count(std::size_t done, std::size_t of, const std::string& things) {
   const std::lock_guard lock(mutex_);
   if (!count_) began_s_ = now_s();
@@ -93,6 +98,7 @@ void ProgressLine::say(const std::string& line) {
 std::string ProgressLine::text() const {
   const double spent_s = now_s() - began_s_;
   if (work_ && !count_) return fmt::format("{}, about {:g} s in all", work_->name, work_->usual_s);
+  if (search_) return described(*search_, spent_s);
   if (!count_) return at_ ? described(*at_, spent_s) : "preparing";
   std::string text = work_ ? work_->name + ": " : "";
   text += fmt::format("{} of {} {} done", count_->done, count_->of, count_->things);
@@ -113,7 +119,9 @@ void ProgressLine::watch() {
 
 void ProgressLine::show(double elapsed_s) {
   if (json_) {
-    if (at_) std::fprintf(stderr, "%s\n", json_of(*at_, now_s() - began_s_).c_str());
+    const double spent_s = now_s() - began_s_;
+    if (search_) std::fprintf(stderr, "%s\n", json_of(*search_, spent_s).c_str());
+    if (at_) std::fprintf(stderr, "%s\n", json_of(*at_, spent_s).c_str());
     return;
   }
   begin();

@@ -10,7 +10,12 @@
 #include <string>
 #include <thread>
 
+#include "terminal/progress_text.h"
+
 namespace clearcut::cli {
+
+/// The hint of commands that write their files at the end.
+inline constexpr const char* kCancel = "Ctrl-C stops; nothing is written before the end.";
 
 /// While it lives: after a second (three where no terminal shows it), what is being done, how far it is, and how long it may still take, on one line that is renewed on
 /// a terminal, every five seconds on a line of its own elsewhere; with CLEARCUT_PROGRESS=json as JSON, a line every fifth of a second. Says `hint` once, when it begins to say anything,
@@ -25,6 +30,8 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   /// For the options of a plan; not to be called after this object's end.
   ProgressCallback callback();
+  /// Of a search: the best that it found so far.
+  void search(const SearchProgress& at);
   /// Of several plans or tables: so many `things` are done.
   void count(std::size_t done, std::size_t of, const std::string& things);
   /// A line of its own, at once, that stays.
@@ -52,6 +59,7 @@ class ProgressLine {
   };
   std::string text() const;
   std::optional<Progress> at_;
+  std::optional<SearchProgress> search_;
   std::optional<Count> count_;
   struct Work {
     std::string name;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace clearcut::cli {
 
 std::optional<double> time_left(std::size_t done, std::size_t of, double spent_s) {
@@ -25,6 +27,17 @@ std::string json_of(const Progress& at, double spent_s) {
   if (const auto left = time_left(at.done, at.most, spent_s))
     text += fmt::format(R"(,"left_s":{:.0f})", *left);
   return text + "}}";
+}
+
+std::string described(const SearchProgress& at, double spent_s) {
+  return fmt::format("searching: best {:.10g} found after {:.1f} s, at most {:.0f} s left", at.best,
+                     at.found_s, std::max(0.0, at.most_s - spent_s));
+}
+
+std::string json_of(const SearchProgress& at, double spent_s) {
+  return fmt::format(
+      R"({{"progress":{{"stage":"searching","best":{:.10g},"found_s":{:.3f},"left_s":{:.0f}}}}})", at.best,
+      at.found_s, std::max(0.0, at.most_s - spent_s));
 }
 
 }  // namespace clearcut::cli

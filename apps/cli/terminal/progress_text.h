@@ -18,4 +18,15 @@ std::string described(const Progress& at, double spent_s);
 /// A line of JSON that another program reads.
 std::string json_of(const Progress& at, double spent_s);
 
+/// A search that the clock ends at the latest.
+struct SearchProgress {
+  double best = 0;     ///< of the objective, so far
+  double found_s = 0;  ///< since the beginning
+  double most_s = 0;   ///< that it may take
+};
+
+/// The same of a search; `spent_s`: s since its beginning.
+std::string described(const SearchProgress& at, double spent_s);
+std::string json_of(const SearchProgress& at, double spent_s);
+
 }  // namespace clearcut::cli

@@ -16,6 +16,7 @@
 #include "order/lattice.h"
 #include "order/near/neighbours.h"
 #include "order/tsplib.h"
+#include "pipeline/tour/convergence.h"
 #include "pipeline/tour/engagement_model.h"
 #include "pipeline/tour/tour_solver.h"
 
@@ -60,12 +61,14 @@ order::ObjectivePtr objective_named(const std::string& text, double feed) {
 namespace {
 
 order::Solution solve_published(const order::Problem& problem, const order::Objective& objective,
-                                const TourOptions& options, const std::atomic<bool>& stop) {
+                                const TourOptions& options, const std::atomic<bool>& stop,
+                                const std::function<void(const order::Progress&)>& progress) {
   order::GeneticOptions genetic = options.genetic;
   genetic.stop.cancel = &stop;
   genetic.seed = options.seed;
   genetic.stop.seconds = options.time_s;
   genetic.neighbours = options.genetic_neighbours.value_or(problem.neighbour_count);
+  genetic.progress = progress;
   return order::solve_genetic(problem, objective, genetic);
 }
 
@@ -130,20 +133,26 @@ TourResult solve_tour(const order::Problem& problem, const TourOptions& options)
   if (options.solver != "modern" && options.solver != "published")
     throw InputError("--solver", fmt::format("'{}' is unknown; use modern or published", options.solver));
   TourResult result{problem, {}, options.objective};
+  Convergence convergence(options.improved);
+  const auto progress = [&convergence](const order::Progress& at) {
+    convergence.add({at.seconds, at.objective});
+  };
   const auto objective = objective_for(problem, options);
   std::atomic<bool> stop = false;
   const std::stop_callback on_cancel(options.cancel, [&stop] { stop = true; });
   if (options.solver == "published") {
-    result.solution = solve_published(problem, *objective, options, stop);
+    result.solution = solve_published(problem, *objective, options, stop, progress);
   } else {
     order::SolveOptions solve_options;
     solve_options.stop.seconds = options.time_s;
     solve_options.stop.cancel = &stop;
     solve_options.seed = options.seed;
     solve_options.threads = options.threads;
+    solve_options.progress = progress;
     result.solution = order::solve(problem, *objective, solve_options);
   }
   throw_if_cancelled(options.cancel);
+  result.convergence = convergence.take();
   return result;
 }
 
@@ -164,6 +173,9 @@ std::string tour_json(const TourResult& result) {
   json["rounds"] = s.rounds;
   json["method"] = s.method;
   json["closed"] = result.problem.closed();
+  json["convergence"] = nlohmann::ordered_json::array();
+  for (const TourSample& sample : result.convergence)
+    json["convergence"].push_back({sample.seconds, sample.best});
   json["tour"] = s.tour;
   return json.dump() + "\n";
 }

@@ -1,14 +1,22 @@
 // Tours over point sets from files and lattices.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "order/genetic/genetic.h"
 #include "order/solve.h"
 
 namespace clearcut::pipeline {
+
+/// A value that is better than all before it.
+struct TourSample {
+  double seconds = 0;  ///< since the search began
+  double best = 0;     ///< of the objective
+};
 
 struct TourOptions {
   /// length, turns, angle, time, engagement, engagement-inverse, engagement-exact, or weights "0.5:length,20:turns"
@@ -24,12 +32,16 @@ struct TourOptions {
   order::GeneticOptions genetic;   ///< of the published solver; seed and time come from here above
   std::optional<int> genetic_neighbours;  ///< 0: all points; default 24
   std::stop_token cancel;  ///< asked to stop, the search ends with Cancelled within some milliseconds
+  std::function<void(const TourSample&)>
+      improved;  ///< told of each better value, by one thread at a time; may be empty
 };
 
 struct TourResult {
   order::Problem problem;
   order::Solution solution;
   std::string objective;
+  /// How the best value fell, from the first to the last; of more than a thousand values every other one is left out.
+  std::vector<TourSample> convergence = {};
 };
 
 /// `input` is a TSPLIB file or a lattice such as "10x10". Throws InputError.
@@ -37,8 +49,8 @@ TourResult solve_tour(const std::string& input, const TourOptions& options);
 /// The same over points of one's own; options.closed is not looked at. Throws InputError for problems that contradict themselves.
 TourResult solve_tour(const order::Problem& problem, const TourOptions& options);
 
-/// The fields of `tour --json`: objective, length, turns, angle_deg, bound, gap, time_s, seed, tour
-/// (0-based).
+/// The fields of `tour --json`: objective, length, turns, angle_deg, bound, gap, time_s, seed, convergence (pairs of
+/// seconds and best value), tour (0-based).
 std::string tour_json(const TourResult& result);
 std::string tour_svg(const TourResult& result);
 std::string tour_line(const TourResult& result);
