@@ -3,6 +3,7 @@
 #include <clearcut/file.h>
 
 #include <fstream>
+#include <regex>
 
 #include "serve/result_files.h"
 #include "serve/routes.h"
@@ -65,11 +66,13 @@ bool is_job(const std::string& name) {
   return fs::path(name).extension() == ".toml";
 }
 
-/// Words of the request's options, checked. Throws Refusal.
+/// Words of the request's options, checked, and its job. Throws Refusal.
 std::vector<std::string> option_words(const Upload& upload, const std::vector<KnownOption>& options) {
   try {
-    const std::string part = upload.file_of("part");
-    if (is_job(part)) check_job(read_file((upload.folder() / part).string()), part);
+    const std::string part = upload.file_of("part"), elements = upload.file_of("job");
+    for (const std::string& job : {is_job(part) ? part : "", elements}) {
+      if (!job.empty()) check_job(read_file((upload.folder() / job).string()), job);
+    }
     return checked_words(words_of(upload.text_of("options")), options, upload.files());
   } catch (const InputError& error) {
     throw Refusal{400, error.what()};
@@ -92,6 +95,50 @@ void refusing(Response& response, const Action& action) {
       response.set_header("Connection", "close");  // the rest of the request is not read
     answer_refusal(response, refusal.status, refusal.text);
   }
+}
+
+std::vector<std::string> joined(std::vector<std::string> command, const std::vector<std::string>& options,
+                                const std::vector<std::string>& results) {
+  command.insert(command.end(), options.begin(), options.end());
+  command.insert(command.end(), results.begin(), results.end());
+  return command;
+}
+
+/// The file of points that was sent, or the lattice in words; nothing else, which the command might read as a file's name.
+std::string tour_input(const Upload& upload) {
+  static const std::regex lattice_words("[1-9][0-9]{0,3}x[1-9][0-9]{0,3}");
+  const std::string points = upload.file_of("points"), lattice = upload.text_of("lattice");
+  if (points.empty() == lattice.empty())
+    throw Refusal{400, "send points as the file of the field 'points', or a lattice as the field 'lattice'"};
+  if (points.empty() && !std::regex_match(lattice, lattice_words))
+    throw Refusal{400, "a lattice is COLUMNSxROWS such as 30x20, each at most 9999"};
+  return points.empty() ? lattice : points;
+}
+
+struct Task {
+  std::vector<std::string> words;
+  bool is_judged = true;
+};
+
+/// Queues what `task_of` makes of a request's form; says where its state and its results will be.
+template <typename TaskOf>
+void answer_queued(Service& service, const Request& request, Response& response, const ContentReader& content,
+                   const TaskOf& task_of) {
+  refusing(response, [&] {
+    const std::string id = new_id();
+    Upload upload(service.folder / id / "work", service.settings.upload);
+    read_form(request, response, content, upload);
+    const Task task = task_of(upload);
+    const WorkPtr work = new_work(service, upload, id);
+    work->words = task.words;
+    work->is_judged = task.is_judged;
+    service.works.add(work, true);
+    answer_json(response, 202,
+                {{"id", id},
+                 {"status", "/plan/" + id},
+                 {"events", "/plan/" + id + "/events"},
+                 {"command", work->words}});
+  });
 }
 
 WorkPtr work_of(Service& service, const Request& request, Response& response) {
@@ -121,27 +168,35 @@ void stream_file(const WorkPtr& work, const std::string& file, const std::string
 }  // namespace
 
 void post_plan(Service& service, const Request& request, Response& response, const ContentReader& content) {
-  refusing(response, [&] {
-    const std::string id = new_id();
-    Upload upload(service.folder / id / "work", service.settings.upload);
-    read_form(request, response, content, upload);
+  answer_queued(service, request, response, content, [&](const Upload& upload) {
     const std::string part = upload.file_of("part");
     if (part.empty()) throw Refusal{400, "the part is missing; send its file as the field 'part'"};
-    const auto options = option_words(upload, service.plan_options);
-    const WorkPtr work = new_work(service, upload, id);
-    work->part = part;
-    work->words = {"plan", part};
-    work->words.insert(work->words.end(), options.begin(), options.end());
-    work->words.insert(work->words.end(),
+    return Task{joined({"plan", part}, option_words(upload, service.plan_options),
                        {"--output=results/program.ngc", "--certificate=results/certificate.json",
                         "--svg=results/picture.svg", "--report=results/report.html",
-                        "--setup-sheet=results/setup-sheet.html"});
-    service.works.add(work, true);
-    answer_json(response, 202,
-                {{"id", id},
-                 {"status", "/plan/" + id},
-                 {"events", "/plan/" + id + "/events"},
-                 {"command", work->words}});
+                        "--setup-sheet=results/setup-sheet.html"})};
+  });
+}
+
+void post_elements(Service& service, const Request& request, Response& response,
+                   const ContentReader& content) {
+  answer_queued(service, request, response, content, [&](const Upload& upload) {
+    std::vector<std::string> command{"elements"};
+    const std::string job = upload.file_of("job");
+    if (!job.empty()) command.push_back(job);
+    return Task{
+        joined(command, option_words(upload, known_options(service.options, "elements")),
+               {"--output=results/program.ngc", "--certificate=results/certificate.json",
+                "--svg=results/picture.svg", "--html=results/report.html", "--points=results/points.csv"})};
+  });
+}
+
+void post_tour(Service& service, const Request& request, Response& response, const ContentReader& content) {
+  answer_queued(service, request, response, content, [&](const Upload& upload) {
+    return Task{
+        joined({"tour", tour_input(upload)}, option_words(upload, known_options(service.options, "tour")),
+               {"--json=results/tour.json", "--svg=results/picture.svg"}),
+        false};
   });
 }
 

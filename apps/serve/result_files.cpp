@@ -8,12 +8,16 @@ namespace {
 
 constexpr const char* kPage = "text/html; charset=utf-8";
 constexpr const char* kText = "text/plain; charset=utf-8";
-constexpr std::array<ResultKind, 6> kKinds{
+constexpr std::array<ResultKind, 8> kKinds{
     {{"program", ".ngc", kText, "The program for the controller", true},
      {"certificate", ".json", "application/json", "The certificate", true},
-     {"report", ".html", kPage, "The page that plays the machining", true},
+     {"report", ".html", kPage, "The page that plays the machining; of elements the page of their squares",
+      true},
      {"picture", ".svg", "image/svg+xml", "The picture", true},
      {"setup-sheet", ".html", kPage, "The page for the machine", false},
+     {"points", ".csv", "text/csv; charset=utf-8", "The table of all points of elements", false},
+     {"tour", ".json", "application/json",
+      "The points of a tour in their order, with figures and convergence", false},
      {"text", ".txt", kText, "What the command prints", false}}};
 
 bool is_setup_number(std::string_view text) {

@@ -56,6 +56,28 @@ Route text_route(const std::string& path, const std::string& summary,
   return route;
 }
 
+/// Requests whose results are then asked for as those of a plan.
+std::vector<Route> grid_and_tour_routes() {
+  std::vector<Route> out;
+  for (const auto& [path, what, form, reader] :
+       {std::tuple{"/elements", "Plan design elements on a grid: a job of them, or elements as options",
+                   std::vector<std::string>{"job", "options"}, &post_elements},
+        std::tuple{"/tour", "Order points: a TSPLIB file, or a lattice such as 30x20",
+                   std::vector<std::string>{"points", "lattice", "options"}, &post_tour}})
+    out.push_back(
+        {"POST",
+         path,
+         what,
+         form,
+         with_upload({{202, "queued; where its state, its events and its results are, as of a plan"}}),
+         "application/json",
+         {},
+         reader,
+         "Queued",
+         false});
+  return out;
+}
+
 std::vector<Route> plan_routes() {
   const std::pair<int, std::string> unknown{404, "no plan of that name"};
   const std::string json = "application/json";
@@ -110,6 +132,7 @@ std::vector<Route> all_routes() {
   out.push_back(text_route("/options", "Options of every command, as the command line takes them",
                            [](Service& service) { return service.options; }));
   for (auto& route : plan_routes()) out.push_back(std::move(route));
+  for (auto& route : grid_and_tour_routes()) out.push_back(std::move(route));
   for (auto& route : result_routes()) out.push_back(std::move(route));
   out.push_back({"POST",
                  "/check",
@@ -142,9 +165,9 @@ Json form_of(const Route& route) {
       text{{"type", "string"}};
   Json fields = Json::object();
   for (const auto& field : route.form)
-    fields[field] = field == "options" ? text : field == "file" ? files : file;
-  const Json schema{
-      {"type", "object"}, {"properties", fields}, {"required", Json::array({route.form.front()})}};
+    fields[field] = field == "options" || field == "lattice" ? text : field == "file" ? files : file;
+  Json schema{{"type", "object"}, {"properties", fields}};
+  if (route.needs_first) schema["required"] = Json::array({route.form.front()});
   return {{"required", true}, {"content", {{"multipart/form-data", {{"schema", schema}}}}}};
 }
 

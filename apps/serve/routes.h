@@ -37,7 +37,8 @@ struct Route {
   /// For requests with a form, read as it comes.
   std::function<void(Service&, const httplib::Request&, httplib::Response&, const httplib::ContentReader&)>
       reader;
-  std::string schema{};  ///< of a good answer, by its name in schemas(); "": any
+  std::string schema{};     ///< of a good answer, by its name in schemas(); "": any
+  bool needs_first = true;  ///< the first field of the form cannot be left out
 };
 
 const std::vector<Route>& routes();
@@ -51,6 +52,10 @@ void answer_json(httplib::Response& response, int status, const Json& json);
 
 // The handlers, by route.
 void post_plan(Service& service, const httplib::Request& request, httplib::Response& response,
+               const httplib::ContentReader& content);
+void post_elements(Service& service, const httplib::Request& request, httplib::Response& response,
+                   const httplib::ContentReader& content);
+void post_tour(Service& service, const httplib::Request& request, httplib::Response& response,
                const httplib::ContentReader& content);
 void get_plan(Service& service, const httplib::Request& request, httplib::Response& response);
 void drop_plan(Service& service, const httplib::Request& request, httplib::Response& response);

@@ -23,12 +23,20 @@ Json object(const Json& properties, const std::vector<std::string>& required) {
           {"additionalProperties", false}};
 }
 
-Json progress() {
+Json progress_of_plan() {
   return object({{"stage", {{"type", "string"}, {"enum", {"planning", "certifying"}}}},
                  {"done", described("integer", "candidates that are planned")},
                  {"most", described("integer", "how many there may be")},
                  {"left_s", described("number", "s left at most; absent: not known")}},
                 {"stage", "done", "most"});
+}
+
+Json progress_of_search() {
+  return object({{"stage", {{"type", "string"}, {"const", "searching"}}},
+                 {"best", described("number", "of the objective, so far")},
+                 {"found_s", described("number", "after which it was found")},
+                 {"left_s", described("number", "s left at most")}},
+                {"stage", "best", "found_s", "left_s"});
 }
 
 /// What every answer about work holds.
@@ -45,8 +53,9 @@ Json work() {
 Json state() {
   Json properties = work();
   properties["id"] = described("string", "name of the plan");
-  properties["verdict"] =
-      described("string", "CLEAN, CONDITIONAL or FAULTY, perhaps with AS FAR AS CAN BE SAID WITHOUT A PART");
+  properties["verdict"] = described(
+      "string",
+      "CLEAN, CONDITIONAL or FAULTY, perhaps with AS FAR AS CAN BE SAID WITHOUT A PART; of a tour empty");
   properties["results"] = {{"type", "object"},
                            {"additionalProperties", {{"type", "string"}}},
                            {"description", "addresses of the results by their names"}};
@@ -77,7 +86,7 @@ Json schemas() {
                              {"command", list_of("words of the command that plans")}},
                             {"id", "status", "events", "command"})},
           {"Gone", object({{"state", {{"const", "cancelled"}, {"type", "string"}}}}, {"state"})},
-          {"Progress", progress()},
+          {"Progress", {{"oneOf", {progress_of_plan(), progress_of_search()}}}},
           {"State", object(state(), {"id", "state"})},
           {"Checked", object(checked(), {"id", "state"})},
           {"Info", answer_of("info", "what `clearcut info --json` prints")},

@@ -10,8 +10,8 @@ constexpr std::size_t kMostFiles = 50;
 constexpr std::size_t kLongestName = 120;
 constexpr std::size_t kLongestText = 16384;
 
-const std::set<std::string> kFileFields{"part", "program", "file"};
-const std::set<std::string> kTextFields{"options"};
+const std::set<std::string> kFileFields{"part", "program", "job", "points", "file"};
+const std::set<std::string> kTextFields{"options", "lattice"};
 
 }  // namespace
 
@@ -44,8 +44,8 @@ void Upload::begin(const std::string& field, const std::string& file_name) {
     return;
   }
   if (!kFileFields.contains(field))
-    throw Refusal{
-        400, "'" + field.substr(0, kLongestName) + "' is no field; send part, program, file and options"};
+    throw Refusal{400, "'" + field.substr(0, kLongestName) +
+                           "' is no field; GET /openapi.json lists those of each request"};
   check_name(file_name);
   if (!files_.insert(file_name).second) throw Refusal{400, "two files have the same name: " + file_name};
   if (files_.size() > kMostFiles) throw Refusal{400, "too many files; at most " + std::to_string(kMostFiles)};

@@ -85,14 +85,15 @@ void ChildTalk::read(Json& progress, std::vector<std::string>& messages) {
   }
 }
 
-WorkEnd end_of(const fs::path& folder, int exit_code, const std::vector<std::string>& messages) {
+WorkEnd end_of(const Work& work, int exit_code) {
   constexpr int kLastWithResults = 1;
   WorkEnd end;
   end.exit_code = exit_code;
-  if (exit_code <= kLastWithResults) end.verdict = verdict_in(folder / "results");
-  if (!end.verdict.empty()) return end;
+  const bool has_results = exit_code <= kLastWithResults;
+  if (has_results && work.is_judged) end.verdict = verdict_in(work.folder / "results");
+  if (has_results && (!work.is_judged || !end.verdict.empty())) return end;
   end.state = WorkState::kFailed;
-  end.message = messages.empty() ? "ended without a result" : messages.back();
+  end.message = work.messages.empty() ? "ended without a result" : work.messages.back();
   return end;
 }
 

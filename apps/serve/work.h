@@ -31,7 +31,7 @@ struct Work {
   std::filesystem::path
       folder;  ///< files of the request and results/; the one around it is removed in the end
   std::vector<std::string> words;
-  std::string part;  ///< name of the part's file
+  bool is_judged = true;  ///< a certificate says what came of it
   std::atomic<bool> is_cancelled = false;
 
   WorkState state = WorkState::kWaiting;
@@ -60,7 +60,7 @@ class ChildTalk {
   std::string rest_;
 };
 
-/// Verdict and message from the folder of a child that ended with this code.
-WorkEnd end_of(const std::filesystem::path& folder, int exit_code, const std::vector<std::string>& messages);
+/// Verdict and message of a work whose child ended with this code, from its folder.
+WorkEnd end_of(const Work& work, int exit_code);
 
 }  // namespace clearcut::serve

@@ -119,7 +119,7 @@ Json WorkList::status_locked(const Work& work) const {
         seconds_between(work.began, work.state == WorkState::kRunning ? Clock::now() : work.ended);
   if (is_ended(work)) {
     json["exit_code"] = work.end.exit_code;
-    if (!work.end.verdict.empty()) json["verdict"] = work.end.verdict;
+    if (work.end.state == WorkState::kDone) json["verdict"] = work.end.verdict;
     if (!work.end.message.empty()) json["message"] = work.end.message;
     json["messages"] = work.messages;
     json["results"] = results_of(work);
@@ -209,7 +209,7 @@ WorkEnd WorkList::end_of_child(Work& work) {
       });
   listen(work, talk);
   if (child.how != ChildEnd::How::kExited) return broken_end(child, settings_);
-  return end_of(work.folder, child.code, work.messages);
+  return end_of(work, child.code);
 }
 
 void WorkList::run(const WorkPtr& work) {

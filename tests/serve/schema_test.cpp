@@ -1,6 +1,9 @@
 // The server's answers hold what its description says of them, and nothing else.
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <sstream>
+
 #include "serve/server_process.h"
 
 namespace clearcut {
@@ -30,6 +33,11 @@ bool has_type(const json& value, const json& types) {
 std::string fault(const json& all, const json& rule, const json& value, const std::string& at) {
   if (rule.contains("$ref"))
     return fault(all, all.at(json::json_pointer(rule.at("$ref").get<std::string>().substr(1))), value, at);
+  if (rule.contains("oneOf")) {
+    const json& ways = rule.at("oneOf");
+    const auto fits = [&](const json& way) { return fault(all, way, value, at).empty(); };
+    return std::count_if(ways.begin(), ways.end(), fits) == 1 ? "" : at + ": " + value.dump();
+  }
   if (!has_type(value, rule.at("type"))) return at + ": " + value.dump();
   if (rule.contains("const") && value != rule.at("const")) return at + ": " + value.dump();
   if (rule.contains("enum") &&
@@ -67,6 +75,28 @@ class Description : public ::testing::Test {
   ServerProcess server_;
   json all_;
 };
+
+TEST_F(Description, HoldsForElementsAndTours) {
+  auto client = this->client();
+  const httplib::MultipartFormDataItems lattice{{"lattice", "13x12", "", ""},
+                                                {"options", "--solver published --time 2 --closed", "", ""}};
+  for (const auto& [path, form] : std::vector<std::pair<std::string, httplib::MultipartFormDataItems>>{
+           {"/elements", {{"options", "--pocket 0,0,20,16:depth=2 --tool endmill:6", "", ""}}},
+           {"/tour", lattice}}) {
+    const auto queued = client.Post(path, form);
+    expect_described("post", path, queued);
+    const std::string id = json::parse(queued->body).at("id");
+    const auto events = client.Get("/plan/" + id + "/events");
+    ASSERT_TRUE(events);
+    const json& state = all_.at("components").at("schemas").at("State");
+    std::istringstream lines(events->body);
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with("data: ")) continue;
+      EXPECT_EQ(fault(all_, state, json::parse(line.substr(6)), path), "") << line;
+    }
+    expect_described("get", "/plan/{id}", client.Get("/plan/" + id));
+  }
+}
 
 TEST_F(Description, HoldsForPlans) {
   auto client = this->client();

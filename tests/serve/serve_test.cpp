@@ -19,9 +19,12 @@ namespace {
 
 using nlohmann::json;
 using test_support::answer_to;
+using test_support::fetched;
 using test_support::form_of;
+using test_support::posted;
 using test_support::ScratchFolder;
 using test_support::ServerProcess;
+using test_support::soon;
 using test_support::state_at_end;
 using ::testing::AnyOf;
 using ::testing::HasSubstr;
@@ -35,29 +38,6 @@ const std::string kOptions = "--tool endmill:6 --strategy contour --accept out-o
 const std::string kLarge = R"({"name": "large", "units": "mm",
   "outer": [[0,0,0.1],[400,0,0.2],[400,300,0.1],[0,300,0.3]], "islands": [[[200,150,1],[150,150,1]]],
   "top": 0, "depth": 5})";
-
-std::string posted(const ServerProcess& server, const httplib::MultipartFormDataItems& form) {
-  auto client = server.client();
-  const auto answer = client.Post("/plan", form);
-  if (!answer || answer->status != 202) throw std::runtime_error(answer ? answer->body : "no answer");
-  return json::parse(answer->body).at("id");
-}
-
-std::string fetched(const ServerProcess& server, const std::string& path) {
-  auto client = server.client();
-  const auto answer = client.Get(path);
-  return answer && answer->status == 200 ? answer->body : "no answer to " + path;
-}
-
-/// Waits until `holds`, at most ten seconds.
-template <typename Condition>
-bool soon(const Condition& holds) {
-  for (int i = 0; i < 200; ++i) {
-    if (holds()) return true;
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  }
-  return holds();
-}
 
 TEST(Serve, ShowsThePageAndDescribesItsRoutes) {
   const ServerProcess server;
@@ -95,7 +75,7 @@ TEST(Serve, DescriptionHoldsForEveryRoute) {
       EXPECT_THAT(answer->body, Not(HasSubstr("nothing of that name"))) << path;
     }
   }
-  EXPECT_EQ(count, 22);
+  EXPECT_EQ(count, 26);
 }
 
 /// Runs the command in a folder with the part, as the server does.

@@ -86,6 +86,20 @@ httplib::MultipartFormDataItems form_of(const std::string& part_name, const std:
   return {{"part", part, part_name, "application/octet-stream"}, {"options", options, "", ""}};
 }
 
+std::string posted(const ServerProcess& server, const httplib::MultipartFormDataItems& form,
+                   const std::string& path) {
+  auto client = server.client();
+  const auto answer = client.Post(path, form);
+  if (!answer || answer->status != 202) throw std::runtime_error(answer ? answer->body : "no answer");
+  return nlohmann::json::parse(answer->body).at("id");
+}
+
+std::string fetched(const ServerProcess& server, const std::string& path) {
+  auto client = server.client();
+  const auto answer = client.Get(path);
+  return answer && answer->status == 200 ? answer->body : "no answer to " + path;
+}
+
 nlohmann::json state_at_end(const ServerProcess& server, const std::string& id) {
   auto client = server.client();
   const auto events = client.Get("/plan/" + id + "/events");

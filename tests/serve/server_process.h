@@ -4,8 +4,10 @@
 #include <httplib.h>
 #include <sys/types.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "support/command.h"
@@ -37,6 +39,23 @@ class ServerProcess {
 /// A request's files and options.
 httplib::MultipartFormDataItems form_of(const std::string& part_name, const std::string& part,
                                         const std::string& options);
+
+/// The name of what a request begins. Throws where it is refused.
+std::string posted(const ServerProcess& server, const httplib::MultipartFormDataItems& form,
+                   const std::string& path = "/plan");
+
+/// What lies at an address, or why nothing does.
+std::string fetched(const ServerProcess& server, const std::string& path);
+
+/// Waits until `holds`, at most ten seconds.
+template <typename Condition>
+bool soon(const Condition& holds) {
+  for (int i = 0; i < 200; ++i) {
+    if (holds()) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  return holds();
+}
 
 /// The state of a plan at its end; waits for it by events.
 nlohmann::json state_at_end(const ServerProcess& server, const std::string& id);
