@@ -19,7 +19,7 @@ file(WRITE ${SITE}/app.js "${app}")
 
 # Nothing may be sent anywhere: the page reaches its own folder only, and the report in its frame takes this over.
 set(policy "default-src 'none'; script-src 'self' 'unsafe-inline' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src 'self' data: blob:;")
-string(APPEND policy " connect-src 'self'; worker-src 'self'; manifest-src 'self'; frame-src blob:; base-uri 'none'; form-action 'none'")
+string(APPEND policy " connect-src 'self' blob:; worker-src 'self'; manifest-src 'self'; frame-src blob:; base-uri 'none'; form-action 'none'")
 set(icon "<link rel=\"icon\" href=\"data:,\">")
 file(READ ${SERVE}/index.html index)
 string(FIND "${index}" "${icon}" at)

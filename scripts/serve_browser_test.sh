@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# serve_browser_test.sh COMMAND: drives the page of `clearcut serve` in Chromium: plan, cancel, download, check; screenshots go to
+# serve_browser_test.sh COMMAND: drives the page of `clearcut serve` in Chromium: plan, cancel, download, check, elements, tours; screenshots go to
 # build/viewer-browser/pictures. playwright-core and axe-core come from npm as the lock file says.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -47,5 +47,5 @@ rm -f "$kit/serve.txt"
 server=$!
 trap 'kill $server 2> /dev/null || true' EXIT
 for _ in $(seq 600); do [ ! -s "$kit/serve.txt" ] || break; sleep 0.1; done
-cp examples/plate.dxf examples/tools.toml "$kit/"
+cp examples/plate.dxf examples/tools.toml examples/five_pockets.toml "$kit/"
 timeout 900 node "$kit/serve_browser_test.mjs" "$kit" "$browser" "$(head -1 "$kit/serve.txt")" "$clearcut"

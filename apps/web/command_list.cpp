@@ -11,6 +11,8 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_info_command(app, exit_code);
   add_init_command(app, exit_code);
   add_convert_command(app, exit_code);
+  add_elements_command(app, exit_code, nullptr);
+  add_tour_command(app, exit_code);
   add_generate_command(app, exit_code);
 }
 

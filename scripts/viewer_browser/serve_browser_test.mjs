@@ -1,5 +1,5 @@
 // node serve_browser_test.mjs FOLDER BROWSER ADDRESS COMMAND: what a person does with the page of `clearcut serve`, and whether it follows.
-// FOLDER holds square.json, twice.toml, large.json, plate.dxf and tools.toml; screenshots go to FOLDER/pictures.
+// FOLDER holds square.json, twice.toml, large.json, plate.dxf, tools.toml and five_pockets.toml; screenshots go to FOLDER/pictures.
 import { execFileSync, spawnSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
@@ -193,6 +193,91 @@ async function checksAlone(page) {
   check((await textOf(frame, '#tiles')).includes('not asked'), 'a program is checked alone, and its report says what was not asked');
 }
 
+/** Elements that are written down, then a job of them: squares, tool impact, visit, points. @type {(page: Page) => Promise<void>} */
+async function activates(page) {
+  await page.goto(address);
+  await page.click('#tab-elements');
+  await page.fill('[aria-label="Numbers of element 1"]', '0,0,24,18');
+  await page.click('#elements-add');
+  await page.selectOption('[aria-label="Kind of element 2"]', 'hole');
+  await page.fill('[aria-label="Numbers of element 2"]', '-12, 9, 6');
+  await page.fill('[aria-label="Tool of element 2"]', '2');
+  await page.fill('[aria-label="Depth of element 2"]', '5');
+  await page.selectOption('#elements-solver', 'published');
+  await page.fill('#elements-generations', '30');
+  const shown = await textOf(page, '#elements-command');
+  check(['--pocket 0,0,24,18:T1:depth=3', '--hole=-12,9,6:T2:depth=5', '--tool endmill:4:T2', '--solver published --generations 30'].every(word => shown.includes(word)), 'elements are options: ' + shown);
+  await page.click('#elements-go');
+  await page.waitForSelector('#elements-result:not([hidden])');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#elements-downloads a')]);
+  check(download.suggestedFilename() === 'elements.ngc', 'their program is downloaded');
+  await page.click('[aria-label="Remove element 2"]');
+  check(!(await textOf(page, '#elements-command')).includes('--hole'), 'an element is removed');
+  await page.setInputFiles('#elements-files', `${folder}/five_pockets.toml`);
+  check(await page.isHidden('#elements-editor') && (await textOf(page, '#elements-command')).startsWith('clearcut elements five_pockets.toml --solver'), 'a job stands in their place');
+  await page.selectOption('#elements-solver', '');
+  await page.click('#elements-go');
+  await page.waitForFunction(() => document.querySelector('#elements-downloads a')?.getAttribute('download') === 'five_pockets.ngc', null, { timeout: 120000 });
+  const frame = await (await page.waitForSelector('#elements-report')).contentFrame();
+  await frame?.waitForSelector('svg');
+  check(/Activated, reduced, cut/.test(await frame?.content() ?? '') && (await frame?.locator('td:text-is("middle")').count() ?? 0) > 0, 'squares and the table of elements are shown');
+  await isAccessible(page, 'the page with elements');
+  check(await fits(page), 'nothing overflows with elements');
+}
+
+/** @type {(page: Page) => Promise<void>} */
+async function refusesElements(page) {
+  await page.click('[aria-label="Remove five_pockets.toml"]');
+  await page.fill('[aria-label="Numbers of element 1"]', '0,0');
+  await page.click('#elements-go');
+  await page.waitForSelector('#elements-status.error');
+  check(/pocket/.test(await textOf(page, '#elements-status')) && await page.isHidden('#elements-result'), 'an element without its numbers is refused in one line: ' + await textOf(page, '#elements-status'));
+}
+
+/** A lattice, then points of a file whose best value falls while the page shows it, and a search that is cancelled. @type {(page: Page) => Promise<void>} */
+async function solves(page) {
+  await page.goto(address);
+  await page.click('#tab-tour');
+  await page.waitForSelector('#tour-objective option', { state: 'attached' });
+  await page.fill('#tour-lattice', '10 x 10');
+  check((await textOf(page, '#tour-command')).startsWith('clearcut tour 10x10 --objective length --solver modern --time 10'), 'a lattice is part of the command line');
+  await page.click('#tour-go');
+  await page.waitForSelector('#tour-figures dd');
+  check(Number(await page.getAttribute('#tour-curve', 'data-samples')) > 0 && (await page.getAttribute('#tour-curve', 'd'))?.endsWith('H1000') === true, 'the graph of a lattice has its value');
+  check(/99.*bound.*99.*proven optimal/.test(await textOf(page, '#tour-figures')), 'length, bound and gap are said');
+  check(await page.evaluate(() => new Promise(done => { const img = document.querySelector('img'); if (img?.complete) done(img.naturalWidth > 0); else img?.addEventListener('load', () => done(true)); })), 'the tour is drawn');
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#tour-downloads a:text-is("Tour")')]);
+  await download.saveAs(`${folder}/lattice-tour.json`);
+  check(download.suggestedFilename() === '10x10-tour.json' && JSON.parse(readFileSync(`${folder}/lattice-tour.json`, 'utf8')).tour.length === 100, 'the tour is downloaded');
+  const points = Array.from({ length: 500 }, (_, i) => `${i + 1} ${500 + 10 * Math.sqrt(i) * Math.cos(2.4 * i)} ${500 + 10 * Math.sqrt(i) * Math.sin(2.4 * i)}`);
+  writeFileSync(`${folder}/spiral.tsp`, `NAME : spiral\nTYPE : TSP\nDIMENSION : 500\nEDGE_WEIGHT_TYPE : EUC_2D\nNODE_COORD_SECTION\n${points.join('\n')}\nEOF\n`);
+  await page.setInputFiles('#tour-files', `${folder}/spiral.tsp`);
+  check(await page.isDisabled('#tour-lattice') && (await textOf(page, '#tour-command')).startsWith('clearcut tour spiral.tsp'), 'a file goes before a lattice');
+  await page.selectOption('#tour-solver', 'published');
+  await page.fill('#tour-time', '8');
+  await page.click('#tour-go');
+  const grows = (/** @type {number} */ least) => page.waitForFunction(most => Number(document.getElementById('tour-curve')?.getAttribute('data-samples')) > most && document.getElementById('tour-result')?.hidden, least, { timeout: 60000 });
+  await grows(1);
+  const before = Number(await page.getAttribute('#tour-curve', 'data-samples'));
+  await grows(before);
+  check(true, 'the graph grows while the search goes on');
+  check((await textOf(page, '#tour-status')).startsWith('Searching: best '), 'the best value so far is said');
+  await page.waitForSelector('#tour-result:not([hidden])');
+  await page.waitForFunction(() => document.getElementById('tour-status')?.textContent?.startsWith('Done: '));
+  check(Number(await page.getAttribute('#tour-curve', 'data-samples')) > before && /dashed line is the bound/.test(await textOf(page, '#tour-said')), 'at the end it holds every value and the bound');
+  await isAccessible(page, 'the page with a tour');
+  check(await fits(page), 'nothing overflows with a tour');
+}
+
+/** @type {(page: Page) => Promise<void>} */
+async function cancelsTour(page) {
+  await page.fill('#tour-time', '300');
+  await page.click('#tour-go');
+  await page.waitForFunction(() => document.getElementById('tour-status')?.textContent?.startsWith('Searching'));
+  await page.click('#tour-cancel');
+  check(await textOf(page, '#tour-status') === 'Cancelled.' && await page.isEnabled('#tour-go'), 'a search is cancelled');
+}
+
 const page = await open(1366, 768, 'light');
 await isAccessible(page, 'the empty page');
 await plans(page);
@@ -213,10 +298,20 @@ await checksAlone(page);
 await page.screenshot({ path: picture('serve-alone-1366'), fullPage: true });
 await isAccessible(page, 'the page with a program alone');
 await checksWithConditions(page);
+await activates(page);
+await page.screenshot({ path: picture('serve-elements-1366'), fullPage: true });
+await refusesElements(page);
+await solves(page);
+await page.screenshot({ path: picture('serve-tour-1366'), fullPage: true });
+await cancelsTour(page);
 const phone = await open(390, 844, 'dark');
 await plans(phone);
 check(await fits(phone), 'nothing overflows at 390');
 await phone.screenshot({ path: picture('serve-390-dark'), fullPage: true });
 await isAccessible(phone, 'the dark page on a phone');
+await activates(phone);
+await phone.screenshot({ path: picture('serve-elements-390-dark'), fullPage: true });
+await solves(phone);
+await phone.screenshot({ path: picture('serve-tour-390-dark'), fullPage: true });
 await browser.close();
 conclude('the page of the server');

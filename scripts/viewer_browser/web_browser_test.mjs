@@ -1,5 +1,5 @@
 // node web_browser_test.mjs FOLDER BROWSER SITE EXAMPLES [COMMAND]: serves the folder SITE as any static host would, on this machine alone, and does
-// with the page what a person does: plan, cancel, check, download, reload without a network. Screenshots go to FOLDER/pictures. COMMAND, where
+// with the page what a person does: plan, cancel, check, elements, tours, download, reload without a network. Screenshots go to FOLDER/pictures. COMMAND, where
 // it is named, has to check the downloaded program as the page did.
 import { spawnSync } from 'node:child_process';
 import { createReadStream, existsSync, readFileSync, writeFileSync } from 'node:fs';
@@ -144,6 +144,40 @@ async function checks(page) {
 }
 
 /** @type {(page: Page) => Promise<void>} */
+async function activates(page) {
+  await page.click('#tab-elements');
+  await page.setInputFiles('#elements-files', join(examples, 'five_pockets.toml'));
+  await page.click('#elements-go');
+  await page.waitForSelector('#elements-result:not([hidden])', { timeout: 240000 });
+  const frame = await (await page.waitForSelector('#elements-report')).contentFrame();
+  await frame?.waitForSelector('svg');
+  check(/Activated, reduced, cut/.test(await frame?.content() ?? ''), 'elements show their squares');
+  await page.waitForFunction(() => /verdict: /.test(document.getElementById('elements-text')?.textContent ?? ''));
+  const [download] = await Promise.all([page.waitForEvent('download'), page.click('#elements-downloads a')]);
+  check(download.suggestedFilename() === 'five_pockets.ngc', 'their program is downloaded');
+}
+
+/** @type {(page: Page) => Promise<void>} */
+async function solves(page) {
+  await page.click('#tab-tour');
+  await page.fill('#tour-lattice', '13x13');
+  await page.selectOption('#tour-shape', '--closed');
+  await page.selectOption('#tour-solver', 'published');
+  await page.fill('#tour-time', '6');
+  await page.click('#tour-go');
+  await page.waitForFunction(() => Number(document.getElementById('tour-curve')?.getAttribute('data-samples')) > 1 && document.getElementById('tour-result')?.hidden, null, { timeout: 60000 });
+  check(true, 'the graph of a tour grows while the search goes on');
+  await page.waitForSelector('#tour-figures dd', { timeout: 60000 });
+  check(/bound.*lattice steps/.test(await textOf(page, '#tour-figures')), 'its bound is said');
+  await isAccessible(page, 'the page with a tour');
+  await page.fill('#tour-time', '300');
+  await page.click('#tour-go');
+  await page.waitForFunction(() => document.getElementById('tour-status')?.textContent?.startsWith('Searching'));
+  await page.click('#tour-cancel');
+  check(await textOf(page, '#tour-status') === 'Cancelled.', 'a search is cancelled');
+}
+
+/** @type {(page: Page) => Promise<void>} */
 async function worksOffline(page) {
   await page.evaluate('navigator.serviceWorker.ready');
   await page.reload();
@@ -171,6 +205,8 @@ await cancels(page);
 await refuses(page);
 await checks(page);
 await page.screenshot({ path: picture('web-check-1366') });
+await activates(page);
+await solves(page);
 const phone = await open(390, 844, 'dark');
 await phone.setInputFiles('#plan-files', join(examples, 'bracket.dxf'));
 await planned(phone, 'CLEAN');

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# browser_test.sh SITE [COMMAND]: drives the page of `make web` in Chromium: plan, cancel, check, download, reload without a network; screenshots
+# browser_test.sh SITE [COMMAND]: drives the page of `make web` in Chromium: plan, cancel, check, elements, tours, download, reload without a network; screenshots
 # go to build/viewer-browser/pictures. playwright-core and axe-core come from npm as the lock file says.
 set -euo pipefail
 cd "$(dirname "$0")/../.."

@@ -7,7 +7,7 @@ import { root } from './fake_page.mjs';
 
 /** By the tags that they stand for; others are HTMLElement. @type {Record<string, string>} */
 const kinds = { button: 'HTMLButtonElement', canvas: 'HTMLCanvasElement', datalist: 'HTMLDataListElement', details: 'HTMLDetailsElement', div: 'HTMLDivElement', dl: 'HTMLDListElement',
-  form: 'HTMLFormElement', h1: 'HTMLHeadingElement', h2: 'HTMLHeadingElement', iframe: 'HTMLIFrameElement', input: 'HTMLInputElement', label: 'HTMLLabelElement', ol: 'HTMLOListElement',
+  form: 'HTMLFormElement', h1: 'HTMLHeadingElement', h2: 'HTMLHeadingElement', iframe: 'HTMLIFrameElement', img: 'HTMLImageElement', input: 'HTMLInputElement', label: 'HTMLLabelElement', ol: 'HTMLOListElement',
   output: 'HTMLOutputElement', p: 'HTMLParagraphElement', pre: 'HTMLPreElement', progress: 'HTMLProgressElement', select: 'HTMLSelectElement', span: 'HTMLSpanElement',
   table: 'HTMLTableElement', ul: 'HTMLUListElement' };
 

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, test } from 'node:test';
 import { runScripts } from './fake_page.mjs';
 
-const ask = runScripts('apps/serve/page', 'check.js');
+const ask = runScripts('apps/serve/page', 'tour.js');
 
 describe('options', () => {
   test('a word is quoted where a shell needs it', () => {
@@ -55,5 +55,38 @@ describe('texts', () => {
   test('set-ups of a job are told apart', () => {
     const joined = `joinedSetups([{ asks: ['a depth'], found: [], features: [], outlines: [] }, { asks: [], found: [{ kind: 'note', where: '', what: 'w' }], features: [], outlines: [] }])`;
     assert.deepEqual(ask(`textsOf(${joined})`), ['To say: set-up 1: a depth', 'note: set-up 2: w']);
+  });
+});
+
+describe('elements', () => {
+  test('an element is an option; blanks go, and a minus is no option of its own', () => {
+    const option = (/** @type {string[]} */ ...[kind, numbers, tool, depth]) => ask(`elementOption(${JSON.stringify({ kind, numbers, tool, depth })})`);
+    assert.equal(option('pocket', '0, 0, 20,16', '1', ' 4 '), '--pocket 0,0,20,16:T1:depth=4');
+    assert.equal(option('hole', '-5,3,6', '', ''), '--hole=-5,3,6');
+    assert.equal(option('line', ' ', '2', '1'), '');
+  });
+  test('their progress counts elements', () => {
+    assert.equal(ask(`progressText({ state: 'running', seconds: 1, progress: { stage: 'planning', done: 1, most: 5 } }, 'elements')`), 'Planning: 1 of at most 5 elements … 1 s');
+  });
+});
+
+describe('a tour', () => {
+  test('a lattice is what the command takes, and nothing else is', () => {
+    assert.deepEqual(ask(`['30x20', ' 3 X 4 ', '5×6', '0x3', '10000x2', '/etc/passwd', '3x4x5', ''].map(latticeOf)`), ['30x20', '3x4', '5x6', '', '', '', '', '']);
+  });
+  test('each value holds until the next, the last to the end', () => {
+    assert.equal(ask(`convergencePath([[0, 20], [1, 15], [2, 10]], 4, 10, 20)`), 'M0 0H250V500H500V1000H1000');
+    assert.equal(ask(`convergencePath([[0.1, 7]], 0, 7, 7)`), 'M0 500H1000');
+    assert.equal(ask(`convergencePath([], 4, 0, 1)`), '');
+  });
+  test('how far a search is', () => {
+    const state = { state: 'running', seconds: 3.2, progress: { stage: 'searching', best: 1234.5, found_s: 1.24, left_s: 7 } };
+    assert.equal(ask(`progressText(${JSON.stringify(state)})`), 'Searching: best 1234.5 after 1.2 s … 3 s, at most 7 s left');
+    assert.deepEqual(ask(`shareDone(${JSON.stringify(state)})`), [3.2, 10.2]);
+  });
+  test('figures say what is proven', () => {
+    const found = { objective: 99, objective_name: 'length', length: 99, turns: 18, bound: 99, bound_basis: 'lattice steps', gap: 0, time_s: 0.5, method: 'sweep', convergence: [], tour: [0, 1] };
+    assert.deepEqual(ask(`tourFigures(${JSON.stringify(found)}).slice(0, 3)`), [['length', '99'], ['bound', '99 (lattice steps)'], ['gap', '0: proven optimal']]);
+    assert.deepEqual(ask(`[0.0123, null].map(gap => tourFigures({ ...${JSON.stringify(found)}, gap })[2][1])`), ['1.230 %', 'not known']);
   });
 });

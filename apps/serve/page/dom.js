@@ -28,7 +28,7 @@ function fillList(list, texts) { list.replaceChildren(...texts.map(text => made(
 
 /**
  * Shows the page at `address` in the frame of that id, or hides it where there is none. A new frame each time: one that was hidden with its page may stay blank with the next.
- * @type {(id: 'plan-report' | 'check-report', address?: string) => void}
+ * @type {(id: 'plan-report' | 'check-report' | 'elements-report', address?: string) => void}
  */
 function showFrame(id, address) {
   const frame = /** @type {HTMLIFrameElement} */ (element(id).cloneNode());

@@ -6,7 +6,7 @@ const libraryKinds = ['fctb', 'fctl', 'tbl'];
 /** @type {(name: string) => string} */
 const kindOf = name => name.slice(name.lastIndexOf('.') + 1).toLowerCase();
 
-/** A list of files with their roles: 'part', 'program', 'tools', 'machine' or 'file'. */
+/** A list of files with their roles: 'part', 'program', 'tools', 'machine', 'job', 'points' or 'file'; of one role alone there is one file. */
 class ChosenFiles {
   /** @param {HTMLElement} drop @param {HTMLInputElement} input @param {HTMLElement} list @param {FileRole[]} roles @param {() => void} changed */
   constructor(drop, input, list, roles, changed) {
@@ -28,6 +28,7 @@ class ChosenFiles {
   /** @type {(files: Iterable<File>) => void} */
   add(files) {
     for (const file of files) {
+      if (this.roles.length === 1) this.entries = [];
       this.entries = this.entries.filter(entry => entry.file.name !== file.name);
       this.entries.push({ file, role: this.likelyRole(file.name) });
     }
@@ -37,6 +38,7 @@ class ChosenFiles {
   /** What a file of that name is for, where its role is not taken. @type {(name: string) => FileRole} */
   likelyRole(name) {
     const kind = kindOf(name);
+    if (this.roles.length === 1) return this.roles[0];
     if (this.roles.includes('program') && programKinds.includes(kind) && !this.of('program')) return 'program';
     if (this.roles.includes('tools') && libraryKinds.includes(kind) && !this.of('tools')) return 'tools';
     return partKinds.includes(kind) && !this.of('part') ? 'part' : 'file';
@@ -61,7 +63,7 @@ class ChosenFiles {
   line(entry) {
     const line = made('li');
     const role = made('select', '', { 'aria-label': `What ${entry.file.name} is` });
-    const words = { part: 'the part', program: 'the program', tools: 'a tool library', machine: 'a machine file', file: 'named by another' };
+    const words = { part: 'the part', program: 'the program', job: 'the job', points: 'the points', tools: 'a tool library', machine: 'a machine file', file: 'named by another' };
     role.replaceChildren(...this.roles.map(value => made('option', words[value], { value })));
     role.value = entry.role;
     role.addEventListener('change', () => this.setRole(entry, this.roles[role.selectedIndex]));
@@ -70,7 +72,7 @@ class ChosenFiles {
       this.entries = this.entries.filter(one => one !== entry);
       this.show();
     });
-    line.append(made('span', entry.file.name, { class: 'name' }), role, remove);
+    line.append(made('span', entry.file.name, { class: 'name' }), ...(this.roles.length > 1 ? [role] : []), remove);
     return line;
   }
 
@@ -83,5 +85,5 @@ class ChosenFiles {
   }
 }
 
-/** The list of a tab, whose elements have names that begin with the tab's. @type {(tab: 'plan' | 'check', roles: FileRole[], changed: () => void) => ChosenFiles} */
+/** The list of a tab, whose elements have names that begin with the tab's. @type {(tab: TabName, roles: FileRole[], changed: () => void) => ChosenFiles} */
 const listOfFiles = (tab, roles, changed) => new ChosenFiles(element(`${tab}-drop`), element(`${tab}-files`), element(`${tab}-list`), roles, changed);

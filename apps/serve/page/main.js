@@ -1,9 +1,9 @@
 // Tabs, and what the command itself says of its options.
 
-/** @type {('plan' | 'check')[]} */
-const tabs = ['plan', 'check'];
+/** @type {TabName[]} */
+const tabs = ['plan', 'check', 'elements', 'tour'];
 
-/** @type {(name: 'plan' | 'check') => void} */
+/** @type {(name: TabName) => void} */
 function showTab(name) {
   for (const one of tabs) {
     const chosen = one === name;
@@ -15,12 +15,13 @@ function showTab(name) {
 
 /** @type {() => void} */
 function setUpTabs() {
-  tabs.forEach((name, i) => {
+  tabs.forEach(name => {
     const tab = element(`tab-${name}`);
     tab.addEventListener('click', () => showTab(name));
     tab.addEventListener('keydown', event => {
       if (event.key !== 'ArrowRight' && event.key !== 'ArrowLeft') return;
-      const next = tabs[(i + 1) % tabs.length];
+      const shown = tabs.filter(one => !element(`tab-${one}`).hidden), step = event.key === 'ArrowRight' ? 1 : shown.length - 1;
+      const next = shown[(shown.indexOf(name) + step) % shown.length];
       showTab(next);
       element(`tab-${next}`).focus();
     });
@@ -34,17 +35,24 @@ const toolKinds = ['endmill', 'facemill', 'bullnose', 'ball', 'drill', 'reamer']
 
 async function setUpOptions() {
   const options = await pipeline.options();
+  // A page without a server may have fewer commands.
+  element('tab-elements').hidden = !options.elements;
+  element('tab-tour').hidden = !options.tour;
   /** @type {(command: string, name: string) => string[]} */
-  const values = (command, name) => options[command].find(one => one.names.includes(name))?.values ?? [];
+  const values = (command, name) => options[command]?.find(one => one.names.includes(name))?.values ?? [];
   fillSelect(element('unit'), values('plan', '--unit'), 'as the file says');
   fillSelect(element('strategy'), values('plan', '--strategy').filter(name => name !== 'auto'), 'the fastest');
   fillSelect(element('material'), values('plan', '--material'), 'not said');
   fillSelect(element('post'), values('plan', '--post').filter(name => name !== 'linuxcnc'), 'linuxcnc');
   fillSelect(element('dialect'), values('verify', '--dialect'), 'recognise it');
-  /** @type {['plan-names' | 'check-names', string][]} */
-  const lists = [['plan-names', 'plan'], ['check-names', 'verify']];
+  fillSelect(element('elements-post'), values('elements', '--post').filter(name => name !== 'linuxcnc'), 'linuxcnc');
+  fillSelect(element('tour-objective'), values('tour', '--objective'));
+  fillSelect(element('tour-solver'), values('tour', '--solver'));
+  showTourCommand();
+  /** @type {['plan-names' | 'check-names' | 'elements-names' | 'tour-names', string][]} */
+  const lists = [['plan-names', 'plan'], ['check-names', 'verify'], ['elements-names', 'elements'], ['tour-names', 'tour']];
   for (const [list, command] of lists) {
-    const usable = options[command].filter(one => !one.positional && !['Output', 'Help'].includes(one.group));
+    const usable = (options[command] ?? []).filter(one => !one.positional && !['Output', 'Help'].includes(one.group));
     element(list).replaceChildren(...usable.map(one => made('option', '', { value: `${one.names.at(-1)}${one.value ? ' ' : ''}`, label: one.help.slice(0, 80) })));
   }
 }
@@ -54,4 +62,6 @@ if (pipeline.promise) element('promise').textContent = pipeline.promise;
 setUpTabs();
 setUpPlan();
 setUpCheck();
+setUpElements();
+setUpTour();
 setUpOptions().catch(error => say(element('plan-status'), error.message, true));

@@ -12,7 +12,7 @@ async function asked(path, request) {
 const pipeline = {
   promise: '',
   options: () => asked('/options'),
-  plan: async form => (await asked('/plan', { method: 'POST', body: form })).id,
+  begin: async (what, form) => (await asked(`/${what}`, { method: 'POST', body: form })).id,
   drop: id => asked(`/plan/${id}`, { method: 'DELETE' }).catch(() => {}),
   follow(id, hear, broken) {
     /** @type {EventSource | null} */

@@ -2,9 +2,32 @@
 // description (GET /openapi.json), and the JSON of commands as `clearcut info` and `clearcut compare` print it with --json. Lengths are mm, times s.
 
 /** What a file that was chosen is for. */
-type FileRole = 'part' | 'program' | 'tools' | 'machine' | 'file';
+type FileRole = 'part' | 'program' | 'tools' | 'machine' | 'job' | 'points' | 'file';
 interface ChosenFile { file: File; role: FileRole }
 
+/** What can be chosen at the top of the page. */
+type TabName = 'plan' | 'check' | 'elements' | 'tour';
+/** Those whose work goes on while the page shows how far it is, by the names of their requests. */
+type RunTab = 'plan' | 'elements' | 'tour';
+/** What a tab shows of its run beside how far it is. */
+interface RunShown {
+  /** What a plan is counted in. */
+  things?: string;
+  /** While it goes on. */
+  progress?(state: WaitingState | RunningState): void;
+  done(state: DoneState): void | Promise<void>;
+  /** However it ended. */
+  ended(): void;
+}
+
+/** How far a search for the best tour is. */
+interface SearchProgress {
+  stage: 'searching';
+  /** The best value so far, and after how many s it was found. */
+  best: number; found_s: number;
+  /** s at most. */
+  left_s?: number;
+}
 /** How far a plan is. */
 interface PlanProgress {
   stage: 'planning' | 'certifying';
@@ -19,13 +42,14 @@ type WorkState = WaitingState | RunningState | FailedState | DoneState;
 /** `ahead`: plans before it. */
 interface WaitingState { state: 'waiting'; ahead: number }
 /** `seconds`: since it began. */
-interface RunningState { state: 'running'; progress?: PlanProgress; seconds: number }
+interface RunningState { state: 'running'; progress?: PlanProgress | SearchProgress; seconds: number }
 /** `message`: why it failed. */
 interface FailedState { state: 'failed' | 'cancelled'; message?: string }
 interface DoneState {
   state: 'done';
   /** From its beginning to its end. */
   seconds: number;
+  /** '': of a tour, which has none. */
   verdict: string;
   /** What was noticed. */
   messages: string[];
@@ -97,8 +121,8 @@ interface Pipeline {
   /** What happens to files, where it is not what the page says. */
   promise: string;
   options(): Promise<Options>;
-  /** Begins a plan; gives its name. */
-  plan(form: FormData): Promise<string>;
+  /** Begins a plan, or what else goes on for long; gives its name. */
+  begin(what: RunTab, form: FormData): Promise<string>;
   /** Ends a plan and forgets it. */
   drop(id: string): Promise<void>;
   /** Calls `hear` with each state of a plan until its last, `broken` where none comes any more. Gives what ends that. */
@@ -111,6 +135,21 @@ interface Pipeline {
   compare(form: FormData): Promise<CompareAnswer>;
 }
 
+/** Of design elements on a grid, as the options of `clearcut elements` are named. */
+type ElementKind = 'pocket' | 'line' | 'arc' | 'hole' | 'slot';
+/** A line of the table of elements. */
+interface ElementRow { line: HTMLTableRowElement; kind: HTMLSelectElement; numbers: HTMLInputElement; tool: HTMLInputElement; depth: HTMLInputElement }
+
+/** s since the search began, and the best value from then on. */
+type TourSample = [number, number];
+/** The JSON of `clearcut tour`. */
+interface TourFound {
+  objective: number; objective_name: string; length: number; turns: number; bound: number; bound_basis: string;
+  /** null: not finite. */
+  gap: number | null;
+  time_s: number; method: string; convergence: TourSample[]; tour: number[];
+}
+
 /** A job file and the options that it has no words for. */
 interface JobText { text: string; left: string[] }
 /** Lines of a job file by their tables. */
@@ -121,6 +160,8 @@ type JobTable = 'part' | 'library' | 'machine' | 'plan' | 'output';
 interface PageElements {
   'tab-plan': HTMLButtonElement;
   'tab-check': HTMLButtonElement;
+  'tab-elements': HTMLButtonElement;
+  'tab-tour': HTMLButtonElement;
   'promise': HTMLParagraphElement;
   'plan': HTMLElement;
   'plan-form': HTMLFormElement;
@@ -188,4 +229,71 @@ interface PageElements {
   'check-notes': HTMLDetailsElement;
   'check-messages': HTMLUListElement;
   'check-text': HTMLPreElement;
+  'elements': HTMLElement;
+  'elements-form': HTMLFormElement;
+  'elements-drop': HTMLDivElement;
+  'elements-files': HTMLInputElement;
+  'elements-kinds': HTMLParagraphElement;
+  'elements-list': HTMLUListElement;
+  'elements-editor': HTMLDivElement;
+  'elements-table': HTMLTableElement;
+  'elements-title': HTMLElement;
+  'elements-add': HTMLButtonElement;
+  'elements-tool-1': HTMLInputElement;
+  'elements-tool-2': HTMLInputElement;
+  'elements-resolution': HTMLInputElement;
+  'elements-stock': HTMLInputElement;
+  'elements-solver': HTMLSelectElement;
+  'elements-generations-box': HTMLLabelElement;
+  'elements-generations': HTMLInputElement;
+  'elements-post': HTMLSelectElement;
+  'elements-options': HTMLInputElement;
+  'elements-names': HTMLDataListElement;
+  'elements-command': HTMLElement;
+  'elements-go': HTMLButtonElement;
+  'elements-cancel': HTMLButtonElement;
+  'elements-status': HTMLDivElement;
+  'elements-progress': HTMLProgressElement;
+  'elements-result': HTMLDivElement;
+  'elements-verdict': HTMLElement;
+  'elements-summary': HTMLSpanElement;
+  'elements-downloads': HTMLUListElement;
+  'elements-notes': HTMLDetailsElement;
+  'elements-messages': HTMLUListElement;
+  'elements-report': HTMLIFrameElement;
+  'elements-text': HTMLPreElement;
+  'tour': HTMLElement;
+  'tour-form': HTMLFormElement;
+  'tour-drop': HTMLDivElement;
+  'tour-files': HTMLInputElement;
+  'tour-kinds': HTMLParagraphElement;
+  'tour-list': HTMLUListElement;
+  'tour-lattice': HTMLInputElement;
+  'tour-objective': HTMLSelectElement;
+  'tour-solver': HTMLSelectElement;
+  'tour-time': HTMLInputElement;
+  'tour-seed': HTMLInputElement;
+  'tour-shape': HTMLSelectElement;
+  'tour-options': HTMLInputElement;
+  'tour-names': HTMLDataListElement;
+  'tour-command': HTMLElement;
+  'tour-go': HTMLButtonElement;
+  'tour-cancel': HTMLButtonElement;
+  'tour-status': HTMLDivElement;
+  'tour-progress': HTMLProgressElement;
+  'tour-figure': HTMLElement;
+  'tour-caption': HTMLElement;
+  'tour-high': HTMLSpanElement;
+  'tour-low': HTMLSpanElement;
+  'tour-graph': HTMLElement;
+  'tour-bound': HTMLElement;
+  'tour-curve': HTMLElement;
+  'tour-until': HTMLSpanElement;
+  'tour-said': HTMLParagraphElement;
+  'tour-result': HTMLDivElement;
+  'tour-downloads': HTMLUListElement;
+  'tour-figures': HTMLDListElement;
+  'tour-notes': HTMLDetailsElement;
+  'tour-messages': HTMLUListElement;
+  'tour-picture': HTMLImageElement;
 }

@@ -33,7 +33,8 @@ function nameIn(form, role) {
 const optionsIn = form => wordsOf(String(form.get('options') ?? ''));
 
 /** @type {Record<string, string>} */
-const resultTypes = { 'program.ngc': 'text/plain', 'certificate.json': 'application/json', 'report.html': 'text/html', 'picture.svg': 'image/svg+xml', 'setup-sheet.html': 'text/html' };
+const resultTypes = { 'program.ngc': 'text/plain', 'certificate.json': 'application/json', 'report.html': 'text/html', 'picture.svg': 'image/svg+xml', 'setup-sheet.html': 'text/html',
+  'points.csv': 'text/csv', 'tour.json': 'application/json' };
 
 /**
  * Files of the folder of results as [name, bytes, type]; the name of a set-up's own ends in its number, "program-2".
@@ -60,11 +61,11 @@ function stateOfEnd(work, end) {
   const named = namedResults(end.results);
   /** @type {Certificate[]} */
   const certificates = named.filter(([name]) => name.startsWith('certificate')).map(([, bytes]) => JSON.parse(new TextDecoder().decode(bytes)));
-  if (end.code > 1 || certificates.length === 0) return { state: 'failed', message: work.messages.at(-1) ?? 'ended without a result' };
-  const worst = certificates.reduce((a, b) => severity(b.verdict) > severity(a.verdict) ? b : a);
+  if (end.code > 1 || work.isJudged && certificates.length === 0) return { state: 'failed', message: work.messages.at(-1) ?? 'ended without a result' };
+  const worst = certificates.sort((a, b) => severity(b.verdict) - severity(a.verdict)).at(0);
   const results = Object.fromEntries(named.map(([name, bytes, type]) => [name, linkTo(bytes, type)]));
   results.text = linkTo(end.text, 'text/plain');
-  return { state: 'done', seconds: work.seconds, verdict: worst.verdict, messages: work.messages, results, certificate: worst, text: end.text };
+  return { state: 'done', seconds: work.seconds, verdict: worst?.verdict ?? '', messages: work.messages, results, certificate: worst, text: end.text };
 }
 
 const broken = (/** @type {string} */ reason) => new Error(`The planner broke down (${reason}); this browser may give it too little memory.`);
@@ -83,6 +84,8 @@ class LocalWork {
     /** @type {Worker | null} */
     this.worker = null;
     this.isDropped = false;
+    /** Whether a certificate says what came of it. */
+    this.isJudged = words[0] !== 'tour';
     this.clock = setInterval(() => this.tell(), 500);
     /** Rejected where the worker breaks down; of a run that was dropped nothing comes any more. */
     this.end = compiledCommand().then(wasm => this.run({ wasm, words, files })).finally(() => this.stop());
@@ -168,6 +171,20 @@ function fastestOf(runs) {
   return runs.filter(run => run.planned).filter(run => run.clean).reduce((/** @type {PlannedRun | undefined} */ best, run) => best && seconds(best) <= seconds(run) ? best : run, undefined);
 }
 
+const ofProgram = ['--output=results/program.ngc', '--certificate=results/certificate.json', '--svg=results/picture.svg'];
+/** Options that name the results. @type {Record<RunTab, string[]>} */
+const resultsWanted = {
+  plan: [...ofProgram, '--report=results/report.html', '--setup-sheet=results/setup-sheet.html'],
+  elements: [...ofProgram, '--html=results/report.html', '--points=results/points.csv'],
+  tour: ['--json=results/tour.json', '--svg=results/picture.svg'],
+};
+/** The command and what it is given. @type {Record<RunTab, (form: FormData) => string[]>} */
+const inputOf = {
+  plan: form => ['plan', nameIn(form, 'part')],
+  elements: form => ['elements', nameIn(form, 'job')].filter(word => word),
+  tour: form => ['tour', nameIn(form, 'points') || String(form.get('lattice') ?? '')],
+};
+
 /** See Pipeline for what each does. @type {Pipeline} */
 const pipeline = {
   promise: 'Nothing is uploaded: this page plans and checks in your browser, also without a network.',
@@ -176,9 +193,8 @@ const pipeline = {
     if (!answer?.ok) throw new Error('The list of options cannot be loaded. Is there a network?');
     return answer.json();
   },
-  async plan(form) {
-    const words = ['plan', nameIn(form, 'part'), ...optionsIn(form), '--output=results/program.ngc',
-      '--certificate=results/certificate.json', '--svg=results/picture.svg', '--report=results/report.html', '--setup-sheet=results/setup-sheet.html'];
+  async begin(what, form) {
+    const words = [...inputOf[what](form), ...optionsIn(form), ...resultsWanted[what]];
     const work = new LocalWork(words, await filesOf(form)), id = String(++local.last);
     local.works.set(id, work);
     work.last();

@@ -1,0 +1,129 @@
+// A run of the command that goes on while the page shows how far it is: a plan, a job of elements, a tour. All tabs that have one show it alike.
+
+/** @type {(state: WaitingState | RunningState, things?: string) => string} */
+function progressText(state, things = 'candidates') {
+  if (state.state === 'waiting') return state.ahead > 0 ? `Waiting; ${state.ahead} before it.` : 'Waiting for its turn.';
+  const seconds = Math.round(state.seconds), progress = state.progress;
+  if (!progress) return `Reading and preparing … ${seconds} s`;
+  if (progress.stage === 'certifying') return `Certifying the program … ${seconds} s`;
+  const left = progress.left_s ? `, at most ${progress.left_s} s left` : '';
+  if (progress.stage === 'searching') return `Searching: best ${progress.best} after ${progress.found_s.toFixed(1)} s … ${seconds} s${left}`;
+  return `Planning: ${progress.done} of at most ${progress.most} ${things} … ${seconds} s${left}`;
+}
+
+/** How far it is as [done, of]; null: not known. @type {(state: WaitingState | RunningState) => [number, number] | null} */
+function shareDone(state) {
+  const progress = state.state === 'running' ? state.progress : undefined;
+  if (state.state !== 'running' || !progress) return null;
+  if (progress.stage === 'searching') return [state.seconds, state.seconds + (progress.left_s ?? 0)];
+  return progress.stage === 'planning' && progress.most > 0 ? [progress.done, progress.most] : null;
+}
+
+/** The run of a tab, whose elements have names that begin with the tab's. */
+class Run {
+  /** @param {RunTab} tab @param {RunShown} shown */
+  constructor(tab, shown) {
+    this.tab = tab;
+    this.shown = shown;
+    /** Of the run on its way or of the last one; '': none. */
+    this.id = '';
+    /** @type {(() => void) | null} */
+    this.unfollow = null;
+    element(`${tab}-cancel`).addEventListener('click', () => this.cancel());
+  }
+
+  /** Begins another; what the last one left is not wanted any more. @type {(form: FormData) => Promise<void>} */
+  async start(form) {
+    if (this.id) pipeline.drop(this.id);
+    this.id = '';
+    element(`${this.tab}-result`).hidden = true;
+    element(`${this.tab}-go`).disabled = true;
+    say(element(`${this.tab}-status`), 'Sending the files …');
+    try {
+      this.id = await pipeline.begin(this.tab, form);
+      element(`${this.tab}-cancel`).hidden = false;
+      this.unfollow = pipeline.follow(this.id, state => this.hear(state), error => this.fail(error));
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  /** @type {(error: unknown) => void} */
+  fail(error) {
+    this.end();
+    say(element(`${this.tab}-status`), wordsOfError(error), true);
+  }
+
+  /** @type {(state: WorkState) => void} */
+  hear(state) {
+    if (state.state === 'waiting' || state.state === 'running') {
+      this.showProgress(state);
+      return;
+    }
+    this.end();
+    if (state.state === 'done') {
+      element(`${this.tab}-result`).hidden = false;
+      this.shown.done(state);
+    } else {
+      say(element(`${this.tab}-status`), state.message || 'Cancelled.', state.state === 'failed');
+    }
+  }
+
+  /** @type {(state: WaitingState | RunningState) => void} */
+  showProgress(state) {
+    const bar = element(`${this.tab}-progress`), share = shareDone(state);
+    bar.hidden = false;
+    if (share) [bar.value, bar.max] = share;
+    else bar.removeAttribute('value');
+    say(element(`${this.tab}-status`), progressText(state, this.shown.things));
+    this.shown.progress?.(state);
+  }
+
+  end() {
+    this.unfollow?.();
+    this.unfollow = null;
+    element(`${this.tab}-progress`).hidden = true;
+    element(`${this.tab}-cancel`).hidden = true;
+    this.shown.ended();
+  }
+
+  async cancel() {
+    const id = this.id;
+    this.id = '';
+    this.end();
+    say(element(`${this.tab}-status`), 'Cancelled.');
+    await pipeline.drop(id);
+  }
+}
+
+/** @type {[string, string, string][]} */
+const downloads = [['program', 'Program', '.ngc'], ['certificate', 'Certificate', '.json'], ['report', 'Report', '.html'], ['tour', 'Tour', '-tour.json'], ['picture', 'Picture', '.svg'],
+  ['points', 'Points', '-points.csv'], ['setup-sheet', 'Set-up sheet', '-setup.html'], ['text', 'Figures', '.txt']];
+
+/**
+ * Results of a kind: one, or one for each set-up of the job, as [set-up or '', address].
+ * @type {(results: Record<string, string>, kind: string) => [string, string][]}
+ */
+const resultsOf = (results, kind) => Object.entries(results).filter(([name]) => name === kind || /^-\d+$/.test(name.slice(kind.length)) && name.startsWith(kind))
+  .map(([name, address]) => [name.slice(kind.length + 1), address]);
+
+/** Lines with a link to each result. @type {(results: Record<string, string>, stem: string) => HTMLElement[]} */
+const downloadLines = (results, stem) => downloads.flatMap(([kind, title, ending]) => resultsOf(results, kind).map(([setup, address]) => {
+  const line = made('li');
+  line.append(made('a', setup ? `${title} of set-up ${setup}` : title, { href: address, download: (setup ? `${stem}-${setup}` : stem) + ending }));
+  return line;
+}));
+
+/** What lies at the address of a result. @type {(address: string) => Promise<string>} */
+const textAt = async address => (await fetch(address)).text();
+
+/** What was found of a program. @type {(tab: 'plan' | 'elements', state: DoneState) => void} */
+function showVerdict(tab, state) {
+  const verdict = element(`${tab}-verdict`);
+  verdict.textContent = state.verdict;
+  verdict.className = `verdict ${state.verdict}`;
+  element(`${tab}-summary`).textContent = `planned and certified in ${state.seconds.toFixed(1)} s`;
+  fillList(element(`${tab}-messages`), state.messages);
+  element(`${tab}-notes`).hidden = state.messages.length === 0;
+  say(element(`${tab}-status`), `Done: ${state.verdict}.`);
+}
