@@ -77,6 +77,7 @@ class Settings(TypedDict, total=False):
     finish_stock: Length | None
     finish_stock_floor: Length | None
     finish_depths: float | None
+    dogbones: str | None
     style: str | None
     material: str | None
     tabs: int
@@ -287,6 +288,7 @@ class PlanOptions:
     finish_stock: Length | None
     finish_stock_floor: Length | None
     finish_depths: float | None
+    dogbones: str | None
     style: str | None
     material: str | None
     tabs: int

@@ -130,6 +130,8 @@ void add_shop(OptionsClass& options) {
       options, "finish_depths", doc("ShopOptions::finish_depths"),
       [](auto& o) -> auto& { return o.shop.finish_depths; });
   add_plain<std::string>(
+      options, "dogbones", doc("ShopOptions::dogbones"), [](auto& o) -> auto& { return o.shop.dogbones; });
+  add_plain<std::string>(
       options, "style", doc("ShopOptions::style"), [](auto& o) -> auto& { return o.shop.style; });
   add_plain<std::string>(
       options, "material", doc("ShopOptions::material"), [](auto& o) -> auto& { return o.shop.material; });

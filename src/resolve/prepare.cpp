@@ -14,6 +14,7 @@
 #include "resolve/carvings.h"
 #include "resolve/cutting/cutting_values.h"
 #include "resolve/features/chamfers.h"
+#include "resolve/features/corner_relief.h"
 #include "resolve/features/facing.h"
 #include "resolve/features/holes.h"
 #include "resolve/left_over.h"
@@ -380,6 +381,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
       apply_material(part, step, options, sources[step_key(step)], told);
     tie_tap(step.operation, tool_of(part, step), options, sources[step_key(step)]);
   }
+  relieve_corners(part, options);
   shape_profiles(part, options, sources);
   shape_carvings(part, options, sources);
   if (options.shop.rest.value_or(false) || !options.tools.empty()) add_rest_steps(part, options, sources);

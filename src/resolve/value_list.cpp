@@ -202,6 +202,7 @@ void list_shop(PlanList& list, const ResolvedPlan& plan, const ShopOptions& shop
            "150 deg");
   list.add("rest", text_of(shop.rest.value_or(false)), "", shop.rest.has_value(), "no");
   list.add("finish", name_of(plan.finish), "", shop.finish.has_value(), "none");
+  list.add("dogbones", shop.dogbones.value_or("none"), "", shop.dogbones.has_value(), "none");
   list.add("material", shop.material.value_or("none"), "", shop.material.has_value(), "none: no forces");
   list.add("style", shop.is_machinist() ? "machinist" : "fastest", "", shop.style.has_value(),
            shop.is_machinist() ? "machinist: the work is a metal" : "fastest");

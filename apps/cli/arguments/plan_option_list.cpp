@@ -279,6 +279,12 @@ void PlanArguments::add_stage_options(CLI::App& command) {
       ->transform(as_length());
   command.add_option("--finish-depths", shop_.finish_depths,
                      "In how many depths walls are finished (default 1)");
+  command
+      .add_option(
+          "--dogbones", shop_.dogbones,
+          "Relief in inside corners of pockets and profiles, so that square parts fit: corner (along the "
+          "bisector) or t-bone (along the longer wall; default: none)")
+      ->check(one_of({"corner", "t-bone"}));
   command.add_option("--scallop", cutting_.scallop, "Steps that layers may leave on drafted walls, mm")
       ->transform(as_length());
 }

@@ -64,6 +64,7 @@ ShopOptions ShopOptions::or_else(const ShopOptions& other) const {
   fill(out.finish_stock, other.finish_stock);
   fill(out.finish_stock_floor, other.finish_stock_floor);
   fill(out.finish_depths, other.finish_depths);
+  fill(out.dogbones, other.dogbones);
   fill(out.material, other.material);
   fill(out.style, other.style);
   return out;
@@ -89,6 +90,9 @@ void check(const ShopOptions& options, const std::string& prefix) {
   const auto& depths = options.finish_depths;
   check.require(!depths || (*depths >= 1 && *depths <= 1000 && *depths == std::floor(*depths)),
                 "finish-depths", "must be a whole number, 1 or more");
+  const auto& dogbones = options.dogbones;
+  check.require(!dogbones || *dogbones == "corner" || *dogbones == "t-bone", "dogbones",
+                "must be corner or t-bone");
   const auto& style = options.style;
   check.require(!style || *style == "machinist" || *style == "fastest", "style",
                 "must be machinist or fastest");

@@ -21,6 +21,8 @@ struct ShopOptions {
   std::optional<std::string> finish;  ///< "walls", "floor", "all": finishing after everything else
   std::optional<double> finish_stock;  ///< mm left on walls for it
   std::optional<double> finish_stock_floor;
+  std::optional<std::string>
+      dogbones;  ///< "corner", "t-bone": relief in inside corners, so that square parts fit
   std::optional<double> finish_depths;  ///< number of depths in which walls are finished
   std::optional<std::string> material;  ///< of the work, for forces and wear: a name of work_materials()
 

@@ -270,6 +270,7 @@ ShopOptions shop_of(DataSection& section) {
   shop.finish_depths = section.positive("finish_depths");
   shop.material = section.text("material");
   shop.style = section.text("style");
+  shop.dogbones = section.text("dogbones");
   return shop;
 }
 

@@ -1,0 +1,234 @@
+#include "resolve/features/corner_relief.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text/format.h"
+#include "geometry/boolean.h"
+
+namespace clearcut::resolve {
+namespace {
+
+/// mm by which the relief is wider than the cutter.
+constexpr double kSpare = 0.02;
+/// mm. What a cutter may leave in a corner that needs no relief.
+constexpr double kLeast = 0.02;
+/// Sine of the smallest turn of an outline that is a corner.
+constexpr double kSmoothTurn = 0.02;
+/// mm. Rounding of places on an outline.
+constexpr double kOnLine = 1e-4;
+/// Of the cutter's radius: how far from a corner the cutter touches both walls at most.
+constexpr double kFarthest = 8;
+constexpr int kHalvings = 50;
+/// Bones whose places a note lists.
+constexpr std::size_t kListed = 6;
+
+/// A corner of an outline whose free side lies on the left: directions along both walls away from it, and their lengths.
+struct Corner {
+  Vec2 at, back, ahead;
+  double back_mm = 0, ahead_mm = 0;
+};
+
+std::vector<Corner> inside_corners(const Loop& loop) {
+  std::vector<Corner> corners;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Edge& before = loop[i == 0 ? loop.size() - 1 : i - 1];
+    const Edge& after = loop[i];
+    const Vec2 in = before.tangent_at(1), out = after.tangent_at(0);
+    if (cross(in, out) > kSmoothTurn)
+      corners.push_back({after.from, in * -1, out, before.length(), after.length()});
+  }
+  return corners;
+}
+
+/// Where the cutter may be, as the outline says: within a region, or around one.
+class Room {
+ public:
+  Room(const Region& region, bool is_within) : region_(region), is_within_(is_within) {}
+
+  /// mm; radius of the largest cutter that stands at p; less than 0 where none may.
+  double clearance(Vec2 p) const {
+    return region_.contains(p) == is_within_ ? region_.boundary_distance(p) : -1;
+  }
+
+ private:
+  const Region& region_;
+  bool is_within_;
+};
+
+/// Where on the bisector a cutter touches both walls; absent where it has no room there.
+std::optional<Vec2> touching_place(const Corner& corner, double radius, const Room& room) {
+  const Vec2 bisector = unit(corner.back + corner.ahead);
+  const double sine = std::abs(cross(bisector, corner.ahead));
+  double low = 0, high = radius / std::max(sine, 1 / kFarthest) + kOnLine;
+  const auto place = [&](double along) { return corner.at + bisector * along; };
+  if (room.clearance(place(high)) < radius) return std::nullopt;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (low + high) / 2;
+    (room.clearance(place(middle)) < radius ? low : high) = middle;
+  }
+  return place(high);
+}
+
+/// What a disc sweeps on a straight way.
+Region swept(Vec2 from, Vec2 to, double radius) {
+  const Vec2 along = unit(to - from), aside = left_of(along) * radius;
+  const auto turn = Turn::kCounterClockwise;
+  return Region::from_valid_loops({Edge::line(from - aside, to - aside), Edge::arc(to - aside, to + along * radius, to, turn),
+                                   Edge::arc(to + along * radius, to + aside, to, turn), Edge::line(to + aside, from + aside),
+                                   Edge::arc(from + aside, from - along * radius, from, turn),
+                                   Edge::arc(from - along * radius, from - aside, from, turn)},
+                                  {});
+}
+
+struct Bone {
+  Vec2 corner;
+  Region shape;
+};
+
+class CornerRelief {
+ public:
+  CornerRelief(Part& part, const PlanOptions& options, double radius)
+      : part_(part), tol_(options.tol), t_bone_(*options.shop.dogbones == "t-bone"), radius_(radius) {}
+
+  void relieve(std::size_t index) {
+    feature_ = &part_.features[index];
+    made_.clear();
+    left_ = 0;
+    if (feature_->profile)
+      relieve_profile(*feature_->profile);
+    else
+      relieve_pocket();
+    tell();
+  }
+
+ private:
+  void relieve_profile(ProfileCut& cut) {
+    const bool inside = cut.side == ProfileSide::kInside;
+    Regions shape{Region::from_valid_loops(cut.line, {})};
+    const Region drawn = shape.front();
+    const Room room(drawn, inside);
+    for (const Corner& corner : inside_corners(inside ? cut.line : reversed(cut.line))) {
+      if (!leaves_much(corner)) continue;
+      const auto bone = bone_at(corner, room);
+      if (bone && accept(inside ? unite(shape, {bone->shape}, tol_) : subtract(shape, {bone->shape}, tol_), shape))
+        made_.push_back(bone->corner);
+      else
+        ++left_;
+    }
+    cut.line = shape.front().outer();
+  }
+
+  /// Corners of where the cutter may be that lie on what it is to remove; at open sides there are none.
+  void relieve_pocket() {
+    for (std::size_t i = 0; i < feature_->allowed.size(); ++i) {
+      const Region drawn = feature_->allowed[i];
+      std::vector<Loop> loops{drawn.outer()};
+      loops.insert(loops.end(), drawn.islands().begin(), drawn.islands().end());
+      for (const Loop& loop : loops) {
+        for (const Corner& corner : inside_corners(loop)) relieve_corner(corner, Room(drawn, true));
+      }
+    }
+  }
+
+  void relieve_corner(const Corner& corner, const Room& room) {
+    const auto is_of_target = [&](const Region& region) { return region.boundary_distance(corner.at) < kOnLine; };
+    if (std::none_of(feature_->target.begin(), feature_->target.end(), is_of_target) || !leaves_much(corner)) return;
+    const auto bone = feature_->wall_slope.radians() == 0 ? bone_at(corner, room) : std::nullopt;
+    if (!bone || meets_another(bone->shape) || !accept(unite(feature_->allowed, {bone->shape}, tol_), feature_->allowed)) {
+      ++left_;
+      return;
+    }
+    feature_->target = unite(feature_->target, {bone->shape}, tol_);
+    made_.push_back(bone->corner);
+  }
+
+  bool leaves_much(const Corner& corner) const {
+    const Vec2 bisector = unit(corner.back + corner.ahead);
+    return radius_ / std::max(std::abs(cross(bisector, corner.ahead)), 1e-9) - radius_ > kLeast;
+  }
+
+  std::optional<Bone> bone_at(const Corner& corner, const Room& room) const {
+    const double radius = radius_ + kSpare;
+    const auto start = touching_place(corner, radius, room);
+    if (!start) return std::nullopt;
+    const Vec2 shorter = corner.back_mm < corner.ahead_mm ? corner.back : corner.ahead;
+    const Vec2 away = t_bone_ ? shorter : unit(corner.back + corner.ahead);
+    return Bone{corner.at, swept(*start, corner.at + away * radius, radius)};
+  }
+
+  bool meets_another(const Region& bone) const {
+    return std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
+      const bool beside = &other != feature_ && !other.profile && other.floor_z < feature_->top_z &&
+                          other.top_z > feature_->floor_z;
+      return beside && box(other.target).overlaps(bone.box()) &&
+             area(intersect(other.target, {bone}, tol_)) > area(intersect(intersect(other.target, feature_->target, tol_), {bone}, tol_)) + kLeast * kLeast;
+    });
+  }
+
+  /// Takes `wider` unless a wall was broken through: then an island is joined to its surroundings, or areas to each other.
+  static bool accept(Regions wider, Regions& shape) {
+    const auto loops = [](const Regions& regions) {
+      std::size_t count = 0;
+      for (const Region& region : regions) count += 1 + region.islands().size();
+      return count;
+    };
+    if (wider.size() != shape.size() || loops(wider) != loops(shape)) return false;
+    shape = std::move(wider);
+    return true;
+  }
+
+  void tell() {
+    if (!made_.empty()) {
+      std::vector<std::string> places;
+      for (const Vec2 at : made_)
+        if (places.size() < kListed) places.push_back(trimmed(at.x, 3) + "," + trimmed(at.y, 3));
+      const std::string more = made_.size() > kListed ? fmt::format(" and {} more", made_.size() - kListed) : "";
+      part_.diagnostics.note(feature_->name, fmt::format("{} {} for a cutter of {} mm at {}{}", made_.size(),
+                                                         t_bone_ ? "T-bones" : "dogbones", trimmed(2 * radius_, 4),
+                                                         fmt::join(places, "; "), more));
+    }
+    if (left_ > 0)
+      part_.diagnostics.warn(feature_->name,
+                             fmt::format("{} inside corners have no {}: the cutter has no room there, the walls lean, or a bone "
+                                         "would break through a wall",
+                                         left_, t_bone_ ? "T-bone" : "dogbone"));
+  }
+
+  Part& part_;
+  const Tolerances& tol_;
+  bool t_bone_;
+  double radius_;  ///< mm, of the cutter
+  Feature* feature_ = nullptr;
+  std::vector<Vec2> made_;
+  int left_ = 0;  ///< corners without relief
+};
+
+bool takes_relief(const Feature& feature) {
+  if (feature.profile) return feature.profile->side != ProfileSide::kOn && feature.profile->closed;
+  return !feature.carving && !feature.chamfer && !feature.hole && !feature.hole_diameter &&
+         feature.kind != FeatureKind::kIsolation;
+}
+
+/// Of the smallest mill of the part, mm; absent without one.
+std::optional<double> smallest_radius(const Part& part) {
+  std::optional<double> radius;
+  for (const Tool& tool : part.tools)
+    if (clears_floors(tool)) radius = std::min(radius.value_or(tool.radius()), tool.radius());
+  return radius;
+}
+
+}  // namespace
+
+void relieve_corners(Part& part, const PlanOptions& options) {
+  const auto radius = smallest_radius(part);
+  if (!options.shop.dogbones || !radius) return;
+  CornerRelief relief(part, options, *radius);
+  for (std::size_t i = 0; i < part.features.size(); ++i)
+    if (takes_relief(part.features[i])) relief.relieve(i);
+}
+
+}  // namespace clearcut::resolve
