@@ -77,11 +77,12 @@ std::optional<Vec2> touching_place(const Corner& corner, double radius, const Ro
 Region swept(Vec2 from, Vec2 to, double radius) {
   const Vec2 along = unit(to - from), aside = left_of(along) * radius;
   const auto turn = Turn::kCounterClockwise;
-  return Region::from_valid_loops({Edge::line(from - aside, to - aside), Edge::arc(to - aside, to + along * radius, to, turn),
-                                   Edge::arc(to + along * radius, to + aside, to, turn), Edge::line(to + aside, from + aside),
-                                   Edge::arc(from + aside, from - along * radius, from, turn),
-                                   Edge::arc(from - along * radius, from - aside, from, turn)},
-                                  {});
+  return Region::from_valid_loops(
+      {Edge::line(from - aside, to - aside), Edge::arc(to - aside, to + along * radius, to, turn),
+       Edge::arc(to + along * radius, to + aside, to, turn), Edge::line(to + aside, from + aside),
+       Edge::arc(from + aside, from - along * radius, from, turn),
+       Edge::arc(from - along * radius, from - aside, from, turn)},
+      {});
 }
 
 struct Bone {
@@ -114,7 +115,8 @@ class CornerRelief {
     for (const Corner& corner : inside_corners(inside ? cut.line : reversed(cut.line))) {
       if (!leaves_much(corner)) continue;
       const auto bone = bone_at(corner, room);
-      if (bone && accept(inside ? unite(shape, {bone->shape}, tol_) : subtract(shape, {bone->shape}, tol_), shape))
+      if (bone &&
+          accept(inside ? unite(shape, {bone->shape}, tol_) : subtract(shape, {bone->shape}, tol_), shape))
         made_.push_back(bone->corner);
       else
         ++left_;
@@ -135,10 +137,14 @@ class CornerRelief {
   }
 
   void relieve_corner(const Corner& corner, const Room& room) {
-    const auto is_of_target = [&](const Region& region) { return region.boundary_distance(corner.at) < kOnLine; };
-    if (std::none_of(feature_->target.begin(), feature_->target.end(), is_of_target) || !leaves_much(corner)) return;
+    const auto is_of_target = [&](const Region& region) {
+      return region.boundary_distance(corner.at) < kOnLine;
+    };
+    if (std::none_of(feature_->target.begin(), feature_->target.end(), is_of_target) || !leaves_much(corner))
+      return;
     const auto bone = feature_->wall_slope.radians() == 0 ? bone_at(corner, room) : std::nullopt;
-    if (!bone || meets_another(bone->shape) || !accept(unite(feature_->allowed, {bone->shape}, tol_), feature_->allowed)) {
+    if (!bone || meets_another(bone->shape) ||
+        !accept(unite(feature_->allowed, {bone->shape}, tol_), feature_->allowed)) {
       ++left_;
       return;
     }
@@ -165,7 +171,9 @@ class CornerRelief {
       const bool beside = &other != feature_ && !other.profile && other.floor_z < feature_->top_z &&
                           other.top_z > feature_->floor_z;
       return beside && box(other.target).overlaps(bone.box()) &&
-             area(intersect(other.target, {bone}, tol_)) > area(intersect(intersect(other.target, feature_->target, tol_), {bone}, tol_)) + kLeast * kLeast;
+             area(intersect(other.target, {bone}, tol_)) >
+                 area(intersect(intersect(other.target, feature_->target, tol_), {bone}, tol_)) +
+                     kLeast * kLeast;
     });
   }
 
@@ -186,16 +194,19 @@ class CornerRelief {
       std::vector<std::string> places;
       for (const Vec2 at : made_)
         if (places.size() < kListed) places.push_back(trimmed(at.x, 3) + "," + trimmed(at.y, 3));
-      const std::string more = made_.size() > kListed ? fmt::format(" and {} more", made_.size() - kListed) : "";
-      part_.diagnostics.note(feature_->name, fmt::format("{} {} for a cutter of {} mm at {}{}", made_.size(),
-                                                         t_bone_ ? "T-bones" : "dogbones", trimmed(2 * radius_, 4),
-                                                         fmt::join(places, "; "), more));
+      const std::string more =
+          made_.size() > kListed ? fmt::format(" and {} more", made_.size() - kListed) : "";
+      part_.diagnostics.note(
+          feature_->name,
+          fmt::format("{} {} for a cutter of {} mm at {}{}", made_.size(), t_bone_ ? "T-bones" : "dogbones",
+                      trimmed(2 * radius_, 4), fmt::join(places, "; "), more));
     }
     if (left_ > 0)
-      part_.diagnostics.warn(feature_->name,
-                             fmt::format("{} inside corners have no {}: the cutter has no room there, the walls lean, or a bone "
-                                         "would break through a wall",
-                                         left_, t_bone_ ? "T-bone" : "dogbone"));
+      part_.diagnostics.warn(
+          feature_->name,
+          fmt::format("{} inside corners have no {}: the cutter has no room there, the walls lean, or a bone "
+                      "would break through a wall",
+                      left_, t_bone_ ? "T-bone" : "dogbone"));
   }
 
   Part& part_;
