@@ -36,7 +36,6 @@ using resolve::parse_predrilled;
 using resolve::parse_stock;
 using resolve::parse_tool;
 using resolve::PlanOptions;
-using resolve::TabOptions;
 using resolve::ToolCutting;
 
 // Names as options and files say them; unknown ones are an InputError that lists those there are.

@@ -83,6 +83,7 @@ class Settings(TypedDict, total=False):
     tabs: int
     tab_width: Length
     tab_height: Length | None
+    skin: Length | None
     predrilled: Sequence[tuple[float, float, float]]
     keep_out: Sequence[str]
     after: str | os.PathLike[str] | None
@@ -294,6 +295,7 @@ class PlanOptions:
     tabs: int
     tab_width: Length
     tab_height: Length | None
+    skin: Length | None
     predrilled: Sequence[tuple[float, float, float]]
     keep_out: Sequence[str]
     after: str | os.PathLike[str] | None

@@ -136,6 +136,8 @@ void add_shop(OptionsClass& options) {
   add_plain<std::string>(
       options, "material", doc("ShopOptions::material"), [](auto& o) -> auto& { return o.shop.material; });
   add_length(
+      options, "skin", doc("TabOptions::skin"), [](auto& o) -> auto& { return o.tabs.skin; });
+  add_length(
       options, "tab_height", doc("TabOptions::height"), [](auto& o) -> auto& { return o.tabs.height; });
   options
       .def_property(

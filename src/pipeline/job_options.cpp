@@ -62,6 +62,7 @@ resolve::PlanOptions options_of_job(const read::JobFile& job) {
   options.stepover = job.plan.stepover;
   options.engagement_deg = job.engagement_deg;
   options.shop = job.shop;
+  options.tabs = job.tabs;
   if (job.after) options.earlier = read_earlier_program(job.after->string(), job.machine);
   options.post = post_of(job.output);
   options.objective = job.objective.value_or("time");

@@ -359,6 +359,26 @@ TEST(Profiles, RandomOutlinesAreClean) {
   EXPECT_GT(held, 10);
 }
 
+TEST(Skin, HoldsWhatAProfileSurrounds) {
+  const Part part = read::read_part_text(dxf(rectangle("PROFILE_D6", 0, 0, 60, 40)), "plate.dxf", asking());
+  auto options = with_mill("endmill:4", 0);
+  options.tabs.skin = 0.4;
+  const auto result = plan_part(part, options);
+  EXPECT_TRUE(result.findings.all.clean) << faults_of(result.findings);
+  double lowest = 0;
+  for (const Section& section : result.toolpath.sections)
+    for (const Move& move : section.moves) lowest = std::min({lowest, move.z_from, move.z_to});
+  EXPECT_NEAR(lowest, -5.6, 1e-9);
+  // A program that goes through it is wrong.
+  const auto through = plan_part(part, with_mill("endmill:4", 0));
+  EXPECT_FALSE(check_program(part, through.program, "through.ngc", options).findings.all.clean);
+  options.tabs.skin = 6;
+  EXPECT_THROW(plan_part(part, options), InputError);
+  options.tabs.skin = 0.4;
+  options.tabs.count = 2;
+  EXPECT_THROW(resolve::check(options), InputError);
+}
+
 TEST(Tabs, AreRefusedWhereTheyDoNotFit) {
   const Part part = read::read_part_text(dxf(rectangle("PROFILE_D6", 0, 0, 8, 8)), "small.dxf", asking());
   EXPECT_THROW(plan_part(part, with_mill("endmill:4", 4)), InputError);

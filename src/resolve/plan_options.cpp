@@ -293,6 +293,9 @@ void check(const PlanOptions& options) {
   require(!options.cutting.plunge_feed || options.cutting.plunge_feed->mm_per_min() > 0, "--plunge-feed",
           "must be above 0 mm/min");
   require(absent_or_positive(options.cutting.spindle_rpm), "--spindle", "must be above 0 rpm");
+  require(absent_or_positive(options.tabs.skin), "--skin", "must be above 0 mm");
+  require(!options.tabs.skin || options.tabs.count == 0, "--skin",
+          "holds what tabs would hold; leave out --tabs or --skin");
   if (options.published.solver) check(*options.published.solver, "--solver");
   require(!options.entry_angle || (options.entry_angle->degrees() > 0 && options.entry_angle->degrees() < 90),
           "--entry-angle", "must lie between 0 and 90 degrees");

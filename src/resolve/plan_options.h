@@ -17,17 +17,11 @@
 #include "model/options/post_options.h"
 #include "model/options/published_solver.h"
 #include "model/options/shop_options.h"
+#include "model/options/tab_options.h"
 #include "model/part.h"
 #include "model/strategy_entry.h"
 
 namespace clearcut::resolve {
-
-/// Bridges that hold what profiles cut free.
-struct TabOptions {
-  int count = 0;                 ///< of every profile; 0: none
-  double width = 4;              ///< mm, along the outline
-  std::optional<double> height;  ///< mm above the material's underside; absent: half the depth, 2 mm at most
-};
 
 /// How one tool is driven, as its library or job says. What is absent is left to the operation.
 struct ToolCutting {

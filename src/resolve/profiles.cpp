@@ -284,6 +284,19 @@ std::optional<Feature> split_at_tabs(Feature& feature, double radius, double sto
   return below;
 }
 
+/// Ends a profile above the underside of the material.
+void leave_skin(Feature& feature, double skin, Diagnostics& diagnostics) {
+  const double floor = feature.floor_z + feature.profile->beyond + skin;
+  if (floor >= feature.top_z)
+    throw InputError("--skin", trimmed(skin, 3) + " mm is as thick as the profile " + feature.name +
+                                   " is deep; make it thinner");
+  feature.floor_z = floor;
+  feature.profile->beyond = 0;
+  feature.through = false;
+  diagnostics.note(feature.name,
+                   "a skin of " + trimmed(skin, 3) + " mm is left under it, which holds what it surrounds");
+}
+
 }  // namespace
 
 int profile_tool(const ProfileCut& cut, const std::vector<Tool>& tools, const Tolerances& tol) {
@@ -308,6 +321,8 @@ void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources
     workplan.push_back(step);
     Feature& feature = part.features[static_cast<std::size_t>(step.feature)];
     if (!feature.profile) continue;
+    if (options.tabs.skin && feature.profile->side != ProfileSide::kOn)
+      leave_skin(feature, *options.tabs.skin, part.diagnostics);
     const double radius = tool_of(part, step).radius();
     // What is left for finishing counts on both sides of the kerf.
     const double finish = options.shop.finish ? options.shop.finish_stock.value_or(kFinishStock) : 0;

@@ -109,6 +109,7 @@ class PlanArguments {
   void add_search_options(CLI::App& command);
   Machine machine(const Machine& of_job) const;
   ShopOptions shop(const ShopOptions& of_job) const;
+  void take_tabs(TabOptions& tabs) const;
 
   std::string input_;
   std::optional<std::string> zero_;
@@ -127,7 +128,8 @@ class PlanArguments {
   std::optional<std::string> strokes_;
   std::optional<std::string> text_;
   CuttingArguments cutting_;
-  TabOptions tabs_;
+  std::optional<int> tab_count_;
+  std::optional<double> tab_width_, tab_height_, skin_;
   std::optional<double> top_;
   std::optional<double> depth_;
   SolidOptions solid_;

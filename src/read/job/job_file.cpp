@@ -274,6 +274,16 @@ ShopOptions shop_of(DataSection& section) {
   return shop;
 }
 
+TabOptions tabs_of(DataSection& section) {
+  constexpr double kMost = 1000;
+  TabOptions tabs;
+  tabs.count = count(section, "tabs", kMost).value_or(0);
+  tabs.width = section.positive("tab_width").value_or(tabs.width);
+  tabs.height = section.positive("tab_height");
+  tabs.skin = section.positive("skin");
+  return tabs;
+}
+
 KeepOut keep_out_of(DataSection section) {
   const auto x = section.range("x"), y = section.range("y"), z = section.range("z");
   if (!x || !y || !z) section.fail("a clamp needs x, y and z, each [low, high]");
@@ -295,6 +305,7 @@ PredrilledHole predrilled_of(DataSection section) {
 void read_plan_section(DataSection section, JobFile& job) {
   job.plan = settings_of(section);
   job.shop = shop_of(section);
+  job.tabs = tabs_of(section);
   if (const auto after = section.text("after")) job.after = beside(job.file, *after);
   job.clearance_z = coordinate(section, "clearance");
   job.engagement_deg = section.positive("engagement");

@@ -12,6 +12,7 @@
 #include "model/options/origin.h"
 #include "model/options/published_solver.h"
 #include "model/options/shop_options.h"
+#include "model/options/tab_options.h"
 #include "model/part.h"
 #include "read/moved_part.h"
 #include "read/read_options.h"
@@ -85,6 +86,7 @@ struct JobFile {
   JobOutput output;
   // For the planner as a whole.
   ShopOptions shop;
+  TabOptions tabs;
   std::optional<std::filesystem::path> after;  ///< program that has run before, found from the job's folder
   std::vector<KeepOut> keep_outs;              ///< [[keep_out]]
   std::vector<PredrilledHole> predrilled;      ///< [[predrilled]]

@@ -143,6 +143,8 @@ const char* const kRest = R"(
 # finish = "walls"         # walls, floor, all: finishing after everything else
 # finish_stock = 0.3       # mm left on walls for it; finish_stock_floor = 0.2
 # finish_depths = 1        # in how many depths walls are finished
+# tabs = 0                 # that hold what each profile cuts free; tab_width = 4, tab_height = 2
+# skin = 0.3               # mm left under profiles instead
 # dogbones = "corner"      # or t-bone: relief in inside corners
 # style = "machinist"      # in metals; or fastest: what is chosen where nobody says how
 # material = "steel"       # for feeds, speeds and forces: aluminium, brass, steel, alloy-steel, stainless, cast-iron, titanium,
