@@ -241,11 +241,11 @@ void CuttingArguments::take(PlanOptions& options) const {
   if (objective) options.objective = *objective;
 }
 
-void PlanArguments::take_tabs(TabOptions& tabs) const {
-  if (tab_count_) tabs.count = *tab_count_;
-  if (tab_width_) tabs.width = *tab_width_;
-  if (tab_height_) tabs.height = tab_height_;
-  if (skin_) tabs.skin = skin_;
+void TabArguments::take(TabOptions& tabs) const {
+  if (count) tabs.count = *count;
+  if (width) tabs.width = *width;
+  if (height) tabs.height = height;
+  if (skin) tabs.skin = skin;
 }
 
 /// The command line goes before the job, the job before the defaults.
@@ -261,7 +261,7 @@ PlanOptions PlanArguments::options() const {
   options.step_sources = step_sources_;
   options.sources.merge(typed_);
   cutting_.take(options);
-  take_tabs(options.tabs);
+  tabs_.take(options.tabs);
   options.shop = shop(options.shop);
   const auto earlier = after_ || !from_job || !from_job->after ? after_ : from_job->after->string();
   // The height that the program calls home is the machine's, which may be another than the job's.

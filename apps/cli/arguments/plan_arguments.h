@@ -35,6 +35,14 @@ enum class Block : unsigned char {
 /// How many [[setup]] a job file has; 0 for other files and jobs of one set-up.
 int setup_count_of(const std::string& input);
 
+/// What is typed of that which holds what profiles cut free.
+struct TabArguments {
+  std::optional<int> count;
+  std::optional<double> width, height, skin;
+
+  void take(TabOptions& tabs) const;
+};
+
 /// What is typed of strategies, passes and feeds.
 struct CuttingArguments {
   std::optional<std::string> strategy;
@@ -109,7 +117,6 @@ class PlanArguments {
   void add_search_options(CLI::App& command);
   Machine machine(const Machine& of_job) const;
   ShopOptions shop(const ShopOptions& of_job) const;
-  void take_tabs(TabOptions& tabs) const;
 
   std::string input_;
   std::optional<std::string> zero_;
@@ -128,8 +135,7 @@ class PlanArguments {
   std::optional<std::string> strokes_;
   std::optional<std::string> text_;
   CuttingArguments cutting_;
-  std::optional<int> tab_count_;
-  std::optional<double> tab_width_, tab_height_, skin_;
+  TabArguments tabs_;
   std::optional<double> top_;
   std::optional<double> depth_;
   SolidOptions solid_;

@@ -58,17 +58,17 @@ void PlanArguments::add_drawing_options(CLI::App& command) {
       "colour, outer "
       "or numbers of `info` (repeatable)");
   command
-      .add_option("--tabs", tab_count_,
+      .add_option("--tabs", tabs_.count,
                   "Tabs that hold what a profile cuts free, of each profile (default none)")
       ->check(CLI::Range(0, 100));
-  command.add_option("--tab-width", tab_width_, "Of tabs along the outline, mm (default 4)")
+  command.add_option("--tab-width", tabs_.width, "Of tabs along the outline, mm (default 4)")
       ->check(CLI::PositiveNumber);
   command
-      .add_option("--tab-height", tab_height_,
+      .add_option("--tab-height", tabs_.height,
                   "Of tabs over the underside of the material, mm (default 2, at most half the depth)")
       ->check(CLI::PositiveNumber);
   command
-      .add_option("--skin", skin_,
+      .add_option("--skin", tabs_.skin,
                   "Material that profiles leave under themselves instead of tabs, mm (default none)")
       ->check(CLI::PositiveNumber);
   command.add_option("--scale", scale_, "Factor for a drawing's size (default 1)")
