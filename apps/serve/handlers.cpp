@@ -117,7 +117,7 @@ std::string tour_input(const Upload& upload) {
 
 struct Task {
   std::vector<std::string> words;
-  bool is_judged = true;
+  bool has_verdict = true;
 };
 
 /// Queues what `task_of` makes of a request's form; says where its state and its results will be.
@@ -131,7 +131,7 @@ void answer_queued(Service& service, const Request& request, Response& response,
     const Task task = task_of(upload);
     const WorkPtr work = new_work(service, upload, id);
     work->words = task.words;
-    work->is_judged = task.is_judged;
+    work->has_verdict = task.has_verdict;
     service.works.add(work, true);
     answer_json(response, 202,
                 {{"id", id},

@@ -90,8 +90,8 @@ WorkEnd end_of(const Work& work, int exit_code) {
   WorkEnd end;
   end.exit_code = exit_code;
   const bool has_results = exit_code <= kLastWithResults;
-  if (has_results && work.is_judged) end.verdict = verdict_in(work.folder / "results");
-  if (has_results && (!work.is_judged || !end.verdict.empty())) return end;
+  if (has_results && work.has_verdict) end.verdict = verdict_in(work.folder / "results");
+  if (has_results && (!work.has_verdict || !end.verdict.empty())) return end;
   end.state = WorkState::kFailed;
   end.message = work.messages.empty() ? "ended without a result" : work.messages.back();
   return end;

@@ -31,7 +31,7 @@ struct Work {
   std::filesystem::path
       folder;  ///< files of the request and results/; the one around it is removed in the end
   std::vector<std::string> words;
-  bool is_judged = true;  ///< a certificate says what came of it
+  bool has_verdict = true;  ///< a certificate says what came of it
   std::atomic<bool> is_cancelled = false;
 
   WorkState state = WorkState::kWaiting;
