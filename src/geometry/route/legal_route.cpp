@@ -7,6 +7,7 @@
 
 #include "base/units.h"
 #include "base/work_budget.h"
+#include "geometry/loops.h"
 
 namespace clearcut::inline geometry {
 namespace {
@@ -58,11 +59,8 @@ Path along(const Loop& loop, std::size_t edge_from, Vec2 from, std::size_t edge_
 
 }  // namespace
 
-LegalRoutes::LegalRoutes(const Regions& regions, const LegalArea& area) : area_(area) {
-  for (const auto& region : regions) {
-    loops_.push_back(region.outer());
-    loops_.insert(loops_.end(), region.islands().begin(), region.islands().end());
-  }
+LegalRoutes::LegalRoutes(const Regions& regions, const LegalArea& area)
+    : area_(area), loops_(loops_of(regions)) {
   for (const auto& loop : loops_) {
     boxes_.emplace_back();
     for (const auto& edge : loop) boxes_.back().push_back(edge.box());

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "geometry/loops.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/mend.h"
 #include "plan/common/residual.h"
@@ -113,11 +114,7 @@ class SpiralPlanner {
   double level_at_edge() const {
     const double inside = kInsideEdge * layer_.tool_radius;
     const auto loops = clearance_.inset(inside);
-    std::vector<Path> paths;
-    for (const auto& region : loops) {
-      paths.push_back(region.outer());
-      paths.insert(paths.end(), region.islands().begin(), region.islands().end());
-    }
+    std::vector<Path> paths = loops_of(loops);
     MendJob job = job_;
     const LegalArea inner(loops);
     job.matters = [&](Vec2 p) { return around_.contains(p) && !inner.contains(p); };

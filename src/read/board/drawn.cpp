@@ -37,13 +37,4 @@ Regions dark_area(const std::vector<Drawn>& drawn, const RepairOptions& options)
   return dark;
 }
 
-std::vector<Path> loops_of(const Regions& regions) {
-  std::vector<Path> loops;
-  for (const Region& region : regions) {
-    loops.push_back(region.outer());
-    loops.insert(loops.end(), region.islands().begin(), region.islands().end());
-  }
-  return loops;
-}
-
 }  // namespace clearcut::read

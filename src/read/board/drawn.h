@@ -21,7 +21,4 @@ Drawn mapped(const Drawn& drawn, const Affine& map);
 /// Throws InputError as repair does. Cost O(n log n) and a boolean for each change between dark and clear.
 Regions dark_area(const std::vector<Drawn>& drawn, const RepairOptions& options);
 
-/// Outer loops counter-clockwise, islands clockwise.
-std::vector<Path> loops_of(const Regions& regions);
-
 }  // namespace clearcut::read

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "geometry/boolean.h"
+#include "geometry/loops.h"
 #include "read/common/features/area_features.h"
 #include "read/common/features/within_deeper.h"
 #include "read/common/holes/drawn_holes.h"
@@ -105,10 +106,7 @@ void add_profiles(const std::vector<ShapedGroup>& groups, const ReadOptions& opt
   for (const ShapedGroup& shaped : groups) {
     if (shaped.group.role != LayerRole::kProfile || shaped.regions.empty()) continue;
     const double depth = depth_of(shaped.group, options, diagnostics);
-    for (const Region& region : shaped.regions) {
-      loops.push_back(region.outer());
-      loops.insert(loops.end(), region.islands().begin(), region.islands().end());
-    }
+    for (Loop& loop : loops_of(shaped.regions)) loops.push_back(std::move(loop));
     owners.resize(loops.size(), &shaped.group);
     depths.resize(loops.size(), depth);
   }
@@ -133,10 +131,7 @@ void add_group_features(ShapedGroup& shaped, const ReadOptions& options, Diagnos
     case LayerRole::kInside:
       return add_inside_profiles(shaped, depth, options, out);
     case LayerRole::kEngrave:
-      for (const Region& region : shaped.regions) {
-        shaped.lines.push_back(region.outer());
-        shaped.lines.insert(shaped.lines.end(), region.islands().begin(), region.islands().end());
-      }
+      for (Loop& loop : loops_of(shaped.regions)) shaped.lines.push_back(std::move(loop));
       for (const Path& line : shaped.lines)
         out.push_back(profile_of(shaped.group, line, ProfileSide::kOn, depth, options));
       return;

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "geometry/boolean.h"
+#include "geometry/loops.h"
 #include "read/repair/arcs.h"
 #include "read/repair/clean.h"
 #include "read/repair/crossings/crossings.h"
@@ -54,11 +55,7 @@ std::vector<RawLoop> without_thin(std::vector<RawLoop> loops, const RepairOption
 
 /// The promise of Region, tested: no loop crosses or runs along itself or another by more than kShallow.
 Regions checked(Regions regions, const RepairOptions& options) {
-  std::vector<Loop> loops;
-  for (const Region& region : regions) {
-    loops.push_back(region.outer());
-    loops.insert(loops.end(), region.islands().begin(), region.islands().end());
-  }
+  const std::vector<Loop> loops = loops_of(regions);
   for (const Meeting& meeting : meetings(loops, kMostTouches, options.where)) {
     if (meeting.kind == MeetingKind::kTouch || is_shallow(loops, meeting, kShallow)) continue;
     throw InputError(options.where, "the outlines near " + place_text(meeting.at) +

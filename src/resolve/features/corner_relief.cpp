@@ -8,6 +8,7 @@
 
 #include "base/text/format.h"
 #include "geometry/boolean.h"
+#include "geometry/loops.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -30,6 +31,8 @@ constexpr std::size_t kListed = 6;
 struct Corner {
   Vec2 at, back, ahead;
   double back_mm = 0, ahead_mm = 0;
+
+  Vec2 bisector() const { return unit(back + ahead); }
 };
 
 std::vector<Corner> inside_corners(const Loop& loop) {
@@ -61,7 +64,7 @@ class Room {
 
 /// Where on the bisector a cutter touches both walls; absent where it has no room there.
 std::optional<Vec2> touching_place(const Corner& corner, double radius, const Room& room) {
-  const Vec2 bisector = unit(corner.back + corner.ahead);
+  const Vec2 bisector = corner.bisector();
   const double sine = std::abs(cross(bisector, corner.ahead));
   double low = 0, high = radius / std::max(sine, 1 / kFarthest) + kOnLine;
   const auto place = [&](double along) { return corner.at + bisector * along; };
@@ -126,12 +129,10 @@ class CornerRelief {
 
   /// Corners of where the cutter may be that lie on what it is to remove; at open sides there are none.
   void relieve_pocket() {
-    for (std::size_t i = 0; i < feature_->allowed.size(); ++i) {
-      const Region drawn = feature_->allowed[i];
-      std::vector<Loop> loops{drawn.outer()};
-      loops.insert(loops.end(), drawn.islands().begin(), drawn.islands().end());
-      for (const Loop& loop : loops) {
-        for (const Corner& corner : inside_corners(loop)) relieve_corner(corner, Room(drawn, true));
+    const Regions drawn = feature_->allowed;
+    for (const Region& region : drawn) {
+      for (const Loop& loop : loops_of({region})) {
+        for (const Corner& corner : inside_corners(loop)) relieve_corner(corner, Room(region, true));
       }
     }
   }
@@ -153,7 +154,7 @@ class CornerRelief {
   }
 
   bool leaves_much(const Corner& corner) const {
-    const Vec2 bisector = unit(corner.back + corner.ahead);
+    const Vec2 bisector = corner.bisector();
     return radius_ / std::max(std::abs(cross(bisector, corner.ahead)), 1e-9) - radius_ > kLeast;
   }
 
@@ -162,29 +163,24 @@ class CornerRelief {
     const auto start = touching_place(corner, radius, room);
     if (!start) return std::nullopt;
     const Vec2 shorter = corner.back_mm < corner.ahead_mm ? corner.back : corner.ahead;
-    const Vec2 away = t_bone_ ? shorter : unit(corner.back + corner.ahead);
+    const Vec2 away = t_bone_ ? shorter : corner.bisector();
     return Bone{corner.at, swept(*start, corner.at + away * radius, radius)};
   }
 
+  /// Whether the bone takes of another feature what the feature itself does not.
   bool meets_another(const Region& bone) const {
+    const Regions besides = subtract({bone}, feature_->target, tol_);
     return std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
       const bool beside = &other != feature_ && !other.profile && other.floor_z < feature_->top_z &&
                           other.top_z > feature_->floor_z;
       return beside && box(other.target).overlaps(bone.box()) &&
-             area(intersect(other.target, {bone}, tol_)) >
-                 area(intersect(intersect(other.target, feature_->target, tol_), {bone}, tol_)) +
-                     kLeast * kLeast;
+             area(intersect(other.target, besides, tol_)) > kLeast * kLeast;
     });
   }
 
   /// Takes `wider` unless a wall was broken through: then an island is joined to its surroundings, or areas to each other.
   static bool accept(Regions wider, Regions& shape) {
-    const auto loops = [](const Regions& regions) {
-      std::size_t count = 0;
-      for (const Region& region : regions) count += 1 + region.islands().size();
-      return count;
-    };
-    if (wider.size() != shape.size() || loops(wider) != loops(shape)) return false;
+    if (wider.size() != shape.size() || loops_of(wider).size() != loops_of(shape).size()) return false;
     shape = std::move(wider);
     return true;
   }

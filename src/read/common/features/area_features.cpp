@@ -4,6 +4,7 @@
 #include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "geometry/loops.h"
 #include "geometry/rectangle.h"
 #include "stock/kerf.h"
 
@@ -70,9 +71,7 @@ void add_chamfers(const ShapedGroup& shaped, const ReadOptions& options, Diagnos
   if (!shaped.group.depth) diagnostics.note(shaped.group.where, "no depth given: edges are broken by 0.2 mm");
   const double depth = checked_depth(shaped.group.depth.value_or(kEdgeBreak), shaped.group.where);
   for (const Region& region : shaped.regions) {
-    std::vector<Loop> loops{region.outer()};
-    loops.insert(loops.end(), region.islands().begin(), region.islands().end());
-    for (Loop& loop : loops) {
+    for (Loop& loop : loops_of({region})) {
       Feature feature = blank_feature(shaped.group, depth, options);
       feature.kind = FeatureKind::kChamfer;
       feature.target = feature.allowed =

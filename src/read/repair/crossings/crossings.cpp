@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "geometry/boolean.h"
+#include "geometry/loops.h"
 #include "read/repair/crossings/meetings.h"
 #include "read/repair/crossings/nesting.h"
 #include "read/repair/crossings/splitting.h"
@@ -22,15 +23,6 @@ constexpr std::size_t kMostMeetingsInFill = 1'000'000;
 constexpr std::size_t kMostCrossingPairs = 500;
 /// mm. How far the library may move a boundary: its grid.
 constexpr double kBooleanRounding = 2e-6;
-
-std::vector<Loop> loops_of(const Regions& regions) {
-  std::vector<Loop> loops;
-  for (const Region& region : regions) {
-    loops.push_back(region.outer());
-    loops.insert(loops.end(), region.islands().begin(), region.islands().end());
-  }
-  return loops;
-}
 
 std::vector<Loop> bare(const std::vector<RawLoop>& loops) {
   std::vector<Loop> out;
