@@ -37,6 +37,7 @@
 #include "resolve/refusals.h"
 #include "resolve/resolve.h"
 #include "stock/round_hole.h"
+#include "stock/tools/fitting.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -156,7 +157,7 @@ std::string does_not_fit(const Part& part, const Workingstep& step, const Tolera
   return fmt::format("tool T{} ({} mm) does not fit {}; the largest that does has {} mm",
                      tool_of(part, step).number, trimmed(tool_of(part, step).diameter, 4),
                      feature_of(part, step).name,
-                     trimmed(resolve::largest_fitting_diameter(feature_of(part, step), tol), 3));
+                     trimmed(stock::largest_fitting_diameter(feature_of(part, step), tol), 3));
 }
 
 /// Edges of an outline beyond which rivals are not tried: their time would be felt.
@@ -264,7 +265,7 @@ std::string no_passes(std::size_t i, const Selection& selection, const std::vect
         name, fmt::join(selection.left_out(i), " and "), thousands(work_shares(works, plan)[i]));
   }
   const bool fits =
-      tool_of(part, step).diameter <= resolve::largest_fitting_diameter(feature_of(part, step), plan.tol);
+      tool_of(part, step).diameter <= stock::largest_fitting_diameter(feature_of(part, step), plan.tol);
   if (!fits || stock::only_plunges(tool_of(part, step))) return does_not_fit(part, step, plan.tol);
   return fmt::format("{} found no passes for {}; {}", selection.candidate(i).strategy->name, name,
                      plan.steps[i].published_grid
@@ -287,7 +288,7 @@ void report_what_does_not_fit(Part& part, const Selection& selection, const std:
     const auto& step = part.workplan[i];
     if (!selection.section(i).moves.empty() || works[i].done_before) continue;
     const bool fits =
-        tool_of(part, step).diameter <= resolve::largest_fitting_diameter(feature_of(part, step), plan.tol);
+        tool_of(part, step).diameter <= stock::largest_fitting_diameter(feature_of(part, step), plan.tol);
     if (fits && works[i].layers.empty()) continue;
     const std::string& name = feature_of(part, step).name;
     if (fits && plan.steps[i].published_grid) {

@@ -12,6 +12,7 @@
 #include "resolve/prepare.h"
 #include "resolve/tool_cutting.h"
 #include "stock/kerf.h"
+#include "stock/tools/fitting.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -29,7 +30,7 @@ double widest_clearance(const Regions& regions, const Tolerances& tol) {
 
 /// Largest mill that clears floors and fits; -1 for none.
 int floor_mill(const Feature& feature, const std::vector<Tool>& tools, const Tolerances& tol) {
-  const double fits = largest_fitting_diameter(feature, tol) - kRoom;
+  const double fits = stock::largest_fitting_diameter(feature, tol) - kRoom;
   int best = -1;
   for (std::size_t i = 0; i < tools.size(); ++i) {
     const bool flat = clears_floors(tools[i]) && tools[i].kind != ToolKind::kBallEndMill;
@@ -106,15 +107,6 @@ void shape_groove(Feature& feature, const Tool& tool) {
 }
 
 }  // namespace
-
-int carving_tool(const Feature& feature, const std::vector<Tool>& tools) {
-  for (const ToolKind kind : {ToolKind::kVBit, ToolKind::kChamferMill, ToolKind::kBallEndMill}) {
-    for (std::size_t i = 0; i < tools.size(); ++i) {
-      if (tools[i].kind == kind && is_carved(feature, tools[i])) return static_cast<int>(i);
-    }
-  }
-  return -1;
-}
 
 void shape_carvings(Part& part, const PlanOptions& options, StepSources& sources) {
   std::vector<Workingstep> workplan;

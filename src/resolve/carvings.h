@@ -6,10 +6,6 @@
 
 namespace clearcut::resolve {
 
-/// The tool for a feature that a cutter carves by its shape: for V-carving the first V-bit, for engraving the first V-bit or
-/// ball; an index, -1 where there is none.
-int carving_tool(const Feature& feature, const std::vector<Tool>& tools);
-
 /// Gives every V-carving the slope and the depth of its bit, and where its floor is wide enough a step before it that clears the
 /// floor with the largest mill that fits; every engraving with a shaped cutter the groove that it cuts. Throws InputError where
 /// the tools cannot make it.

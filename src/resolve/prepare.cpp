@@ -23,6 +23,8 @@
 #include "resolve/work_plan.h"
 #include "stock/at_depth.h"
 #include "stock/round_hole.h"
+#include "stock/tools/fitting.h"
+#include "stock/tools/tool_choice.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -46,7 +48,7 @@ double largest_fitting_diameter_of(const Part& part, const Tolerances& tol) {
   double largest = 0;
   for (const auto& step : part.workplan) {
     const auto& feature = feature_of(part, step);
-    largest = std::max(largest, largest_fitting_diameter(feature, tol));
+    largest = std::max(largest, stock::largest_fitting_diameter(feature, tol));
   }
   return largest;
 }
@@ -65,41 +67,13 @@ std::vector<char> used_before(const std::vector<Tool>& tools, const PlanOptions&
   return used;
 }
 
-/// A drill of the hole's size; else the largest mill with a legal position in the feature, else the smallest (which
-/// then reports that it does not fit).
-int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::vector<char>& used,
-             const Tolerances& tol) {
-  if (tools.size() == 1) return 0;
-  if (feature.chamfer) return std::max(0, chamfer_tool(tools));
-  if (const int carver = carving_tool(feature, tools); carver >= 0) return carver;
-  if (feature.profile) return profile_tool(*feature.profile, tools, tol);
-  const double fits = largest_fitting_diameter(feature, tol) + tol.fit;
-  const auto hole = stock::round_hole_of(feature, tol);
-  int best = 0;
-  const auto drills = [&](const Tool& tool) {
-    return hole && tool.kind == ToolKind::kDrill && stock::makes_hole(tool, *hole, tol);
-  };
-  const auto better = [&](const Tool& a, const Tool& b) {
-    if (drills(a) != drills(b)) return drills(a);
-    if (clears_floors(a) != clears_floors(b)) return clears_floors(a);
-    const bool a_fits = a.diameter <= fits, b_fits = b.diameter <= fits;
-    if (a_fits != b_fits) return a_fits;
-    return a_fits ? a.diameter > b.diameter : a.diameter < b.diameter;
-  };
-  while (used[static_cast<std::size_t>(best)]) ++best;
-  for (std::size_t i = 1; i < tools.size(); ++i) {
-    if (!used[i] && better(tools[i], tools[static_cast<std::size_t>(best)])) best = static_cast<int>(i);
-  }
-  return best;
-}
-
 void choose_tools(Part& part, const PlanOptions& options, StepSources& sources) {
   if (!options.tools.empty()) {
     part.tools = options.tools;
     number_tools(part.tools);
     const auto used = used_before(part.tools, options);
     for (auto& step : part.workplan) {
-      step.operation.tool = tool_for(feature_of(part, step), part.tools, used, options.tol);
+      step.operation.tool = stock::tool_for(feature_of(part, step), part.tools, used, options.tol);
       sources[step_key(step)].set("tool", source_of(options, "tool"));
       take_tool_cutting(step.operation, options);
     }
@@ -110,23 +84,6 @@ void choose_tools(Part& part, const PlanOptions& options, StepSources& sources) 
         fmt::format("names no tool; give one, for example --tool endmill:6 (the largest that fits has {} mm)",
                     trimmed(std::floor(largest_fitting_diameter_of(part, options.tol) * 1000) / 1000, 3)));
   }
-}
-
-/// Greatest distance of a place in `target` from the boundary of `allowed`, by its medial axis; where that runs
-/// beside the target (far open sides), by the middle of the target.
-double widest_over(const Regions& target, const Region& allowed, const Tolerances& tol) {
-  const Clearance clearance(allowed, tol);
-  double widest = 0;
-  for (const AxisPoint& p : clearance.axis().points) {
-    if (p.clearance > widest && contains(target, p.point)) widest = p.clearance;
-  }
-  for (const Region& region : target) {
-    const Clearance own(region, tol);
-    for (const AxisPoint& p : own.centers()) {
-      if (allowed.contains(p.point)) widest = std::max(widest, allowed.boundary_distance(p.point));
-    }
-  }
-  return widest;
 }
 
 /// The fastest that both the tool and the machine may turn, rpm; infinity where neither has a limit.
@@ -317,22 +274,6 @@ void number_tools(std::vector<Tool>& tools) {
   }
 }
 
-double largest_fitting_diameter(const Feature& feature, const Tolerances& tol) {
-  if (feature.profile && feature.profile->side != ProfileSide::kInside) return 2 * kOpenReach;
-  if (feature.profile) return 2 * Clearance(Region::from_valid_loops(feature.profile->line, {}), tol).max();
-  const double deep = feature.top_z - feature.floor_z;
-  const bool leans = feature.wall_slope.radians() != 0 && deep > 0;
-  const Regions allowed =
-      leans ? stock::at_depth(feature.allowed, feature.wall_slope, deep, tol) : feature.allowed;
-  const Regions target = leans ? intersect(feature.target, allowed, tol) : feature.target;
-  const bool closed = closed_all_round(feature);
-  double radius = 0;
-  for (const auto& region : allowed) {
-    radius = std::max(radius, closed ? Clearance(region, tol).max() : widest_over(target, region, tol));
-  }
-  return 2 * radius;
-}
-
 Part with_tools(Part part, const PlanOptions& options) {
   if (options.tools.empty() && part.tools.empty()) {
     Tool tool;
@@ -384,7 +325,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   relieve_corners(part, options);
   shape_profiles(part, options, sources);
   shape_carvings(part, options, sources);
-  if (options.shop.rest.value_or(false) || !options.tools.empty()) add_rest_steps(part, options, sources);
+  add_rest_steps(part, options, sources);
   if (finish_of(options.shop) != Finish::kNone) add_finishing_steps(part, options, sources);
   shape_chamfers(part, options.tol);
   std::vector<std::string> noted;

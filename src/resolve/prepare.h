@@ -30,8 +30,4 @@ void number_tools(std::vector<Tool>& tools);
 /// STEP-NC has no operation without a tool.
 Part with_tools(Part part, const PlanOptions& options);
 
-/// Diameter of the largest cutter that has a legal position over the feature's floor, mm; 0 when none. At open
-/// sides only places over the feature itself count.
-double largest_fitting_diameter(const Feature& feature, const Tolerances& tol);
-
 }  // namespace clearcut::resolve

@@ -14,8 +14,6 @@
 namespace clearcut::resolve {
 namespace {
 
-/// mm2. What a mill may leave in corners before a smaller one is taken.
-constexpr double kCorners = 1;
 /// mm. The same for cutters of any size.
 constexpr double kToolSpare = 0.01;
 /// mm. Stock on walls for finishing where nobody says how much.
@@ -42,20 +40,6 @@ constexpr double kTabSearch = 0.5;
 
 Regions within(const ProfileCut& cut) {
   return {Region::from_valid_loops(cut.line, {})};
-}
-
-/// mm2 that a cutter leaves in the corners of a profile.
-double left_in_corners(const ProfileCut& cut, double radius, const Tolerances& tol) {
-  const Regions inner = within(cut);
-  if (cut.side == ProfileSide::kOutside) {
-    Regions closed;
-    for (const Region& region : dilate(inner, radius, tol)) {
-      for (Region& one : inset(region, radius, tol)) closed.push_back(std::move(one));
-    }
-    return area(closed) - area(inner);
-  }
-  const Regions legal = inset(inner.front(), radius, tol);
-  return area(inner) - (legal.empty() ? 0 : area(dilate(legal, radius, tol)));
 }
 
 /// What belongs to parts near `cut`: of all profiles from large to small the outer ones add, the inner ones take away.
@@ -298,22 +282,6 @@ void leave_skin(Feature& feature, double skin, Diagnostics& diagnostics) {
 }
 
 }  // namespace
-
-int profile_tool(const ProfileCut& cut, const std::vector<Tool>& tools, const Tolerances& tol) {
-  std::vector<int> mills;
-  for (std::size_t i = 0; i < tools.size(); ++i) {
-    if (clears_floors(tools[i]) && tools[i].kind != ToolKind::kFaceMill) mills.push_back(static_cast<int>(i));
-  }
-  if (mills.empty()) return 0;
-  std::stable_sort(mills.begin(), mills.end(), [&](int a, int b) {
-    return tools[static_cast<std::size_t>(a)].diameter > tools[static_cast<std::size_t>(b)].diameter;
-  });
-  if (cut.side == ProfileSide::kOn) return mills.back();
-  for (const int mill : mills) {
-    if (left_in_corners(cut, tools[static_cast<std::size_t>(mill)].radius(), tol) <= kCorners) return mill;
-  }
-  return mills.back();
-}
 
 void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources) {
   std::vector<Workingstep> workplan;

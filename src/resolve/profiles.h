@@ -6,9 +6,6 @@
 
 namespace clearcut::resolve {
 
-/// Largest mill among `tools` that reaches all but 1 mm2 of the profile's corners, else the smallest; an index.
-int profile_tool(const ProfileCut& cut, const std::vector<Tool>& tools, const Tolerances& tol);
-
 /// Sets target (the kerf) and allowed (a band wide enough for leads) of every profile of the workplan for its cutter; other
 /// parts on the same drawing stay out of both. Where tabs are asked for, the layers below their tops become a feature of
 /// its own, "..._tabs", cut after those above. Throws InputError where no place is left for a tab of an outer profile.

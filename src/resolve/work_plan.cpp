@@ -7,6 +7,7 @@
 #include "resolve/prepare.h"
 #include "resolve/tool_cutting.h"
 #include "stock/round_hole.h"
+#include "stock/tools/fitting.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -44,6 +45,22 @@ std::vector<Workingstep> last_milling_steps(const Part& part) {
     last.push_back(step);
   }
   return last;
+}
+
+/// Whether nobody named the tool for this step: it was chosen among several.
+bool is_tool_chosen(const Workingstep& step, const PlanOptions& options, const StepSources& sources) {
+  const auto found = sources.find(step_key(step));
+  const Source* source = found == sources.end() ? nullptr : found->second.find("tool");
+  return !options.tools.empty() || (source != nullptr && source->origin == Origin::kDerived);
+}
+
+/// Whether narrower mills go over what the step leaves. `is_over_another`: a step lies under it.
+bool has_rest_steps(const Part& part, const Workingstep& step, bool is_over_another,
+                    const PlanOptions& options, const StepSources& sources) {
+  const Feature& feature = feature_of(part, step);
+  if (feature.profile) return false;  // a kerf is as wide as its cutter
+  if (options.shop.rest.value_or(false)) return true;
+  return is_over_another && is_tool_chosen(step, options, sources) && feature.wall_slope.radians() == 0;
 }
 
 /// Whether a cutter wider than `tool` works on the feature of `step`.
@@ -161,16 +178,15 @@ Finish finish_of(const ShopOptions& shop) {
 }
 
 void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources) {
-  const bool everywhere = options.shop.rest.value_or(false);
   std::vector<std::vector<Workingstep>> before(part.workplan.size());
   std::vector<std::pair<int, Workingstep>> at_end;  // by mill, widest first
   const auto mills = mills_of(part.tools);
   if (mills.size() < 2) return;
   for (const Workingstep& step : last_milling_steps(part)) {
-    if (feature_of(part, step).profile) continue;  // a kerf is as wide as its cutter
     const auto under = first_step_under(part, step, options.tol);
-    if (!everywhere && (!under || feature_of(part, step).wall_slope.radians() != 0)) continue;
-    const double fits = largest_fitting_diameter(feature_of(part, step), options.tol) + options.tol.fit;
+    if (!has_rest_steps(part, step, under.has_value(), options, sources)) continue;
+    const double fits =
+        stock::largest_fitting_diameter(feature_of(part, step), options.tol) + options.tol.fit;
     for (std::size_t i = 0; i < mills.size(); ++i) {
       const Tool& tool = part.tools[static_cast<std::size_t>(mills[i])];
       if (tool.diameter > fits || !is_preceded_by_wider(part, step, tool)) continue;

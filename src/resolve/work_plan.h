@@ -10,7 +10,7 @@ namespace clearcut::resolve {
 Finish finish_of(const ShopOptions& shop);
 
 /// For milled features one step more for each smaller mill of the part, on what is left: for all where rest machining is
-/// asked for, else for those under which others lie, since what stands there would stand in their way. Such steps come
+/// asked for, else for those whose tool was chosen by size and under which others lie, since what stands there would stand in their way. Such steps come
 /// before the first step underneath, the others after all steps there are, tool by tool.
 void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources);
 

@@ -7,7 +7,7 @@
 
 #include "base/units.h"
 #include "base/work_budget.h"
-#include "geometry/loops.h"
+#include "geometry/contours/loops.h"
 
 namespace clearcut::inline geometry {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/error.h"
-#include "geometry/loops.h"
+#include "geometry/contours/loops.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/mend.h"
 #include "plan/common/residual.h"

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/inch.h"
 #include "base/text/format.h"
-#include "geometry/loops.h"
+#include "geometry/contours/loops.h"
 #include "read/board/coordinates.h"
 #include "read/board/drawn.h"
 #include "read/common/drawing.h"

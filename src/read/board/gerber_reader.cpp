@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "geometry/loops.h"
+#include "geometry/contours/loops.h"
 #include "read/board/gerber_image.h"
 #include "read/common/drawing.h"
 #include "read/common/layers/outline_roles.h"

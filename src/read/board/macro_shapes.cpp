@@ -6,7 +6,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
-#include "geometry/loops.h"
+#include "geometry/contours/loops.h"
 #include "read/board/coordinates.h"
 #include "read/board/macro_expression.h"
 #include "read/common/text.h"

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "geometry/boolean.h"
-#include "geometry/loops.h"
+#include "geometry/contours/loops.h"
 #include "read/common/features/area_features.h"
 #include "read/common/features/within_deeper.h"
 #include "read/common/holes/drawn_holes.h"

@@ -86,6 +86,24 @@ TEST_F(Job, PlanThenOperationsThenTheirPresetsBelow) {
   EXPECT_DOUBLE_EQ(b.allowance_side, 0.2);
 }
 
+TEST_F(Job, ToolsThatNobodyNamesFollowFromSizeAndKind) {
+  write("parts.json",
+        R"({"units": "mm", "pockets": [{"name": "wide", "outer": [[0,0],[30,0],[30,20],[0,20]], "depth": 4},
+                         {"name": "narrow", "outer": [[50,0],[80,0],[80,7],[50,7]], "depth": 4}]})");
+  const std::string tools =
+      "[[tool]]\nnumber = 1\nkind = \"drill\"\ndiameter = 5\n"
+      "[[tool]]\nnumber = 2\nkind = \"vbit\"\ndiameter = 10\ntip_angle = 90\n"
+      "[[tool]]\nnumber = 3\ndiameter = 8\nfeed = 900\n[[tool]]\nnumber = 4\ndiameter = 4\nfeed = 500\n";
+  const Part chosen = part("[part]\nfile = \"parts.json\"\n" + tools);
+  EXPECT_EQ(tool_of(chosen, chosen.workplan[0]).number, 3);
+  EXPECT_EQ(tool_of(chosen, chosen.workplan[1]).number, 4);
+  EXPECT_EQ(chosen.workplan[1].operation.cutting.feed, MmPerMin::of(500)) << "its own tool's";
+
+  const Part named = part("[part]\nfile = \"parts.json\"\n" + tools +
+                          "[[operation]]\nfeature = \"wide\"\ntool = 4\n[plan]\nstepdown = 1\n");
+  EXPECT_EQ(tool_of(named, named.workplan[0]).number, 4);
+}
+
 TEST_F(Job, FinishingIsAStepOfItsOwnAndLeavesNothing) {
   const Part read =
       part(kPart + kTools +

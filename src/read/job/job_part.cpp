@@ -13,6 +13,7 @@
 #include "read/job/job_file.h"
 #include "read/read_part.h"
 #include "read/step_solid/step_solid.h"
+#include "stock/tools/tool_choice.h"
 
 namespace clearcut::read {
 namespace {
@@ -60,6 +61,9 @@ Stock stock_of(const JobStock& stock, const Part& part, const std::string& file)
   out.z_top = (*stock.z)[1];
   return out;
 }
+
+/// Stands for the tool of a step until it is known whether a rule names one.
+constexpr int kOpenTool = -1;
 
 /// Two tools of one number: which of them a program means is nothing to guess.
 void refuse_one_number_twice(const std::vector<LibraryTool>& tools, const std::string& file) {
@@ -191,8 +195,8 @@ void leave_nothing(Operation& operation, const std::string& place, Sources& sour
 /// Applies tools, plan and operation rules to a part.
 class Dresser {
  public:
-  Dresser(const JobFile& job, Part& part, StepSources& sources, StepChoices& published)
-      : job_(job), part_(part), sources_(sources), published_(published) {}
+  Dresser(const JobFile& job, Part& part, const Tolerances& tol, StepSources& sources, StepChoices& published)
+      : job_(job), part_(part), tol_(tol), sources_(sources), published_(published) {}
 
   void run() {
     set_tools();
@@ -217,7 +221,8 @@ class Dresser {
     }
     for (Workingstep& step : part_.workplan) {
       const auto old = static_cast<std::size_t>(step.operation.tool);
-      step.operation.tool = old < before.size() ? index_of(before[old].number).value_or(0) : 0;
+      step.operation.tool =
+          old < before.size() ? index_of(before[old].number).value_or(kOpenTool) : kOpenTool;
     }
   }
 
@@ -287,6 +292,10 @@ class Dresser {
       }
       operation.tool = *index;
     }
+    if (operation.tool == kOpenTool) {
+      operation.tool = stock::tool_for(feature_of(part_, planned.step), part_.tools, {}, tol_);
+      sources.set("tool", {Origin::kDerived, "the job's largest that fits"});
+    }
     if (!part_.tools.empty()) {
       const auto preset = presets_.find(part_.tools[static_cast<std::size_t>(operation.tool)].number);
       if (preset != presets_.end())
@@ -304,6 +313,7 @@ class Dresser {
 
   const JobFile& job_;
   Part& part_;
+  Tolerances tol_;
   StepSources& sources_;
   StepChoices& published_;
   std::vector<Planned> steps_;
@@ -344,7 +354,7 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
   if (job.clearance_z) part.clearance_z = job.clearance_z;
   part.keep_outs = job.keep_outs;
   part.predrilled.insert(part.predrilled.end(), job.predrilled.begin(), job.predrilled.end());
-  Dresser(job, part, sources, published).run();
+  Dresser(job, part, options.tol, sources, published).run();
   // Among set-ups the zero is moved once it is known how they lie.
   if (job.zero && job.setup_number == 0) part = with_zero_at(std::move(part), zero_of(part, *job.zero));
   return part;

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "geometry/boolean.h"
-#include "geometry/loops.h"
+#include "geometry/contours/loops.h"
 #include "read/repair/arcs.h"
 #include "read/repair/clean.h"
 #include "read/repair/crossings/crossings.h"

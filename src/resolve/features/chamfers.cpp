@@ -213,15 +213,6 @@ void refuse_thin_top(const Part& part, int index, const Tolerances& tol) {
 
 }  // namespace
 
-int chamfer_tool(const std::vector<Tool>& tools) {
-  for (const ToolKind kind : {ToolKind::kChamferMill, ToolKind::kVBit}) {
-    for (std::size_t i = 0; i < tools.size(); ++i) {
-      if (tools[i].kind == kind && is_conical(tools[i])) return static_cast<int>(i);
-    }
-  }
-  return -1;
-}
-
 void shape_chamfers(Part& part, const Tolerances& tol) {
   std::vector<Workingstep> early, late;
   for (const Workingstep& step : part.workplan) {

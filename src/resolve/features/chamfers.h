@@ -5,9 +5,6 @@
 
 namespace clearcut::resolve {
 
-/// Index of the tool that breaks edges: a chamfer mill, else a V-bit; -1: none is at hand.
-int chamfer_tool(const std::vector<Tool>& tools);
-
 /// Finds the walls that the part's chamfers break and gives them their strip; chamfers by cutters whose tip does not cut go
 /// after the cut-out that makes their wall. Throws InputError where no wall stands along a line, or something is in the
 /// way of the chamfer's width.

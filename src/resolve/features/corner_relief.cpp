@@ -8,7 +8,7 @@
 
 #include "base/text/format.h"
 #include "geometry/boolean.h"
-#include "geometry/loops.h"
+#include "geometry/contours/loops.h"
 
 namespace clearcut::resolve {
 namespace {

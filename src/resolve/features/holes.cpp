@@ -78,7 +78,6 @@ class HoleShaper {
     Feature& feature = feature_of(step);
     const auto round = stock::round_hole_of(feature, options_.tol);
     if (!part_.order_free || feature.kind != FeatureKind::kRoundHole || !round) return;
-    take_drill_where_tool_is_wider(step, *round);
     const Tool& tool = part_.tools[static_cast<std::size_t>(step.operation.tool)];
     if (tool.kind != ToolKind::kDrill || feature.through || !stock::makes_hole(tool, *round, options_.tol))
       return;
@@ -89,16 +88,6 @@ class HoleShaper {
                             std::nullopt,       false,         std::nullopt};
     feature.through = reaches;
     shape_cylinder(step);
-  }
-
-  /// In a job every step begins with the first tool.
-  void take_drill_where_tool_is_wider(Workingstep& step, const stock::RoundHole& round) {
-    const Tool& tool = part_.tools[static_cast<std::size_t>(step.operation.tool)];
-    if (tool.radius() <= round.radius + options_.tol.fit) return;
-    const int drill = tool_where(part_.tools, [&](const Tool& one) {
-      return one.kind == ToolKind::kDrill && stock::makes_hole(one, round, options_.tol);
-    });
-    if (drill >= 0) take_tool(step, drill);
   }
 
   /// Down to where the finished width reaches, and below it by `beyond` of the tool's end.

@@ -4,7 +4,7 @@
 #include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "geometry/loops.h"
+#include "geometry/contours/loops.h"
 #include "geometry/rectangle.h"
 #include "stock/kerf.h"
 

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "geometry/boolean.h"
-#include "geometry/loops.h"
+#include "geometry/contours/loops.h"
 #include "read/repair/crossings/meetings.h"
 #include "read/repair/crossings/nesting.h"
 #include "read/repair/crossings/splitting.h"
