@@ -4,6 +4,7 @@
 #include <pugixml.hpp>
 
 #include "read/common/text.h"
+#include "read/svg/svg_document.h"
 #include "read/svg/svg_elements.h"
 #include "read/svg/svg_numbers.h"
 
@@ -52,9 +53,15 @@ std::string inherit_transform(const pugi::xml_node& node, SvgInherited& own) {
   const std::string_view attribute = svg_text_of(node, "transform");
   // The style's goes before the attribute.
   const std::string_view text = own.style.transform.empty() ? attribute : own.style.transform;
+  if (!own.style.moved_by.empty())
+    return "the property " + own.style.moved_by + " of a style is not read; write it as a transform";
   if (text.empty()) return {};
   const auto transform = svg_transform(text);
   if (!transform) return "transform '" + printable(text) + "' is not understood; correct it";
+  const std::string& box = own.style.transform_box;
+  if (!box.empty() && box != "view-box")
+    return "transform-box '" + printable(box) +
+           "' is not read; leave it out and turn the shape about a point in user units";
   const auto origin = transform_origin(own.style.transform_origin);
   if (!origin)
     return "transform-origin '" + printable(own.style.transform_origin) +
@@ -80,6 +87,7 @@ std::string inherit_svg(const pugi::xml_node& node, const SvgStyleSheet& sheet, 
   apply_svg_style(node, sheet, own.style);
   const std::string_view name = local_name(node);
   if (name == "g" || name == "text" || is_svg_shape(name)) inherit_layer(node, name, options, own);
+  take_svg_geometry(node, own.style);
   std::string problem = inherit_transform(node, own);
   if (problem.empty()) problem = take_length(node, "data-depth", own.depth);
   return problem.empty() ? take_length(node, "data-top", own.top) : problem;

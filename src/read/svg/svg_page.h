@@ -5,7 +5,9 @@
 #include <string>
 #include <string_view>
 
+#include "geometry/edge.h"
 #include "read/common/affine.h"
+#include "read/svg/svg_shapes.h"
 
 namespace clearcut::read {
 
@@ -34,7 +36,13 @@ PixelSize pixel_size_of(std::string_view text, std::string_view inkscape_version
 /// The map of `svg_viewport` within `width` x `height` (its own viewport in outer units) for its viewBox.
 Affine view_box_map(const std::string& view_box, const std::string& aspect, double width, double height);
 
+/// The size that percentages within a viewport are of: that of its viewBox, `own` where it has none.
+SvgViewSize view_size(const std::string& view_box, const SvgViewSize& own);
+
 /// `user_unit`: mm per user unit when the user states it; `px_per_inch` counts where nobody states a size.
 SvgPage page_of(const SvgViewport& viewport, std::optional<double> user_unit, double px_per_inch);
+
+/// Whether a curve reaches out of the rectangle from the origin to (width, height) under `map`, by more than rounding.
+bool reaches_beyond(const Path& curve, const Affine& map, double width, double height);
 
 }  // namespace clearcut::read

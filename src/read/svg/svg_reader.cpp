@@ -13,6 +13,7 @@
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/lettering/lettering.h"
+#include "read/svg/svg_document.h"
 #include "read/svg/svg_elements.h"
 #include "read/svg/svg_inherited.h"
 #include "read/svg/svg_numbers.h"
@@ -35,7 +36,16 @@ class SvgCollector {
       : text_(text), file_(file), options_(options), diagnostics_(diagnostics) {}
 
   void collect(const pugi::xml_node& root) {
-    index(root, 0);
+    pugi::xml_node too_deep;
+    document_ = svg_document_of(root, too_deep);
+    if (too_deep) throw InputError(place(too_deep), "elements nested deeper than 200; simplify the drawing");
+    if (draws_more_than(kMostElements, root, document_)) refuse_size();
+    if (text_.substr(0, text_.find("<svg")).find("<?xml-stylesheet") != std::string_view::npos)
+      document_.sheet_understood = false;
+    SvgInherited start;
+    apply_svg_style(root, document_.sheet, start.style);
+    take_svg_geometry(root, start.style);
+    start.style = {};
     pixels_ = pixel_size_of(text_, svg_text_of(root, "inkscape:version"));
     const auto said = [&](const char* name) { return std::string(svg_text_of(root, name)); };
     const SvgPage page = page_of(
@@ -43,7 +53,6 @@ class SvgCollector {
         options_.unit ? std::optional(require_unit(*options_.unit, "unit")) : std::nullopt, pixels_.per_inch);
     physical_ = page.physical;
     has_size_ = page.has_size;
-    SvgInherited start;
     start.map = Affine::scaling(options_.scale, options_.scale) * page.to_mm;
     start.view = {page.view_width, page.view_height};
     take(root, start, 0, true);
@@ -64,9 +73,9 @@ class SvgCollector {
 
   void report() const {
     if (!physical_) warn_of_pixels();
-    if (!sheet_understood_) {
-      diagnostics_.warn(file_,
-                        "the style sheet has selectors that are not read; fills set by them are not seen");
+    if (!document_.sheet_understood) {
+      diagnostics_.warn(
+          file_, "a style sheet has rules that are not read; fills and sizes set by them are not seen");
     }
     lettering_.report(diagnostics_, file_);
     report_left_out(diagnostics_, file_, texts_not_read_,
@@ -85,6 +94,13 @@ class SvgCollector {
     warn_of(even_odd_strokes_,
             "strokes of shapes filled by the even-odd rule do not count; turn them into paths");
     warn_of(dashed_, "dashed strokes are read without their gaps");
+    warn_of(fixed_strokes_,
+            "strokes are not scaled with their shapes (vector-effect), but read as if they were");
+    warn_of(marked_, "shapes have markers, which are not read; turn them into paths");
+    warn_of(beyond_,
+            "shapes reach beyond the viewport of an <svg> or <symbol> within the drawing, which hides that; "
+            "it is "
+            "read too: cut the shapes in the drawing, or say overflow=\"visible\"");
     if (stroke_only_ > 0) {
       diagnostics_.note(file_,
                         std::to_string(stroke_only_) +
@@ -120,24 +136,12 @@ class SvgCollector {
     return file_ + ":" + std::to_string(line);
   }
 
-  /// Elements by id, and the style sheets.
-  void index(const pugi::xml_node& node, int depth) {
-    if (depth > kDeepest)
-      throw InputError(place(node), "elements nested deeper than 200; simplify the drawing");
-    if (const auto id = svg_text_of(node, "id"); !id.empty()) by_id_.try_emplace(std::string(id), node);
-    if (local_name(node) == "style") {
-      std::string css;
-      for (const pugi::xml_node& child : node) css += child.value();
-      sheet_understood_ = sheet_.add(css) && sheet_understood_;
-    }
-    for (const pugi::xml_node& child : node) {
-      if (child.type() == pugi::node_element) index(child, depth + 1);
-    }
+  [[noreturn]] void refuse_size() const {
+    throw InputError(file_, "more than 1 million elements with all uses; simplify it");
   }
 
   void take(const pugi::xml_node& node, const SvgInherited& outer, int depth, bool is_root) {
-    if (++count_ > kMostElements)
-      throw InputError(file_, "more than 1 million elements with all uses; simplify it");
+    if (++count_ > kMostElements) refuse_size();
     if (depth > kDeepest)
       throw InputError(place(node), "uses within uses deeper than 200; the drawing refers to itself");
     const std::string_view name = local_name(node);
@@ -173,9 +177,8 @@ class SvgCollector {
          {"x", "y", "width", "height", "rx", "ry", "cx", "cy", "r", "x1", "y1", "x2", "y2"}) {
       const std::string_view text = svg_text_of(node, name);
       if (text.empty() || text == "auto" || svg_length(text, 1)) continue;
-      const bool matters =
-          is_svg_shape(local_name(node)) || local_name(node) == "use" || local_name(node) == "svg";
-      if (matters)
+      const std::string_view element = local_name(node);
+      if (is_svg_shape(element) || element == "use" || element == "svg" || element == "symbol")
         throw InputError(place(node), std::string(name) + " '" + printable(text) +
                                           "' is no length that can be read; write it in mm or without unit");
     }
@@ -205,31 +208,43 @@ class SvgCollector {
   /// A nested <svg>, or a <symbol> in use: its own viewBox within a place of the page.
   void take_viewport(const pugi::xml_node& node, SvgInherited own, double width, double height, int depth) {
     const std::string view_box(svg_text_of(node, "viewBox"));
-    own.map = own.map *
-              Affine::translation({svg_attribute(node, "x", own.view.width, 0),
-                                   svg_attribute(node, "y", own.view.height, 0)}) *
-              view_box_map(view_box, std::string(svg_text_of(node, "preserveAspectRatio")), width, height);
-    own.view = {width, height};
+    const Affine place = own.map * Affine::translation({svg_attribute(node, "x", own.view.width, 0),
+                                                        svg_attribute(node, "y", own.view.height, 0)});
+    own.map =
+        place * view_box_map(view_box, std::string(svg_text_of(node, "preserveAspectRatio")), width, height);
+    own.view = view_size(view_box, {width, height});
+    std::vector<std::size_t> before;
+    for (const DrawnGroup& group : groups_) before.push_back(group.curves.size());
+    const bool hides = !own.style.overflows;
     take_children(node, own, depth);
+    before.resize(groups_.size());
+    for (std::size_t i = 0; hides && i < groups_.size(); ++i) {
+      const auto& curves = groups_[i].curves;
+      beyond_ += static_cast<int>(
+          std::count_if(curves.begin() + static_cast<std::ptrdiff_t>(before[i]), curves.end(),
+                        [&](const RawCurve& c) { return reaches_beyond(c.edges, place, width, height); }));
+    }
   }
 
   void take_use(const pugi::xml_node& node, SvgInherited own, int depth) {
-    std::string_view target = svg_text_of(node, "href");
-    if (target.empty()) target = svg_text_of(node, "xlink:href");
-    const auto found = target.substr(0, 1) == "#" ? by_id_.find(std::string(target.substr(1))) : by_id_.end();
-    if (found == by_id_.end()) {
+    const pugi::xml_node used = document_.used_by(node);
+    if (!used) {
       throw InputError(place(node),
-                       "use of '" + printable(target) +
+                       "use of '" + printable(svg_target_of(node)) +
                            "', which the file does not define; copy it into the file, or delete the use");
     }
     own.map = own.map * Affine::translation({svg_attribute(node, "x", own.view.width, 0),
                                              svg_attribute(node, "y", own.view.height, 0)});
-    const pugi::xml_node& used = found->second;
     const bool is_svg = local_name(used) == "svg";
     if (local_name(used) != "symbol" && !is_svg) return take(used, own, depth + 1, false);
     if (depth > kDeepest)
       throw InputError(place(node), "uses within uses deeper than 200; the drawing refers to itself");
     inherit(used, own);
+    check_lengths(used);
+    if (!own.style.shown || !own.style.seen) {
+      ++hidden_[std::string(local_name(used))];
+      return;
+    }
     // The size that the use gives goes before that of an <svg>.
     const auto size = [&](const char* side, double whole) {
       return svg_attribute(node, side, whole, is_svg ? svg_attribute(used, side, whole, whole) : whole);
@@ -238,7 +253,7 @@ class SvgCollector {
   }
 
   void inherit(const pugi::xml_node& node, SvgInherited& own) {
-    const std::string problem = inherit_svg(node, sheet_, options_, own);
+    const std::string problem = inherit_svg(node, document_.sheet, options_, own);
     if (!problem.empty()) throw InputError(place(node), problem);
     if (!own.style.cut_off.empty()) ++cut_off_[own.style.cut_off];
   }
@@ -253,6 +268,7 @@ class SvgCollector {
     }
     DrawnGroup* group = wanted_group(own, filled);
     if (!group) return;
+    if (own.style.marked) ++marked_;
     const bool as_area = stroked && options_.stroke_areas.value_or(false);
     if (filled || !as_area) add_curves(node, own, filled, *group);
     if (as_area) add_stroke(node, own, filled, *group);
@@ -273,7 +289,7 @@ class SvgCollector {
       ++texts_not_read_["text" + (own.layer.empty() ? "" : " on layer " + own.layer)];
       return;
     }
-    SvgText text = read_svg_text(node, own.style, sheet_, own.view, own.map, lettering_);
+    SvgText text = read_svg_text(node, own.style, document_.sheet, own.view, own.map, lettering_);
     if (!text.problem.empty()) throw InputError(place(node), text.problem);
     for (const auto& [name, count] : text.left_out) not_read_[name] += count;
     for (const auto& [name, count] : text.not_applied) letters_not_so_[name] += count;
@@ -299,6 +315,9 @@ class SvgCollector {
 
   /// Strokes of a group are one area; that of a filled shape is one with its fill, whose curves come last in the group.
   void add_stroke(const pugi::xml_node& node, const SvgInherited& own, bool filled, DrawnGroup& group) {
+    if (!svg_length(own.style.stroke_width, 1))
+      throw InputError(place(node), "stroke-width '" + printable(own.style.stroke_width) +
+                                        "' is no length that can be read; write it in mm or without unit");
     const Pen pen = own.style.pen(own.view.diagonal());
     if (!(pen.width > 0)) {
       ++hidden_[std::string(local_name(node)) + " with a stroke without width"];
@@ -306,6 +325,7 @@ class SvgCollector {
       ++even_odd_strokes_;
     } else {
       if (own.style.dashed) ++dashed_;
+      if (own.style.fixed_stroke) ++fixed_strokes_;
       const Compound compound =
           filled && !group.curves.empty() ? *group.curves.back().compound : compound_of_strokes(group);
       const bool clockwise = filled && winding_of(group, compound) < 0;
@@ -370,12 +390,10 @@ class SvgCollector {
   const std::string& file_;
   const ReadOptions& options_;
   Diagnostics& diagnostics_;
-  SvgStyleSheet sheet_;
-  bool sheet_understood_ = true;
+  SvgDocument document_;
   PixelSize pixels_;
   bool physical_ = true;
   bool has_size_ = false;
-  std::map<std::string, pugi::xml_node> by_id_;
   std::vector<DrawnGroup> groups_;
   std::map<std::tuple<std::string, LayerRole, std::optional<double>, std::optional<double>>, std::size_t>
       by_key_;
@@ -386,6 +404,9 @@ class SvgCollector {
   LeftOut cut_off_;  ///< elements by the property that hides part of them
   int stroke_only_ = 0;
   int dashed_ = 0;
+  int fixed_strokes_ = 0;
+  int marked_ = 0;
+  int beyond_ = 0;  ///< shapes that reach beyond a viewport that hides it
   int even_odd_strokes_ = 0;
   int odd_points_ = 0;
   int compounds_ = 0;

@@ -254,7 +254,7 @@ TEST(Svg, StyleSheetsWithSimpleSelectors) {
       read(page("<style>/* x */ .hidden{display:none} rect, .b { fill : #F00 } svg > g {fill:red}</style>"
                 "<rect class='hidden' width='10' height='10'/><rect x='20' width='10' height='10'/>"));
   EXPECT_NEAR(all_area(part), 100, 1e-9);
-  EXPECT_EQ(said(part, Severity::kWarning, "selectors that are not read"), 1);
+  EXPECT_EQ(said(part, Severity::kWarning, "rules that are not read"), 1);
 }
 
 TEST(Svg, WhatIsHiddenByClippingIsReadAndWarnedOf) {
@@ -265,6 +265,70 @@ TEST(Svg, WhatIsHiddenByClippingIsReadAndWarnedOf) {
   EXPECT_NEAR(all_area(part), 400, 1e-9);
   EXPECT_EQ(said(part, Severity::kWarning, "2 elements have a clip-path, which is not applied"), 1);
   EXPECT_EQ(said(part, Severity::kWarning, "1 elements have a mask"), 1);
+}
+
+TEST(Svg, PercentagesWithinAViewportAreOfItsViewBox) {
+  EXPECT_NEAR(
+      area_of("<svg width='40' height='20' viewBox='0 0 400 200'><rect width='50%' height='50%'/></svg>"),
+      200, 1e-9);
+  EXPECT_NEAR(area_of("<symbol id='s' viewBox='0 0 10 10'><circle cx='50%' cy='50%' r='50%'/></symbol>"
+                      "<use href='#s' width='20' height='20'/>"),
+              100 * kPi, 1e-9);
+}
+
+TEST(Svg, StylesSayPlaceAndSize) {
+  EXPECT_NEAR(area_of("<rect width='10' height='10' style='width:20px;height:30px !important'/>"), 600, 1e-9);
+  EXPECT_NEAR(area_of("<style>.c{r:5px;cx:20px;cy:20px} rect{rx:2px}</style><circle class='c' r='1'/>"),
+              25 * kPi, 1e-9);
+  EXPECT_NEAR(area_of("<path d='M0 0H1V1z' style='d: path(\"M0 0H10V10z\")'/>"), 50, 1e-9);
+  EXPECT_NEAR(area_of("<ellipse cx='10' cy='10' rx='5'/>"), 25 * kPi, 1e-9);
+  EXPECT_THAT(refusal(page("<rect height='5' style='width:calc(1px + 2px)'/>")), HasSubstr("is no length"));
+  const std::string shape = "<rect width='50%' height='50%'/></svg>";
+  EXPECT_NEAR(all_area(read("<svg style='width:40mm;height:20mm'>" + shape)), 200, 1e-9);
+  // A page as wide as the window keeps the size of its attributes.
+  EXPECT_NEAR(all_area(read("<svg width='40mm' height='20mm' style='width:100%;height:auto'>" + shape)), 200,
+              1e-9);
+}
+
+TEST(Svg, WhatAViewportHidesIsReadAndWarnedOf) {
+  const std::string within = "<rect x='1' y='1' width='8' height='8'/>",
+                    beyond = "<circle cx='8' cy='5' r='3'/>";
+  const auto warnings = [&](const std::string& attributes, const std::string& shape) {
+    const Part part = read(page("<g transform='rotate(20) scale(2 3)'><svg x='20' width='10' height='10' " +
+                                attributes + ">" + shape + "</svg></g>"));
+    return said(part, Severity::kWarning, "1 shapes reach beyond the viewport");
+  };
+  EXPECT_EQ(warnings("", within), 0);
+  EXPECT_EQ(warnings("", beyond), 1);
+  EXPECT_EQ(warnings("overflow='visible'", beyond), 0);
+  EXPECT_EQ(warnings("style='overflow:visible'", beyond), 0);
+  EXPECT_EQ(warnings("viewBox='0 0 5 5'", within), 1);
+}
+
+TEST(Svg, WhatStylesSayAndIsNotReadIsRefusedOrWarnedOf) {
+  const std::string square = "<rect width='10' height='10' ";
+  EXPECT_THAT(refusal(page(square + "style='transform:rotate(5deg);transform-box:fill-box'/>")),
+              HasSubstr("transform-box 'fill-box' is not read"));
+  EXPECT_THAT(refusal(page(square + "style='rotate:5deg'/>")),
+              HasSubstr("property rotate of a style is not read"));
+  const Part part = read(page(square + "style='clip-path:inset(2px)' marker-end='url(#m)'/>"));
+  EXPECT_EQ(said(part, Severity::kWarning, "1 elements have a clip-path"), 1);
+  EXPECT_EQ(said(part, Severity::kWarning, "1 shapes have markers"), 1);
+  EXPECT_EQ(said(read("<?xml-stylesheet href='a.css'?>" + page(square + "/>")), Severity::kWarning,
+                 "a style sheet"),
+            1);
+}
+
+/// A drawing of ten in ten in ten ... uses is refused before it is drawn.
+TEST(Svg, WhatDrawsTooMuchIsRefusedAtOnce) {
+  std::string levels = "<g id='g0'><rect width='1' height='1'/></g>";
+  for (int i = 1; i < 100; ++i) {
+    levels += "<g id='g" + std::to_string(i) + "'>";
+    for (int k = 0; k < 10; ++k) levels += "<use href='#g" + std::to_string(i - 1) + "'/>";
+    levels += "</g>";
+  }
+  EXPECT_THAT(refusal(page("<defs>" + levels + "</defs><use href='#g99'/>")),
+              HasSubstr("more than 1 million elements"));
 }
 
 TEST(Svg, WhatHasNoSizeAndHalfPointsAreSaid) {

@@ -127,8 +127,10 @@ SvgPathData svg_shape(const pugi::xml_node& node, const SvgViewSize& view, const
     const double r = svg_attribute(node, "r", diagonal, 0);
     return ellipse(center, r, r, map);
   }
-  return ellipse(center, svg_attribute(node, "rx", view.width, 0), svg_attribute(node, "ry", view.height, 0),
-                 map);
+  // A radius that is not said is as long as the other.
+  const double rx = svg_attribute(node, "rx", view.width, -1),
+               ry = svg_attribute(node, "ry", view.height, -1);
+  return ellipse(center, rx < 0 ? ry : rx, ry < 0 ? rx : ry, map);
 }
 
 }  // namespace clearcut::read

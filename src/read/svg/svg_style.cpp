@@ -44,7 +44,7 @@ std::string without_comments(std::string_view css) {
 }
 
 bool is_simple(std::string_view selector) {
-  return !selector.empty() && selector.find_first_of(" >+~:[](){}@\t\n\r", 0) == std::string_view::npos &&
+  return !selector.empty() && selector.find_first_of(" >+~:|[](){}@\t\n\r", 0) == std::string_view::npos &&
          selector.find_first_of(".#", 1) == std::string_view::npos;
 }
 
@@ -64,6 +64,10 @@ bool is_zero(std::string_view number) {
   SvgScanner scanner(number);
   const auto value = scanner.number();
   return value && *value <= 0;
+}
+
+bool is_one_of(std::string_view text, std::initializer_list<std::string_view> all) {
+  return std::find(all.begin(), all.end(), text) != all.end();
 }
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kNames{{{"black", "#000000"},
@@ -108,10 +112,9 @@ bool SvgStyle::strokes() const {
 }
 
 void SvgStyle::set(std::string_view property, std::string_view value) {
-  if ((property == "clip-path" || property == "mask") && value.find("url") != std::string_view::npos)
-    cut_off = property;
   value = stripped(value);
-  if (value.empty() || value == "inherit") return;
+  if (value.empty() || value == "inherit" || value == "unset") return;
+  if ((property == "clip-path" || property == "mask") && value != "none") cut_off = property;
   if (property == "fill") fill = small(value);
   if (property == "stroke") stroke = small(value);
   if (property == "fill-rule") fill_rule = small(value);
@@ -127,6 +130,11 @@ void SvgStyle::set(std::string_view property, std::string_view value) {
   if (property == "display") shown = value != "none";
   if (property == "transform") transform = value;
   if (property == "transform-origin") transform_origin = value;
+  if (property == "transform-box") transform_box = small(value);
+  if (property == "vector-effect") fixed_stroke = value != "none";
+  if (property.substr(0, 6) == "marker") marked = value != "none";
+  if (property == "overflow") overflows = value == "visible" || value == "auto";
+  if (value != "none" && is_one_of(property, {"rotate", "scale", "translate"})) moved_by = property;
   font.set(property, value);
 }
 
@@ -163,6 +171,12 @@ std::string normal_color(std::string_view color) {
   return hex_color(values[0], values[1], values[2]);
 }
 
+void SvgStyle::set_by_style(std::string_view property, std::string_view value) {
+  set(property, value);
+  if (is_one_of(property, {"x", "y", "width", "height", "cx", "cy", "r", "rx", "ry", "d"}))
+    geometry.emplace_back(property, stripped(value));
+}
+
 void apply_declarations(std::string_view declarations, bool important, SvgStyle& style) {
   for_pieces(declarations, ';', [&](std::string_view declaration) {
     const std::size_t colon = declaration.find(':');
@@ -170,7 +184,7 @@ void apply_declarations(std::string_view declarations, bool important, SvgStyle&
     const std::size_t mark = declaration.find('!', colon);
     if ((mark != std::string_view::npos) != important) return;
     const std::size_t length = mark == std::string_view::npos ? mark : mark - colon - 1;
-    style.set(stripped(declaration.substr(0, colon)), declaration.substr(colon + 1, length));
+    style.set_by_style(stripped(declaration.substr(0, colon)), declaration.substr(colon + 1, length));
   });
 }
 

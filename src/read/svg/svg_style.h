@@ -21,21 +21,31 @@ struct SvgStyle {
   std::string join = "miter";
   std::string miter_limit = "4";
   bool dashed = false;
-  bool fill_seen = true;    ///< its opacity is above 0
-  bool stroke_seen = true;  ///< the same
-  bool visible = true;      ///< visibility; inherited
-  bool shown = true;        ///< display; an element that is not shown hides all within
-  bool seen = true;         ///< opacity above 0; the same
+  bool marked = false;        ///< markers on its corners
+  bool fixed_stroke = false;  ///< vector-effect: the pen is not scaled with the shape; not inherited
+  bool fill_seen = true;      ///< its opacity is above 0
+  bool stroke_seen = true;    ///< the same
+  bool visible = true;        ///< visibility; inherited
+  bool shown = true;          ///< display; an element that is not shown hides all within
+  bool seen = true;           ///< opacity above 0; the same
   SvgFont font;
-  std::string cut_off;  ///< "clip-path" or "mask", which hides part of the element; not inherited
+  bool overflows = false;  ///< overflow: a viewport shows what lies beyond it; not inherited
+  std::string cut_off;     ///< "clip-path" or "mask", which hides part of the element; not inherited
 
   std::string transform, transform_origin;  ///< as written; not inherited
+  std::string transform_box;                ///< what origin and percentages refer to; not inherited
+  std::string
+      moved_by;  ///< "rotate", "scale" or "translate" where the element has this property; not inherited
+  /// Place and size, with properties' names and their values as written; not inherited.
+  std::vector<std::pair<std::string, std::string>> geometry;
 
   bool fills() const;
   bool strokes() const;
   /// Its pen in user units; widths in percent are of `diagonal`.
   Pen pen(double diagonal) const;
   void set(std::string_view property, std::string_view value);
+  /// The same of a style, which says place and size, too.
+  void set_by_style(std::string_view property, std::string_view value);
 };
 
 /// "#rrggbb" in small letters for #rgb, #rrggbb, rgb() and the common names; else the text itself.
