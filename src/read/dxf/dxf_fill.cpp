@@ -7,6 +7,7 @@
 
 #include "base/elementary.h"
 #include "base/units.h"
+#include "geometry/region.h"
 #include "read/common/curve_fit.h"
 #include "read/dxf/dxf_curves.h"
 #include "read/dxf/dxf_spline.h"
@@ -47,13 +48,39 @@ GroupSpan before(GroupSpan groups, std::initializer_list<int> codes) {
   return {groups.begin(), end};
 }
 
+/// Whether most of `inner` lies within `outer`: boundaries of a hatch may touch.
+bool lies_in(const Path& inner, const Path& outer) {
+  const Box in = box(inner), out = box(outer);
+  if (!out.contains(in.min) || !out.contains(in.max)) return false;
+  const auto within = std::count_if(inner.begin(), inner.end(), [&](const Edge& edge) {
+    int turns = 0;
+    for (const Edge& other : outer) turns += winding(other, edge.at(0.5));
+    return turns != 0;
+  });
+  return 2 * static_cast<std::size_t>(within) > inner.size();
+}
+
+/// Without the boundaries that a hatch does not heed: those within others in style 2 (ignore), those within two others in
+/// style 1 (outer).
+std::vector<Path> heeded(std::vector<Path> paths, int style) {
+  if (style != 1 && style != 2) return paths;
+  std::vector<Path> kept;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    int around = 0;
+    for (std::size_t k = 0; k < paths.size() && around + style <= 2; ++k)
+      if (k != i && lies_in(paths[i], paths[k])) ++around;
+    if (around + style <= 2) kept.push_back(paths[i]);
+  }
+  return kept;
+}
+
 /// Reads the boundary paths of one HATCH.
 class HatchReader {
  public:
   HatchReader(const DxfDocument& document, const DxfEntity& hatch, const Affine& map)
       : document_(document), hatch_(hatch), map_(map) {}
 
-  /// Closed paths in mm; empty where there are fewer than the file counts.
+  /// Closed paths in mm that its style heeds; empty where there are fewer than the file counts.
   std::vector<Path> paths() const {
     const GroupSpan all(hatch_.groups);
     const auto count =
@@ -68,7 +95,7 @@ class HatchReader {
       if (path.empty()) return {};
       paths.push_back(std::move(path));
     }
-    return paths;
+    return heeded(std::move(paths), document_.integer(hatch_, kStyle, 0));
   }
 
  private:

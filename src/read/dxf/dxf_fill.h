@@ -15,7 +15,7 @@ namespace clearcut::read {
 bool is_fill(std::string_view dxf_type);
 
 /// The closed boundaries of `entity` under `map` (drawing to mm): of a HATCH its boundary paths, of a SOLID or TRACE its
-/// corners in turn. Together they bound the area by the even-odd rule. Nothing where the entity is not parallel to the plane,
+/// corners in turn, without those that the style of a HATCH ignores. Together they bound the area by the even-odd rule. Nothing where the entity is not parallel to the plane,
 /// has no boundary, or one that is not complete. Throws InputError "file:line: ..." for damaged entities.
 /// Source: DXF reference, HATCH "boundary path data"; ends of elliptical edges are angles seen from the centre.
 std::optional<std::vector<RawCurve>> boundaries_of(const DxfDocument& document, const DxfEntity& entity,

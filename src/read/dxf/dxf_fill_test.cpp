@@ -71,6 +71,18 @@ TEST(DxfFill, APathOfVerticesMayHaveBulgesAndAHoleIsAnIsland) {
   EXPECT_NEAR(area_of(read(drawing(kHatch + " 91 1" + disc + kEnd))), 16 * kPi, 1e-6);
 }
 
+/// Squares of 10, 6 and 2 mm within each other: all count in the normal style, the outer two in style 1, the outermost in 2.
+TEST(DxfFill, TheStyleSaysWhichBoundariesCount) {
+  const std::string nested =
+      " 91 3" + square("4", "4", "6", "6") + " 97 0" + kSquare + " 97 0" + square("2", "2", "8", "8");
+  const auto area_in_style = [&](const std::string& style) {
+    return area_of(read(drawing(kHatch + nested + " 97 0 75 " + style + " 76 1 98 0")));
+  };
+  EXPECT_NEAR(area_in_style("0"), 100 - 36 + 4, 1e-9);
+  EXPECT_NEAR(area_in_style("1"), 100 - 36, 1e-9);
+  EXPECT_NEAR(area_in_style("2"), 100, 1e-9);
+}
+
 /// A slot: two lines and two half circles, the second one written clockwise, which mirrors its angles.
 TEST(DxfFill, APathOfEdgesMayRunEitherWay) {
   const std::string slot =

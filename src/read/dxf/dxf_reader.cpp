@@ -81,6 +81,9 @@ class Collector {
 
   void report() const {
     warn_of_space();
+    if (!unplotted_.empty())
+      diagnostics_.note(document_.file, "read, though not plotted: the layer(s) " + unplotted_ +
+                                            " (--op ignore:LAYER leaves one out)");
     report_left_out(diagnostics_, document_.file, not_read_, "not read, because they are no outlines:");
     lettering_.report(diagnostics_);
     report_left_out(diagnostics_, document_.file, texts_not_read_,
@@ -296,8 +299,17 @@ class Collector {
 
   DrawnGroup& group_of(const std::string& layer) {
     const auto [found, is_new] = by_layer_.try_emplace(capitals(layer), groups_.size());
-    if (is_new) groups_.push_back(new_group(layer));
+    if (is_new) {
+      groups_.push_back(new_group(layer));
+      note_unplotted(layer);
+    }
     return groups_[found->second];
+  }
+  /// What is drawn on layers that are not plotted is often construction.
+  void note_unplotted(const std::string& layer) {
+    const auto found = document_.layers.find(capitals(layer));
+    if (found == document_.layers.end() || document_.integer(found->second, 290, 1) != 0) return;
+    unplotted_ += (unplotted_.empty() ? "" : ", ") + printable(layer);
   }
   DrawnGroup new_group(const std::string& layer) const {
     DrawnGroup group;
@@ -371,7 +383,8 @@ class Collector {
   int risen_ = 0;                            ///< curves that are not flat
   std::array<double, 2> heights_{};          ///< lowest and highest, in units of the drawing
   bool any_height_ = false;
-  int wide_ = 0;  ///< polylines
+  std::string unplotted_;  ///< names of layers
+  int wide_ = 0;           ///< polylines
   int count_ = 0;
 };
 

@@ -218,6 +218,13 @@ TEST(Dxf, HiddenAndPaperEntitiesAreNotMilledButCounted) {
   EXPECT_EQ(said(part, Severity::kSkipped, "(--text outlines draws them): 2 TEXT on layer D5"), 1);
 }
 
+TEST(Dxf, LayersThatAreNotPlottedAreReadAndNamed) {
+  const Part part = read(dxf(kSquare + " 0 CIRCLE 8 D3 10 50 20 0 40 2", "", 4,
+                             " 0 LAYER 2 d5 62 7 70 0 290 0 0 LAYER 2 D3 62 7 70 0 290 1"));
+  EXPECT_EQ(part.features.size(), 2u);
+  EXPECT_EQ(said(part, Severity::kNote, "not plotted: the layer(s) D5 (--op"), 1);
+}
+
 TEST(Dxf, CurvesWithoutLengthAreLeftOutAndCounted) {
   const Part part = read(dxf(kSquare + " 0 CIRCLE 8 D5 10 5 20 5 40 0 0 ARC 8 D5 10 5 20 5 40 0 50 0 51 90"));
   EXPECT_NEAR(all_area(part), 100, 1e-9);
