@@ -1,5 +1,7 @@
 #include "pipeline/job_options.h"
 
+#include <algorithm>
+
 #include "base/files/file.h"
 #include "pipeline/selection/strategies.h"
 #include "read/gcode/gcode.h"
@@ -29,6 +31,9 @@ PostOptions post_of(const read::JobOutput& output) {
   post.tool_changer = output.tool_change.value_or(true);
   post.length_offset = output.length_offset.value_or(true);
   post.exact_stop = output.exact_stop.value_or(false);
+  post.program_number = output.program_number;
+  post.block_numbers = output.block_numbers.value_or(false);
+  post.optional_stop = output.optional_stop.value_or(false);
   if (output.spindle_wait) post.spindle_wait = Seconds::of(*output.spindle_wait);
   return post;
 }
@@ -65,6 +70,10 @@ resolve::PlanOptions options_of_job(const read::JobFile& job) {
   options.tabs = job.tabs;
   if (job.after) options.earlier = read_earlier_program(job.after->string(), job.machine);
   options.post = post_of(job.output);
+  options.post.programs_before = std::max(0, job.setup_number - 1);
+  options.angle_deg = job.angle_deg;
+  options.outside_in = job.order == ContourOrder::kOutsideIn;
+  options.start = job.start;
   options.objective = job.objective.value_or("time");
   options.time_s = job.time_s;
   options.seed = job.seed.value_or(1);

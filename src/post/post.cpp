@@ -66,8 +66,8 @@ void refuse_missing_words(const PostOptions& options, const IsoDialect* dialect)
     refuse("--optional-stop", "M1 that stops only where the operator wants it");
   const int digits = dialect ? dialect->program_digits : 0;
   if (options.program_number && digits == 0) refuse("--program-number", "O word");
-  if (options.program_number &&
-      std::to_string(*options.program_number).size() > static_cast<std::size_t>(digits))
+  if (options.program_number && std::to_string(*options.program_number + options.programs_before).size() >
+                                    static_cast<std::size_t>(digits))
     refuse("--program-number", "O word of so many digits");
   if (options.block_numbers && !(dialect && dialect->block_numbers))
     refuse("--block-numbers", "N words to choose");

@@ -50,6 +50,15 @@ std::string size_of(const Tool& bit) {
                      trimmed(bit.tip_angle->degrees(), 3), trimmed(bit.diameter, 4));
 }
 
+[[noreturn]] void refuse_without_mill(const Feature& feature, const Tool& bit, double widest) {
+  throw InputError(
+      feature.name,
+      fmt::format("it is up to {} mm wide and {} reaches its walls down to {} mm: the floor between them "
+                  "needs an end mill; give one besides, for example --tool endmill:3{}",
+                  trimmed(2 * widest, 3), size_of(bit), trimmed(feature.top_z - feature.floor_z, 3),
+                  feature.carving->limit ? ", or allow more depth" : ", or a wider bit"));
+}
+
 /// How deep the bit goes in the feature: to its limit, as wide as it is, or as deep as the widest place asks for.
 double depth_of(const Feature& feature, const Tool& bit, double widest) {
   const double asked = (widest - bit.tip_diameter / 2) / flank_slope(bit);
@@ -121,15 +130,7 @@ void shape_carvings(Part& part, const PlanOptions& options, StepSources& sources
       shape_carving(feature, tool, widest);
       const double floor_from = tool.tip_diameter / 2 + (feature.top_z - feature.floor_z) * flank_slope(tool);
       if (widest > floor_from + options.tol.fit) {
-        if (!has_mill(part.tools)) {
-          throw InputError(
-              feature.name,
-              fmt::format(
-                  "it is up to {} mm wide and {} reaches its walls down to {} mm: the floor between them "
-                  "needs an end mill; give one besides, for example --tool endmill:3{}",
-                  trimmed(2 * widest, 3), size_of(tool), trimmed(feature.top_z - feature.floor_z, 3),
-                  feature.carving->limit ? ", or allow more depth" : ", or a wider bit"));
-        }
+        if (!has_mill(part.tools)) refuse_without_mill(feature, tool, widest);
         const int mill = floor_mill(feature, part.tools, options.tol);
         if (mill >= 0) workplan.push_back(floor_step(step, mill, part, options, sources));
       }

@@ -2,9 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
 
+#include "base/files/file.h"
 #include "support/command.h"
 
 namespace clearcut {
@@ -87,6 +91,69 @@ TEST(JobStrategy, ThatIsNoneIsRefusedInOneLine) {
                                   HasSubstr("auto, zigzag, spiral, adaptive, tour, contour, lom")));
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
   }
+}
+
+/// What a command or a reading is told, not a plan; and lists, which are tables of a job.
+const std::set<std::string> kNotOfJobs{
+    "--earlier-setup", "--explain", "--help", "--layer", "--machine", "--op",     "--quiet",       "--setup",
+    "--threads",       "--tools",   "--up",   "--turn",  "--body",    "--mirror", "--breakthrough"};
+
+TEST(JobKeys, AreThereForEveryOptionOfPlan) {
+  const ScratchFolder folder;
+  const auto part = folder.file("pocket.json", kPocket);
+  const std::string job = run_clearcut({"init", part}).out;
+  const std::string help = run_clearcut({"plan", "--help"}).out;
+  const std::regex option("\n +(?:-o, )?(--[a-z-]+)");
+  int options = 0;
+  for (std::sregex_iterator at(help.begin(), help.end(), option), end; at != end; ++at) {
+    const std::string name = (*at)[1];
+    if (kNotOfJobs.contains(name)) continue;
+    ++options;
+    std::string key = name.substr(name.starts_with("--no-") ? 5 : 2);
+    std::replace(key.begin(), key.end(), '-', '_');
+    if (key == "machine_kind") key = "kind";
+    EXPECT_TRUE(std::regex_search(job, std::regex("\\b" + key + "\\b"))) << name << " has no key in\n" << job;
+  }
+  EXPECT_GT(options, 70);
+}
+
+TEST(JobKeys, SayWhatTheCommandLineSays) {
+  const ScratchFolder folder;
+  const auto part = folder.file("pocket.json", kPocket);
+  const std::string plan = "strategy = \"zigzag\"\nangle = 30\norder = \"outside-in\"\nstart = [40, 10]\n";
+  const std::string output =
+      "[output]\npost = \"fanuc\"\nprogram_number = 12\nblock_numbers = true\noptional_stop = true\n";
+  const auto job = folder.file("job.toml", job_with(plan, "stepdown = 2\n") + output);
+  const auto typed = run_clearcut({"plan",
+                                   part,
+                                   "--tool",
+                                   "endmill:8",
+                                   "--feed",
+                                   "900",
+                                   "--strategy",
+                                   "zigzag",
+                                   "--angle",
+                                   "30",
+                                   "--order",
+                                   "outside-in",
+                                   "--start",
+                                   "40,10",
+                                   "--stepdown",
+                                   "2",
+                                   "--post",
+                                   "fanuc",
+                                   "--program-number",
+                                   "12",
+                                   "--block-numbers",
+                                   "--optional-stop",
+                                   "-o",
+                                   folder.path("typed.nc"),
+                                   "--quiet"});
+  ASSERT_EQ(typed.exit_code, 0) << typed.err;
+  const auto said = run_clearcut({"plan", job, "-o", folder.path("said.nc"), "--quiet"});
+  ASSERT_EQ(said.exit_code, 0) << said.err;
+  EXPECT_EQ(read_file(folder.path("said.nc")), read_file(folder.path("typed.nc")));
+  EXPECT_THAT(read_file(folder.path("said.nc")), HasSubstr("O0012"));
 }
 
 }  // namespace

@@ -86,6 +86,20 @@ TEST(Setups, EachHasItsProgramAndAllHaveOneVerdict) {
   EXPECT_THAT(result.err, HasSubstr("nothing is cut"));
 }
 
+TEST(Setups, ProgramsHaveNumbersOfTheirOwn) {
+  const ScratchFolder folder;
+  const std::string program = folder.path("part.nc");
+  const auto first_lines = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"plan", kExample, "--post", "fanuc", "-o", program, "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    EXPECT_EQ(run_clearcut(words).exit_code, 0);
+    return read_file(folder.path("part-1.nc")).substr(2, 5) + " " +
+           read_file(folder.path("part-2.nc")).substr(2, 5);
+  };
+  EXPECT_EQ(first_lines({}), "O0001 O0002");
+  EXPECT_EQ(first_lines({"--program-number", "70"}), "O0070 O0071");
+}
+
 TEST(Setups, ALaterProgramIsVerifiedOnWhatTheOnesBeforeLeave) {
   const Drawn drawn;
   ASSERT_EQ(run_clearcut({"plan", drawn.job, "-o", drawn.folder.path("part.ngc")}).exit_code, 0);

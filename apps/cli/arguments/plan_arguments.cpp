@@ -223,7 +223,7 @@ void PlanArguments::take_sources(const CLI::App& command) {
 void CuttingArguments::take(PlanOptions& options) const {
   options.strategy = strategy;
   if (stepover) options.stepover = stepover;
-  options.angle_deg = angle;
+  if (angle) options.angle_deg = angle;
   options.stepdown = stepdown;
   options.allowance = allowance;
   options.allowance_floor = allowance_floor;
@@ -234,7 +234,7 @@ void CuttingArguments::take(PlanOptions& options) const {
   if (lead_angle) options.lead_angle = Radians::of_degrees(*lead_angle);
   options.scallop = scallop;
   if (direction) options.direction = direction_named(*direction, "--direction");
-  options.outside_in = order && order_named(*order, "--order") == ContourOrder::kOutsideIn;
+  if (order) options.outside_in = order_named(*order, "--order") == ContourOrder::kOutsideIn;
   if (start) options.start = point_of(*start, "--start");
   take_feeds({feed, plunge_feed, ramp_feed, slot_feed}, options.cutting);
   options.cutting.spindle_rpm = spindle;

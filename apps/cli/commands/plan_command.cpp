@@ -174,7 +174,6 @@ std::vector<PlannedSetup> planned_setups(const PlanCommand& command, int count) 
     number_outputs(one.command, number);
     const Part part = arguments.read();
     one.options = arguments.options();
-    if (one.options.post.program_number) *one.options.post.program_number += number - 1;
     one.result = planned(one.command, part, one.options);
     setups.push_back(std::move(one));
   }

@@ -22,6 +22,7 @@ struct PostOptions {
   bool exact_stop = false;          ///< G61 instead of blending, where the control knows it
   bool continuous = false;  ///< where the control states no bound: no G61, corners are rounded by its own
   std::optional<int> program_number;    ///< of the O word, before any in program_name
+  int programs_before = 0;              ///< of the same job, by which the O word counts on
   int work_offset = 54;                 ///< G54 to G59: where the part's zero is
   bool block_numbers = false;           ///< N words, in tens
   bool optional_stop = false;           ///< M1 before every tool but the first

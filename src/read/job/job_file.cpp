@@ -244,6 +244,10 @@ JobOutput output_of(DataSection section) {
   out.length_offset = section.flag("length_offset");
   out.exact_stop = section.flag("exact_stop");
   out.spindle_wait = section.not_negative("spindle_wait");
+  out.program_number = count(section, "program_number", 99999);
+  if (out.program_number == 0) section.fail_at("program_number", "must be 1 or more");
+  out.block_numbers = section.flag("block_numbers");
+  out.optional_stop = section.flag("optional_stop");
   out.certificate = section.text("certificate");
   out.svg = section.text("svg");
   out.report = section.text("report");
@@ -302,12 +306,21 @@ PredrilledHole predrilled_of(DataSection section) {
   return hole;
 }
 
+/// Of contours and zigzag lines: where they begin and how they run.
+void read_path_keys(DataSection& section, JobFile& job) {
+  static const std::vector<std::string> orders{"inside-out", "outside-in"};
+  job.angle_deg = section.number("angle");
+  if (const auto order = section.choice("order", orders)) job.order = static_cast<ContourOrder>(*order);
+  if (const auto start = section.pair("start")) job.start = Vec2{(*start)[0], (*start)[1]};
+}
+
 void read_plan_section(DataSection section, JobFile& job) {
   job.plan = settings_of(section);
   job.shop = shop_of(section);
   job.tabs = tabs_of(section);
   if (const auto after = section.text("after")) job.after = beside(job.file, *after);
   job.clearance_z = coordinate(section, "clearance");
+  read_path_keys(section, job);
   job.engagement_deg = section.positive("engagement");
   if (job.engagement_deg && *job.engagement_deg > 360)
     section.fail_at("engagement", "must be at most 360 degrees");

@@ -11,6 +11,7 @@
 #include "model/machine.h"
 #include "model/options/origin.h"
 #include "model/options/published_solver.h"
+#include "model/options/resolved_plan.h"
 #include "model/options/shop_options.h"
 #include "model/options/tab_options.h"
 #include "model/part.h"
@@ -60,6 +61,8 @@ struct JobOutput {
   std::optional<int> decimals;
   std::optional<bool> arcs, tool_change, length_offset, exact_stop;
   std::optional<double> spindle_wait;  ///< s
+  std::optional<int> program_number;
+  std::optional<bool> block_numbers, optional_stop;
 };
 
 struct JobStock {
@@ -91,6 +94,9 @@ struct JobFile {
   std::vector<KeepOut> keep_outs;              ///< [[keep_out]]
   std::vector<PredrilledHole> predrilled;      ///< [[predrilled]]
   std::optional<double> engagement_deg;
+  std::optional<double> angle_deg;  ///< of zigzag lines against x
+  std::optional<ContourOrder> order;
+  std::optional<Vec2> start;
   std::optional<std::string> objective;
   std::optional<double> time_s;
   std::optional<std::uint64_t> seed;

@@ -45,6 +45,8 @@ std::string part_section(const Part& part, const std::string& part_file, const S
       "# depth = 5                # mm, of every feature, before what the drawing says\n"
       "# top = 0                  # mm, z of the drawing's plane\n"
       "# layers = [\"POCKET*\"]     # only these layers\n"
+      "# scale = 1                # of a drawing\n"
+      "# origin = \"corner\"        # the program's zero: corner or centre of the block's top, or [x, y, z]\n"
       "# join_gap = 0.01          # mm, gaps up to this are closed and reported\n"
       "# open_curves = \"refuse\"   # or skip\n"
       "# strokes = \"lines\"        # of an SVG; or areas, as wide as they are drawn\n"
@@ -127,6 +129,9 @@ const char* const kRest = R"(
 # lead_angle = 45          # degrees: lines of that length at this angle instead
 # lead_overlap = 0         # mm that passes along walls run on over their start
 # direction = "climb"      # climb, conventional
+# angle = 0                # degrees, of zigzag lines against x; absent: the fastest
+# order = "inside-out"     # of contours; or outside-in
+# start = [10, 5]          # where contours begin, or adaptive clearing goes down
 # feed = 1000              # mm/min; also plunge_feed, ramp_feed, slot_feed
 # lead_feed = 1000         # mm/min; link_feed: between passes
 # overrun = 0              # mm that open sides are cut beyond their edge
@@ -167,6 +172,11 @@ const char* const kRest = R"(
 # y = 10
 # diameter = 8
 
+# [[keep_out]]             # a clamp, where no tool and no holder may come
+# x = [0, 20]
+# y = [0, 10]
+# z = [-5, 25]
+
 # [machine]
 # file = "mill.toml"       # the same keys
 # rapid = 5000             # mm/min
@@ -188,11 +198,15 @@ const char* const kRest = R"(
 # tool_change = true       # false: a pause (M0) instead of M6
 # length_offset = true     # false: no G43
 # exact_stop = false       # G61 instead of blending
+# program_number = 100     # O word of Fanuc and Haas programs; later set-ups count on
+# block_numbers = false    # N words
+# optional_stop = false    # M1 before every tool but the first
 # spindle_wait = 2         # s after the spindle starts
 # certificate = "out.json"
 # svg = "out.svg"
 # report = "out.html"
 # setup_sheet = "setup.html"
+# result = "out.edges"     # the cuts as segments, x y to x y in each line
 )";
 
 }  // namespace

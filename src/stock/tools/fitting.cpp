@@ -33,8 +33,7 @@ double largest_fitting_diameter(const Feature& feature, const Tolerances& tol) {
   if (feature.profile) return 2 * Clearance(Region::from_valid_loops(feature.profile->line, {}), tol).max();
   const double deep = feature.top_z - feature.floor_z;
   const bool leans = feature.wall_slope.radians() != 0 && deep > 0;
-  const Regions allowed =
-      leans ? at_depth(feature.allowed, feature.wall_slope, deep, tol) : feature.allowed;
+  const Regions allowed = leans ? at_depth(feature.allowed, feature.wall_slope, deep, tol) : feature.allowed;
   const Regions target = leans ? intersect(feature.target, allowed, tol) : feature.target;
   const bool closed = closed_all_round(feature);
   double radius = 0;

@@ -4,7 +4,6 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-
 #include "stock/round_hole.h"
 #include "stock/tools/fitting.h"
 
