@@ -27,6 +27,7 @@
 #include "base/units.h"
 #include "bodies.h"
 #include "placed.h"
+#include "planes.h"
 #include "read/common/curve_fit.h"
 #include "read/step_solid/model_bytes.h"
 
@@ -187,7 +188,7 @@ TopoDS_Compound facing_outwards(const std::vector<NamedBody>& bodies) {
   TopoDS_Compound all;
   builder.MakeCompound(all);
   for (const NamedBody& body : bodies) {
-    TopoDS_Solid solid = body.solid;
+    TopoDS_Solid solid = TopoDS::Solid(with_planes(body.solid));
     BRepLib::OrientClosedSolid(solid);
     builder.Add(all, solid);
   }

@@ -1,4 +1,5 @@
-// Writes bracket.step (the pocket of bracket.json in a block), nested.step, awkward.step, where much is not for a cutter
+// Writes bracket.step (the pocket of bracket.json in a block), nested.step, the
+// same as nested_nurbs.step with every surface a spline, awkward.step, where much is not for a cutter
 // from above, on_edge.step and sideways.step, which must be turned, disc.step, which fills no box, two_sided.step, which takes
 // two set-ups, and the assembly plate_and_pins.step.
 #include <APIHeaderSection_MakeHeader.hxx>
@@ -6,6 +7,7 @@
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepBuilderAPI_Transform.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
@@ -202,6 +204,7 @@ int main(int argc, char** argv) {
   const std::filesystem::path folder = argv[1];
   write(bracket(folder), folder / "bracket.step");
   write(nested(), folder / "nested.step");
+  write(BRepBuilderAPI_NurbsConvert(nested()), folder / "nested_nurbs.step");
   write(awkward(), folder / "awkward.step");
   write(on_edge(), folder / "on_edge.step");
   write(sideways(), folder / "sideways.step");

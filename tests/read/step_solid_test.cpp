@@ -71,6 +71,23 @@ TEST(StepSolid, BracketIsTheSameRegionAsItsStepNcProgram) {
   EXPECT_LT(boundary_gap(solid.features[0].target, program.features[0].target), 0.001);
 }
 
+/// Some programs write planes and cylinders as splines, too.
+TEST(StepSolid, FlatSplinesAreFloorsAndWalls) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const Part plain = read::read_part(example("nested.step"), {});
+  const Part splines = read::read_part(example("nested_nurbs.step"), {});
+  EXPECT_EQ(skipped(splines), "");
+  ASSERT_EQ(splines.features.size(), plain.features.size());
+  for (std::size_t i = 0; i < plain.features.size(); ++i) {
+    const Feature &one = plain.features[i], &other = splines.features[i];
+    EXPECT_EQ(other.kind, one.kind);
+    EXPECT_NEAR(other.top_z, one.top_z, 1e-6);
+    EXPECT_NEAR(other.floor_z, one.floor_z, 1e-6);
+    EXPECT_LT(boundary_gap(other.target, one.target), 0.005);
+    EXPECT_LT(boundary_gap(other.allowed, one.allowed), 0.005);
+  }
+}
+
 /// See examples/solids/write_solids.cpp for the measures.
 TEST(StepSolid, NestedPocketsBossOpenSideAndHoleAreFound) {
   SKIP_WITHOUT_OPEN_CASCADE();
