@@ -112,7 +112,10 @@ Part PlanArguments::read(Block block) const {
     part = part_of_job(*from_job, read_options(), step_sources_, step_published_);
   } else {
     part = read_part(input_, read_options());
-    if (zero) part = with_zero_at(std::move(part), zero_of(part, *zero));
+    if (zero) {
+      const auto at = zero_of(part, *zero);
+      part = with_zero_at(std::move(part), at);
+    }
   }
   if (clearance_z_) part.clearance_z = clearance_z_;
   part.diagnostics.append(library().diagnostics);

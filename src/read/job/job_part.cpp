@@ -356,8 +356,9 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
   part.predrilled.insert(part.predrilled.end(), job.predrilled.begin(), job.predrilled.end());
   Dresser(job, part, options.tol, sources, published).run();
   // Among set-ups the zero is moved once it is known how they lie.
-  if (job.zero && job.setup_number == 0) part = with_zero_at(std::move(part), zero_of(part, *job.zero));
-  return part;
+  if (!job.zero || job.setup_number != 0) return part;
+  const auto zero = zero_of(part, *job.zero);
+  return with_zero_at(std::move(part), zero);
 }
 
 }  // namespace clearcut::read
