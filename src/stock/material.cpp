@@ -39,35 +39,41 @@ int Material::Grid::place(double v) const {
   return static_cast<int>(static_cast<std::int64_t>(std::floor(v / cell)));
 }
 
-/// Index of a cell in the table, or the one at which it would be put.
-std::size_t Material::Grid::slot_of(int x, int y) const {
+/// Index of a tile in the table, or the one at which it would be put.
+std::size_t Material::Grid::slot_of(int tile_x, int tile_y) const {
   const std::uint64_t key =
-      (std::uint64_t{static_cast<std::uint32_t>(x)} << 32) | static_cast<std::uint32_t>(y);
+      (std::uint64_t{static_cast<std::uint32_t>(tile_x)} << 32) | static_cast<std::uint32_t>(tile_y);
   std::size_t slot = (key * 0x9E3779B97F4A7C15u) >> shift;
-  while (table[slot] != kNone && (cells[table[slot]].x != x || cells[table[slot]].y != y))
+  while (table[slot] != kNone && (tiles[table[slot]].x != tile_x || tiles[table[slot]].y != tile_y))
     slot = (slot + 1) & (table.size() - 1);
   return slot;
 }
 
-const Material::List* Material::Grid::at(Vec2 p) const {
-  const std::uint32_t found = table[slot_of(place(p.x), place(p.y))];
-  return found == kNone ? nullptr : &cells[found].sweeps;
+std::size_t Material::Grid::within_tile(int x, int y) {
+  constexpr int kMask = (1 << kTileBits) - 1;
+  return static_cast<std::size_t>(((y & kMask) << kTileBits) | (x & kMask));
+}
+
+const Material::List* Material::Grid::at(int x, int y) const {
+  const std::uint32_t found = table[slot_of(x >> kTileBits, y >> kTileBits)];
+  return found == kNone ? nullptr : &tiles[found].cells[within_tile(x, y)];
 }
 
 Material::List& Material::Grid::list(int x, int y) {
-  std::uint32_t& found = table[slot_of(x, y)];
-  if (found != kNone) return cells[found].sweeps;
-  found = static_cast<std::uint32_t>(cells.size());
-  cells.push_back({x, y, {}});
-  if (2 * cells.size() > table.size()) grow();
-  return cells.back().sweeps;
+  const int tile_x = x >> kTileBits, tile_y = y >> kTileBits;
+  std::uint32_t& found = table[slot_of(tile_x, tile_y)];
+  if (found != kNone) return tiles[found].cells[within_tile(x, y)];
+  found = static_cast<std::uint32_t>(tiles.size());
+  tiles.push_back({tile_x, tile_y, {}});
+  if (2 * tiles.size() > table.size()) grow();
+  return tiles.back().cells[within_tile(x, y)];
 }
 
 void Material::Grid::grow() {
   table.assign(2 * table.size(), kNone);
   --shift;
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    table[slot_of(cells[i].x, cells[i].y)] = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < tiles.size(); ++i)
+    table[slot_of(tiles[i].x, tiles[i].y)] = static_cast<std::uint32_t>(i);
 }
 
 /// Calls f for the lists of all cells from which a circle may touch what was swept along the path; each at

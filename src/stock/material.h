@@ -1,7 +1,9 @@
 // The remaining stock while a program runs, and the engagement of a cutter in it.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -112,21 +114,25 @@ class Material {
   /// Square cells, each with the sweeps that a circle of up to `reach` mm around any of its points may touch.
   struct Grid {
     explicit Grid(double largest) : reach(largest), cell(largest * 0.7) {}
-    struct Cell {
+    /// Cells by eight times eight, because queries and sweeps follow each other at small distances.
+    static constexpr int kTileBits = 3;
+    struct Tile {
       int x, y;
-      List sweeps;
+      std::array<List, std::size_t{1} << (2 * kTileBits)> cells;
     };
     static constexpr std::uint32_t kNone = ~std::uint32_t{0};
     double reach;
     double cell;  ///< mm, side of a cell
-    std::vector<Cell> cells;
-    /// Hash table of 2^(64 - shift) slots: the index of each cell.
+    std::deque<Tile> tiles;
+    /// Hash table of 2^(64 - shift) slots: the index of each tile.
     std::vector<std::uint32_t> table = std::vector<std::uint32_t>(64, kNone);
     int shift = 58;
 
     int place(double v) const;
-    std::size_t slot_of(int x, int y) const;
-    const List* at(Vec2 p) const;
+    std::size_t slot_of(int tile_x, int tile_y) const;
+    static std::size_t within_tile(int x, int y);
+    const List* at(int x, int y) const;
+    const List* at(Vec2 p) const { return at(place(p.x), place(p.y)); }
     List& list(int x, int y);
     void grow();
     void insert(const Sweep& sweep, std::uint32_t index);

@@ -102,10 +102,7 @@ Material::List Material::sweeps_about(const Edge& path, double radius) const {
     if (cells > static_cast<double>(sweeps_.size()) / 8) break;
     for (int y = y0; y <= y1; ++y) {
       for (int x = x0; x <= x1; ++x) {
-        const std::uint32_t cell = grid.table[grid.slot_of(x, y)];
-        if (cell == Grid::kNone) continue;
-        const List& list = grid.cells[cell].sweeps;
-        found.insert(found.end(), list.begin(), list.end());
+        if (const List* list = grid.at(x, y)) found.insert(found.end(), list->begin(), list->end());
       }
     }
     std::sort(found.begin(), found.end());
