@@ -198,10 +198,11 @@ bool Material::is_removed(Vec2 p, double z) const {
   if (z >= z_top_ || (plan_ && !plan_->contains(p))) return true;
   const List* near = grids_.front().at(p);
   if (!near) return false;
-  for (const std::uint32_t i : *near) {
-    const Disc& disc = discs_[i];
+  // The latest sweeps first, which reach deepest.
+  for (auto i = near->rbegin(); i != near->rend(); ++i) {
+    const Disc& disc = discs_[*i];
     if (disc.z_low > z || norm_squared(disc.middle - p) > disc.reach * disc.reach) continue;
-    const Sweep& sweep = sweeps_[i];
+    const Sweep& sweep = sweeps_[*i];
     if (sweep.z_high <= z ? sweep.shape.covers(p) : below(sweep, z)->shape.covers(p)) return true;
   }
   return false;
