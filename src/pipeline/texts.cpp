@@ -2,6 +2,7 @@
 
 #include "base/files/digest.h"
 #include "base/version.h"
+#include "pipeline/move_figures.h"
 #include "pipeline/selection/compare.h"
 #include "report/certificate/certificate.h"
 #include "report/picture/svg.h"
@@ -24,8 +25,9 @@ std::string picture_of(const Result& result) {
 
 template <typename Result>
 std::string page_of(const Result& result, const resolve::PlanOptions& options, const std::string& program) {
-  report::HtmlOptions page{options.machine, program};
+  report::HtmlOptions page{options.machine, program, nullptr, {}};
   if (result.earlier) page.earlier = &*result.earlier;
+  page.move_times_s = times_of_moves(result.part, result.toolpath, result.control, options);
   return report::html(result.part, result.toolpath, result.findings, page);
 }
 

@@ -7,7 +7,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <random>
 #include <regex>
 #include <thread>
 
@@ -333,32 +332,6 @@ TEST(Serve, TakesNoLargeAndNoBrokenRequests) {
   EXPECT_THAT(answer_to(server.port(), "GET /" + std::string(20000, 'a') + " HTTP/1.1\r\n\r\n", true),
               Not(HasSubstr("200 OK")));
   EXPECT_TRUE(soon([&] { return server.files_of_plans() == 0; }));
-  EXPECT_EQ(state_at_end(server, posted(server, form_of("square.json", kSquare, kOptions))).at("verdict"),
-            "CLEAN");
-}
-
-TEST(Serve, StandsNoise) {
-  const ServerProcess server;
-  std::mt19937 random(7);
-  std::string many;
-  for (int i = 0; i < 300; ++i) many += "X-Of-No-Use: 1\r\n";
-  const std::vector<std::string> starts{
-      "",
-      "GET ",
-      "GET / HTTP/1.1\r\n",
-      "POST /plan HTTP/1.1\r\nHost: localhost\r\n",
-      "POST /plan HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; "
-      "boundary=b\r\nContent-Length: 300\r\n\r\n--b\r\n",
-      "POST /info HTTP/1.1\r\nHost: localhost\r\nContent-Type: multipart/form-data; "
-      "boundary=b\r\nContent-Length: 260\r\n\r\n--b\r\nContent-Disposition: form-data; name=\"part\"; "
-      "filename=\"a.json\"\r\n\r\n",
-      "GET / HTTP/1.1\r\nHost: localhost\r\n" + many};
-  for (int i = 0; i < 1000; ++i) {
-    std::string bytes = starts[random() % starts.size()];
-    const std::size_t size = random() % 300;
-    for (std::size_t k = 0; k < size; ++k) bytes += static_cast<char>(random() % 256);
-    answer_to(server.port(), bytes + "\r\n\r\n", true);
-  }
   EXPECT_EQ(state_at_end(server, posted(server, form_of("square.json", kSquare, kOptions))).at("verdict"),
             "CLEAN");
 }

@@ -1,6 +1,8 @@
 #include "serve/server_process.h"
 
 #include <arpa/inet.h>
+#include <gtest/gtest.h>
+#include <poll.h>
 #include <signal.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -9,6 +11,7 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 #include <stdexcept>
 
@@ -41,6 +44,7 @@ ServerProcess::ServerProcess(const std::vector<std::string>& options) {
   process_ = ::fork();
   if (process_ == 0) {
     ::setenv("TMPDIR", temporary_.path("").c_str(), 1);
+    ::setenv("ASAN_OPTIONS", "quarantine_size_mb=8", 0);  // of memory given back; 256 would hide what grows
     ::dup2(ends[1], 1);
     ::close(ends[0]);
     ::close(ends[1]);
@@ -54,7 +58,9 @@ ServerProcess::ServerProcess(const std::vector<std::string>& options) {
 }
 
 ServerProcess::~ServerProcess() {
-  if (process_ > 0) end(SIGTERM);
+  if (process_ > 0) {
+    EXPECT_EQ(end(SIGTERM), 0) << "the server did not end well";
+  }
 }
 
 httplib::Client ServerProcess::client() const {
@@ -79,6 +85,14 @@ std::size_t ServerProcess::files_of_plans() const {
     if (at->is_regular_file(vanished) && at->path().filename() != "options.json") ++count;
   }
   return count;
+}
+
+std::size_t ServerProcess::resident_bytes() const {
+  std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("VmRSS:")) return std::stoul(line.substr(6)) * 1024;
+  }
+  throw std::runtime_error("the server is gone");
 }
 
 httplib::MultipartFormDataItems form_of(const std::string& part_name, const std::string& part,
@@ -112,22 +126,49 @@ nlohmann::json state_at_end(const ServerProcess& server, const std::string& id) 
   return state;
 }
 
-std::string answer_to(int port, const std::string& bytes, bool ends) {
-  const int connection = ::socket(AF_INET, SOCK_STREAM, 0);
+OpenRequest::OpenRequest(int port, const std::string& bytes)
+    : connection_(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
   sockaddr_in place{};
   place.sin_family = AF_INET;
   place.sin_port = htons(static_cast<std::uint16_t>(port));
   place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  if (::connect(connection, reinterpret_cast<sockaddr*>(&place), sizeof place) != 0)
+  if (::connect(connection_, reinterpret_cast<sockaddr*>(&place), sizeof place) != 0)
     throw std::runtime_error("no connection");
-  [[maybe_unused]] const auto sent = ::send(connection, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-  if (ends) ::shutdown(connection, SHUT_WR);
+  send(bytes);
+}
+
+OpenRequest::~OpenRequest() {
+  if (connection_ >= 0) ::close(connection_);
+}
+
+bool OpenRequest::send(const std::string& bytes) {
+  return ::send(connection_, bytes.data(), bytes.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(bytes.size());
+}
+
+void OpenRequest::end() {
+  ::shutdown(connection_, SHUT_WR);
+}
+
+std::string OpenRequest::rest(std::chrono::seconds longest) {
   std::string answer;
   std::array<char, 4096> buffer{};
-  for (ssize_t got = 0; (got = ::recv(connection, buffer.data(), buffer.size(), 0)) > 0;)
+  const auto until = std::chrono::steady_clock::now() + longest;
+  for (;;) {
+    const auto left =
+        std::chrono::duration_cast<std::chrono::milliseconds>(until - std::chrono::steady_clock::now());
+    pollfd waits{connection_, POLLIN, 0};
+    if (left.count() <= 0 || ::poll(&waits, 1, static_cast<int>(left.count())) <= 0)
+      throw std::runtime_error("the server holds the connection");
+    const ssize_t got = ::recv(connection_, buffer.data(), buffer.size(), 0);
+    if (got <= 0) return answer;
     answer.append(buffer.data(), static_cast<std::size_t>(got));
-  ::close(connection);
-  return answer;
+  }
+}
+
+std::string answer_to(int port, const std::string& bytes, bool ends) {
+  OpenRequest request(port, bytes);
+  if (ends) request.end();
+  return request.rest(std::chrono::seconds(120));
 }
 
 }  // namespace clearcut::test_support

@@ -8,13 +8,15 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "support/command.h"
 
 namespace clearcut::test_support {
 
-/// `clearcut serve` on a free port of this machine, with a folder for temporary files of its own.
+/// `clearcut serve` on a free port of this machine, with a folder for temporary files of its own. When it is let go the server has to
+/// end well: one built with a sanitizer ends badly where memory leaked.
 class ServerProcess {
  public:
   explicit ServerProcess(const std::vector<std::string>& options = {});
@@ -29,6 +31,8 @@ class ServerProcess {
   /// Names in the folder for temporary files.
   std::vector<std::string> left_behind() const { return temporary_.names(); }
   std::size_t files_of_plans() const;
+  /// Memory that the server itself holds; that of the commands that it runs is not counted.
+  std::size_t resident_bytes() const;
 
  private:
   ScratchFolder temporary_;
@@ -62,5 +66,23 @@ nlohmann::json state_at_end(const ServerProcess& server, const std::string& id);
 
 /// What the server says to bytes that are sent as they are. `ends`: nothing more will come, which a server cannot always answer.
 std::string answer_to(int port, const std::string& bytes, bool ends = false);
+
+/// A connection that stays open while a request comes in pieces.
+class OpenRequest {
+ public:
+  OpenRequest(int port, const std::string& bytes);
+  ~OpenRequest();
+  OpenRequest(OpenRequest&& other) noexcept : connection_(std::exchange(other.connection_, -1)) {}
+  OpenRequest& operator=(OpenRequest&&) = delete;
+  /// False where the server has closed the connection.
+  bool send(const std::string& bytes);
+  /// Nothing more will come, which a server cannot always answer.
+  void end();
+  /// What the server answers until it closes the connection; throws if it does not within that time.
+  std::string rest(std::chrono::seconds longest);
+
+ private:
+  int connection_ = -1;
+};
 
 }  // namespace clearcut::test_support

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "model/machine.h"
 #include "model/move.h"
@@ -11,10 +12,13 @@
 namespace clearcut::report {
 
 struct HtmlOptions {
-  Machine machine;      ///< for the time of each move
+  Machine machine;      ///< for the time of each move, where `move_times_s` is empty
   std::string program;  ///< text of the program that was checked; shown line by line when Move::line is known
   const Toolpath* earlier =
       nullptr;  ///< what was cut before: nothing of it is left when the page begins to play
+  /// Of every move, section after section, with the waits before it: as the certificate counts them, so that the
+  /// clock of the page ends at its machining time.
+  std::vector<double> move_times_s;
 };
 
 /// Shape   a well-formed HTML page (also XML) that takes material away move by move, shaded by depth, true to

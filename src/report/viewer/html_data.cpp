@@ -138,8 +138,23 @@ Json earlier_json(const Part& part, const Toolpath* earlier) {
   return json;
 }
 
-void write_moves(const Job& job, const Machine& machine, Json& json) {
+/// Of all moves, section after section.
+std::vector<double> times_of(const Toolpath& toolpath, const HtmlOptions& options) {
+  if (options.move_times_s.size() == moves_in(toolpath)) return options.move_times_s;
+  std::vector<double> times;
+  for (const Section& section : toolpath.sections) {
+    std::vector<Move> drawable;
+    std::copy_if(section.moves.begin(), section.moves.end(), std::back_inserter(drawable), drawable_move);
+    const std::vector<Seconds> known = kinematics::move_times(drawable, options.machine);
+    auto next = known.begin();
+    for (const Move& move : section.moves) times.push_back(drawable_move(move) ? (next++)->seconds() : 0);
+  }
+  return times;
+}
+
+void write_moves(const Job& job, const HtmlOptions& options, Json& json) {
   MoveColumns columns;
+  const std::vector<double> times = times_of(job.toolpath, options);
   const std::vector<float>& engagement = job.findings.move_engagement_deg;
   const bool measured = !engagement.empty() && engagement.size() == moves_in(job.toolpath);
   const std::vector<float>& forces = job.findings.move_force_n;
@@ -149,16 +164,13 @@ void write_moves(const Job& job, const Machine& machine, Json& json) {
   json["sections"] = Json::array();
   for (const Section& section : job.toolpath.sections) {
     json["sections"].push_back(section_head(job.part, section, columns.count()));
-    std::vector<Move> moves;
     for (const Move& move : section.moves) {
       const std::size_t i = index++;
       if (!drawable_move(move)) continue;
-      moves.push_back(move);
+      columns.add(move, times[i]);
       if (measured) degrees.push_back(std::lround(engagement[i]));
       if (loaded) newtons.push_back(number(static_cast<double>(forces[i]), 1));
     }
-    const std::vector<Seconds> times = kinematics::move_times(moves, machine);
-    for (std::size_t i = 0; i < moves.size(); ++i) columns.add(moves[i], times[i].seconds());
   }
   columns.write(json);
   json["engagement"] = measured ? std::move(degrees) : Json(nullptr);
@@ -333,7 +345,7 @@ std::string html_data(const Part& part, const Toolpath& toolpath, const Findings
   json["conditions"] = Json::array();
   for (const Condition& one : findings.conditions) json["conditions"].push_back(condition_json(one));
   json["figures"] = figures_json(findings.all);
-  write_moves(job, options.machine, json);
+  write_moves(job, options, json);
   json["earlier"] = earlier_json(part, options.earlier);
   json["program"] = lines_of(options.program);
 

@@ -23,7 +23,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 HtmlOptions options() {
-  return {Machine{}, "G21\nG0 X1 Y2 (<first> & \"second\")\nM30"};
+  return {Machine{}, "G21\nG0 X1 Y2 (<first> & \"second\")\nM30", nullptr, {}};
 }
 
 std::string page(const Part& part = sample::part()) {
@@ -159,6 +159,19 @@ TEST(Html, TimesAreThoseOfTheKinematicModel) {
   for (const Section& section : sample::toolpath().sections)
     seconds += kinematics::kinematic_time(section.moves, Machine{}).seconds();
   EXPECT_GT(seconds, 10);
+  EXPECT_NEAR(ticks / 10000, seconds, 1e-3);
+}
+
+/// Waits are in the times that the certificate counts, and the clock of the page ends there.
+TEST(Html, TimesAreThoseThatAreStated) {
+  HtmlOptions stated = options();
+  double seconds = 0;
+  for (const Section& section : sample::toolpath().sections) {
+    for (std::size_t i = 0; i < section.moves.size(); ++i) seconds += stated.move_times_s.emplace_back(0.5);
+  }
+  const Json job = job_in(html(sample::part(), sample::toolpath(), sample::findings(), stated));
+  double ticks = 0;
+  for (const Json& t : job["t"]) ticks += t.get<double>();
   EXPECT_NEAR(ticks / 10000, seconds, 1e-3);
 }
 
