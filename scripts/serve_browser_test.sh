@@ -49,3 +49,4 @@ trap 'kill $server 2> /dev/null || true' EXIT
 for _ in $(seq 600); do [ ! -s "$kit/serve.txt" ] || break; sleep 0.1; done
 cp examples/plate.dxf examples/tools.toml examples/five_pockets.toml "$kit/"
 timeout 900 node "$kit/serve_browser_test.mjs" "$kit" "$browser" "$(head -1 "$kit/serve.txt")" "$clearcut"
+timeout 1800 node "$kit/examples_test.mjs" server "$kit" "$browser" "$clearcut" examples "$(head -1 "$kit/serve.txt")"

@@ -87,22 +87,6 @@ async function drives(page) {
   await page.screenshot({ path: picture('serve-drive-1366'), fullPage: true });
 }
 
-/** The examples, each with what has to be said of it, planned to the end. @type {(page: Page) => Promise<void>} */
-async function plansExamples(page) {
-  const examples = [['bracket.dxf', '6', '--stepdown 2.5'], ['bracket.svg', '6', ''], ['bracket.json', '6', ''], ['bracket.step', '6', ''], ['fishhead.p21', '', '--stepdown 50'],
-    ['fishhead_sloped.p21', '', '--stepdown 50'], ['sign.dxf', '', '--tool vbit:60deg:10'], ['plate.dxf', '5', '--tool chamfer:90deg:8:tip=0.4 --stepdown 3'],
-    ['bracket.toml', '', '', 'bracket.dxf', 'mill.toml', 'tools.toml'], ['flange.toml', '', '', 'flange.dxf'], ['gland.toml', '', '', 'gland.dxf'], ['two_sided.toml', '', '', 'two_sided.step']];
-  for (const [name, diameter, options, ...others] of examples) {
-    await page.goto(address);
-    await page.setInputFiles('#plan-files', [name, ...others].map(one => `examples/${one}`));
-    await page.fill('#tool-diameter', diameter);
-    await page.fill('#plan-options', `${options} --accept out-of-reach --accept tool-change`);
-    await page.click('#plan-go');
-    await page.waitForFunction(() => { const status = document.getElementById('plan-status'); return /^Done/.test(status?.textContent ?? '') || status?.classList.contains('error'); }, null, { timeout: 240000 });
-    check(/^Done: CLEAN/.test(await textOf(page, '#plan-status')), `${name}: ${await textOf(page, '#plan-status')}`);
-  }
-}
-
 /** A job that is milled from two sides: each set-up has its results. @type {(page: Page) => Promise<void>} */
 async function plansSetups(page) {
   await page.goto(address);
@@ -287,7 +271,6 @@ check(await fits(page), 'nothing overflows at 1366');
 await drives(page);
 await isAccessible(page, 'the page with outlines');
 check(await fits(page), 'nothing overflows with outlines');
-await plansExamples(page);
 await plansSetups(page);
 await compares(page);
 await cancels(page);

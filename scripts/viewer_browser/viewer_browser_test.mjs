@@ -42,6 +42,7 @@ async function clicks(page) {
   const clicked = await numberOf(page, 'selected');
   check(clicked >= 0 && await selectedLine(page) === await numberOf(page, `moves.line[${clicked}]`), 'a click on a move selects its line');
   await page.$eval('#program', box => { box.scrollTop = 24 * 20; });
+  await page.evaluate('new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))');  // rows are used again as one scrolls
   await page.click('#program [data-line="30"]');
   check(await holds(page, 'selected === moveOfLine[30] && at.time === moves.t[selected + 1]'), 'a click on a line brings the cutter there');
   const before = await numberOf(page, 'view.k');
@@ -166,6 +167,27 @@ async function scrubsInSpace() {
   await used.close(); await fresh.close();
 }
 
+/** Heights at a place of the grid that is in sight. @type {(page: Page, x: number, y: number) => Promise<number>} */
+const heightAt = (page, x, y) => numberOf(page, `(g => g.heights[Math.floor((g.y1 - ${y}) * g.scale) * g.width + Math.floor((${x} - g.x0) * g.scale)])(gridInSight())`);
+
+/** A rib of 0.1 mm in a plate of 400 mm, narrower than a cell of the whole: seen where one zooms in, from whichever side the moment was reached. */
+async function zoomsIn() {
+  const used = await open(1366, 768, 'light', '#t=0', browser, folder + '/rib.html'), fresh = await open(1366, 768, 'light', '#t=0', browser, folder + '/rib.html');
+  for (const [name, look] of [['above', 'view.x = 200; view.y = 103; view.k = 100; fitted = false'], ['iso', 'camera.x = 200; camera.y = 103; camera.z = 0; camera.k = 100; camera.fitted = false']]) {
+    for (const page of [used, fresh]) await holds(page, `chooseView('${name}'); ${look}; by('path').value = 'none'; redraw()`);
+    await holds(used, 'show(total)');
+    const whole = await heightAt(used, 200, 103.05), atEnd = await stagePicture(used), fine = await heightAt(used, 200, 103.05);
+    check(whole === -2 && fine === 0 && await heightAt(used, 200, 102.9) === -2 && await heightAt(used, 200, 103.2) === -2, `${name}: a rib of 0.1 mm, not seen in the whole (${whole}), is seen where one zooms in (${fine})`);
+    await used.screenshot({ path: `${folder}/pictures/rib-${name}.png` });
+    await holds(used, 'show(total * 0.2)');
+    check(await pixelsApart(used, atEnd, await stagePicture(used)) > 2000, `${name}: going back shows what was there before`);
+    await holds(used, 'show(total * 0.7); show(total * 0.4)');
+    await holds(fresh, 'show(total * 0.4)');
+    check(await pixelsApart(fresh, await stagePicture(used), await stagePicture(fresh)) === 0, `${name}: zoomed in and scrubbed both ways it looks as a fresh replay does`);
+  }
+  await used.close(); await fresh.close();
+}
+
 async function frames() {
   const page = await open(1280, 720, 'light', '#t=5000');
   const rate = await numberOf(page, `new Promise(done => { let n = 0; const from = performance.now();
@@ -231,7 +253,7 @@ async function withoutWebGl() {
   const flat = await launch(executablePath, ['--disable-3d-apis']), page = await open(1366, 768, 'light', '#t=3000', flat);
   check(!await holds(page, 'space.on') && (await textOf(page, '#space-note')).startsWith('No view in space: '), 'without WebGL: ' + await textOf(page, '#space-note'));
   check(await page.isVisible('#space-note') && await page.isDisabled('[data-view=top]'), 'it is said on the stage');
-  check(await holds(page, 'reliefContext.getImageData(width / 2, height / 2, 1, 1).data[3] === 255'), 'and the part is shown from above');
+  check(await holds(page, 'contextOf(whole.relief).getImageData(width / 2, height / 2, 1, 1).data[3] === 255'), 'and the part is shown from above');
   await page.screenshot({ path: `${folder}/pictures/without-webgl.png` });
   await flat.close();
 }
@@ -263,7 +285,7 @@ check(statSync(fishhead).size < 10e6, `the page has ${statSync(fishhead).size} b
 console.log('opened in', await numberOf(page, 'Math.round(performance.timing.loadEventEnd - performance.timing.navigationStart)'), 'ms');
 for (const part of [plays, clicks, chooses, scrubs]) await part(page);
 await page.close();
-for (const part of [inSpace, scrubsInSpace, withoutStock, frames, aMillionLines, strangeAddresses, withoutWebGl]) await part();
+for (const part of [inSpace, scrubsInSpace, zoomsIn, withoutStock, frames, aMillionLines, strangeAddresses, withoutWebGl]) await part();
 for (const [width, height] of [[390, 844], [1366, 768], [1920, 1080], [3840, 2160]]) {
   await looks(width, height, 'light');
   await looks(width, height, 'dark');

@@ -2,29 +2,15 @@
 // with the page what a person does: plan, cancel, check, elements, tours, download, reload without a network. Screenshots go to FOLDER/pictures. COMMAND, where
 // it is named, has to check the downloaded program as the page did.
 import { spawnSync } from 'node:child_process';
-import { createReadStream, existsSync, readFileSync, writeFileSync } from 'node:fs';
-import { createServer } from 'node:http';
-import { extname, join, resolve } from 'node:path';
+import { readFileSync, writeFileSync } from 'node:fs';
+import { join, resolve } from 'node:path';
 import { check, conclude, fits, isAccessible, launch, reportIn, textOf, watch } from './browser.mjs';
+import { hostOf } from './static_host.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
 const [folder, executablePath, site, examples, command] = process.argv.slice(2).map(argument => resolve(argument));
-/** @type {Record<string, string>} */
-const kinds = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.json': 'application/json', '.svg': 'image/svg+xml', '.wasm': 'application/wasm',
-  '.webmanifest': 'application/manifest+json' };
-/** @type {string[]} */
-const asked = [];
-const host = createServer((request, response) => {
-  const name = new URL(request.url ?? '', 'http://host').pathname.replace(/^\/app\//, '') || 'index.html', file = join(site, name);
-  asked.push(`${request.method} ${name}`);
-  if (!/^[\w.]+$/.test(name) || !existsSync(file)) return response.writeHead(404).end();
-  response.writeHead(200, { 'Content-Type': kinds[extname(name)] ?? 'application/octet-stream' });
-  return createReadStream(file).pipe(response);
-});
-await new Promise(ready => { host.listen(0, '127.0.0.1', () => ready(true)); });
-const bound = host.address(), address = `http://127.0.0.1:${bound !== null && typeof bound === 'object' ? bound.port : 0}/app/`;
-
+const { host, address, asked } = await hostOf(site);
 const browser = await launch(executablePath);
 
 /** @type {(width: number, height: number, colorScheme: 'light' | 'dark') => Promise<Page>} */

@@ -13,3 +13,4 @@ if ! cmp -s "$source/package-lock.json" "$kit/package-lock.json" || [ ! -e "$kit
 fi
 cp "$source"/*.mjs "$kit/"
 timeout 900 node "$kit/web_browser_test.mjs" "$kit" "$browser" "$site" examples ${2:+"$(realpath "$2")"}
+[ $# -lt 2 ] || timeout 1800 node "$kit/examples_test.mjs" web "$kit" "$browser" "$2" examples "$site"

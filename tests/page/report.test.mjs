@@ -94,6 +94,16 @@ describe('heights', () => {
     fresh('(fullStock(), goTo(6.7))');
     assert.deepEqual(used(digest), fresh(digest));
   });
+  test('the grid of what is in sight holds the same to the bit, whichever way a moment was reached', () => {
+    const digest = '[lens.on, lens.grid.width, lens.grid.scale > 10 * scale, lens.grid.heights.reduce((sum, h, k) => (sum * 31 + Math.round(h * 1e6) * (k % 97 + 1)) % 2147483647, 7)]';
+    const [fresh, used] = [[6.7], [14, 1, 9.3, 4.2, 12.5, 6.7]].map(times => {
+      const ask = runReport('lens.js', sampleJob());
+      ask(`(Object.assign(view, { x: 20, y: 8, k: 900, w: 900, h: 600 }), fullStock(), ${JSON.stringify(times)}.forEach(t => { goTo(t); refine(); }))`);
+      return ask(digest);
+    });
+    assert.deepEqual(used, fresh);
+    assert.ok(Array.isArray(fresh) && fresh[0] && fresh[2] && fresh[3] !== 7);
+  });
   test('beyond both ends of time it stops', () => {
     const ask = runReport('time.js', sampleJob());
     assert.deepEqual(ask('(fullStock(), goTo(-3), at.time)'), 0);

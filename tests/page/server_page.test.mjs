@@ -32,6 +32,7 @@ describe('files and results', () => {
   test('a name says what a file is for, until that is taken', () => {
     const likely = `(names => { const list = listOfFiles('plan', ['part', 'program', 'tools', 'file'], () => {}); list.show = () => {}; list.add(names.map(name => ({ name }))); return list.entries.map(one => one.role); })`;
     assert.deepEqual(ask(`${likely}(['a.DXF', 'b.dxf', 'c.ngc', 'd.tbl', 'e.xyz'])`), ['part', 'file', 'program', 'tools', 'file']);
+    assert.deepEqual(['b-F_Cu.gbr', 'b-PTH.drl', 'B.GKO'].map(name => ask(`${likely}(['${name}'])`)), [['part'], ['part'], ['part']]);
   });
   test('results of a kind are one, or one for each set-up', () => {
     assert.deepEqual(ask(`resultsOf({ program: '/p', report: '/r' }, 'program')`), [['', '/p']]);

@@ -1,6 +1,8 @@
 // Lists of files that were chosen or dropped, each with what it is for.
 
 const partKinds = ['dxf', 'svg', 'step', 'stp', 'p21', 'stpnc', '238', 'json', 'edges', 'toml'];
+/** Layers and drill files of circuit boards by the usual endings of their names. */
+const boardKinds = ['gbr', 'ger', 'pho', 'gtl', 'gbl', 'gts', 'gbs', 'gto', 'gbo', 'gtp', 'gbp', 'gko', 'gm1', 'gml', 'drl', 'xln', 'exc'];
 const programKinds = ['ngc', 'nc', 'gcode', 'tap', 'cnc', 'h', 'mpf', 'txt', 'gc', 'eia', 'min'];
 const libraryKinds = ['fctb', 'fctl', 'tbl'];
 /** @type {(name: string) => string} */
@@ -41,7 +43,7 @@ class ChosenFiles {
     if (this.roles.length === 1) return this.roles[0];
     if (this.roles.includes('program') && programKinds.includes(kind) && !this.of('program')) return 'program';
     if (this.roles.includes('tools') && libraryKinds.includes(kind) && !this.of('tools')) return 'tools';
-    return partKinds.includes(kind) && !this.of('part') ? 'part' : 'file';
+    return (partKinds.includes(kind) || boardKinds.includes(kind)) && !this.of('part') ? 'part' : 'file';
   }
 
   /** @type {(role: FileRole) => File | undefined} */

@@ -9,29 +9,29 @@ const shades = job.shades.map(channelsOf);
 /** Index of a height's colour. @type {(h: number) => number} */
 const shadeAt = h => Math.max(0, Math.min(255, Math.round(255 * (h - job.bottom) / depth)));
 
-/** Colours the dirty part of the relief: shade of the depth, light from the upper left, shadow at the foot of walls. */
-function shade() {
-  const box = taken(dirty);
+/** Colours the dirty part of a grid's relief: shade of the depth, light from the upper left, shadow at the foot of walls. @type {(g: Grid) => void} */
+function shade(g) {
+  const box = taken(g.dirty, g);
   if (!box) return;
-  const picture = reliefContext.createImageData(box.w, box.h), out = picture.data;
+  const context = contextOf(g.relief), picture = context.createImageData(box.w, box.h), out = picture.data;
   /** @type {(x: number, y: number) => number} */
-  const z = (x, y) => heights[Math.max(0, Math.min(height - 1, y)) * width + Math.max(0, Math.min(width - 1, x))];
+  const z = (x, y) => g.heights[Math.max(0, Math.min(g.height - 1, y)) * g.width + Math.max(0, Math.min(g.width - 1, x))];
   for (let y = box.y0; y < box.y0 + box.h; ++y) {
     for (let x = box.x0; x < box.x0 + box.w; ++x) {
       const here = z(x, y);
       if (here === NOTHING) continue;
       const k = 4 * ((y - box.y0) * box.w + x - box.x0);
-      let light = 1 + Math.max(-0.25, Math.min(0.25, 0.03 * scale * (z(x + 1, y) - z(x - 1, y) + z(x, y + 1) - z(x, y - 1))));
+      let light = 1 + Math.max(-0.25, Math.min(0.25, 0.03 * g.scale * (z(x + 1, y) - z(x - 1, y) + z(x, y + 1) - z(x, y - 1))));
       let shadow = 0;
       for (const step of [2, 4, 7]) {
-        shadow = Math.max(shadow, Math.min(1, Math.max(0, z(x - step, y - step) - here - step * 0.25 / scale) / 3) * (1 - step / 10));
+        shadow = Math.max(shadow, Math.min(1, Math.max(0, z(x - step, y - step) - here - step * 0.25 / g.scale) / 3) * (1 - step / 10));
       }
       light *= 1 - 0.4 * shadow;
       const color = shades[shadeAt(here)];
       out[k] = color[0] * light; out[k + 1] = color[1] * light; out[k + 2] = color[2] * light; out[k + 3] = 255;
     }
   }
-  reliefContext.putImageData(picture, box.x0, box.y0);
+  context.putImageData(picture, box.x0, box.y0);
 }
 
 const outlines = job.features.map(feature => new Path2D(feature.path));
@@ -39,50 +39,48 @@ const TRAIL = 500;
 /** @type {Place | null} */
 let marked = null;
 
-/** Where the cutter of a feature that is not clean could be, over its floor. @type {(feature: JobFeature, reach: NonNullable<JobFeature['reach']>) => Uint8ClampedArray} */
-function reachOf(feature, reach) {
-  const canvas = newCanvas(), c = contextOf(canvas);
-  toWorld(c, 1);
+/** Where the cutter of a feature that is not clean could be, over its floor. @type {(feature: JobFeature, reach: NonNullable<JobFeature['reach']>, g: Grid) => Uint8ClampedArray} */
+function reachOf(feature, reach, g) {
+  const canvas = newCanvas(g), c = contextOf(canvas);
+  toWorld(c, g);
   c.clip(new Path2D(feature.path), 'evenodd');
   c.lineWidth = reach.d; c.lineJoin = c.lineCap = 'round';
   const centers = new Path2D(reach.centers);
   c.fill(centers, 'evenodd'); c.stroke(centers); c.stroke(new Path2D(reach.lines));
-  return c.getImageData(0, 0, width, height).data;
+  return c.getImageData(0, 0, g.width, g.height).data;
 }
 
-/** Red where something is left within reach: how the program ends. A rest thinner than a pixel is not seen. @type {HTMLCanvasElement | null} */
-let rests = null;
-function restsAtTheEnd() {
-  if (rests) return rests;
-  rests = newCanvas();
-  const c = contextOf(rests), picture = c.createImageData(width, height), red = channelsOf(job.bad);
+/** Red where something is left within reach: how the program ends. A rest thinner than a cell of the grid is not seen. @type {(g: Grid) => HTMLCanvasElement} */
+function restsAtTheEnd(g) {
+  if (g.rests) return g.rests;
+  const canvas = g.rests = newCanvas(g), c = contextOf(canvas), picture = c.createImageData(g.width, g.height), red = channelsOf(job.bad);
   let cells = 0;
   for (const feature of job.features) {
     if (!feature.reach) continue;
-    const reach = reachOf(feature, feature.reach), floor = feature.floor + 1.5 * depth / 255;
-    for (let k = 0; k < heights.length; ++k) {
-      if (reach[4 * k + 3] < 255 || heights[k] <= floor) continue;
+    const reach = reachOf(feature, feature.reach, g), floor = feature.floor + 1.5 * depth / 255;
+    for (let k = 0; k < g.heights.length; ++k) {
+      if (reach[4 * k + 3] < 255 || g.heights[k] <= floor) continue;
       picture.data.set([...red, 255], 4 * k);
       ++cells;
     }
   }
   c.putImageData(picture, 0, 0);
-  overlay.dataset.leftMm2 = fixed(cells / scale / scale, 1);
-  return rests;
+  if (g === whole) overlay.dataset.leftMm2 = fixed(cells / g.scale / g.scale, 1);
+  return canvas;
 }
 
-/** A canvas of the part's size, where it lies in the view. @type {(c: Context2D, canvas: HTMLCanvasElement) => void} */
-function drawWorldPicture(c, canvas) {
-  const corner = toScreen({ x: wx0, y: wy1 }), k = view.k / scale;
+/** A canvas of a grid's size, where it lies in the view. @type {(c: Context2D, canvas: HTMLCanvasElement, g: Grid) => void} */
+function drawWorldPicture(c, canvas, g) {
+  const corner = toScreen({ x: g.x0, y: g.y1 }), k = view.k / g.scale;
   c.save();
   c.setTransform(view.ratio, 0, 0, view.ratio, 0, 0);
-  c.drawImage(canvas, corner.x, corner.y, width * k, height * k);
+  c.drawImage(canvas, corner.x, corner.y, g.width * k, g.height * k);
   c.restore();
 }
 
 /** What is left in red, and the places of all faults. @type {(c: Context2D, px: number) => void} */
 function drawRests(c, px) {
-  drawWorldPicture(c, restsAtTheEnd());
+  drawWorldPicture(c, restsAtTheEnd(gridInSight()), gridInSight());
   for (const place of faultPlaces) drawMark(c, px, place);
 }
 
@@ -107,11 +105,12 @@ function drawOutlines(c, px) {
 
 function drawOverlay() {
   measureStage();
+  shade(gridInSight());
   const c = contextOf(overlay), px = 1 / view.k, mode = by('path').value;
   c.setTransform(1, 0, 0, 1, 0, 0);
   c.clearRect(0, 0, overlay.width, overlay.height);
   c.globalAlpha = mode === 'all' ? 0.3 : dark.matches ? 0.6 : 1;
-  drawWorldPicture(c, relief);
+  drawWorldPicture(c, gridInSight().relief, gridInSight());
   c.globalAlpha = 1;
   setPlan(c);
   c.lineJoin = c.lineCap = 'round';

@@ -33,7 +33,10 @@ function unmark() {
   for (const button of by('faults').querySelectorAll('.chosen')) button.classList.remove('chosen');
 }
 function redraw() {
-  if (space.on) { drawSpace(); drawSpaceOverlay(); } else { shade(); drawOverlay(); }
+  measureStage();
+  lensIsDue();
+  if (space.on) { drawSpace(); drawSpaceOverlay(); } else { detail.settled = true; drawOverlay(); }
+  restSoon();
   // Turning and zooming change no figure, and writing the same ones again costs as much as the picture.
   const key = [at.time, selected, playing, unit.name, dark.matches, by('plot').clientWidth, by('plot').clientHeight, window.devicePixelRatio].join();
   if (key === figuresKey) return;

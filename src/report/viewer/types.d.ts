@@ -174,6 +174,37 @@ interface CellPart { x0: number; y0: number; w: number; h: number }
 interface Strip { ax: number; ay: number; bx: number; by: number; arc: { x: number; y: number; r: number; from: number; sweep: number } | null }
 /** A cutter's end: mm above the tip by sixteenths of a cell from the axis, its reach in cells, mm above the tip at the reach. */
 interface CutterEnd { above: Float32Array; full: number; lip: number }
+/** Heights over a rectangle of the plan, row by row from the greatest y, at the middles of the cells. */
+interface Grid {
+  /** The upper left corner, mm; cells per mm; columns and rows. */
+  x0: number; y1: number; scale: number; width: number; height: number;
+  /** Columns and rows of the stock: from, up to and not with. */
+  block: CellBox;
+  /** Plan of the stock within the grid. */
+  edges: Corners;
+  heights: Float32Array;
+  /** Of hollows that an earlier set-up cut from below; empty where there was none. */
+  ceilings: Float32Array;
+  ends: CutterEnd[];
+  /** Cells that have changed since the flat picture and since the view in space were drawn last. */
+  dirty: CellBox; soiled: CellBox;
+  relief: HTMLCanvasElement;
+  /** What is left at the end; null: not looked for yet. */
+  rests: HTMLCanvasElement | null;
+}
+/** A grid as the graphics processor has it: squares of its tiles by their least size in cells, and the units of its textures. */
+interface Surface {
+  grid: Grid;
+  textures: { heights: WebGLTexture; rests: WebGLTexture };
+  units: { heights: number; rests: number };
+  array: WebGLVertexArrayObject; corners: WebGLBuffer; indices: WebGLBuffer;
+  /** How many squares the buffer holds, and how many the indices suffice for. */
+  quads: number; room: number;
+  tiles: Record<number, Uint8Array>[]; across: number; down: number;
+  /** What the buffer holds, and how often the heights have changed. */
+  key: string; version: number;
+  restsLoaded: boolean;
+}
 /** Heights when the machine was about to begin a move. */
 interface Snapshot { move: number; heights: Float32Array }
 

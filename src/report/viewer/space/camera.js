@@ -93,14 +93,14 @@ function viewMatrix() {
 
 /** Where the ray through a point of the stage meets the material, mm; null: nowhere. Steps of half a cell, then halves. @type {(s: Point) => Place | null} */
 function surfaceAt(s) {
-  const near = cameraAxes().near, middle = onMiddlePlane(s), far = Math.hypot(wx1 - wx0, wy1 - wy0, job.top - bottomZ) + 1;
+  const g = gridInSight(), near = cameraAxes().near, middle = onMiddlePlane(s), far = Math.hypot(wx1 - wx0, wy1 - wy0, job.top - bottomZ) + 1;
   const place = (/** @type {number} */ t) => ({ x: middle.x + near[0] * t, y: middle.y + near[1] * t, z: middle.z + near[2] * t });
   const inside = (/** @type {Place} */ p) => {
-    const x = Math.floor((p.x - wx0) * scale), y = Math.floor((wy1 - p.y) * scale);
-    if (x < block.x0 || x >= block.x1 || y < block.y0 || y >= block.y1) return false;
-    return p.z >= bottomZ && p.z <= Math.min(heights[y * width + x], section.axis === 'z' ? section.at : Infinity) && !isCutOff(p);
+    const x = Math.floor((p.x - g.x0) * g.scale), y = Math.floor((g.y1 - p.y) * g.scale);
+    if (x < g.block.x0 || x >= g.block.x1 || y < g.block.y0 || y >= g.block.y1) return false;
+    return p.z >= bottomZ && p.z <= Math.min(g.heights[y * g.width + x], section.axis === 'z' ? section.at : Infinity) && !isCutOff(p);
   };
-  const step = 0.5 / scale;
+  const step = 0.5 / g.scale;
   for (let t = far; t > -far; t -= step) {
     if (!inside(place(t))) continue;
     let out = t + step, within = t;

@@ -20,11 +20,11 @@ void main() {
 
 const SURFACE_FRAGMENT = `#version 300 es
 precision highp float; precision highp int; precision highp sampler2D;
-uniform sampler2D rests; uniform vec4 section, grid; uniform vec3 capColor, restColor; uniform float level, bottom, under; uniform int showRests;
+uniform sampler2D rests; uniform vec4 section, grid, hole; uniform vec3 capColor, restColor; uniform float level, bottom, under; uniform int showRests;
 in vec3 place, shade; in float top;
 out vec4 color;
 void main() {
-  if (top <= bottom + 1e-4 || dot(section.xyz, place) > section.w) discard;
+  if (top <= bottom + 1e-4 || dot(section.xyz, place) > section.w || all(greaterThanEqual(place.xy, hole.xy)) && all(lessThanEqual(place.xy, hole.zw))) discard;
   color = vec4(top > level + 1e-4 && under < 0.5 ? capColor : shade, 1.0);
   if (showRests == 1 && texelFetch(rests, ivec2(vec2(place.x - grid.x, grid.y - place.y) / grid.z), 0).a > 0.5) color = vec4(restColor, 1.0);
 }`;
@@ -57,10 +57,11 @@ void main() {
 
 const WALL_FRAGMENT = `#version 300 es
 precision highp float; precision highp sampler2D;
-uniform sampler2D palette; uniform vec4 section; uniform vec3 capColor; uniform vec2 range; uniform float shade, hatch;
+uniform sampler2D palette; uniform vec4 section, hole; uniform vec3 capColor; uniform vec2 range; uniform float shade, hatch;
 in vec3 place; in float run;
 out vec4 color;
 void main() {
+  if (all(greaterThanEqual(place.xy, hole.xy)) && all(lessThanEqual(place.xy, hole.zw))) discard;
   if (hatch > 0.0) {
     float line = fract((run + place.z) / hatch);
     color = vec4(capColor * (line < 0.14 ? 0.72 : 1.0), 1.0);

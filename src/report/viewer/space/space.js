@@ -106,7 +106,7 @@ function drawScene(one) {
   drawSurface(one.step);
   gl.enable(gl.BLEND);
   gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-  const values = valuesOfSurface();
+  const values = valuesOfSurface(surface);
   drawClamps(values);
   gl.depthMask(false);
   drawPart(values, rough);
@@ -135,13 +135,20 @@ function drawSpace(now = performance.now()) {
   detail.lastFrame = now;
   drawScene(DETAILS[detail.now]);
   detail.settled = detail.now === 0;
+}
+
+/** What was left out while something moved is drawn soon after the last change: full detail in space, finer cells where one has zoomed in. */
+function restSoon() {
   clearTimeout(detail.restAt);
-  if (!detail.settled) detail.restAt = setTimeout(drawAtRest, 150);
+  if (lensIsDue()) detail.settled = false;
+  if (!detail.settled) detail.restAt = setTimeout(drawAtRest, REST);
 }
 
 function drawAtRest() {
-  if (!space.on || playing) return;
-  drawScene(DETAILS[0]);
+  if (playing) return;
+  refine();
+  if (space.on) drawScene(DETAILS[0]);
+  else drawOverlay();
   detail.settled = true;
 }
 

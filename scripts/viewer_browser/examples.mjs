@@ -1,0 +1,114 @@
+// The examples as a person would plan them, for the tests of all three homes of the page: the report, the server's page, the static page.
+import { spawnSync } from 'node:child_process';
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { check } from './browser.mjs';
+
+/** @typedef {import('playwright-core').Page} Page */
+/** @typedef {import('playwright-core').Frame} Frame */
+
+/**
+ * A file of examples/, what has to be said of it, what is said to `plan` alone, and the files that it names. `setups`: a job of several
+ * set-ups, and what `verify` is told of each.
+ * @typedef {{ part: string, options: string, planOnly?: string, others?: string[], setups?: string[] }} Example
+ */
+
+/** @type {Example[]} */
+export const EXAMPLES = [
+  { part: 'bracket.dxf', options: '--tool endmill:6 --stepdown 2.5' },
+  { part: 'bracket.svg', options: '--tool endmill:6' },
+  { part: 'bracket.json', options: '--tool endmill:6' },
+  { part: 'bracket.step', options: '--tool endmill:6' },
+  { part: 'bracket.toml', options: '', others: ['bracket.dxf', 'mill.toml', 'tools.toml'] },
+  { part: 'fishhead.p21', options: '--stepdown 50' },
+  { part: 'fishhead_sloped.p21', options: '--stepdown 50' },
+  { part: 'strategies.p21', options: '' },
+  { part: 'sign.dxf', options: '--tool vbit:60deg:10' },
+  { part: 'plate.dxf', options: '--tool endmill:5 --tool chamfer:90deg:8:tip=0.4 --stepdown 3' },
+  { part: 'inch_plate.dxf', options: '--tool endmill:0.25in --tool drill:0.201in --tabs 4' },
+  { part: 'inlay_hole.dxf', options: '--tool vbit:60deg:10 --tool endmill:3 --stepdown 4' },
+  { part: 'inlay_plug.dxf', options: '--tool vbit:60deg:10 --tool endmill:3 --stepdown 4' },
+  { part: 'flange.toml', options: '', others: ['flange.dxf'] },
+  { part: 'gland.toml', options: '', others: ['gland.dxf'] },
+  { part: 'nested.step', options: '--tool endmill:6 --stepdown 8' },
+  { part: 'awkward.step', options: '--tool endmill:4 --stepdown 8' },
+  { part: 'disc.step', options: '--tool endmill:6' },
+  { part: 'sideways.step', options: '--up -X --tool endmill:3' },
+  { part: 'on_edge.step', options: '--up +Y --tool endmill:6' },
+  { part: 'plate_and_pins.step', options: '--body PLATE --tool endmill:4' },
+  { part: 'two_sided.step', options: '--tool endmill:6' },
+  { part: 'two_sided.toml', options: '', others: ['two_sided.step'], setups: ['--setup 1', '--setup 2 --earlier-setup EARLIER'] },
+  { part: 'board-Edge_Cuts.gbr', options: '--depth 1.6 --tool endmill:2 --tabs 4 --tab-height 0.5' },
+  { part: 'board-F_Cu.gbr', options: '--depth 0.1 --tool endmill:0.2', planOnly: '--feed 300' },
+  { part: 'board-PTH.drl', options: '--depth 1.6 --tool drill:0.8 --tool drill:1 --tool endmill:0.8' },
+];
+
+/** What every example may have and nobody is asked: corners out of reach of its cutters, tools changed by hand. */
+const ACCEPTED = '--accept out-of-reach --accept tool-change';
+
+/** As on the command line. @type {(example: Example) => string} */
+export const optionsOf = example => [example.options, example.planOnly ?? '', ACCEPTED].filter(words => words).join(' ');
+/** @type {(example: Example) => string[]} */
+export const filesOf = example => [example.part, ...example.others ?? []];
+const stemOf = (/** @type {string} */ name) => name.replace(/\.[^.]*$/, '');
+/** The names under which a page gives the programs away. @type {(example: Example) => string[]} */
+export const programsOf = example => (example.setups ?? ['']).map((_, k) => `${stemOf(example.part)}${example.setups ? `-${k + 1}` : ''}.ngc`);
+const words = (/** @type {string} */ text) => text.split(' ').filter(word => word);
+
+/** A folder of the examples' files in which the command works. @type {(folder: string, examples: string) => void} */
+export function copyExamples(folder, examples) {
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  for (const name of readdirSync(examples)) if (statSync(`${examples}/${name}`).isFile()) copyFileSync(`${examples}/${name}`, `${folder}/${name}`);
+}
+
+/** Planned by the command: its programs, and with `report` the page of each program. @type {(command: string, folder: string, example: Example, report?: boolean) => string[]} */
+export function plannedByCommand(command, folder, example, report = false) {
+  mkdirSync(`${folder}/own`, { recursive: true });
+  const stem = `own/${stemOf(example.part)}`;
+  const ended = spawnSync(command, ['plan', example.part, ...words(optionsOf(example)), '-o', `${stem}.ngc`, ...report ? ['--report', `${stem}.html`] : [], '--quiet'], { cwd: folder, encoding: 'utf8' });
+  check(ended.status === 0, `${example.part}: the command plans it ${ended.status === 0 ? '' : ended.stderr}`);
+  return programsOf(example).map(name => existsSync(`${folder}/own/${name}`) ? readFileSync(`${folder}/own/${name}`, 'utf8') : '');
+}
+
+/** The programs in `folder`/`from`, downloaded or written, by `clearcut verify`. @type {(command: string, folder: string, example: Example, from: string) => void} */
+export function verifiedByCommand(command, folder, example, from) {
+  const names = programsOf(example);
+  names.forEach((name, k) => {
+    const setup = (example.setups?.[k] ?? '').replace('EARLIER', `${from}/${names[0]}`);
+    const ended = spawnSync(command, ['verify', `${from}/${name}`, '--part', example.part, '--dialect', 'linuxcnc', ...words(`${example.options} ${ACCEPTED} ${setup}`)], { cwd: folder, encoding: 'utf8' });
+    check(ended.status === 0 && /^verdict: CLEAN$/m.test(ended.stdout), `${name}: the command finds it CLEAN${ended.status === 0 ? '' : `: ${ended.stderr} ${ended.stdout.slice(-400)}`}`);
+  });
+}
+
+/** Waits until a piece of the report's own script holds; its policy lets no string be run from within. @type {(frame: Page | Frame, code: string) => Promise<void>} */
+export async function until(frame, code) {
+  for (let k = 0; k < 1200; ++k) {
+    if (await frame.evaluate(code).catch(() => false) === true) return;
+    await new Promise(soon => { setTimeout(soon, 100); });
+  }
+  throw new Error(`${code}: not in time`);
+}
+
+/** The stage at rest, without its rounded edge, which a browser blends with what lies around as it likes. @type {(frame: Page | Frame) => Promise<Buffer>} */
+export async function stageAtRest(frame) {
+  await until(frame, '!redrawAsked && detail.settled');
+  const stage = frame.locator('#stage'), page = 'page' in frame ? frame.page() : frame;
+  await stage.scrollIntoViewIfNeeded();
+  const box = await stage.boundingBox();
+  if (!box) throw new Error('there is no stage');
+  return page.screenshot({ clip: { x: Math.ceil(box.x) + 8, y: Math.ceil(box.y) + 8, width: Math.floor(box.width) - 17, height: Math.floor(box.height) - 17 } });
+}
+
+/**
+ * Scrubs a report on and back to the middle; what is seen then has to be what a fresh replay shows, byte for byte. `again` opens it anew.
+ * @type {(frame: Page | Frame, again: () => Promise<Page | Frame>, what: string) => Promise<void>}
+ */
+export async function scrubsBothWays(frame, again, what) {
+  await frame.evaluate('play(false); show(total * 0.95); show(total * 0.1); show(total * 0.55 + 1); show(total * 0.55)');
+  const back = await stageAtRest(frame), other = await again();
+  await other.evaluate('play(false); show(total * 0.55)');
+  const fresh = await stageAtRest(other);
+  if (!back.equals(fresh)) ['back', 'fresh'].forEach((name, k) => writeFileSync(`${tmpdir()}/${what}-${name}.png`, [back, fresh][k]));
+  check(back.equals(fresh), `${what}: scrubbed both ways it looks as a fresh replay does`);
+}
