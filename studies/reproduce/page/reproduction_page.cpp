@@ -14,15 +14,20 @@ namespace clearcut::studies {
 namespace {
 
 constexpr const char* kHead = R"(<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><title>Clearcut: the four texts, printed and reproduced</title>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><title>Clearcut: the four texts, printed and reproduced</title>
 <style>
-body { font: 15px/1.45 sans-serif; margin: 2em auto; max-width: 76em; padding: 0 1em; color: #222; }
+:root { color-scheme: light dark; --ink: #222; --page: #fff; --rule: #ccc; --link: #0b57a8; --agrees: #cdeccd; --explained: #fbe8b0; --differs: #f6c3c0; }
+@media (prefers-color-scheme: dark) {
+  :root { --ink: #e6ebf0; --page: #14191f; --rule: #4a5866; --link: #74b3ff; --agrees: #1d4a2c; --explained: #564309; --differs: #6b2a2a; }
+}
+body { font: 15px/1.45 sans-serif; margin: 2em auto; max-width: 76em; padding: 0 1em; color: var(--ink); background: var(--page); overflow-wrap: break-word; }
+a { color: var(--link); }
 table { border-collapse: collapse; margin: .6em 0; font-size: 13px; }
-th, td { border: 1px solid #ccc; padding: .15em .5em; text-align: right; }
+th, td { border: 1px solid var(--rule); padding: .15em .5em; text-align: right; }
 th:first-child, td:first-child { text-align: left; }
-.agrees { background: #cdeccd; } .explained { background: #fbe8b0; } .differs { background: #f6c3c0; }
-figure { margin: 1em 0; } figure svg { max-width: 100%; height: auto; } figcaption { font-size: 13px; }
-.key { padding: 0 .5em; } .scroll { overflow-x: auto; }
+.agrees { background: var(--agrees); } .explained { background: var(--explained); } .differs { background: var(--differs); }
+figure { margin: 1em 0; } figure svg { max-width: 100%; height: auto; background: #fff; border-radius: 6px; } figcaption { font-size: 13px; }
+.key { padding: 0 .5em; } .scroll { overflow-x: auto; } .scroll:focus-visible { outline: 2px solid var(--link); }
 </style></head><body>
 <h1>The four texts: printed, and reproduced by this program</h1>
 <p>Our figures are coloured where the text prints one to compare with:
@@ -65,7 +70,8 @@ std::string table_html(const NamedReproduction& named) {
   for (const Figure& figure : named.reproduction.figures)
     html += fmt::format("<figure>{}<figcaption>{}</figcaption></figure>\n", figure.svg,
                         xml_escaped(figure.caption));
-  html += "<div class=\"scroll\"><table><tr>";
+  html += "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" + xml_escaped(table.title) +
+          "\"><table><tr>";
   for (const auto& column : table.columns) html += "<th>" + xml_escaped(column.heading) + "</th>";
   html += "</tr>\n" + rows_html(named.reproduction) + "</table></div>\n<ul>";
   std::set<std::string> reasons;
@@ -78,6 +84,7 @@ std::string table_html(const NamedReproduction& named) {
 
 std::string overview_html(const std::vector<NamedReproduction>& tables) {
   std::string html =
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"All tables\">"
       "<table><tr><th>table</th><th>name</th><th>agree</th><th>explained</th><th>differ</th></tr>\n";
   for (const auto& named : tables) {
     const Reproduction& one = named.reproduction;
@@ -87,7 +94,7 @@ std::string overview_html(const std::vector<NamedReproduction>& tables) {
         xml_escaped(named.place), xml_escaped(named.name), one.count(Agreement::kAgrees),
         one.count(Agreement::kExplained), one.count(Agreement::kDiffers), name_of(one.agreement()));
   }
-  return html + "</table>\n";
+  return html + "</table></div>\n";
 }
 
 nlohmann::ordered_json json_of(const NamedReproduction& named) {

@@ -21,28 +21,34 @@ constexpr double kMmPerSecond = 40;     // of the animation
 constexpr std::size_t kMostGraphs = 8;  // more than these say nothing new
 
 constexpr const char* kHead = R"(<!DOCTYPE html>
-<html lang="en"><head><meta charset="utf-8"><title>{0}</title>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><title>{0}</title>
 <style>
-body {{ font: 15px/1.45 sans-serif; margin: 1.5em auto; max-width: 96em; padding: 0 1em; color: #222; }}
+:root {{ color-scheme: light dark; --ink: #222; --page: #fff; --rule: #ccc; --accent: #0b57a8; }}
+@media (prefers-color-scheme: dark) {{ :root {{ --ink: #e6ebf0; --page: #14191f; --rule: #4a5866; --accent: #74b3ff; }} }}
+body {{ font: 15px/1.45 sans-serif; margin: 1.5em auto; max-width: 96em; padding: 0 1em; color: var(--ink); background: var(--page); }}
 table {{ border-collapse: collapse; font-size: 13px; }}
-th, td {{ border: 1px solid #ccc; padding: .15em .5em; text-align: right; }}
-svg {{ max-width: 100%; height: auto; }}
-.columns {{ display: flex; flex-wrap: wrap; gap: 2em; }}
+th, td {{ border: 1px solid var(--rule); padding: .15em .5em; text-align: right; }}
+svg {{ max-width: 100%; height: auto; background: #fff; border-radius: 6px; }}
+.columns {{ display: flex; flex-wrap: wrap; gap: 2em; }} .columns > div {{ min-width: 0; max-width: 100%; }}
+.scroll {{ overflow-x: auto; }} .scroll:focus-visible, summary:focus-visible {{ outline: 2px solid var(--accent); }}
 details {{ margin: 1em 0; }} summary {{ cursor: pointer; font-weight: bold; }}
-</style></head><body>
+</style></head><body><main>
 <h1>{0}</h1>
 )";
 
-std::string table_html(const TextTable& table) {
-  std::string html = "<table><tr>";
-  for (const auto& column : table.columns) html += "<th>" + xml_escaped(column.heading) + "</th>";
+/// On a narrow screen the table scrolls by itself, by keys too.
+std::string table_html(const TextTable& table, const char* name) {
+  std::string html =
+      fmt::format("<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table><tr>", name);
+  for (const auto& column : table.columns)
+    html += "<th scope=\"col\">" + xml_escaped(column.heading) + "</th>";
   html += "</tr>\n";
   for (const auto& row : table.rows) {
     html += "<tr>";
     for (const auto& cell : row) html += "<td>" + xml_escaped(cell) + "</td>";
     html += "</tr>\n";
   }
-  return html + "</table>\n";
+  return html + "</table></div>\n";
 }
 
 TextTable elements_table(const ElementJob& job, const PointTable& points) {
@@ -157,14 +163,15 @@ std::string convergence(const std::vector<VisitSearch>& searches) {
 std::string grid_page(const ElementJob& job, const PointTable& table, const Toolpath& toolpath,
                       const std::vector<VisitSearch>& searches) {
   std::string html = fmt::format(kHead, xml_escaped(job.name));
-  html += "<div class=\"columns\"><div><h2>Elements</h2>" + table_html(elements_table(job, table)) +
-          "</div><div><h2>Tools</h2>" + table_html(tools_table(job)) + "</div></div>\n";
+  html += "<div class=\"columns\"><div><h2>Elements</h2>" +
+          table_html(elements_table(job, table), "Elements") + "</div><div><h2>Tools</h2>" +
+          table_html(tools_table(job), "Tools") + "</div></div>\n";
   html += "<h2>Activated, reduced, cut</h2>\n" + grid_picture(job, table, toolpath);
   html += "<h2>Visit</h2>\n" + animated_visit(job, table, toolpath);
   html += "<h2>Convergence</h2>\n" + convergence(searches);
-  html += "<details><summary>Table of all points</summary>" + table_html(points_table(job, table)) +
-          "</details>\n";
-  return html + "</body></html>\n";
+  html += "<details><summary>Table of all points</summary>" +
+          table_html(points_table(job, table), "All points") + "</details>\n";
+  return html + "</main></body></html>\n";
 }
 
 }  // namespace clearcut::report
