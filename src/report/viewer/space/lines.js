@@ -52,7 +52,9 @@ function placesOfPath() {
 
 // Lines that are drawn at once: a processor draws a million in ten seconds, a graphics processor in no time.
 const MANY_LINES = { software: 150000, hardware: 2000000 };
-const isSoftware = () => /swiftshader|llvmpipe|software/i.test(gl.getParameter(gl.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
+/** Asked once: each question waits until all is drawn. @type {boolean | null} */
+let drawsInSoftware = null;
+const isSoftware = () => drawsInSoftware ??= /swiftshader|llvmpipe|software/i.test(gl.getParameter(gl.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
 
 /** Colours of the classes as bytes; the last is that of moves without a value. @type {() => number[][]} */
 function inksOfClasses() {

@@ -6,7 +6,8 @@ const stageCanvas = by('space'), viewButtons = [...by('views').querySelectorAll(
 // the machine can draw in time; at rest always the first.
 /** @type {Detail[]} */
 const DETAILS = [{ step: 1, samples: 4, share: 1 }, { step: 1, samples: 0, share: 1 }, { step: 2, samples: 0, share: 1 }, { step: 4, samples: 0, share: 1 }, { step: 4, samples: 0, share: 0.5 }];
-const detail = { now: 1, most: 0, restAt: 0, lastFrame: 0, interval: 22, settled: true };
+/** `interval`: ms between frames, about; `frames` since the detail changed. @type {{ now: number, restAt: number, lastFrame: number, interval: number, frames: number, costs: { ms: number, when: number }[], settled: boolean }} */
+const detail = { now: 1, restAt: 0, lastFrame: 0, interval: 18, frames: 0, costs: [], settled: true };
 /** @type {Record<number, FrameBuffer>} */
 let buffers = {};  // by samples and size
 
@@ -119,19 +120,29 @@ function drawScene(one) {
   gl.blitFramebuffer(0, 0, w, h, 0, 0, stageCanvas.width, stageCanvas.height, gl.COLOR_BUFFER_BIT, one.share === 1 ? gl.NEAREST : gl.LINEAR);
 }
 
-/** Less detail where frames take long, more where they are quick; not again what was too slow once. @type {(since: number) => void} */
-function adaptDetail(since) {
+const SLOW = 30, QUICK = 18, SETTLED = 8, FORGOTTEN = 5000;  // ms a frame; frames before a detail is judged; ms after which it may be judged anew
+/** What a frame of a detail took lately, ms; undefined: not known, or too long ago. @type {(k: number, now: number) => number | undefined} */
+const costOf = (k, now) => now - (detail.costs[k]?.when ?? -Infinity) < FORGOTTEN ? detail.costs[k].ms : undefined;
+
+/** Less detail where frames take long and less is quicker, more where they are quick. @type {(since: number, now: number) => void} */
+function adaptDetail(since, now) {
   if (since > 1000) return;
-  detail.interval = 0.8 * detail.interval + 0.2 * Math.min(since, 100);
-  if (detail.interval > 30 && detail.now < DETAILS.length - 1) { ++detail.now; detail.most = detail.now; detail.interval = 22; }
-  else if (detail.interval < 18 && detail.now > detail.most) { --detail.now; detail.interval = 22; }
+  const before = detail.now;
+  detail.interval += 0.2 * (Math.min(since, 100) - detail.interval);
+  if (++detail.frames < SETTLED) return;
+  detail.costs[before] = { ms: detail.interval, when: now };
+  const finer = costOf(before - 1, now), coarser = costOf(before + 1, now);
+  if (detail.interval > SLOW && finer !== undefined && finer < 1.1 * detail.interval) --detail.now;
+  else if (detail.interval > SLOW && before < DETAILS.length - 1 && (coarser ?? 0) < 0.9 * detail.interval) ++detail.now;
+  else if (detail.interval < QUICK && before > 0 && finer === undefined) --detail.now;
+  if (detail.now !== before) { detail.frames = 0; detail.interval = QUICK; }
 }
 
 /** Draws at once in the detail that is fast enough, and soon after the last change in full. */
 function drawSpace(now = performance.now()) {
   measureStage();
   if (stageCanvas.width !== overlay.width || stageCanvas.height !== overlay.height) { stageCanvas.width = overlay.width; stageCanvas.height = overlay.height; }
-  adaptDetail(now - detail.lastFrame);
+  adaptDetail(now - detail.lastFrame, now);
   detail.lastFrame = now;
   drawScene(DETAILS[detail.now]);
   detail.settled = detail.now === 0;
