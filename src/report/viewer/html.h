@@ -18,7 +18,7 @@ struct HtmlOptions {
       nullptr;  ///< what was cut before: nothing of it is left when the page begins to play
   /// Of every move, section after section, with the waits before it: as the certificate counts them, so that the
   /// clock of the page ends at its machining time.
-  std::vector<double> move_times_s;
+  std::vector<double> move_times_s = {};
 };
 
 /// Shape   a well-formed HTML page (also XML) that takes material away move by move, shaded by depth, true to
