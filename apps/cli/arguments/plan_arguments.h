@@ -99,7 +99,8 @@ class PlanArguments {
   std::optional<JobFile> job() const;
 
   /// As --setup and --earlier-setup say, or a caller.
-  ChosenSetup& setup() const { return setup_; }
+  ChosenSetup& setup() { return setup_; }
+  const ChosenSetup& setup() const { return setup_; }
 
  private:
   Part read_setup(const JobFile& whole, Block block) const;

@@ -118,7 +118,7 @@ std::vector<PartInfo> infos_of(const PlanArguments& arguments) {
   if (count == 0) return {info_of(arguments)};
   std::vector<PartInfo> infos;
   for (int number = 1; number <= count; ++number) {
-    const PlanArguments one = arguments;
+    PlanArguments one = arguments;
     one.setup().number = number;
     infos.push_back(info_of(one));
   }
