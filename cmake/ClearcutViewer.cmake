@@ -11,6 +11,6 @@ add_custom_command(OUTPUT ${viewer_source}
   DEPENDS ${viewer_files} ${viewer_folder}/scripts.txt ${viewer_template} ${PROJECT_SOURCE_DIR}/cmake/EmbedViewer.cmake
   COMMENT "Embedding the viewer" VERBATIM)
 target_sources(clearcut_report PRIVATE ${viewer_source})
-if(EMSCRIPTEN)  # clang warns of literals that other compilers need not take
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")  # warns of literals that other compilers need not take
   set_source_files_properties(${viewer_source} PROPERTIES COMPILE_OPTIONS -Wno-overlength-strings)
 endif()
