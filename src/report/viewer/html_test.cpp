@@ -23,7 +23,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 HtmlOptions options() {
-  return {Machine{}, "G21\nG0 X1 Y2 (<first> & \"second\")\nM30", nullptr, {}};
+  return {Machine{}, "G21\nG0 X1 Y2 (<first> & \"second\")\nM30"};
 }
 
 std::string page(const Part& part = sample::part()) {
