@@ -30,6 +30,11 @@ async function plans(page) {
   await page.setInputFiles('#plan-files', `${folder}/square.json`);
   await page.fill('#plan-options', '--accept out-of-reach');
   check((await textOf(page, '#plan-command')).startsWith('clearcut plan square.json --tool endmill:6'), 'the command line is shown');
+  const inMm = await textOf(page, '#plan-command');
+  await page.selectOption('#lengths', 'inch');
+  check(await page.inputValue('#tool-diameter') === '0.23622' && await textOf(page, '#plan-command') === inMm && (await textOf(page, '#plan-form fieldset .unit')).startsWith('in'), 'in inches fields say the same');
+  await page.selectOption('#lengths', 'mm');
+  check(await page.inputValue('#tool-diameter') === '6', 'and in mm again');
   await page.click('#plan-go');
   await page.waitForSelector('#plan-result:not([hidden])', { timeout: 120000 });
   check(await textOf(page, '#plan-verdict') === 'CLEAN', 'a plan ends with its verdict');

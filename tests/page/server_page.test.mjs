@@ -40,6 +40,17 @@ describe('files and results', () => {
   });
 });
 
+describe('lengths', () => {
+  const ask = runScripts('apps/serve/page', 'tour.js');
+  test('numbers of a field are inches where that was chosen, others stay', () => {
+    assert.deepEqual(ask(`[inMm(' 6 '), inMm('0:70,0:50,-5:0')]`), ['6', '0:70,0:50,-5:0']);
+    assert.deepEqual(ask(`(lengths.inch = true, [inMm('0.25'), inMm('.0625'), inMm('-1,2,0.5,cw'), inMm('6mm'), inMm(''), shownLength(50.8, 2)])`), ['6.35', '1.5875', '-25.4,50.8,12.7,cw', '6mm', '', 2]);
+  });
+  test('to inches and back a length is what it was', () => {
+    assert.deepEqual(ask(`[6, 0.3, 1.5875, 123.4567].map(mm => inchToMm(mmToInch(mm)))`), [6, 0.3, 1.5875, 123.4567]);
+  });
+});
+
 describe('texts', () => {
   test('how far a plan is', () => {
     assert.equal(ask(`progressText({ state: 'waiting', ahead: 2 })`), 'Waiting; 2 before it.');

@@ -10,9 +10,9 @@ function checkOptions() {
   /** @type {(name: string, value: string) => void} */
   const add = (name, value) => { if (value.trim()) words.push(`${name} ${quoted(value.trim())}`); };
   const diameter = element('check-diameter').value.trim(), alone = !check.files.of('part');
-  if (diameter) add('--tool', `${element('check-kind').value}:${diameter}`);
-  if (alone) add('--stock', element('check-stock').value);
-  else add('--depth', element('check-depth').value);
+  if (diameter) add('--tool', `${element('check-kind').value}:${inMm(diameter)}`);
+  if (alone) add('--stock', inMm(element('check-stock').value));
+  else add('--depth', inMm(element('check-depth').value));
   add('--dialect', element('dialect').value);
   words.push(element('check-options').value.trim());
   return words.filter(word => word).join(' ');

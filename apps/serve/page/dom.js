@@ -33,7 +33,7 @@ function fillList(list, texts) { list.replaceChildren(...texts.map(text => made(
 function showFrame(id, address) {
   const frame = /** @type {HTMLIFrameElement} */ (element(id).cloneNode());
   frame.hidden = !address;
-  frame.src = address ?? 'about:blank';
+  frame.src = address ? address + (lengths.inch && id !== 'elements-report' ? '#unit=inch' : '') : 'about:blank';
   element(id).replaceWith(frame);
 }
 

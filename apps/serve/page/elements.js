@@ -24,11 +24,11 @@ function elementsOptions() {
   /** @type {(name: string, value: string) => void} */
   const add = (name, value) => { if (value.trim()) words.push(withValue(name, value.trim())); };
   if (!elements.files.of('job')) {
-    words.push(...elements.rows.map(row => elementOption({ kind: row.kind.value, numbers: row.numbers.value, tool: row.tool.value, depth: row.depth.value })));
+    words.push(...elements.rows.map(row => elementOption({ kind: row.kind.value, numbers: inMm(row.numbers.value), tool: row.tool.value, depth: inMm(row.depth.value) })));
     for (const [number, input] of [element('elements-tool-1'), element('elements-tool-2')].entries())
-      if (input.value.trim()) add('--tool', `endmill:${input.value.trim()}:T${number + 1}`);
-    add('--resolution', element('elements-resolution').value);
-    add('--stock', element('elements-stock').value.replaceAll(/\s+/g, ''));
+      if (input.value.trim()) add('--tool', `endmill:${inMm(input.value)}:T${number + 1}`);
+    add('--resolution', inMm(element('elements-resolution').value));
+    add('--stock', inMm(element('elements-stock').value).replaceAll(/\s+/g, ''));
   }
   add('--solver', element('elements-solver').value);
   if (element('elements-solver').value) add('--generations', element('elements-generations').value);
@@ -51,7 +51,7 @@ function addElement(kind = 'pocket', numbers = '', depth = '') {
   const line = made('tr'), number = elements.rows.length + 1;
   /** @type {(what: string, attributes: Record<string, string | number>) => HTMLInputElement} */
   const input = (what, attributes) => made('input', '', { 'aria-label': `${what} of element ${number}`, spellcheck: 'false', autocomplete: 'off', ...attributes });
-  const row = { line, kind: made('select', '', { 'aria-label': `Kind of element ${number}` }), numbers: input('Numbers', {}), tool: input('Tool', { inputmode: 'numeric' }), depth: input('Depth', { inputmode: 'decimal' }) };
+  const row = { line, kind: made('select', '', { 'aria-label': `Kind of element ${number}` }), numbers: input('Numbers', { 'data-length': '1' }), tool: input('Tool', { inputmode: 'numeric' }), depth: input('Depth', { inputmode: 'decimal', 'data-length': '1' }) };
   const remove = made('button', 'Remove', { type: 'button', 'aria-label': `Remove element ${number}` });
   fillSelect(row.kind, elementKinds);
   row.kind.value = kind;

@@ -59,6 +59,7 @@ async function setUpOptions() {
 
 for (const select of [element('tool-kind'), element('check-kind')]) fillSelect(select, toolKinds);
 if (pipeline.promise) element('promise').textContent = pipeline.promise;
+element('lengths').addEventListener('change', chooseLengths);
 setUpTabs();
 setUpPlan();
 setUpCheck();

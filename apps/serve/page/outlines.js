@@ -13,7 +13,7 @@ function outlineOptions() {
   const words = [];
   for (const row of theOne('tbody', element('outlines')).rows) {
     const outline = part.outlines[Number(row.dataset.index)];
-    const kind = theOne('select', row).value, depth = theOne('input', row).value.trim();
+    const kind = theOne('select', row).value, depth = inMm(theOne('input', row).value);
     if (kind || depth) words.push(`--op ${kind || outline.role}${depth ? `_d${depth}` : ''}:${outline.number}`);
   }
   return words;
@@ -21,10 +21,10 @@ function outlineOptions() {
 
 /** @type {(outline: OutlineInfo) => string} */
 function sizeOf(outline) {
-  if (outline.diameter_mm) return `Ø ${round(outline.diameter_mm, 2)}`;
+  if (outline.diameter_mm) return `Ø ${shownLength(outline.diameter_mm, 2)}`;
   if (!outline.extent_mm) return '';
   const { x, y } = outline.extent_mm;
-  return `${round(x[1] - x[0], 2)} × ${round(y[1] - y[0], 2)}`;
+  return `${shownLength(x[1] - x[0], 2)} × ${shownLength(y[1] - y[0], 2)}`;
 }
 
 /** @type {(outline: OutlineInfo, index: number) => HTMLElement} */
@@ -32,7 +32,7 @@ function outlineRow(outline, index) {
   const row = made('tr', '', { 'data-index': index });
   const kind = made('select', '', { 'aria-label': `What outline ${outline.number} is for` });
   fillSelect(kind, outlineKinds, outline.role ? `${outline.role} (read)` : 'not said yet');
-  const depth = made('input', '', { 'aria-label': `Depth of outline ${outline.number}, mm`, inputmode: 'decimal', size: '4', placeholder: outline.depth_mm === null ? '' : String(round(outline.depth_mm, 3)) });
+  const depth = made('input', '', { 'aria-label': `Depth of outline ${outline.number}, ${lengthName()}`, inputmode: 'decimal', 'data-length': '1', size: '4', placeholder: outline.depth_mm === null ? '' : String(shownLength(outline.depth_mm, 3)) });
   const layer = made('td', outline.layer, { title: outline.within ? `within outline ${outline.within}` : 'within no other' });
   row.append(made('td', String(outline.number)), layer, made('td', sizeOf(outline)), made('td'), made('td'));
   row.children[3].append(kind);
@@ -48,10 +48,20 @@ function showOutlines(outlines) {
   element('outlines-title').textContent = `Outlines of the drawing: ${outlines.length}${outlines.length > mostOutlines ? `, the first ${mostOutlines} listed` : ''}`;
 }
 
+/** After another unit was chosen; what is said of the outlines stays. */
+function relabelOutlines() {
+  for (const row of theOne('tbody', element('outlines')).rows) {
+    const outline = part.outlines[Number(row.dataset.index)], depth = theOne('input', row);
+    row.children[2].textContent = sizeOf(outline);
+    depth.setAttribute('aria-label', `Depth of outline ${outline.number}, ${lengthName()}`);
+    depth.placeholder = outline.depth_mm === null ? '' : String(shownLength(outline.depth_mm, 3));
+  }
+}
+
 /** @type {(feature: FeatureInfo) => string} */
 function featureText(feature) {
   const { x, y } = feature.extent_mm ?? { x: [0, 0], y: [0, 0] };
-  return `${feature.name}: ${feature.kind.replaceAll('_', ' ')}, ${round(x[1] - x[0], 1)} × ${round(y[1] - y[0], 1)} mm, z ${round(feature.top_z, 3)} to ${round(feature.floor_z, 3)}`;
+  return `${feature.name}: ${feature.kind.replaceAll('_', ' ')}, ${shownLength(x[1] - x[0], 1)} × ${shownLength(y[1] - y[0], 1)} ${lengthName()}, z ${shownLength(feature.top_z, 3)} to ${shownLength(feature.floor_z, 3)}`;
 }
 
 /** @type {(info: PartInfo) => string[]} */

@@ -16,8 +16,8 @@ function planOptions({ strategy } = { strategy: true }) {
   add('--tools', plan.files.of('tools')?.name ?? '');
   add('--machine', plan.files.of('machine')?.name ?? '');
   const diameter = element('tool-diameter').value.trim();
-  if (diameter) add('--tool', `${element('tool-kind').value}:${diameter}`);
-  add('--depth', element('depth').value);
+  if (diameter) add('--tool', `${element('tool-kind').value}:${inMm(diameter)}`);
+  add('--depth', inMm(element('depth').value));
   add('--unit', element('unit').value);
   words.push(...outlineOptions());
   add('--material', element('material').value);
@@ -36,7 +36,7 @@ function showPlanCommand() {
 function planFilesChanged() {
   const part = plan.files.of('part');
   const diameter = element('tool-diameter');
-  if (part && !diameter.dataset.typed) diameter.value = saysTools(part.name) || plan.files.of('tools') ? '' : '6';
+  if (part && !diameter.dataset.typed) diameter.value = saysTools(part.name) || plan.files.of('tools') ? '' : String(lengths.inch ? mmToInch(6) : 6);
   if (part && !plan.run.id) say(element('plan-status'), `${part.name} is ready to be planned.`);
   showPlanCommand();
   if (part !== plan.read) readPart();

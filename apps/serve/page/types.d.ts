@@ -162,6 +162,7 @@ interface PageElements {
   'tab-check': HTMLButtonElement;
   'tab-elements': HTMLButtonElement;
   'tab-tour': HTMLButtonElement;
+  'lengths': HTMLSelectElement;
   'promise': HTMLParagraphElement;
   'plan': HTMLElement;
   'plan-form': HTMLFormElement;

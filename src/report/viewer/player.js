@@ -150,6 +150,13 @@ function openAtHash() {
   return true;
 }
 
+/** The unit that the address names ("#unit=inch"), else mm. */
+function openUnit() {
+  if (new URLSearchParams(location.hash.slice(1)).get('unit') !== 'inch') return;
+  unit = UNITS.inch;
+  by('unit').value = 'inch';
+}
+
 /** The view that the address names ("#view=above"), else the whole part in space. */
 function openView() {
   const name = new URLSearchParams(location.hash.slice(1)).get('view') ?? 'iso';
@@ -157,6 +164,7 @@ function openView() {
 }
 
 fullStock();
+openUnit();
 listenToProgram(); writeChoices(); writeHeader(); writeVerdict(); writeFeatures(); writeTimeline(); writeNow();
 listen(); listenToStage(); seekBy(by('timeline')); seekBy(by('plot'));
 listenToSpace();

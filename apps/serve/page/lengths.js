@@ -1,0 +1,32 @@
+// Lengths in the unit that was chosen at the top: fields hold them so, commands and results are in mm.
+
+const MM_PER_INCH = 25.4;
+const lengths = { inch: false };
+const lengthName = () => lengths.inch ? 'in' : 'mm';
+/** Decimals that keep a length exact from one unit to the other and back. */
+const DECIMALS = { mm: 4, inch: 6 };
+
+/** Every number in a text by another; those that name a unit themselves stay. @type {(text: string, change: (value: number) => number) => string} */
+const changedNumbers = (text, change) => /\d\s*(mm|in)\b/.test(text) ? text : text.replaceAll(/-?(?:\d+\.?\d*|\.\d+)/g, found => String(change(Number(found))));
+/** @type {(value: number) => number} */
+const inchToMm = value => round(value * MM_PER_INCH, DECIMALS.mm);
+/** @type {(value: number) => number} */
+const mmToInch = value => round(value / MM_PER_INCH, DECIMALS.inch);
+/** What a field of lengths says, as the command takes it. @type {(text: string) => string} */
+const inMm = text => lengths.inch ? changedNumbers(text.trim(), inchToMm) : text.trim();
+/** A length of a result, as it is shown. @type {(mm: number, decimals: number) => number} */
+const shownLength = (mm, decimals) => lengths.inch ? round(mm / MM_PER_INCH, decimals + 1) : round(mm, decimals);
+
+/** All fields of lengths that there are. @type {() => HTMLInputElement[]} */
+const lengthFields = () => [...document.querySelectorAll('input')].filter(input => input.dataset.length === '1');
+
+/** What is in the fields stays as long as it is. */
+function chooseLengths() {
+  const inch = element('lengths').value === 'inch';
+  if (inch === lengths.inch) return;
+  for (const field of lengthFields()) field.value = changedNumbers(field.value, inch ? mmToInch : inchToMm);
+  lengths.inch = inch;
+  for (const name of document.querySelectorAll('[data-unit]')) name.textContent = lengthName();
+  relabelOutlines();
+  showPlanCommand(); showCheckCommand(); showElementsCommand();
+}
