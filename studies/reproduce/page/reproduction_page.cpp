@@ -21,7 +21,7 @@ constexpr const char* kHead = R"(<!DOCTYPE html>
   :root { --ink: #e6ebf0; --page: #14191f; --rule: #4a5866; --link: #74b3ff; --agrees: #1d4a2c; --explained: #564309; --differs: #6b2a2a; }
 }
 body { font: 15px/1.45 sans-serif; margin: 2em auto; max-width: 76em; padding: 0 1em; color: var(--ink); background: var(--page); overflow-wrap: break-word; }
-a { color: var(--link); }
+a { color: var(--link); } td a { display: inline-block; min-width: 24px; min-height: 24px; }
 table { border-collapse: collapse; margin: .6em 0; font-size: 13px; }
 th, td { border: 1px solid var(--rule); padding: .15em .5em; text-align: right; }
 th:first-child, td:first-child { text-align: left; }
