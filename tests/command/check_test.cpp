@@ -99,6 +99,19 @@ TEST_F(Check, VerifiedProgramsHaveCertificatesToo) {
   EXPECT_EQ(run_clearcut({"check", json, "--again"}).exit_code, 0);
 }
 
+TEST_F(Check, EachSetUpOfAJobIsComputedAgain) {
+  const std::string program = folder_.path("both.ngc"), json = folder_.path("both.json");
+  ASSERT_EQ(run_clearcut({"plan", CLEARCUT_SOURCE_DIR "/examples/two_sided.toml", "-o", program,
+                          "--certificate", json, "--quiet"})
+                .exit_code,
+            0);
+  for (const char* number : {"1", "2"}) {
+    const auto found =
+        run_clearcut({"check", folder_.path(std::string("both-") + number + ".json"), "--again"});
+    EXPECT_EQ(found.exit_code, 0) << found.out << found.err;
+  }
+}
+
 /// G55: conditional until it is accepted; --quiet says so on one line.
 TEST_F(Check, AConditionIsOpenUntilItIsAccepted) {
   replace(program_, "G54", "G55");

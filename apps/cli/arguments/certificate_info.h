@@ -20,8 +20,9 @@ struct CertificateFileName {
 CertificateBasis certificate_basis(const std::string& command, const std::vector<CertificateFileName>& files,
                                    const std::string& program_name);
 
-/// The certificate that `clearcut plan` or `verify` gives for these arguments now. Writes nothing.
-std::string plan_certificate(const std::vector<std::string>& arguments);
+/// The certificate that `clearcut plan` or `verify` gives for these arguments now. Writes nothing. `program`: of several
+/// set-ups the one with the program of this name.
+std::string plan_certificate(const std::vector<std::string>& arguments, const std::string& program);
 std::string verify_certificate(const std::vector<std::string>& arguments);
 
 }  // namespace clearcut::cli

@@ -181,9 +181,9 @@ std::vector<Tool> PlanArguments::tools() const {
   return tools;
 }
 
-std::vector<std::string> PlanArguments::input_paths() const {
+std::vector<std::string> paths_of(const std::vector<CertificateFileName>& files) {
   std::vector<std::string> paths;
-  for (const CertificateFileName& file : input_files()) paths.push_back(file.path);
+  for (const CertificateFileName& file : files) paths.push_back(file.path);
   return paths;
 }
 

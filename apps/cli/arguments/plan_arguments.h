@@ -92,8 +92,6 @@ class PlanArguments {
   std::optional<double> top() const { return top_; }
   /// Every file that the options rest on, by its role, those that a job names included.
   std::vector<CertificateFileName> input_files() const;
-  /// The paths alone.
-  std::vector<std::string> input_paths() const;
   const SolidOptions& solid() const { return solid_; }
   /// The job file, when the input is one; of several set-ups the chosen one.
   std::optional<JobFile> job() const;
@@ -162,5 +160,8 @@ class PlanArguments {
   std::optional<std::uint64_t> seed_;
   int threads_ = 0;
 };
+
+/// The paths alone.
+std::vector<std::string> paths_of(const std::vector<CertificateFileName>& files);
 
 }  // namespace clearcut::cli

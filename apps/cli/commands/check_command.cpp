@@ -88,7 +88,9 @@ void check_again(const Json& certificate, const CheckCommand& command, std::vect
     return;
   }
   const auto arguments = arguments_now(certificate, command);
-  const std::string now = kind == "plan" ? plan_certificate(arguments) : verify_certificate(arguments);
+  const std::string program = certificate.at("program").at("name").get<std::string>();
+  const std::string now =
+      kind == "plan" ? plan_certificate(arguments, program) : verify_certificate(arguments);
   std::set<std::string> left_out = {"/seal", "/version"};
   // Names of files that lie elsewhere now.
   if (!command.program.empty() || !command.parts.empty())

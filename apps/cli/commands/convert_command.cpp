@@ -50,7 +50,7 @@ void add_convert_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", *output, "File to write: .json or .p21")->required()->type_name("FILE");
   command->callback([state, output, &exit_code] {
     Part part = state->read();
-    write_outputs({{*output, converted(part, *state, *output)}}, state->input_paths());
+    write_outputs({{*output, converted(part, *state, *output)}}, paths_of(state->input_files()));
     print(part.diagnostics, true);
     exit_code = kClean;
   });
@@ -66,7 +66,8 @@ void add_init_command(CLI::App& app, int& exit_code) {
   command->add_option("-o,--output", *output, "Job to write (default: standard output)")->type_name("FILE");
   command->callback([state, output, &exit_code] {
     const std::string path = output->empty() ? "-" : *output;
-    write_outputs({{path, job_text(state->read(), state->input(), state->solid())}}, state->input_paths());
+    write_outputs({{path, job_text(state->read(), state->input(), state->solid())}},
+                  paths_of(state->input_files()));
     exit_code = kClean;
   });
 }

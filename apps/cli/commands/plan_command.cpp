@@ -188,11 +188,11 @@ int explain_setups(const PlanCommand& command, int count) {
 
 /// Every file that the set-ups rest on.
 std::vector<std::string> inputs_of_setups(const PlanCommand& command, int count) {
-  std::vector<std::string> inputs = command.arguments.input_paths();
+  std::vector<std::string> inputs = paths_of(command.arguments.input_files());
   for (int number = 1; number <= count; ++number) {
     PlanArguments one = command.arguments;
     one.setup().number = number;
-    for (const std::string& path : one.input_paths()) inputs.push_back(path);
+    for (const std::string& path : paths_of(one.input_files())) inputs.push_back(path);
   }
   return inputs;
 }
@@ -221,6 +221,15 @@ std::vector<OutputFile> files_of_setups(const std::vector<PlannedSetup>& setups,
   }
   if (!sheet.empty()) files.push_back({sheet, joined_setup_sheets(sheets)});
   return files;
+}
+
+std::string certificate_of_setup(PlanCommand command, int count, const std::string& program) {
+  command.quiet = true;
+  for (const PlannedSetup& one : planned_setups(command, count)) {
+    const CertificateBasis basis = basis_of(one.command);
+    if (basis.program_name == program) return write_certificate(one.result, one.options, basis);
+  }
+  throw InputError(program, "is no program of the job's set-ups now");
 }
 
 void refuse_for_setups(const PlanCommand& command, int count) {
@@ -260,7 +269,7 @@ int run(PlanCommand command) {
   const PlanOptions options = command.arguments.options();
   if (command.output.empty() && command.explain) return explain(part, options);
   if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
-  const std::vector<std::string> inputs = command.arguments.input_paths();
+  const std::vector<std::string> inputs = paths_of(command.arguments.input_files());
   check_outputs(output_names(command), inputs);
   const PlanResult result = planned(command, part, options);
   write_outputs(output_files(command, options, result), inputs);
@@ -299,7 +308,7 @@ void add_plan_command(CLI::App& app, int& exit_code) {
   });
 }
 
-std::string plan_certificate(const std::vector<std::string>& arguments) {
+std::string plan_certificate(const std::vector<std::string>& arguments, const std::string& program) {
   CLI::App app;
   const auto state = declare(app);
   app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
@@ -307,6 +316,8 @@ std::string plan_certificate(const std::vector<std::string>& arguments) {
   PlanCommand command = *state;
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
   remember_arguments(arguments);
+  if (const int count = setup_count_of(command.arguments.input()))
+    return certificate_of_setup(command, count, program);
   const Part part = command.arguments.read();
   const PlanOptions options = command.arguments.options();
   return write_certificate(plan_part(part, options), options, basis_of(command));

@@ -85,7 +85,7 @@ int run(const VerifyCommand& command) {
   if (!command.sheet.empty())
     files.push_back(
         {command.sheet, write_setup_sheet(result, command.arguments.options(), file_name(command.program))});
-  std::vector<std::string> inputs = command.arguments.input_paths();
+  std::vector<std::string> inputs = paths_of(command.arguments.input_files());
   inputs.push_back(command.program);
   write_outputs(files, inputs);
   if (!command.quiet) print(result.part.diagnostics, true);
