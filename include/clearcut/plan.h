@@ -47,6 +47,7 @@ using resolve::is_published_grid;
 using resolve::is_published_solver;
 using resolve::order_named;
 using resolve::strategy_named;
+using resolve::tab_shape_named;
 
 /// Throws InputError naming the first option that is out of its range.
 inline void check_options(const PlanOptions& options) {

@@ -81,6 +81,9 @@ class Settings(TypedDict, total=False):
     style: str | None
     material: str | None
     tabs: int
+    tab_spacing: Length | None
+    tab_at: Sequence[tuple[float, float]]
+    tab_shape: str
     tab_width: Length
     tab_height: Length | None
     skin: Length | None
@@ -293,6 +296,9 @@ class PlanOptions:
     style: str | None
     material: str | None
     tabs: int
+    tab_spacing: Length | None
+    tab_at: Sequence[tuple[float, float]]
+    tab_shape: str
     tab_width: Length
     tab_height: Length | None
     skin: Length | None

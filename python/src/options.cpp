@@ -135,10 +135,15 @@ void add_shop(OptionsClass& options) {
       options, "style", doc("ShopOptions::style"), [](auto& o) -> auto& { return o.shop.style; });
   add_plain<std::string>(
       options, "material", doc("ShopOptions::material"), [](auto& o) -> auto& { return o.shop.material; });
+}
+
+void add_tabs(OptionsClass& options) {
   add_length(
       options, "skin", doc("TabOptions::skin"), [](auto& o) -> auto& { return o.tabs.skin; });
   add_length(
       options, "tab_height", doc("TabOptions::height"), [](auto& o) -> auto& { return o.tabs.height; });
+  add_length(
+      options, "tab_spacing", doc("TabOptions::spacing"), [](auto& o) -> auto& { return o.tabs.spacing; });
   options
       .def_property(
           "tabs", [](const AskedOptions& o) { return o.tabs.count; },
@@ -146,7 +151,25 @@ void add_shop(OptionsClass& options) {
       .def_property(
           "tab_width", [](const AskedOptions& o) { return o.tabs.width; },
           [](AskedOptions& o, const py::object& mm) { o.tabs.width = length_of(mm, "tab-width"); },
-          doc("TabOptions::width"));
+          doc("TabOptions::width"))
+      .def_property(
+          "tab_shape", [](const AskedOptions& o) { return resolve::name_of(o.tabs.shape); },
+          [](AskedOptions& o, const std::string& name) {
+            o.tabs.shape = tab_shape_named(name, "--tab-shape");
+          },
+          "Of tabs: square, or triangular, which the cutter rises over without a stop.")
+      .def_property(
+          "tab_at",
+          [](const AskedOptions& o) {
+            std::vector<std::pair<double, double>> places;
+            for (const Vec2 p : o.tabs.at) places.emplace_back(p.x, p.y);
+            return places;
+          },
+          [](AskedOptions& o, const std::vector<std::pair<double, double>>& places) {
+            o.tabs.at.clear();
+            for (const auto& [x, y] : places) o.tabs.at.push_back({x, y});
+          },
+          doc("TabOptions::at"));
 }
 
 void add_machine(OptionsClass& options) {
@@ -278,6 +301,7 @@ void add_options(py::module_& module) {
       "check", [](const AskedOptions& given) { check_options(given); }, doc("check_options"));
   add_cutting(options);
   add_shop(options);
+  add_tabs(options);
   add_post_options(options);
   add_published_options(options);
   add_machine(options);

@@ -9,6 +9,7 @@
 #include "base/tolerances.h"
 #include "geometry/region.h"
 #include "model/hole.h"
+#include "model/options/tab_options.h"
 #include "model/tool.h"
 
 namespace clearcut::inline model {
@@ -41,11 +42,14 @@ enum class ProfileSide { kOutside, kInside, kOn };
 
 /// Material that stays in the kerf and holds the part.
 struct Tab {
-  Vec2 center;       ///< middle of the kerf
-  double width = 0;  ///< mm along the outline
-  double top_z = 0;
+  TabShape shape = TabShape::kSquare;
+  Vec2 center;  ///< middle of the kerf
+  Edge foot;    ///< the stretch of the outline that it stands on at bottom_z
+  double aside =
+      0;  ///< mm to the left of `foot` as far as the kerf may reach; to the right of it where it is negative
+  double top_z = 0;  ///< of triangular tabs that of the ridge
   double bottom_z = 0;
-  Regions body;  ///< plan view of what must not be cut below top_z, across the kerf
+  Regions body;  ///< plan view of what must not be cut across the kerf: of square tabs below top_z
 };
 
 /// One contour to be followed by the cutter: a profile along an outline, or a line to engrave.

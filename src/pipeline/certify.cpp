@@ -11,6 +11,7 @@
 #include "base/text/format.h"
 #include "base/version.h"
 #include "link/link.h"
+#include "link/sections/over_tabs.h"
 #include "model/results/not_machined.h"
 #include "post/comment.h"
 #include "post/post.h"
@@ -210,7 +211,11 @@ std::vector<double> contour_levels(const std::vector<LayerPasses>& layers) {
 
 Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry,
                   const ResolvedPlan& plan) {
-  Section section = link::link_layers(passes, link_options(plan, workingstep, entry), plan.tol);
+  const link::LinkOptions options = link_options(plan, workingstep, entry);
+  Section section = link::link_layers(passes, options, plan.tol);
+  const auto& profile =
+      feature_of(plan.part, plan.part.workplan[static_cast<std::size_t>(workingstep)]).profile;
+  if (profile) link::rise_over_tabs(section, profile->tabs, options.tool_radius, options.plunge_feed);
   describe(section, workingstep, plan);
   section.contours = contour_levels(passes);
   return section;

@@ -52,6 +52,9 @@ class Mover {
     move(profile.line);
     for (Tab& tab : profile.tabs) {
       tab.center = tab.center + by_;
+      Path foot{tab.foot};
+      move(foot);
+      tab.foot = foot.front();
       tab.top_z += up_;
       tab.bottom_z += up_;
       move(tab.body);

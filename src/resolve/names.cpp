@@ -106,6 +106,14 @@ const char* name_of(Finish finish) {
   return "all";
 }
 
+TabShape tab_shape_named(const std::string& name, const std::string& place) {
+  return named(std::array{TabShape::kSquare, TabShape::kTriangular}, name, place);
+}
+
+const char* name_of(TabShape shape) {
+  return shape == TabShape::kSquare ? "square" : "triangular";
+}
+
 bool is_bisector_passage(const std::string& name, const std::string& place) {
   return is_first("bisector", "shortest", name, place);
 }

@@ -29,6 +29,10 @@ const char* name_of(ContourOrder order);
 
 const char* name_of(Finish finish);
 
+/// "square", "triangular". Throws InputError at `place`.
+TabShape tab_shape_named(const std::string& name, const std::string& place);
+const char* name_of(TabShape shape);
+
 /// What the texts print, or ours: "bisector" or "shortest" passages, the "published" grid or "ours", the "published" solver or the
 /// "modern" one; true for what is printed. Throw InputError at `place`.
 bool is_bisector_passage(const std::string& name, const std::string& place);

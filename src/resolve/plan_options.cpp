@@ -281,6 +281,22 @@ void check(const VisitSolver& solver, const std::string& place) {
                      "is not published, but settings of that solver are given; add --solver published");
 }
 
+void check(const TabOptions& tabs) {
+  require(absent_or_positive(tabs.skin), "--skin", "must be above 0 mm");
+  require(!tabs.skin || !tabs.any(), "--skin",
+          "holds what tabs would hold; leave out --skin, or --tabs, --tab-spacing and --tab-at");
+  require(absent_or_positive(tabs.spacing), "--tab-spacing", "must be above 0 mm");
+  require(!tabs.spacing || tabs.count == 0, "--tab-spacing",
+          "says how many tabs there are; leave out --tabs");
+  require(tabs.at.empty() || (tabs.count == 0 && !tabs.spacing), "--tab-at",
+          "says where all tabs are; leave out --tabs and --tab-spacing");
+  require(std::all_of(tabs.at.begin(), tabs.at.end(),
+                      [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }),
+          "--tab-at", "must be numbers of mm");
+  require(tabs.width > 0 && std::isfinite(tabs.width), "--tab-width", "must be above 0 mm");
+  require(absent_or_positive(tabs.height), "--tab-height", "must be above 0 mm");
+}
+
 void check(const PlanOptions& options) {
   require(absent_or_positive(options.stepdown), "--stepdown", "must be above 0 mm");
   require(absent_or_not_negative(options.allowance), "--allowance", "must be 0 mm or more");
@@ -293,9 +309,7 @@ void check(const PlanOptions& options) {
   require(!options.cutting.plunge_feed || options.cutting.plunge_feed->mm_per_min() > 0, "--plunge-feed",
           "must be above 0 mm/min");
   require(absent_or_positive(options.cutting.spindle_rpm), "--spindle", "must be above 0 rpm");
-  require(absent_or_positive(options.tabs.skin), "--skin", "must be above 0 mm");
-  require(!options.tabs.skin || options.tabs.count == 0, "--skin",
-          "holds what tabs would hold; leave out --tabs or --skin");
+  check(options.tabs);
   if (options.published.solver) check(*options.published.solver, "--solver");
   require(!options.entry_angle || (options.entry_angle->degrees() > 0 && options.entry_angle->degrees() < 90),
           "--entry-angle", "must lie between 0 and 90 degrees");

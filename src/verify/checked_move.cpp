@@ -58,10 +58,17 @@ void add_drilled_depths(const Part& part, CheckedProgram& program) {
   }
 }
 
+/// Where passes rise over the tabs of a profile they are level on top: that is no layer.
+bool is_over_tabs(const Part& part, const CheckedMove& checked) {
+  const Feature& feature = feature_of(part, part.workplan[static_cast<std::size_t>(checked.workingstep)]);
+  return feature.profile && !feature.profile->tabs.empty() && checked.low_z() > feature.top_z - kSameLayer;
+}
+
 void find_layers(const Part& part, CheckedProgram& program) {
   program.layers.resize(part.workplan.size());
   for (const CheckedMove& checked : program.moves) {
-    if (checked.workingstep < 0 || !checked.feeds() || !checked.is_flat() || checked.low_z() >= part.top_z())
+    if (checked.workingstep < 0 || !checked.feeds() || !checked.is_flat() ||
+        checked.low_z() >= part.top_z() || is_over_tabs(part, checked))
       continue;
     LayerHeights& layers = program.layers[checked.workingstep];
     const bool known = std::any_of(layers.begin(), layers.end(),

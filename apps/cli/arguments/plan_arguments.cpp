@@ -245,7 +245,14 @@ void CuttingArguments::take(PlanOptions& options) const {
 }
 
 void TabArguments::take(TabOptions& tabs) const {
-  if (count) tabs.count = *count;
+  // Whatever is typed of how many there are goes before all that the job says of it.
+  if (count || spacing || !at.empty()) {
+    tabs.count = count.value_or(0);
+    tabs.spacing = spacing;
+    tabs.at.clear();
+    for (const std::string& place : at) tabs.at.push_back(point_of(place, "--tab-at"));
+  }
+  if (shape) tabs.shape = tab_shape_named(*shape, "--tab-shape");
   if (width) tabs.width = *width;
   if (height) tabs.height = height;
   if (skin) tabs.skin = skin;

@@ -38,7 +38,9 @@ int setup_count_of(const std::string& input);
 /// What is typed of that which holds what profiles cut free.
 struct TabArguments {
   std::optional<int> count;
-  std::optional<double> width, height, skin;
+  std::optional<double> spacing, width, height, skin;
+  std::optional<std::string> shape;
+  std::vector<std::string> at;
 
   void take(TabOptions& tabs) const;
 };

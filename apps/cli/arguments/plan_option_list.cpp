@@ -61,6 +61,19 @@ void PlanArguments::add_drawing_options(CLI::App& command) {
       .add_option("--tabs", tabs_.count,
                   "Tabs that hold what a profile cuts free, of each profile (default none)")
       ->check(CLI::Range(0, 100));
+  command
+      .add_option("--tab-spacing", tabs_.spacing,
+                  "Instead of --tabs: as many as it takes that none is farther from the next along the "
+                  "outline, mm")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option("--tab-at", tabs_.at,
+                  "Instead of --tabs: X,Y of a tab, mm, within 5 mm of the outline (repeatable)")
+      ->allow_extra_args(false);
+  command
+      .add_option("--tab-shape", tabs_.shape,
+                  "Of tabs: square (default), or triangular, which the cutter rises over without a stop")
+      ->check(one_of({"square", "triangular"}));
   command.add_option("--tab-width", tabs_.width, "Of tabs along the outline, mm (default 4)")
       ->check(CLI::PositiveNumber);
   command

@@ -2,15 +2,26 @@
 #pragma once
 
 #include <optional>
+#include <vector>
+
+#include "geometry/vec2.h"
 
 namespace clearcut::inline model {
 
-/// Bridges that hold what profiles cut free.
+/// Seen along the kerf: with upright sides, or rising evenly to a ridge in the middle.
+enum class TabShape : unsigned char { kSquare, kTriangular };
+
+/// Bridges that hold what profiles cut free. Of `count`, `spacing` and `at` one alone may be given.
 struct TabOptions {
-  int count = 0;                 ///< of every profile; 0: none
-  double width = 4;              ///< mm, along the outline
+  int count = 0;                  ///< of every profile; 0: none
+  std::optional<double> spacing;  ///< mm along every profile from one tab to the next, at most
+  std::vector<Vec2> at;           ///< mm; places on or beside outlines where tabs shall be
+  TabShape shape = TabShape::kSquare;
+  double width = 4;              ///< mm, along the outline; of triangular tabs at the material's underside
   std::optional<double> height;  ///< mm above the material's underside; absent: half the depth, 2 mm at most
   std::optional<double> skin;    ///< mm of material that profiles leave under themselves, instead of tabs
+
+  bool any() const { return count > 0 || spacing || !at.empty(); }
 };
 
 }  // namespace clearcut::inline model

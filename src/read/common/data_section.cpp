@@ -106,6 +106,18 @@ std::optional<std::array<double, 2>> DataSection::pair(const std::string& key) {
   return std::array<double, 2>{value->items[0].number, value->items[1].number};
 }
 
+std::vector<Vec2> DataSection::points(const std::string& key) {
+  const DataValue* value = ask(key);
+  if (!value) return {};
+  std::vector<Vec2> out;
+  if (!value->is_array()) fail_at(key, "must be a list of points: [[x, y], [x, y]]");
+  for (const DataValue& item : value->items) {
+    if (!is_pair(item)) fail_at(key, "must be a list of points: [[x, y], [x, y]]");
+    out.push_back({item.items[0].number, item.items[1].number});
+  }
+  return out;
+}
+
 std::vector<std::string> DataSection::texts(const std::string& key) {
   const DataValue* value = ask(key);
   if (!value) return {};

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/vec2.h"
+
 namespace clearcut::read {
 
 struct DataMember;
@@ -62,6 +64,8 @@ class DataSection {
   std::optional<std::array<double, 2>> range(const std::string& key);
   /// [x, y].
   std::optional<std::array<double, 2>> pair(const std::string& key);
+  /// [[x, y], ...].
+  std::vector<Vec2> points(const std::string& key);
   std::vector<std::string> texts(const std::string& key);
   std::vector<double> numbers(const std::string& key);
   bool is_number(const std::string& key);

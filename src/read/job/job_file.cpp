@@ -282,6 +282,10 @@ TabOptions tabs_of(DataSection& section) {
   constexpr double kMost = 1000;
   TabOptions tabs;
   tabs.count = count(section, "tabs", kMost).value_or(0);
+  tabs.spacing = section.positive("tab_spacing");
+  tabs.at = section.points("tab_at");
+  if (section.choice("tab_shape", {"square", "triangular"}) == std::size_t{1})
+    tabs.shape = TabShape::kTriangular;
   tabs.width = section.positive("tab_width").value_or(tabs.width);
   tabs.height = section.positive("tab_height");
   tabs.skin = section.positive("skin");

@@ -149,6 +149,8 @@ const char* const kRest = R"(
 # finish_stock = 0.3       # mm left on walls for it; finish_stock_floor = 0.2
 # finish_depths = 1        # in how many depths walls are finished
 # tabs = 0                 # that hold what each profile cuts free; tab_width = 4, tab_height = 2
+# tab_spacing = 100        # mm from one tab to the next, at most, instead of a number; or tab_at = [[10, 0], [50, 40]]
+# tab_shape = "triangular" # risen over without a stop; or square
 # skin = 0.3               # mm left under profiles instead
 # dogbones = "corner"      # or t-bone: relief in inside corners
 # style = "machinist"      # in metals; or fastest: what is chosen where nobody says how

@@ -4,13 +4,18 @@
 #include <cmath>
 #include <limits>
 
+#include "base/elementary.h"
 #include "base/text/format.h"
+#include "base/units.h"
 
 namespace clearcut::verify {
 namespace {
 
-/// Number of points tested on a sloping move, besides the nearest one.
-constexpr int kPlaces = 64;
+/// mm, square to the side of a tab. Places that are looked at lie so close to each other that no error between them is greater by
+/// more.
+constexpr double kBetweenPlaces = 0.0025;
+/// Lines along the kerf on which places lie; one of them is its middle.
+constexpr int kLines = 9;
 
 /// The lowest tip of a cutter while it covered a place.
 struct Lowest {
@@ -18,26 +23,157 @@ struct Lowest {
   int line = 0;
 };
 
-void lower(const CheckedMove& checked, Vec2 at, Lowest& lowest) {
-  const Move& move = *checked.move;
-  if (checked.radius() <= 0 || checked.low_z() >= lowest.z) return;
-  const auto sample = [&](double t) {
-    const Vec2 center = move.is_vertical() ? move.path.from : move.path.at(t);
-    if (distance(center, at) >= checked.radius()) return;
-    const double z = move.is_vertical() ? checked.low_z() : move.z_from + (move.z_to - move.z_from) * t;
-    if (z < lowest.z) lowest = {z, move.line};
+/// A stretch of a move, as parameters of its path.
+struct Span {
+  double from = 0;
+  double to = 0;
+};
+
+/// Where along a path a disc of radius r about its point holds p; at most twice.
+std::vector<Span> held_by_disc(const Edge& path, Vec2 p, double r) {
+  std::vector<Span> spans;
+  const auto add = [&](double from, double to) {
+    from = std::max(from, 0.0);
+    to = std::min(to, 1.0);
+    if (from < to) spans.push_back({from, to});
   };
-  if (move.is_vertical()) return sample(0);
-  if (!move.path.box().grown(checked.radius()).contains(at)) return;
-  sample(nearest(move.path, at).t);
-  if (checked.is_flat()) return;
-  for (int i = 0; i <= kPlaces; ++i) sample(static_cast<double>(i) / kPlaces);
+  if (!path.is_arc()) {
+    const Vec2 way = path.to - path.from;
+    const double all = norm(way), middle = dot(p - path.from, way) / all,
+                 aside = cross(way, p - path.from) / all;
+    const double half = r * r - aside * aside;
+    if (half > 0) add((middle - std::sqrt(half)) / all, (middle + std::sqrt(half)) / all);
+    return spans;
+  }
+  const double own = path.radius(), out = distance(path.center, p);
+  const double cosine = (own * own + out * out - r * r) / (2 * own * out);
+  if (cosine >= 1) return spans;
+  const double half = cosine <= -1 ? kPi : base::acos(cosine), sweep = path.sweep();
+  const double middle = angle_of(p - path.center) - angle_of(path.from - path.center);
+  for (const double turn : {-2 * kPi, 0.0, 2 * kPi}) {
+    const double a = (middle + turn - half) / sweep, b = (middle + turn + half) / sweep;
+    add(std::min(a, b), std::max(a, b));
+  }
+  return spans;
 }
 
-std::string place_of(const Tab& tab, int line) {
-  std::string text = " at x " + trimmed(tab.center.x, 3) + " y " + trimmed(tab.center.y, 3);
+void lower(const CheckedMove& checked, Vec2 at, Lowest& lowest) {
+  const Move& move = *checked.move;
+  if (checked.low_z() >= lowest.z) return;
+  if (move.is_vertical()) {
+    if (distance(move.path.from, at) < checked.radius()) lowest = {checked.low_z(), move.line};
+    return;
+  }
+  if (!move.path.box().grown(checked.radius()).contains(at)) return;
+  for (const Span& span : held_by_disc(move.path, at, checked.radius())) {
+    const double t = move.z_to < move.z_from ? span.to : span.from;
+    const double z = move.z_from + (move.z_to - move.z_from) * t;
+    if (z < lowest.z) lowest = {z, move.line};
+  }
+}
+
+Lowest lowest_over(Vec2 at, const std::vector<const CheckedMove*>& moves) {
+  Lowest lowest;
+  for (const CheckedMove* checked : moves) lower(*checked, at, lowest);
+  return lowest;
+}
+
+/// The moves that come near a tab with a cutter.
+std::vector<const CheckedMove*> moves_near(const Tab& tab, const CheckedProgram& program) {
+  Box around = box(tab.body);
+  around.add(tab.center);
+  std::vector<const CheckedMove*> near;
+  for (const CheckedMove& checked : program.moves) {
+    if (checked.radius() <= 0) continue;
+    const Edge& path = checked.move->path;
+    const Box run = checked.move->is_vertical() ? Box{path.from, path.from} : path.box();
+    if (run.grown(checked.radius()).overlaps(around)) near.push_back(&checked);
+  }
+  return near;
+}
+
+std::string place_of(Vec2 at, int line) {
+  std::string text = " at x " + trimmed(at.x, 3) + " y " + trimmed(at.y, 3);
   if (line > 0) text += ", line " + std::to_string(line);
   return text + ".";
+}
+
+/// How far what stands on one side of a triangular tab is from that side.
+struct SideError {
+  double off = 0;  ///< mm, square to the side; below 0 where too little stands
+  Vec2 at;
+  Lowest lowest;
+};
+
+/// Whether the sides of a triangular tab are as they should be: nowhere lower, and in the middle of the kerf nowhere higher.
+class SideCheck {
+ public:
+  SideCheck(const Tab& tab, const std::vector<const CheckedMove*>& moves)
+      : tab_(tab),
+        moves_(moves),
+        half_(tab.foot.length() / 2),
+        steepness_((tab.top_z - tab.bottom_z) / half_) {}
+
+  SideError worst() const {
+    const double step = kBetweenPlaces * base::hypot(1.0, steepness_) / steepness_;
+    const int count = std::max(2, static_cast<int>(std::ceil(2 * half_ / step)));
+    SideError worst;
+    for (int line = 0; line < kLines; ++line) {
+      for (int i = 0; i <= count; ++i) {
+        const SideError here = error_at(static_cast<double>(i) / count, line);
+        if (std::abs(here.off) > std::abs(worst.off)) worst = here;
+      }
+    }
+    return worst;
+  }
+
+ private:
+  /// mm from the outline to the middle of the kerf.
+  double to_middle() const { return distance(tab_.foot, tab_.center); }
+
+  /// mm along the outline: in the middle of a curved kerf the cutter touches less of a tab than beside it.
+  double excess() const {
+    if (!tab_.foot.is_arc()) return 0;
+    const double around = distance(tab_.foot.center, tab_.center), r = to_middle();
+    return tab_.foot.radius() *
+           (base::asin(std::min(1.0, r / around)) - 2 * base::asin(std::min(1.0, r / (2 * around))));
+  }
+
+  /// `along`: of the foot, from 0 to 1.
+  SideError error_at(double along, int line) const {
+    constexpr int kMiddle = kLines / 2;
+    const double side = tab_.aside < 0 ? -1 : 1;
+    const double aside = side * to_middle() * line / kMiddle;
+    const Vec2 at = tab_.foot.at(along) + left_of(tab_.foot.tangent_at(along)) * aside;
+    const Lowest lowest = lowest_over(at, moves_);
+    const double from_ridge = std::abs(2 * along - 1) * half_;
+    const double least = tab_.top_z - steepness_ * from_ridge;
+    const double most = tab_.top_z - steepness_ * std::max(0.0, from_ridge - std::max(0.0, excess()));
+    SideError error{0, at, lowest};
+    if (lowest.z < least) error.off = lowest.z - least;
+    if (line == kMiddle && lowest.z > most) error.off = std::min(lowest.z, tab_.top_z + 1) - most;
+    error.off /= base::hypot(1.0, steepness_);
+    return error;
+  }
+
+  const Tab& tab_;
+  const std::vector<const CheckedMove*>& moves_;
+  double half_;       ///< mm
+  double steepness_;  ///< mm up for each mm along the outline
+};
+
+std::optional<Fault> fault_of_sides(const Feature& feature, const Tab& tab,
+                                    const std::vector<const CheckedMove*>& moves, const Tolerances& tol) {
+  if (tab.shape != TabShape::kTriangular) return std::nullopt;
+  const SideError worst = SideCheck(tab, moves).worst();
+  if (std::abs(worst.off) <= tol.uncut) return std::nullopt;
+  const std::string what = "a side of the triangular tab stands " + trimmed(std::abs(worst.off), 3) +
+                           " mm too " + (worst.off < 0 ? "low" : "high");
+  return Fault{FaultKind::kTabHeight,
+               feature.name,
+               {worst.at, worst.lowest.z, worst.lowest.line},
+               std::abs(worst.off),
+               feature.name + ": " + what + place_of(worst.at, worst.lowest.line)};
 }
 
 }  // namespace
@@ -47,9 +183,12 @@ std::vector<Fault> faults_of_tabs(const Part& part, const CheckedProgram& progra
   for (const Feature& feature : part.features) {
     if (!feature.profile) continue;
     for (const Tab& tab : feature.profile->tabs) {
-      Lowest lowest;
-      for (const CheckedMove& checked : program.moves) lower(checked, tab.center, lowest);
-      if (std::abs(lowest.z - tab.top_z) <= tol.uncut) continue;
+      const std::vector<const CheckedMove*> near = moves_near(tab, program);
+      const Lowest lowest = lowest_over(tab.center, near);
+      if (std::abs(lowest.z - tab.top_z) <= tol.uncut) {
+        if (const auto fault = fault_of_sides(feature, tab, near, tol)) faults.push_back(*fault);
+        continue;
+      }
       const double under = tab.bottom_z + feature.profile->beyond;
       const double asked = tab.top_z - under, height = std::min(lowest.z, feature.top_z + asked) - under;
       const bool missing = height <= tol.uncut;
@@ -62,7 +201,7 @@ std::vector<Fault> faults_of_tabs(const Part& part, const CheckedProgram& progra
                         feature.name,
                         {tab.center, std::isinf(lowest.z) ? tab.top_z : lowest.z, lowest.line},
                         std::abs(asked - height),
-                        feature.name + ": " + what + place_of(tab, lowest.line)});
+                        feature.name + ": " + what + place_of(tab.center, lowest.line)});
     }
   }
   return faults;

@@ -1,0 +1,217 @@
+#include "link/sections/over_tabs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/elementary.h"
+#include "base/units.h"
+
+namespace clearcut::link {
+namespace {
+
+/// mm. Paths whose distance from the outline changes by less run along it.
+constexpr double kParallel = 1e-6;
+/// mm. Other paths are raised in pieces of this length.
+constexpr double kPiece = 0.1;
+/// Of a path's length: places nearer to each other are one.
+constexpr double kSamePlace = 1e-9;
+/// mm. Heights that differ by less are the same.
+constexpr double kSameHeight = 1e-9;
+constexpr double kNowhere = -std::numeric_limits<double>::infinity();
+
+/// A place seen from a tab, mm.
+struct Beside {
+  double along = 0;   ///< from the tab's middle along the outline
+  double aside = 0;   ///< from the outline into the kerf
+  double radius = 0;  ///< from the centre of the outline's arc; unused beside lines
+};
+
+/// One triangular tab, and how low a cutter may be around it.
+class Ridge {
+ public:
+  Ridge(const Tab& tab, double radius)
+      : tab_(tab),
+        radius_(radius),
+        steepness_(2 * (tab.top_z - tab.bottom_z) / tab.foot.length()),
+        middle_(tab.foot.at(0.5)),
+        direction_(tab.foot.tangent_at(0.5)),
+        around_(box(tab.body).grown(radius)) {}
+
+  double steepness() const { return steepness_; }
+
+  bool is_near(const Move& move) const {
+    const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+    return std::min(move.z_from, move.z_to) < tab_.top_z && path.overlaps(around_);
+  }
+
+  /// The lowest that the tip may be with the cutter's centre over p.
+  double lowest(Vec2 p) const {
+    const Beside at = beside(p);
+    const bool in_kerf = at.aside > -radius_ && at.aside < std::abs(tab_.aside) + radius_;
+    if (!in_kerf) return kNowhere;
+    return tab_.top_z - steepness_ * std::max(0.0, std::abs(at.along) - reach(at));
+  }
+
+  /// Whether the lowest height over the path is that of straight pieces between its bends.
+  bool is_followed_by(const Edge& path) const {
+    if (path.is_arc() != tab_.foot.is_arc()) return false;
+    if (path.is_arc()) return distance(path.center, tab_.foot.center) < kParallel;
+    return std::abs(beside(path.from).aside - beside(path.to).aside) < kParallel;
+  }
+
+  /// Parameters of a path that follows the tab where its lowest height turns from rising to level and from level to falling; some
+  /// may lie beyond its ends.
+  std::vector<double> bends(const Edge& path) const {
+    const Beside from = beside(path.from);
+    const double r = tab_.foot.radius();
+    const double way = path.is_arc() ? path.sweep() * turn() * r : beside(path.to).along - from.along;
+    std::vector<double> places;
+    for (const double bend : {-reach(from), reach(from)}) {
+      places.push_back((bend - from.along) / way);
+      if (!path.is_arc()) continue;
+      // The way may go round past where angles begin anew.
+      places.push_back((bend - from.along + 2 * kPi * r) / way);
+      places.push_back((bend - from.along - 2 * kPi * r) / way);
+    }
+    return places;
+  }
+
+ private:
+  double turn() const { return tab_.foot.turn == Turn::kCounterClockwise ? 1 : -1; }
+
+  Beside beside(Vec2 p) const {
+    const double side = tab_.aside < 0 ? -1 : 1;
+    if (!tab_.foot.is_arc()) {
+      const Vec2 from = p - middle_;
+      return {dot(from, direction_), dot(from, left_of(direction_)) * side, 0};
+    }
+    const Vec2 arm = middle_ - tab_.foot.center, to = p - tab_.foot.center;
+    const double angle = base::atan2(cross(arm, to), dot(arm, to)) * turn();
+    // Left of a counter-clockwise arc lies its centre.
+    const double inwards = tab_.foot.radius() - norm(to);
+    return {angle * tab_.foot.radius(), inwards * turn() * side, norm(to)};
+  }
+
+  /// mm along the outline as far as the cutter reaches from its centre, at most.
+  double reach(const Beside& at) const {
+    if (!tab_.foot.is_arc()) return radius_;
+    const double sine = at.radius > radius_ ? radius_ / at.radius : 1;
+    return tab_.foot.radius() * base::asin(sine);
+  }
+
+  const Tab& tab_;
+  double radius_;
+  double steepness_;  ///< mm up for each mm along the outline
+  Vec2 middle_, direction_;
+  Box around_;
+};
+
+/// A place on a move, and how high the tip has to be there.
+struct Raised {
+  double t = 0;
+  double z = 0;
+};
+
+double z_at(const Move& move, double t) {
+  return move.z_from + (move.z_to - move.z_from) * t;
+}
+
+void sort_places(std::vector<double>& places) {
+  std::erase_if(places, [](double t) { return t < kSamePlace || t > 1 - kSamePlace; });
+  places.insert(places.end(), {0.0, 1.0});
+  std::sort(places.begin(), places.end());
+  const auto same = [](double a, double b) { return b - a < kSamePlace; };
+  places.erase(std::unique(places.begin(), places.end(), same), places.end());
+}
+
+/// Of a move along the tab's outline: exact.
+std::vector<Raised> raised_along(const Move& move, const Ridge& ridge) {
+  const auto over = [&](double t) { return ridge.lowest(move.path.at(t)) - z_at(move, t); };
+  std::vector<double> places = ridge.bends(move.path);
+  sort_places(places);
+  std::vector<double> crossings;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const double t0 = places[i - 1], t1 = places[i], a = over(t0), b = over(t1);
+    if (a * b < 0) crossings.push_back(t0 + (t1 - t0) * a / (a - b));
+  }
+  places.insert(places.end(), crossings.begin(), crossings.end());
+  sort_places(places);
+  std::vector<Raised> raised;
+  for (const double t : places) {
+    const double up = over(t);
+    raised.push_back({t, z_at(move, t) + (up > kSameHeight ? up : 0)});
+  }
+  return raised;
+}
+
+/// Of any other move: in short pieces, each as high as its neighbours ask for.
+std::vector<Raised> raised_across(const Move& move, const Ridge& ridge) {
+  const double length = move.path.length();
+  const int pieces = std::max(1, static_cast<int>(std::ceil(length / kPiece)));
+  const double rise = ridge.steepness() * length / pieces;
+  std::vector<double> lowest;
+  for (int i = 0; i <= pieces; ++i)
+    lowest.push_back(ridge.lowest(move.path.at(static_cast<double>(i) / pieces)) + rise);
+  std::vector<Raised> raised;
+  for (int i = 0; i <= pieces; ++i) {
+    const auto here = lowest.begin() + i;
+    const auto first = i > 0 ? here - 1 : here, last = i < pieces ? here + 2 : here + 1;
+    const double t = static_cast<double>(i) / pieces;
+    raised.push_back({t, std::max(z_at(move, t), *std::max_element(first, last))});
+  }
+  return raised;
+}
+
+bool is_raised(const Move& move, const std::vector<Raised>& places) {
+  return std::any_of(places.begin(), places.end(),
+                     [&](const Raised& place) { return place.z > z_at(move, place.t) + kSameHeight; });
+}
+
+MmPerMin slowed(const Move& move, MmPerMin plunge_feed) {
+  const double down = move.z_from - move.z_to, length = move.length();
+  if (is_rapid(move.kind) || down <= 0 || move.feed.mm_per_min() * down <= plunge_feed.mm_per_min() * length)
+    return move.feed;
+  return MmPerMin::of(plunge_feed.mm_per_min() * length / down);
+}
+
+void append_raised(const Move& move, const Ridge& ridge, MmPerMin plunge_feed, std::vector<Move>& out) {
+  if (!ridge.is_near(move)) return out.push_back(move);
+  if (move.is_vertical()) {
+    Move higher = move;
+    const double lowest = ridge.lowest(move.path.from);
+    higher.z_from = std::max(move.z_from, lowest);
+    higher.z_to = std::max(move.z_to, lowest);
+    if (higher.z_from != higher.z_to) out.push_back(higher);
+    return;
+  }
+  const std::vector<Raised> places =
+      ridge.is_followed_by(move.path) ? raised_along(move, ridge) : raised_across(move, ridge);
+  if (!is_raised(move, places)) return out.push_back(move);
+  Vec2 from = move.path.from;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    Move piece = move;
+    piece.path = move.path.part(places[i - 1].t, places[i].t);
+    piece.path.from = from;
+    if (i + 1 == places.size()) piece.path.to = move.path.to;
+    piece.z_from = places[i - 1].z;
+    piece.z_to = places[i].z;
+    piece.feed = slowed(piece, plunge_feed);
+    from = piece.path.to;
+    out.push_back(piece);
+  }
+}
+
+}  // namespace
+
+void rise_over_tabs(Section& section, const std::vector<Tab>& tabs, double radius, MmPerMin plunge_feed) {
+  for (const Tab& tab : tabs) {
+    if (tab.shape != TabShape::kTriangular) continue;
+    const Ridge ridge(tab, radius);
+    std::vector<Move> moves;
+    for (const Move& move : section.moves) append_raised(move, ridge, plunge_feed, moves);
+    section.moves = std::move(moves);
+  }
+}
+
+}  // namespace clearcut::link

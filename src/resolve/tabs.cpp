@@ -1,0 +1,341 @@
+#include "resolve/tabs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/text/format.h"
+#include "geometry/boolean.h"
+
+namespace clearcut::resolve {
+namespace {
+
+/// mm. Kerfs end this much before the cutter's widest place beside a tab.
+constexpr double kBeforeTab = 0.02;
+/// mm. Tabs that nobody measured are no higher.
+constexpr double kTabHeight = 2;
+/// Of their depth.
+constexpr double kTabShare = 0.5;
+/// mm. Kerfs that overlap by less only touch.
+constexpr double kRounding = 1e-6;
+/// mm along the outline between places that are looked at for a tab.
+constexpr double kTabSearch = 0.5;
+/// mm. Places that are asked for may lie this far beside an outline.
+constexpr double kBesideOutline = 5;
+/// Tabs are this many at least where only their spacing is asked for: one alone lets what it holds swing.
+constexpr int kLeastOfSpacing = 2;
+
+/// A stretch of one edge of the outline.
+struct Stretch {
+  std::size_t edge = 0;
+  double from = 0;  ///< mm from the edge's start
+  double to = 0;
+};
+
+bool cuts_free(const Feature& feature) {
+  return feature.profile && feature.profile->side != ProfileSide::kOn;
+}
+
+/// mm; on how much of the outline a tab stands at the profile's floor, where it is `height` high over the material's underside.
+/// The sides of triangular tabs run on below that.
+double foot_of(const TabOptions& options, double height, double beyond) {
+  return options.shape == TabShape::kSquare ? options.width : options.width * (height + beyond) / height;
+}
+
+class TabPlacer {
+ public:
+  /// `foot`: mm along the outline on which a tab stands.
+  TabPlacer(const ProfileCut& cut, const Kerf& kerf, double foot)
+      : cut_(cut), radius_(kerf.radius), kerf_(kerf.width), foot_(foot) {
+    double at = 0;
+    for (const Edge& edge : cut.line) {
+      starts_.push_back(at);
+      at += edge.length();
+    }
+    around_ = at;
+  }
+
+  double around() const { return around_; }
+
+  /// Middles of `count` tabs, mm along the outline, spread evenly as far as places allow; fewer where they do not fit.
+  std::vector<double> evenly(int count) const {
+    std::vector<double> chosen;
+    for (int i = 0; i < count; ++i) {
+      if (const auto place = nearest_fit(around_ * (i + 0.5) / count, chosen)) chosen.push_back(*place);
+    }
+    return chosen;
+  }
+
+  /// Middles of as few tabs as it takes that none is farther than `spacing` mm along the outline from the next. Where corners forbid
+  /// that: those that come nearest to it.
+  std::vector<double> spaced(double spacing) const {
+    const int least = std::max(kLeastOfSpacing, static_cast<int>(std::ceil(around_ / spacing - kRounding)));
+    std::vector<double> best;
+    for (int count = least; count <= 2 * least + kLeastOfSpacing; ++count) {
+      std::vector<double> places = evenly(count);
+      if (best.empty() || widest_gap(places) < widest_gap(best)) best = std::move(places);
+      if (widest_gap(best) <= spacing + kRounding) break;
+    }
+    return best;
+  }
+
+  /// mm along the outline between tabs that follow each other, at most.
+  double widest_gap(std::vector<double> places) const {
+    if (places.empty()) return std::numeric_limits<double>::infinity();
+    std::sort(places.begin(), places.end());
+    double widest = places.front() + around_ - places.back();
+    for (std::size_t i = 1; i < places.size(); ++i) widest = std::max(widest, places[i] - places[i - 1]);
+    return widest;
+  }
+
+  /// mm along the outline to the place nearest to p.
+  double nearest_to(Vec2 p) const {
+    double at = 0, least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < cut_.line.size(); ++i) {
+      const Nearest near = nearest(cut_.line[i], p);
+      if (near.distance >= least) continue;
+      least = near.distance;
+      at = starts_[i] + near.t * cut_.line[i].length();
+    }
+    return std::fmod(at, around_);
+  }
+
+  /// The place nearest to `wanted`, mm along the outline, where a tab fits beside those that were chosen.
+  std::optional<double> nearest_fit(double wanted, const std::vector<double>& chosen) const {
+    for (double away = 0; away <= around_ / 2; away += kTabSearch) {
+      const double ahead = std::fmod(wanted + away, around_);
+      if (fits(ahead, chosen)) return ahead;
+      const double back = std::fmod(wanted - away + around_, around_);
+      if (fits(back, chosen)) return back;
+    }
+    return std::nullopt;
+  }
+
+  Vec2 point(double middle) const {
+    const Stretch on = stretch(middle, 0);
+    return cut_.line[on.edge].at(std::clamp(on.from / cut_.line[on.edge].length(), 0.0, 1.0));
+  }
+
+  Tab tab(double middle) const {
+    Tab tab;
+    tab.foot = piece(middle, foot_ / 2);
+    tab.aside = free_side() * kerf_;
+    tab.center = middle_of_kerf(middle);
+    tab.body = across(middle, foot_ / 2);
+    return tab;
+  }
+
+  /// Plan view of where the cutter's widest place cannot be at depth.
+  Regions gap(double middle) const { return across(middle, half_gap(middle) + kBeforeTab); }
+
+  /// On one line, or an arc much wider than the tab, away from corners and other tabs.
+  bool fits(double middle, const std::vector<double>& chosen) const {
+    const double half = half_gap(middle) + kBeforeTab;
+    const Stretch on = stretch(middle, half);
+    const Edge& edge = cut_.line[on.edge];
+    // The kerf along the next side must not run into it.
+    const double clear = kerf_ + kOverlap;
+    if (on.from < clear || on.to > edge.length() - clear) return false;
+    if (edge.is_arc() && edge.radius() < std::max(2 * half, kNarrowArc * kerf_)) return false;
+    const bool apart_from_others = std::all_of(chosen.begin(), chosen.end(), [&](double other) {
+      const double apart = std::abs(other - middle);
+      return std::min(apart, around_ - apart) > 2 * half + radius_;
+    });
+    return apart_from_others && is_free(on);
+  }
+
+ private:
+  static constexpr double kOverlap = 0.01;  ///< mm
+  static constexpr double kNarrowArc =
+      1.25;  ///< Of the kerf. Radius of arcs that are too narrow to move across it.
+
+  static Edge moved(const Edge& edge, double d) {
+    Edge out = edge;
+    out.from = edge.from + left_of(edge.tangent_at(0)) * d;
+    out.to = edge.to + left_of(edge.tangent_at(1)) * d;
+    return out;
+  }
+
+  Stretch stretch(double middle, double half) const {
+    const auto after = std::upper_bound(starts_.begin(), starts_.end(), middle);
+    const auto edge = static_cast<std::size_t>(after - starts_.begin()) - 1;
+    return {edge, middle - starts_[edge] - half, middle - starts_[edge] + half};
+  }
+
+  Edge piece(double middle, double half) const {
+    const Stretch on = stretch(middle, half);
+    const Edge& edge = cut_.line[on.edge];
+    return edge.part(on.from / edge.length(), on.to / edge.length());
+  }
+
+  /// Outline's stretch of `half` mm to both sides of the middle, moved over the kerf; no farther, for beyond it may lie the
+  /// kerf of another side.
+  Regions across(double middle, double half) const {
+    const Edge own = piece(middle, half);
+    // A little of the part goes along, so that no sliver stays between.
+    const double side = free_side();
+    const Edge near = moved(own, -side * kOverlap), far = moved(own, side * (kerf_ + kOverlap)).reversed();
+    return {Region::from_valid_loops(
+        {near, Edge::line(near.to, far.from), far, Edge::line(far.to, near.from)}, {})};
+  }
+
+  Vec2 middle_of_kerf(double middle) const {
+    const Stretch on = stretch(middle, 0);
+    const Edge& edge = cut_.line[on.edge];
+    const double t = std::clamp(on.from / edge.length(), 0.0, 1.0);
+    return edge.at(t) + left_of(edge.tangent_at(t)) * (free_side() * radius_);
+  }
+
+  /// mm along the outline, to both sides of the middle, over which the cutter's widest place cannot be at depth.
+  double half_gap(double middle) const {
+    const Edge& edge = cut_.line[stretch(middle, 0).edge];
+    if (!edge.is_arc()) return foot_ / 2 + radius_;
+    // The tab's sides run to the arc's centre; the cutter touches them from a circle about it.
+    const bool hollow = (edge.turn == Turn::kCounterClockwise) == (cut_.side == ProfileSide::kInside);
+    const double around = edge.radius() + (hollow ? -kerf_ / 2 : radius_);
+    return foot_ / 2 + edge.radius() * base::asin(std::min(1.0, radius_ / std::max(around, radius_)));
+  }
+
+  /// Whether no kerf along another side, in a notch or an acute corner, comes into the stretch's own: a tab there would be cut,
+  /// and nothing stands beyond it that it could hold.
+  bool is_free(const Stretch& on) const {
+    const Edge& own = cut_.line[on.edge];
+    const double kerf = kerf_ + kOverlap;
+    const Edge far = moved(own.part(on.from / own.length(), on.to / own.length()), free_side() * kerf);
+    const Box reached = far.box().grown(kerf);
+    for (std::size_t i = 0; i < cut_.line.size(); ++i) {
+      const Edge& other = cut_.line[i];
+      if (i != on.edge && other.box().overlaps(reached) && distance(far, other) < kerf - kRounding)
+        return false;
+    }
+    return true;
+  }
+
+  /// Of which side of the outline the free side is: right of a counter-clockwise one for outer profiles.
+  double free_side() const { return cut_.side == ProfileSide::kOutside ? -1 : 1; }
+
+  const ProfileCut& cut_;
+  double radius_;
+  double kerf_;
+  double foot_;
+  std::vector<double> starts_;
+  double around_ = 0;
+};
+
+std::string text_of(Vec2 p) {
+  return trimmed(p.x, 2) + "," + trimmed(p.y, 2);
+}
+
+/// Middles of tabs at the places that were asked for, mm along the outline.
+std::vector<double> chosen_places(const Feature& feature, const TabPlacer& placer,
+                                  const std::vector<Vec2>& asked, double width) {
+  std::vector<double> chosen;
+  for (const Vec2 p : asked) {
+    const double wanted = placer.nearest_to(p);
+    if (!placer.fits(wanted, chosen)) {
+      const auto other = placer.nearest_fit(wanted, chosen);
+      throw InputError("--tab-at",
+                       "at " + text_of(p) + " a corner or a narrow arc of " + feature.name +
+                           " or another tab is too near for one of " + trimmed(width, 2) + " mm; " +
+                           (other ? "the nearest place is " + text_of(placer.point(*other))
+                                  : "no other place is left: take narrower ones (--tab-width) or fewer"));
+    }
+    chosen.push_back(wanted);
+  }
+  return chosen;
+}
+
+/// Says, or throws where the profile frees the part itself, that not all that was asked for is possible.
+void refuse_or_warn(const Feature& feature, const char* option, const std::string& what,
+                    const std::string& instead, Diagnostics& diagnostics) {
+  if (feature.profile->side == ProfileSide::kOutside) throw InputError(option, what + instead);
+  diagnostics.warn(feature.name, what + "; what it cuts free is held by no more");
+}
+
+/// Middles of all tabs of a profile, mm along its outline.
+std::vector<double> places_on(const Feature& feature, const TabPlacer& placer, const std::vector<Vec2>& asked,
+                              const TabOptions& options, Diagnostics& diagnostics) {
+  if (!options.at.empty()) return chosen_places(feature, placer, asked, options.width);
+  const std::string width = trimmed(options.width, 2) + " mm";
+  const int wanted = options.spacing ? kLeastOfSpacing : options.count;
+  std::vector<double> places = options.spacing ? placer.spaced(*options.spacing) : placer.evenly(wanted);
+  if (const int count = static_cast<int>(places.size()); count < wanted) {
+    refuse_or_warn(feature, options.spacing ? "--tab-spacing" : "--tabs",
+                   "only " + std::to_string(count) + " of " + std::to_string(wanted) + " tabs of " + width +
+                       " fit on straight stretches and wide arcs of " + feature.name,
+                   "; ask for fewer or narrower ones (--tab-width)", diagnostics);
+  } else if (options.spacing && placer.widest_gap(places) > *options.spacing + kRounding) {
+    refuse_or_warn(feature, "--tab-spacing",
+                   "tabs of " + width + " on straight stretches and wide arcs of " + feature.name + " are " +
+                       trimmed(std::ceil(100 * placer.widest_gap(places)) / 100, 2) + " mm apart at best",
+                   "; ask for a wider spacing or narrower ones (--tab-width)", diagnostics);
+  }
+  return places;
+}
+
+}  // namespace
+
+PlacesByFeature places_of_tabs(const Part& part, const TabOptions& options) {
+  PlacesByFeature places;
+  for (const Vec2 p : options.at) {
+    int nearest = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Workingstep& step : part.workplan) {
+      const Feature& feature = feature_of(part, step);
+      if (!cuts_free(feature)) continue;
+      for (const Edge& edge : feature.profile->line) {
+        const double apart = distance(edge, p);
+        if (apart >= least) continue;
+        least = apart;
+        nearest = step.feature;
+      }
+    }
+    if (nearest < 0)
+      throw InputError("--tab-at", "there is no profile that cuts anything free; leave it out");
+    if (least > kBesideOutline)
+      throw InputError("--tab-at", text_of(p) + " is " + trimmed(least, 1) + " mm from the nearest profile, " +
+                                       part.features[static_cast<std::size_t>(nearest)].name +
+                                       "; name a place on its outline");
+    places[nearest].push_back(p);
+  }
+  return places;
+}
+
+std::optional<Feature> split_at_tabs(Part& part, int index, const Kerf& kerf, const TabWish& wish) {
+  Feature& feature = part.features[static_cast<std::size_t>(index)];
+  const TabOptions& options = wish.options;
+  if (!options.any() || !cuts_free(feature)) return std::nullopt;
+  const double under = feature.floor_z + feature.profile->beyond;
+  const double height =
+      options.height.value_or(std::min(kTabHeight, kTabShare * (feature.top_z - under)));
+  const double top = under + height;
+  if (top >= feature.top_z) {
+    throw InputError("--tab-height", trimmed(height, 3) + " mm is as high as the profile " + feature.name +
+                                         " is deep; make it lower");
+  }
+  const TabPlacer placer(*feature.profile, kerf, foot_of(options, height, feature.profile->beyond));
+  const auto asked = wish.places.find(index);
+  const std::vector<double> places =
+      places_on(feature, placer, asked == wish.places.end() ? std::vector<Vec2>{} : asked->second, options,
+                part.diagnostics);
+  if (places.empty()) return std::nullopt;
+  Feature below = feature;
+  below.name = feature.name + "_tabs";
+  below.top_z = top;
+  for (const double place : places) {
+    Tab tab = placer.tab(place);
+    tab.shape = options.shape;
+    tab.top_z = top;
+    tab.bottom_z = feature.floor_z;
+    below.target = subtract(below.target, placer.gap(place), wish.tol);
+    if (tab.shape == TabShape::kSquare) below.allowed = subtract(below.allowed, tab.body, wish.tol);
+    below.profile->tabs.push_back(std::move(tab));
+  }
+  feature.floor_z = top;
+  feature.through = false;
+  return below;
+}
+
+}  // namespace clearcut::resolve
