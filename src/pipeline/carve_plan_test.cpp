@@ -65,6 +65,22 @@ TEST(VCarving, ADepthLimitLeavesAFloorThatAMillClears) {
   EXPECT_THAT(refusal(drawn(text), {"endmill:3"}), HasSubstr("V-carving needs a V-bit"));
 }
 
+/// From one arm of the axis to the next the bit crosses the floor, of which the levels above have cut the rim alone.
+TEST(VCarving, NoPassTakesMoreThanTheStepdown) {
+  const std::string star = outline("VCARVE_D3", {{{0, 0}},
+                                                 {{-6.285, 5.498}},
+                                                 {{-9.163, 2.208}},
+                                                 {{-6.103, -0.469}},
+                                                 {{-7.656, -2.245}},
+                                                 {{-4.432, -5.066}}}) +
+                           circle("VCARVE_D3", {-4.582, 1.104}, 0.874);
+  for (const double stepdown : {0.3, 0.5, 1.0}) {
+    auto options = with({"vbit:60deg:6", "endmill:1.5"});
+    options.stepdown = stepdown;
+    EXPECT_EQ(faults_of(plan_part(drawn(star), options).findings), "") << stepdown;
+  }
+}
+
 /// Its tip cannot stand in the narrow ends of a floor: they are none of its faults. What it can reach is.
 TEST(VCarving, ABitWithAFlatTipIsCleanAndAProgramNotDeepEnoughIsNot) {
   const auto triangle = [](const std::string& layer) {

@@ -85,16 +85,17 @@ class TrackLinker {
   }
 
  private:
-  /// Goes to the start of a track at the height of the shallower end, if that is allowed and as quick as over the part.
+  /// Goes to the start of a track as low as allowed, if that is as quick as over the part.
   bool stay_down_to(const Track::Piece& first) {
     const Vec2 to = first.path.from;
-    const double z = std::max(list_->z(), first.z_from), apart = distance(list_->at(), to);
+    const double apart = distance(list_->at(), to), shallower = std::max(list_->z(), first.z_from);
+    const double z = apart > room_.longest_below ? std::max(shallower, room_.high) : shallower;
     const double over = std::max(options_.cross_z, clear_z_);
     const double rapid = (over - list_->z() + apart + over - clear_z_) / options_.machine.rapid.mm_per_s();
     const double lifted = rapid + (clear_z_ - first.z_from) / options_.plunge_feed.mm_per_s();
     const double down = (z - list_->z() + apart) / options_.feed.mm_per_s() +
                         (z - first.z_from) / options_.plunge_feed.mm_per_s();
-    if (!room_ || z >= clear_z_ || down > lifted || !room_(list_->at(), to, z)) return false;
+    if (!room_.holds || z >= clear_z_ || down > lifted || !room_.holds(list_->at(), to, z)) return false;
     if (list_->z() < z) list_->vertical(z, MoveKind::kRetract, options_.feed);
     list_->line(to, MoveKind::kLink, options_.feed);
     return true;

@@ -36,7 +36,7 @@ TEST(Tracks, AreLinkedAtDepthWhereTheTipHasRoom) {
     from = a, to = b, height = z;
     return true;
   };
-  const Section section = link_tracks(two_lines(), 1, options(), note);
+  const Section section = link_tracks(two_lines(), 1, options(), {note});
   EXPECT_EQ(rapids_across(section), 0);
   EXPECT_EQ(from, (Vec2{10, 0}));
   EXPECT_EQ(to, (Vec2{10, 2}));
@@ -51,14 +51,27 @@ TEST(Tracks, AreLinkedAtDepthWhereTheTipHasRoom) {
 TEST(Tracks, AreLeftUpwardsWhereTheTipHasNoRoom) {
   EXPECT_EQ(rapids_across(link_tracks(two_lines(), 1, options())), 1);
   const auto nowhere = [](Vec2, Vec2, double) { return false; };
-  EXPECT_EQ(rapids_across(link_tracks(two_lines(), 1, options(), nowhere)), 1);
+  EXPECT_EQ(rapids_across(link_tracks(two_lines(), 1, options(), {nowhere})), 1);
+}
+
+TEST(Tracks, LongWaysAreHigherWhereTheyWouldCutTooMuch) {
+  const auto height_of_way = [](const TipRoom& room) {
+    const Section section = link_tracks(two_lines(), 1, options(), room);
+    const auto link = std::find_if(section.moves.begin(), section.moves.end(),
+                                   [](const Move& move) { return move.kind == MoveKind::kLink; });
+    return link == section.moves.end() ? 1.0 : link->z_from;
+  };
+  const auto anywhere = [](Vec2, Vec2, double) { return true; };
+  EXPECT_EQ(height_of_way({anywhere, -0.5, 1.9}), -0.5);
+  EXPECT_EQ(height_of_way({anywhere, -0.5, 2.1}), -1);
+  EXPECT_EQ(height_of_way({anywhere, -1.2, 1.9}), -1);
 }
 
 TEST(Tracks, AreLeftUpwardsWhereThatIsQuicker) {
   auto sets = two_lines();
   sets[1] = {{{{Edge::line({10, 200}, {0, 200}), -1.5, -1.5}}}};
   const auto anywhere = [](Vec2, Vec2, double) { return true; };
-  EXPECT_EQ(rapids_across(link_tracks(sets, 1, options(), anywhere)), 1);
+  EXPECT_EQ(rapids_across(link_tracks(sets, 1, options(), {anywhere})), 1);
 }
 
 }  // namespace

@@ -97,9 +97,10 @@ plan::carve::CarveShape carve_shape(const Feature& feature, const Tool& tool, do
 /// mm. Rounding of distances between a straight way and an outline that it comes as near as it may.
 constexpr double kRounding = 1e-7;
 
-/// A straight way is free where the cone, its tip at that height, fits between the outlines all along.
+/// A straight way is free where the cone, its tip at that height, fits between the outlines all along. Below the first pass it is
+/// short: at its beginning the cone has cut all but what one pass takes.
 link::TipRoom room_within(const Regions& target, const plan::carve::CarveShape& shape) {
-  return [&target, shape](Vec2 from, Vec2 to, double z) {
+  const auto holds = [&target, shape](Vec2 from, Vec2 to, double z) {
     const double needed = shape.tip_radius + shape.aside + (shape.top - z) * shape.slope - kRounding;
     const Edge way = Edge::line(from, to);
     return std::any_of(target.begin(), target.end(), [&](const Region& region) {
@@ -109,6 +110,7 @@ link::TipRoom room_within(const Regions& target, const plan::carve::CarveShape& 
              });
     });
   };
+  return {holds, shape.top - shape.stepdown, shape.tip_radius + shape.stepdown * shape.slope};
 }
 
 /// What the tip runs along, and where it may cross from one track to the next.
