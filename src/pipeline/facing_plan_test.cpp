@@ -71,5 +71,15 @@ TEST_P(FacesOfRandomOutlines, AreFacedAllOver) {
 
 INSTANTIATE_TEST_SUITE_P(Quarters, FacesOfRandomOutlines, ::testing::Range(0, 4));
 
+/// Three arcs meet where none of them was drawn as it runs now: what they leave there is a rest as any other.
+TEST(Facing, AdaptiveCutsLeaveNoRestWhereJoinedArcsRunBesideWhatTheyWere) {
+  auto options = with({"endmill:16", "endmill:4"});
+  options.strategy = "adaptive";
+  const auto result = plan_part(
+      drawn(box("STOCK_D10", -3.66, -3.66, 48.27, 32.73) + box("FACE_D2.5", -3.66, -3.66, 48.27, 32.73)),
+      options);
+  EXPECT_EQ(faults_of(result.findings), "");
+}
+
 }  // namespace
 }  // namespace clearcut::pipeline

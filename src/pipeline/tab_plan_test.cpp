@@ -72,8 +72,7 @@ std::vector<Stroke> strokes_of(const std::string& program) {
       moves = moves || (word[0] >= 'X' && word[0] <= 'Z');
     }
     if (moves && next.code >= 2) add_arc(at, next, strokes);
-    if (moves && next.code < 2)
-      strokes.push_back({at.x, at.y, at.z, next.x, next.y, next.z, next.code == 0});
+    if (moves && next.code < 2) strokes.push_back({at.x, at.y, at.z, next.x, next.y, next.z, next.code == 0});
     at = next;
   }
   return strokes;
@@ -143,7 +142,8 @@ std::vector<Vec2> random_outline(Random& random) {
   const int count = 3 + static_cast<int>(random.between(0, 4.99));
   for (int i = 0; i < count; ++i) {
     const double angle = 2 * kPi * (i + random.between(-0.2, 0.2)) / count, r = random.between(25, 45);
-    points.push_back({std::round(100 * r * std::cos(angle)) / 100, std::round(100 * r * std::sin(angle)) / 100});
+    points.push_back(
+        {std::round(100 * r * std::cos(angle)) / 100, std::round(100 * r * std::sin(angle)) / 100});
   }
   return points;
 }
@@ -206,8 +206,8 @@ TEST(TriangularTabs, StandAsAskedForInHeightsOfTheirOwn) {
         EXPECT_NEAR(hills[k].top, *options.tabs.height, 0.03 * steepness + 0.002) << i;
         EXPECT_LT(hills[k].error, 0.08 * steepness + 0.015) << i;
         const double round = starts_of(points).back();
-        const double gap = k > 0 ? hills[k].middle - hills[k - 1].middle
-                                 : hills[k].middle + round - hills.back().middle;
+        const double gap =
+            k > 0 ? hills[k].middle - hills[k - 1].middle : hills[k].middle + round - hills.back().middle;
         EXPECT_LT(gap, options.tabs.spacing.value_or(round) + 0.1) << i;
       }
       ++seen;
@@ -262,13 +262,16 @@ TEST(TriangularTabs, WrongProgramsAreFaultyByName) {
   };
   EXPECT_EQ(faults_with([](TabOptions&) {}), "");
   EXPECT_THAT(faults_with([](TabOptions& tabs) { tabs.count = 0; }), HasSubstr("missing tab: "));
-  EXPECT_THAT(faults_with([](TabOptions& tabs) { tabs.height = 1.9; }), HasSubstr("stands 1.9 mm high where 2 mm"));
-  EXPECT_THAT(faults_with([](TabOptions& tabs) { tabs.height = 2.1; }), HasSubstr("stands 2.1 mm high where 2 mm"));
+  EXPECT_THAT(faults_with([](TabOptions& tabs) { tabs.height = 1.9; }),
+              HasSubstr("stands 1.9 mm high where 2 mm"));
+  EXPECT_THAT(faults_with([](TabOptions& tabs) { tabs.height = 2.1; }),
+              HasSubstr("stands 2.1 mm high where 2 mm"));
   // As high in the middle, and lower beside it.
   EXPECT_THAT(faults_with([](TabOptions& tabs) { tabs.width = 3.8; }),
               HasSubstr("tab height: PROFILE_D6_tabs: a side of the triangular tab stands"));
   EXPECT_THAT(faults_with([](TabOptions& tabs) { tabs.width = 3.8; }), HasSubstr("mm too low"));
-  EXPECT_THAT(faults_with([](TabOptions& tabs) { tabs.shape = TabShape::kSquare; }), HasSubstr("mm too high"));
+  EXPECT_THAT(faults_with([](TabOptions& tabs) { tabs.shape = TabShape::kSquare; }),
+              HasSubstr("mm too high"));
 }
 
 /// A move across the tab at another place than its middle line.
@@ -279,7 +282,8 @@ TEST(TriangularTabs, ACutFromBesideIsSeen) {
   const Tab& tab = good.part.features.back().profile->tabs.front();
   const auto at = [](double value) { return std::to_string(value); };
   const Vec2 along = tab.foot.tangent_at(0.5), p = tab.center + along * 2.5;
-  const std::string cut = "G0 Z10\nG0 X" + at(p.x) + " Y" + at(p.y) + "\nG1 Z" + at(tab.bottom_z + 0.7) + " F100\nG0 Z10\n";
+  const std::string cut =
+      "G0 Z10\nG0 X" + at(p.x) + " Y" + at(p.y) + "\nG1 Z" + at(tab.bottom_z + 0.7) + " F100\nG0 Z10\n";
   std::string text = good.program;
   text.insert(text.rfind("M5"), cut);
   const auto checked = check_program(part, text, "cut.ngc", options);
@@ -321,7 +325,8 @@ std::string refusal_at(const Part& part, const std::vector<Vec2>& places) {
 TEST(TabPlaces, ThatCannotBeAreRefused) {
   const Part part = drawn(box("PROFILE_D6", 0, 0, 80, 50) + circle("INSIDE_D6", {40, 25}, 5));
   EXPECT_EQ(refusal_at(part, {{40, -3}}), "");
-  EXPECT_THAT(refusal_at(part, {{40, -6}}), HasSubstr("--tab-at: 40,-6 is 6 mm from the nearest profile, PROFILE_D6"));
+  EXPECT_THAT(refusal_at(part, {{40, -6}}),
+              HasSubstr("--tab-at: 40,-6 is 6 mm from the nearest profile, PROFILE_D6"));
   EXPECT_THAT(refusal_at(part, {{2, 0}}), HasSubstr("at 2,0 a corner or a narrow arc of PROFILE_D6"));
   EXPECT_THAT(refusal_at(part, {{2, 0}}), HasSubstr("the nearest place is 8.5,0"));
   EXPECT_THAT(refusal_at(part, {{45, 25}}), HasSubstr("narrow arc of INSIDE_D6"));

@@ -295,7 +295,8 @@ PlacesByFeature places_of_tabs(const Part& part, const TabOptions& options) {
     if (nearest < 0)
       throw InputError("--tab-at", "there is no profile that cuts anything free; leave it out");
     if (least > kBesideOutline)
-      throw InputError("--tab-at", text_of(p) + " is " + trimmed(least, 1) + " mm from the nearest profile, " +
+      throw InputError("--tab-at", text_of(p) + " is " + trimmed(least, 1) +
+                                       " mm from the nearest profile, " +
                                        part.features[static_cast<std::size_t>(nearest)].name +
                                        "; name a place on its outline");
     places[nearest].push_back(p);
@@ -308,8 +309,7 @@ std::optional<Feature> split_at_tabs(Part& part, int index, const Kerf& kerf, co
   const TabOptions& options = wish.options;
   if (!options.any() || !cuts_free(feature)) return std::nullopt;
   const double under = feature.floor_z + feature.profile->beyond;
-  const double height =
-      options.height.value_or(std::min(kTabHeight, kTabShare * (feature.top_z - under)));
+  const double height = options.height.value_or(std::min(kTabHeight, kTabShare * (feature.top_z - under)));
   const double top = under + height;
   if (top >= feature.top_z) {
     throw InputError("--tab-height", trimmed(height, 3) + " mm is as high as the profile " + feature.name +

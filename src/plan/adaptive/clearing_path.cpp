@@ -99,11 +99,18 @@ void ClearingPath::append(const Path& cut, const LinkPath& link) {
 }
 
 /// The last cut and the edge as one move: with the same shape, or nearly so where no wall is near.
-std::optional<Edge> ClearingPath::joined_to_last(const Edge& edge) const {
+std::optional<Edge> ClearingPath::joined_to_last(const Edge& edge) {
   if (pass_.path.empty() || pass_.kinds.back() != MoveKind::kCut) return std::nullopt;
   if (const auto same = joined(pass_.path.back(), edge, kSame)) return same;
   const auto whole = joined(pass_.path.back(), edge, kNearlySame * remaining_.tool_radius());
-  return whole && remaining_.is_legal(*whole) ? whole : std::nullopt;
+  if (!whole || !remaining_.is_legal(*whole)) return std::nullopt;
+  replaced_.insert(replaced_.end(), {pass_.path.back(), edge});
+  return whole;
+}
+
+bool ClearingPath::is_beside_joined(Vec2 p) const {
+  return std::any_of(replaced_.begin(), replaced_.end(),
+                     [&](const Edge& edge) { return distance(edge, p) < remaining_.tool_radius(); });
 }
 
 void ClearingPath::cut_arc(Vec2 center, Vec2 to) {

@@ -47,6 +47,8 @@ class ClearingPath {
   void resume_pass();
   /// All moves so far.
   std::vector<Edge> moves() const;
+  /// Whether p is cleared by cuts that were joined into others, which run a little beside them and may not clear it.
+  bool is_beside_joined(Vec2 p) const;
   /// All passes; ends the current one.
   std::vector<Pass> take_passes();
 
@@ -56,11 +58,12 @@ class ClearingPath {
   bool keeps_limit(const Edge& half_turn, double limit) const;
   void cut_arc(Vec2 center, Vec2 to);
   void append_link(const LinkMove& move);
-  std::optional<Edge> joined_to_last(const Edge& edge) const;
+  std::optional<Edge> joined_to_last(const Edge& edge);
 
   RemainingStock& remaining_;
   const ClearLinks& links_;
   std::vector<Pass> passes_;
+  std::vector<Edge> replaced_;  ///< cuts as they were before they were joined, where that moved them
   Pass pass_;
   Vec2 at_;
   /// mm from the spiral's centre to its last two ends of half turns.
