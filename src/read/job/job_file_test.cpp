@@ -142,6 +142,18 @@ TEST_F(Job, MachineToolsLibraryAndOutput) {
   EXPECT_EQ(with_tools.tools[0].number, 2);
 }
 
+TEST_F(Job, TabsHaveShapesSpacingsAndPlaces) {
+  const JobFile spaced = job(kPart + "[plan]\ntab_shape = \"triangular\"\ntab_spacing = 80\ntab_width = 3\n");
+  EXPECT_EQ(spaced.tabs.shape, TabShape::kTriangular);
+  EXPECT_EQ(spaced.tabs.spacing, 80);
+  EXPECT_EQ(spaced.tabs.width, 3);
+  const JobFile chosen = job(kPart + "[plan]\ntab_at = [[1, -2.5], [40, 0]]\n");
+  EXPECT_EQ(chosen.tabs.shape, TabShape::kSquare);
+  EXPECT_EQ(chosen.tabs.at, (std::vector<Vec2>{{1, -2.5}, {40, 0}}));
+  EXPECT_THAT(refusal(kPart + "[plan]\ntab_at = [1, 2]\n"), HasSubstr("must be a list of points"));
+  EXPECT_THAT(refusal(kPart + "[plan]\ntab_shape = \"round\"\n"), HasSubstr("triangular"));
+}
+
 TEST_F(Job, MistakesGiveOneLineWithFileAndLine) {
   EXPECT_THAT(refusal(""), StartsWith("job.toml:1: [part] is missing"));
   EXPECT_THAT(refusal("[part]\n"), StartsWith("job.toml:1: [part]: file is missing"));
