@@ -133,5 +133,11 @@ TEST(Chamfering, WhereTheConeHasNoRoomTheSkipSaysHowMuchItNeeds) {
   }));
 }
 
+/// The tip goes below the chamfer's foot, where a narrower mill of another feature has a stepdown of its own.
+TEST(Chamfering, TheStepdownOfTheirOwnToolCounts) {
+  const std::string bar = box("PROFILE_D4", 0, 0, 20, 40) + box("CHAMFER_D1", 0, 0, 20, 40);
+  EXPECT_EQ(faults_of(plan_part(drawn(bar), with({"endmill:2", "chamfer:90deg:6"})).findings), "");
+}
+
 }  // namespace
 }  // namespace clearcut::pipeline

@@ -52,7 +52,9 @@ std::optional<double> Attribution::stepdown_at(const CheckedMove& checked) const
   std::optional<double> of_tool, of_any;
   for (int i = 0; i < static_cast<int>(part_.workplan.size()); ++i) {
     const std::optional<double> stepdown = part_.workplan[i].operation.stepdown;
-    if (!stepdown || !fits(checked, middle, i, checked.radius())) continue;
+    // The tip of a cone goes below the foot of the chamfer that its flank cuts.
+    const bool chamfers = i == checked.workingstep && feature_of(part_, part_.workplan[i]).chamfer;
+    if (!stepdown || !(chamfers || fits(checked, middle, i, checked.radius()))) continue;
     of_any = std::max(of_any.value_or(0), *stepdown);
     if (has_tool(checked, i)) of_tool = std::max(of_tool.value_or(0), *stepdown);
   }
