@@ -217,7 +217,11 @@ bool AdaptiveFinish::cut_rests(bool open, int most) {
     const int before = left;
     std::vector<Vec2> cut;
     for (const Vec2 hole : holes) {
-      if (has_no_rest(hole, cut)) continue;
+      // The stock knows cuts as they were before they were joined into others, which may leave a rest beside them.
+      const bool is_cut =
+          std::any_of(cut.begin(), cut.end(), [&](Vec2 p) { return distance(p, hole) < radius_; });
+      const bool is_left = !is_cut && path_.is_beside_joined(hole) && contains(target_, hole);
+      if (remaining_.is_removed(hole) && !is_left) continue;
       if (left <= 0) return false;
       const Vec2 p = nearest_legal(hole);
       if (!cut_rest(p) && !enter_rest(p)) continue;
@@ -228,15 +232,6 @@ bool AdaptiveFinish::cut_rests(bool open, int most) {
   }
   return rests(Cover(path_.moves(), radius_ + ResidualLimits::kRest, Cover::SearchPlaces::kAtRims), open)
       .empty();
-}
-
-/// Whether nothing stands at a hole of the cover: no stock, or none any more, after cuts at the places `cut` too. The stock knows
-/// cuts as they were before they were joined into others.
-bool AdaptiveFinish::has_no_rest(Vec2 hole, const std::vector<Vec2>& cut) const {
-  if (!remaining_.is_removed(hole)) return false;
-  const bool is_cut =
-      std::any_of(cut.begin(), cut.end(), [&](Vec2 p) { return distance(p, hole) < radius_; });
-  return is_cut || !path_.is_beside_joined(hole) || !contains(target_, hole);
 }
 
 std::vector<Vec2> AdaptiveFinish::rests(const Cover& cover, bool open) const {

@@ -46,7 +46,6 @@ class AdaptiveFinish {
   std::optional<LinkPath> link_to_trochoidal_step(const WallStretch& stretch);
   void cut_stretch(const WallStretch& place);
   bool cut_rests(bool open, int most);
-  bool has_no_rest(Vec2 hole, const std::vector<Vec2>& cut) const;
   std::vector<Vec2> rests(const Cover& cover, bool open) const;
   void add_holes_at_border(const Cover& cover, std::vector<Vec2>& holes) const;
   bool is_reachable(Vec2 p) const;
