@@ -152,8 +152,6 @@ def plan_setups(
     for number in range(1, count + 1):
         part, asked = read_job(name, setup=number, earlier=plans, **(reading or {}))
         options = asked.replaced(**settings)
-        if options.program_number is not None:
-            options.program_number += number - 1
         plans.append(plan(part, options, strategies=strategies, progress=progress, cancel=cancel))
     return plans
 

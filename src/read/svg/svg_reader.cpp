@@ -241,10 +241,7 @@ class SvgCollector {
       throw InputError(place(node), "uses within uses deeper than 200; the drawing refers to itself");
     inherit(used, own);
     check_lengths(used);
-    if (!own.style.shown || !own.style.seen) {
-      ++hidden_[std::string(local_name(used))];
-      return;
-    }
+    if (!own.style.shown || !own.style.seen) return leave_out(used);
     // The size that the use gives goes before that of an <svg>.
     const auto size = [&](const char* side, double whole) {
       return svg_attribute(node, side, whole, is_svg ? svg_attribute(used, side, whole, whole) : whole);
@@ -258,14 +255,18 @@ class SvgCollector {
     if (!own.style.cut_off.empty()) ++cut_off_[own.style.cut_off];
   }
 
+  void leave_out(const pugi::xml_node& node) { ++hidden_[std::string(local_name(node))]; }
+
+  SvgPathData shape_of(const pugi::xml_node& node, const SvgInherited& own, const Affine& map) const {
+    SvgPathData data = svg_shape(node, own.view, map);
+    if (!data.error.empty()) throw InputError(place(node), data.error + "; correct it");
+    return data;
+  }
+
   void take_shape(const pugi::xml_node& node, const SvgInherited& own) {
-    const std::string name(local_name(node));
-    const bool filled = own.style.fills() && name != "line";
+    const bool filled = own.style.fills() && local_name(node) != "line";
     const bool stroked = own.style.strokes();
-    if (!own.style.visible || (!filled && !stroked)) {
-      ++hidden_[name];
-      return;
-    }
+    if (!own.style.visible || (!filled && !stroked)) return leave_out(node);
     DrawnGroup* group = wanted_group(own, filled);
     if (!group) return;
     if (own.style.marked) ++marked_;
@@ -329,7 +330,7 @@ class SvgCollector {
       const Compound compound =
           filled && !group.curves.empty() ? *group.curves.back().compound : compound_of_strokes(group);
       const bool clockwise = filled && winding_of(group, compound) < 0;
-      const auto lines = [&](const Affine& map) { return svg_shape(node, own.view, map).subpaths; };
+      const auto lines = [&](const Affine& map) { return shape_of(node, own, map).subpaths; };
       for (const Path& piece : stroke_pieces(own.map, pen, lines))
         group.curves.push_back(
             {clockwise ? reversed(piece) : piece, true, svg_source(node) + " (stroke)", compound});
@@ -351,8 +352,7 @@ class SvgCollector {
   }
 
   void add_curves(const pugi::xml_node& node, const SvgInherited& own, bool filled, DrawnGroup& group) {
-    SvgPathData data = svg_shape(node, own.view, own.map);
-    if (!data.error.empty()) throw InputError(place(node), data.error + "; correct it");
+    SvgPathData data = shape_of(node, own, own.map);
     if (!filled) ++stroke_only_;
     if (data.half_point) ++odd_points_;
     if (data.subpaths.empty()) ++not_read_[std::string(local_name(node)) + " without size"];

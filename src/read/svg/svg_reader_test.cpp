@@ -348,6 +348,17 @@ TEST(Svg, Colors) {
   EXPECT_EQ(normal_color("url(#x)"), "url(#x)");
 }
 
+TEST(Svg, PathsThatEndInAnErrorAreRefusedHoweverTheyAreDrawn) {
+  for (const bool areas : {false, true}) {
+    ReadOptions options;
+    options.stroke_areas = areas;
+    const auto broken = [&] {
+      read(page("<path d='M5 35L15 5L x' fill='none' stroke='black' stroke-width='4'/>"), options);
+    };
+    EXPECT_THAT(broken, ::testing::ThrowsMessage<InputError>(HasSubstr("correct it"))) << areas;
+  }
+}
+
 TEST(Svg, BadFilesGiveOneLineSayingWhere) {
   EXPECT_THAT(refusal(""), HasSubstr("plate.svg:1: not SVG"));
   EXPECT_THAT(refusal("<svg>\n<g>\n<rect></g></svg>"), StartsWith("plate.svg:3: not SVG"));
