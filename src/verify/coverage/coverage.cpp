@@ -310,7 +310,8 @@ class CoverageProof {
 
   /// mm; a cell small enough to distinguish what a cutter reaches from what it nearly reaches.
   double smallest_cell() const {
-    return std::min(question_.flat / 4, tol_.uncut / 8 * base::exp2(leaves_ / kLeavesPerSize));
+    const auto doublings = leaves_ / kLeavesPerSize;
+    return std::min(question_.flat / 4, tol_.uncut / 8 * base::exp2(static_cast<double>(doublings)));
   }
 
   /// Records that what lies at most `excess` mm outside a swath is at most twice as wide.
