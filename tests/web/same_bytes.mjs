@@ -25,7 +25,7 @@ process.setMaxListeners(0);  // emscripten adds some with each run
 const exampleParts = [['bracket.dxf', '--tool=endmill:6', '--stepdown=2.5'], ['bracket.svg', '--tool=endmill:6'], ['bracket.json', '--tool=endmill:6'],
   ['bracket.toml'], ['fishhead.p21', '--stepdown=50'], ['fishhead.p21', '--stepdown=2'], ['fishhead_sloped.p21', '--stepdown=50'],
   ['sign.dxf', '--tool=vbit:60deg:10'], ['plate.dxf', '--tool=endmill:5', '--tool=chamfer:90deg:8:tip=0.4', '--stepdown=3'], ['five_pockets.toml'],
-  ['bracket.step', '--tool=endmill:6']];
+  ['bracket.dxf', '--tool=endmill:6', '--origin=corner'], ['bracket.step', '--tool=endmill:6']];
 
 /** @type {[string, Uint8Array][]} */
 const exampleFiles = fs.readdirSync(examples, { withFileTypes: true }).filter(one => one.isFile()).map(one => [one.name, fs.readFileSync(path.join(examples, one.name))]);
