@@ -9,10 +9,8 @@
 namespace clearcut::read {
 namespace {
 
-constexpr int kDeepest = 200;
-
 void index(const pugi::xml_node& node, int depth, SvgDocument& document, pugi::xml_node& too_deep) {
-  if (depth > kDeepest) too_deep = node;
+  if (depth > kDeepestSvg) too_deep = node;
   if (too_deep) return;
   if (const auto id = svg_text_of(node, "id"); !id.empty()) document.by_id.try_emplace(std::string(id), node);
   if (local_name(node) == "style") {
@@ -32,7 +30,7 @@ class DrawnCount {
 
   int of(const pugi::xml_node& node, int depth = 0) {
     // What is used within uses so deep, the drawing of it refuses.
-    if (depth > kDeepest) return 1;
+    if (depth > kDeepestSvg) return 1;
     const auto [found, is_new] = counts_.try_emplace(node.internal_object(), 1);
     // What is being counted refers to itself, which the drawing of it refuses.
     if (!is_new) return found->second;

@@ -10,6 +10,9 @@
 
 namespace clearcut::read {
 
+/// Elements within elements, and uses within uses, at most.
+inline constexpr int kDeepestSvg = 200;
+
 struct SvgDocument {
   std::map<std::string, pugi::xml_node> by_id;
   SvgStyleSheet sheet;

@@ -25,7 +25,6 @@
 namespace clearcut::read {
 namespace {
 
-constexpr int kDeepest = 200;
 /// Elements drawn, with every use counted again: beyond this the drawing is a trap.
 constexpr int kMostElements = 1'000'000;
 
@@ -142,7 +141,7 @@ class SvgCollector {
 
   void take(const pugi::xml_node& node, const SvgInherited& outer, int depth, bool is_root) {
     if (++count_ > kMostElements) refuse_size();
-    if (depth > kDeepest)
+    if (depth > kDeepestSvg)
       throw InputError(place(node), "uses within uses deeper than 200; the drawing refers to itself");
     const std::string_view name = local_name(node);
     if (is_svg_definition(name)) return;
@@ -237,7 +236,7 @@ class SvgCollector {
                                              svg_attribute(node, "y", own.view.height, 0)});
     const bool is_svg = local_name(used) == "svg";
     if (local_name(used) != "symbol" && !is_svg) return take(used, own, depth + 1, false);
-    if (depth > kDeepest)
+    if (depth > kDeepestSvg)
       throw InputError(place(node), "uses within uses deeper than 200; the drawing refers to itself");
     inherit(used, own);
     check_lengths(used);
