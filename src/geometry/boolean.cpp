@@ -21,10 +21,6 @@ namespace {
 using ClipperLib::IntPoint;
 
 constexpr double kGridPerMm = 1e6;  // 1 nm
-/// Points of the input up to which contours are split at their touches in a tenth of a millisecond.
-constexpr std::size_t kQuicklySplit = 400;
-/// Touches times points of the input up to which polyclipping splits contours in some tenths of a second.
-constexpr std::size_t kMostForPolyclipping = 1'000'000;
 
 IntPoint to_grid(Vec2 p) {
   return {static_cast<ClipperLib::cInt>(std::llround(p.x * kGridPerMm)),
@@ -69,8 +65,6 @@ class Sources {
     const auto found = points_.find({p.X, p.Y});
     return found == points_.end() ? from_grid(p) : found->second.point;
   }
-
-  std::size_t point_count() const { return points_.size(); }
 
   bool is_source_point(IntPoint p) const { return points_.count({p.X, p.Y}) > 0; }
 
@@ -257,14 +251,24 @@ void add_regions(const Regions& regions, ClipperLib::PolyType type, Sources& sou
   }
 }
 
-/// How often contours come back to one of their points.
-std::size_t touches_of(const ClipperLib::PolyTree& tree) {
-  std::size_t touches = 0;
+/// Whether a contour comes back to one of its points.
+bool touches_itself(const ClipperLib::PolyTree& tree) {
   for (const auto* node = tree.GetFirst(); node; node = node->GetNext()) {
     std::unordered_set<std::pair<std::int64_t, std::int64_t>, GridHash> seen;
-    for (const auto& p : node->Contour) touches += seen.insert({p.X, p.Y}).second ? 0 : 1;
+    for (const auto& p : node->Contour)
+      if (!seen.insert({p.X, p.Y}).second) return true;
   }
-  return touches;
+  return false;
+}
+
+Regions split_regions(const ClipperLib::PolyTree& tree, const Sources& sources, const Tolerances& tol) {
+  Regions regions;
+  for (const SplitContour& split : split_contours(tree)) {
+    std::vector<const ClipperLib::Path*> holes;
+    for (const ClipperLib::Path& hole : split.holes) holes.push_back(&hole);
+    append_region(split.contour, holes, sources, tol, regions);
+  }
+  return regions;
 }
 
 Regions regions_of(const ClipperLib::PolyTree& tree, const Sources& sources, const Tolerances& tol) {
@@ -273,30 +277,14 @@ Regions regions_of(const ClipperLib::PolyTree& tree, const Sources& sources, con
   return regions;
 }
 
-/// Contours that touch themselves are split there. That takes polyclipping the time of all points for every touch, so large
-/// inputs are clipped without it at first, and what touches itself often is split here.
+/// Contours that touch themselves are split there. Polyclipping would do that itself (StrictlySimple), but in the time of all points
+/// for every touch, and where boundaries run along each other for long into many contours that share edges.
 Regions executed(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, ClipperLib::PolyFillType fill,
                  const Sources& sources, const Tolerances& tol) {
   ClipperLib::PolyTree tree;
-  if (sources.point_count() > kQuicklySplit) {
-    clipper.StrictlySimple(false);
-    // False where there was no input: loops without area are none to it.
-    if (!clipper.Execute(operation, tree, fill, fill)) return {};
-    const std::size_t touches = touches_of(tree);
-    if (touches == 0) return regions_of(tree, sources, tol);
-    if (touches * sources.point_count() > kMostForPolyclipping) {
-      Regions regions;
-      for (const SplitContour& split : split_contours(tree)) {
-        std::vector<const ClipperLib::Path*> holes;
-        for (const ClipperLib::Path& hole : split.holes) holes.push_back(&hole);
-        append_region(split.contour, holes, sources, tol, regions);
-      }
-      return regions;
-    }
-  }
-  clipper.StrictlySimple(true);
+  // False where there was no input: loops without area are none to it.
   if (!clipper.Execute(operation, tree, fill, fill)) return {};
-  return regions_of(tree, sources, tol);
+  return touches_itself(tree) ? split_regions(tree, sources, tol) : regions_of(tree, sources, tol);
 }
 
 Regions combined(const Regions& a, const Regions& b, ClipperLib::ClipType operation, const Tolerances& tol) {

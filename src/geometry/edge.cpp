@@ -305,6 +305,21 @@ Path reversed(const Path& path) {
   return out;
 }
 
+Path beginning(const Path& path, double mm) {
+  constexpr double kNone = 1e-6;  // mm; shorter pieces are none
+  Path first;
+  for (const Edge& edge : path) {
+    const double own = edge.length();
+    if (own >= mm) {
+      if (mm > kNone) first.push_back(own - mm > kNone ? edge.part(0, mm / own) : edge);
+      break;
+    }
+    first.push_back(edge);
+    mm -= own;
+  }
+  return first;
+}
+
 Box box(const Path& path) {
   Box all;
   for (const Edge& edge : path) all.add(edge.box());

@@ -109,22 +109,10 @@ std::optional<Path> straight_stroke(const EntryPlace& place, const LegalArea& ar
   return std::nullopt;
 }
 
-/// The first `reach` mm of a path, or all of it.
-Path beginning_of(const Path& run, double reach) {
-  Path out;
-  for (const Edge& edge : run) {
-    const double size = edge.length();
-    out.push_back(size <= reach ? edge : edge.part(0, reach / size));
-    reach -= size;
-    if (reach <= 0) break;
-  }
-  return out;
-}
-
 /// What is run to and fro on the way down.
 std::optional<Path> stroke_at(const EntryPlace& place, const LegalArea& area, const LinkOptions& options) {
   Path along;
-  if (place.run) along = beginning_of(*place.run, longest_ramp(options));
+  if (place.run) along = beginning(*place.run, longest_ramp(options));
   if (place.stays_on_run && length(along) > kShortestRamp * options.tool_radius) return along;
   auto straight = straight_stroke(place, area, options);
   const double needed = straight ? 2 * length(*straight) : kShortestRamp * options.tool_radius;

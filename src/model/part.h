@@ -127,7 +127,8 @@ struct Operation {
   std::string name;
   std::string source;
   OperationKind kind = OperationKind::kRoughing;
-  int tool = 0;  ///< index into Part::tools
+  int tool = 0;                 ///< index into Part::tools
+  bool is_tool_chosen = false;  ///< among several, by its size and kind; nobody named it for this
   CuttingData cutting;
   std::optional<double> stepdown;  ///< mm per layer
   std::optional<double> stepover;  ///< fraction of the diameter

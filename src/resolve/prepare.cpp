@@ -74,6 +74,7 @@ void choose_tools(Part& part, const PlanOptions& options, StepSources& sources) 
     const auto used = used_before(part.tools, options);
     for (auto& step : part.workplan) {
       step.operation.tool = stock::tool_for(feature_of(part, step), part.tools, used, options.tol);
+      step.operation.is_tool_chosen = true;
       sources[step_key(step)].set("tool", source_of(options, "tool"));
       take_tool_cutting(step.operation, options);
     }

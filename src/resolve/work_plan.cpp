@@ -47,20 +47,13 @@ std::vector<Workingstep> last_milling_steps(const Part& part) {
   return last;
 }
 
-/// Whether nobody named the tool for this step: it was chosen among several.
-bool is_tool_chosen(const Workingstep& step, const PlanOptions& options, const StepSources& sources) {
-  const auto found = sources.find(step_key(step));
-  const Source* source = found == sources.end() ? nullptr : found->second.find("tool");
-  return !options.tools.empty() || (source != nullptr && source->origin == Origin::kDerived);
-}
-
 /// Whether narrower mills go over what the step leaves. `is_over_another`: a step lies under it.
 bool has_rest_steps(const Part& part, const Workingstep& step, bool is_over_another,
-                    const PlanOptions& options, const StepSources& sources) {
+                    const PlanOptions& options) {
   const Feature& feature = feature_of(part, step);
   if (feature.profile) return false;  // a kerf is as wide as its cutter
   if (options.shop.rest.value_or(false)) return true;
-  return is_over_another && is_tool_chosen(step, options, sources) && feature.wall_slope.radians() == 0;
+  return is_over_another && step.operation.is_tool_chosen && feature.wall_slope.radians() == 0;
 }
 
 /// Whether a cutter wider than `tool` works on the feature of `step`.
@@ -184,7 +177,7 @@ void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources
   if (mills.size() < 2) return;
   for (const Workingstep& step : last_milling_steps(part)) {
     const auto under = first_step_under(part, step, options.tol);
-    if (!has_rest_steps(part, step, under.has_value(), options, sources)) continue;
+    if (!has_rest_steps(part, step, under.has_value(), options)) continue;
     const double fits =
         stock::largest_fitting_diameter(feature_of(part, step), options.tol) + options.tol.fit;
     for (std::size_t i = 0; i < mills.size(); ++i) {

@@ -1,25 +1,6 @@
 #include "arguments/solver_arguments.h"
 
 namespace clearcut::cli {
-namespace {
-
-/// What `typed` sets goes before `solver`.
-void lay_over(PublishedSolver& solver, const PublishedSolver& typed) {
-  const auto take = [](auto& own, const auto& theirs) {
-    if (theirs) own = theirs;
-  };
-  take(solver.generations, typed.generations);
-  take(solver.population, typed.population);
-  take(solver.selection, typed.selection);
-  take(solver.crossover, typed.crossover);
-  take(solver.mutation, typed.mutation);
-  take(solver.crossover_rate, typed.crossover_rate);
-  take(solver.mutation_rate, typed.mutation_rate);
-  take(solver.most_shared, typed.most_shared);
-}
-
-}  // namespace
-
 void SolverArguments::add_options(CLI::App& command) {
   const std::string group = "Published solver";
   command.add_option("--solver", name_,
@@ -53,7 +34,7 @@ void SolverArguments::refine(StepChoices& of_job) const {
   bool is_used = false;
   for (auto& [step, choices] : of_job) {
     if (!choices.solver || !choices.solver->is_published) continue;
-    lay_over(choices.solver->published, published_);
+    choices.solver->published.merge(published_);
     is_used = true;
   }
   if (!is_used) check_solver({false, published_});

@@ -15,6 +15,21 @@ struct PublishedSolver {
   std::optional<double> crossover_rate, mutation_rate;
   std::optional<double> most_shared;  ///< share of edges above which two individuals are too similar
 
+  /// What `other` sets goes before these.
+  void merge(const PublishedSolver& other) {
+    const auto take = [](auto& own, const auto& theirs) {
+      if (theirs) own = theirs;
+    };
+    take(generations, other.generations);
+    take(population, other.population);
+    take(selection, other.selection);
+    take(crossover, other.crossover);
+    take(mutation, other.mutation);
+    take(crossover_rate, other.crossover_rate);
+    take(mutation_rate, other.mutation_rate);
+    take(most_shared, other.most_shared);
+  }
+
   bool is_set() const {
     return generations || population || selection || crossover || mutation || crossover_rate ||
            mutation_rate || most_shared;

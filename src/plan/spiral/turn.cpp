@@ -274,21 +274,6 @@ std::optional<Fillet> fillet(const Edge& before, const Edge& after, double radiu
   return std::nullopt;
 }
 
-/// The first `travelled` mm of a path.
-Path beginning(const Path& path, double travelled) {
-  Path first;
-  for (const auto& edge : path) {
-    const double own = edge.length();
-    if (own >= travelled) {
-      if (travelled > 1e-6) first.push_back(own - travelled > 1e-6 ? edge.part(0, travelled / own) : edge);
-      break;
-    }
-    first.push_back(edge);
-    travelled -= own;
-  }
-  return first;
-}
-
 }  // namespace
 
 void append(Path& path, const Path& more) {

@@ -294,6 +294,7 @@ class Dresser {
     }
     if (operation.tool == kOpenTool) {
       operation.tool = stock::tool_for(feature_of(part_, planned.step), part_.tools, {}, tol_);
+      operation.is_tool_chosen = true;
       sources.set("tool", {Origin::kDerived, "the job's largest that fits"});
     }
     if (!part_.tools.empty()) {

@@ -1,8 +1,10 @@
 // Areas of strokes: by formula, and beside dense sampling of the pen.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -131,6 +133,31 @@ TEST(SvgStroke, RoundPensCoverWhatIsNear) {
       for (const Feature& feature : part.features)
         for (const Region& region : feature.target) covered = covered || region.contains(p);
       ASSERT_EQ(covered, near < width / 2) << p.x << " " << p.y;
+    }
+  }
+}
+
+/// The line comes back close to itself at the tip, so that many pieces of the band run along each other.
+TEST(SvgStroke, ThinHalfEllipsesAreOneBand) {
+  Random random(11);
+  for (const auto& [rx, ry, width] : {std::array{80.0, 10.0, 6.0}, {70.0, 10.0, 4.0}, {60.0, 3.0, 5.0}}) {
+    SCOPED_TRACE(fmt::format("{} by {}, {} wide", rx, ry, width));
+    const Part part = read(
+        fmt::format("<path d='M50 {}A{} {} 0 0 1 50 {}' fill='none' stroke='black' stroke-linecap='round' "
+                    "stroke-width='{}'/>",
+                    100 - ry, rx, ry, 100 + ry, width));
+    ASSERT_EQ(part.features.size(), 1u);
+    std::vector<Vec2> line;
+    for (int i = 0; i <= 2000; ++i) {
+      const double t = kPi * i / 2000;
+      line.push_back({50 + rx * std::sin(t), 100 + ry * std::cos(t)});
+    }
+    for (int i = 0; i < 300; ++i) {
+      const Vec2 p{random.between(40, 140), random.between(80, 120)};
+      double near = HUGE_VAL;
+      for (const Vec2 on : line) near = std::min(near, distance(on, p));
+      if (std::abs(near - width / 2) < 0.02) continue;
+      EXPECT_EQ(contains(part.features.front().target, p), near < width / 2) << p.x << " " << p.y;
     }
   }
 }

@@ -327,6 +327,7 @@ class HoleShaper {
     step.operation.name = feature.name;
     step.operation.kind = OperationKind::kDrilling;
     step.operation.tool = like.operation.tool;
+    step.operation.is_tool_chosen = true;
     change_tool(step.operation, tool, part_, options_);
     sources_[step_key(step)].set("tool", {Origin::kDerived, "what comes before " + like.name});
     part_.features.push_back(std::move(feature));
