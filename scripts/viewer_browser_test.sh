@@ -17,6 +17,7 @@ cat > "$kit/square.json" <<'PART'
 {"name": "square", "units": "mm", "outer": [[0, 0, 0], [50, 0, 0], [50, 50, 0], [0, 50, 0]], "islands": [], "top": 0, "depth": 2}
 PART
 "$clearcut" plan "$kit/square.json" --tool endmill:6 --accept out-of-reach -o "$kit/square.ngc" --report "$kit/square.html" --quiet
+"$clearcut" plan examples/bracket.json --tool endmill:10 --tool endmill:3 --rest -o "$kit/rest.ngc" --report "$kit/rest.html" --quiet
 printf '%s\n' G21 G90 G17 G54 'T1 M6' 'S5000 M3' 'G0 X50 Y100' 'G0 Z5' 'G1 Z-2 F100' 'G1 X350 F900' 'G1 Y106.1' 'G1 X50' 'G0 Z5' M5 M2 > "$kit/rib.ngc"
 "$clearcut" verify "$kit/rib.ngc" --stock 400,300,5 --tool endmill:6 --dialect linuxcnc --report "$kit/rib.html" > /dev/null || [ $? -eq 1 ]
 timeout 900 node "$kit/viewer_browser_test.mjs" "$kit" "$browser"

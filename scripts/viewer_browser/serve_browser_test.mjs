@@ -3,6 +3,7 @@
 import { execFileSync, spawnSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
+import { showsBeside } from './beside.mjs';
 import { check, conclude, fits, isAccessible, launch, reportIn, textOf, watch } from './browser.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -121,6 +122,7 @@ async function compares(page) {
   check((await textOf(page, '#plan-command')).includes('--strategy zigzag'), 'and one is taken');
   await page.screenshot({ path: picture('serve-compare-1366') });
   await isAccessible(page, 'the page with a comparison');
+  await showsBeside(page, picture('serve-beside-1366'));
 }
 
 /** @type {(page: Page) => Promise<void>} */
@@ -297,6 +299,8 @@ await plans(phone);
 check(await fits(phone), 'nothing overflows at 390');
 await phone.screenshot({ path: picture('serve-390-dark'), fullPage: true });
 await isAccessible(phone, 'the dark page on a phone');
+await compares(phone);
+await phone.screenshot({ path: picture('serve-beside-390-dark'), fullPage: true });
 await activates(phone);
 await phone.screenshot({ path: picture('serve-elements-390-dark'), fullPage: true });
 await solves(phone);

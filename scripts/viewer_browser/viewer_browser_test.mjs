@@ -188,6 +188,58 @@ async function zoomsIn() {
   await used.close(); await fresh.close();
 }
 
+/** Of a rest operation: each alone, by turns, and both at once under one camera. */
+async function beforeAndAfter() {
+  const page = await open(1366, 768, 'light', '', browser, folder + '/rest.html');
+  await page.selectOption('#operation', { index: 2 });
+  await page.selectOption('#path', 'none');
+  await page.evaluate('drawCutter = drawTool = () => {}');  // which stands elsewhere before than after
+  for (const view of ['iso', 'above']) {
+    await page.click(`[data-view=${view}]`);
+    /** @type {Record<string, Buffer>} */
+    const seen = {};
+    for (const name of ['before', 'after', 'both']) {
+      await page.click(`[data-change=${name}]`);
+      seen[name] = await stagePicture(page);
+      await page.screenshot({ path: `${folder}/pictures/rest-${view}-${name}.png` });
+    }
+    check(await pixelsApart(page, seen.before, seen.after) > 100, `${view}: what the rest operation took is seen`);
+    const [left, right, w] = await numbersOf(page, `(box => [Math.floor(curtainAt()) - 2, Math.ceil(curtainAt()) + 2, box.width])(overlay.getBoundingClientRect())`);
+    const apart = await sidesApart(page, seen, left, right, w);
+    check(apart[0] === 0 && apart[1] === 0, `${view}: left of the line is what was before, right of it what is after (${apart.join(' and ')} pixels differ)`);
+  }
+  await page.focus('#overlay');
+  await page.keyboard.press('b');
+  check(await holds(page, 'at.time === sectionEnd(1)') && await page.getAttribute('[data-change=after]', 'aria-pressed') === 'true', 'b shows the stock after it');
+  await page.keyboard.press('b');
+  check(await holds(page, 'at.time === sectionTime(1)') && /^Before /.test(await textOf(page, '#change-note')), 'and once more that before it: ' + await textOf(page, '#change-note'));
+  await page.click('[data-change=both]');
+  await page.focus('#curtain');
+  await page.keyboard.press('ArrowLeft');
+  check(await holds(page, 'change.share === 0.499'), 'the line is moved by keys');
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Home');
+  check(await page.isHidden('#curtain') && await page.isHidden('#change-note'), 'another moment ends it');
+  await page.close();
+}
+
+/** Pixels by which both sides of a picture differ from those before and after; what stands over the stage is the same in all or left out. @type {(page: Page, seen: Record<string, Buffer>, left: number, right: number, w: number) => Promise<number[]>} */
+const sidesApart = (page, seen, left, right, w) => page.evaluate(`(async () => {
+  const data = async text => {
+    const image = new Image(); image.src = 'data:image/png;base64,' + text; await image.decode();
+    const canvas = document.createElement('canvas'); canvas.width = image.width; canvas.height = image.height;
+    const c = canvas.getContext('2d'); c.drawImage(image, 0, 0);
+    return c.getImageData(0, 0, image.width, image.height);
+  };
+  const [before, after, both] = [await data('${seen.before.toString('base64')}'), await data('${seen.after.toString('base64')}'), await data('${seen.both.toString('base64')}')], n = [0, 0];
+  for (let y = 110; y < both.height - 90; ++y) for (let x = 2; x < ${w} - 60; ++x) {
+    if (x > ${left} && x < ${right}) continue;
+    const k = 4 * (y * both.width + x), other = x < ${left} ? before : after;
+    if ([0, 1, 2].some(i => both.data[k + i] !== other.data[k + i])) ++n[x < ${left} ? 0 : 1];
+  }
+  return n;
+})()`);
+
 async function frames() {
   const page = await open(1280, 720, 'light', '#t=5000');
   const rate = await numberOf(page, `new Promise(done => { let n = 0; const from = performance.now();
@@ -285,7 +337,7 @@ check(statSync(fishhead).size < 10e6, `the page has ${statSync(fishhead).size} b
 console.log('opened in', await numberOf(page, 'Math.round(performance.timing.loadEventEnd - performance.timing.navigationStart)'), 'ms');
 for (const part of [plays, clicks, chooses, scrubs]) await part(page);
 await page.close();
-for (const part of [inSpace, scrubsInSpace, zoomsIn, withoutStock, frames, aMillionLines, strangeAddresses, withoutWebGl]) await part();
+for (const part of [inSpace, scrubsInSpace, zoomsIn, beforeAndAfter, withoutStock, frames, aMillionLines, strangeAddresses, withoutWebGl]) await part();
 for (const [width, height] of [[390, 844], [1366, 768], [1920, 1080], [3840, 2160]]) {
   await looks(width, height, 'light');
   await looks(width, height, 'dark');

@@ -4,6 +4,7 @@
 import { spawnSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
+import { showsBeside } from './beside.mjs';
 import { check, conclude, fits, isAccessible, launch, reportIn, textOf, watch } from './browser.mjs';
 import { hostOf } from './static_host.mjs';
 
@@ -11,7 +12,7 @@ import { hostOf } from './static_host.mjs';
 
 const [folder, executablePath, site, examples, command] = process.argv.slice(2).map(argument => resolve(argument));
 const { host, address, asked } = await hostOf(site);
-const browser = await launch(executablePath);
+const browser = await launch(executablePath, ['--enable-unsafe-swiftshader']);
 
 /** @type {(width: number, height: number, colorScheme: 'light' | 'dark') => Promise<Page>} */
 async function open(width, height, colorScheme) {
@@ -64,6 +65,7 @@ async function compares(page) {
   await page.waitForSelector('#comparison tbody tr', { timeout: 300000 });
   const rows = await page.locator('#comparison tbody tr').count();
   check(rows > 10 && await page.locator('#comparison tr.fastest').count() === 1, `${rows} strategies are compared`);
+  await showsBeside(page, picture('web-beside-1366'));
   if (!command) return;
   const said = JSON.parse(spawnSync(command, ['compare', `${folder}/small.json`, '--tool', 'endmill:6', '--accept', 'out-of-reach', '--json'], { encoding: 'utf8' }).stdout);
   const fastest = said.strategies.find((/** @type {{ fastest?: boolean }} */ one) => one.fastest).strategy;

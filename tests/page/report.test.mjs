@@ -126,6 +126,37 @@ describe('heights', () => {
   });
 });
 
+describe('before and after an operation', () => {
+  test('operations that are called alike are told apart by their cutters', () => {
+    const job = sampleJob();
+    assert.deepEqual(runReport('colors.js', job)('[0, 1].map(operationName)'), ['slot', 'hole']);
+    job.sections[1].label = 'slot';
+    assert.deepEqual(runReport('colors.js', job)('[0, 1].map(operationName)'), ['slot, end mill 6', 'slot, end mill 2']);
+    job.sections[1].label = '';
+    assert.deepEqual(runReport('colors.js', job)('[0, 1].map(operationName)'), ['slot', 'operation 2']);
+  });
+  test('the heights before it stay while the program goes on', () => {
+    const ask = runReport('view.js', sampleJob()), kept = runReport('beside/change.js', sampleJob());
+    ask('(fullStock(), goTo(12))');
+    kept('(fullStock(), goTo(12), change.grid = keptGrid(), goTo(total))');
+    const digest = (/** @type {string} */ name) => `${name}.reduce((sum, h, k) => (sum * 31 + Math.round(h * 1e6) * (k % 97 + 1)) % 2147483647, 7)`;
+    assert.equal(kept(digest('change.grid.heights')), ask(digest('heights')));
+    assert.notEqual(kept(digest('heights')), ask(digest('heights')));
+  });
+});
+
+describe('messages of the page around', () => {
+  const ask = runReport('beside/link.js', sampleJob());
+  const look = { space: true, camera: [0, 0, 0, 4, 45, 35], flat: [0, 0, 4], section: 'none', sectionAt: 500 };
+  const isLook = (/** @type {object} */ other) => ask(`isLook(${JSON.stringify({ ...look, ...other })})`);
+  test('a look is taken, anything else is not', () => {
+    assert.equal(isLook({}), true);
+    for (const wrong of [{ camera: [0, 0, 0, 0, 45, 35] }, { camera: [1, 2] }, { camera: 'x' }, { flat: [0, 0, -1] }, { flat: [0, null, 1] }, { section: 'constructor' }, { sectionAt: 'x' }])
+      assert.equal(isLook(wrong), false, JSON.stringify(wrong));
+    assert.equal(ask('[null, 3, "look"].some(isLook)'), false);
+  });
+});
+
 describe('a click on the path', () => {
   test('the distance to a line, to an arc and beyond its ends', () => {
     const ask = runReport('view.js', sampleJob());

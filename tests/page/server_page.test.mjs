@@ -51,6 +51,23 @@ describe('lengths', () => {
   });
 });
 
+describe('strategies side by side', () => {
+  const run = (/** @type {object} */ more) => ({ planned: true, clean: true, fastest: false, time_s: 100, feed_mm: 900, ...more });
+  test('the fastest and the next whose path is another are shown first', () => {
+    const runs = [run({ strategy: 'auto', fastest: true }), run({ strategy: 'zigzag' }), { strategy: 'x', planned: false }, run({ strategy: 'fixed', time_s: 90, clean: false }), run({ strategy: 'spiral', time_s: 130 }), run({ strategy: 'contour', time_s: 120 })];
+    assert.deepEqual(ask(`firstBeside(${JSON.stringify(runs)})`), ['auto', 'contour']);
+    assert.deepEqual(ask(`firstBeside(${JSON.stringify(runs.slice(0, 2))})`), ['auto', 'zigzag']);
+    assert.deepEqual(ask(`[firstBeside([]), firstBeside(${JSON.stringify(runs.slice(0, 1))})]`), [[], ['auto']]);
+  });
+  test('times go by the share of their own, or by the clock', () => {
+    const panes = `(beside.panes = [{ total: 100 }, { total: 40 }], beside.share = 0.5, `;
+    assert.deepEqual(ask(`${panes} beside.panes.map(timeOf))`), [50, 20]);
+    assert.deepEqual(ask(`${panes} element('beside-by').value = 'clock', beside.panes.map(timeOf))`), [50, 40]);
+    assert.deepEqual(ask(`${panes} element('beside-by').value = 'clock', shareAt(beside.panes[1], 30))`), 0.3);
+    assert.deepEqual(ask(`${panes} element('beside-by').value = 'share', shareAt(beside.panes[1], 30))`), 0.75);
+  });
+});
+
 describe('texts', () => {
   test('how far a plan is', () => {
     assert.equal(ask(`progressText({ state: 'waiting', ahead: 2 })`), 'Waiting; 2 before it.');

@@ -13,11 +13,11 @@ function minutes(seconds) {
   return `${Math.floor(whole / 60)}:${String(whole % 60).padStart(2, '0')}`;
 }
 
-/** @type {(one: StrategyRun) => HTMLElement} */
-function compareRow(one) {
+/** @type {(one: StrategyRun, shownFirst: string[]) => HTMLElement} */
+function compareRow(one, shownFirst) {
   const row = made('tr', '', one.planned && one.fastest ? { class: 'fastest' } : {});
   if (!one.planned) {
-    row.append(made('td', one.strategy), made('td', one.refusal || 'does not fit', { colspan: String(compareColumns.length) }));
+    row.append(made('td', one.strategy), made('td', one.refusal || 'does not fit', { colspan: String(compareColumns.length + 1) }));
     return row;
   }
   const take = made('button', 'Take', { type: 'button', 'aria-label': `Take the strategy ${one.strategy}` });
@@ -26,27 +26,31 @@ function compareRow(one) {
     showPlanCommand();
     say(element('plan-status'), `The next plan takes ${one.strategy}.`);
   });
-  const last = made('td');
+  const last = made('td'), shown = made('td');
   last.append(take);
-  row.append(...compareColumns.map(([, text]) => made('td', text(one))), last);
+  shown.append(besideBox(one, shownFirst.includes(one.strategy)));
+  row.append(...compareColumns.map(([, text]) => made('td', text(one))), shown, last);
   return row;
 }
 
-/** @type {(compared: { strategies: StrategyRun[] }) => void} */
-function showComparison(compared) {
-  const head = made('tr');
-  head.append(...[...compareColumns.map(([title]) => title), ''].map(title => title ? made('th', title, { scope: 'col' }) : made('td')));
+/** @type {(found: { strategies: StrategyRun[] }) => void} */
+function showComparison(found) {
+  const head = made('tr'), shownFirst = firstBeside(found.strategies);
+  head.append(...[...compareColumns.map(([title]) => title), 'show', ''].map(title => title ? made('th', title, { scope: 'col' }) : made('td')));
   theOne('thead', element('comparison')).replaceChildren(head);
-  theOne('tbody', element('comparison')).replaceChildren(...compared.strategies.map(compareRow));
-  element('comparison-box').hidden = false;
+  theOne('tbody', element('comparison')).replaceChildren(...found.strategies.map(one => compareRow(one, shownFirst)));
+  element('comparison-box').hidden = element('beside-choice').hidden = false;
+  limitBeside();
 }
 
 async function startComparison() {
-  element('comparison-box').hidden = true;
+  element('comparison-box').hidden = element('beside-choice').hidden = true;
+  forgetBeside();
+  compared = plan.files.form(planOptions({ strategy: false }));
   element('plan-compare').disabled = true;
   say(element('plan-status'), 'Planning and certifying every strategy that fits …');
   try {
-    const answer = await pipeline.compare(plan.files.form(planOptions({ strategy: false })));
+    const answer = await pipeline.compare(compared);
     if (answer.compare) {
       showComparison(answer.compare);
       say(element('plan-status'), 'Compared.');

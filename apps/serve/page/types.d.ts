@@ -193,6 +193,14 @@ interface PageElements {
   'plan-progress': HTMLProgressElement;
   'comparison-box': HTMLDivElement;
   'comparison': HTMLTableElement;
+  'beside-choice': HTMLParagraphElement;
+  'beside-go': HTMLButtonElement;
+  'beside': HTMLDivElement;
+  'beside-panes': HTMLDivElement;
+  'beside-play': HTMLButtonElement;
+  'beside-scrub': HTMLInputElement;
+  'beside-clock': HTMLSpanElement;
+  'beside-by': HTMLSelectElement;
   'plan-result': HTMLDivElement;
   'plan-verdict': HTMLElement;
   'plan-summary': HTMLSpanElement;

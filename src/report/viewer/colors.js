@@ -19,6 +19,13 @@ function findLayers() {
 }
 findLayers();
 
+/** What is said of an operation: its label, and its cutter where others are called the same. @type {(s: number) => string} */
+function operationName(s) {
+  const { label, tool } = job.sections[s], isAlone = job.sections.filter(other => other.label === label).length === 1;
+  const words = label || 'operation ' + (s + 1);
+  return isAlone || tool < 0 ? words : words + ', ' + job.tools[tool].w;
+}
+
 /** @type {(i: number) => boolean} */
 function shown(i) {
   return (filters.rapids || moves.kind[i] !== 0) && (filters.layer < 0 || layerOf[i] === filters.layer) &&

@@ -302,7 +302,7 @@ TEST(Html, StaysSmall) {
   section.moves = m.moves;
   EXPECT_LT(html(sample::part(), {{section}}, {}, {}).size(),
             html(sample::part(), {}, {}, {}).size() + 20000 * 32);
-  EXPECT_LT(html({}, {}, {}, {}).size(), 150000);
+  EXPECT_LT(html({}, {}, {}, {}).size(), 165000);
 }
 
 }  // namespace

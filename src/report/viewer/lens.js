@@ -30,7 +30,7 @@ function stockInSight() {
 /** The window that is to be refined, and its cells per mm; null where the cells of the whole do. @type {() => { box: Corners, cells: number, key: string } | null} */
 function wantedLens() {
   const box = stockInSight();
-  if (!box) return null;
+  if (!box || change.grid) return null;  // both sides of a curtain in cells of one size
   const w = box[2] - box[0], h = box[3] - box[1], pixels = (space.on ? camera.k : view.k) * view.ratio;
   const cells = Math.min(pixels, FINEST, Math.sqrt(MOST_CELLS / (w * h)), LONGEST / Math.max(w, h));
   return cells > 1.3 * scale && w * cells > 3 && h * cells > 3 ? { box, cells, key: [...box, cells].join() } : null;

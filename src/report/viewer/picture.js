@@ -105,22 +105,22 @@ function drawOutlines(c, px) {
 
 function drawOverlay() {
   measureStage();
-  shade(gridInSight());
   const c = contextOf(overlay), px = 1 / view.k, mode = by('path').value;
   c.setTransform(1, 0, 0, 1, 0, 0);
   c.clearRect(0, 0, overlay.width, overlay.height);
   c.globalAlpha = mode === 'all' ? 0.3 : dark.matches ? 0.6 : 1;
-  drawWorldPicture(c, gridInSight().relief, gridInSight());
+  drawReliefs(c);
   c.globalAlpha = 1;
   setPlan(c);
   c.lineJoin = c.lineCap = 'round';
   drawOutlines(c, px);
-  if (at.time >= total && !job.clean) drawRests(c, px);
+  if (at.time >= total && !job.clean && !change.grid) drawRests(c, px);
   if (mode === 'all') drawWholePath(c);
   if (mode === 'recent') drawTrail(c, px);
   drawTool(c, px);
   if (marked) drawMark(c, px, marked);
   drawMeasure(c, px);
+  drawCurtain(c);
 }
 
 /** The whole path in a canvas of its own, drawn anew only when the view or what is shown has changed. */

@@ -16,6 +16,7 @@ function shownFraction() {
 function show(time, keepMark) {
   selected = -1;
   if (!keepMark) unmark();
+  leaveChange();
   goTo(time);
   redraw();
 }
@@ -23,6 +24,7 @@ function show(time, keepMark) {
 function selectMove(i, keepMark) {
   play(false);
   if (!keepMark) unmark();
+  leaveChange();
   goTo(moves.t[i + 1]);
   selected = i;
   bringIntoView(pointAt(i, 1));
@@ -39,9 +41,11 @@ function redraw() {
   restSoon();
   // Turning and zooming change no figure, and writing the same ones again costs as much as the picture.
   const key = [at.time, selected, playing, unit.name, dark.matches, by('plot').clientWidth, by('plot').clientHeight, window.devicePixelRatio].join();
-  if (key === figuresKey) return;
-  figuresKey = key;
-  updateNow(); drawPlot();
+  if (key !== figuresKey) {
+    figuresKey = key;
+    updateNow(); drawPlot();
+  }
+  tellChanges();
 }
 function redrawSoon() {
   if (redrawAsked) return;
@@ -65,7 +69,7 @@ function frame(now) {
 function play(on) {
   if (on === playing) return;
   if (on && at.time >= total) goTo(0);
-  if (on) unmark();
+  if (on) { unmark(); leaveChange(); }
   playing = on;
   lastFrame = performance.now();
   updateNow();
@@ -83,7 +87,7 @@ const TURN = 15;  // degrees
 const TURNS = { ArrowRight: [TURN, 0], ArrowLeft: [-TURN, 0], ArrowUp: [0, TURN], ArrowDown: [0, -TURN] };
 /** @type {Record<string, () => void>} */
 const KEYS = { ' ': () => play(!playing), ArrowRight: () => stepMove(1), ArrowLeft: () => stepMove(-1), Home: () => show(0), End: () => show(total),
-  '+': () => zoom(1.5), '=': () => zoom(1.5), '-': () => zoom(1 / 1.5), '0': () => by('fit').click(), 'm': () => setMeasuring(!measure.on),
+  '+': () => zoom(1.5), '=': () => zoom(1.5), '-': () => zoom(1 / 1.5), '0': () => by('fit').click(), 'm': () => setMeasuring(!measure.on), 'b': blinkChange,
   'Escape': () => setMeasuring(false) };
 /** Whether a key means something else where it is pressed: in a list, a field, or to a button. @type {(event: KeyboardEvent) => boolean} */
 function isKeyOfElement({ target, key }) {
@@ -136,7 +140,7 @@ function writeChoices() {
   by('speed').value = String(SPEEDS.find(speed => total / speed <= 60) || 1000);
   for (const name of Object.keys(COLORINGS)) option(by('color-by'), name, name);
   option(by('operation'), 'all', -1);
-  job.sections.forEach((section, s) => option(by('operation'), section.label || 'operation ' + (s + 1), s));
+  job.sections.forEach((_, s) => option(by('operation'), operationName(s), s));
   writeLayers();
 }
 
@@ -167,8 +171,8 @@ fullStock();
 openUnit();
 listenToProgram(); writeChoices(); writeHeader(); writeVerdict(); writeFeatures(); writeTimeline(); writeNow();
 listen(); listenToStage(); seekBy(by('timeline')); seekBy(by('plot'));
-listenToSpace();
+listenToSpace(); listenToChange();
 colorMoves();
 openView();
 show(0);
-if (!openAtHash() && !matchMedia('(prefers-reduced-motion: reduce)').matches) play(true);
+if (!openAtHash() && !beLinked() && !matchMedia('(prefers-reduced-motion: reduce)').matches) play(true);

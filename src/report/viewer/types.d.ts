@@ -232,6 +232,8 @@ interface Detail { step: number; samples: number; share: number }
 interface FrameBuffer { key: string; frame: WebGLFramebuffer; parts: WebGLRenderbuffer[] }
 /** What the viewer in space sees in each direction of the screen, in the part's frame. */
 interface CameraAxes { right: Triple; up: Triple; near: Triple }
+/** What of an operation's change is shown: the stock before it, after it, or both parted by a curtain. */
+type ChangeShown = 'none' | 'before' | 'after' | 'both';
 type Standpoint = 'iso' | 'top' | 'front' | 'right';
 
 /** The elements of body.html by their ids; a test holds them to it. */
@@ -252,10 +254,12 @@ interface PageElements {
   'space': HTMLCanvasElement;
   'overlay': HTMLCanvasElement;
   'views': HTMLDivElement;
+  'change': HTMLSpanElement;
   'space-note': HTMLSpanElement;
   'section-slider': HTMLDivElement;
   'section-at': HTMLInputElement;
   'section-place': HTMLOutputElement;
+  'curtain': HTMLInputElement;
   'zoom': HTMLDivElement;
   'zoom-in': HTMLButtonElement;
   'zoom-out': HTMLButtonElement;
@@ -263,6 +267,7 @@ interface PageElements {
   'measure': HTMLButtonElement;
   'legend': HTMLDivElement;
   'path-note': HTMLSpanElement;
+  'change-note': HTMLSpanElement;
   'measured': HTMLOutputElement;
   'controls': HTMLDivElement;
   'play': HTMLButtonElement;

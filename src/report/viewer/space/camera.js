@@ -93,7 +93,7 @@ function viewMatrix() {
 
 /** Where the ray through a point of the stage meets the material, mm; null: nowhere. Steps of half a cell, then halves. @type {(s: Point) => Place | null} */
 function surfaceAt(s) {
-  const g = gridInSight(), near = cameraAxes().near, middle = onMiddlePlane(s), far = Math.hypot(wx1 - wx0, wy1 - wy0, job.top - bottomZ) + 1;
+  const g = gridAt(s), near = cameraAxes().near, middle = onMiddlePlane(s), far = Math.hypot(wx1 - wx0, wy1 - wy0, job.top - bottomZ) + 1;
   const place = (/** @type {number} */ t) => ({ x: middle.x + near[0] * t, y: middle.y + near[1] * t, z: middle.z + near[2] * t });
   const inside = (/** @type {Place} */ p) => {
     const x = Math.floor((p.x - g.x0) * g.scale), y = Math.floor((g.y1 - p.y) * g.scale);

@@ -1,7 +1,7 @@
 // ---- The view in space: when it can be had, what it draws, and in which detail.
 /** @type {{ axis: string, at: number }} */
 const section = { axis: 'none', at: 0 };
-const stageCanvas = by('space'), viewButtons = [...by('views').querySelectorAll('button')];
+const stageCanvas = by('space'), viewButtons = [...by('views').querySelectorAll('button')].filter(button => button.dataset.view);
 // Detail: cells of a step of the surface, samples of a pixel, and pixels for each of the stage's. While something moves, as much as
 // the machine can draw in time; at rest always the first.
 /** @type {Detail[]} */
@@ -93,27 +93,33 @@ function bufferFor(w, h, samples) {
   return made.frame;
 }
 
-/** @type {(one: Detail) => void} */
-function drawScene(one) {
-  const w = Math.round(stageCanvas.width * one.share), h = Math.round(stageCanvas.height * one.share), direct = one.samples === 0 && one.share === 1, rough = one.step > 1;
-  const frame = direct ? null : bufferFor(w, h, one.samples);
-  gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-  gl.viewport(0, 0, w, h);
-  gl.clearColor(0, 0, 0, 0);
+/** What stands on the stage; before the operation without its path and its cutter. @type {(one: Detail, isBefore: boolean) => void} */
+function drawAll(one, isBefore) {
+  const rough = one.step > 1;
   gl.disable(gl.BLEND);
-  gl.enable(gl.DEPTH_TEST);
-  gl.depthFunc(gl.LEQUAL);
-  gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-  drawSurface(one.step);
+  drawSurface(one.step, isBefore);
   gl.enable(gl.BLEND);
   gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
   const values = valuesOfSurface(surface);
   drawClamps(values);
   gl.depthMask(false);
   drawPart(values, rough);
-  drawPathInSpace(values, rough);
+  if (!isBefore) drawPathInSpace(values, rough);
   gl.depthMask(true);
-  drawCutter(values);
+  if (!isBefore) drawCutter(values);
+}
+
+/** @type {(one: Detail) => void} */
+function drawScene(one) {
+  const w = Math.round(stageCanvas.width * one.share), h = Math.round(stageCanvas.height * one.share), direct = one.samples === 0 && one.share === 1;
+  const frame = direct ? null : bufferFor(w, h, one.samples);
+  gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
+  gl.viewport(0, 0, w, h);
+  gl.clearColor(0, 0, 0, 0);
+  gl.enable(gl.DEPTH_TEST);
+  gl.depthFunc(gl.LEQUAL);
+  gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+  drawSides(w, h, isBefore => drawAll(one, isBefore));
   if (direct) return;
   gl.bindFramebuffer(gl.READ_FRAMEBUFFER, frame);
   gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
@@ -171,11 +177,12 @@ function drawSpaceOverlay() {
   c.clearRect(0, 0, overlay.width, overlay.height);
   c.scale(view.ratio, view.ratio);
   const i = shownMove();
-  if (i >= 0 && by('path').value !== 'none') drawMoveInSpace(c, i);
+  if (i >= 0 && !change.grid && by('path').value !== 'none') drawMoveInSpace(c, i);
   if (at.time >= total && !job.clean) for (const place of faultPlaces) drawMark(c, 1, projected(place));
   if (marked) drawMark(c, 1, projected(marked));
   drawMeasure(c, 1);
   drawAxes(c);
+  drawCurtain(c);
 }
 
 /** @type {(c: Context2D, i: number) => void} */

@@ -12,7 +12,7 @@ function makeSurface() {
   surfacePrograms = { top: programOf(SURFACE_VERTEX, SURFACE_FRAGMENT, ['corner', 'altitude', 'normal', 'tint']), wall: programOf(WALL_VERTEX, WALL_FRAGMENT, []) };
   textureOf(1, gl.RGBA8, 256, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(shades.flatMap(color => [...color, 255])));
   surface = surfaceOf(whole, { heights: 0, rests: 2 });
-  fineSurface = null;
+  fineSurface = surfaceBefore = null;
   soilAll();
 }
 
@@ -37,14 +37,19 @@ function surfaceOf(g, units) {
 /** The surfaces to be drawn; one of a window that is not in sight any more is given back. @type {() => Surface[]} */
 function surfacesInSight() {
   if (fineSurface && fineSurface.grid !== lens.grid) {
-    gl.deleteVertexArray(fineSurface.array);
-    for (const buffer of [fineSurface.corners, fineSurface.indices]) gl.deleteBuffer(buffer);
-    for (const texture of [fineSurface.textures.heights, fineSurface.textures.rests]) gl.deleteTexture(texture);
+    giveBack(fineSurface);
     fineSurface = null;
   }
   if (!lens.on || !lens.grid) return [surface];
   fineSurface ??= surfaceOf(lens.grid, { heights: 3, rests: 4 });
   return [surface, fineSurface];
+}
+
+/** What it holds of the graphics processor. @type {(s: Surface) => void} */
+function giveBack(s) {
+  gl.deleteVertexArray(s.array);
+  for (const buffer of [s.corners, s.indices]) gl.deleteBuffer(buffer);
+  for (const texture of [s.textures.heights, s.textures.rests]) gl.deleteTexture(texture);
 }
 
 /** Whether all corners of the cells of a square lie at one height. @type {(g: Grid, x0: number, y0: number, x1: number, y1: number) => boolean} */
@@ -175,12 +180,12 @@ function loadRests(s) {
   s.restsLoaded = true;
 }
 
-/** `detail_`: 1 shows every cell that is as large as a pixel, 2 and 4 leave out more. @type {(detail_: number) => void} */
-function drawSurface(detail_) {
+/** `detail_`: 1 shows every cell that is as large as a pixel, 2 and 4 leave out more. @type {(detail_: number, isBefore: boolean) => void} */
+function drawSurface(detail_, isBefore) {
   gl.enable(gl.POLYGON_OFFSET_FILL);
   gl.polygonOffset(1, 2);
-  for (const one of surfacesInSight()) {
-    loadRests(one);
+  for (const one of isBefore && change.grid ? [surfaceOfBefore(change.grid)] : surfacesInSight()) {
+    if (!isBefore) loadRests(one);
     updateHeights(one);
     const values = valuesOfSurface(one), pixels = camera.k * view.ratio / one.grid.scale, least = Math.min(8, detail_ * (pixels > 0.7 ? 1 : pixels > 0.35 ? 2 : 4));
     gl.bindVertexArray(one.array);
