@@ -215,7 +215,11 @@ Section link_step(const std::vector<LayerPasses>& passes, int workingstep, Entry
   Section section = link::link_layers(passes, options, plan.tol);
   const auto& profile =
       feature_of(plan.part, plan.part.workplan[static_cast<std::size_t>(workingstep)]).profile;
-  if (profile) link::rise_over_tabs(section, profile->tabs, options.tool_radius, options.plunge_feed);
+  if (profile) {
+    link::rise_over_tabs(section, profile->tabs, options.tool_radius, options.plunge_feed);
+    link::feed_across_tabs(section, profile->tabs, options.tool_radius,
+                           options.link_feed.value_or(options.feed));
+  }
   describe(section, workingstep, plan);
   section.contours = contour_levels(passes);
   return section;

@@ -251,6 +251,38 @@ TEST(TriangularTabs, AreRisenOverWithoutAStop) {
   }
 }
 
+/// Ways over square tabs: level, at the feed, on the height of a tab's top, between two passes that end beside it.
+int feeds_over(const Section& section, const std::vector<Tab>& tabs) {
+  return static_cast<int>(std::count_if(section.moves.begin(), section.moves.end(), [&](const Move& move) {
+    return !is_rapid(move.kind) && !move.is_vertical() && move.z_from == move.z_to &&
+           std::any_of(tabs.begin(), tabs.end(), [&](const Tab& tab) {
+             return distance(move.path, tab.center) < 0.01 && std::abs(move.z_to - tab.top_z - 0.2) < 1e-9;
+           });
+  }));
+}
+
+/// On lines, on arcs bent either way, and in layers below each other.
+TEST(SquareTabs, AreFedOverWithinTheKerf) {
+  const std::string outlines[] = {box("PROFILE_D6", 0, 0, 80, 50), circle("PROFILE_D6", {0, 0}, 30),
+                                  circle("INSIDE_D6", {0, 0}, 30),
+                                  rounded_box("PROFILE_D6", 0, 0, 90, 60, 8)};
+  for (const std::string& outline : outlines) {
+    for (const EntryKind entry : {EntryKind::kPlunge, EntryKind::kRamp}) {
+      resolve::PlanOptions options = triangular("endmill:4", 3);
+      options.tabs.shape = TabShape::kSquare;
+      options.entry = entry;
+      const auto result = plan_part(drawn(outline), options);
+      EXPECT_EQ(faults_of(result.findings), "");
+      const Section& section = result.toolpath.sections.back();
+      EXPECT_EQ(feeds_over(section, result.part.features.back().profile->tabs), 2);
+      EXPECT_EQ(
+          std::count_if(section.moves.begin(), section.moves.end(),
+                        [](const Move& move) { return is_rapid(move.kind) && move.z_to > move.z_from; }),
+          1);
+    }
+  }
+}
+
 TEST(TriangularTabs, WrongProgramsAreFaultyByName) {
   const Part part = drawn(box("PROFILE_D6", 0, 0, 80, 50));
   const auto asked = triangular("endmill:4", 4);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/elementary.h"
 #include "base/units.h"
@@ -18,6 +19,11 @@ constexpr double kPiece = 0.1;
 constexpr double kSamePlace = 1e-9;
 /// mm. Heights that differ by less are the same.
 constexpr double kSameHeight = 1e-9;
+/// mm above the top of a square tab at which the cutter crosses it, rather than rub on it.
+constexpr double kAbove = 0.2;
+/// mm. Ends of passes on both sides of a tab lie on one contour, and as far from its middle, to within this.
+constexpr double kSameContour = 1e-3;
+constexpr double kSymmetric = 0.1;
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
 
 /// A place seen from a tab, mm.
@@ -27,6 +33,25 @@ struct Beside {
   double radius = 0;  ///< from the centre of the outline's arc; unused beside lines
 };
 
+/// Whether the outline's arc runs counter-clockwise: 1, else -1.
+double turn_of(const Tab& tab) {
+  return tab.foot.turn == Turn::kCounterClockwise ? 1 : -1;
+}
+
+Beside beside(const Tab& tab, Vec2 p) {
+  const Vec2 middle = tab.foot.at(0.5);
+  const double side = tab.aside < 0 ? -1 : 1;
+  if (!tab.foot.is_arc()) {
+    const Vec2 along = tab.foot.tangent_at(0.5), from = p - middle;
+    return {dot(from, along), dot(from, left_of(along)) * side, 0};
+  }
+  const Vec2 arm = middle - tab.foot.center, to = p - tab.foot.center;
+  const double angle = base::atan2(cross(arm, to), dot(arm, to)) * turn_of(tab);
+  // Left of a counter-clockwise arc lies its centre.
+  const double inwards = tab.foot.radius() - norm(to);
+  return {angle * tab.foot.radius(), inwards * turn_of(tab) * side, norm(to)};
+}
+
 /// One triangular tab, and how low a cutter may be around it.
 class Ridge {
  public:
@@ -34,8 +59,6 @@ class Ridge {
       : tab_(tab),
         radius_(radius),
         steepness_(2 * (tab.top_z - tab.bottom_z) / tab.foot.length()),
-        middle_(tab.foot.at(0.5)),
-        direction_(tab.foot.tangent_at(0.5)),
         around_(box(tab.body).grown(radius)) {}
 
   double steepness() const { return steepness_; }
@@ -47,7 +70,7 @@ class Ridge {
 
   /// The lowest that the tip may be with the cutter's centre over p.
   double lowest(Vec2 p) const {
-    const Beside at = beside(p);
+    const Beside at = beside(tab_, p);
     const bool in_kerf = at.aside > -radius_ && at.aside < std::abs(tab_.aside) + radius_;
     if (!in_kerf) return kNowhere;
     return tab_.top_z - steepness_ * std::max(0.0, std::abs(at.along) - reach(at));
@@ -57,15 +80,16 @@ class Ridge {
   bool is_followed_by(const Edge& path) const {
     if (path.is_arc() != tab_.foot.is_arc()) return false;
     if (path.is_arc()) return distance(path.center, tab_.foot.center) < kParallel;
-    return std::abs(beside(path.from).aside - beside(path.to).aside) < kParallel;
+    return std::abs(beside(tab_, path.from).aside - beside(tab_, path.to).aside) < kParallel;
   }
 
   /// Parameters of a path that follows the tab where its lowest height turns from rising to level and from level to falling; some
   /// may lie beyond its ends.
   std::vector<double> bends(const Edge& path) const {
-    const Beside from = beside(path.from);
+    const Beside from = beside(tab_, path.from);
     const double r = tab_.foot.radius();
-    const double way = path.is_arc() ? path.sweep() * turn() * r : beside(path.to).along - from.along;
+    const double way =
+        path.is_arc() ? path.sweep() * turn_of(tab_) * r : beside(tab_, path.to).along - from.along;
     std::vector<double> places;
     for (const double bend : {-reach(from), reach(from)}) {
       places.push_back((bend - from.along) / way);
@@ -78,21 +102,6 @@ class Ridge {
   }
 
  private:
-  double turn() const { return tab_.foot.turn == Turn::kCounterClockwise ? 1 : -1; }
-
-  Beside beside(Vec2 p) const {
-    const double side = tab_.aside < 0 ? -1 : 1;
-    if (!tab_.foot.is_arc()) {
-      const Vec2 from = p - middle_;
-      return {dot(from, direction_), dot(from, left_of(direction_)) * side, 0};
-    }
-    const Vec2 arm = middle_ - tab_.foot.center, to = p - tab_.foot.center;
-    const double angle = base::atan2(cross(arm, to), dot(arm, to)) * turn();
-    // Left of a counter-clockwise arc lies its centre.
-    const double inwards = tab_.foot.radius() - norm(to);
-    return {angle * tab_.foot.radius(), inwards * turn() * side, norm(to)};
-  }
-
   /// mm along the outline as far as the cutter reaches from its centre, at most.
   double reach(const Beside& at) const {
     if (!tab_.foot.is_arc()) return radius_;
@@ -103,7 +112,6 @@ class Ridge {
   const Tab& tab_;
   double radius_;
   double steepness_;  ///< mm up for each mm along the outline
-  Vec2 middle_, direction_;
   Box around_;
 };
 
@@ -202,7 +210,63 @@ void append_raised(const Move& move, const Ridge& ridge, MmPerMin plunge_feed, s
   }
 }
 
+/// The way over a tab from p to q, where these lie on its two sides on one contour beside the outline.
+std::optional<Edge> way_over(const Tab& tab, double radius, Vec2 p, Vec2 q) {
+  const Beside from = beside(tab, p), to = beside(tab, q);
+  const double reach = std::max(tab.foot.length(), norm(q - p)) / 2 + radius;
+  const bool opposite = from.along * to.along < 0 && std::abs(from.along + to.along) < kSymmetric;
+  const bool on_contour =
+      std::abs(from.aside - to.aside) < kSameContour && from.aside > 0 && from.aside < std::abs(tab.aside);
+  if (!opposite || !on_contour || distance(p, tab.center) > reach) return std::nullopt;
+  if (!tab.foot.is_arc()) return Edge::line(p, q);
+  const bool turns_left = cross(p - tab.foot.center, q - tab.foot.center) > 0;
+  return Edge::arc(p, q, tab.foot.center, turns_left ? Turn::kCounterClockwise : Turn::kClockwise);
+}
+
+/// Adds the way over the tab along `over` from the height z; the entry after it begins at the height that is returned.
+double append_crossing(const Tab& tab, const Edge& over, double z, double entry_z, MmPerMin feed,
+                       std::vector<Move>& out) {
+  const double height = std::max(tab.top_z + kAbove, entry_z);
+  if (z != height) out.push_back({Edge::line(over.from, over.from), z, height, MoveKind::kLink, feed, 0});
+  out.push_back({over, height, height, MoveKind::kLink, feed, 0});
+  return height;
+}
+
+/// Index of the first move from `from` on that is no rapid.
+std::size_t after_rapids(const std::vector<Move>& moves, std::size_t from) {
+  while (from < moves.size() && is_rapid(moves[from].kind)) ++from;
+  return from;
+}
+
 }  // namespace
+
+void feed_across_tabs(Section& section, const std::vector<Tab>& tabs, double radius, MmPerMin feed) {
+  std::vector<Move> moves;
+  const std::vector<Move>& old = section.moves;
+  for (std::size_t i = 0; i < old.size();) {
+    const std::size_t next = after_rapids(old, i);
+    if (next == i || i == 0 || next == old.size() || !old[next].is_vertical()) {
+      moves.push_back(old[i++]);
+      continue;
+    }
+    Move entry = old[next];
+    std::optional<Edge> over;
+    const auto tab = std::find_if(tabs.begin(), tabs.end(), [&](const Tab& one) {
+      if (one.shape != TabShape::kSquare) return false;
+      over = way_over(one, radius, old[i].path.from, entry.path.from);
+      return over.has_value();
+    });
+    if (tab == tabs.end()) {
+      moves.insert(moves.end(), old.begin() + static_cast<std::ptrdiff_t>(i),
+                   old.begin() + static_cast<std::ptrdiff_t>(next));
+    } else {
+      entry.z_from = append_crossing(*tab, *over, old[i].z_from, entry.z_to, feed, moves);
+    }
+    if (entry.z_from != entry.z_to) moves.push_back(entry);
+    i = next + 1;
+  }
+  section.moves = std::move(moves);
+}
 
 void rise_over_tabs(Section& section, const std::vector<Tab>& tabs, double radius, MmPerMin plunge_feed) {
   for (const Tab& tab : tabs) {

@@ -1,4 +1,4 @@
-// Raises passes over triangular tabs.
+// Takes the cutter over tabs: triangular ones along their sides, square ones from one upright side to the other.
 #pragma once
 
 #include <vector>
@@ -16,5 +16,9 @@ namespace clearcut::link {
 ///
 /// Error  Exact for moves along the outline on which a tab stands. Others are raised in steps of 0.1 mm, a little early.
 void rise_over_tabs(Section& section, const std::vector<Tab>& tabs, double radius, MmPerMin plunge_feed);
+
+/// Where the next pass begins on the other side of a square tab, takes the place of the rapids to it: straight up beside the tab,
+/// along the kerf a little above its top at `feed`, and down to where the entry begins. The cutter does not leave the kerf.
+void feed_across_tabs(Section& section, const std::vector<Tab>& tabs, double radius, MmPerMin feed);
 
 }  // namespace clearcut::link
