@@ -12,14 +12,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string text(data, data + size);
   clearcut::Part part;
   try {
-    part = clearcut::read_stepnc(text, "fuzz.p21", {});
+    part = clearcut::read::stepnc::read_stepnc(text, "fuzz.p21", {});
   } catch (const clearcut::InputError& error) {
     if (std::string_view(error.what()).find('\n') != std::string_view::npos) __builtin_trap();
     return 0;
   }
   if (part.workplan.empty() || part.features.empty()) __builtin_trap();
   try {
-    clearcut::read_stepnc(clearcut::write_stepnc(part), "again.p21", {});
+    clearcut::read::stepnc::read_stepnc(clearcut::post::write_stepnc(part), "again.p21", {});
   } catch (const clearcut::InputError&) {
     // What is left of a damaged file may end in features with nothing to cut.
   }
