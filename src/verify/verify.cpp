@@ -14,6 +14,7 @@
 #include "verify/faults/faults.h"
 #include "verify/faults/gouge.h"
 #include "verify/faults/holes.h"
+#include "verify/faults/loose_parts.h"
 #include "verify/faults/shaped_cutter.h"
 #include "verify/faults/tabs.h"
 #include "verify/figures.h"
@@ -165,6 +166,8 @@ class FindingsBuilder {
     }
     findings_.faults = faults_of_moves(part_, program_, options_);
     for (Fault& fault : faults_of_tabs(part_, program_, options_.tol))
+      findings_.faults.push_back(std::move(fault));
+    for (Fault& fault : faults_of_loose_parts(part_, program_, options_.tol))
       findings_.faults.push_back(std::move(fault));
     for (Fault& fault : faults_of_holes(part_, program_, options_))
       findings_.faults.push_back(std::move(fault));

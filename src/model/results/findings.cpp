@@ -1,12 +1,39 @@
 #include "model/results/findings.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace clearcut::inline model {
 namespace {
 
 /// Of an area: what areas of arcs and offsets may be wrong by.
 constexpr double kAreaError = 1e-4;
+
+/// In the order of FaultKind.
+constexpr const char* kFaultNames[] = {"uncut",
+                                       "gouge",
+                                       "rapid in material",
+                                       "plunge too fast",
+                                       "too deep",
+                                       "outside travel",
+                                       "no feed",
+                                       "nothing cut",
+                                       "wrong tool",
+                                       "tool length",
+                                       "spindle off",
+                                       "spindle direction",
+                                       "spindle speed",
+                                       "beyond flutes",
+                                       "beyond stock",
+                                       "over engagement",
+                                       "missing tab",
+                                       "tab height",
+                                       "thread",
+                                       "holder in material",
+                                       "keep-out",
+                                       "loose part",
+                                       "tapping"};
+static_assert(std::size(kFaultNames) == static_cast<std::size_t>(FaultKind::kTapping) + 1);
 
 }  // namespace
 
@@ -15,53 +42,7 @@ bool is_nothing_in_reach(double unreachable_mm2, double whole_mm2) {
 }
 
 const char* name_of(FaultKind kind) {
-  switch (kind) {
-    case FaultKind::kUncut:
-      return "uncut";
-    case FaultKind::kGouge:
-      return "gouge";
-    case FaultKind::kRapidInMaterial:
-      return "rapid in material";
-    case FaultKind::kPlungeTooFast:
-      return "plunge too fast";
-    case FaultKind::kTooDeep:
-      return "too deep";
-    case FaultKind::kOutsideTravel:
-      return "outside travel";
-    case FaultKind::kNoFeed:
-      return "no feed";
-    case FaultKind::kNothingCut:
-      return "nothing cut";
-    case FaultKind::kWrongTool:
-      return "wrong tool";
-    case FaultKind::kToolLength:
-      return "tool length";
-    case FaultKind::kSpindleOff:
-      return "spindle off";
-    case FaultKind::kSpindleDirection:
-      return "spindle direction";
-    case FaultKind::kSpindleSpeed:
-      return "spindle speed";
-    case FaultKind::kBeyondFlutes:
-      return "beyond flutes";
-    case FaultKind::kBeyondStock:
-      return "beyond stock";
-    case FaultKind::kOverEngagement:
-      return "over engagement";
-    case FaultKind::kMissingTab:
-      return "missing tab";
-    case FaultKind::kTabHeight:
-      return "tab height";
-    case FaultKind::kThread:
-      return "thread";
-    case FaultKind::kHolder:
-      return "holder in material";
-    case FaultKind::kKeepOut:
-      return "keep-out";
-    case FaultKind::kTapping:
-      return "tapping";
-  }
-  return "unknown";
+  return kFaultNames[static_cast<std::size_t>(kind)];
 }
 
 const char* name_of(Verdict verdict) {

@@ -40,6 +40,7 @@ enum class FaultKind {
   kThread,          ///< a milled thread of another pitch, hand or size, or cut across on the way in or out
   kHolder,          ///< the holder or the shank runs into material that stands
   kKeepOut,         ///< the tool or its holder comes where a clamp is
+  kLoosePart,       ///< cut where a profile has cut the piece free before
   kTapping  ///< a tap whose feed is not its pitch times the speed, or that does not turn back on its way out
 };
 const char* name_of(FaultKind kind);

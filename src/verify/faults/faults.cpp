@@ -169,15 +169,18 @@ std::vector<Fault> faults_of_steps(const Feature& feature, const FeatureWork& wo
 }
 
 /// The order of faults by severity: what breaks things first comes first.
-constexpr FaultKind kBySeverity[] = {
-    FaultKind::kKeepOut,       FaultKind::kRapidInMaterial,  FaultKind::kHolder,
-    FaultKind::kGouge,         FaultKind::kTapping,          FaultKind::kThread,
-    FaultKind::kMissingTab,    FaultKind::kTabHeight,        FaultKind::kToolLength,
-    FaultKind::kSpindleOff,    FaultKind::kBeyondStock,      FaultKind::kBeyondFlutes,
-    FaultKind::kPlungeTooFast, FaultKind::kTooDeep,          FaultKind::kOverEngagement,
-    FaultKind::kSpindleSpeed,  FaultKind::kSpindleDirection, FaultKind::kOutsideTravel,
-    FaultKind::kWrongTool,     FaultKind::kNoFeed,           FaultKind::kNothingCut,
-    FaultKind::kUncut};
+constexpr FaultKind kBySeverity[] = {FaultKind::kKeepOut,       FaultKind::kRapidInMaterial,
+                                     FaultKind::kHolder,        FaultKind::kGouge,
+                                     FaultKind::kLoosePart,     FaultKind::kTapping,
+                                     FaultKind::kThread,        FaultKind::kMissingTab,
+                                     FaultKind::kTabHeight,     FaultKind::kToolLength,
+                                     FaultKind::kSpindleOff,    FaultKind::kBeyondStock,
+                                     FaultKind::kBeyondFlutes,  FaultKind::kPlungeTooFast,
+                                     FaultKind::kTooDeep,       FaultKind::kOverEngagement,
+                                     FaultKind::kSpindleSpeed,  FaultKind::kSpindleDirection,
+                                     FaultKind::kOutsideTravel, FaultKind::kWrongTool,
+                                     FaultKind::kNoFeed,        FaultKind::kNothingCut,
+                                     FaultKind::kUncut};
 
 std::ptrdiff_t severity(FaultKind kind) {
   return std::find(std::begin(kBySeverity), std::end(kBySeverity), kind) - std::begin(kBySeverity);

@@ -1,0 +1,13 @@
+// How low a cutter's tip is while the cutter covers a place.
+#pragma once
+
+#include <optional>
+
+#include "verify/checked_move.h"
+
+namespace clearcut::verify {
+
+/// mm; the lowest height of the tip while the cutter's disc covers p; absent where it never does. Exact for lines and arcs.
+std::optional<double> lowest_tip(const CheckedMove& checked, Vec2 p);
+
+}  // namespace clearcut::verify
