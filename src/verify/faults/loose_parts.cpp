@@ -13,7 +13,7 @@ namespace clearcut::verify {
 namespace {
 
 /// Of the cutter's radius: how far places along the kerf lie apart.
-constexpr double kBetweenPlaces = 0.25;
+constexpr double kAlongKerf = 0.25;
 /// mm. Places nearer to the outline than the cutter's radius by more lie in a corner, where no contour runs.
 constexpr double kOnContour = 1e-3;
 
@@ -57,7 +57,7 @@ class Piece {
     const EdgeTree outline(Path(cut_.line));
     std::optional<std::size_t> freed;
     for (const Edge& edge : cut_.line) {
-      const int count = 1 + static_cast<int>(std::ceil(edge.length() / (kBetweenPlaces * radius_)));
+      const int count = 1 + static_cast<int>(std::ceil(edge.length() / (kAlongKerf * radius_)));
       for (int i = 0; i < count; ++i) {
         const Vec2 p = beside(edge, (i + 0.5) / count);
         if (outline.distance_to(p) < radius_ - kOnContour) continue;
