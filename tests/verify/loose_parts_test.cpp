@@ -36,7 +36,7 @@ std::string with_first(const std::string& program, const std::string& name) {
   return head + rest + program.substr(end);
 }
 
-/// A plate of 80 x 50 mm with a pocket and two holes, and a washer beside it.
+/// A plate of 80 x 50 mm with a pocket and two holes.
 std::string plate() {
   return box("PROFILE_D6", 0, 0, 80, 50) + box("POCKET_D3", 20, 15, 60, 35) + circle("INSIDE_D6", {8, 8}, 4) +
          circle("INSIDE_D6", {72, 42}, 4);

@@ -1,6 +1,7 @@
 #include "arguments/solver_arguments.h"
 
 namespace clearcut::cli {
+
 void SolverArguments::add_options(CLI::App& command) {
   const std::string group = "Published solver";
   command.add_option("--solver", name_,
