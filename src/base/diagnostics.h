@@ -18,6 +18,8 @@ struct Diagnostic {
   Severity severity = Severity::kNote;
   std::string where;  ///< "file:line", "#216 POCKET1", "outline 2 at (10.5, 3)", ...
   std::string what;   ///< one sentence, with sizes and what was done
+  /// Warnings that leave a verdict conditional until somebody accepts them by this name (docs/conditions.md); "" for all others.
+  std::string condition = {};
 };
 
 /// An ordered list of diagnostics; a value.
@@ -33,6 +35,10 @@ class Diagnostics {
   void skip(std::string where, std::string what) {
     add(Severity::kSkipped, std::move(where), std::move(what));
   }
+  /// A warning that counts: what is cut may not be what was drawn, unless `condition` is accepted.
+  void doubt(std::string where, std::string condition, std::string what) {
+    items_.push_back({Severity::kWarning, std::move(where), std::move(what), std::move(condition)});
+  }
   void append(const Diagnostics& other) {
     items_.insert(items_.end(), other.items_.begin(), other.items_.end());
   }
@@ -40,7 +46,7 @@ class Diagnostics {
 
  private:
   void add(Severity severity, std::string where, std::string what) {
-    items_.push_back({severity, std::move(where), std::move(what)});
+    items_.push_back({severity, std::move(where), std::move(what), {}});
   }
   std::vector<Diagnostic> items_;
 };

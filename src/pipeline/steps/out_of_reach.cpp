@@ -124,6 +124,14 @@ const Feature& feature_of(const Part& part, const FeatureFindings& found) {
       .features[static_cast<std::size_t>(part.workplan[static_cast<std::size_t>(found.workingstep)].feature)];
 }
 
+/// What its reader doubts.
+std::vector<Condition> doubts(const Part& part) {
+  std::vector<Condition> conditions;
+  for (const Diagnostic& one : part.diagnostics.items())
+    if (!one.condition.empty()) conditions.push_back({one.condition, one.where + ": " + one.what, 0, ""});
+  return conditions;
+}
+
 }  // namespace
 
 std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, const Tolerances& tol) {
@@ -153,6 +161,7 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
 
 void add_conditions_of_part(const Part& part, const ResolvedPlan& plan, Findings& findings) {
   findings.conditions.insert(findings.conditions.end(), plan.conditions.begin(), plan.conditions.end());
+  for (Condition& one : doubts(part)) findings.conditions.push_back(std::move(one));
   for (Condition& one : out_of_reach(part, findings, plan.tol)) findings.conditions.push_back(std::move(one));
   for (FeatureFindings& found : findings.features) {
     const double whole = area(feature_of(part, found).target);

@@ -94,12 +94,12 @@ std::optional<std::string> with_svg_entities(std::string_view text, const std::s
 }
 
 void apply_svg_style(const pugi::xml_node& node, const SvgStyleSheet& sheet, SvgStyle& style) {
-  style.cut_off.clear();
+  style.clip.clear();
   style.transform.clear();
   style.transform_box.clear();
   style.moved_by.clear();
   style.geometry.clear();
-  style.fixed_stroke = style.overflows = false;
+  style.fixed_stroke = style.overflows = style.masked = false;
   style.transform_origin = svg_text_of(node, "transform-origin");
   style.font.outer_size = style.font.size;
   for (const char* property :
@@ -107,7 +107,7 @@ void apply_svg_style(const pugi::xml_node& node, const SvgStyleSheet& sheet, Svg
         "opacity",      "visibility",     "display",         "clip-path",         "mask",
         "stroke-width", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit", "stroke-dasharray",
         "marker-start", "marker-mid",     "marker-end",      "vector-effect",     "transform-box",
-        "overflow"}) {
+        "overflow",     "clip-rule"}) {
     style.set(property, svg_text_of(node, property));
   }
   for (const char* property : kSvgFontProperties) style.set(property, svg_text_of(node, property));

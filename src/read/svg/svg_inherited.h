@@ -1,6 +1,7 @@
 // What an element of an SVG takes over from the groups around it.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -16,6 +17,9 @@ class xml_node;
 
 namespace clearcut::read {
 
+/// What of the drawing is seen, mm; null: all of it.
+using SvgWindow = std::shared_ptr<const Regions>;
+
 struct SvgInherited {
   SvgStyle style;
   Affine map;  ///< user units to mm
@@ -25,6 +29,7 @@ struct SvgInherited {
   std::optional<LayerRole> role;
   std::optional<HoleRequest> hole;
   std::optional<double> depth, top, width;  ///< mm
+  SvgWindow shown;                          ///< through clip paths and viewports
 };
 
 /// Style, transform, layer and depth of `node` on top of what is around it. Returns what cannot be read, "" if all can.

@@ -66,23 +66,6 @@ SvgViewSize view_size(const std::string& view_box, const SvgViewSize& own) {
   return box ? SvgViewSize{box->width, box->height} : own;
 }
 
-bool reaches_beyond(const Path& curve, const Affine& map, double width, double height) {
-  constexpr double kRounding = 1e-6;  // mm
-  const Vec2 low = map({0, 0}), high = map({width, height});
-  for (const Vec2 side : {map.linear({width, 0}), map.linear({0, height})}) {
-    const double length = norm(side);
-    if (!(length > 0)) return true;
-    // Turned so that this side is along x, its normal is along y.
-    const auto turned = [&](Vec2 p) { return Vec2{dot(side, p) / length, cross(side, p) / length}; };
-    Box all;
-    for (const Edge& edge : curve)
-      all.add(Edge{turned(edge.from), turned(edge.to), turned(edge.center), edge.turn}.box());
-    const double a = turned(low).y, b = turned(high).y;
-    if (all.min.y < std::min(a, b) - kRounding || all.max.y > std::max(a, b) + kRounding) return true;
-  }
-  return false;
-}
-
 PixelSize pixel_size_of(std::string_view text, std::string_view inkscape_version) {
   // The comment that names the generator stands before the root.
   const std::string_view prolog = text.substr(0, text.find("<svg"));

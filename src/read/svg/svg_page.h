@@ -42,7 +42,4 @@ SvgViewSize view_size(const std::string& view_box, const SvgViewSize& own);
 /// `user_unit`: mm per user unit when the user states it; `px_per_inch` counts where nobody states a size.
 SvgPage page_of(const SvgViewport& viewport, std::optional<double> user_unit, double px_per_inch);
 
-/// Whether a curve reaches out of the rectangle from the origin to (width, height) under `map`, by more than rounding.
-bool reaches_beyond(const Path& curve, const Affine& map, double width, double height);
-
 }  // namespace clearcut::read

@@ -13,9 +13,11 @@
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/lettering/lettering.h"
+#include "read/svg/svg_clip.h"
 #include "read/svg/svg_document.h"
 #include "read/svg/svg_elements.h"
 #include "read/svg/svg_inherited.h"
+#include "read/svg/svg_notes.h"
 #include "read/svg/svg_numbers.h"
 #include "read/svg/svg_page.h"
 #include "read/svg/svg_shapes.h"
@@ -63,9 +65,10 @@ class SvgCollector {
   void refuse_unknown_layers() const {
     const bool found = std::any_of(groups_.begin(), groups_.end(),
                                    [](const DrawnGroup& group) { return !group.curves.empty(); });
-    if (options_.layers.empty() || found || not_chosen_.empty()) return;
+    if (options_.layers.empty() || found || notes_.not_chosen.empty()) return;
     std::string names;
-    for (const auto& [name, count] : not_chosen_) names += (names.empty() ? "" : ", ") + printable(name);
+    for (const auto& [name, count] : notes_.not_chosen)
+      names += (names.empty() ? "" : ", ") + printable(name);
     throw InputError(file_, "no layer is called '" + printable(options_.layers.front()) +
                                 "'; the drawing has the layers " + names);
   }
@@ -73,46 +76,15 @@ class SvgCollector {
   void report() const {
     if (!physical_) warn_of_pixels();
     if (!document_.sheet_understood) {
-      diagnostics_.warn(
-          file_, "a style sheet has rules that are not read; fills and sizes set by them are not seen");
+      diagnostics_.doubt(
+          file_, kNotAsDrawn,
+          "a style sheet has rules that are not read; fills and sizes set by them are not seen");
     }
     lettering_.report(diagnostics_, file_);
-    report_left_out(diagnostics_, file_, texts_not_read_,
-                    "not read, because letters are no outlines (--text outlines draws them):");
-    for (const auto& [property, count] : letters_not_so_)
-      warn_of(count, "text(s) have a " + property + ", which is not applied; turn them into paths");
-    report_left_out(diagnostics_, file_, not_read_, "not read, because they are no outlines:");
-    report_left_out(diagnostics_, file_, hidden_, "not read, because they are not displayed:");
-    report_left_out(diagnostics_, file_, not_chosen_, "not read, because their layers were not chosen:");
-    report_left_out(diagnostics_, file_, ignored_, "not read, because their layers' names say so:");
-    for (const auto& [property, count] : cut_off_) {
-      warn_of(count, "elements have a " + property +
-                         ", which is not applied: what it hides is read too; cut the shapes in the drawing");
-    }
-    warn_of(odd_points_, "lists of points end in half a point, which is left out; correct them");
-    warn_of(even_odd_strokes_,
-            "strokes of shapes filled by the even-odd rule do not count; turn them into paths");
-    warn_of(dashed_, "dashed strokes are read without their gaps");
-    warn_of(fixed_strokes_,
-            "strokes are not scaled with their shapes (vector-effect), but read as if they were");
-    warn_of(marked_, "shapes have markers, which are not read; turn them into paths");
-    warn_of(beyond_,
-            "shapes reach beyond the viewport of an <svg> or <symbol> within the drawing, which hides that; "
-            "it is "
-            "read too: cut the shapes in the drawing, or say overflow=\"visible\"");
-    if (stroke_only_ > 0) {
-      diagnostics_.note(file_,
-                        std::to_string(stroke_only_) +
-                            " shapes with a stroke and no fill were read as outlines; their stroke's width "
-                            "does not count (--strokes areas makes it count)");
-    }
+    notes_.report(diagnostics_, file_);
   }
 
  private:
-  void warn_of(int count, const std::string& what) const {
-    if (count > 0) diagnostics_.warn(file_, std::to_string(count) + " " + what);
-  }
-
   void warn_of_pixels() const {
     Box all;
     for (const DrawnGroup& group : groups_) {
@@ -149,7 +121,7 @@ class SvgCollector {
     inherit(node, own);
     if (!is_root) check_lengths(node);
     if (!own.style.shown || !own.style.seen) {
-      ++hidden_[std::string(name)];
+      ++notes_.hidden[std::string(name)];
     } else if (name == "svg" && is_root) {
       take_children(node, own, depth);
     } else if (name == "svg") {
@@ -166,7 +138,7 @@ class SvgCollector {
     } else if (name == "text") {
       take_text(node, own);
     } else {
-      ++not_read_[std::string(name) + (own.layer.empty() ? "" : " on layer " + own.layer)];
+      ++notes_.not_read[std::string(name) + (own.layer.empty() ? "" : " on layer " + own.layer)];
     }
   }
 
@@ -198,7 +170,7 @@ class SvgCollector {
       if (plain && !taken) {
         take(child, own, depth + 1, false);
       } else {
-        ++hidden_[std::string(local_name(child)) + " of a switch"];
+        ++notes_.hidden[std::string(local_name(child)) + " of a switch"];
       }
       taken = taken || plain;
     }
@@ -212,17 +184,8 @@ class SvgCollector {
     own.map =
         place * view_box_map(view_box, std::string(svg_text_of(node, "preserveAspectRatio")), width, height);
     own.view = view_size(view_box, {width, height});
-    std::vector<std::size_t> before;
-    for (const DrawnGroup& group : groups_) before.push_back(group.curves.size());
-    const bool hides = !own.style.overflows;
+    if (!own.style.overflows) narrow_to_viewport(own, place, width, height, options_.tol);
     take_children(node, own, depth);
-    before.resize(groups_.size());
-    for (std::size_t i = 0; hides && i < groups_.size(); ++i) {
-      const auto& curves = groups_[i].curves;
-      beyond_ += static_cast<int>(
-          std::count_if(curves.begin() + static_cast<std::ptrdiff_t>(before[i]), curves.end(),
-                        [&](const RawCurve& c) { return reaches_beyond(c.edges, place, width, height); }));
-    }
   }
 
   void take_use(const pugi::xml_node& node, SvgInherited own, int depth) {
@@ -251,10 +214,11 @@ class SvgCollector {
   void inherit(const pugi::xml_node& node, SvgInherited& own) {
     const std::string problem = inherit_svg(node, document_.sheet, options_, own);
     if (!problem.empty()) throw InputError(place(node), problem);
-    if (!own.style.cut_off.empty()) ++cut_off_[own.style.cut_off];
+    if (own.style.masked) ++notes_.not_applied["mask"];
+    if (!clips_.narrow(own)) ++notes_.not_applied["clip-path"];
   }
 
-  void leave_out(const pugi::xml_node& node) { ++hidden_[std::string(local_name(node))]; }
+  void leave_out(const pugi::xml_node& node) { ++notes_.hidden[std::string(local_name(node))]; }
 
   SvgPathData shape_of(const pugi::xml_node& node, const SvgInherited& own, const Affine& map) const {
     SvgPathData data = svg_shape(node, own.view, map);
@@ -268,31 +232,33 @@ class SvgCollector {
     if (!own.style.visible || (!filled && !stroked)) return leave_out(node);
     DrawnGroup* group = wanted_group(own, filled);
     if (!group) return;
-    if (own.style.marked) ++marked_;
+    if (own.style.marked) ++notes_.marked;
     const bool as_area = stroked && options_.stroke_areas.value_or(false);
-    if (filled || !as_area) add_curves(node, own, filled, *group);
-    if (as_area) add_stroke(node, own, filled, *group);
+    std::optional<Compound> compound;
+    if (filled) compound = Compound{compounds_++, own.style.fill_rule != "evenodd"};
+    if (filled || !as_area) add_curves(node, own, compound, *group);
+    if (as_area) add_stroke(node, own, compound, *group);
   }
 
   /// The group of what is drawn so; nothing, and counted, where that is not to be read.
   DrawnGroup* wanted_group(const SvgInherited& own, bool filled) {
     DrawnGroup& group = group_of(own, filled ? own.style.fill : own.style.stroke);
     const bool chosen = options_.layers.empty() || own.chosen;
-    if (!chosen) ++not_chosen_[own.layer.empty() ? "(no layer)" : own.layer];
-    if (chosen && group.role == LayerRole::kIgnore) ++ignored_[own.layer];
+    if (!chosen) ++notes_.not_chosen[own.layer.empty() ? "(no layer)" : own.layer];
+    if (chosen && group.role == LayerRole::kIgnore) ++notes_.ignored[own.layer];
     return chosen && group.role != LayerRole::kIgnore ? &group : nullptr;
   }
 
   /// All letters of one element fill an area together.
   void take_text(const pugi::xml_node& node, const SvgInherited& own) {
     if (!options_.text_outlines.value_or(false)) {
-      ++texts_not_read_["text" + (own.layer.empty() ? "" : " on layer " + own.layer)];
+      ++notes_.texts_not_read["text" + (own.layer.empty() ? "" : " on layer " + own.layer)];
       return;
     }
     SvgText text = read_svg_text(node, own.style, document_.sheet, own.view, own.map, lettering_);
     if (!text.problem.empty()) throw InputError(place(node), text.problem);
-    for (const auto& [name, count] : text.left_out) not_read_[name] += count;
-    for (const auto& [name, count] : text.not_applied) letters_not_so_[name] += count;
+    for (const auto& [name, count] : text.left_out) notes_.not_read[name] += count;
+    for (const auto& [name, count] : text.not_applied) notes_.letters_not_so[name] += count;
     const Compound compound{compounds_++, true};
     bool drawn = false;
     for (SvgTextRun& run : text.runs) {
@@ -304,35 +270,37 @@ class SvgCollector {
       SvgInherited part = own;
       part.style = run.style;
       if (!run.style.visible || (!filled && !run.style.strokes())) {
-        ++hidden_["text"];
+        ++notes_.hidden["text"];
       } else if (DrawnGroup* group = wanted_group(part, filled)) {
-        if (!filled) ++stroke_only_;
-        std::move(curves.begin(), curves.end(), std::back_inserter(group->curves));
+        if (!filled) ++notes_.stroke_only;
+        add_seen(std::move(curves), own, filled ? std::optional(compound) : std::nullopt, "text", *group);
       }
     }
-    if (!drawn && text.left_out.empty()) ++not_read_["text without letters"];
+    if (!drawn && text.left_out.empty()) ++notes_.not_read["text without letters"];
   }
 
-  /// Strokes of a group are one area; that of a filled shape is one with its fill, whose curves come last in the group.
-  void add_stroke(const pugi::xml_node& node, const SvgInherited& own, bool filled, DrawnGroup& group) {
+  /// Strokes of a group are one area; that of a filled shape is one with its fill.
+  void add_stroke(const pugi::xml_node& node, const SvgInherited& own, const std::optional<Compound>& fill,
+                  DrawnGroup& group) {
     if (!svg_length(own.style.stroke_width, 1))
       throw InputError(place(node), "stroke-width '" + printable(own.style.stroke_width) +
                                         "' is no length that can be read; write it in mm or without unit");
     const Pen pen = own.style.pen(own.view.diagonal());
     if (!(pen.width > 0)) {
-      ++hidden_[std::string(local_name(node)) + " with a stroke without width"];
-    } else if (filled && own.style.fill_rule == "evenodd") {
-      ++even_odd_strokes_;
+      ++notes_.hidden[std::string(local_name(node)) + " with a stroke without width"];
+    } else if (fill && !fill->nonzero) {
+      ++notes_.even_odd_strokes;
     } else {
-      if (own.style.dashed) ++dashed_;
-      if (own.style.fixed_stroke) ++fixed_strokes_;
-      const Compound compound =
-          filled && !group.curves.empty() ? *group.curves.back().compound : compound_of_strokes(group);
-      const bool clockwise = filled && winding_of(group, compound) < 0;
+      if (own.style.dashed) ++notes_.dashed;
+      if (own.style.fixed_stroke) ++notes_.fixed_strokes;
+      const Compound compound = fill ? *fill : compound_of_strokes(group);
+      const bool clockwise = fill && winding_of(group, compound) < 0;
       const auto lines = [&](const Affine& map) { return shape_of(node, own, map).subpaths; };
+      std::vector<RawCurve> pieces;
       for (const Path& piece : stroke_pieces(own.map, pen, lines))
-        group.curves.push_back(
+        pieces.push_back(
             {clockwise ? reversed(piece) : piece, true, svg_source(node) + " (stroke)", compound});
+      add_seen(std::move(pieces), own, compound, std::string(local_name(node)) + " (stroke)", group);
     }
   }
 
@@ -350,20 +318,35 @@ class SvgCollector {
     return sum;
   }
 
-  void add_curves(const pugi::xml_node& node, const SvgInherited& own, bool filled, DrawnGroup& group) {
+  void add_curves(const pugi::xml_node& node, const SvgInherited& own, const std::optional<Compound>& fill,
+                  DrawnGroup& group) {
     SvgPathData data = shape_of(node, own, own.map);
-    if (!filled) ++stroke_only_;
-    if (data.half_point) ++odd_points_;
-    if (data.subpaths.empty()) ++not_read_[std::string(local_name(node)) + " without size"];
-    std::optional<Compound> compound;
-    if (filled) compound = Compound{compounds_++, own.style.fill_rule != "evenodd"};
-    for (Subpath& subpath : data.subpaths) {
-      RawCurve curve;
-      curve.edges = std::move(subpath.edges);
-      curve.closed = filled || subpath.closed;
-      curve.source = svg_source(node);
-      curve.compound = compound;
-      group.curves.push_back(std::move(curve));
+    if (!fill) ++notes_.stroke_only;
+    if (data.half_point) ++notes_.odd_points;
+    if (data.subpaths.empty()) ++notes_.not_read[std::string(local_name(node)) + " without size"];
+    std::vector<RawCurve> curves;
+    for (Subpath& subpath : data.subpaths)
+      curves.push_back({std::move(subpath.edges), fill || subpath.closed, svg_source(node), fill});
+    add_seen(std::move(curves), own, fill, std::string(local_name(node)), group);
+  }
+
+  /// What clip paths and viewports let be seen of areas; lines that are seen in part are read whole. `what`: for the list of what
+  /// is hidden.
+  void add_seen(std::vector<RawCurve> curves, const SvgInherited& own, const std::optional<Compound>& fill,
+                const std::string& what, DrawnGroup& group) {
+    if (fill) {
+      const Seen seen = clip_fill(curves, fill->nonzero, own.shown, options_.tol);
+      if (seen == Seen::kPart) ++notes_.clipped;
+      if (seen == Seen::kNothing) ++notes_.hidden[what];
+    }
+    for (RawCurve& curve : curves) {
+      const Seen seen = fill ? Seen::kWhole : how_much_is_seen(curve.edges, own.shown, options_.tol);
+      if (seen == Seen::kPart) ++notes_.clipped_lines;
+      if (seen == Seen::kNothing) {
+        ++notes_.hidden[what];
+      } else {
+        group.curves.push_back(std::move(curve));
+      }
     }
   }
 
@@ -390,24 +373,15 @@ class SvgCollector {
   const ReadOptions& options_;
   Diagnostics& diagnostics_;
   SvgDocument document_;
+  SvgClips clips_{document_, options_};
   PixelSize pixels_;
   bool physical_ = true;
   bool has_size_ = false;
   std::vector<DrawnGroup> groups_;
   std::map<std::tuple<std::string, LayerRole, std::optional<double>, std::optional<double>>, std::size_t>
       by_key_;
-  LeftOut not_read_, hidden_, not_chosen_, ignored_;
-  LeftOut texts_not_read_;
-  LeftOut letters_not_so_;  ///< texts by the property that is not applied
+  SvgNotes notes_;
   Lettering lettering_;
-  LeftOut cut_off_;  ///< elements by the property that hides part of them
-  int stroke_only_ = 0;
-  int dashed_ = 0;
-  int fixed_strokes_ = 0;
-  int marked_ = 0;
-  int beyond_ = 0;  ///< shapes that reach beyond a viewport that hides it
-  int even_odd_strokes_ = 0;
-  int odd_points_ = 0;
   int compounds_ = 0;
   std::map<std::string, Compound> stroke_compounds_;  ///< strokes of a group are one area
   int count_ = 0;

@@ -257,16 +257,6 @@ TEST(Svg, StyleSheetsWithSimpleSelectors) {
   EXPECT_EQ(said(part, Severity::kWarning, "rules that are not read"), 1);
 }
 
-TEST(Svg, WhatIsHiddenByClippingIsReadAndWarnedOf) {
-  const Part part = read(
-      page("<style>.c{clip-path:url(#c)}</style><g clip-path='url(#c)'><rect width='10' height='10'/></g>"
-           "<rect x='20' width='10' height='10' class='c'/><rect x='40' width='10' height='10' "
-           "style='mask:url(#m)'/><rect x='60' width='10' height='10' clip-path='none'/>"));
-  EXPECT_NEAR(all_area(part), 400, 1e-9);
-  EXPECT_EQ(said(part, Severity::kWarning, "2 elements have a clip-path, which is not applied"), 1);
-  EXPECT_EQ(said(part, Severity::kWarning, "1 elements have a mask"), 1);
-}
-
 TEST(Svg, PercentagesWithinAViewportAreOfItsViewBox) {
   EXPECT_NEAR(
       area_of("<svg width='40' height='20' viewBox='0 0 400 200'><rect width='50%' height='50%'/></svg>"),
@@ -288,21 +278,6 @@ TEST(Svg, StylesSayPlaceAndSize) {
   // A page as wide as the window keeps the size of its attributes.
   EXPECT_NEAR(all_area(read("<svg width='40mm' height='20mm' style='width:100%;height:auto'>" + shape)), 200,
               1e-9);
-}
-
-TEST(Svg, WhatAViewportHidesIsReadAndWarnedOf) {
-  const std::string within = "<rect x='1' y='1' width='8' height='8'/>",
-                    beyond = "<circle cx='8' cy='5' r='3'/>";
-  const auto warnings = [&](const std::string& attributes, const std::string& shape) {
-    const Part part = read(page("<g transform='rotate(20) scale(2 3)'><svg x='20' width='10' height='10' " +
-                                attributes + ">" + shape + "</svg></g>"));
-    return said(part, Severity::kWarning, "1 shapes reach beyond the viewport");
-  };
-  EXPECT_EQ(warnings("", within), 0);
-  EXPECT_EQ(warnings("", beyond), 1);
-  EXPECT_EQ(warnings("overflow='visible'", beyond), 0);
-  EXPECT_EQ(warnings("style='overflow:visible'", beyond), 0);
-  EXPECT_EQ(warnings("viewBox='0 0 5 5'", within), 1);
 }
 
 TEST(Svg, WhatStylesSayAndIsNotReadIsRefusedOrWarnedOf) {

@@ -114,10 +114,12 @@ bool SvgStyle::strokes() const {
 void SvgStyle::set(std::string_view property, std::string_view value) {
   value = stripped(value);
   if (value.empty() || value == "inherit" || value == "unset") return;
-  if ((property == "clip-path" || property == "mask") && value != "none") cut_off = property;
+  if (property == "clip-path") clip = value == "none" ? "" : value;
+  if (property == "mask") masked = value != "none";
   if (property == "fill") fill = small(value);
   if (property == "stroke") stroke = small(value);
   if (property == "fill-rule") fill_rule = small(value);
+  if (property == "clip-rule") clip_rule = small(value);
   if (property == "stroke-width") stroke_width = value;
   if (property == "stroke-linecap") cap = small(value);
   if (property == "stroke-linejoin") join = small(value);
@@ -197,13 +199,15 @@ bool SvgStyleSheet::add(std::string_view css) {
     const std::size_t close = open == std::string_view::npos ? open : rest.find('}', open);
     if (close == std::string_view::npos) return false;
     const std::string_view declarations = rest.substr(open + 1, close - open - 1);
-    for_pieces(rest.substr(0, open), ',', [&](std::string_view selector) {
-      if (is_simple(selector)) {
-        rules_[std::string(selector)].push_back({count_++, std::string(declarations)});
-      } else {
-        understood = false;
-      }
-    });
+    const bool names_font = stripped(rest.substr(0, open)) == "@font-face";
+    if (!names_font)
+      for_pieces(rest.substr(0, open), ',', [&](std::string_view selector) {
+        if (is_simple(selector)) {
+          rules_[std::string(selector)].push_back({count_++, std::string(declarations)});
+        } else {
+          understood = false;
+        }
+      });
     rest.remove_prefix(close + 1);
   }
   return understood;

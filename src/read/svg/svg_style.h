@@ -16,7 +16,8 @@ struct SvgStyle {
   std::string fill = "black";
   std::string stroke = "none";
   std::string fill_rule = "nonzero";
-  std::string stroke_width = "1";  ///< a length, as written
+  std::string clip_rule = "nonzero";  ///< of shapes in clip paths
+  std::string stroke_width = "1";     ///< a length, as written
   std::string cap = "butt";
   std::string join = "miter";
   std::string miter_limit = "4";
@@ -30,7 +31,8 @@ struct SvgStyle {
   bool seen = true;           ///< opacity above 0; the same
   SvgFont font;
   bool overflows = false;  ///< overflow: a viewport shows what lies beyond it; not inherited
-  std::string cut_off;     ///< "clip-path" or "mask", which hides part of the element; not inherited
+  std::string clip;        ///< clip-path, as written; "" for none; not inherited
+  bool masked = false;     ///< a mask hides part of the element; not inherited
 
   std::string transform, transform_origin;  ///< as written; not inherited
   std::string transform_box;                ///< what origin and percentages refer to; not inherited
