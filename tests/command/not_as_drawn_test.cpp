@@ -24,15 +24,16 @@ std::string drawing(const std::string& hidden_by) {
 
 TEST(NotAsDrawn, MasksLeaveTheVerdictConditional) {
   const ScratchFolder folder;
-  std::vector<std::string> call{"plan",     folder.file("half.svg", drawing("mask='url(#m)'")),
-                                "--depth",  "2",
-                                "--tool",   "endmill:4",
-                                "-o",       folder.path("half.ngc")};
+  std::vector<std::string> call{"plan",    folder.file("half.svg", drawing("mask='url(#m)'")),
+                                "--depth", "2",
+                                "--tool",  "endmill:4",
+                                "-o",      folder.path("half.ngc")};
   const auto open = run_clearcut(call);
   EXPECT_EQ(open.exit_code, kConditional) << open.out << open.err;
   EXPECT_THAT(open.out, HasSubstr("verdict: CONDITIONAL"));
   EXPECT_THAT(open.out, HasSubstr("1 elements have a mask, which is not applied"));
-  const auto checked = run_clearcut({"verify", folder.path("half.ngc"), "--part", folder.path("half.svg"), "--depth", "2"});
+  const auto checked = run_clearcut({"verify", folder.path("half.ngc"), "--part", folder.path("half.svg"),
+                                     "--depth", "2", "--tool", "endmill:4"});
   EXPECT_EQ(checked.exit_code, kConditional) << checked.out << checked.err;
   call.insert(call.end(), {"--accept", "not-as-drawn"});
   const auto accepted = run_clearcut(call);
@@ -41,8 +42,9 @@ TEST(NotAsDrawn, MasksLeaveTheVerdictConditional) {
 
 TEST(NotAsDrawn, ClipPathsAreApplied) {
   const ScratchFolder folder;
-  const auto result = run_clearcut({"plan", folder.file("half.svg", drawing("clip-path='url(#c)'")), "--depth", "2", "--tool",
-                                    "endmill:0.5", "--accept", "out-of-reach", "-o", folder.path("half.ngc")});
+  const auto result =
+      run_clearcut({"plan", folder.file("half.svg", drawing("clip-path='url(#c)'")), "--depth", "2", "--tool",
+                    "endmill:0.5", "--accept", "out-of-reach", "-o", folder.path("half.ngc")});
   EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
   EXPECT_THAT(result.out, Not(HasSubstr("not-as-drawn")));
 }

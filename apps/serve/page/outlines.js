@@ -2,7 +2,7 @@
 
 /** @type {{ asked: number, outlines: OutlineInfo[] }} */
 const part = { asked: 0, outlines: [] };
-const outlineKinds = ['pocket', 'profile', 'inside', 'drill', 'engrave', 'vcarve', 'isolate', 'chamfer', 'face', 'island', 'ignore'];
+const outlineKinds = ['pocket', 'step', 'profile', 'inside', 'drill', 'engrave', 'vcarve', 'isolate', 'chamfer', 'face', 'island', 'ignore'];
 const mostOutlines = 300;  // that are listed
 /** @type {(value: number, digits: number) => number} */
 const round = (value, digits) => Number(value.toFixed(digits));

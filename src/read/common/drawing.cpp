@@ -205,6 +205,7 @@ std::vector<Feature> features_of(std::vector<ShapedGroup>& shaped, const Regions
                                  const ReadOptions& options, Diagnostics& diagnostics) {
   give_through_depths(shaped, options);
   unite_overlapping_layers(shaped, options, diagnostics);
+  let_steps_stand(shaped, options);
   std::vector<Feature> features;
   for (ShapedGroup& one : shaped) {
     const LayerRole role = one.group.role;

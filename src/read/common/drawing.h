@@ -28,6 +28,12 @@ struct LayerMeaning {
 /// line to follow, "VCARVE" what a V-bit carves (its depth is a limit), "ISOLATE" what stays with a band about it milled, as wide as "W0.4" says, "CHAMFER" or "DEBURR" edges to break, "FACE", "STOCK", "IGNORE", "CONSTRUCTION", "DIM..." or "DEFPOINTS" nothing to mill. Any case; words end at
 /// anything but letters.
 LayerMeaning meaning_of_layer(std::string_view name);
+/// The same of the kind in `--op KIND:SELECTION`, where "STEP" says more than in the name of a layer.
+LayerMeaning meaning_of_kind(std::string_view kind);
+/// A pocket, or a step in one.
+constexpr bool is_pocket(LayerRole role) {
+  return role == LayerRole::kPocket || role == LayerRole::kStep;
+}
 /// Whether `name` matches `pattern`: case is ignored, * stands for anything.
 bool matches(std::string_view pattern, std::string_view name);
 

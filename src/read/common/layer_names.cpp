@@ -145,6 +145,14 @@ LayerMeaning meaning_of_layer(std::string_view name) {
   return meaning;
 }
 
+LayerMeaning meaning_of_kind(std::string_view kind) {
+  LayerMeaning meaning = meaning_of_layer(kind);
+  for_words(capitals(kind), [&](std::string_view word, std::string_view) {
+    if (word == "STEP") meaning.role = LayerRole::kStep, meaning.says_role = true;
+  });
+  return meaning;
+}
+
 bool matches(std::string_view pattern, std::string_view name) {
   const std::string p = capitals(pattern), n = capitals(name);
   std::size_t i = 0, k = 0, star = std::string::npos, resume = 0;

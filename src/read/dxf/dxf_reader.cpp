@@ -215,7 +215,8 @@ class Collector {
       return false;
     }
     const auto [role, is_new] = roles_.try_emplace(capitals(layer), LayerRole::kPocket);
-    if (is_new) role->second = new_group(layer).role;
+    // Ignored layers have empty groups, so that options may name them.
+    if (is_new) role->second = group_of(layer).role;
     if (role->second == LayerRole::kIgnore) ++ignored_[layer];
     return role->second != LayerRole::kIgnore;
   }
@@ -301,7 +302,7 @@ class Collector {
     const auto [found, is_new] = by_layer_.try_emplace(capitals(layer), groups_.size());
     if (is_new) {
       groups_.push_back(new_group(layer));
-      note_unplotted(layer);
+      if (groups_.back().role != LayerRole::kIgnore) note_unplotted(layer);
     }
     return groups_[found->second];
   }

@@ -172,8 +172,9 @@ LayerRule layer_rule(DataSection section) {
   const auto name = section.text("name");
   if (!name) section.fail("name is missing; add name = \"POCKET*\"");
   rule.pattern = *name;
-  const auto role = section.choice("role", {"pocket", "island", "hole", "ignore", "profile", "inside",
-                                            "engrave", "chamfer", "face", "stock", "vcarve", "isolate"});
+  const auto role =
+      section.choice("role", {"pocket", "island", "hole", "ignore", "profile", "inside", "engrave", "chamfer",
+                              "face", "stock", "vcarve", "isolate", "step"});
   if (role) rule.role = static_cast<LayerRole>(*role);
   if (const auto hole = section.text("hole")) {
     // In the words of layers: "tap_m6_thru".

@@ -15,34 +15,42 @@ void SvgNotes::report(Diagnostics& diagnostics, const std::string& file) const {
   report_left_out(diagnostics, file, texts_not_read,
                   "not read, because letters are no outlines (--text outlines draws them):");
   for (const auto& [property, count] : letters_not_so)
-    diagnostics.doubt(file, kNotAsDrawn,
-                      text(count, "text(s) have a " + property + ", which is not applied; turn them into paths"));
+    diagnostics.doubt(
+        file, kNotAsDrawn,
+        text(count, "text(s) have a " + property + ", which is not applied; turn them into paths"));
   report_left_out(diagnostics, file, not_read, "not read, because they are no outlines:");
   report_left_out(diagnostics, file, hidden, "not read, because they are not displayed:");
   report_left_out(diagnostics, file, not_chosen, "not read, because their layers were not chosen:");
   report_left_out(diagnostics, file, ignored, "not read, because their layers' names say so:");
   for (const auto& [property, count] : not_applied)
-    diagnostics.doubt(file, kNotAsDrawn,
-                      text(count, "elements have a " + property +
-                                      ", which is not applied: what it hides is read too; cut the shapes in the drawing"));
+    diagnostics.doubt(
+        file, kNotAsDrawn,
+        text(count, "elements have a " + property +
+                        ", which is not applied: what it hides is read too; cut the shapes in the drawing"));
   if (odd_points > 0)
-    diagnostics.warn(file, text(odd_points, "lists of points end in half a point, which is left out; correct them"));
+    diagnostics.warn(
+        file, text(odd_points, "lists of points end in half a point, which is left out; correct them"));
   const Said doubts[] = {
       {clipped_lines,
-       "lines reach beyond a clip path or a viewport, which hides that; they are read whole: cut them in the drawing"},
+       "lines reach beyond a clip path or a viewport, which hides that; they are read whole: cut them in the "
+       "drawing"},
       {even_odd_strokes, "strokes of shapes filled by the even-odd rule do not count; turn them into paths"},
       {dashed, "dashed strokes are read without their gaps; turn them into paths"},
       {fixed_strokes,
-       "strokes are not scaled with their shapes (vector-effect), but read as if they were; turn them into paths"}};
+       "strokes are not scaled with their shapes (vector-effect), but read as if they were; turn them into "
+       "paths"}};
   for (const Said& one : doubts)
     if (one.count > 0) diagnostics.doubt(file, kNotAsDrawn, text(one.count, one.what));
-  if (marked > 0) diagnostics.warn(file, text(marked, "shapes have markers, which are not read; turn them into paths"));
+  if (marked > 0)
+    diagnostics.warn(file, text(marked, "shapes have markers, which are not read; turn them into paths"));
   if (clipped > 0)
-    diagnostics.note(file, text(clipped, "shapes reach beyond a clip path or a viewport: what that hides is left out"));
+    diagnostics.note(
+        file, text(clipped, "shapes reach beyond a clip path or a viewport: what that hides is left out"));
   if (stroke_only > 0) {
-    diagnostics.note(file, text(stroke_only,
-                                "shapes with a stroke and no fill were read as outlines; their stroke's width "
-                                "does not count (--strokes areas makes it count)"));
+    diagnostics.note(file,
+                     text(stroke_only,
+                          "shapes with a stroke and no fill were read as outlines; their stroke's width "
+                          "does not count (--strokes areas makes it count)"));
   }
 }
 

@@ -13,7 +13,7 @@
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/lettering/lettering.h"
-#include "read/svg/svg_clip.h"
+#include "read/svg/clip/svg_clip.h"
 #include "read/svg/svg_document.h"
 #include "read/svg/svg_elements.h"
 #include "read/svg/svg_inherited.h"

@@ -1,8 +1,10 @@
 #include "read/common/features/within_deeper.h"
 
 #include <cmath>
+#include <iterator>
 
 #include "base/text/format.h"
+#include "geometry/boolean.h"
 #include "read/common/layers/layer_overlaps.h"
 #include "read/common/text.h"
 
@@ -38,7 +40,7 @@ std::string question_of(const Feature& feature, const Feature& pocket) {
   const double depth = feature.top_z - feature.floor_z;
   std::string meant;
   if (is_pocket(feature)) {
-    meant = "if it is a step in that pocket draw its outline on layer " + layer + ", too";
+    meant = "--op step:" + printable(feature.source) + " if it is a step that stays in that pocket";
   } else if (feature.carving || feature.profile) {
     meant = "if it is meant on that floor say so in its layer's name, as in TOP" +
             trimmed(pocket.floor_z, 4) + " D" + trimmed(depth, 4);
@@ -51,7 +53,38 @@ std::string question_of(const Feature& feature, const Feature& pocket) {
          " leaves it out";
 }
 
+/// Whether `pocket` is one that would take the step's floor away.
+bool reaches_below(const DrawnGroup& pocket, const DrawnGroup& step, const ReadOptions& options) {
+  const bool same_top = options.top || std::abs(pocket.top.value_or(0) - step.top.value_or(0)) <= kSameDepth;
+  return is_pocket(pocket.role) && same_top && !options.depth && pocket.depth && step.depth &&
+         *pocket.depth > *step.depth + kSameDepth;
+}
+
+Regions beside_steps(Regions pockets, const Regions& steps, const Tolerances& tol) {
+  constexpr double kOutside = 0.01;  // mm2; less is rounding
+  Regions within, about;
+  for (Region& region : pockets) {
+    const bool meets = near_any(steps, {region});
+    const bool in_step = meets && area(subtract({region}, steps, tol)) < kOutside;
+    (in_step || !meets ? within : about).push_back(std::move(region));
+  }
+  Regions all = about.empty() ? Regions{} : subtract(about, steps, tol);
+  std::move(within.begin(), within.end(), std::back_inserter(all));
+  return all;
+}
+
 }  // namespace
+
+void let_steps_stand(std::vector<ShapedGroup>& groups, const ReadOptions& options) {
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    if (groups[i].group.role != LayerRole::kStep) continue;
+    for (std::size_t j = 0; j < groups.size(); ++j) {
+      if (reaches_below(groups[j].group, groups[i].group, options) &&
+          near_any(groups[j].regions, groups[i].regions))
+        groups[j].regions = beside_steps(std::move(groups[j].regions), groups[i].regions, options.tol);
+    }
+  }
+}
 
 std::optional<std::string> question_of_cut_away(const std::vector<Feature>& features, const Tolerances& tol) {
   std::vector<Box> boxes;

@@ -7,6 +7,7 @@
 
 #include "base/tolerances.h"
 #include "model/part.h"
+#include "read/common/layers/outline_roles.h"
 
 namespace clearcut::read {
 
@@ -14,5 +15,9 @@ namespace clearcut::read {
 /// nothing: a shallower pocket may be a step, anything else may be meant on the floor. Nothing where there is none. Cost O(n m) boxes
 /// for n features and m pockets, and a boolean for each that lies within such a pocket.
 std::optional<std::string> question_of_cut_away(const std::vector<Feature>& features, const Tolerances& tol);
+
+/// Takes every step out of the deeper pockets from the same height that reach over it. What lies wholly in a step is cut in it. Where
+/// no depth is given nothing happens: that is asked first.
+void let_steps_stand(std::vector<ShapedGroup>& groups, const ReadOptions& options);
 
 }  // namespace clearcut::read

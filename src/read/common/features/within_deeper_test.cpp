@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "base/random.h"
@@ -70,10 +73,40 @@ TEST(WithinDeeper, ASteppedPocketIsDrawnWithItsOutlineOnBothLayers) {
   EXPECT_NEAR(area(part.features[1].target), 2100, 1e-9);
   EXPECT_THAT(asked(drawn("POCKET_D5", outer) + drawn("POCKET_D2", step)),
               HasSubstr("POCKET_D2 is 2 mm deep and lies in a pocket of layer POCKET_D5, which takes all of "
-                        "it away: if it is a "
-                        "step in that pocket draw its outline on layer POCKET_D5, too; --op ignore:POCKET_D2 "
-                        "leaves it out"));
+                        "it away: --op step:POCKET_D2 if it is a step that stays in that pocket; --op "
+                        "ignore:POCKET_D2 leaves it out"));
   EXPECT_EQ(asked(drawn("POCKET_D2", outer) + drawn("POCKET_D5", step)), "");
+}
+
+/// Area by depth below the top.
+std::map<double, double> areas_of(const std::string& entities, const std::vector<std::string>& answers) {
+  ReadOptions options;
+  options.ask_if_unclear = true;
+  for (const std::string& answer : answers) options.layer_rules.push_back(rule_of_option(answer, "--op"));
+  std::map<double, double> areas;
+  for (const Feature& feature : part_of(entities, options).features)
+    areas[std::round(-1e6 * feature.floor_z) / 1e6] += std::round(1e6 * area(feature.target)) / 1e6;
+  return areas;
+}
+
+TEST(WithinDeeper, BothAnswersToItsQuestionAreUnderstood) {
+  const std::string pocket = drawn("POCKET_D5", {0, 0, 60, 40}), step = drawn("POCKET_D2", {10, 10, 40, 20});
+  using Areas = std::map<double, double>;
+  EXPECT_EQ(areas_of(pocket + step, {"step:POCKET_D2"}), (Areas{{2, 300}, {5, 2100}}));
+  EXPECT_EQ(areas_of(pocket + step, {"ignore:POCKET_D2"}), (Areas{{5, 2400}}));
+  EXPECT_EQ(areas_of(pocket + step, {"step_d3:2"}), (Areas{{3, 300}, {5, 2100}}));
+}
+
+TEST(WithinDeeper, StepsStandInStepsAndAcrossWalls) {
+  const std::string pocket = drawn("POCKET_D9", {0, 0, 60, 40}), low = drawn("LOW_D6", {10, 10, 40, 30});
+  const std::string high = drawn("HIGH_D2", {20, 15, 30, 25}), across = drawn("HIGH_D2", {50, 10, 80, 20});
+  const std::string hole = drawn("POCKET_D12", {22, 18, 28, 22});
+  using Areas = std::map<double, double>;
+  EXPECT_EQ(areas_of(pocket + low + high, {"step:LOW*", "step:HIGH*"}),
+            (Areas{{2, 100}, {6, 500}, {9, 1800}}));
+  EXPECT_EQ(areas_of(pocket + across, {"step:HIGH*"}), (Areas{{2, 300}, {9, 2300}}));
+  // What lies wholly in a step is cut in it.
+  EXPECT_EQ(areas_of(pocket + high + hole, {"step:HIGH*"}), (Areas{{2, 100}, {9, 2300}, {12, 24}}));
 }
 
 TEST(WithinDeeper, TheOverviewAsksTheSame) {

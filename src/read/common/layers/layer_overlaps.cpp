@@ -17,7 +17,7 @@ constexpr double kWholly = 0.999;
 bool are_pockets_of_one_floor(const DrawnGroup& a, const DrawnGroup& b, const ReadOptions& options) {
   const auto depth = [&](const DrawnGroup& group) { return options.depth ? options.depth : group.depth; };
   const bool same_top = options.top || a.top.value_or(0) == b.top.value_or(0);
-  return a.role == LayerRole::kPocket && b.role == LayerRole::kPocket && same_top && depth(a) == depth(b);
+  return is_pocket(a.role) && is_pocket(b.role) && same_top && depth(a) == depth(b);
 }
 
 /// The regions of one group that overlap regions of the other are taken out of it.

@@ -15,7 +15,8 @@
 namespace clearcut::read {
 namespace {
 
-constexpr std::array<std::pair<const char*, LayerRole>, 12> kRoleNames{{{"pocket", LayerRole::kPocket},
+constexpr std::array<std::pair<const char*, LayerRole>, 13> kRoleNames{{{"pocket", LayerRole::kPocket},
+                                                                        {"step", LayerRole::kStep},
                                                                         {"profile", LayerRole::kProfile},
                                                                         {"inside", LayerRole::kInside},
                                                                         {"drill", LayerRole::kHole},
@@ -320,7 +321,7 @@ void fill_overview(const std::vector<ShapedGroup>& groups, const std::vector<Out
       return around.group == outline.group ||
              (group.role == LayerRole::kProfile && groups[around.group].group.role == LayerRole::kProfile);
     });
-    if (group.role == LayerRole::kPocket && in_own % 2 == 1) one.role = "island";
+    if (is_pocket(group.role) && in_own % 2 == 1) one.role = "island";
     if (group.role == LayerRole::kProfile && in_own % 2 == 1) one.role = "inside";
     if (group.role == LayerRole::kInside && in_own % 2 == 1) one.role = "profile";
     one.says_role = group.says_role;
@@ -344,7 +345,7 @@ const char* name_of(LayerRole role) {
 }
 
 LayerRule rule_named(const std::string& kind, const std::string& place) {
-  const LayerMeaning meaning = meaning_of_layer(kind);
+  const LayerMeaning meaning = meaning_of_kind(kind);
   if (!meaning.says_role) {
     std::string known;
     for (const auto& [name, value] : kRoleNames) known += (known.empty() ? "" : ", ") + std::string(name);

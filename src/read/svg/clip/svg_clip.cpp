@@ -1,4 +1,4 @@
-#include "read/svg/svg_clip.h"
+#include "read/svg/clip/svg_clip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,7 +60,8 @@ bool is_rectangle(const Regions& seen) {
 Seen seen_of_box(const Box& all, const Regions& seen, const Tolerances& tol) {
   const Box window = box(seen).grown(kOnEdge);
   if (seen.empty() || !window.overlaps(all)) return Seen::kNothing;
-  if (is_rectangle(seen)) return window.contains(all.min) && window.contains(all.max) ? Seen::kWhole : Seen::kPart;
+  if (is_rectangle(seen))
+    return window.contains(all.min) && window.contains(all.max) ? Seen::kWhole : Seen::kPart;
   const Regions part{rectangular_region(all.grown(kOnEdge))};
   if (subtract(part, seen, tol).empty()) return Seen::kWhole;
   return intersect(part, seen, tol).empty() ? Seen::kNothing : Seen::kPart;
@@ -107,7 +108,8 @@ SvgClips::Area SvgClips::shapes_of(const pugi::xml_node& clip, const SvgInherite
   if (!own.style.clip.empty()) whole = area_of(own.style.clip, own, depth + 1);
   Regions seen;
   for (const pugi::xml_node& child : clip) {
-    if (child.type() == pugi::node_element) whole.is_read = add_shape(child, own, depth, seen) && whole.is_read;
+    if (child.type() == pugi::node_element)
+      whole.is_read = add_shape(child, own, depth, seen) && whole.is_read;
   }
   if (!whole.is_read) return {false, nullptr};
   whole.shown = through_both(window(std::move(seen)), whole.shown, options_.tol);

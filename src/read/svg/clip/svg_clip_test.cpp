@@ -1,5 +1,5 @@
 // Clip paths and viewports: by formula, and beside dense sampling.
-#include "read/svg/svg_clip.h"
+#include "read/svg/clip/svg_clip.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -64,7 +64,9 @@ TEST(SvgClip, OfAShapeTheRestIsLeftOut) {
   EXPECT_NEAR(box(half.features.at(0).target).max.x, 50, 1e-6);
   EXPECT_EQ(doubts(half), "");
   EXPECT_THAT(notes(half), HasSubstr("1 shapes reach beyond a clip path"));
-  EXPECT_NEAR(area_of(kLeft + "<g style='clip-path:url(\"#c\")'><rect x='40' y='5' width='30' height='10'/></g>"), 100, 1e-9);
+  EXPECT_NEAR(
+      area_of(kLeft + "<g style='clip-path:url(\"#c\")'><rect x='40' y='5' width='30' height='10'/></g>"),
+      100, 1e-9);
 }
 
 TEST(SvgClip, WhatIsSeenWhollyStaysAsItIs) {
@@ -78,16 +80,19 @@ TEST(SvgClip, WhatIsSeenWhollyStaysAsItIs) {
 }
 
 TEST(SvgClip, WhatIsHiddenWhollyIsListed) {
-  const Part part = read(kLeft + "<g clip-path='url(#c)'><rect x='60' width='9' height='9'/><rect x='5' width='9' height='9'/></g>");
+  const Part part = read(
+      kLeft +
+      "<g clip-path='url(#c)'><rect x='60' width='9' height='9'/><rect x='5' width='9' height='9'/></g>");
   EXPECT_NEAR(area_of(part), 81, 1e-9);
   EXPECT_THAT(notes(part), HasSubstr("not displayed: 1 rect"));
 }
 
 TEST(SvgClip, ClipsNestAndHaveClipsThemselves) {
   const std::string defs =
-      kLeft + "<clipPath id='d'><rect y='20' width='200' height='10'/></clipPath>"
-              "<clipPath id='e' clip-path='url(#c)'><rect y='20' width='200' height='10'/></clipPath>"
-              "<clipPath id='f'><rect y='20' width='200' height='10' clip-path='url(#c)'/></clipPath>";
+      kLeft +
+      "<clipPath id='d'><rect y='20' width='200' height='10'/></clipPath>"
+      "<clipPath id='e' clip-path='url(#c)'><rect y='20' width='200' height='10'/></clipPath>"
+      "<clipPath id='f'><rect y='20' width='200' height='10' clip-path='url(#c)'/></clipPath>";
   const std::string square = "<rect x='40' y='10' width='100' height='100' ";
   EXPECT_NEAR(area_of(defs + "<g clip-path='url(#c)'>" + square + "clip-path='url(#d)'/></g>"), 100, 1e-9);
   EXPECT_NEAR(area_of(defs + square + "clip-path='url(#e)'/>"), 100, 1e-9);
@@ -95,8 +100,11 @@ TEST(SvgClip, ClipsNestAndHaveClipsThemselves) {
 }
 
 TEST(SvgClip, TransformsMoveTheClipWithItsShapes) {
-  EXPECT_NEAR(area_of(kLeft + "<rect width='30' height='10' transform='translate(40 0)' clip-path='url(#c)'/>"), 300, 1e-9);
-  EXPECT_NEAR(area_of("<clipPath id='c' transform='translate(10 0)'><rect width='50' height='200' transform='scale(.5 1)'/></clipPath>"
+  EXPECT_NEAR(
+      area_of(kLeft + "<rect width='30' height='10' transform='translate(40 0)' clip-path='url(#c)'/>"), 300,
+      1e-9);
+  EXPECT_NEAR(area_of("<clipPath id='c' transform='translate(10 0)'><rect width='50' height='200' "
+                      "transform='scale(.5 1)'/></clipPath>"
                       "<rect width='100' height='10' clip-path='url(#c)'/>"),
               250, 1e-9);
 }
@@ -105,10 +113,13 @@ TEST(SvgClip, RulesAndUsesOfClipShapes) {
   const std::string two = "d='M10 10H60V60H10zM20 20H50V50H20z'";
   const std::string shape = "<rect width='100' height='100' clip-path='url(#c)'/>";
   EXPECT_NEAR(area_of("<clipPath id='c'><path " + two + "/></clipPath>" + shape), 2500, 1e-9);
-  EXPECT_NEAR(area_of("<clipPath id='c'><path clip-rule='evenodd' " + two + "/></clipPath>" + shape), 1600, 1e-9);
-  EXPECT_NEAR(area_of("<defs><rect id='q' width='10' height='10'/></defs><clipPath id='c'><use href='#q' x='5'/>"
-                      "<circle cx='70' cy='50' r='5' style='display:none'/></clipPath>" + shape),
-              100, 1e-9);
+  EXPECT_NEAR(area_of("<clipPath id='c'><path clip-rule='evenodd' " + two + "/></clipPath>" + shape), 1600,
+              1e-9);
+  EXPECT_NEAR(
+      area_of("<defs><rect id='q' width='10' height='10'/></defs><clipPath id='c'><use href='#q' x='5'/>"
+              "<circle cx='70' cy='50' r='5' style='display:none'/></clipPath>" +
+              shape),
+      100, 1e-9);
 }
 
 TEST(SvgClip, ReferencesToNothingHideNothing) {
@@ -117,21 +128,28 @@ TEST(SvgClip, ReferencesToNothingHideNothing) {
     EXPECT_NEAR(area_of(part), 100, 1e-9);
     EXPECT_EQ(doubts(part), "") << clip;
   }
-  EXPECT_NEAR(area_of(kLeft + "<style>.c{clip-path:none}</style><rect class='c' width='90' height='10' clip-path='url(#c)'/>"), 900, 1e-9);
+  EXPECT_NEAR(
+      area_of(
+          kLeft +
+          "<style>.c{clip-path:none}</style><rect class='c' width='90' height='10' clip-path='url(#c)'/>"),
+      900, 1e-9);
 }
 
 TEST(SvgClip, WhatIsNotReadCountsInTheVerdict) {
   const std::string shape = "<rect width='100' height='100' clip-path='url(#c)'/>";
   for (const std::string& clip :
        {std::string("<clipPath id='c'><text>A</text></clipPath>"),
-        std::string("<clipPath id='c' clipPathUnits='objectBoundingBox'><rect width='.5' height='1'/></clipPath>"),
+        std::string(
+            "<clipPath id='c' clipPathUnits='objectBoundingBox'><rect width='.5' height='1'/></clipPath>"),
         std::string("<clipPath id='c'><rect width='5' height='5' clip-path='url(#c)'/></clipPath>")}) {
     const Part part = read(clip + shape);
     EXPECT_THAT(doubts(part), HasSubstr("1 elements have a clip-path, which is not applied")) << clip;
     EXPECT_NEAR(area_of(part), 10000, 1e-9);
   }
-  EXPECT_THAT(doubts(read("<rect width='9' height='9' style='clip-path:inset(2px)'/>")), HasSubstr("clip-path"));
-  EXPECT_THAT(doubts(read("<rect width='9' height='9' mask='url(#m)'/>")), HasSubstr("1 elements have a mask"));
+  EXPECT_THAT(doubts(read("<rect width='9' height='9' style='clip-path:inset(2px)'/>")),
+              HasSubstr("clip-path"));
+  EXPECT_THAT(doubts(read("<rect width='9' height='9' mask='url(#m)'/>")),
+              HasSubstr("1 elements have a mask"));
 }
 
 TEST(SvgClip, LinesSeenInPartAreReadWholeAndCount) {
@@ -147,7 +165,8 @@ TEST(SvgClip, LinesSeenInPartAreReadWholeAndCount) {
 }
 
 TEST(SvgClip, AFillAndItsStrokeAreClippedTogether) {
-  const std::string shape = "<rect x='40' y='10' width='30' height='10' stroke='red' stroke-width='2' clip-path='url(#c)'/>";
+  const std::string shape =
+      "<rect x='40' y='10' width='30' height='10' stroke='red' stroke-width='2' clip-path='url(#c)'/>";
   EXPECT_NEAR(area_of(kLeft + shape, true), 11 * 12, 1e-9);
 }
 
@@ -201,7 +220,8 @@ TEST(SvgClip, RandomPolygonsAreCutAsSamplesSay) {
     const Vec2 by{random.between(-20, 20), random.between(-20, 20)};
     const std::string drawing = fmt::format(
         "<clipPath id='o'><polygon points='{}'/></clipPath><clipPath id='i'><polygon points='{}' "
-        "transform='translate({} {})'/></clipPath><g clip-path='url(#o)'><polygon points='{}' clip-path='url(#i)'/></g>"
+        "transform='translate({} {})'/></clipPath><g clip-path='url(#o)'><polygon points='{}' "
+        "clip-path='url(#i)'/></g>"
         "<rect x='199' y='199' width='1' height='1'/>",
         outer.text(), inner.text(), by.x, by.y, shape.text());
     const Part part = read(drawing);
@@ -209,13 +229,11 @@ TEST(SvgClip, RandomPolygonsAreCutAsSamplesSay) {
       for (double y = 1.07; y < 198; y += 6.3) {
         const Vec2 p{x, y}, up{x, 200 - y};
         const bool wanted = shape.holds(p) && outer.holds(p) && inner.holds(p - by);
-        const bool found = std::any_of(part.features.begin(), part.features.end(), [&](const Feature& feature) {
-          return contains(feature.target, up);
-        });
-        const bool near_edge =
-            std::any_of(part.features.begin(), part.features.end(), [&](const Feature& feature) {
-              return feature.target.front().boundary_distance(up) < 1e-3;
-            });
+        const bool found = std::any_of(part.features.begin(), part.features.end(),
+                                       [&](const Feature& feature) { return contains(feature.target, up); });
+        const bool near_edge = std::any_of(
+            part.features.begin(), part.features.end(),
+            [&](const Feature& feature) { return feature.target.front().boundary_distance(up) < 1e-3; });
         ASSERT_TRUE(wanted == found || near_edge) << "drawing " << n << " at " << x << ", " << y;
       }
     }
