@@ -66,6 +66,7 @@ class Settings(TypedDict, total=False):
     lead_feed: Feed | None
     link_feed: Feed | None
     spindle: float | None
+    coolant: str | None
     helix_diameter: Length | None
     helix_min: Length | None
     lead_overlap: Length | None
@@ -281,6 +282,7 @@ class PlanOptions:
     lead_feed: Feed | None
     link_feed: Feed | None
     spindle: float | None
+    coolant: str | None
     helix_diameter: Length | None
     helix_min: Length | None
     lead_overlap: Length | None

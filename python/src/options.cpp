@@ -92,6 +92,9 @@ void add_cutting(OptionsClass& options) {
       [](auto& o) -> auto& { return o.cutting.slot_feed; });
   add_plain<double>(
       options, "spindle", "Spindle speed, rpm.", [](auto& o) -> auto& { return o.cutting.spindle_rpm; });
+  add_named(
+      options, "coolant", "off, flood, mist or both.", [](auto& o) -> auto& { return o.cutting.coolant; },
+      resolve::coolant_named, [](Coolant coolant) { return name_of(coolant); });
 }
 
 void add_shop(OptionsClass& options) {

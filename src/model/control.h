@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "model/coolant.h"
+
 namespace clearcut::inline model {
 
 /// Something about the machine that the program does not say and that would move the cutter elsewhere.
@@ -56,7 +58,7 @@ struct ControlState {
   int tool = 0;  ///< 0: unknown
   SpindleState spindle = SpindleState::kOff;
   double spindle_rpm = 0;  ///< S word in force, also while the spindle is off; 0 never said
-  bool coolant = false;
+  Coolant coolant = Coolant::kOff;
   ToolLength length;
   PathControl path;
   friend bool operator==(const ControlState&, const ControlState&) = default;

@@ -7,6 +7,7 @@
 
 #include "base/units.h"
 #include "geometry/edge.h"
+#include "model/coolant.h"
 
 namespace clearcut::inline model {
 
@@ -38,7 +39,7 @@ struct Section {
   int tool_number = 0;   ///< T word
   double spindle_rpm = 0;
   bool spindle_clockwise = true;
-  bool coolant = false;
+  Coolant coolant = Coolant::kOff;
   std::vector<Move> moves;           ///< joined end to start, except that the first may begin anywhere
   std::vector<std::string> notes{};  ///< what was asked for and could not be done; not part of the program
   /// Cuts that an earlier set-up made, seen in a later one: mm, the height below which nothing of it is left. They count for features

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/units.h"
+#include "model/coolant.h"
 
 namespace clearcut::inline model {
 
@@ -82,7 +83,7 @@ struct CuttingData {
   std::optional<MmPerMin> slot_feed;
   std::optional<double> spindle_rpm;  ///< > 0; direction apart
   bool spindle_clockwise = true;      ///< M3
-  bool coolant = false;
+  std::optional<Coolant> coolant = {};
 };
 
 }  // namespace clearcut::inline model

@@ -47,6 +47,7 @@ constexpr std::array kDialects{
                .path_control = PathControl::kCornerRounding,
                .length_offset = LengthOffset::kWithApproach,
                .home = HomeForm::kMachineZero,
+               .mist = {"M83", "M84"},
                .tapping = Tapping::kRigid,
                .drill_cycles = true,
                .dogleg_rapids = true},

@@ -35,6 +35,12 @@ enum class Tapping {
 };
 enum class DwellForm { kPSeconds, kXSeconds, kSSeconds };
 
+/// Flood is M8 and off by M9 on all of them.
+struct MistWords {
+  std::string_view on = "M7";
+  std::string_view off = {};  ///< empty: M9 ends mist, too
+};
+
 struct IsoDialect {
   std::string_view name;
   std::string_view extension = ".nc";
@@ -57,6 +63,7 @@ struct IsoDialect {
   double spindle_wait = 0;      ///< s
   bool rapid_feed = false;      ///< F rules G0 too
   bool repeats_motion = false;  ///< every block needs its G word
+  MistWords mist = {};
   Tapping tapping = Tapping::kByWords;
   bool drill_cycles = false;      ///< G81 and G83
   bool optional_stop = true;      ///< M1, which stops where the operator has asked for it

@@ -10,6 +10,7 @@
 #include "base/text/format.h"
 #include "post/block_printer.h"
 #include "post/comment.h"
+#include "post/control_words.h"
 #include "post/drill_cycle.h"
 #include "post/heights.h"
 #include "post/steps.h"
@@ -27,7 +28,7 @@ struct Held {
   long long feed = -1;
   int tool = 0;
   double spindle = 0;  ///< rpm, negative counter-clockwise, 0 stopped
-  bool coolant = false;
+  Coolant coolant = Coolant::kOff;
   bool length_due = false;  ///< the tool's length comes with the next approach
 };
 
@@ -66,7 +67,7 @@ class IsoWriter {
   void home();
   void set_spindle(const Section& section);
   void dwell(double seconds);
-  void set_coolant(bool on);
+  void set_coolant(Coolant wanted);
 
   void approach(const Move& first);
   void descend_with_length(const Ticks& start);
@@ -212,7 +213,7 @@ void IsoWriter::write_tap_move(const Move& move, const Section& section) {
 
 void IsoWriter::end_program() {
   if (held_.height) retract();
-  set_coolant(false);
+  set_coolant(Coolant::kOff);
   set_spindle({});
   home();
   if (dialect_.end.empty()) {
@@ -224,7 +225,7 @@ void IsoWriter::end_program() {
 }
 
 void IsoWriter::change_tool(int number) {
-  set_coolant(false);
+  set_coolant(Coolant::kOff);
   set_spindle({});
   home();
   if (options_.optional_stop && held_.tool != 0) out_.line("M1");
@@ -283,10 +284,9 @@ void IsoWriter::dwell(double seconds) {
   out_.end_block();
 }
 
-void IsoWriter::set_coolant(bool on) {
-  if (on == held_.coolant) return;
-  held_.coolant = on;
-  out_.line(on ? "M8" : "M9");
+void IsoWriter::set_coolant(Coolant wanted) {
+  for (const std::string_view word : coolant_words(held_.coolant, wanted, dialect_.mist)) out_.line(word);
+  held_.coolant = wanted;
 }
 
 /// Over the first move's start at the safe height, then down to it.

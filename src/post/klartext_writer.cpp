@@ -13,6 +13,7 @@
 #include "base/inch.h"
 #include "base/text/format.h"
 #include "post/comment.h"
+#include "post/control_words.h"
 #include "post/drill_cycle.h"
 #include "post/heights.h"
 #include "post/steps.h"
@@ -50,7 +51,7 @@ struct ControlState {
   int tool = 0;
   double rpm = 0;
   int spindle = 5;  ///< 3, 4, 5 as in M3, M4, M5
-  bool coolant = false;
+  Coolant coolant = Coolant::kOff;
 };
 
 Vec2 in_steps(const Ticks& at) {
@@ -81,7 +82,7 @@ class KlartextWriter {
   void end_program();
   void call_tool(const Section& section);
   void set_spindle(int m);
-  void set_coolant(bool on);
+  void set_coolant(Coolant wanted);
   void approach(const Move& first);
   void retract();
   void rapid_to_plan(const Ticks& to);
@@ -151,7 +152,7 @@ void KlartextWriter::write_section(const Section& section) {
   if (new_tool && held_.height) retract();
   comment(operation_comment(section.workingstep, section.label));
   if (new_tool) {
-    set_coolant(false);
+    set_coolant(Coolant::kOff);
     set_spindle(5);
     comment(tool_change_comment(part_, section.tool_number, options_.inch));
   }
@@ -174,7 +175,7 @@ void KlartextWriter::write_section(const Section& section) {
 
 void KlartextWriter::end_program() {
   if (held_.height) retract();
-  set_coolant(false);
+  set_coolant(Coolant::kOff);
   set_spindle(5);
   block("M30");
   block(fmt::format("END PGM {} {}", name_, unit()));
@@ -208,10 +209,9 @@ void KlartextWriter::set_spindle(int m) {
   block("CYCL DEF 9.1 DWELL " + trimmed(wait, 3));
 }
 
-void KlartextWriter::set_coolant(bool on) {
-  if (on == held_.coolant) return;
-  held_.coolant = on;
-  block(on ? "M8" : "M9");
+void KlartextWriter::set_coolant(Coolant wanted) {
+  for (const std::string_view word : coolant_words(held_.coolant, wanted, {})) block(std::string(word));
+  held_.coolant = wanted;
 }
 
 void KlartextWriter::approach(const Move& first) {

@@ -14,7 +14,7 @@ using testing::HasSubstr;
 using testing::Not;
 
 Toolpath one_section(std::vector<Move> moves) {
-  return {{Section{"P", 0, 1, 0, true, false, std::move(moves)}}};
+  return {{Section{"P", 0, 1, 0, true, Coolant::kOff, std::move(moves)}}};
 }
 
 TEST(ResultFile, TriangleOfThePaperHasItsFirstContour) {

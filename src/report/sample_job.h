@@ -82,7 +82,7 @@ class Moves {
 };
 
 inline Section pocket_section() {
-  Section s{"POCKET1", 0, 1, 6000, true, false, {}};
+  Section s{"POCKET1", 0, 1, 6000, true, Coolant::kOff, {}};
   Moves m({15, 15}, 5);
   for (const double z : {-2.0, -4.0}) {
     m.to(MoveKind::kRapid, {15, 15}, 1)
@@ -99,7 +99,7 @@ inline Section pocket_section() {
 }
 
 inline Section slot_section() {
-  Section s{"SLOT <2>", 1, 1, 6000, true, false, {}};
+  Section s{"SLOT <2>", 1, 1, 6000, true, Coolant::kOff, {}};
   Moves m({85, 15}, 5);
   m.to(MoveKind::kRapid, {85, 15}, 1).to(MoveKind::kRamp, {105, 15}, -4).to(MoveKind::kRamp, {85, 15}, -8);
   m.loop(MoveKind::kCut, rectangle(85, 15, 105, 17)).to(MoveKind::kRetract, {85, 15}, 5);

@@ -76,6 +76,10 @@ const char* name_of(EntryKind entry) {
   return "plunge";
 }
 
+Coolant coolant_named(const std::string& name, const std::string& place) {
+  return named(std::array{Coolant::kOff, Coolant::kFlood, Coolant::kMist, Coolant::kBoth}, name, place);
+}
+
 CutDirection direction_named(const std::string& name, const std::string& place) {
   return named(std::array{CutDirection::kClimb, CutDirection::kConventional}, name, place);
 }

@@ -21,6 +21,8 @@ const char* name_of(EntryKind entry);
 
 /// "climb", "conventional". Throws InputError at `place`.
 CutDirection direction_named(const std::string& name, const std::string& place);
+/// "off", "flood", "mist", "both".
+Coolant coolant_named(const std::string& name, const std::string& place);
 const char* name_of(CutDirection direction);
 
 /// "inside-out", "outside-in". Throws InputError at `place`.

@@ -139,6 +139,7 @@ void apply_options(Operation& operation, const Tool& tool, const PlanOptions& op
   taker.take(cutting.ramp_feed, options.cutting.ramp_feed, "ramp-feed");
   taker.take(cutting.slot_feed, options.cutting.slot_feed, "slot-feed");
   taker.take(cutting.spindle_rpm, options.cutting.spindle_rpm, "spindle");
+  taker.take(cutting.coolant, options.cutting.coolant, "coolant");
   if (stock::only_plunges(tool) && operation.allowance_side != 0) {
     operation.allowance_side = 0;
     sources.set("allowance", {Origin::kDerived, "holes are made to size"});

@@ -95,7 +95,7 @@ void resolve_feeds(ResolvedStep& step, const CuttingData& cutting, const ShopOpt
   step.slot_feed = cutting.slot_feed.value_or(step.feed);
   step.spindle_rpm = cutting.spindle_rpm.value();
   step.spindle_clockwise = cutting.spindle_clockwise;
-  step.coolant = cutting.coolant;
+  step.coolant = cutting.coolant.value_or(Coolant::kOff);
 }
 
 /// Where nobody says how to go down: profiles along themselves, others straight, or along a helix for cutters that cannot plunge

@@ -37,7 +37,7 @@ void take(Operation& operation, const ToolCutting& tool) {
   set_if(cutting.slot_feed, tool.cutting.slot_feed);
   set_if(cutting.spindle_rpm, tool.cutting.spindle_rpm);
   cutting.spindle_clockwise = tool.cutting.spindle_clockwise;
-  cutting.coolant = tool.cutting.coolant;
+  set_if(cutting.coolant, tool.cutting.coolant);
   set_if(operation.stepdown, tool.stepdown);
   set_if(operation.stepover, tool.stepover);
 }
@@ -52,7 +52,7 @@ void take_back(Operation& operation, const ToolCutting& tool) {
   drop_if_same(cutting.slot_feed, tool.cutting.slot_feed);
   drop_if_same(cutting.spindle_rpm, tool.cutting.spindle_rpm);
   if (cutting.spindle_clockwise == tool.cutting.spindle_clockwise) cutting.spindle_clockwise = true;
-  if (cutting.coolant == tool.cutting.coolant) cutting.coolant = false;
+  drop_if_same(cutting.coolant, tool.cutting.coolant);
   drop_if_same(operation.stepdown, tool.stepdown);
   drop_if_same(operation.stepover, tool.stepover);
 }
@@ -64,6 +64,7 @@ ToolCutting without_what_is_asked(ToolCutting tool, const PlanOptions& options) 
   if (options.cutting.ramp_feed) tool.cutting.ramp_feed.reset();
   if (options.cutting.slot_feed) tool.cutting.slot_feed.reset();
   if (options.cutting.spindle_rpm) tool.cutting.spindle_rpm.reset();
+  if (options.cutting.coolant) tool.cutting.coolant.reset();
   if (options.stepdown) tool.stepdown.reset();
   return tool;
 }

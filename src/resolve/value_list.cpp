@@ -78,7 +78,8 @@ void list_cutting(List& list, const ResolvedStep& step, const Operation& operati
   list.add("spindle", trimmed(step.spindle_rpm, 3), "rpm", sources.of("spindle"));
   list.add("spindle-clockwise", text_of(step.spindle_clockwise), "",
            sources.of("spindle-clockwise", !step.spindle_clockwise, by_default("yes")));
-  list.add("coolant", text_of(step.coolant), "", sources.of("coolant", step.coolant, by_default("no")));
+  list.add("coolant", name_of(step.coolant), "",
+           sources.of("coolant", operation.cutting.coolant.has_value(), by_default("off")));
 }
 
 void list_depths(List& list, const ResolvedStep& step, const Operation& operation,

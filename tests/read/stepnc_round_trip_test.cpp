@@ -126,7 +126,7 @@ class RandomPart {
     op.cutting.slot_feed = perhaps_feed();
     op.cutting.spindle_rpm = perhaps(500, 40000);
     op.cutting.spindle_clockwise = !op.cutting.spindle_rpm || maybe();
-    op.cutting.coolant = maybe();
+    if (maybe()) op.cutting.coolant = static_cast<Coolant>(1 + random_.below(3));
     if (maybe()) op.retract_z = 1;  // set to 2 mm above the top once that is known
     if (!drilling) milling(op);
     return op;

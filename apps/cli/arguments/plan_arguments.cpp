@@ -241,6 +241,7 @@ void CuttingArguments::take(PlanOptions& options) const {
   if (start) options.start = point_of(*start, "--start");
   take_feeds({feed, plunge_feed, ramp_feed, slot_feed}, options.cutting);
   options.cutting.spindle_rpm = spindle;
+  if (coolant) options.cutting.coolant = coolant_named(*coolant);
   if (objective) options.objective = *objective;
 }
 

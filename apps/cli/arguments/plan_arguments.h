@@ -67,6 +67,7 @@ struct CuttingArguments {
   std::optional<double> ramp_feed;
   std::optional<double> slot_feed;
   std::optional<double> spindle;
+  std::optional<std::string> coolant;
   std::optional<std::string> objective;
 
   /// Puts what was typed into `options`.

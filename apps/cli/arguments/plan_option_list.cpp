@@ -233,6 +233,10 @@ void PlanArguments::add_feed_options(CLI::App& command) {
       ->transform(as_feed());
   command.add_option("--spindle", cutting_.spindle,
                      "Spindle speed, rpm (default: of the tool, else 100 m/min)");
+  command
+      .add_option("--coolant", cutting_.coolant,
+                  "off, flood, mist, or both at once (default: of the tool or the part's file, else off)")
+      ->check(one_of(coolant_names()));
 }
 
 void PlanArguments::add_shop_options(CLI::App& command) {

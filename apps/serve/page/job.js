@@ -6,7 +6,7 @@ const flagKeys = { '--rest': ['plan', 'rest', 'true'], '--inch': ['output', 'inc
 /** @type {Record<Exclude<JobTable, 'library'>, string[]>} */
 const keysOf = { part: ['unit', 'depth', 'top', 'join-gap', 'open-curves', 'strokes', 'text', 'up', 'turn', 'body', 'breakthrough'], machine: ['rapid', 'acceleration', 'junction-deviation'],
   output: ['post', 'decimals', 'spindle-wait'],
-  plan: ['strategy', 'stepover', 'stepdown', 'allowance', 'allowance-floor', 'scallop', 'lead', 'lead-angle', 'entry', 'entry-angle', 'direction', 'feed', 'plunge-feed', 'ramp-feed', 'slot-feed', 'spindle',
+  plan: ['strategy', 'stepover', 'stepdown', 'allowance', 'allowance-floor', 'scallop', 'lead', 'lead-angle', 'entry', 'entry-angle', 'direction', 'feed', 'plunge-feed', 'ramp-feed', 'slot-feed', 'spindle', 'coolant',
     'passage', 'grid', 'solver', 'clearance', 'engagement', 'objective', 'time', 'seed', 'helix-diameter', 'helix-min', 'lead-feed', 'lead-overlap', 'overrun', 'link-feed', 'link-lift', 'slot-angle', 'after',
     'finish', 'finish-stock', 'finish-stock-floor', 'finish-depths', 'material'] };
 /** @type {Exclude<JobTable, 'library'>[]} */

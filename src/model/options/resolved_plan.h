@@ -39,7 +39,7 @@ struct ResolvedStep {
   MmPerMin slot_feed;  ///< where the cutter is in the material all round; the feed where nobody asks
   double spindle_rpm = 0;
   bool spindle_clockwise = true;
-  bool coolant = false;
+  Coolant coolant = Coolant::kOff;
   CutDirection direction = CutDirection::kClimb;
   bool is_direction_asked =
       false;  ///< by the user, a job or the work: "auto" tries nothing that cuts both ways

@@ -331,9 +331,10 @@ class Writer {
       properties.push_back(out_.add(
           "DESCRIPTIVE_PARAMETER",
           {"'CUT DIRECTION'", *operation.direction == CutDirection::kClimb ? "'CLIMB'" : "'CONVENTIONAL'"}));
+    const Coolant coolant = operation.cutting.coolant.value_or(Coolant::kOff);
     return out_.add("MILLING_MACHINE_FUNCTIONS",
-                    {operation.cutting.coolant ? ".T." : ".F.", kUnset, kUnset, ".F.", kUnset, "()", ".F.",
-                     kUnset, kUnset, p21_list(properties)});
+                    {has_flood(coolant) ? ".T." : ".F.", kUnset, has_mist(coolant) ? ".T." : kUnset, ".F.",
+                     kUnset, "()", ".F.", kUnset, kUnset, p21_list(properties)});
   }
 
   const Part& part_;

@@ -153,6 +153,11 @@ bool DataSection::is_number(const std::string& key) {
   return value && value->is_number();
 }
 
+bool DataSection::is_flag(const std::string& key) {
+  const DataValue* value = ask(key);
+  return value && value->kind == DataValue::Kind::kBoolean;
+}
+
 std::optional<DataSection> DataSection::section(const std::string& key) {
   const DataValue* value = ask(key);
   if (!value) return std::nullopt;

@@ -69,6 +69,7 @@ class DataSection {
   std::vector<std::string> texts(const std::string& key);
   std::vector<double> numbers(const std::string& key);
   bool is_number(const std::string& key);
+  bool is_flag(const std::string& key);
   bool is_list(const std::string& key);
   std::optional<DataSection> section(const std::string& key);
   std::vector<DataSection> sections(const std::string& key);

@@ -4,6 +4,7 @@
 
 #include "base/files/file.h"
 #include "read/common/data_value.h"
+#include "read/tools/tool_library.h"
 
 namespace clearcut::read {
 namespace {
@@ -47,7 +48,7 @@ CuttingData cutting_of(DataSection& section, CuttingData base) {
   if (const auto feed = section.positive("feed")) base.feed = MmPerMin::of(*feed);
   if (const auto plunge = section.positive("plunge_feed")) base.plunge_feed = MmPerMin::of(*plunge);
   if (const auto spindle = section.positive("spindle")) base.spindle_rpm = spindle;
-  if (const auto coolant = section.flag("coolant")) base.coolant = *coolant;
+  if (const auto coolant = coolant_in(section)) base.coolant = coolant;
   return base;
 }
 

@@ -38,6 +38,9 @@ struct DialectRules {
   bool dwell_by_s = false;           ///< G4 S: seconds
   bool saves_modes = false;          ///< M70 to M73
   bool has_old_units = false;        ///< G70 and G71 are G20 and G21
+  int mist_on = 70;                  ///< M word in tenths
+  int mist_off = 90;                 ///< where it is not M9, that ends flood alone
+  std::string_view mist_needs = {};  ///< what must hold for them; empty: every such control has them
 };
 
 const DialectRules& rules_of(Dialect dialect);

@@ -227,11 +227,11 @@ TEST(GcodeSections, ToolChangesAndOwnComments) {
   EXPECT_EQ(first.tool_number, 3);
   EXPECT_EQ(first.spindle_rpm, 5000);
   EXPECT_TRUE(first.spindle_clockwise);
-  EXPECT_TRUE(first.coolant);
+  EXPECT_EQ(first.coolant, Coolant::kFlood);
   EXPECT_EQ(second.tool_number, 4);
   EXPECT_EQ(second.spindle_rpm, 200);
   EXPECT_FALSE(second.spindle_clockwise);
-  EXPECT_FALSE(second.coolant);
+  EXPECT_EQ(second.coolant, Coolant::kOff);
   EXPECT_EQ(third.label, "REST");
   EXPECT_EQ(third.workingstep, -1);
   EXPECT_EQ(third.moves.size(), 2U);
@@ -328,7 +328,7 @@ TEST(Klartext, ToolsAndSpindle) {
   EXPECT_EQ(section.workingstep, 2);
   EXPECT_EQ(section.tool_number, 2);
   EXPECT_EQ(section.spindle_rpm, 4000);
-  EXPECT_TRUE(section.coolant);
+  EXPECT_EQ(section.coolant, Coolant::kFlood);
   EXPECT_TRUE(program.ended);
 }
 

@@ -75,6 +75,7 @@ class Reader {
   void path_word(const std::string& word, PathWords& found);
   void tool_call(const std::vector<std::string>& words);
   void cycle(const std::vector<std::string>& words);
+  void switch_coolant(int m);
   void m_word(int m);
   void set_drive();
   void set_length(double longer);
@@ -201,15 +202,24 @@ void Reader::cycle(const std::vector<std::string>& words) {
   }
 }
 
+/// M7 is no word of the control itself, but what builders give mist.
+void Reader::switch_coolant(int m) {
+  Coolant& coolant = builder_.drive.coolant;
+  if (m == 8 || m == 13 || m == 14) coolant = coolant_of(true, has_mist(coolant));
+  if (m == 9) coolant = Coolant::kOff;
+  if (m != 7) return;
+  coolant = coolant_of(has_flood(coolant), true);
+  builder_.condition("m7", line_, "what M7 does is the machine builder's choice; it switches the mist on");
+}
+
 /// Words that move nothing: stops, spindle, tool, coolant, and M89 (modal cycle call) is none of them.
 void Reader::m_word(int m) {
-  constexpr int kStill[] = {0, 1, 2, 3, 4, 5, 6, 8, 9, 13, 14, 30, 91, 92};
+  constexpr int kStill[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 13, 14, 30, 91, 92};
   if (m == 3 || m == 4 || m == 13 || m == 14) builder_.set_spindle(m % 10, line_);
   if (m == 5) builder_.set_spindle(5, line_);
   if (m <= 5 && m >= 3) spindle_ = m;
   if (m == 13 || m == 14) spindle_ = m - 10;
-  if (m == 8 || m == 13 || m == 14) builder_.drive.coolant = true;
-  if (m == 9) builder_.drive.coolant = false;
+  switch_coolant(m);
   if (m == 0 || m == 1) builder_.add_event(ControlEventKind::kPause, line_);
   if (m == 2 || m == 30) ended_ = true;
   if (m == 97 || m == 98 || m == 99)

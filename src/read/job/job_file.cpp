@@ -109,7 +109,7 @@ CutSettings settings_of(DataSection& section) {
   out.ramp_feed = feed_of(section, "ramp_feed");
   out.slot_feed = feed_of(section, "slot_feed");
   out.spindle_rpm = section.positive("spindle");
-  out.coolant = section.flag("coolant");
+  out.coolant = coolant_in(section);
   out.published = published_of(section);
   return out;
 }

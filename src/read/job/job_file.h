@@ -39,7 +39,7 @@ struct CutSettings {
   std::optional<OperationKind> kind;
   std::optional<MmPerMin> feed, plunge_feed, ramp_feed, slot_feed;
   std::optional<double> spindle_rpm;
-  std::optional<bool> coolant;
+  std::optional<Coolant> coolant;
   PublishedChoices published;
   Sources sources;  ///< "job.toml:12" of each key
 };

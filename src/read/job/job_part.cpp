@@ -119,14 +119,14 @@ void apply_preset(const CuttingPreset& preset, const Source& source, Operation& 
   note("slot-feed", preset.cutting.slot_feed.has_value());
   note("spindle", preset.cutting.spindle_rpm.has_value());
   note("stepdown", preset.stepdown.has_value());
-  note("coolant", preset.cutting.coolant);
+  note("coolant", preset.cutting.coolant.has_value());
   set_if(cutting.feed, preset.cutting.feed);
   set_if(cutting.plunge_feed, preset.cutting.plunge_feed);
   set_if(cutting.ramp_feed, preset.cutting.ramp_feed);
   set_if(cutting.slot_feed, preset.cutting.slot_feed);
   set_if(cutting.spindle_rpm, preset.cutting.spindle_rpm);
   cutting.spindle_clockwise = preset.cutting.spindle_clockwise;
-  cutting.coolant = cutting.coolant || preset.cutting.coolant;
+  set_if(cutting.coolant, preset.cutting.coolant);
   set_if(operation.stepdown, preset.stepdown);
   set_if(operation.stepover, preset.stepover);
 }
@@ -161,7 +161,7 @@ void apply_settings(const CutSettings& settings, const Part& part, const std::st
   set_if(operation.cutting.ramp_feed, settings.ramp_feed);
   set_if(operation.cutting.slot_feed, settings.slot_feed);
   set_if(operation.cutting.spindle_rpm, settings.spindle_rpm);
-  if (settings.coolant) operation.cutting.coolant = *settings.coolant;
+  set_if(operation.cutting.coolant, settings.coolant);
   if (settings.strategy) operation.strategy_hint = *settings.strategy;
   if (settings.stepover && !part.tools.empty()) {
     const double diameter = part.tools[static_cast<std::size_t>(operation.tool)].diameter;

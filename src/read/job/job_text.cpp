@@ -138,6 +138,7 @@ const char* const kRest = R"(
 # link_lift = 0            # mm, ways between passes are run this much higher
 # slot_angle = 150         # degrees of engagement above which slot_feed rules
 # spindle = 12000          # rpm
+# coolant = "off"          # flood, mist, both
 # scallop = 0.5            # mm, steps that layers may leave on drafted walls
 # passage = "shortest"     # of contours: bisector (of a corner; the published methods' own), shortest
 # grid = "ours"            # of the strategy tour: ours, published

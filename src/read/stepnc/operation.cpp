@@ -236,8 +236,10 @@ void read_cutting(const Node& node, const Node& tool_node, const Tool& tool, con
     context.note("no technology; the planner's default feed and speed are used", node);
   }
   if (const auto functions = node.ref(7)) {
-    operation.cutting.coolant =
-        functions->flag(0) == true || functions->flag(2) == true || functions->flag(3) == true;
+    const bool through_tool = functions->flag(3) == true;
+    const Coolant coolant =
+        coolant_of(functions->flag(0) == true || through_tool, functions->flag(2) == true);
+    if (coolant != Coolant::kOff) operation.cutting.coolant = coolant;
     read_properties(*functions, operation);
   }
 }

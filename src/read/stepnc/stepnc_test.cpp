@@ -74,7 +74,7 @@ TEST(StepNc, ReadsProjectStockToolsAndOperation) {
   EXPECT_EQ(op.cutting.feed, MmPerMin::of(600)) << "0.01 m/s";
   EXPECT_EQ(op.cutting.spindle_rpm, 6000) << "100 1/s";
   EXPECT_TRUE(op.cutting.spindle_clockwise);
-  EXPECT_TRUE(op.cutting.coolant);
+  EXPECT_EQ(op.cutting.coolant, Coolant::kFlood);
   EXPECT_EQ(op.stepdown, 2);
   EXPECT_EQ(op.stepover, 0.4) << "radial depth 4 of 10 mm goes before the strategy's overlap";
   EXPECT_EQ(op.allowance_side, 0.3);

@@ -42,7 +42,25 @@ bool is_true(const DataValue& value, const char* key) {
   return found && found->kind == DataValue::Kind::kBoolean && found->boolean;
 }
 
-CuttingPreset preset_of(const DataValue& value, double unit, double diameter) {
+/// "tool-coolant". What goes through the tool is flood here; air alone cools nothing that we switch.
+std::optional<Coolant> coolant_of_preset(const std::string& text, const std::string& place,
+                                         Diagnostics& diagnostics) {
+  static const std::map<std::string, Coolant> known{{"disabled", Coolant::kOff},
+                                                    {"flood", Coolant::kFlood},
+                                                    {"mist", Coolant::kMist},
+                                                    {"flood and mist", Coolant::kBoth},
+                                                    {"tool", Coolant::kFlood},
+                                                    {"through tool", Coolant::kFlood},
+                                                    {"flood and through tool", Coolant::kFlood}};
+  if (text.empty()) return std::nullopt;
+  const auto found = known.find(text);
+  if (found != known.end()) return found->second;
+  diagnostics.warn(place, "coolant '" + printable(text) + "' is unknown here and is left off");
+  return Coolant::kOff;
+}
+
+CuttingPreset preset_of(const DataValue& value, double unit, double diameter, const std::string& place,
+                        Diagnostics& diagnostics) {
   CuttingPreset preset;
   preset.name = text_of(value, "name");
   preset.cutting.feed = feed_of(value, "v_f", unit);
@@ -50,8 +68,7 @@ CuttingPreset preset_of(const DataValue& value, double unit, double diameter) {
   preset.cutting.ramp_feed = feed_of(value, "v_f_ramp", unit);
   const auto rpm = number_of(&value, "n");
   if (rpm && *rpm > 0) preset.cutting.spindle_rpm = rpm;
-  const std::string coolant = text_of(value, "tool-coolant");
-  preset.cutting.coolant = !coolant.empty() && coolant != "disabled";
+  preset.cutting.coolant = coolant_of_preset(text_of(value, "tool-coolant"), place, diagnostics);
   const auto stepdown = number_of(&value, "stepdown"), stepover = number_of(&value, "stepover");
   if (stepdown && *stepdown > 0 && is_true(value, "use-stepdown")) preset.stepdown = *stepdown * unit;
   if (stepover && *stepover > 0 && is_true(value, "use-stepover") && diameter > 0) {
@@ -98,12 +115,14 @@ void read_holder(const DataValue& entry, double unit, Tool& tool) {
   tool.holder_diameter = unit * widest;
 }
 
-void append_presets(const DataValue& entry, double unit, LibraryTool& tool) {
+void append_presets(const DataValue& entry, double unit, const std::string& place, LibraryTool& tool,
+                    Diagnostics& diagnostics) {
   const DataValue* start = entry.find("start-values");
   const DataValue* presets = start && start->is_object() ? start->find("presets") : nullptr;
   if (!presets) return;
   for (const DataValue& preset : presets->items) {
-    if (preset.is_object()) tool.presets.push_back(preset_of(preset, unit, tool.tool.diameter));
+    if (preset.is_object())
+      tool.presets.push_back(preset_of(preset, unit, tool.tool.diameter, place, diagnostics));
   }
 }
 
@@ -138,7 +157,7 @@ ToolLibrary read_fusion_library(std::string_view text, const std::string& file_n
       continue;
     }
     read_holder(entry, unit, tool.tool);
-    append_presets(entry, unit, tool);
+    append_presets(entry, unit, place, tool, library.diagnostics);
     library.tools.push_back(std::move(tool));
   }
   return library;

@@ -40,7 +40,7 @@ std::vector<CuttingPreset> presets_of(DataSection& section) {
   preset.cutting.slot_feed = feed_of(section, "slot_feed");
   preset.cutting.spindle_rpm = section.positive("spindle");
   preset.cutting.spindle_clockwise = !section.flag("counter_clockwise").value_or(false);
-  preset.cutting.coolant = section.flag("coolant").value_or(false);
+  preset.cutting.coolant = coolant_in(section);
   preset.stepdown = section.positive("stepdown");
   preset.stepover = section.positive("stepover");
   const CuttingData& cutting = preset.cutting;
@@ -115,6 +115,12 @@ void read_edges(DataSection& section, Tool& tool) {
 }
 
 }  // namespace
+
+std::optional<Coolant> coolant_in(DataSection& section) {
+  if (!section.has("coolant")) return std::nullopt;
+  if (section.is_flag("coolant")) return *section.flag("coolant") ? Coolant::kFlood : Coolant::kOff;
+  return coolant_named(coolant_names()[*section.choice("coolant", coolant_names())]);
+}
 
 std::string text_of(const DataValue& object, const char* key) {
   const DataValue* value = object.is_object() ? object.find(key) : nullptr;

@@ -55,6 +55,9 @@ const CuttingPreset* preset_of(const LibraryTool& tool, const std::string& name)
 /// One [[tool]] of our own format.
 LibraryTool tool_of_section(DataSection section);
 
+/// The key coolant: off, flood, mist or both; true is flood, false off.
+std::optional<Coolant> coolant_in(DataSection& section);
+
 /// Drops tools without a diameter and gives numbers that are taken, or not above 0, new ones; reports both.
 void settle(ToolLibrary& library, const std::string& where);
 

@@ -109,8 +109,25 @@ TEST(Tools, FusionLibraryInInches) {
   EXPECT_NEAR(tool.presets[0].cutting.feed->mm_per_min(), 1524, 1e-9);
   EXPECT_NEAR(*tool.presets[0].stepdown, 2.54, 1e-12);
   EXPECT_NEAR(*tool.presets[0].stepover, 0.4, 1e-12);
-  EXPECT_TRUE(tool.presets[0].cutting.coolant);
+  EXPECT_EQ(tool.presets[0].cutting.coolant, Coolant::kFlood);
   EXPECT_EQ(said(library, Severity::kSkipped, "chamfer mill"), 1);
+}
+
+TEST(Tools, FusionNamesTheCoolant) {
+  const auto coolant = [](const std::string& words) {
+    const ToolLibrary library = read(R"({"data": [{"type": "flat end mill", "unit": "millimeters",
+      "geometry": {"DC": 6}, "start-values": {"presets": [{"v_f": 60)" +
+                                         words + "}]}}]}",
+                                     "library.json");
+    EXPECT_EQ(said(library, Severity::kWarning, "left off"), words.find("air") == std::string::npos ? 0 : 1);
+    return library.tools.at(0).presets.at(0).cutting.coolant;
+  };
+  EXPECT_EQ(coolant(""), std::nullopt);
+  EXPECT_EQ(coolant(R"(, "tool-coolant": "disabled")"), Coolant::kOff);
+  EXPECT_EQ(coolant(R"(, "tool-coolant": "mist")"), Coolant::kMist);
+  EXPECT_EQ(coolant(R"(, "tool-coolant": "flood and mist")"), Coolant::kBoth);
+  EXPECT_EQ(coolant(R"(, "tool-coolant": "through tool")"), Coolant::kFlood);
+  EXPECT_EQ(coolant(R"(, "tool-coolant": "air")"), Coolant::kOff);
 }
 
 TEST(Tools, FreecadBitWithUnitsAndCommas) {

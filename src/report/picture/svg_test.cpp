@@ -140,7 +140,7 @@ TEST(Svg, ADrilledHoleIsSweptWhereTheDrillWent) {
   part.workplan.resize(1);
   sample::Moves m({90, 40}, 2);
   m.to(MoveKind::kPlunge, {90, 40}, -9).to(MoveKind::kRetract, {90, 40}, 2);
-  const std::string text = picture(part, {{Section{"HOLE", 0, 1, 0, true, false, m.moves}}}, {});
+  const std::string text = picture(part, {{Section{"HOLE", 0, 1, 0, true, Coolant::kOff, m.moves}}}, {});
   const std::string strip = std::string("//path[@stroke='") + report::palette::kFloor + "']";
   EXPECT_THAT(parsed(text).select_node(strip.c_str()).node().attribute("d").value(), HasSubstr("M90 40h0"));
 }

@@ -152,19 +152,21 @@ class Sheet {
              {"Teeth", true},
              {"Flutes", true},
              {"Stickout, at least", true},
+             {"Coolant", true},
              {"Time", true}});
     for (const int called : tools_called(toolpath_)) {
       const Tool* const tool = tool_numbered(part_.tools, called);
       const std::string name = "T" + std::to_string(called);
       if (tool == nullptr) {
-        row({name, "not described", "", "", "", "", "", ""}, 2);
+        row({name, "not described", "", "", "", "", "", coolant_of_tool(toolpath_, called), ""}, 2);
         continue;
       }
       const bool named = !tool->name.empty() && tool->name != name;
       row({name, std::string(name_of(tool->kind)) + (named ? ", " + tool->name : ""), length(tool->diameter),
            length(tool->corner_radius), std::to_string(tool->teeth),
            tool->flute_length ? length(*tool->flute_length) : "not stated",
-           length(stickout_of(part_, toolpath_, called)), clock_time(time_of_tool(findings_, called))},
+           length(stickout_of(part_, toolpath_, called)), coolant_of_tool(toolpath_, called),
+           clock_time(time_of_tool(findings_, called))},
           2);
     }
     end_table();

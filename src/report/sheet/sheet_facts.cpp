@@ -65,6 +65,18 @@ int tool_changes(const Toolpath& toolpath) {
   return changes;
 }
 
+std::string coolant_of_tool(const Toolpath& toolpath, int tool) {
+  std::vector<Coolant> used;
+  for (const Section& section : toolpath.sections) {
+    const bool known = std::find(used.begin(), used.end(), section.coolant) != used.end();
+    if (section.tool_number == tool && feed_length(section) > 0 && !known) used.push_back(section.coolant);
+  }
+  std::string text;
+  for (const Coolant one : used)
+    text += (text.empty() ? "" : ", ") + (one == Coolant::kBoth ? "flood and mist" : name_of(one));
+  return text;
+}
+
 double time_of_tool(const Findings& findings, int tool) {
   double seconds = 0;
   for (const FeatureFindings& one : findings.features)

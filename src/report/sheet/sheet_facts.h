@@ -28,6 +28,9 @@ std::vector<int> tools_called(const Toolpath& toolpath);
 /// How often the program changes from one tool to another.
 int tool_changes(const Toolpath& toolpath);
 
+/// What cools a tool while it cuts, in the order of the program, each once: "off", "flood, mist", "flood and mist".
+std::string coolant_of_tool(const Toolpath& toolpath, int tool);
+
 /// Seconds of the operations that a tool cuts.
 double time_of_tool(const Findings& findings, int tool);
 

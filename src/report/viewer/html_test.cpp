@@ -144,7 +144,7 @@ TEST(Html, HoldsEveryMoveToAMicrometre) {
 }
 
 TEST(Html, PositionsDoNotDrift) {
-  Section section{"P", 0, 1, 0, true, false, {}};
+  Section section{"P", 0, 1, 0, true, Coolant::kOff, {}};
   sample::Moves m({0, 0}, -1);
   for (int i = 1; i <= 10000; ++i) m.to(MoveKind::kCut, {i * 0.0003333, i * 0.0007}, -1);
   section.moves = m.moves;
@@ -295,7 +295,7 @@ TEST(Html, AnEmptyJobGivesAPage) {
 }
 
 TEST(Html, StaysSmall) {
-  Section section{"P", 0, 1, 0, true, false, {}};
+  Section section{"P", 0, 1, 0, true, Coolant::kOff, {}};
   sample::Moves m({0, 0}, -1);
   for (int i = 0; i < 20000; ++i)
     m.to(MoveKind::kCut, {50 + 40 * std::cos(0.1 * i), 40 + 30 * std::sin(0.1 * i)}, -1);

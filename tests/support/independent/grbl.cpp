@@ -25,6 +25,8 @@ struct Word {
 
 class Grbl {
  public:
+  explicit Grbl(bool has_mist) : has_mist_(has_mist) {}
+
   int execute(const std::string& raw) {
     std::string line;
     if (const int error = strip(raw, line)) return error;
@@ -124,6 +126,8 @@ class Grbl {
       case 4:
       case 5:
         return enter(107);
+      case 7:
+        return has_mist_ ? enter(108) : kUnsupported;
       case 8:
       case 9:
         return enter(108);
@@ -198,6 +202,7 @@ class Grbl {
     return kOk;
   }
 
+  bool has_mist_;
   Block block_;
   int motion_ = 0;
   bool absolute_ = true;
@@ -208,9 +213,9 @@ class Grbl {
 
 }  // namespace
 
-std::vector<GrblFault> grbl_faults(const std::string& program) {
+std::vector<GrblFault> grbl_faults(const std::string& program, bool has_mist) {
   std::vector<GrblFault> faults;
-  Grbl grbl;
+  Grbl grbl(has_mist);
   std::istringstream lines(program);
   int number = 0;
   for (std::string line; std::getline(lines, line);) {

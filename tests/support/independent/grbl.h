@@ -13,7 +13,7 @@ struct GrblFault {
   std::string text;  ///< the line
 };
 
-/// Feeds a program line by line; returns the lines that would be answered by an error.
-std::vector<GrblFault> grbl_faults(const std::string& program);
+/// Feeds a program line by line; returns the lines that would be answered by an error. `has_mist`: it was built with ENABLE_M7.
+std::vector<GrblFault> grbl_faults(const std::string& program, bool has_mist = false);
 
 }  // namespace clearcut::test_support

@@ -31,7 +31,7 @@ class RandomPath {
       section.tool_number = 1 + s / 2;
       section.spindle_rpm = 1000 * (1 + s / 3);
       section.spindle_clockwise = s % 5 != 4;
-      section.coolant = s % 2 == 1;
+      section.coolant = static_cast<Coolant>((s * 3) % 4);
       while (static_cast<int>(section.moves.size()) < moves) add_move(section);
       path.sections.push_back(std::move(section));
     }

@@ -33,7 +33,7 @@ struct Modes {
   double feed = 0;  ///< mm/min or mm per turn
   double speed = 0;
   int spindle = 5;  ///< 3, 4 or 5 as in M3, M4, M5
-  bool coolant = false;
+  Coolant coolant = Coolant::kOff;
   int system = 1;  ///< work offset in use: 1 is G54
   ToolLength length;
   PathControl path;

@@ -192,9 +192,24 @@ void ModeWords::pause() {
   }
 }
 
+/// Flood and mist go on one by one and may both be on; M9 ends both, but for mist that has a word of its own.
+void ModeWords::switch_coolant(int m) {
+  const DialectRules& rules = control_.rules;
+  bool flood = has_flood(control_.modes.coolant), mist = has_mist(control_.modes.coolant);
+  if (m == rules.mist_on) {
+    mist = true;
+    if (!rules.mist_needs.empty())
+      control_.condition("m" + trimmed(m / 10.0, 1), std::string(rules.mist_needs));
+  } else if (m == 70 || m == 80 || m == 130 || m == 140 || m == 880) {
+    flood = true;
+  }
+  if (m == 90 || m == 890) flood = false;
+  if (m == rules.mist_off) mist = false;
+  control_.modes.coolant = control_.builder.drive.coolant = coolant_of(flood, mist);
+}
+
 void ModeWords::set_drive(int m, const Block& block) {
-  const bool switches_coolant = m == 70 || m == 80 || m == 90 || m == 130 || m == 140 || m == 880 || m == 890;
-  if (switches_coolant) control_.modes.coolant = control_.builder.drive.coolant = m != 90 && m != 890;
+  switch_coolant(m);
   if (m == 30 || m == 40 || m == 50) return control_.turn_spindle(m / 10);
   if (m == 130 || m == 140) return control_.turn_spindle(m / 10 - 10);
   if (m == 60) return load_tool();

@@ -25,6 +25,7 @@ class ModeWords {
   void set_other(int code, const Block& block);
   void use_units(double unit);
   void set_path(int code, const Block& block);
+  void switch_coolant(int m);
   void set_drive(int m, const Block& block);
   void select_tool(const Block& block);
   void load_tool();

@@ -22,7 +22,7 @@ struct Drive {
   int tool = 0;
   double spindle_rpm = 0;  ///< 0 while stopped
   bool clockwise = true;
-  bool coolant = false;
+  Coolant coolant = Coolant::kOff;
   friend bool operator==(const Drive&, const Drive&) = default;
 };
 

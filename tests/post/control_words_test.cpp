@@ -1,0 +1,146 @@
+// Words that set up a control: what each post writes, and how the reader takes it back.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "base/error.h"
+#include "post/post.h"
+#include "read/gcode/gcode.h"
+#include "support/independent/grbl.h"
+#include "support/random/random_toolpaths.h"
+
+namespace clearcut {
+namespace {
+
+using test_support::options_for;
+using ::testing::HasSubstr;
+
+/// One cut 5 mm long below z 0 in each section, 10 mm apart.
+Toolpath cuts(const std::vector<Coolant>& coolants) {
+  Toolpath path;
+  double x = 0;
+  for (const Coolant coolant : coolants) {
+    Section section;
+    section.label = "CUT";
+    section.tool_number = 1;
+    section.spindle_rpm = 5000;
+    section.coolant = coolant;
+    Move down{Edge::line({x, 0}, {x, 0}), 5, -1, MoveKind::kPlunge, MmPerMin::of(100)};
+    Move along{Edge::line({x, 0}, {x + 5, 0}), -1, -1, MoveKind::kCut, MmPerMin::of(300)};
+    Move up{Edge::line({x + 5, 0}, {x + 5, 0}), -1, 5, MoveKind::kRetract, MmPerMin::of(300)};
+    section.moves = {down, along, up};
+    path.sections.push_back(std::move(section));
+    x += 10;
+  }
+  return path;
+}
+
+/// The blocks that are among `wanted`, without their Klartext numbers, joined by blanks.
+std::string blocks_among(const std::string& program, const std::vector<std::string>& wanted) {
+  std::istringstream lines(program);
+  std::string found;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t first = line.find_first_not_of("0123456789 ");
+    if (first == std::string::npos) continue;
+    line.erase(0, first);
+    if (std::find(wanted.begin(), wanted.end(), line) == wanted.end()) continue;
+    found += (found.empty() ? "" : " ") + line;
+  }
+  return found;
+}
+
+std::string coolant_of(const std::vector<Coolant>& coolants, const std::string& dialect) {
+  return blocks_among(post::write_program(cuts(coolants), Part{}, options_for(dialect, false)),
+                      {"M7", "M8", "M9", "M83", "M84"});
+}
+
+std::string conditions_of(const std::string& text, const std::string& dialect) {
+  read::gcode::ReadControllerOptions reading;
+  reading.dialect = read::gcode::dialect_named(dialect);
+  std::string names;
+  for (const Condition& one : read::gcode::read_gcode(text, "test", reading).conditions)
+    names += (names.empty() ? "" : " ") + one.name;
+  return names;
+}
+
+constexpr Coolant kOff = Coolant::kOff, kFlood = Coolant::kFlood, kMist = Coolant::kMist,
+                  kBoth = Coolant::kBoth;
+
+TEST(CoolantWords, LeadFromOneToTheNext) {
+  for (const std::string& dialect : post::post_dialects()) {
+    SCOPED_TRACE(dialect);
+    EXPECT_EQ(coolant_of({kOff}, dialect), "");
+    EXPECT_EQ(coolant_of({kFlood, kFlood}, dialect), "M8 M9");
+    if (dialect == "haas") continue;
+    EXPECT_EQ(coolant_of({kMist}, dialect), "M7 M9");
+    EXPECT_EQ(coolant_of({kBoth}, dialect), "M8 M7 M9");
+    EXPECT_EQ(coolant_of({kFlood, kBoth, kMist, kFlood}, dialect), "M8 M7 M9 M7 M9 M8 M9");
+  }
+  EXPECT_EQ(coolant_of({kMist}, "haas"), "M83 M84");
+  EXPECT_EQ(coolant_of({kBoth}, "haas"), "M8 M83 M84 M9");
+  EXPECT_EQ(coolant_of({kFlood, kBoth, kMist, kFlood}, "haas"), "M8 M83 M9 M84 M8 M9");
+}
+
+TEST(CoolantWords, AreReadBackInEveryDialect) {
+  const std::vector<Coolant> coolants{kFlood, kBoth, kMist, kOff, kMist, kFlood, kOff, kBoth, kOff};
+  for (const std::string& dialect : post::post_dialects()) {
+    SCOPED_TRACE(dialect);
+    const std::string text = post::write_program(cuts(coolants), Part{}, options_for(dialect, false));
+    read::gcode::ReadControllerOptions reading;
+    reading.dialect = read::gcode::dialect_named(dialect);
+    reading.hand_tools = {1};
+    std::vector<Coolant> got;
+    for (const Section& section : read::gcode::read_gcode(text, "test", reading).toolpath.sections)
+      if (feed_length(section) > 0) got.push_back(section.coolant);
+    EXPECT_EQ(got, coolants);
+  }
+}
+
+/// Flood asks for nothing; mist only where not every such control has it.
+TEST(CoolantWords, ThatAControlNeedNotHaveAreConditions) {
+  const std::map<std::string, std::string> wanted{{"linuxcnc", ""}, {"grbl", "m7"},  {"fanuc", "m7"},
+                                                  {"haas", "m83"},  {"mach3", ""},   {"mach4", ""},
+                                                  {"marlin", "m7"}, {"heidenhain", "m7"}};
+  ASSERT_EQ(wanted.size(), post::post_dialects().size());
+  for (const auto& [dialect, condition] : wanted) {
+    SCOPED_TRACE(dialect);
+    const auto program = [&, name = dialect](Coolant coolant) {
+      return post::write_program(cuts({coolant}), Part{}, options_for(name, false));
+    };
+    EXPECT_EQ(conditions_of(program(kFlood), dialect), "");
+    EXPECT_EQ(conditions_of(program(kMist), dialect), condition);
+    EXPECT_EQ(conditions_of(program(kBoth), dialect), condition);
+  }
+}
+
+TEST(CoolantWords, GrblTakesMistWhereItWasBuiltWithIt) {
+  const std::string text = post::write_program(cuts({kBoth}), Part{}, options_for("grbl", false));
+  EXPECT_TRUE(test_support::grbl_faults(text, true).empty());
+  const auto faults = test_support::grbl_faults(text);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].error, 20);
+  EXPECT_EQ(faults[0].text, "M7");
+}
+
+/// What other programs say: through the tool is flood, Haas's shower is, too.
+TEST(CoolantWords, OfOtherProgramsAreRead) {
+  const auto coolant_as = [](const std::string& words, const std::string& dialect) {
+    read::gcode::ReadControllerOptions reading;
+    reading.dialect = read::gcode::dialect_named(dialect);
+    const std::string text = "G21 G61 G17 G90 G0 X0. Y0. Z5.\n" + words + "\nG1 X5. F100.\nM30\n";
+    return read::gcode::read_gcode(text, "test", reading).toolpath.sections.back().coolant;
+  };
+  EXPECT_EQ(coolant_as("M7 M8", "linuxcnc"), kBoth);
+  EXPECT_EQ(coolant_as("M7\nM8\nM9", "linuxcnc"), kOff);
+  EXPECT_EQ(coolant_as("M7", "haas"), kFlood);
+  EXPECT_EQ(coolant_as("M88", "haas"), kFlood);
+  EXPECT_EQ(coolant_as("M83\nM8\nM9", "haas"), kMist);
+  EXPECT_EQ(coolant_as("M83\nM8\nM84", "haas"), kFlood);
+  EXPECT_EQ(coolant_as("M83", "fanuc"), kOff);
+}
+
+}  // namespace
+}  // namespace clearcut
