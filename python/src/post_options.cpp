@@ -4,12 +4,10 @@
 namespace clearcut::python {
 namespace {
 
-/// "G54" to "G59".
-int work_offset_of(const std::string& word) {
-  if (word.size() == 3 && (word[0] == 'G' || word[0] == 'g') && word[1] == '5' && word[2] >= '4' &&
-      word[2] <= '9')
-    return 50 + (word[2] - '0');
-  throw InputError("--work-offset", "'" + word + "' is unknown; use one of G54, G55, G56, G57, G58, G59");
+WorkOffset work_offset_of(const std::string& word) {
+  if (const auto offset = work_offset_named(word)) return *offset;
+  throw InputError("--work-offset",
+                   "'" + word + "' is unknown; use one of " + std::string(kKnownWorkOffsets));
 }
 
 }  // namespace
@@ -44,7 +42,7 @@ void add_post_options(OptionsClass& options) {
       options, "program_number", doc("PostOptions::program_number"),
       [](auto& o) -> auto& { return o.post.program_number; });
   options.def_property(
-      "work_offset", [](const AskedOptions& o) { return "G" + std::to_string(o.post.work_offset); },
+      "work_offset", [](const AskedOptions& o) { return words_of(o.post.work_offset); },
       [](AskedOptions& o, const std::string& word) { o.post.work_offset = work_offset_of(word); },
       doc("PostOptions::work_offset"));
   add_value(

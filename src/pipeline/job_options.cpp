@@ -25,7 +25,7 @@ PostOptions post_of(const read::JobOutput& output) {
   PostOptions post;
   post.dialect = output.post.value_or("linuxcnc");
   post.inch = output.inch.value_or(false);
-  post.work_offset = output.work_offset.value_or(54);
+  post.work_offset = output.work_offset.value_or(WorkOffset{});
   post.decimals = output.decimals;
   post.arcs = output.arcs.value_or(true);
   post.tool_changer = output.tool_change.value_or(true);
@@ -62,7 +62,7 @@ resolve::PlanOptions options_of_job(const read::JobFile& job) {
   options.machine = job.machine;
   options.accept = job.accept;
   // Where the job says which offset the zero is at, that is no open question.
-  if (job.output.work_offset) options.accept.push_back("g" + std::to_string(*job.output.work_offset));
+  if (job.output.work_offset) options.accept.push_back(condition_of(*job.output.work_offset));
   options.sources = job.sources;
   options.stepover = job.plan.stepover;
   options.engagement_deg = job.engagement_deg;

@@ -57,7 +57,7 @@ report::SetupSheetInfo sheet_info(const resolve::PlanOptions& options, const std
   info.program_name = program_name;
   info.dialect = dialect;
   info.inch = options.post.inch;
-  info.work_offset = "G" + std::to_string(options.post.work_offset);
+  info.work_offset = words_of(options.post.work_offset);
   return info;
 }
 

@@ -1,5 +1,7 @@
 #include "post/control_words.h"
 
+#include <algorithm>
+
 namespace clearcut::post {
 
 std::vector<std::string_view> coolant_words(Coolant held, Coolant wanted, const MistWords& mist) {
@@ -17,6 +19,25 @@ std::vector<std::string_view> coolant_words(Coolant held, Coolant wanted, const 
   if (has_flood(wanted) && !flood) words.push_back("M8");
   if (has_mist(wanted) && !fog) words.push_back(mist.on);
   return words;
+}
+
+bool has_work_offset(const IsoDialect& dialect, const WorkOffset& offset) {
+  if (dialect.safe_start.find("G54") == std::string_view::npos) return false;
+  if (offset.number == 0) return offset.code % 10 == 0 || dialect.fractional_offsets;
+  const auto& numbered = dialect.numbered_offsets;
+  return std::any_of(numbered.begin(), numbered.end(), [&](const NumberedOffsets& one) {
+    return one.code == offset.code && one.first <= offset.number && offset.number <= one.last;
+  });
+}
+
+std::string work_offsets_of(const IsoDialect& dialect) {
+  if (!has_work_offset(dialect, {})) return "";
+  std::string text = "G54 to G59";
+  if (dialect.fractional_offsets) text += ", G59.1 to G59.3";
+  for (const NumberedOffsets& one : dialect.numbered_offsets) {
+    if (one.last > 0) text += ", " + words_of({one.code, one.first}) + " to P" + std::to_string(one.last);
+  }
+  return text;
 }
 
 }  // namespace clearcut::post

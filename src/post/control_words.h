@@ -1,15 +1,21 @@
 // Words that set up the control and move nothing.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "model/coolant.h"
+#include "model/options/work_offset.h"
 #include "post/iso_dialect.h"
 
 namespace clearcut::post {
 
 /// What leads from `held` to `wanted`, each word in a block of its own: Grbl takes one of them in a block.
 std::vector<std::string_view> coolant_words(Coolant held, Coolant wanted, const MistWords& mist);
+
+bool has_work_offset(const IsoDialect& dialect, const WorkOffset& offset);
+/// For messages: "G54 to G59, G54.1 P1 to P300"; "" where its programs have none.
+std::string work_offsets_of(const IsoDialect& dialect);
 
 }  // namespace clearcut::post

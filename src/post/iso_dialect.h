@@ -1,6 +1,7 @@
 // What the word-address controls (everything but Klartext) do differently, as data.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,12 @@ struct MistWords {
   std::string_view off = {};  ///< empty: M9 ends mist, too
 };
 
+/// Work offsets that are called by a P word, from `first` to `last`; last 0: none.
+struct NumberedOffsets {
+  int code = 0;  ///< G word in tenths
+  int first = 1, last = 0;
+};
+
 struct IsoDialect {
   std::string_view name;
   std::string_view extension = ".nc";
@@ -53,6 +60,8 @@ struct IsoDialect {
   std::size_t line_length = 80;
   std::string_view metric = "G21";
   std::string_view safe_start = "G17 G40 G49 G54 G80 G90 G91.1 G94";
+  bool fractional_offsets = false;  ///< G59.1 to G59.3
+  std::array<NumberedOffsets, 2> numbered_offsets = {};
   PathControl path_control = PathControl::kNone;
   bool knows_exact_stop = true;  ///< G61
   bool changer = true;           ///< M6; else a pause

@@ -32,12 +32,14 @@ struct Held {
   bool length_due = false;  ///< the tool's length comes with the next approach
 };
 
-/// With the work offset that is asked for in place of the first.
+/// With the work offset that is asked for in place of the first; one with a P word has a block of its own.
 std::string safe_start(const IsoDialect& dialect, const PostOptions& options) {
+  const std::string_view first = "G54 ";
   std::string words(dialect.safe_start);
-  const std::size_t at = words.find("G54");
-  if (at != std::string::npos) words.replace(at, 3, "G" + std::to_string(options.work_offset));
-  return words;
+  const std::size_t at = words.find(first);
+  if (at == std::string::npos) return words;
+  const bool numbered = options.work_offset.number > 0;
+  return words.replace(at, first.size(), numbered ? "" : words_of(options.work_offset) + " ");
 }
 
 class IsoWriter {
@@ -127,6 +129,7 @@ void IsoWriter::begin_program() {
   const std::string_view units = options_.inch ? "G20" : dialect_.metric;
   if (!units.empty()) out_.line(units);
   out_.line(safe_start(dialect_, options_));
+  if (options_.work_offset.number > 0) out_.line(words_of(options_.work_offset));
   set_path_control();
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "post/control_words.h"
 #include "post/iso_writer.h"
 #include "post/klartext_writer.h"
 #include "post/print_grid.h"
@@ -55,13 +56,22 @@ void check(const Section& section) {
   throw InputError("", "unknown post '" + name + "'; known: " + known);
 }
 
+/// Null: Klartext.
+void refuse_missing_offset(const PostOptions& options, const IsoDialect* dialect) {
+  const WorkOffset& wanted = options.work_offset;
+  if (wanted == WorkOffset{} || (dialect && has_work_offset(*dialect, wanted))) return;
+  const std::string known = dialect ? work_offsets_of(*dialect) : "";
+  const std::string instead = !dialect        ? "its zero is the preset that is active; leave it out"
+                              : known.empty() ? "its programs have no work offsets; leave it out"
+                                              : "it has " + known;
+  throw InputError("--work-offset", options.dialect + " has no " + words_of(wanted) + ": " + instead);
+}
+
 /// What was asked for and this control has not. Null: Klartext.
 void refuse_missing_words(const PostOptions& options, const IsoDialect* dialect) {
   const auto refuse = [&](const char* option, const std::string& what) {
     throw InputError(option, options.dialect + " has no " + what + "; leave it out");
   };
-  if (options.work_offset != 54 && (!dialect || dialect->safe_start.find("G54") == std::string_view::npos))
-    refuse("--work-offset", "work offsets in its programs");
   if (options.optional_stop && !(dialect && dialect->optional_stop))
     refuse("--optional-stop", "M1 that stops only where the operator wants it");
   const int digits = dialect ? dialect->program_digits : 0;
@@ -112,6 +122,7 @@ std::string write_program(const Toolpath& toolpath, const Part& part, const Post
   if (options.decimals && (*options.decimals < 1 || *options.decimals > 6)) {
     throw InputError("", "decimals must be 1 to 6");
   }
+  refuse_missing_offset(options, dialect);
   refuse_missing_words(options, dialect);
   for (const Section& section : toolpath.sections) check(section);
   return dialect ? write_iso(toolpath, part, options, *dialect) : write_klartext(toolpath, part, options);

@@ -54,7 +54,7 @@ std::string refusal(const PostOptions& options) {
 TEST(ProgramWords, WorkOffsetStandsInTheSafeStart) {
   PostOptions options = post_for("linuxcnc");
   EXPECT_THAT(program(options), HasSubstr(" G54 "));
-  options.work_offset = 57;
+  options.work_offset = {570};
   EXPECT_THAT(program(options), HasSubstr(" G57 "));
   EXPECT_THAT(program(options), Not(HasSubstr("G54")));
 }
@@ -107,7 +107,7 @@ TEST(ProgramWords, OptionalStopComesBeforeEveryToolButTheFirst) {
 TEST(ProgramWords, ControlsWithoutThemRefuseThem) {
   for (const char* dialect : {"heidenhain", "marlin"}) {
     PostOptions options = post_for(dialect);
-    options.work_offset = 55;
+    options.work_offset = {550};
     EXPECT_THAT(refusal(options), HasSubstr("--work-offset")) << dialect;
     options = post_for(dialect);
     options.block_numbers = true;

@@ -14,8 +14,7 @@ using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-constexpr const char* kPocket =
-    R"({"units": "mm", "depth": 2, "outer": [[0,0],[30,0],[30,20],[0,20]]})";
+constexpr const char* kPocket = R"({"units": "mm", "depth": 2, "outer": [[0,0],[30,0],[30,20],[0,20]]})";
 
 struct Planned {
   ScratchFolder folder;
@@ -24,8 +23,15 @@ struct Planned {
 };
 
 void plan(Planned& made, const std::string& input, const std::vector<std::string>& more) {
-  std::vector<std::string> arguments{"plan", input, "--strategy", "zigzag", "-o", made.folder.path("a.nc"),
-                                     "--setup-sheet", made.folder.path("sheet.html"), "--explain"};
+  std::vector<std::string> arguments{"plan",
+                                     input,
+                                     "--strategy",
+                                     "zigzag",
+                                     "-o",
+                                     made.folder.path("a.nc"),
+                                     "--setup-sheet",
+                                     made.folder.path("sheet.html"),
+                                     "--explain"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   const auto result = run_clearcut(arguments);
   made.exit_code = result.exit_code;

@@ -101,8 +101,8 @@ TEST(CoolantWords, AreReadBackInEveryDialect) {
 
 /// Flood asks for nothing; mist only where not every such control has it.
 TEST(CoolantWords, ThatAControlNeedNotHaveAreConditions) {
-  const std::map<std::string, std::string> wanted{{"linuxcnc", ""}, {"grbl", "m7"},  {"fanuc", "m7"},
-                                                  {"haas", "m83"},  {"mach3", ""},   {"mach4", ""},
+  const std::map<std::string, std::string> wanted{{"linuxcnc", ""}, {"grbl", "m7"},      {"fanuc", "m7"},
+                                                  {"haas", "m83"},  {"mach3", ""},       {"mach4", ""},
                                                   {"marlin", "m7"}, {"heidenhain", "m7"}};
   ASSERT_EQ(wanted.size(), post::post_dialects().size());
   for (const auto& [dialect, condition] : wanted) {
@@ -140,6 +140,89 @@ TEST(CoolantWords, OfOtherProgramsAreRead) {
   EXPECT_EQ(coolant_as("M83\nM8\nM9", "haas"), kMist);
   EXPECT_EQ(coolant_as("M83\nM8\nM84", "haas"), kFlood);
   EXPECT_EQ(coolant_as("M83", "fanuc"), kOff);
+}
+
+// ------------------------------------------------------------------------------------- work offsets
+
+std::string program_at(const std::string& offset, const std::string& dialect) {
+  PostOptions options = options_for(dialect, false);
+  options.work_offset = *work_offset_named(offset);
+  return post::write_program(cuts({kOff}), Part{}, options);
+}
+
+std::string refusal_at(const std::string& offset, const std::string& dialect) {
+  try {
+    program_at(offset, dialect);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// As what it is read, besides what must hold.
+std::vector<Section> sections_of(const std::string& text, const std::string& dialect) {
+  read::gcode::ReadControllerOptions reading;
+  reading.dialect = read::gcode::dialect_named(dialect);
+  reading.hand_tools = {1};
+  return read::gcode::read_gcode(text, "test", reading).toolpath.sections;
+}
+
+void expect_same_motion(const std::string& text, const std::string& other, const std::string& dialect) {
+  const auto a = sections_of(text, dialect), b = sections_of(other, dialect);
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t s = 0; s < a.size(); ++s) {
+    ASSERT_EQ(a[s].moves.size(), b[s].moves.size());
+    for (std::size_t m = 0; m < a[s].moves.size(); ++m) {
+      EXPECT_EQ(a[s].moves[m].path.to, b[s].moves[m].path.to);
+      EXPECT_EQ(a[s].moves[m].z_to, b[s].moves[m].z_to);
+    }
+  }
+}
+
+/// Every offset that a control has is written in its words and is one condition, as G55 is; all others are refused in one line.
+TEST(WorkOffsets, AreThoseOfTheControl) {
+  const std::vector<std::string> offsets{"G55",      "G59",       "G59.1",      "G59.3",
+                                         "G54.1 P1", "G54.1 P99", "G54.1 P300", "G154 P1",
+                                         "G154 P99", "G59 P7",    "G59 P254"};
+  const std::map<std::string, std::pair<std::vector<std::string>, std::string>> has{
+      {"linuxcnc", {{"G55", "G59", "G59.1", "G59.3"}, "it has G54 to G59, G59.1 to G59.3"}},
+      {"grbl", {{"G55", "G59"}, "it has G54 to G59"}},
+      {"fanuc",
+       {{"G55", "G59", "G54.1 P1", "G54.1 P99", "G54.1 P300"}, "it has G54 to G59, G54.1 P1 to P300"}},
+      {"haas",
+       {{"G55", "G59", "G54.1 P1", "G54.1 P99", "G154 P1", "G154 P99"},
+        "it has G54 to G59, G154 P1 to P99, G54.1 P1 to P99"}},
+      {"mach3", {{"G55", "G59", "G59 P7", "G59 P254"}, "it has G54 to G59, G59 P7 to P254"}},
+      {"mach4", {{"G55", "G59", "G54.1 P1", "G54.1 P99"}, "it has G54 to G59, G54.1 P1 to P248"}},
+      {"marlin", {{}, "its programs have no work offsets; leave it out"}},
+      {"heidenhain", {{}, "its zero is the preset that is active; leave it out"}}};
+  ASSERT_EQ(has.size(), post::post_dialects().size());
+  for (const auto& [dialect, words] : has) {
+    for (const std::string& offset : offsets) {
+      SCOPED_TRACE(dialect + " " + offset);
+      const bool known = std::find(words.first.begin(), words.first.end(), offset) != words.first.end();
+      if (!known) {
+        EXPECT_THAT(refusal_at(offset, dialect),
+                    HasSubstr(dialect + " has no " + offset + ": " + words.second));
+        continue;
+      }
+      const std::string text = program_at(offset, dialect);
+      const std::string blocks = "\n" + text;
+      EXPECT_THAT(blocks, HasSubstr(offset.find('P') == std::string::npos ? " " + offset + " "
+                                                                          : "\n" + offset + "\n"));
+      EXPECT_EQ(conditions_of(text, dialect), condition_of(*work_offset_named(offset)));
+      expect_same_motion(text, program_at("G54", dialect), dialect);
+      EXPECT_TRUE(dialect != "grbl" || test_support::grbl_faults(text).empty());
+    }
+  }
+}
+
+TEST(WorkOffsets, AreNamedInAnyCaseWithOrWithoutBlanks) {
+  EXPECT_EQ(words_of(*work_offset_named("g54.1p12")), "G54.1 P12");
+  EXPECT_EQ(words_of(*work_offset_named("G154 P 7")), "G154 P7");
+  for (const char* wrong :
+       {"", "G53", "G60", "G59.4", "G54 P2", "G54.1", "G54.1 P0", "G54.1 P-1", "G154 P1.5", "G505"})
+    EXPECT_FALSE(work_offset_named(wrong)) << wrong;
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "arguments/post_arguments.h"
 
+#include <clearcut/error.h>
+
 #include "arguments/suggest.h"
 
 namespace clearcut::cli {
@@ -17,8 +19,12 @@ void PostArguments::add_options(CLI::App& command) {
   command.add_flag("--no-tool-change", no_tool_change_, "A pause (M0) instead of M6");
   command.add_flag("--no-length-offset", no_length_offset_, "No G43");
   command.add_flag("--exact-stop", exact_stop_, "G61 instead of blending");
-  command.add_option("--work-offset", work_offset_, "Where the part's zero is: G54 (default) to G59")
-      ->check(CLI::IsMember({"G54", "G55", "G56", "G57", "G58", "G59"}, CLI::ignore_case));
+  command
+      .add_option(
+          "--work-offset", work_offset_,
+          "Where the part's zero is: G54 (default) to G59, or as the controller has them G59.1 to G59.3, "
+          "\"G54.1 P1\" to P300, \"G154 P1\" to P99")
+      ->check(for_example({"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"}));
   command.add_option("--program-number", program_number_, "O word of Fanuc and Haas programs")
       ->check(CLI::Range(1, 99999));
   command.add_flag("--block-numbers", block_numbers_, "N words");
@@ -29,6 +35,16 @@ void PostArguments::add_options(CLI::App& command) {
       ->check(CLI::NonNegativeNumber);
 }
 
+namespace {
+
+WorkOffset work_offset_of(const std::string& text) {
+  if (const auto offset = work_offset_named(text)) return *offset;
+  throw InputError("--work-offset",
+                   "'" + text + "' is unknown; use one of " + std::string(kKnownWorkOffsets));
+}
+
+}  // namespace
+
 PostOptions PostArguments::options(PostOptions post) const {
   if (dialect_) post.dialect = *dialect_;
   post.inch = post.inch || inch_;
@@ -36,7 +52,7 @@ PostOptions PostArguments::options(PostOptions post) const {
   post.arcs = post.arcs && !no_arcs_;
   post.tool_changer = post.tool_changer && !no_tool_change_;
   post.length_offset = post.length_offset && !no_length_offset_;
-  if (work_offset_) post.work_offset = std::stoi(work_offset_->substr(1));
+  if (work_offset_) post.work_offset = work_offset_of(*work_offset_);
   if (program_number_) post.program_number = program_number_;
   post.block_numbers = post.block_numbers || block_numbers_;
   post.optional_stop = post.optional_stop || optional_stop_;

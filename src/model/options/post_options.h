@@ -7,6 +7,7 @@
 
 #include "base/tolerances.h"
 #include "base/units.h"
+#include "model/options/work_offset.h"
 
 namespace clearcut::inline model {
 
@@ -21,9 +22,9 @@ struct PostOptions {
   bool length_offset = true;        ///< false: no G43
   bool exact_stop = false;          ///< G61 instead of blending, where the control knows it
   bool continuous = false;  ///< where the control states no bound: no G61, corners are rounded by its own
-  std::optional<int> program_number;    ///< of the O word, before any in program_name
-  int programs_before = 0;              ///< of the same job, by which the O word counts on
-  int work_offset = 54;                 ///< G54 to G59: where the part's zero is
+  std::optional<int> program_number;  ///< of the O word, before any in program_name
+  int programs_before = 0;            ///< of the same job, by which the O word counts on
+  WorkOffset work_offset;             ///< where the part's zero is
   bool block_numbers = false;           ///< N words, in tens
   bool optional_stop = false;           ///< M1 before every tool but the first
   std::optional<Seconds> spindle_wait;  ///< after the spindle starts; default per dialect

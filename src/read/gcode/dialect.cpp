@@ -28,7 +28,10 @@ std::optional<Dialect> dialect_named(std::string_view name) {
 namespace {
 
 constexpr DialectRules mach_rules(Dialect dialect) {
-  return {.dialect = dialect, .centers_set_up = true, .has_old_units = true};
+  return {.dialect = dialect,
+          .centers_set_up = true,
+          .has_old_units = true,
+          .numbered_offsets = dialect == Dialect::kMach3 ? 254 : 248};
 }
 
 constexpr std::array kRules{
@@ -53,6 +56,7 @@ constexpr std::array kRules{
                  .points_matter = true,
                  .dwell_by_x = true,
                  .dwell_in_ms = true,
+                 .numbered_offsets = 300,
                  .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on"},
     DialectRules{.dialect = Dialect::kHaas,
                  .radius_beats_center = true,
@@ -60,6 +64,7 @@ constexpr std::array kRules{
                  .resets_modes = true,
                  .points_matter = true,
                  .dwell_in_ms = true,
+                 .numbered_offsets = 99,
                  .mist_on = 830,
                  .mist_off = 840,
                  .mist_needs = "M83 is an option of the machine; it has it, for mist"},
@@ -109,8 +114,9 @@ bool knows_g(const DialectRules& rules, int code) {
   if (code == 730 || (code >= 740 && code <= 890 && code != 800)) return rules.cycles;
   if (code == 430) return rules.tool_lengths;
   if (code == 431) return dialect == Dialect::kLinuxCnc;
-  if (code == 1540 || code == 1870) return dialect == Dialect::kHaas;
-  if (code == 541) return fanuc_like;
+  if (code == 1540 || code == 1870 || (code >= 1100 && code <= 1290)) return dialect == Dialect::kHaas;
+  if (code == 541) return fanuc_like || dialect == Dialect::kMach4;
+  if (code == 591 || code == 592 || code == 593) return !fanuc_like;
   if (code == 921 || code == 922 || code == 923) return dialect == Dialect::kLinuxCnc || mach || code == 921;
   if (code == 611) return dialect == Dialect::kLinuxCnc || mach;
   if (code == 281 || code == 301) return dialect == Dialect::kLinuxCnc;

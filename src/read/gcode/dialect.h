@@ -38,6 +38,7 @@ struct DialectRules {
   bool dwell_by_s = false;           ///< G4 S: seconds
   bool saves_modes = false;          ///< M70 to M73
   bool has_old_units = false;        ///< G70 and G71 are G20 and G21
+  int numbered_offsets = 0;          ///< most P of G54.1, G154, G59
   int mist_on = 70;                  ///< M word in tenths
   int mist_off = 90;                 ///< where it is not M9, that ends flood alone
   std::string_view mist_needs = {};  ///< what must hold for them; empty: every such control has them

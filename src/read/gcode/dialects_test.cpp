@@ -9,6 +9,15 @@ namespace {
 
 using ::testing::HasSubstr;
 
+std::string refusal(Dialect dialect, const std::string& text) {
+  try {
+    read_as(dialect, text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 TEST(GcodeConditions, UnknownWordsAreOnesByName) {
   EXPECT_EQ(conditions("G21 M55\nM55\nG64\nG0 X0 Y0 Z1\nG1 X5 F9\nM2"), "m55@1 blending@5");
 }
@@ -41,6 +50,37 @@ TEST(GcodeConditions, HomeIsNoneWhereItIsTheTopOfTheTravel) {
   EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G91 G28 Z0.\nG28 X0. Y0.\nM30"), "");
   EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G91 G28 Z0.\nG28 X0. Y0.\nG90 G0 Z1.\nM30"),
             "g28-home@5");
+}
+
+TEST(GcodeConditions, OffsetsThatAreCalledByANumber) {
+  const std::string start = "G21 G61 G17 G90 G0 X0. Y0. Z5.\n";
+  EXPECT_EQ(conditions_as(Dialect::kHaas, start + "G154 P7\nG110\nG129\nM30"),
+            "g154-p7@2 g154-p1@3 g154-p20@4");
+  EXPECT_EQ(conditions_as(Dialect::kMach4, "G91.1\n" + start + "G54.1 P248\nM30"), "g54.1-p248@3");
+  EXPECT_EQ(conditions_as(Dialect::kMach3, "G91.1\n" + start + "G59 P2\nG59 P20\nG59\nM30"),
+            "g55@3 g59-p20@4 g59@5");
+  EXPECT_EQ(conditions_as(Dialect::kLinuxCnc, start + "G59.1\nM2"), "g59.1@2");
+  EXPECT_THAT(refusal(Dialect::kFanuc, start + "G54.1 P301\nM30"),
+              HasSubstr("G54.1 P301: the control has P1 to P300"));
+  EXPECT_THAT(refusal(Dialect::kHaas, start + "G154 P1.5\nM30"),
+              HasSubstr("G154 P1.5: the control has P1 to P99"));
+  EXPECT_THAT(refusal(Dialect::kFanuc, start + "G54.1\nM30"), HasSubstr("without its P word"));
+  EXPECT_THAT(refusal(Dialect::kFanuc, start + "G59.1\nM30"), HasSubstr("test.ngc:2: G59.1"));
+  EXPECT_THAT(refusal(Dialect::kFanuc, start + "G110\nM30"), HasSubstr("test.ngc:2: G110"));
+}
+
+/// Where the machine states its offsets, those beyond them still lie where the work is, whatever was in use before.
+TEST(GcodeConditions, NumberedOffsetsLieAtTheWorkBesideStatedOnes) {
+  ReadControllerOptions options;
+  options.dialect = Dialect::kFanuc;
+  options.places = MachinePlaces{};
+  options.places->origins[1] = {100, 0, 0};
+  const Program program =
+      read_gcode("G21 G61 G17 G90 G94 G0 X0. Y0. Z5.\nG55\nG1 X1. F9.\nG54.1 P2\nX2.\nM30\n", "t", options);
+  std::vector<double> xs;
+  for (const Move& move : program.toolpath.sections.back().moves)
+    if (!is_rapid(move.kind)) xs.push_back(move.path.to.x);
+  EXPECT_EQ(xs, (std::vector<double>{101, 2}));
 }
 
 TEST(GcodeDialects, MeanWhatTheirControlDoes) {
@@ -82,14 +122,6 @@ TEST(GcodeDialects, AreRecognised) {
 }
 
 TEST(GcodeDialects, WordsOfOthersAreRefused) {
-  const auto refusal = [](Dialect dialect, const std::string& text) -> std::string {
-    try {
-      read_as(dialect, text);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
-  };
   EXPECT_THAT(refusal(Dialect::kGrbl, "G81 X1 Z-1 R1"), HasSubstr("test.ngc:1: G81 is no word of grbl"));
   EXPECT_THAT(refusal(Dialect::kMarlin, "G43 H1"), HasSubstr("G43 is no word of marlin"));
   EXPECT_THAT(refusal(Dialect::kLinuxCnc, "G54.1 P2"), HasSubstr("G54.1 is no word of linuxcnc"));

@@ -132,11 +132,13 @@ std::optional<ZeroPoint> zero_point(DataSection& section) {
   return ZeroPoint{places[*section.choice("origin", places)], {}};
 }
 
-/// "G55" as 55.
-std::optional<int> work_offset_of(DataSection& section) {
-  static const std::vector<std::string> offsets{"G54", "G55", "G56", "G57", "G58", "G59"};
-  const auto chosen = section.choice("work_offset", offsets);
-  return chosen ? std::optional(54 + static_cast<int>(*chosen)) : std::nullopt;
+std::optional<WorkOffset> work_offset_of(DataSection& section) {
+  const auto text = section.text("work_offset");
+  const auto offset = text ? work_offset_named(*text) : std::nullopt;
+  if (text && !offset)
+    section.fail_at("work_offset",
+                    "'" + printable(*text) + "' is unknown; use one of " + std::string(kKnownWorkOffsets));
+  return offset;
 }
 
 void read_part_section(DataSection section, JobFile& job) {

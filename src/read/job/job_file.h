@@ -14,6 +14,7 @@
 #include "model/options/resolved_plan.h"
 #include "model/options/shop_options.h"
 #include "model/options/tab_options.h"
+#include "model/options/work_offset.h"
 #include "model/part.h"
 #include "read/moved_part.h"
 #include "read/read_options.h"
@@ -56,7 +57,7 @@ struct OperationRule {
 struct JobOutput {
   std::optional<std::string> program, post, certificate, svg, report, setup_sheet, result;
   std::optional<bool> inch;
-  std::optional<int> work_offset;  ///< 54 to 59
+  std::optional<WorkOffset> work_offset;
   // Switches of the post.
   std::optional<int> decimals;
   std::optional<bool> arcs, tool_change, length_offset, exact_stop;

@@ -194,7 +194,7 @@ const char* const kRest = R"(
 [output]
 # program = "out.ngc"
 # post = "linuxcnc"        # grbl, fanuc, haas, heidenhain, mach3, mach4, marlin
-# work_offset = "G54"      # to G59
+# work_offset = "G54"      # to G59, and what the controller has besides: "G59.1", "G54.1 P12", "G154 P7"
 # inch = false
 # decimals = 4             # of coordinates; default: what the controller resolves
 # arcs = true              # false: lines only

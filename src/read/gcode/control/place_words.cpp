@@ -190,15 +190,36 @@ void PlaceWords::clear_shift(int code) {
   control_.frame.clear_local(code == 922);
 }
 
+/// Offsets that are called by a number: G54.1 P, Haas's G154 P and its short words G110 to G129, Mach3's G59 P.
+bool PlaceWords::uses_numbered_system(int code, const Block& block) const {
+  const bool waits = has_g(block, 40) || has_g(block, 640);
+  return code == 541 || code >= 1100 ||
+         (code == 590 && control_.rules.dialect == Dialect::kMach3 && block.has('P') && !waits);
+}
+
+void PlaceWords::use_numbered_system(int code, const Block& block) {
+  const bool is_short = code >= 1100 && code <= 1290;
+  const std::string word = g_word(is_short ? 1540 : code);
+  if (!is_short && !block.has('P'))
+    control_.refuse(word + " without its P word; give the number of the work offset");
+  const double number = is_short ? (code - 1100) / 10 + 1 : block.value('P');
+  if (code == 590 && number == std::floor(number) && number >= 1 && number <= 6)
+    return use_plain_system(kSystemWords[static_cast<int>(number) - 1]);
+  const int most = control_.rules.numbered_offsets;
+  if (number != std::floor(number) || number < 1 || number > most)
+    control_.refuse(word + " P" + trimmed(number, 3) + ": the control has P1 to P" + std::to_string(most) +
+                    "; correct it");
+  control_.frame.use_system(Frame::kElsewhere);
+  const std::string text = trimmed(number, 0);
+  control_.condition(lower(word) + "-p" + text, word + " P" + text + " has its origin where the work's is");
+}
+
 void PlaceWords::use_system(int code, const Block& block) {
-  if (code == 541 || code == 1540) {
-    if (!block.has('P'))
-      control_.refuse(g_word(code) + " without its P word; give the number of the work offset");
-    const std::string word = lower(g_word(code)) + "-p" + trimmed(block.value('P'), 0);
-    control_.condition(
-        word, g_word(code) + " P" + trimmed(block.value('P'), 0) + " has its origin where the work's is");
-    return;
-  }
+  if (uses_numbered_system(code, block)) return use_numbered_system(code, block);
+  use_plain_system(code);
+}
+
+void PlaceWords::use_plain_system(int code) {
   const auto* const found = std::find(std::begin(kSystemWords), std::end(kSystemWords), code);
   control_.frame.use_system(static_cast<int>(found - std::begin(kSystemWords)) + 1);
   if (code == 540 || control_.options.places) return;

@@ -18,6 +18,9 @@ class PlaceWords {
   void set_length(int code, const Block& block);
 
  private:
+  bool uses_numbered_system(int code, const Block& block) const;
+  void use_numbered_system(int code, const Block& block);
+  void use_plain_system(int code);
   void go_home(const Block& block, bool first);
   Target stated_way(const Block& block);
   void go_to_reference(const Block& block, const std::array<double, 3>& reference);

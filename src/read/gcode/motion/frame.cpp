@@ -11,7 +11,8 @@ Frame::Frame(const std::optional<std::array<Axes, kSystems>>& origins) {
 }
 
 double Frame::shift(std::size_t axis) const {
-  return origins_[index(system_)][axis] + local_[axis] + (axis == 2 ? length_ : 0) - base_[axis];
+  const double origin = system_ == kElsewhere ? base_[axis] : origins_[index(system_)][axis];
+  return origin + local_[axis] + (axis == 2 ? length_ : 0) - base_[axis];
 }
 
 void Frame::set_origin(int system, std::size_t axis, double value, bool moved) {

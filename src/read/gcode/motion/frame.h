@@ -13,6 +13,8 @@ using Axes = std::array<double, 3>;
 class Frame {
  public:
   static constexpr int kSystems = 9;  ///< G54 to G59.3
+  /// Offsets beyond those: taken to lie where the work's zero is.
+  static constexpr int kElsewhere = kSystems + 1;
 
   /// `origins`: the offsets as they are in the control, where they are known.
   explicit Frame(const std::optional<std::array<Axes, kSystems>>& origins);

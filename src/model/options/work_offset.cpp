@@ -1,0 +1,57 @@
+#include "model/options/work_offset.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+
+namespace clearcut::inline model {
+namespace {
+
+struct Named {
+  std::string_view word;
+  int code;
+};
+
+constexpr std::array kPlain{Named{"G54", 540},   Named{"G55", 550},   Named{"G56", 560},
+                            Named{"G57", 570},   Named{"G58", 580},   Named{"G59", 590},
+                            Named{"G59.1", 591}, Named{"G59.2", 592}, Named{"G59.3", 593}};
+/// Before a P word.
+constexpr std::array kNumbered{Named{"G54.1P", 541}, Named{"G59P", 590}, Named{"G154P", 1540}};
+
+std::string g_word(int code) {
+  const std::string whole = "G" + std::to_string(code / 10);
+  return code % 10 == 0 ? whole : whole + "." + std::to_string(code % 10);
+}
+
+}  // namespace
+
+std::string words_of(const WorkOffset& offset) {
+  return g_word(offset.code) + (offset.number > 0 ? " P" + std::to_string(offset.number) : "");
+}
+
+std::string condition_of(const WorkOffset& offset) {
+  std::string name = "g" + g_word(offset.code).substr(1);
+  if (offset.number > 0) name += "-p" + std::to_string(offset.number);
+  return name;
+}
+
+std::optional<WorkOffset> work_offset_named(std::string_view text) {
+  std::string plain;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (!std::isspace(byte)) plain += static_cast<char>(std::toupper(byte));
+  }
+  for (const Named& one : kPlain)
+    if (plain == one.word) return WorkOffset{one.code, 0};
+  for (const Named& one : kNumbered) {
+    if (!plain.starts_with(one.word)) continue;
+    WorkOffset offset{one.code, 0};
+    const char* const end = plain.data() + plain.size();
+    const auto [stopped, error] = std::from_chars(plain.data() + one.word.size(), end, offset.number);
+    if (error == std::errc{} && stopped == end && offset.number > 0) return offset;
+  }
+  return std::nullopt;
+}
+
+}  // namespace clearcut::inline model

@@ -1,0 +1,27 @@
+// Which of a control's work offsets the zero of a program is at.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace clearcut::inline model {
+
+struct WorkOffset {
+  int code = 540;  ///< G word in tenths
+  int number = 0;  ///< P word, from 1; 0: the word has none
+  friend bool operator==(const WorkOffset&, const WorkOffset&) = default;
+};
+
+/// As programs say it: "G55", "G59.1", "G54.1 P12".
+std::string words_of(const WorkOffset& offset);
+/// Of the condition that it lies where the work's zero is: "g55", "g59.1", "g54.1-p12".
+std::string condition_of(const WorkOffset& offset);
+
+/// G54 to G59.3, G54.1 P, G59 P and G154 P, in any case, with or without blanks; nothing for other texts.
+std::optional<WorkOffset> work_offset_named(std::string_view text);
+/// For messages: which words those are.
+inline constexpr std::string_view kKnownWorkOffsets =
+    "G54 to G59, G59.1 to G59.3, G54.1 P1 to P300, G154 P1 to P99, G59 P7 to P254";
+
+}  // namespace clearcut::inline model

@@ -1,0 +1,84 @@
+// Where a program's zero is and where it ends: from the command line and jobs to the program and its verdict.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/files/file.h"
+#include "support/command.h"
+
+namespace clearcut {
+namespace {
+
+using test_support::run_clearcut;
+using test_support::ScratchFolder;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+constexpr const char* kPocket =
+    R"({"units": "mm", "depth": 2, "outer": [[0,0],[30,0],[30,20],[0,20]]})";
+
+struct Planned {
+  ScratchFolder folder;
+  std::string program, sheet, out, err;
+  int exit_code = 0;
+};
+
+void plan(Planned& made, const std::string& input, const std::vector<std::string>& more) {
+  std::vector<std::string> arguments{"plan", input, "--strategy", "zigzag", "-o", made.folder.path("a.nc"),
+                                     "--setup-sheet", made.folder.path("sheet.html"), "--explain"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  const auto result = run_clearcut(arguments);
+  made.exit_code = result.exit_code;
+  made.out = result.out;
+  made.err = result.err;
+  if (result.exit_code == 2) return;
+  made.program = read_file(made.folder.path("a.nc"));
+  made.sheet = read_file(made.folder.path("sheet.html"));
+}
+
+TEST(WorkOffsetOption, IsAConditionUntilItIsAccepted) {
+  Planned made;
+  const auto part = made.folder.file("pocket.json", kPocket);
+  const auto plan_at = [&](const char* post, const char* offset, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"--tool", "endmill:6", "--post", post, "--work-offset", offset};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    plan(made, part, arguments);
+  };
+  plan_at("linuxcnc", "g55", {});
+  const int as_g55 = made.exit_code;
+  plan_at("linuxcnc", "g59.3", {});
+  EXPECT_EQ(made.exit_code, as_g55);
+  EXPECT_THAT(made.program, HasSubstr(" G59.3 "));
+  EXPECT_THAT(made.out, HasSubstr("G59.3 has its origin where the work's is"));
+  EXPECT_THAT(made.out, ContainsRegex("work-offset +G59.3 +user +--work-offset"));
+  plan_at("fanuc", "G54.1 P12", {"--accept", "g54.1-p12"});
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("CLEAN"));
+  EXPECT_THAT(made.program, HasSubstr("\nG54.1 P12\n"));
+  EXPECT_THAT(made.sheet, HasSubstr("Zero, G54.1 P12"));
+  plan_at("grbl", "G59.1", {});
+  EXPECT_EQ(made.exit_code, 2);
+  EXPECT_THAT(made.err, HasSubstr("--work-offset: grbl has no G59.1: it has G54 to G59"));
+  plan_at("grbl", "G60", {});
+  EXPECT_EQ(made.exit_code, 2);
+  EXPECT_THAT(made.err, HasSubstr("'G60' is unknown; use one of G54 to G59"));
+}
+
+TEST(WorkOffsetOption, OfAJobIsNoOpenQuestion) {
+  Planned made;
+  made.folder.file("pocket.json", kPocket);
+  const auto job = [&](const std::string& output) {
+    return made.folder.file("job.toml", "[part]\nfile = \"pocket.json\"\n[[tool]]\nnumber = 1\ndiameter = 6\n[output]\n" +
+                                            output);
+  };
+  plan(made, job("post = \"haas\"\nwork_offset = \"G154 P7\"\n"), {});
+  EXPECT_EQ(made.exit_code, 0) << made.err;
+  EXPECT_THAT(made.out, HasSubstr("CLEAN"));
+  EXPECT_THAT(made.program, HasSubstr("\nG154 P7\n"));
+  plan(made, job("work_offset = \"G505\"\n"), {});
+  EXPECT_EQ(made.exit_code, 2);
+  EXPECT_THAT(made.err, HasSubstr("job.toml:7: work_offset 'G505' is unknown; use one of G54 to G59"));
+}
+
+}  // namespace
+}  // namespace clearcut
