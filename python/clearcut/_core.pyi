@@ -107,6 +107,7 @@ class Settings(TypedDict, total=False):
     spindle_wait: float | None
     program_number: int | None
     work_offset: str
+    end_position: str | None
     block_numbers: bool
     optional_stop: bool
     passage: str | None
@@ -323,6 +324,7 @@ class PlanOptions:
     spindle_wait: float | None
     program_number: int | None
     work_offset: str
+    end_position: str | None
     block_numbers: bool
     optional_stop: bool
     passage: str | None

@@ -10,6 +10,11 @@ WorkOffset work_offset_of(const std::string& word) {
                    "'" + word + "' is unknown; use one of " + std::string(kKnownWorkOffsets));
 }
 
+EndPosition end_position_of(const std::string& word) {
+  if (const auto end = end_position_named(word)) return *end;
+  throw InputError("--end-position", "'" + word + "' is unknown; use home, none, or X,Y in mm");
+}
+
 }  // namespace
 
 void add_post_options(OptionsClass& options) {
@@ -45,6 +50,17 @@ void add_post_options(OptionsClass& options) {
       "work_offset", [](const AskedOptions& o) { return words_of(o.post.work_offset); },
       [](AskedOptions& o, const std::string& word) { o.post.work_offset = work_offset_of(word); },
       doc("PostOptions::work_offset"));
+  options.def_property(
+      "end_position",
+      [](const AskedOptions& o) {
+        return o.post.end == EndPosition{} ? std::nullopt : std::optional(name_of(o.post.end));
+      },
+      [](AskedOptions& o, const std::optional<std::string>& word) {
+        o.post.end = word ? end_position_of(*word) : EndPosition{};
+      },
+      "Where the machine goes at the end: \"home\", \"X,Y\" in mm at the safe height, or \"none\"; None: as "
+      "the "
+      "controller is used.");
   add_value(
       options, "block_numbers", doc("PostOptions::block_numbers"),
       [](auto& o) -> auto& { return o.post.block_numbers; });

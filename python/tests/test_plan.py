@@ -138,8 +138,8 @@ class LikeTheCommand(unittest.TestCase):
                  "--post", "fanuc", "--program-number", "77", "--optional-stop", "--coolant", "mist"]
         self.assert_same(EXAMPLES / "bracket.json", words, tools="endmill:6", strategy="contour", style="machinist", work_offset="g56",
                          block_numbers=True, post="fanuc", program_number=77, optional_stop=True, coolant="mist")
-        self.assert_same(EXAMPLES / "bracket.json", ["--tool", "endmill:6", "--post", "haas", "--work-offset", "G154 P7"], tools="endmill:6",
-                         post="haas", work_offset="g154p7")
+        self.assert_same(EXAMPLES / "bracket.json", ["--tool", "endmill:6", "--post", "haas", "--work-offset", "G154 P7", "--end-position", "0,50"], tools="endmill:6",
+                         post="haas", work_offset="g154p7", end_position="0,50")
 
     def test_published_methods(self):
         words = ["--tool", "endmill:10", "--strategy", "tour", "--grid", "published", "--solver", "published", "--generations", "20",

@@ -26,6 +26,7 @@ PostOptions post_of(const read::JobOutput& output) {
   post.dialect = output.post.value_or("linuxcnc");
   post.inch = output.inch.value_or(false);
   post.work_offset = output.work_offset.value_or(WorkOffset{});
+  post.end = output.end_position.value_or(EndPosition{});
   post.decimals = output.decimals;
   post.arcs = output.arcs.value_or(true);
   post.tool_changer = output.tool_change.value_or(true);

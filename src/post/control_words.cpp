@@ -40,4 +40,10 @@ std::string work_offsets_of(const IsoDialect& dialect) {
   return text;
 }
 
+std::vector<std::string> home_blocks(const IsoDialect& dialect) {
+  const std::string zero = dialect.always_point ? "0." : "0";
+  if (dialect.home == HomeForm::kMachineZero) return {"G53 G0 Z" + zero, "G53 G0 X" + zero + " Y" + zero};
+  return {"G91 G28 Z" + zero, "G28 X" + zero + " Y" + zero, "G90"};
+}
+
 }  // namespace clearcut::post

@@ -1,4 +1,4 @@
-// Words that set up the control and move nothing.
+// Words that set up the control, and those for its places.
 #pragma once
 
 #include <string>
@@ -17,5 +17,8 @@ std::vector<std::string_view> coolant_words(Coolant held, Coolant wanted, const 
 bool has_work_offset(const IsoDialect& dialect, const WorkOffset& offset);
 /// For messages: "G54 to G59, G54.1 P1 to P300"; "" where its programs have none.
 std::string work_offsets_of(const IsoDialect& dialect);
+
+/// To the home of all axes, Z first; G28 goes from where the tool is, without a way.
+std::vector<std::string> home_blocks(const IsoDialect& dialect);
 
 }  // namespace clearcut::post

@@ -21,8 +21,10 @@ enum class LengthOffset {
   kNumbered,     ///< G43 H2
   kWithApproach  ///< G43 H2 Z25. as the first move down
 };
+/// Where Z goes for tool changes and at the end.
 enum class HomeForm {
-  kSafeHeight,   ///< no machine place is used
+  kSafeHeight,   ///< no machine place is used; home is what G28 stores
+  kSwitches,     ///< likewise, and G28 drives to the end switches
   kMachineZero,  ///< G53 G0 Z0.
   kReference     ///< G91 G28 Z0. and G90
 };

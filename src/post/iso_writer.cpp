@@ -218,7 +218,14 @@ void IsoWriter::end_program() {
   if (held_.height) retract();
   set_coolant(Coolant::kOff);
   set_spindle({});
-  home();
+  // The last retract has left the tool at the safe height.
+  const EndPosition& end = options_.end;
+  if (end.kind == EndPosition::Kind::kPlace && held_.height) rapid_to_plan(rules_.grid.ticks(end.place, 0));
+  if (end.kind == EndPosition::Kind::kHome) {
+    for (const std::string& block : home_blocks(dialect_)) out_.line(block);
+  } else if (end.kind != EndPosition::Kind::kStay) {
+    home();
+  }
   if (dialect_.end.empty()) {
     out_.comment(kEndComment);
   } else {
@@ -258,7 +265,7 @@ void IsoWriter::load_by_hand(int number) {
 }
 
 void IsoWriter::home() {
-  if (dialect_.home == HomeForm::kSafeHeight) return;
+  if (dialect_.home == HomeForm::kSafeHeight || dialect_.home == HomeForm::kSwitches) return;
   if (dialect_.home == HomeForm::kMachineZero) {
     out_.line("G53 G0 Z0.");
   } else {

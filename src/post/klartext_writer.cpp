@@ -80,6 +80,7 @@ class KlartextWriter {
   void blank_form(const Toolpath& toolpath);
   void write_section(const Section& section);
   void end_program();
+  void go_to_end();
   void call_tool(const Section& section);
   void set_spindle(int m);
   void set_coolant(Coolant wanted);
@@ -177,8 +178,18 @@ void KlartextWriter::end_program() {
   if (held_.height) retract();
   set_coolant(Coolant::kOff);
   set_spindle(5);
+  go_to_end();
   block("M30");
   block(fmt::format("END PGM {} {}", name_, unit()));
+}
+
+/// From the safe height, where the last retract has left the tool; Z first.
+void KlartextWriter::go_to_end() {
+  const EndPosition& end = options_.end;
+  if (end.kind == EndPosition::Kind::kPlace && held_.height) rapid_to_plan(rules_.grid.ticks(end.place, 0));
+  if (end.kind != EndPosition::Kind::kHome) return;
+  block("L Z+0 R0 FMAX M91");
+  block("L X+0 Y+0 R0 FMAX M91");
 }
 
 /// A call without a number changes the speed alone. The length comes from the control's own table.

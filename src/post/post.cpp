@@ -72,6 +72,15 @@ void refuse_missing_words(const PostOptions& options, const IsoDialect* dialect)
   const auto refuse = [&](const char* option, const std::string& what) {
     throw InputError(option, options.dialect + " has no " + what + "; leave it out");
   };
+  if (options.end.kind == EndPosition::Kind::kHome && dialect && dialect->home == HomeForm::kSwitches)
+    throw InputError("--end-position",
+                     options.dialect +
+                         " has no home to go to: its G28 drives to the end switches, wherever "
+                         "they are; give X,Y or none");
+  for (const double value : {options.end.place.x, options.end.place.y}) {
+    if (!(std::abs(value) <= PrintGrid::kLargest))
+      throw InputError("--end-position", "lies where no machine reaches; give X,Y in mm");
+  }
   if (options.optional_stop && !(dialect && dialect->optional_stop))
     refuse("--optional-stop", "M1 that stops only where the operator wants it");
   const int digits = dialect ? dialect->program_digits : 0;

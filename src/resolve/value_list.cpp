@@ -233,6 +233,9 @@ void list_post(PlanList& list, const PostOptions& post) {
   list.add("post", post.dialect, "", false, "linuxcnc");
   list.add("inch", text_of(post.inch), "", post.inch, "no");
   list.add("work-offset", words_of(post.work_offset), "", post.work_offset != WorkOffset{}, "G54");
+  const bool usual_end = post.end == EndPosition{};
+  list.add("end-position", usual_end ? "usual" : name_of(post.end), "", !usual_end,
+           "Z home on Fanuc and Haas, else the safe height");
   list.add("decimals", post.decimals ? std::to_string(*post.decimals) : "the controller's", "",
            post.decimals.has_value(), "what the controller resolves");
   list.add("arcs", text_of(post.arcs), "", !post.arcs, "yes");

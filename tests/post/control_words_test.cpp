@@ -225,5 +225,85 @@ TEST(WorkOffsets, AreNamedInAnyCaseWithOrWithoutBlanks) {
     EXPECT_FALSE(work_offset_named(wrong)) << wrong;
 }
 
+// --------------------------------------------------------------------------------------- end position
+
+std::string program_to(const EndPosition& end, const std::string& dialect) {
+  PostOptions options = options_for(dialect, false);
+  options.end = end;
+  return post::write_program(cuts({kOff, kOff}), Part{}, options);
+}
+
+const std::vector<std::string> kPlaceBlocks{
+    "G91 G28 Z0", "G28 X0 Y0",      "G91 G28 Z0.", "G28 X0. Y0.",       "G90",
+    "G53 G0 Z0.", "G53 G0 X0. Y0.", "M5",          "L Z+0 R0 FMAX M91", "L X+0 Y+0 R0 FMAX M91"};
+
+/// What comes after the spindle has stopped for good, of those words.
+std::string after_the_last_stop(const std::string& program) {
+  const std::string found = blocks_among(program, kPlaceBlocks);
+  return found.substr(found.rfind("M5") + 2);
+}
+
+TEST(EndPositions, HomeIsZFirstInTheWordsOfTheControl) {
+  const std::string stored = " G91 G28 Z0 G28 X0 Y0 G90";
+  const std::map<std::string, std::pair<std::string, std::string>> wanted{
+      {"linuxcnc", {stored, "g28-home"}},
+      {"grbl", {stored, "g28-home"}},
+      {"fanuc", {" G91 G28 Z0. G28 X0. Y0. G90", ""}},
+      {"haas", {" G53 G0 Z0. G53 G0 X0. Y0.", ""}},
+      {"mach3", {stored, "g28-home"}},
+      {"mach4", {stored, "g28-home"}},
+      {"heidenhain", {" L Z+0 R0 FMAX M91 L X+0 Y+0 R0 FMAX M91", "m91"}}};
+  for (const auto& [dialect, words] : wanted) {
+    SCOPED_TRACE(dialect);
+    const std::string text = program_to(*end_position_named("home"), dialect);
+    EXPECT_EQ(after_the_last_stop(text), words.first);
+    EXPECT_EQ(conditions_of(text, dialect), words.second);
+    EXPECT_TRUE(dialect != "grbl" || test_support::grbl_faults(text).empty());
+  }
+  EXPECT_THROW(program_to(*end_position_named("home"), "marlin"), InputError);
+}
+
+TEST(EndPositions, APlaceIsReachedAtTheSafeHeight) {
+  for (const std::string& dialect : post::post_dialects()) {
+    SCOPED_TRACE(dialect);
+    const std::string text = program_to(*end_position_named("-20,30.5"), dialect);
+    EXPECT_EQ(conditions_of(text, dialect), "");
+    double highest = 0;
+    const Move* last = nullptr;
+    const auto sections = sections_of(text, dialect);
+    for (const Section& section : sections) {
+      for (const Move& move : section.moves) {
+        if (!is_rapid(move.kind)) highest = std::max({highest, move.z_from, move.z_to});
+        if (!move.is_vertical()) last = &move;
+      }
+    }
+    ASSERT_NE(last, nullptr);
+    EXPECT_TRUE(is_rapid(last->kind));
+    EXPECT_EQ(last->path.to, (Vec2{-20, 30.5}));
+    EXPECT_EQ(last->z_from, last->z_to);
+    EXPECT_GE(last->z_to, highest);
+    EXPECT_EQ(after_the_last_stop(text), after_the_last_stop(program_to({}, dialect)));
+  }
+}
+
+TEST(EndPositions, NoneStaysOverTheLastCut) {
+  for (const std::string& dialect : post::post_dialects()) {
+    SCOPED_TRACE(dialect);
+    const std::string text = program_to(*end_position_named("none"), dialect);
+    EXPECT_EQ(after_the_last_stop(text), "");
+    const Move last = sections_of(text, dialect).back().moves.back();
+    EXPECT_EQ(last.path.to, (Vec2{15, 0}));
+    EXPECT_GE(last.z_to, 5);
+  }
+}
+
+TEST(EndPositions, ThatAreNoneAreRefused) {
+  for (const char* wrong : {"", "there", "1", "1,", "1,2,3", "nan,0"})
+    EXPECT_FALSE(end_position_named(wrong)) << wrong;
+  EXPECT_EQ(name_of(*end_position_named("10,-20.5")), "10,-20.5");
+  for (const std::string& dialect : post::post_dialects())
+    EXPECT_THROW(program_to(*end_position_named("1e9,0"), dialect), InputError) << dialect;
+}
+
 }  // namespace
 }  // namespace clearcut

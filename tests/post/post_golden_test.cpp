@@ -34,7 +34,13 @@ std::vector<Case> cases() {
   by_hand.tool_changer = false;
   by_hand.exact_stop = true;
   by_hand.spindle_wait = Seconds::of(4);
-  return {{"two-tools", post::post_dialects(), {}},
+  PostOptions home;
+  home.end = *end_position_named("home");
+  PostOptions place;
+  place.end = *end_position_named("0,40");
+  return {{"end-home", {"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4"}, home},
+          {"end-place", post::post_dialects(), place},
+          {"two-tools", post::post_dialects(), {}},
           {"circles", post::post_dialects(), {}},
           {"lines-only", {"grbl", "marlin"}, lines},
           {"by-hand", {"linuxcnc", "mach4", "fanuc"}, by_hand}};
@@ -112,7 +118,7 @@ TEST(Golden, EveryDialectWritesItsProgram) {
       checked += 2;
     }
   }
-  EXPECT_EQ(checked, 42);
+  EXPECT_EQ(checked, 72);
 }
 
 TEST(Golden, NoFileIsForgotten) {

@@ -25,6 +25,12 @@ void PostArguments::add_options(CLI::App& command) {
           "Where the part's zero is: G54 (default) to G59, or as the controller has them G59.1 to G59.3, "
           "\"G54.1 P1\" to P300, \"G154 P1\" to P99")
       ->check(for_example({"G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"}));
+  command
+      .add_option(
+          "--end-position", end_position_,
+          "Where the machine goes at the end: home, X,Y at the safe height, or none (default: Z to its home "
+          "for Fanuc and Haas, else the safe height)")
+      ->check(for_example({"home", "none"}));
   command.add_option("--program-number", program_number_, "O word of Fanuc and Haas programs")
       ->check(CLI::Range(1, 99999));
   command.add_flag("--block-numbers", block_numbers_, "N words");
@@ -43,6 +49,11 @@ WorkOffset work_offset_of(const std::string& text) {
                    "'" + text + "' is unknown; use one of " + std::string(kKnownWorkOffsets));
 }
 
+EndPosition end_position_of(const std::string& text) {
+  if (const auto end = end_position_named(text)) return *end;
+  throw InputError("--end-position", "'" + text + "' is unknown; use home, none, or X,Y in mm");
+}
+
 }  // namespace
 
 PostOptions PostArguments::options(PostOptions post) const {
@@ -53,6 +64,7 @@ PostOptions PostArguments::options(PostOptions post) const {
   post.tool_changer = post.tool_changer && !no_tool_change_;
   post.length_offset = post.length_offset && !no_length_offset_;
   if (work_offset_) post.work_offset = work_offset_of(*work_offset_);
+  if (end_position_) post.end = end_position_of(*end_position_);
   if (program_number_) post.program_number = program_number_;
   post.block_numbers = post.block_numbers || block_numbers_;
   post.optional_stop = post.optional_stop || optional_stop_;

@@ -20,7 +20,7 @@ class PostArguments {
   bool inch_ = false;
   std::optional<int> decimals_;
   bool no_arcs_ = false, no_tool_change_ = false, no_length_offset_ = false, exact_stop_ = false;
-  std::optional<std::string> work_offset_;
+  std::optional<std::string> work_offset_, end_position_;
   std::optional<int> program_number_;
   bool block_numbers_ = false, optional_stop_ = false;
   std::optional<double> spindle_wait_;

@@ -5,7 +5,7 @@ const flagKeys = { '--rest': ['plan', 'rest', 'true'], '--inch': ['output', 'inc
   '--no-tool-change': ['output', 'tool_change', 'false'], '--no-length-offset': ['output', 'length_offset', 'false'] };
 /** @type {Record<Exclude<JobTable, 'library'>, string[]>} */
 const keysOf = { part: ['unit', 'depth', 'top', 'join-gap', 'open-curves', 'strokes', 'text', 'up', 'turn', 'body', 'breakthrough'], machine: ['rapid', 'acceleration', 'junction-deviation'],
-  output: ['post', 'decimals', 'spindle-wait', 'work-offset'],
+  output: ['post', 'decimals', 'spindle-wait', 'work-offset', 'end-position'],
   plan: ['strategy', 'stepover', 'stepdown', 'allowance', 'allowance-floor', 'scallop', 'lead', 'lead-angle', 'entry', 'entry-angle', 'direction', 'feed', 'plunge-feed', 'ramp-feed', 'slot-feed', 'spindle', 'coolant',
     'passage', 'grid', 'solver', 'clearance', 'engagement', 'objective', 'time', 'seed', 'helix-diameter', 'helix-min', 'lead-feed', 'lead-overlap', 'overrun', 'link-feed', 'link-lift', 'slot-angle', 'after',
     'finish', 'finish-stock', 'finish-stock-floor', 'finish-depths', 'material'] };

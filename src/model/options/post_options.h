@@ -7,6 +7,7 @@
 
 #include "base/tolerances.h"
 #include "base/units.h"
+#include "model/options/end_position.h"
 #include "model/options/work_offset.h"
 
 namespace clearcut::inline model {
@@ -25,6 +26,7 @@ struct PostOptions {
   std::optional<int> program_number;  ///< of the O word, before any in program_name
   int programs_before = 0;            ///< of the same job, by which the O word counts on
   WorkOffset work_offset;             ///< where the part's zero is
+  EndPosition end;
   bool block_numbers = false;           ///< N words, in tens
   bool optional_stop = false;           ///< M1 before every tool but the first
   std::optional<Seconds> spindle_wait;  ///< after the spindle starts; default per dialect

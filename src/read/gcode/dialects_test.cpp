@@ -46,6 +46,9 @@ TEST(GcodeConditions, HomeIsNoneWhereItIsTheTopOfTheTravel) {
   EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G91 G28 Z0.\nG90\nM30"), "");
   EXPECT_EQ(conditions_as(Dialect::kHaas, start + "G53 G0 Z0.\nM30"), "");
   EXPECT_EQ(conditions_as(Dialect::kHaas, start + "G53 G0 Z-9.\nM30"), "g53@3");
+  EXPECT_EQ(conditions_as(Dialect::kHaas, start + "G53 G0 Z0.\nG53 G0 X0. Y0.\nM30"), "");
+  EXPECT_EQ(conditions_as(Dialect::kHaas, start + "G53 G0 X0. Y0.\nM30"), "g53@3");
+  EXPECT_EQ(conditions_as(Dialect::kHaas, start + "G53 G0 Z0.\nG53 G0 X0. Y0.\nG90 G0 Z1.\nM30"), "g53@5");
   EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G91 G28 X0. Y0. Z0.\nM30"), "g28-home@3");
   EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G91 G28 Z0.\nG28 X0. Y0.\nM30"), "");
   EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G91 G28 Z0.\nG28 X0. Y0.\nG90 G0 Z1.\nM30"),

@@ -141,6 +141,19 @@ std::optional<WorkOffset> work_offset_of(DataSection& section) {
   return offset;
 }
 
+/// "home", "none", [x, y] or "x,y".
+std::optional<EndPosition> end_position_of(DataSection& section) {
+  const std::string key = "end_position";
+  if (section.is_list(key)) {
+    const auto place = *section.pair(key);
+    return EndPosition{EndPosition::Kind::kPlace, {place[0], place[1]}};
+  }
+  const auto text = section.text(key);
+  const auto end = text ? end_position_named(*text) : std::nullopt;
+  if (text && !end) section.fail_at(key, "must be \"home\", \"none\" or [x, y]");
+  return end;
+}
+
 void read_part_section(DataSection section, JobFile& job) {
   const auto file = section.text("file");
   if (!file || file->empty()) section.fail("file is missing; add file = \"part.dxf\"");
@@ -241,6 +254,7 @@ JobOutput output_of(DataSection section) {
   out.post = section.text("post");
   out.inch = section.flag("inch");
   out.work_offset = work_offset_of(section);
+  out.end_position = end_position_of(section);
   if (const auto decimals = section.positive("decimals")) out.decimals = decimals_of(section, *decimals);
   out.arcs = section.flag("arcs");
   out.tool_change = section.flag("tool_change");

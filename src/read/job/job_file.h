@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/machine.h"
+#include "model/options/end_position.h"
 #include "model/options/origin.h"
 #include "model/options/published_solver.h"
 #include "model/options/resolved_plan.h"
@@ -58,6 +59,7 @@ struct JobOutput {
   std::optional<std::string> program, post, certificate, svg, report, setup_sheet, result;
   std::optional<bool> inch;
   std::optional<WorkOffset> work_offset;
+  std::optional<EndPosition> end_position;
   // Switches of the post.
   std::optional<int> decimals;
   std::optional<bool> arcs, tool_change, length_offset, exact_stop;

@@ -195,6 +195,7 @@ const char* const kRest = R"(
 # program = "out.ngc"
 # post = "linuxcnc"        # grbl, fanuc, haas, heidenhain, mach3, mach4, marlin
 # work_offset = "G54"      # to G59, and what the controller has besides: "G59.1", "G54.1 P12", "G154 P7"
+# end_position = "home"    # or [x, y] at the safe height, or "none"; absent: as the controller is used
 # inch = false
 # decimals = 4             # of coordinates; default: what the controller resolves
 # arcs = true              # false: lines only

@@ -117,8 +117,7 @@ void PlaceWords::machine_frame(const Block& block) {
   if (!block.has_axis()) return;
   control_.moved = true;
   if (!control_.options.places) {
-    const bool top = control_.rules.home_is_top && block.has('Z') && block.value('Z') == 0 &&
-                     !block.has('X') && !block.has('Y');
+    const bool top = control_.rules.home_is_top && (!block.has('Z') || block.value('Z') == 0);
     return go_to_unknown(block, "g53", false, top);
   }
   Target to;
