@@ -150,5 +150,20 @@ TEST(EndPositionOption, OfAJob) {
   EXPECT_THAT(made.err, HasSubstr("job.toml:8: end_position must be \"home\", \"none\" or [x, y]"));
 }
 
+TEST(EndPositionOption, OfOneSetUpOfSeveral) {
+  const ScratchFolder folder;
+  folder.file("one.json", kPocket);
+  folder.file("two.json", R"({"units": "mm", "depth": 4, "outer": [[0,0],[30,0],[30,20],[0,20]]})");
+  const auto job = folder.file(
+      "job.toml",
+      "[stock]\nx = [-5, 35]\ny = [-5, 25]\nz = [-9, 0]\n[plan]\nstrategy = \"zigzag\"\n"
+      "[[tool]]\nnumber = 1\ndiameter = 6\n[output]\npost = \"haas\"\n"
+      "[[setup]]\nfile = \"one.json\"\n[[setup]]\nfile = \"two.json\"\nend_position = \"home\"\n");
+  const auto result = run_clearcut({"plan", job, "-o", folder.path("a.nc"), "--quiet"});
+  EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
+  EXPECT_THAT(read_file(folder.path("a-1.nc")), Not(HasSubstr("G53 G0 X0. Y0.")));
+  EXPECT_THAT(read_file(folder.path("a-2.nc")), HasSubstr("G53 G0 Z0.\nG53 G0 X0. Y0.\nM30"));
+}
+
 }  // namespace
 }  // namespace clearcut

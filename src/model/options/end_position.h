@@ -17,7 +17,7 @@ struct EndPosition {
     kStay    ///< the safe height over the last cut
   };
   Kind kind = Kind::kUsual;
-  Vec2 place{};  ///< kPlace: mm, in coordinates of the part
+  Vec2 place{};  ///< kPlace: mm, from the program's zero
   friend bool operator==(const EndPosition&, const EndPosition&) = default;
 };
 

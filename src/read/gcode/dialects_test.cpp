@@ -63,6 +63,7 @@ TEST(GcodeConditions, OffsetsThatAreCalledByANumber) {
   EXPECT_EQ(conditions_as(Dialect::kMach3, "G91.1\n" + start + "G59 P2\nG59 P20\nG59\nM30"),
             "g55@3 g59-p20@4 g59@5");
   EXPECT_EQ(conditions_as(Dialect::kLinuxCnc, start + "G59.1\nM2"), "g59.1@2");
+  EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G54 P12\nG54 G4 P500\nM30"), "g54.1-p12@2");
   EXPECT_THAT(refusal(Dialect::kFanuc, start + "G54.1 P301\nM30"),
               HasSubstr("G54.1 P301: the control has P1 to P300"));
   EXPECT_THAT(refusal(Dialect::kHaas, start + "G154 P1.5\nM30"),

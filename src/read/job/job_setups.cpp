@@ -19,7 +19,7 @@ constexpr double kSameSize = 0.01;
 const std::vector<std::string> kOfPart{"file",  "unit",     "depth",        "top",       "layers",
                                        "scale", "join_gap", "open_curves",  "find_arcs", "up",
                                        "turn",  "body",     "breakthrough", "origin"};
-const std::vector<std::string> kOfOutput{"work_offset"};
+const std::vector<std::string> kOfOutput{"work_offset", "end_position"};
 /// Tables whose keys go before the common ones.
 const std::vector<std::string> kTables{"stock", "plan"};
 const std::vector<std::string> kLists{"operation", "keep_out", "predrilled"};

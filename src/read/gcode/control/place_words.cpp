@@ -189,16 +189,19 @@ void PlaceWords::clear_shift(int code) {
   control_.frame.clear_local(code == 922);
 }
 
-/// Offsets that are called by a number: G54.1 P, Haas's G154 P and its short words G110 to G129, Mach3's G59 P.
+/// Offsets that are called by a number: G54.1 P or G54 P on Fanuc, Haas's G154 P and its short words G110 to G129, Mach3's
+/// G59 P.
 bool PlaceWords::uses_numbered_system(int code, const Block& block) const {
-  const bool waits = has_g(block, 40) || has_g(block, 640);
-  return code == 541 || code >= 1100 ||
-         (code == 590 && control_.rules.dialect == Dialect::kMach3 && block.has('P') && !waits);
+  if (code == 541 || code >= 1100) return true;
+  const bool takes_number = (code == 540 && control_.rules.dialect == Dialect::kFanuc) ||
+                            (code == 590 && control_.rules.dialect == Dialect::kMach3);
+  const bool is_of_another = has_g(block, 40) || has_g(block, 100) || has_g(block, 640);
+  return takes_number && block.has('P') && !is_of_another;
 }
 
 void PlaceWords::use_numbered_system(int code, const Block& block) {
   const bool is_short = code >= 1100 && code <= 1290;
-  const std::string word = g_word(is_short ? 1540 : code);
+  const std::string word = g_word(is_short ? 1540 : code == 540 ? 541 : code);
   if (!is_short && !block.has('P'))
     control_.refuse(word + " without its P word; give the number of the work offset");
   const double number = is_short ? (code - 1100) / 10 + 1 : block.value('P');
