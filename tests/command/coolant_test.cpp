@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "base/files/file.h"
 #include "support/command.h"
 
@@ -92,6 +94,32 @@ TEST(Coolant, OfAToolAndOfAJob) {
   plan(made, made.folder.file("job.toml", job_with("coolant = \"foam\"\n", "")), {});
   EXPECT_EQ(made.exit_code, 2);
   EXPECT_THAT(made.err, HasSubstr("'foam' is unknown; use one of off, flood, mist, both"));
+}
+
+/// What [plan] says holds for every tool; where it says nothing each tool has its own.
+TEST(Coolant, OfTheSecondToolOfAJob) {
+  Planned made;
+  made.folder.file("pocket.json", kPocket);
+  const auto words = [&](const std::string& of_plan, const std::string& first, const std::string& second) {
+    const auto job =
+        made.folder.file("job.toml", "[part]\nfile = \"pocket.json\"\n[plan]\nrest = true\n" + of_plan +
+                                         "[[tool]]\nnumber = 1\ndiameter = 8\nfeed = 900\n" + first +
+                                         "[[tool]]\nnumber = 2\ndiameter = 3\nfeed = 400\n" + second);
+    plan(made, job, {});
+    std::string found;
+    std::istringstream lines(made.program);
+    for (std::string line; std::getline(lines, line);)
+      if (line == "T1 M6" || line == "T2 M6" || line == "M7" || line == "M8" || line == "M9")
+        found += line + " ";
+    return found;
+  };
+  EXPECT_EQ(words("", "coolant = \"flood\"\n", "coolant = \"mist\"\n"), "T1 M6 M8 M9 T2 M6 M7 M9 ")
+      << made.err;
+  EXPECT_EQ(words("", "coolant = \"flood\"\n", ""), "T1 M6 M8 M9 T2 M6 ");
+  EXPECT_EQ(words("coolant = \"flood\"\n", "coolant = \"flood\"\n", ""), "T1 M6 M8 M9 T2 M6 M8 M9 ");
+  EXPECT_EQ(words("coolant = \"mist\"\nfeed = 500\n", "", "coolant = \"flood\"\n"),
+            "T1 M6 M7 M9 T2 M6 M7 M9 ");
+  EXPECT_THAT(made.out, ContainsRegex("pocket_rest_T2 +feed +500 "));
 }
 
 /// A library that says nothing of coolant leaves what the part's file says.
