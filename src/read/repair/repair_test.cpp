@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <ctime>
 #include <limits>
 
 #include "base/error.h"
@@ -236,6 +238,38 @@ TEST(Repair, AnIslandThroughAWallIsCutBack) {
   const Repaired result = repaired({square(0, 0, 50), closed({{20, 20}, {30, 20}, {30, 50.3}, {20, 50.3}})});
   EXPECT_NEAR(area(result.regions), 2500 - 300, 1e-3);
   EXPECT_EQ(result.count(Severity::kRepair, "through the wall"), 1);
+}
+
+/// mm2 of discs in a row, each less what the next leaves of it: summed over lines along the row.
+double one_in_the_other(const std::vector<Vec2>& centers, double radius) {
+  constexpr int kLines = 200'000;
+  const double apart = 2 * radius / kLines;
+  double sum = 0;
+  for (int line = 0; line < kLines; ++line) {
+    const double y = -radius + (line + 0.5) * apart, half = std::sqrt(radius * radius - y * y);
+    double sign = 1;
+    for (const Vec2 center : centers) {
+      const double within = 2 * half - (center.x - centers.front().x);
+      sum += sign * std::max(0.0, within) * apart;
+      sign = -sign;
+    }
+  }
+  return sum;
+}
+
+TEST(Repair, OutlinesThroughOneAnothersWallsAreCutOutInGoodTime) {
+  constexpr double kRadius = 10'000;
+  std::vector<Vec2> centers;
+  std::vector<RawCurve> discs;
+  for (int i = 0; i < 6; ++i) {
+    centers.push_back({200.0 * i, 0});
+    discs.push_back(circle(centers.back(), kRadius));
+  }
+  const std::clock_t start = std::clock();
+  const Repaired result = repaired(discs);
+  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 2) << "seconds";
+  EXPECT_EQ(result.count(Severity::kRepair, "through the wall"), 15) << "of every later one";
+  EXPECT_NEAR(area(result.regions), one_in_the_other(centers, kRadius), 1);
 }
 
 TEST(Repair, AnIslandThatTouchesTheWallStaysExact) {

@@ -275,8 +275,41 @@ class PairResolver {
     return loops;
   }
 
-  /// The same for any nesting: each group cut back to its walls, then all under the even-odd rule.
+  /// The largest outline of a group; of equal ones the first, which settle() takes for the wall.
+  int largest_of(const Group& group) const {
+    return *std::max_element(group.members.begin(), group.members.end(),
+                             [&](int a, int b) { return is_smaller(a, b); });
+  }
+  bool is_smaller(int a, int b) const {
+    return area_of(a) < area_of(b) || (area_of(a) == area_of(b) && a > b);
+  }
+
+  /// The same for any nesting, innermost first. What goes through a wall is taken out of it whole: cut back to it first, it would
+  /// share the wall with it, and the library joins shared edges in a time that grows with their square.
   std::vector<Loop> folded(const std::map<int, Group>& groups) const {
+    std::vector<int> order;
+    for (const auto& [first, group] : groups) order.push_back(first);
+    const auto smaller = [&](int a, int b) {
+      return is_smaller(largest_of(groups.at(a)), largest_of(groups.at(b)));
+    };
+    std::sort(order.begin(), order.end(), smaller);
+    std::map<int, std::vector<Loop>> inside;  // of a group: outlines less what goes through their walls
+    std::vector<Loop> loops;
+    for (const int first : order) {
+      const Group& group = groups.at(first);
+      const auto wall = std::min_element(group.walls.begin(), group.walls.end(), smaller);
+      if (wall != group.walls.end() && !smaller(first, *wall)) return cut_back(groups);
+      Regions own = united(group);
+      if (const auto found = inside.find(first); found != inside.end())
+        own = subtract(own, resolve_even_odd(found->second, options_.tol), options_.tol);
+      std::vector<Loop>& into = wall == group.walls.end() ? loops : inside[*wall];
+      for (Loop& loop : loops_of(own)) into.push_back(std::move(loop));
+    }
+    return loops;
+  }
+
+  /// For groups that are not nested by size: each cut back to its walls, then all under the even-odd rule.
+  std::vector<Loop> cut_back(const std::map<int, Group>& groups) const {
     std::vector<Loop> tangled;
     for (const auto& [first, group] : groups) {
       Regions own = united(group);
