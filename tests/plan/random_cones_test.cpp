@@ -103,7 +103,8 @@ TEST_P(RandomCarvings, AreAsDeepAsTheDistanceToTheirOutlineAsks) {
       const double floor = seed % 3 == 0 ? -HUGE_VAL : -limit;
       const double asked = std::max(floor, -away / cone.slope);
       const double left = std::min(height_left(p, ways, 1, cone), height_left(p, ways, 2, kMillForFloors));
-      EXPECT_GE(left, asked - kAside / cone.slope - kLastDigit) << "seed " << seed << " at " << p.x << " " << p.y;
+      EXPECT_GE(left, asked - kAside / cone.slope - kLastDigit)
+          << "seed " << seed << " at " << p.x << " " << p.y;
       // A floor that a cone has cleared has cusps, which the certificate's figures hold.
       if (away > 0 && asked > floor + 0.1) {
         EXPECT_LE(left, asked + 0.01) << "seed " << seed << " at " << p.x << " " << p.y;
@@ -129,9 +130,10 @@ TEST_P(RandomChamfers, NeitherGougeNorLeaveTheirEdge) {
     const double depth = 0.2 + 0.6 * share(random), angle = seed % 2 == 0 ? 90 : 60;
     const Cone cone{seed % 3 == 0 ? 0.2 : 0, std::tan(angle / 360 * kPi)};
     const Corners corners = star(random, 3 + seed % 11, 9, 20, seed % 4 == 0);
-    const std::string tool = "chamfer:" + std::to_string(static_cast<int>(angle)) +
-                             "deg:8" + (cone.tip_radius > 0 ? ":tip=0.4" : "");
-    const Part part = drawn(outline("POCKET_D4", corners) + outline("CHAMFER_D" + std::to_string(depth), corners));
+    const std::string tool = "chamfer:" + std::to_string(static_cast<int>(angle)) + "deg:8" +
+                             (cone.tip_radius > 0 ? ":tip=0.4" : "");
+    const Part part =
+        drawn(outline("POCKET_D4", corners) + outline("CHAMFER_D" + std::to_string(depth), corners));
     resolve::PlanOptions options = with({"endmill:3", tool});
     options.accept = {"out-of-reach"};
     options.strategy = "contour";
@@ -149,14 +151,15 @@ TEST_P(RandomChamfers, NeitherGougeNorLeaveTheirEdge) {
     std::vector<Sample> samples;
     for (const Side& side : sides) test_support::add_samples(side, 1.5, samples);
     for (const Sample& sample : samples) {
-      const bool reached =
-          -test_support::signed_distance(sample.at - sample.outwards * (kMill - 0.001), sides) > kMill - 0.002;
+      const bool reached = -test_support::signed_distance(sample.at - sample.outwards * (kMill - 0.001),
+                                                          sides) > kMill - 0.002;
       for (const double part_of_width : {0.0, 0.3, 0.6, 0.95, 1.1}) {
         const Vec2 p = sample.at + sample.outwards * (part_of_width * depth * cone.slope + 1e-6);
         const double away = test_support::signed_distance(p, sides);
         if (away <= 0) continue;  // the part is thinner than that
         const double asked = std::min(0.0, -depth + away / cone.slope), left = height_left(p, ways, 2, cone);
-        EXPECT_GE(left, asked - kAside / cone.slope - kLastDigit) << "seed " << seed << " at " << p.x << " " << p.y;
+        EXPECT_GE(left, asked - kAside / cone.slope - kLastDigit)
+            << "seed " << seed << " at " << p.x << " " << p.y;
         if (reached && clean) {
           EXPECT_LE(left, asked + 0.01) << "seed " << seed << " at " << p.x << " " << p.y;
         }
