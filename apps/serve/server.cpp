@@ -17,27 +17,8 @@ using httplib::Request;
 using httplib::Response;
 using Answered = httplib::Server::HandlerResponse;
 
-constexpr std::size_t kThreads = 160;  // more than those who follow plans and those who wait for a check
-constexpr int kWaiting = 128;          // connections that are not accepted yet
+constexpr int kWaiting = 128;  // connections that are not accepted yet
 constexpr std::size_t kMostHeaders = 100;
-constexpr time_t kLongestSilence = 10;  // s of a connection in the middle of a request
-
-/// A thread that runs out of memory over a request drops that connection alone.
-class Threads : public httplib::TaskQueue {
- public:
-  void enqueue(std::function<void()> action) override {
-    pool_.enqueue([action = std::move(action)] {
-      try {
-        action();
-      } catch (const std::exception&) {  // nobody is left to be told
-      }
-    });
-  }
-  void shutdown() override { pool_.shutdown(); }
-
- private:
-  httplib::ThreadPool pool_{kThreads};
-};
 
 /// "/plan/([0-9a-f]{32})/program-([1-9][0-9]?)"
 std::string pattern_of(const std::string& path) {
@@ -60,7 +41,6 @@ const char* const kPagePolicy =
 }  // namespace
 
 Server::Server(Service& service) : service_(service) {
-  server_.new_task_queue = [] { return new Threads; };
   limit();
   guard();
   add_routes();
@@ -68,10 +48,6 @@ Server::Server(Service& service) : service_(service) {
 
 void Server::limit() {
   server_.set_payload_max_length(service_.settings.upload + (1U << 16));  // headers of the form's fields
-  server_.set_read_timeout(kLongestSilence);
-  server_.set_write_timeout(kLongestSilence);
-  // One request a connection: what is left of one that was refused is never taken for another.
-  server_.set_keep_alive_max_count(1);
   server_.set_default_headers(usual_headers());
 }
 
@@ -152,7 +128,7 @@ void Server::stop() {
   for (int i = 0; i < 1000 && !server_.is_running(); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   service_.works.stop();
-  server_.stop();
+  server_.end();
 }
 
 }  // namespace clearcut::serve

@@ -1,6 +1,7 @@
 // The server itself: listens, lets in who may come in, and hands on to the routes.
 #pragma once
 
+#include "serve/listener.h"
 #include "serve/routes.h"
 
 namespace clearcut::serve {
@@ -21,7 +22,7 @@ class Server {
   void limit();
 
   Service& service_;
-  httplib::Server server_;
+  Listener server_;
 };
 
 }  // namespace clearcut::serve

@@ -59,23 +59,16 @@ void take_back(Operation& operation, const ToolCutting& tool) {
 
 /// What was asked for all operations, on the command line or by [plan] of a job, goes before what a tool states.
 ToolCutting without_what_is_asked(ToolCutting tool, const PlanOptions& options) {
-  const auto drop = [&](auto& value, const char* name) {
-    if (options.sources.find(name)) value.reset();
+  const auto drop = [&](auto& value, const auto& asked, const char* name) {
+    if (asked || options.sources.find(name)) value.reset();
   };
-  if (options.cutting.feed) tool.cutting.feed.reset();
-  if (options.cutting.plunge_feed) tool.cutting.plunge_feed.reset();
-  if (options.cutting.ramp_feed) tool.cutting.ramp_feed.reset();
-  if (options.cutting.slot_feed) tool.cutting.slot_feed.reset();
-  if (options.cutting.spindle_rpm) tool.cutting.spindle_rpm.reset();
-  if (options.cutting.coolant) tool.cutting.coolant.reset();
-  if (options.stepdown) tool.stepdown.reset();
-  drop(tool.cutting.feed, "feed");
-  drop(tool.cutting.plunge_feed, "plunge-feed");
-  drop(tool.cutting.ramp_feed, "ramp-feed");
-  drop(tool.cutting.slot_feed, "slot-feed");
-  drop(tool.cutting.spindle_rpm, "spindle");
-  drop(tool.cutting.coolant, "coolant");
-  drop(tool.stepdown, "stepdown");
+  drop(tool.cutting.feed, options.cutting.feed, "feed");
+  drop(tool.cutting.plunge_feed, options.cutting.plunge_feed, "plunge-feed");
+  drop(tool.cutting.ramp_feed, options.cutting.ramp_feed, "ramp-feed");
+  drop(tool.cutting.slot_feed, options.cutting.slot_feed, "slot-feed");
+  drop(tool.cutting.spindle_rpm, options.cutting.spindle_rpm, "spindle");
+  drop(tool.cutting.coolant, options.cutting.coolant, "coolant");
+  drop(tool.stepdown, options.stepdown, "stepdown");
   return tool;
 }
 

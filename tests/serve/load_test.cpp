@@ -149,5 +149,39 @@ TEST(ServeLoad, EndsAnUploadThatComesTooSlowly) {
   expect_plans(server);
 }
 
+/// More clients than the server has threads, each of which sends a letter of `beginning`'s rest now and then.
+void expect_serves_beside_dripping(const std::string& beginning) {
+  const ServerProcess server;
+  std::vector<OpenRequest> dripping;
+  for (int k = 0; k < 300; ++k) dripping.emplace_back(server.port(), beginning);
+  std::jthread drips([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      for (auto& one : dripping) one.send("x");
+      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    }
+  });
+  const auto began = std::chrono::steady_clock::now();
+  expect_plans(server);
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(8));
+}
+
+TEST(ServeLoad, ServesOthersBesideClientsWhoseHeadersDrip) {
+  expect_serves_beside_dripping("POST /plan HTTP/1.1\r\nHost: local");
+}
+
+TEST(ServeLoad, ServesOthersBesideClientsWhoseFilesDrip) {
+  expect_serves_beside_dripping("POST /plan HTTP/1.1\r\n" + kForm + "Content-Length: 5000\r\n\r\n" + kFile);
+}
+
+/// Headers that never end are given up however steadily they come.
+TEST(ServeLoad, EndsARequestWhoseHeadersDrip) {
+  const ServerProcess server;
+  OpenRequest slow(server.port(), "GET / HTTP/1.1\r\nX-Of-No-Use: ");
+  const auto began = std::chrono::steady_clock::now();
+  while (std::chrono::steady_clock::now() - began < std::chrono::seconds(14) && slow.send("x"))
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(14));
+}
+
 }  // namespace
 }  // namespace clearcut
