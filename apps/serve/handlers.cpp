@@ -5,9 +5,9 @@
 #include <fstream>
 #include <regex>
 
-#include "serve/result_files.h"
 #include "serve/routes.h"
 #include "serve/upload.h"
+#include "serve/works/result_files.h"
 
 namespace clearcut::serve {
 namespace {

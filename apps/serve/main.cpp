@@ -12,7 +12,7 @@
 
 #include "process/child_process.h"
 #include "serve/server.h"
-#include "serve/session_folder.h"
+#include "serve/works/session_folder.h"
 
 namespace {
 

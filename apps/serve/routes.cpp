@@ -5,8 +5,8 @@
 #include <map>
 
 #include "serve/page_text.h"
-#include "serve/result_files.h"
 #include "serve/schemas.h"
+#include "serve/works/result_files.h"
 
 namespace clearcut::serve {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "serve/option_words.h"
 #include "serve/settings.h"
-#include "serve/work_list.h"
+#include "serve/works/work_list.h"
 
 namespace clearcut::serve {
 

@@ -1,7 +1,7 @@
 // What the server's answers hold, as JSON Schema, for its description.
 #pragma once
 
-#include "serve/work_list.h"
+#include "serve/works/work_list.h"
 
 namespace clearcut::serve {
 

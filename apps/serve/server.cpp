@@ -7,7 +7,7 @@
 #include <regex>
 #include <thread>
 
-#include "serve/guard.h"
+#include "serve/connections/guard.h"
 #include "serve/upload.h"
 
 namespace clearcut::serve {

@@ -1,7 +1,7 @@
 // The server itself: listens, lets in who may come in, and hands on to the routes.
 #pragma once
 
-#include "serve/listener.h"
+#include "serve/connections/listener.h"
 #include "serve/routes.h"
 
 namespace clearcut::serve {

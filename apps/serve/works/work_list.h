@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "serve/settings.h"
-#include "serve/work.h"
+#include "serve/works/work.h"
 
 namespace clearcut::serve {
 

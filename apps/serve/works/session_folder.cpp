@@ -1,4 +1,4 @@
-#include "serve/session_folder.h"
+#include "serve/works/session_folder.h"
 
 #include <clearcut/error.h>
 #include <fcntl.h>

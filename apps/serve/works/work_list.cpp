@@ -1,4 +1,4 @@
-#include "serve/work_list.h"
+#include "serve/works/work_list.h"
 
 #include <clearcut/error.h>
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <array>
 
 #include "process/child_process.h"
-#include "serve/result_files.h"
+#include "serve/works/result_files.h"
 
 namespace clearcut::serve {
 namespace {

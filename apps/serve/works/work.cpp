@@ -1,11 +1,11 @@
-#include "serve/work.h"
+#include "serve/works/work.h"
 
 #include <clearcut/error.h>
 #include <clearcut/file.h>
 
 #include <fstream>
 
-#include "serve/result_files.h"
+#include "serve/works/result_files.h"
 
 namespace clearcut::serve {
 namespace {

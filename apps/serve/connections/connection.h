@@ -8,7 +8,7 @@
 #include <set>
 #include <utility>
 
-#include "serve/work.h"
+#include "serve/works/work.h"
 
 namespace clearcut::serve {
 

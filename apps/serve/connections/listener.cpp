@@ -1,4 +1,4 @@
-#include "serve/listener.h"
+#include "serve/connections/listener.h"
 
 namespace clearcut::serve {
 namespace {

@@ -1,4 +1,4 @@
-#include "serve/guard.h"
+#include "serve/connections/guard.h"
 
 #include <arpa/inet.h>
 

@@ -3,7 +3,7 @@
 
 #include <httplib.h>
 
-#include "serve/connection.h"
+#include "serve/connections/connection.h"
 
 namespace clearcut::serve {
 

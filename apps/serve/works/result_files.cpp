@@ -1,4 +1,4 @@
-#include "serve/result_files.h"
+#include "serve/works/result_files.h"
 
 #include <array>
 #include <regex>
