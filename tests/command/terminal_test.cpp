@@ -32,15 +32,24 @@ using ::testing::Not;
 const std::string kExamples = std::string(CLEARCUT_SOURCE_DIR) + "/examples/";
 const std::string kSquare = R"({"name": "square", "units": "mm",
   "outer": [[0, 0, 0], [50, 0, 0], [50, 50, 0], [0, 50, 0]], "islands": [], "top": 0, "depth": 2})";
-const std::array<const char*, 14> kCommands{"serve",    "plan", "batch",     "verify",  "check",
-                                            "info",     "init", "convert",   "compare", "tools",
-                                            "elements", "tour", "reproduce", "study"};
+const std::array<const char*, 15> kCommands{"serve", "plan",     "batch", "setup-sheet", "verify",
+                                            "check", "info",     "init",  "convert",     "compare",
+                                            "tools", "elements", "tour",  "reproduce",   "study"};
 
 std::size_t widest_line(const std::string& text) {
   std::size_t widest = 0;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) widest = std::max(widest, line.size());
   return widest;
+}
+
+/// Lines that head a group of commands or options.
+std::vector<std::string> headings_in(const std::string& help) {
+  std::vector<std::string> headings;
+  std::istringstream lines(help);
+  for (std::string line; std::getline(lines, line);)
+    if (line.ends_with(':') && !line.starts_with(' ')) headings.push_back(line);
+  return headings;
 }
 
 /// Long names of the options in the help of a command.
@@ -64,6 +73,8 @@ TEST(Help, IsGroupedAndFitsEightyColumns) {
   const auto all = run_clearcut({"--help"});
   EXPECT_EQ(all.exit_code, 0);
   EXPECT_LE(widest_line(all.out), 80U);
+  EXPECT_THAT(headings_in(all.out), ElementsAre("Planning:", "Checking:", "Reading:", "Choosing:",
+                                                "Grids and tours:", "Research:", "Help:"));
   for (const char* command : kCommands) {
     EXPECT_THAT(all.out, HasSubstr(std::string("\n  ") + command + " "));
     const auto help = run_clearcut({command, "--help"});

@@ -93,22 +93,23 @@ bool has_depths(const DrawingOverview& overview) {
 
 const std::string kNoDepth = "how deep; --depth MM, or in layers' names as in POCKET_D5";
 
-/// What must be said before a drawing can be planned.
-std::vector<std::string> asked_of(const DrawingOverview& overview) {
-  std::vector<std::string> asks;
-  if (!overview.question.empty()) asks.push_back(overview.question);
-  if (!has_depths(overview)) asks.push_back(kNoDepth);
-  return asks;
-}
-
+/// A drawing that is understood is shown even where something is missing that a plan needs: what that is, is said.
 PartInfo info_of(const PlanArguments& arguments) {
   PartInfo info;
   info.part = arguments.read_overview(info.overview);
   info.found = info.part.diagnostics;
   info.is_drawing = info.part.features.empty();
   if (!info.is_drawing) return info;
-  info.asks = asked_of(info.overview);
-  if (info.asks.empty()) info.part = arguments.read(Block::kWhole);
+  if (!info.overview.question.empty()) {
+    info.asks.push_back(info.overview.question);
+    if (!has_depths(info.overview)) info.asks.push_back(kNoDepth);
+    return info;
+  }
+  try {
+    info.part = arguments.read(Block::kWhole);
+  } catch (const InputError& missing) {
+    info.asks.emplace_back(missing.what());
+  }
   return info;
 }
 
