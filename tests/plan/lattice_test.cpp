@@ -1,5 +1,5 @@
-// Pockets whose corridors are exactly as wide as the cutter, blocks with arms of any width, and parts many times as wide
-// as the cutter: each strategy clears them.
+// Pockets whose corridors are exactly as wide as the cutter, blocks with arms of any width, rooms that end in a tip, and
+// parts many times as wide as the cutter: each strategy clears them.
 #include <gtest/gtest.h>
 
 #include "base/error.h"
@@ -45,6 +45,16 @@ TEST_P(LatticeParts, AsBlocksWithNarrowArmsAreCleared) {
   for (int seed = 1; seed <= test_support::random_count(15); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     EXPECT_EQ(fault_of(test_support::block_with_arms(random, kDiameter), GetParam()), "") << "seed " << seed;
+  }
+}
+
+TEST_P(LatticeParts, ThatEndInATipAreCleared) {
+  // The first one's last turn of a spiral reached the wall later than the wall was followed once more.
+  std::vector<int> seeds{59};
+  for (int seed = 1; seed <= test_support::random_count(10); ++seed) seeds.push_back(seed);
+  for (const int seed : seeds) {
+    Random random(static_cast<std::uint64_t>(seed));
+    EXPECT_EQ(fault_of(test_support::room_with_tip(random, kDiameter), GetParam()), "") << "seed " << seed;
   }
 }
 

@@ -176,14 +176,13 @@ class SpiralPlanner {
     for (std::size_t i = chain.loops.size() - 1; i-- > 0;) {
       const std::size_t before = path.size();
       const Vec2 at = path.back().to;
-      const Path turn = turn_to(chain.loops[i], at);
-      append(path, turn);
-      if (turn.empty()) {
-        const Path around = lap(oriented(chain.loops[i]), at);
-        append(path, around);
+      const SpiralTurn turn = turn_to(chain.loops[i], at);
+      append(path, turn.path);
+      if (turn.path.empty()) {
+        append(path, lap(oriented(chain.loops[i]), at));
       } else if (i == 0) {
-        const Path rest = lap(oriented(chain.loops[0]), path.back().to, kSpiralFall);
-        append(path, rest);
+        const Path around = lap(oriented(chain.loops[0]), path.back().to);
+        append(path, beginning(around, std::max(kSpiralFall * length(around), turn.reached)));
       }
       outermost = path.size() - before;
     }
@@ -192,11 +191,11 @@ class SpiralPlanner {
 
   /// The turn to `loop`; empty if it would run into something that does not belong to the loop, such as an
   /// island.
-  Path turn_to(const Loop& loop, Vec2 start) const {
-    Path turn = turn_inside(loop, start);
-    return std::all_of(turn.begin(), turn.end(), [this](const Edge& edge) { return is_legal(edge); })
-               ? turn
-               : Path{};
+  SpiralTurn turn_to(const Loop& loop, Vec2 start) const {
+    SpiralTurn turn = turn_inside(loop, start);
+    const bool legal =
+        std::all_of(turn.path.begin(), turn.path.end(), [this](const Edge& edge) { return is_legal(edge); });
+    return legal ? std::move(turn) : SpiralTurn{};
   }
 
   bool is_legal(const Edge& edge) const {
@@ -209,12 +208,12 @@ class SpiralPlanner {
   }
 
   /// Turns are built with the wall on the right; for the other direction everything is mirrored.
-  Path turn_inside(const Loop& loop, Vec2 start) const {
+  SpiralTurn turn_inside(const Loop& loop, Vec2 start) const {
     if (options_.wall_on_right) return spiral_turn(loop, start);
     Loop mirrored;
     for (const auto& edge : reversed(loop)) mirrored.push_back(mirror(edge));
-    Path turn;
-    for (const auto& edge : spiral_turn(mirrored, mirror(start))) turn.push_back(mirror(edge));
+    SpiralTurn turn = spiral_turn(mirrored, mirror(start));
+    for (Edge& edge : turn.path) edge = mirror(edge);
     return turn;
   }
 

@@ -288,7 +288,7 @@ void append(Path& path, const Path& more) {
   }
 }
 
-Path lap(const Loop& loop, Vec2 start, double share) {
+Path lap(const Loop& loop, Vec2 start) {
   const OnLoop at = nearest_on(loop, start);
   const Edge& edge = loop[at.edge];
   const double margin = 1e-6 / edge.length();
@@ -300,10 +300,10 @@ Path lap(const Loop& loop, Vec2 start, double share) {
   for (std::size_t i = 0; i < whole; ++i) path.push_back(loop[(first + i) % loop.size()]);
   if (split) path.push_back(edge.part(0, at.t));
   path.back().to = path.front().from;
-  return share < 1 ? beginning(path, share * length(path)) : path;
+  return path;
 }
 
-Path spiral_turn(const Loop& loop, Vec2 start) {
+SpiralTurn spiral_turn(const Loop& loop, Vec2 start) {
   const Path around = lap(loop, start);
   RimPieces pieces(around, start);
   const double fall = pieces.fall(), cell = std::max(distance(start, around.front().from), fall / kCells);
@@ -314,7 +314,7 @@ Path spiral_turn(const Loop& loop, Vec2 start) {
   if (travelled < kEarliest * fall || travelled > fall + kLatest) return {};
   const Path rest = after(around, travelled, turn.back().to);
   turn.insert(turn.end(), rest.begin(), rest.end());
-  return turn;
+  return {std::move(turn), travelled};
 }
 
 Path with_round_corners(const Path& path, double radius, const std::function<bool(Vec2)>& sharp) {

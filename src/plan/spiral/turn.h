@@ -11,6 +11,12 @@ namespace clearcut::plan::spiral {
 /// 1 turns would be even all round, but the wall would have to be followed once more.
 inline constexpr double kSpiralFall = 0.3;
 
+struct SpiralTurn {
+  Path path;  ///< empty where there is none
+  double reached =
+      0;  ///< mm along the loop, from its place nearest to the turn's start, to where the turn is on it
+};
+
 /// The path from `start`, a place on the next loop inwards, once round `loop` in its direction to the place
 /// of `loop` nearest to `start`. Its distance from `loop` decreases evenly from that of `start` to 0 on the
 /// first part. A turn is nowhere farther from the turn before than their loops are from each other, because
@@ -24,10 +30,10 @@ inline constexpr double kSpiralFall = 0.3;
 ///         each (0.1 % of the step). Empty if the loop cannot be followed; it should then be reached on a
 ///         straight path and cut as it is.
 /// Cost    O(n log n) in edges.
-Path spiral_turn(const Loop& loop, Vec2 start);
+SpiralTurn spiral_turn(const Loop& loop, Vec2 start);
 
-/// The loop from its place nearest to `start` once round, or up to `share` of its length.
-Path lap(const Loop& loop, Vec2 start, double share = 1);
+/// The loop from its place nearest to `start` once round.
+Path lap(const Loop& loop, Vec2 start);
 
 /// Continues `path` with `more`, which is made to begin exactly at the path's end; adds a line if they are
 /// farther apart than rounding.

@@ -116,4 +116,24 @@ Part block_with_arms(Random& random, double diameter) {
                  diameter);
 }
 
+Part room_with_tip(Random& random, double diameter) {
+  const auto length = [&](double least, double most) {
+    return std::round(random.between(least, most) * diameter);
+  };
+  const double wall = length(0.8, 1.4), flare = length(0.6, 3), side = length(0.4, 3);
+  const double slant = length(0.4, 2.5), fall = length(0, 2);
+  const double bottom = -wall - flare - side, right = diameter + slant;
+  const Vec2 corners[] = {{0, 0},
+                          {0, -wall},
+                          {-flare, -wall - flare},
+                          {-flare, bottom},
+                          {right, std::min(bottom - fall, -slant - diameter)},
+                          {right, -slant},
+                          {diameter, 0},
+                          {diameter, 0.8 * diameter},
+                          {0, 0.8 * diameter}};
+  const Regions outline{Region::from_valid_loops(loop_from_points(corners), {})};
+  return part_of(outline, outline, FeatureKind::kClosedPocket, diameter);
+}
+
 }  // namespace clearcut::test_support

@@ -1,4 +1,5 @@
-// Random orthogonal parts on a lattice: corridors exactly as wide as the cutter, and blocks with arms of any width.
+// Random orthogonal parts on a lattice: corridors exactly as wide as the cutter, blocks with
+// arms of any width, and rooms that end in a tip.
 #pragma once
 
 #include "base/random.h"
@@ -12,5 +13,9 @@ Part exact_fit_pocket(Random& random, double diameter);
 
 /// The same as a block that stands free in the air, on a lattice whose lines are 0.3 to 2 diameters apart.
 Part block_with_arms(Random& random, double diameter);
+
+/// A closed pocket that narrows, between a wall and a corner one diameter from it, to a tip through which the cutter just
+/// goes into a recess.
+Part room_with_tip(Random& random, double diameter);
 
 }  // namespace clearcut::test_support
