@@ -26,6 +26,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "bodies.h"
+#include "boxes.h"
 #include "placed.h"
 #include "planes.h"
 #include "read/common/curve_fit.h"
@@ -140,8 +141,7 @@ read::SolidFace face_of(const TopoDS_Face& face, int number) {
   out.number = number;
   out.surface = surface_name(surface.GetType());
   out.facing = facing_of(surface, face);
-  Bnd_Box box;
-  BRepBndLib::Add(face, box, false);
+  const Bnd_Box box = box_of(face);
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   box.Get(x0, y0, out.z_low, x1, y1, out.z_high);
   out.plan = {{x0, y0}, {x1, y1}};
@@ -196,8 +196,7 @@ TopoDS_Compound facing_outwards(const std::vector<NamedBody>& bodies) {
 }
 
 read::SolidBody described(const NamedBody& body) {
-  Bnd_Box box;
-  BRepBndLib::Add(body.solid, box, false);
+  const Bnd_Box box = box_of_faces(body.solid);
   double x0 = 0, y0 = 0, z0 = 0, x1 = 0, y1 = 0, z1 = 0;
   if (!box.IsVoid()) box.Get(x0, y0, z0, x1, y1, z1);
   return {body.name, x1 - x0, y1 - y0, z1 - z0};

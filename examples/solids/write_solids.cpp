@@ -1,9 +1,10 @@
 // Writes bracket.step (the pocket of bracket.json in a block), nested.step, the
 // same as nested_nurbs.step with every surface a spline, awkward.step, where much is not for a cutter
 // from above, on_edge.step and sideways.step, which must be turned, disc.step, which fills no box, two_sided.step, which takes
-// two set-ups, and the assembly plate_and_pins.step.
+// two set-ups, handle.step with curved faces on a plate, and the assembly plate_and_pins.step.
 #include <APIHeaderSection_MakeHeader.hxx>
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
@@ -13,13 +14,18 @@
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakePrism.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <GeomAPI_PointsToBSpline.hxx>
+#include <Geom_BSplineCurve.hxx>
 #include <Interface_Static.hxx>
 #include <STEPControl_Writer.hxx>
 #include <StepBasic_Product.hxx>
 #include <StepData_StepModel.hxx>
+#include <TColgp_Array1OfPnt.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Wire.hxx>
+#include <cmath>
 #include <gp_Circ.hxx>
 #include <gp_Pln.hxx>
 #include <iostream>
@@ -149,6 +155,27 @@ TopoDS_Shape two_sided() {
   return shape;
 }
 
+/// 3 mm high, its outline a spline and the line that closes it.
+TopoDS_Shape pad() {
+  constexpr int kPoints = 8;
+  TColgp_Array1OfPnt points(1, kPoints);
+  for (int i = 0; i < kPoints; ++i) {
+    const double t = kPi * i / (kPoints - 1);
+    points(i + 1) = gp_Pnt(30 + 10 * std::cos(t), 28 + 6 * std::sin(t) + 1.5 * std::sin(3 * t), 0);
+  }
+  BRepBuilderAPI_MakeWire outline(BRepBuilderAPI_MakeEdge(GeomAPI_PointsToBSpline(points).Curve()),
+                                  BRepBuilderAPI_MakeEdge(points(kPoints), points(1)));
+  return BRepPrimAPI_MakePrism(BRepBuilderAPI_MakeFace(outline.Wire()).Face(), gp_Vec(0, 0, 3));
+}
+
+/// A plate with a bent round rod of 4 mm on it, half a ring of 16 mm that stands upright, and a pad. The ring's seam runs along
+/// the inside of the bend, where the kernel finds no thickness.
+TopoDS_Shape handle() {
+  const gp_Ax2 across(gp_Pnt(30, 20, 0), gp_Dir(0, 1, 0), gp_Dir(-1, 0, 0));
+  const TopoDS_Shape ring = BRepPrimAPI_MakeTorus(across, 8, 2, -kPi, kPi, kPi).Shape();
+  return BRepAlgoAPI_Fuse(BRepAlgoAPI_Fuse(block({{0, 0}, {60, 40}}, 10), ring), pad()).Shape();
+}
+
 struct NamedShape {
   const char* name;  ///< of the product; null for the kernel's own
   TopoDS_Shape shape;
@@ -210,6 +237,7 @@ int main(int argc, char** argv) {
   write(sideways(), folder / "sideways.step");
   write(disc(), folder / "disc.step");
   write(two_sided(), folder / "two_sided.step");
+  write(handle(), folder / "handle.step");
   write(plate_and_pins(), folder / "plate_and_pins.step");
   return 0;
 }

@@ -13,6 +13,7 @@
 #include "base/units.h"
 #include "pipeline/run.h"
 #include "post/part/stepnc_writer.h"
+#include "read/common/curve_fit.h"
 #include "read/read_part.h"
 #include "read/step_solid/apart.h"
 #include "read/step_solid/floor_sweep.h"
@@ -252,6 +253,71 @@ TEST(HeightMap, BoxesOfCurvedFacesEndWithTheSolid) {
   EXPECT_EQ(where.max.y, 8);
 }
 
+read::SolidFace level_face(int number, const Box& plan, double z) {
+  read::SolidFace face;
+  face.number = number;
+  face.surface = "plane";
+  face.facing = read::Facing::kUp;
+  face.level = true;
+  face.z_low = face.z_high = z;
+  face.plan = plan;
+  const Vec2 corners[] = {plan.min, {plan.max.x, plan.min.y}, plan.max, {plan.min.x, plan.max.y}};
+  face.outline = {loop_from_points(corners)};
+  return face;
+}
+
+TEST(HeightMap, FacesTooThinForAnAreaAreNoFloorsAndNothingIsLostBesideThem) {
+  read::SolidModel solid;
+  solid.plan = {{0, 0}, {40, 20}};
+  solid.z_bottom = -5;
+  solid.faces = {level_face(1, {{0, 0}, {10, 20}}, 0), level_face(2, {{10, 0}, {10.001, 20}}, -1),
+                 level_face(3, {{10.001, 0}, {40, 20}}, -2)};
+  const read::HeightMap map(solid, "edge", {});
+  int floors = 0;
+  for (const read::Cell& cell : map.cells()) floors += cell.floor;
+  EXPECT_EQ(floors, 2);
+  read::FloorSweep sweep(map, {});
+  const double reach = map.reach().width() * map.reach().height();
+  EXPECT_NEAR(area(sweep.free_at(-2)), reach - 200, 0.05);
+  EXPECT_NEAR(area(sweep.free_at(-3)), reach - 800, 0.05);
+}
+
+TEST(StepSolid, BoxesOfBentRodsAndFreeWallsHoldThem) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const read::SolidModel solid = read::load_solid(read_file(example("handle.step")), "handle.step", {});
+  Box rod, pad, wall;
+  for (const read::SolidFace& face : solid.faces) {
+    if (face.surface == "torus") rod = face.plan;
+    if (face.surface == "free surface") wall = face.plan;
+    if (face.level && std::abs(face.z_low - 3) < 1e-6)
+      for (const Path& path : face.outline) pad.add(box(path));
+  }
+  // The ring's middle has 16 mm, its rod 4 mm.
+  EXPECT_NEAR(rod.min.x, 20, 1e-5);
+  EXPECT_NEAR(rod.max.x, 40, 1e-5);
+  EXPECT_NEAR(rod.min.y, 18, 1e-5);
+  EXPECT_NEAR(rod.max.y, 22, 1e-5);
+  ASSERT_FALSE(pad.empty());
+  EXPECT_LE(wall.min.x, pad.min.x + read::kCurveTolerance);
+  EXPECT_GE(wall.max.x, pad.max.x - read::kCurveTolerance);
+  EXPECT_GE(wall.max.y, pad.max.y - read::kCurveTolerance);
+}
+
+TEST(StepSolid, IsKnownByItsEntitiesWhereTheSchemaSaysNothing) {
+  const auto text = [](const std::string& schema, const std::string& entity) {
+    return "ISO-10303-21;HEADER;FILE_SCHEMA(('" + schema + "'));ENDSEC;DATA;#1=" + entity +
+           ";ENDSEC;END-ISO-10303-21;";
+  };
+  const std::string face = "ADVANCED_FACE('',(#2),#3,.T.)";
+  const std::string edition = "CONFIGURATION_CONTROL_3D_DESIGN_ED2_MIM_LF { 1 0 10303 403 1 1 4}";
+  EXPECT_TRUE(read::is_step_solid(text("CONFIG_CONTROL_DESIGN", "X()")));
+  EXPECT_TRUE(read::is_step_solid(text(edition, face)));
+  EXPECT_TRUE(read::is_step_solid(text("OF_A_VENDOR", face)));
+  EXPECT_FALSE(read::is_step_solid(text("OF_A_VENDOR", "X()")));
+  EXPECT_FALSE(read::is_step_solid(text("OF_A_VENDOR", face + ";#2=WORKPLAN('',(),$,#3,$)")));
+  EXPECT_FALSE(read::is_step_solid(text("MACHINING_SCHEMA", face)));
+}
+
 /// Plates of 200 x 200 mm over each other, each with a hole of the same size but for rounding, whose circle begins
 /// elsewhere: flattened, the circles cross thousands of times.
 read::SolidModel stack_of_plates(int plates) {
@@ -259,15 +325,8 @@ read::SolidModel stack_of_plates(int plates) {
   solid.plan = {{-100, -100}, {100, 100}};
   solid.z_bottom = -plates;
   for (int i = 0; i < plates; ++i) {
-    read::SolidFace face;
-    face.number = i + 1;
-    face.surface = "plane";
-    face.facing = read::Facing::kUp;
-    face.level = true;
-    face.z_low = face.z_high = -i;
-    face.plan = solid.plan;
-    const Vec2 corners[] = {{-100, -100}, {100, -100}, {100, 100}, {-100, 100}};
-    face.outline = {loop_from_points(corners), circle_from(0.37 * i, 60 + 1e-7 * i)};
+    read::SolidFace face = level_face(i + 1, solid.plan, -i);
+    face.outline.push_back(circle_from(0.37 * i, 60 + 1e-7 * i));
     solid.faces.push_back(std::move(face));
   }
   return solid;

@@ -36,7 +36,7 @@ struct RepairOptions {
   std::string where;  ///< file, or file and layer: begins every message
   OpenCurves open_curves = OpenCurves::kRefuse;
   bool find_arcs = false;
-  bool may_be_empty = false;  ///< open curves alone give no regions, instead of an error
+  bool may_be_empty = false;  ///< what encloses nothing gives no regions, instead of an error
 };
 
 /// Shape   regions with disjoint interiors by the even-odd rule, to any depth of nesting: a loop in a

@@ -108,8 +108,10 @@ double FloorSweep::excess(const Regions& free) const {
 
 /// Unites what was taken since the last time; then all around it is free.
 Regions FloorSweep::overlaid_free() {
-  std::vector<int> fresh(highest_first_.begin() + static_cast<std::ptrdiff_t>(united_),
-                         highest_first_.begin() + static_cast<std::ptrdiff_t>(taken_));
+  std::vector<int> fresh;
+  std::copy_if(highest_first_.begin() + static_cast<std::ptrdiff_t>(united_),
+               highest_first_.begin() + static_cast<std::ptrdiff_t>(taken_), std::back_inserter(fresh),
+               [&](int i) { return !map_.cells()[static_cast<std::size_t>(i)].area.empty(); });
   united_ = taken_;
   if (!fresh.empty())
     standing_ =

@@ -96,7 +96,8 @@ Cell cell_of(const SolidFace& face, const Box& solid, Places& places, const Repa
   }
   if (!cell.curves.empty()) cell.area = repair(chained(cell.curves, how.where), how, mends);
   cell.inside = points_inside(cell.area);
-  cell.floor = face.level || (face.surface == "cone" && is_disc(cell.area));
+  const bool ends_hole = face.surface == "cone" && is_disc(cell.area);
+  cell.floor = !cell.area.empty() && (face.level || ends_hole);
   return cell;
 }
 
@@ -107,11 +108,12 @@ HeightMap::HeightMap(const SolidModel& solid, const std::string& file_name, cons
   Places places;
   RepairOptions how;
   how.tol = tol;
+  how.may_be_empty = true;
   for (const SolidFace& face : solid.faces) {
     if (face.facing != Facing::kUp && face.facing != Facing::kMixed) continue;
     how.where = file_name + ": face " + std::to_string(face.number);
     Cell cell = cell_of(face, solid.plan, places, how, mends_);
-    if (!cell.area.empty()) cells_.push_back(std::move(cell));
+    if (!cell.curves.empty()) cells_.push_back(std::move(cell));
   }
 }
 

@@ -15,7 +15,8 @@ struct Cell {
   int face = 0;  ///< index into SolidModel::faces
   double z = 0;
   bool floor = false;  ///< flat, or the conical end of a drilled hole
-  std::vector<Path> curves;
+  std::vector<Path>
+      curves;  ///< also of a face too thin for an area, so that those of its neighbours find their other side
   Regions area;
   std::vector<Vec2> inside;  ///< points well inside the area
 };

@@ -396,6 +396,12 @@ void Finder::report_set_ups() {
   }
 }
 
+/// Whether entities of the file, in capitals, make faces and none a program.
+bool holds_faces_alone(const std::string& text) {
+  if (text.find("WORKPLAN") != std::string::npos) return false;
+  return text.find("ADVANCED_FACE") != std::string::npos || text.find("FACETED_BREP") != std::string::npos;
+}
+
 }  // namespace
 
 bool is_step_solid(std::string_view text) {
@@ -405,7 +411,8 @@ bool is_step_solid(std::string_view text) {
   const std::string schema = head.substr(at, head.find(';', at) - at);
   for (const char* name : {"AUTOMOTIVE_DESIGN", "CONFIG_CONTROL_DESIGN", "AP203", "AP214", "AP242"})
     if (schema.find(name) != std::string::npos) return true;
-  return false;
+  if (schema.find("MACHINING") != std::string::npos || schema.find("CNC") != std::string::npos) return false;
+  return holds_faces_alone(capitals(std::string(text)));
 }
 
 Part read_step_solid(std::string_view text, const std::string& file_name, const ReadOptions& options) {

@@ -9,7 +9,8 @@
 
 namespace clearcut::read {
 
-/// Whether Part 21 text says in its FILE_SCHEMA that it holds a solid, not a program.
+/// Whether Part 21 text holds a solid, not a program: its FILE_SCHEMA says so, or names neither (editions and vendors have
+/// names of their own) and its entities do.
 bool is_step_solid(std::string_view text);
 
 /// Finds the planar floors that look up, what opens downwards without a floor, and the solid's outside.
