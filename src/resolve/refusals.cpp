@@ -64,26 +64,43 @@ void refuse_wrong_kind(const Part& part, const Workingstep& step) {
                                tool.number, name_of(tool.kind), trimmed(tool.diameter, 4)));
 }
 
+/// mm from the top of the part down to the floor: what the length of flutes is held against, as in `verify`.
+double depth_below_top(const Part& part, const Workingstep& step) {
+  return part.top_z() - feature_of(part, step).floor_z;
+}
+
+/// mm; of all that the step's tool does.
+double deepest_with_tool_of(const Part& part, const Workingstep& step) {
+  double deepest = 0;
+  for (const Workingstep& other : part.workplan) {
+    if (other.operation.tool == step.operation.tool)
+      deepest = std::max(deepest, depth_below_top(part, other));
+  }
+  return deepest;
+}
+
 void refuse_beyond_flutes(const Part& part, const Workingstep& step) {
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);
   // Rows of teeth cut a thread in several passes; their shank is narrower.
   if (tool.kind == ToolKind::kThreadMill) return;
-  const double depth = feature.top_z - feature.floor_z;
   if (tool.flute_length) {
-    if (depth <= *tool.flute_length + kLevel) return;
-    throw InputError(feature.name,
-                     fmt::format("it is {} mm deep and the flutes of T{} are {} mm long; use a "
-                                 "longer tool or less depth",
-                                 trimmed(depth, 3), tool.number, trimmed(*tool.flute_length, 3)));
+    if (depth_below_top(part, step) <= *tool.flute_length + kLevel) return;
+    throw InputError(
+        feature.name,
+        fmt::format("its floor lies {} mm below the top of the part and the flutes "
+                    "of T{} are {} mm long; use a longer tool or less depth",
+                    trimmed(depth_below_top(part, step), 3), tool.number, trimmed(*tool.flute_length, 3)));
   }
+  const double depth = feature.top_z - feature.floor_z;
   const bool drills = stock::only_plunges(tool) || tool.kind == ToolKind::kTap;
   if (depth <= (drills ? kReachOfDrill : kReachOfMill) * tool.diameter + kLevel) return;
-  throw InputError(feature.name,
-                   fmt::format("it is {} mm deep, {} diameters of T{}; if the flutes reach that far say so "
-                               "(--tool {}:{}:length={}, flute_length in files), else use less depth",
-                               trimmed(depth, 3), trimmed(depth / tool.diameter, 0), tool.number,
-                               name_of(tool.kind), trimmed(tool.diameter, 4), trimmed(depth, 3)));
+  throw InputError(
+      feature.name,
+      fmt::format("it is {} mm deep, {} diameters of T{}; if the flutes reach that far say so "
+                  "(--tool {}:{}:length={}, flute_length in files), else use less depth",
+                  trimmed(depth, 3), trimmed(depth / tool.diameter, 0), tool.number, name_of(tool.kind),
+                  trimmed(tool.diameter, 4), trimmed(deepest_with_tool_of(part, step), 3)));
 }
 
 double widest_radius(const Part& part) {

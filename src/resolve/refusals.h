@@ -5,9 +5,10 @@
 
 namespace clearcut::resolve {
 
-/// `part` as prepared. Throws InputError, one line with the remedy, for: rapids at or below the top of the material; features beside
-/// the material; floors below it that are no through cuts; features deeper than the flutes of their tool, or (flutes unknown) than ten of its
-/// diameters, twenty for drills; parts that take months of cutting; starts and predrilled holes that lie in no feature.
+/// `part` as prepared. Throws InputError, one line with the remedy, for: rapids at or below the top of the material; features
+/// beside the material; floors below it that are no through cuts; floors farther below the top of the part than the flutes of
+/// their tool are long, or (flutes unknown) features deeper than ten of its diameters, twenty for drills; parts that take
+/// months of cutting; starts and predrilled holes that lie in no feature.
 void refuse_what_cannot_be(const Part& part, const PlanOptions& options);
 
 }  // namespace clearcut::resolve
