@@ -1,9 +1,14 @@
 // Outlines of ISO 14649: profiles, curves, bosses.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "base/error.h"
+#include "base/random.h"
 #include "base/units.h"
+#include "read/stepnc/shapes/placement.h"
 #include "read/stepnc/test_program.h"
 
 namespace clearcut::read::stepnc {
@@ -34,6 +39,66 @@ TEST(StepNc, PlacementsAreComposedFeatureThenProfile) {
   const Feature f = p.read().features[0];
   expect_box(f.target, 35, 55, 10, 70);
   EXPECT_EQ(f.floor_z, -6) << "a depth is relative to its feature";
+}
+
+std::string entity_of(const char* keyword, Vec3 v) {
+  return fmt::format("{}('',({:.12f},{:.12f},{:.12f}))", keyword, v.x, v.y, v.z);
+}
+
+/// A placement whose local Z is +Z or -Z, of any length, and whose reference direction leans out of the plane.
+struct RandomPlacement {
+  Vec3 origin;
+  double turn = 0;
+  double up = 1;
+
+  explicit RandomPlacement(Random& random)
+      : origin{random.between(-20, 20), random.between(-20, 20), random.between(-1, 1)},
+        turn(random.between(-kPi, kPi)) {}
+
+  /// As #id, with its parts after it.
+  void write(Program& program, int id, Random& random) const {
+    const double size = random.between(0.2, 5), lean = random.between(-0.9, 0.9);
+    program.with(id, fmt::format("AXIS2_PLACEMENT_3D('',#{},#{},#{})", id + 1, id + 2, id + 3));
+    program.with(id + 1, entity_of("CARTESIAN_POINT", origin));
+    program.with(id + 2, entity_of("DIRECTION", {0, 0, up * size}));
+    program.with(id + 3, entity_of("DIRECTION", {size * std::cos(turn), size * std::sin(turn), lean}));
+  }
+  /// X turned by `turn`, Y on its left, or on its right where Z points down.
+  Vec2 point(Vec2 p) const {
+    const double y = up * p.y;
+    return {origin.x + p.x * std::cos(turn) - y * std::sin(turn),
+            origin.y + p.x * std::sin(turn) + y * std::cos(turn)};
+  }
+};
+
+TEST(StepNc, RandomPlacementsPutOutlinesWhereTheirAxesSay) {
+  Random random(7);
+  for (int i = 0; i < 300; ++i) {
+    const RandomPlacement feature(random), setup(random), depth(random);
+    RandomPlacement profile(random);
+    if (i % 3 == 0) profile.up = -1;
+    const double width = random.between(2, 30), height = random.between(2, 30);
+    Program p;
+    p.with(5, "BLOCK('B',#6,400.,400.,40.)").with(60, "CARTESIAN_POINT('',(-200.,-200.,-35.))");
+    p.with(62, fmt::format("TOLERANCED_LENGTH_MEASURE({:.12f},$)", height));
+    p.with(63, fmt::format("TOLERANCED_LENGTH_MEASURE({:.12f},$)", width));
+    p.with(9, "WORKPIECE_SETUP(#3,#300,$,$,())").with(24, "AXIS2_PLACEMENT_3D('',#401,#402,#403)");
+    p.feature("CLOSED_POCKET('POCKET',#3,(#30),#500,#23,(),$,#26,$,$,#27)");
+    feature.write(p, 500, random);
+    profile.write(p, 200, random);
+    setup.write(p, 300, random);
+    depth.write(p, 400, random);
+    p.with(401, entity_of("CARTESIAN_POINT", {depth.origin.x, depth.origin.y, -5}));
+    p.with(27, "RECTANGULAR_CLOSED_PROFILE(#200,#62,#63)");
+    SCOPED_TRACE(p.text());
+    const Feature read = p.read().features.at(0);
+    EXPECT_NEAR(read.floor_z, feature.origin.z - 5, 1e-6);
+    EXPECT_NEAR(area(read.target), width * height, 1e-4);
+    for (const Vec2 corner : {Vec2{1, 1}, Vec2{-1, 1}, Vec2{-1, -1}, Vec2{1, -1}}) {
+      const Vec2 expected = feature.point(profile.point({corner.x * width / 2, corner.y * height / 2}));
+      EXPECT_LT(read.target.at(0).boundary_distance(expected), 1e-6);
+    }
+  }
 }
 
 TEST(StepNc, NgonBySidesOrCorners) {
