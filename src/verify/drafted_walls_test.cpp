@@ -98,6 +98,41 @@ TEST(Verify, LeaningWallsStandNearerBelow) {
   EXPECT_NEAR(wrong.all.gouge_mm, 0.1, 1e-9);
 }
 
+/// Two grooves of a pointed 60 degree cutter, 0.3 mm deep, that cross at the zero.
+Part crossing_grooves() {
+  const double half = 0.3 * std::tan(kPi / 6);
+  Part part = pocket_part(rectangle(-10, -half, 10, half), 6, -0.3);
+  part.tools[0].kind = ToolKind::kVBit;
+  part.tools[0].tip_angle = Radians::of_degrees(60);
+  part.features[0].wall_slope = Radians::of_degrees(30);
+  Feature across = part.features[0];
+  across.name = "ACROSS";
+  across.target = across.allowed = rectangle(-half, -10, half, 10);
+  part.features.push_back(across);
+  part.workplan.push_back(part.workplan[0]);
+  part.workplan[1].feature = 1;
+  return part;
+}
+
+Toolpath crossing_program(double aside, double z = -0.3) {
+  Writer writer;
+  writer.enter({-9.5, 0}, 0, -0.3).feed({9.5, 0}).leave();
+  writer.enter({aside, -9.5}, 0, -0.3).feed({aside, -2}).feed({aside, 2}, z).feed({aside, 9.5}, -0.3);
+  return writer.done();
+}
+
+TEST(Verify, GroovesThatCrossAreNoWallsToEachOther) {
+  const Part part = crossing_grooves();
+  const Findings right = verify_program(part, crossing_program(0), {});
+  EXPECT_FALSE(has(right, FaultKind::kGouge)) << report_of(right);
+  const Findings aside = verify_program(part, crossing_program(0.05), {});
+  ASSERT_TRUE(has(aside, FaultKind::kGouge));
+  EXPECT_NEAR(aside.all.gouge_mm, 0.05 / std::tan(kPi / 6), 1e-9);  // below the slope of the groove
+  const Findings deep = verify_program(part, crossing_program(0, -0.4), {});
+  ASSERT_TRUE(has(deep, FaultKind::kGouge));
+  EXPECT_GT(deep.all.gouge_mm, 0.05);
+}
+
 TEST(Verify, EveryLayerCountsOnLeaningWalls) {
   Part part = square_part();
   part.features[0].wall_slope = Radians::of_degrees(30);

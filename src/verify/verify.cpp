@@ -18,7 +18,7 @@
 #include "verify/faults/shaped_cutter.h"
 #include "verify/faults/tabs.h"
 #include "verify/figures.h"
-#include "verify/part/finished_part.h"
+#include "verify/part/finished_parts.h"
 #include "verify/without_part.h"
 
 namespace clearcut::verify {
@@ -41,21 +41,22 @@ std::optional<Gouge> gouge_of_mill(const FinishedPart& finished, const Move& mov
   return shaped_gouge_of(finished, move, wider, slack);
 }
 
-/// The part as it has to come out, and with external threads as their own mills may cut them; null where there are none.
-struct Finished {
-  const FinishedPart& plain;
-  const FinishedPart* threaded;
-  const FinishedPart& for_tool(const Tool& tool) const {
-    return threaded && tool.kind == ToolKind::kThreadMill ? *threaded : plain;
+/// The gouge that `check` finds of a cutter's move into a part. A wall with draft counts as standing where another feature cuts into
+/// it: what is no gouge where one such feature alone is cut, as each of two grooves that cross, is none of the whole part either.
+template <typename Check>
+std::optional<Gouge> least_gouge(const FinishedParts& finished, const CheckedMove& checked, Check check) {
+  std::optional<Gouge> least = check(finished.for_tool(*checked.tool));
+  if (!least) return least;
+  const Move& move = *checked.move;
+  for (const int feature : finished.drafted_at(move.is_vertical() ? move.path.from : move.path.at(0.5))) {
+    const std::optional<Gouge> other = check(finished.with_one_draft(feature));
+    if (!other) return other;
+    if (other->depth < least->depth) least = other;
   }
-};
-
-bool has_external_threads(const Part& part) {
-  return std::any_of(part.features.begin(), part.features.end(),
-                     [](const Feature& feature) { return feature.kind == FeatureKind::kExternalThread; });
+  return least;
 }
 
-void check_gouges(const Finished& finished, std::span<CheckedMove> moves, const Tolerances& tol) {
+void check_gouges(const FinishedParts& finished, std::span<CheckedMove> moves, const Tolerances& tol) {
   const CheckedMove* before = nullptr;  // the last move, if it is known to end outside the part
   for (CheckedMove& checked : moves) {
     if (checked.radius() <= 0) {
@@ -63,15 +64,17 @@ void check_gouges(const Finished& finished, std::span<CheckedMove> moves, const 
       continue;
     }
     if (is_conical(*checked.tool)) {
-      checked.gouge =
-          shaped_gouge_of(finished.for_tool(*checked.tool), *checked.move, *checked.tool, tol.gouge);
+      checked.gouge = least_gouge(finished, checked, [&](const FinishedPart& part) {
+        return shaped_gouge_of(part, *checked.move, *checked.tool, tol.gouge);
+      });
       before = nullptr;
       continue;
     }
     const bool joined = before && before->move->path.to == checked.move->path.from &&
                         before->move->z_to == checked.move->z_from && before->radius() == checked.radius();
-    checked.gouge =
-        gouge_of_mill(finished.for_tool(*checked.tool), *checked.move, *checked.tool, 0, tol.gouge, joined);
+    checked.gouge = least_gouge(finished, checked, [&](const FinishedPart& part) {
+      return gouge_of_mill(part, *checked.move, *checked.tool, 0, tol.gouge, joined);
+    });
     const bool spared = !checked.gouge || checked.gouge->depth < checked.radius() / 2;
     before = spared && !checked.gouge.value_or(Gouge{}).floor ? &checked : nullptr;
   }
@@ -83,8 +86,8 @@ void keep_deeper(std::optional<Gouge>& gouge, const std::optional<Gouge>& other)
 }
 
 /// Adds the gouge of a cone that the control may run off its path.
-void check_shaped_liberty(const Finished& finished, const std::vector<CheckedMove>& all, CheckedMove& checked,
-                          const Tolerances& tol) {
+void check_shaped_liberty(const FinishedParts& finished, const std::vector<CheckedMove>& all,
+                          CheckedMove& checked, const Tolerances& tol) {
   const double before = &checked == all.data() ? 0 : (&checked - 1)->path_tolerance;
   const double off = std::max({checked.doubt, checked.path_tolerance, before});
   if (off <= 0) return;
@@ -93,12 +96,13 @@ void check_shaped_liberty(const Finished& finished, const std::vector<CheckedMov
   Tool wider = *checked.tool;
   wider.diameter += 2 * aside;
   wider.tip_diameter += 2 * aside;
-  keep_deeper(checked.gouge,
-              shaped_gouge_of(finished.for_tool(*checked.tool), *checked.move, wider, tol.gouge));
+  keep_deeper(checked.gouge, least_gouge(finished, checked, [&](const FinishedPart& part) {
+                return shaped_gouge_of(part, *checked.move, wider, tol.gouge);
+              }));
 }
 
 /// Adds the gouges that the control may make within its tolerance: at rounded corners, on arcs of another radius.
-void check_liberties(const Finished& finished, const std::vector<CheckedMove>& all,
+void check_liberties(const FinishedParts& finished, const std::vector<CheckedMove>& all,
                      std::span<CheckedMove> moves, const Tolerances& tol) {
   for (CheckedMove& checked : moves) {
     if (checked.radius() <= 0) continue;
@@ -106,17 +110,18 @@ void check_liberties(const Finished& finished, const std::vector<CheckedMove>& a
       check_shaped_liberty(finished, all, checked, tol);
       continue;
     }
-    if (checked.doubt > 0)
-      keep_deeper(checked.gouge, gouge_of_mill(finished.for_tool(*checked.tool), *checked.move, *checked.tool,
-                                               checked.doubt, tol.gouge, false));
+    const auto keep = [&](const Move& move, double aside) {
+      keep_deeper(checked.gouge, least_gouge(finished, checked, [&](const FinishedPart& part) {
+                    return gouge_of_mill(part, move, *checked.tool, aside, tol.gouge, false);
+                  }));
+    };
+    if (checked.doubt > 0) keep(*checked.move, checked.doubt);
     if (&checked == all.data()) continue;
     const CheckedMove& before = *(&checked - 1);
     const auto corner =
         rounded_corner(before, checked, std::max(before.path_tolerance, checked.path_tolerance));
     if (!corner) continue;
-    for (const Move& move : *corner)
-      keep_deeper(checked.gouge,
-                  gouge_of_mill(finished.for_tool(*checked.tool), move, *checked.tool, 0, tol.gouge, false));
+    for (const Move& move : *corner) keep(move, 0);
   }
 }
 
@@ -271,10 +276,7 @@ class FindingsBuilder {
 }  // namespace
 
 Findings verify_program(const Part& part, const Toolpath& toolpath, const VerifyOptions& options) {
-  const FinishedPart finished(part);
-  // What thread mills alone may cut; the same where no thread is cut about a boss.
-  std::optional<FinishedPart> with_threads;
-  if (has_external_threads(part)) with_threads.emplace(part, true);
+  const FinishedParts finished(part);
   CheckedProgram program = checked_program(part, toolpath, options.machine, options.earlier, options.control);
   std::vector<FeatureWork> works = works_of(part);
   std::vector<CarvingWork> carvings = carvings_of(part);
@@ -285,19 +287,19 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   const std::size_t gouging = part.is_shape_stated ? program.moves.size() : 0;
   for (std::size_t i = 0; i < gouging; i += kChunk) {
     const std::span<CheckedMove> chunk(program.moves.data() + i, std::min(kChunk, program.moves.size() - i));
-    tasks.push_back(
-        [all = Finished{finished, with_threads ? &*with_threads : nullptr}, &options, &program, chunk] {
-          check_gouges(all, chunk, options.tol);
-          check_liberties(all, program.moves, chunk, options.tol);
-        });
+    tasks.push_back([&finished, &options, &program, chunk] {
+      check_gouges(finished, chunk, options.tol);
+      check_liberties(finished, program.moves, chunk, options.tol);
+    });
   }
   for (CarvingWork& work : carvings)
     tasks.push_back([&part, &program, &options, &work] { check_carving(part, program, options.tol, work); });
-  check_works(part, finished, program, options, works, std::move(tasks));
+  check_works(part, finished.plain(), program, options, works, std::move(tasks));
   if (!part.is_shape_stated) return findings_without_part(part, program, options);
   Findings findings = FindingsBuilder(part, program, works, carvings, options).build();
   if (findings.all.load)
-    findings.all.thin_wall = thinnest_wall(finished, findings.all.load->max_force_n, *options.material);
+    findings.all.thin_wall =
+        thinnest_wall(finished.plain(), findings.all.load->max_force_n, *options.material);
   return findings;
 }
 

@@ -35,6 +35,11 @@ EdgeTree drafted_edges(const Feature& feature) {
   return EdgeTree(std::move(edges));
 }
 
+bool is_cut(const Feature& feature, int number, const CutFeatures& cut) {
+  if (feature.kind == FeatureKind::kExternalThread && !cut.threads) return false;
+  return !cut.only_draft || *cut.only_draft == number || feature.wall_slope.radians() <= 0;
+}
+
 double distance_of(const Edge& path, const Edge& wall) {
   return path.from == path.to ? distance(wall, path.from) : distance(path, wall);
 }
@@ -50,11 +55,11 @@ std::vector<Edge> Wall::flat_ends(double z) const {
   return ends;
 }
 
-FinishedPart::FinishedPart(const Part& part, bool with_threads) : top_z_(top_of(part)) {
+FinishedPart::FinishedPart(const Part& part, const CutFeatures& cut) : top_z_(top_of(part)) {
   if (part.stock) add_stock(*part.stock);
   for (std::size_t i = 0; i < part.features.size(); ++i) {
-    if (part.features[i].kind == FeatureKind::kExternalThread && !with_threads) continue;
-    add_feature(part.features[i], static_cast<int>(i));
+    const int number = static_cast<int>(i);
+    if (is_cut(part.features[i], number, cut)) add_feature(part.features[i], number);
   }
   find_walls();
   for (const Shape& shape : shapes_) {

@@ -30,6 +30,12 @@ struct Wall {
   std::vector<Edge> flat_ends(double z) const;
 };
 
+/// Which features are taken as cut.
+struct CutFeatures {
+  bool threads = false;  ///< external threads, as their own mills may; all others must leave the boss whole
+  std::optional<int> only_draft;  ///< of the features with draft only this one
+};
+
 /// Height of the part over the plan view: the lowest floor of the features that allow the cutter at a place,
 /// else the top; nothing beside the stock. Walls are found by cutting all outlines at each other and
 /// computing the height on both sides of every piece. Walls that features share count once; edges between
@@ -37,12 +43,10 @@ struct Wall {
 ///
 /// Cost    build O(n log n + crossings); a query O(features * log n).
 /// Error   Walls thinner than 2 * kProbe are not found, nor pieces shorter than kProbe that crossings cut off.
-///         Where a deeper feature cuts into a wall with draft of another feature, that wall is taken to stand
-///         there, too.
+///         Where another feature cuts into a wall with draft, that wall is taken to stand there, too; see FinishedParts.
 class FinishedPart {
  public:
-  /// `with_threads`: external threads are cut, as their own mills may; all others must leave the boss whole.
-  explicit FinishedPart(const Part& part, bool with_threads = false);
+  explicit FinishedPart(const Part& part, const CutFeatures& cut = {});
 
   double top_z() const { return top_z_; }
   const std::vector<Wall>& walls() const { return walls_; }
