@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <polyclipping/clipper.hpp>
 #include <unordered_map>
 #include <unordered_set>
@@ -13,6 +14,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/contours/split_contours.h"
+#include "geometry/spatial/box_tree.h"
 #include "geometry/unite_all.h"
 
 namespace clearcut::inline geometry {
@@ -37,6 +39,8 @@ struct GridHash {
   }
 };
 
+using PointSet = std::unordered_set<std::pair<std::int64_t, std::int64_t>, GridHash>;
+
 /// A point of the input: its exact place, and the source edges that run through it.
 struct SourcePoint {
   Vec2 point;
@@ -55,10 +59,20 @@ class Sources {
       edges_.push_back(edge);
       std::vector<Vec2> points{edge.from};
       append_flattened(edge, tol_.chord, points);
-      for (const auto p : points) remember(p, id);
+      for (const auto p : points) flattened_.push_back({p, id});
       for (std::size_t i = 0; i + 1 < points.size(); ++i) path.push_back(to_grid(points[i]));
     }
     return path;
+  }
+
+  /// To be called with what was clipped before anything is asked about its points: of the input's points, which may be many more, no
+  /// others are filed.
+  void look_up(const ClipperLib::Paths& clipped) {
+    PointSet wanted;
+    for (const auto& path : clipped)
+      for (const auto& p : path) wanted.insert({p.X, p.Y});
+    for (const auto& [p, id] : flattened_)
+      if (const IntPoint key = to_grid(p); wanted.count({key.X, key.Y}) > 0) remember(p, id);
   }
 
   Vec2 exact(IntPoint p) const {
@@ -79,12 +93,7 @@ class Sources {
         if (carries(id, p, q)) return id;
       }
     }
-    if (known) return -1;
-    for (int id = 0; id < static_cast<int>(edges_.size());
-         ++id) {  // a chord that was cut on both sides: rare
-      if (carries(id, p, q)) return id;
-    }
-    return -1;
+    return known ? -1 : arc_carrying(p, q);
   }
 
   const Edge& edge(int id) const { return edges_[static_cast<std::size_t>(id)]; }
@@ -115,15 +124,36 @@ class Sources {
   /// Whether p, q and the middle between them lie on the edge as far as its flattening allows.
   bool carries(int id, IntPoint p, IntPoint q) const {
     const auto& edge = edges_[static_cast<std::size_t>(id)];
-    const double slack = 2 * tol_.chord + 4 / kGridPerMm;
     const Vec2 a = from_grid(p), b = from_grid(q);
     if (!edge.is_arc()) return false;
-    if (!edge.box().grown(slack).contains(a)) return false;
-    return distance(edge, a) <= slack && distance(edge, b) <= slack && distance(edge, (a + b) / 2.0) <= slack;
+    if (!edge.box().grown(slack()).contains(a)) return false;
+    return distance(edge, a) <= slack() && distance(edge, b) <= slack() &&
+           distance(edge, (a + b) / 2.0) <= slack();
   }
+
+  /// For chords that were cut on both sides, as where thousands of strokes cross; -1 when there is none.
+  int arc_carrying(IntPoint p, IntPoint q) const {
+    if (!arcs_) {
+      arcs_.emplace();
+      arcs_->build(static_cast<std::uint32_t>(edges_.size()),
+                   [&](std::uint32_t i) { return edges_[i].is_arc() ? edges_[i].box() : Box{}; });
+    }
+    int found = -1;
+    arcs_->descend(
+        [&, at = from_grid(p)](const Box& box) { return found < 0 && box.grown(slack()).contains(at); },
+        [&](std::uint32_t i) {
+          if (found < 0 && carries(static_cast<int>(i), p, q)) found = static_cast<int>(i);
+        });
+    return found;
+  }
+
+  /// mm. How far flattened points may lie from their arc.
+  double slack() const { return 2 * tol_.chord + 4 / kGridPerMm; }
 
   Tolerances tol_;
   std::vector<Edge> edges_;
+  std::vector<std::pair<Vec2, int>> flattened_;  ///< points of the input, and the edge that each is on
+  mutable std::optional<BoxTree> arcs_;          ///< made when first asked
   std::unordered_map<std::pair<std::int64_t, std::int64_t>, SourcePoint, GridHash> points_;
 };
 
@@ -219,28 +249,15 @@ bool is_sliver(const Loop& loop, const Tolerances& tol) {
   return loop.size() < 2 || 2 * std::abs(signed_area(loop)) <= 2 * tol.chord * length(loop);
 }
 
-void append_region(const ClipperLib::Path& contour, const std::vector<const ClipperLib::Path*>& holes,
-                   const Sources& sources, const Tolerances& tol, Regions& out) {
-  Loop outer = loop_of(contour, sources, tol);
+void append_region(const NestedContour& nested, const Sources& sources, const Tolerances& tol, Regions& out) {
+  Loop outer = loop_of(nested.contour, sources, tol);
   if (is_sliver(outer, tol)) return;
   std::vector<Loop> islands;
-  for (const ClipperLib::Path* hole : holes) {
-    Loop island = loop_of(*hole, sources, tol);
+  for (const ClipperLib::Path& hole : nested.holes) {
+    Loop island = loop_of(hole, sources, tol);
     if (!is_sliver(island, tol)) islands.push_back(std::move(island));
   }
   out.push_back(Region::from_valid_loops(std::move(outer), std::move(islands)));
-}
-
-void append_regions(const ClipperLib::PolyNode& node, const Sources& sources, const Tolerances& tol,
-                    Regions& out) {
-  for (const auto* child : node.Childs) {
-    std::vector<const ClipperLib::Path*> holes;
-    for (const auto* hole : child->Childs) {
-      holes.push_back(&hole->Contour);
-      append_regions(*hole, sources, tol, out);
-    }
-    append_region(child->Contour, holes, sources, tol, out);
-  }
 }
 
 void add_regions(const Regions& regions, ClipperLib::PolyType type, Sources& sources,
@@ -252,39 +269,31 @@ void add_regions(const Regions& regions, ClipperLib::PolyType type, Sources& sou
 }
 
 /// Whether a contour comes back to one of its points.
-bool touches_itself(const ClipperLib::PolyTree& tree) {
-  for (const auto* node = tree.GetFirst(); node; node = node->GetNext()) {
-    std::unordered_set<std::pair<std::int64_t, std::int64_t>, GridHash> seen;
-    for (const auto& p : node->Contour)
-      if (!seen.insert({p.X, p.Y}).second) return true;
-  }
-  return false;
-}
-
-Regions split_regions(const ClipperLib::PolyTree& tree, const Sources& sources, const Tolerances& tol) {
-  Regions regions;
-  for (const SplitContour& split : split_contours(tree)) {
-    std::vector<const ClipperLib::Path*> holes;
-    for (const ClipperLib::Path& hole : split.holes) holes.push_back(&hole);
-    append_region(split.contour, holes, sources, tol, regions);
-  }
-  return regions;
-}
-
-Regions regions_of(const ClipperLib::PolyTree& tree, const Sources& sources, const Tolerances& tol) {
-  Regions regions;
-  append_regions(tree, sources, tol, regions);
-  return regions;
+bool touches_itself(const ClipperLib::Paths& contours) {
+  PointSet seen;
+  return std::any_of(contours.begin(), contours.end(), [&](const ClipperLib::Path& contour) {
+    seen.clear();
+    return std::any_of(contour.begin(), contour.end(), [&](const IntPoint& p) {
+      return !seen.insert({p.X, p.Y}).second;
+    });
+  });
 }
 
 /// Contours that touch themselves are split there. Polyclipping would do that itself (StrictlySimple), but in the time of all points
-/// for every touch, and where boundaries run along each other for long into many contours that share edges.
+/// for every touch, and where boundaries run along each other for long into many contours that share edges. It would nest them,
+/// too (PolyTree), but in the time of all points for every place where two had an edge in common.
 Regions executed(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, ClipperLib::PolyFillType fill,
-                 const Sources& sources, const Tolerances& tol) {
-  ClipperLib::PolyTree tree;
+                 Sources& sources, const Tolerances& tol) {
+  ClipperLib::Paths contours;
   // False where there was no input: loops without area are none to it.
-  if (!clipper.Execute(operation, tree, fill, fill)) return {};
-  return touches_itself(tree) ? split_regions(tree, sources, tol) : regions_of(tree, sources, tol);
+  if (!clipper.Execute(operation, contours, fill, fill)) return {};
+  std::erase_if(contours, [](const ClipperLib::Path& contour) { return contour.size() < 3; });
+  sources.look_up(contours);
+  Regions regions;
+  const bool touching = touches_itself(contours);
+  for (const NestedContour& nested : touching ? split_contours(contours) : nested_contours(contours))
+    append_region(nested, sources, tol, regions);
+  return regions;
 }
 
 Regions combined(const Regions& a, const Regions& b, ClipperLib::ClipType operation, const Tolerances& tol) {
@@ -300,6 +309,22 @@ Regions resolved(std::span<const Loop> loops, ClipperLib::PolyFillType fill, con
   ClipperLib::Clipper clipper;
   for (const auto& loop : loops) clipper.AddPath(sources.flatten(loop), ClipperLib::ptSubject, true);
   return executed(clipper, ClipperLib::ctUnion, fill, sources, tol);
+}
+
+/// What the paths cover, in halves: most of what lies within others is gone before all that is left is looked at together.
+void add_united(std::span<const ClipperLib::Path> paths, ClipperLib::Clipper& clipper) {
+  constexpr std::size_t kAtOnce = 256;
+  if (paths.size() <= kAtOnce) {
+    for (const ClipperLib::Path& path : paths) clipper.AddPath(path, ClipperLib::ptSubject, true);
+    return;
+  }
+  for (const auto half : {paths.first(paths.size() / 2), paths.subspan(paths.size() / 2)}) {
+    ClipperLib::Clipper own;
+    ClipperLib::Paths united;
+    add_united(half, own);
+    own.Execute(ClipperLib::ctUnion, united, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+    clipper.AddPaths(united, ClipperLib::ptSubject, true);
+  }
 }
 
 /// Twice the area over the perimeter is about the thickness.
@@ -322,6 +347,15 @@ Regions unite_all(const Regions& regions, const Tolerances& tol) {
   for (const ClipperLib::Path& path : paths)
     if (!is_thin(path, tol)) nested.AddPath(path, ClipperLib::ptSubject, true);
   return executed(nested, ClipperLib::ctUnion, ClipperLib::pftNonZero, sources, tol);
+}
+
+Regions unite_loops(std::span<const Loop> loops, const Tolerances& tol) {
+  Sources sources(tol);
+  ClipperLib::Paths paths;
+  for (const Loop& loop : loops) paths.push_back(sources.flatten(loop));
+  ClipperLib::Clipper clipper;
+  add_united(paths, clipper);
+  return executed(clipper, ClipperLib::ctUnion, ClipperLib::pftNonZero, sources, tol);
 }
 
 Regions unite(const Regions& a, const Regions& b, const Tolerances& tol) {

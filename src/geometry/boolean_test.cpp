@@ -4,6 +4,7 @@
 
 #include "base/random.h"
 #include "base/units.h"
+#include "geometry/unite_all.h"
 
 namespace clearcut::inline geometry {
 namespace {
@@ -34,6 +35,47 @@ int arcs(const Regions& regions) {
 
 void expect_joined(const Loop& loop) {
   for (std::size_t i = 0; i < loop.size(); ++i) EXPECT_EQ(loop[i].to, loop[(i + 1) % loop.size()].from);
+}
+
+Loop capsule(Vec2 a, Vec2 b, double radius) {
+  const Vec2 across = left_of((b - a) / distance(a, b)) * radius;
+  return {Edge::line(a - across, b - across), Edge::arc(b - across, b + across, b, Turn::kCounterClockwise),
+          Edge::line(b + across, a + across), Edge::arc(a + across, a - across, a, Turn::kCounterClockwise)};
+}
+
+/// Of every round end a piece shows that is shorter than the chords it is clipped as: its arc is looked for among all.
+TEST(Boolean, BandsSideBySideAreUnitedInAFewSteps) {
+  constexpr int kBands = 3000;
+  constexpr double kPitch = 0.005, kRadius = 0.05, kLength = 3;  // mm
+  std::vector<Loop> bands;
+  for (int i = 0; i < kBands; ++i) bands.push_back(capsule({i * kPitch, 0}, {i * kPitch, kLength}, kRadius));
+  const Regions united = unite_loops(bands, kTol);
+  ASSERT_EQ(united.size(), 1u);
+  // All ends but the outermost stand out by the radius, less the bow between two of them.
+  const double bow = kPitch * kPitch / (24 * kRadius);
+  const double all = (kBands - 1) * kPitch * (kLength + 2 * (kRadius - bow)) + 2 * kRadius * kLength +
+                     kPi * kRadius * kRadius;
+  EXPECT_NEAR(area(united), all, 1e-4);
+  EXPECT_NEAR(area(resolve_nonzero(bands, kTol)), all, 1e-4);
+}
+
+/// Rings in rings beside each other, and rings that touch from inside and outside.
+TEST(Boolean, ContoursAreNestedToAnyDepth) {
+  std::vector<Loop> loops;
+  for (int column = 0; column < 20; ++column)
+    for (int depth = 0; depth < 9; ++depth)
+      loops.push_back(
+          rectangle({column * 20.0 + depth, 1.0 * depth}, {column * 20.0 + 20 - depth, 20.0 - depth}));
+  const Regions regions = resolve_even_odd(loops, kTol);
+  // The outermost squares share walls, and are one region.
+  EXPECT_EQ(regions.size(), 1U + 20 * 4);
+  double all = 0;
+  for (int depth = 0; depth < 9; ++depth)
+    all += (depth % 2 == 0 ? 1 : -1) * (20.0 - 2 * depth) * (20.0 - 2 * depth);
+  EXPECT_NEAR(area(regions), 20 * all, 1e-6);
+  const Loop hole = rectangle({5, 0}, {10, 5}), within = rectangle({6, 1}, {10, 4});
+  const Regions touching = resolve_even_odd(std::vector{rectangle({0, 0}, {20, 20}), hole, within}, kTol);
+  EXPECT_NEAR(area(touching), 400 - 25 + 12, 1e-6);
 }
 
 TEST(Boolean, UnionOfOverlappingSquaresHasTheirOutline) {

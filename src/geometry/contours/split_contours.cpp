@@ -1,11 +1,11 @@
 #include "geometry/contours/split_contours.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
+#include <functional>
 #include <map>
+#include <optional>
 #include <utility>
+
+#include "geometry/contours/contour_index.h"
 
 namespace clearcut::inline geometry {
 namespace {
@@ -13,36 +13,6 @@ namespace {
 using ClipperLib::cInt;
 using ClipperLib::IntPoint;
 using ClipperLib::Path;
-
-struct GridBox {
-  IntPoint min, max;
-};
-
-GridBox box_of(const Path& path) {
-  GridBox box{path.front(), path.front()};
-  for (const IntPoint& p : path) {
-    box.min = {std::min(box.min.X, p.X), std::min(box.min.Y, p.Y)};
-    box.max = {std::max(box.max.X, p.X), std::max(box.max.Y, p.Y)};
-  }
-  return box;
-}
-
-bool contains(const GridBox& outer, const GridBox& inner) {
-  return outer.min.X <= inner.min.X && outer.min.Y <= inner.min.Y && inner.max.X <= outer.max.X &&
-         inner.max.Y <= outer.max.Y;
-}
-
-/// Whether `inner`, which does not cross `outer`, lies in it.
-bool lies_in(const Path& inner, const Path& outer) {
-  for (std::size_t i = 0; i < inner.size(); ++i) {
-    const IntPoint &p = inner[i], &q = inner[(i + 1) % inner.size()];
-    for (const IntPoint& at : {p, IntPoint((p.X + q.X) / 2, (p.Y + q.Y) / 2)}) {
-      const int side = ClipperLib::PointInPolygon(at, outer);
-      if (side >= 0) return side > 0;  // -1: on the contour
-    }
-  }
-  return true;
-}
 
 /// Cuts off a loop whenever the walk along the contour comes back to a point.
 void append_loops(const Path& contour, ClipperLib::Paths& loops) {
@@ -62,30 +32,65 @@ void append_loops(const Path& contour, ClipperLib::Paths& loops) {
   if (walked.size() > 2) loops.push_back(std::move(walked));
 }
 
+/// Contours by those that they lie in.
+class Nesting {
+ public:
+  explicit Nesting(const ClipperLib::Paths& contours) : inside_(contours.size()) {
+    const auto around = contours_around(contours);
+    for (std::size_t i = 0; i < contours.size(); ++i)
+      (around[i] ? inside_[*around[i]] : outermost_).push_back(i);
+  }
+
+  const std::vector<std::size_t>& outermost() const { return outermost_; }
+  /// Those that lie in a contour and in nothing between.
+  const std::vector<std::size_t>& inside(std::size_t contour) const { return inside_[contour]; }
+
+ private:
+  std::vector<std::size_t> outermost_;
+  std::vector<std::vector<std::size_t>> inside_;
+};
+
+/// Every contour before what lies in it.
+ClipperLib::Paths from_outside_in(const ClipperLib::Paths& contours) {
+  const Nesting nesting(contours);
+  ClipperLib::Paths sorted;
+  const std::function<void(std::size_t)> append = [&](std::size_t i) {
+    sorted.push_back(contours[i]);
+    for (const std::size_t inner : nesting.inside(i)) append(inner);
+  };
+  for (const std::size_t i : nesting.outermost()) append(i);
+  return sorted;
+}
+
 }  // namespace
 
-std::vector<SplitContour> split_contours(const ClipperLib::PolyTree& tree) {
-  ClipperLib::Paths loops;
-  for (const auto* node = tree.GetFirst(); node; node = node->GetNext()) append_loops(node->Contour, loops);
-  std::vector<SplitContour> out;
-  std::vector<GridBox> boxes;
-  std::vector<double> areas;
-  for (Path& loop : loops) {
-    if (ClipperLib::Area(loop) <= 0) continue;
-    boxes.push_back(box_of(loop));
-    areas.push_back(ClipperLib::Area(loop));
-    out.push_back({std::move(loop), {}});
-  }
-  for (Path& loop : loops) {
-    if (loop.empty() || ClipperLib::Area(loop) >= 0) continue;
-    const GridBox box = box_of(loop);
-    std::size_t around = out.size();
-    for (std::size_t i = 0; i < out.size(); ++i) {
-      const bool smaller = around == out.size() || areas[i] < areas[around];
-      if (smaller && contains(boxes[i], box) && lies_in(loop, out[i].contour)) around = i;
+std::vector<NestedContour> nested_contours(const ClipperLib::Paths& contours) {
+  const Nesting nesting(contours);
+  std::vector<NestedContour> out;
+  const std::function<void(std::size_t)> append = [&](std::size_t outer) {
+    NestedContour nested{contours[outer], {}};
+    for (const std::size_t hole : nesting.inside(outer)) {
+      nested.holes.push_back(contours[hole]);
+      for (const std::size_t inner : nesting.inside(hole)) append(inner);
     }
-    if (around < out.size()) out[around].holes.push_back(std::move(loop));
+    out.push_back(std::move(nested));
+  };
+  for (const std::size_t outer : nesting.outermost()) append(outer);
+  return out;
+}
+
+std::vector<NestedContour> split_contours(const ClipperLib::Paths& contours) {
+  ClipperLib::Paths loops, outers, holes;
+  for (const Path& contour : from_outside_in(contours)) append_loops(contour, loops);
+  for (Path& loop : loops) {
+    const double area = ClipperLib::Area(loop);
+    if (area != 0) (area > 0 ? outers : holes).push_back(std::move(loop));
   }
+  std::vector<NestedContour> out;
+  for (const Path& outer : outers) out.push_back({outer, {}});
+  const ContourIndex index(outers);
+  for (Path& hole : holes)
+    if (const auto around = index.smallest_around(hole)) out[*around].holes.push_back(std::move(hole));
   return out;
 }
 

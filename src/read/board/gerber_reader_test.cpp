@@ -72,6 +72,33 @@ TEST(Gerber, ABoardOfThousandsOfPadsAndTracksIsRead) {
   EXPECT_NEAR(area(dark), kRows * row, 0.05);
 }
 
+/// A square whose contour cuts in to every hole, up each column and back: as exporters without clear polarity draw a ground plane.
+TEST(Gerber, AContourMayCutInToThousandsOfHoles) {
+  constexpr int kColumns = 45, kRows = 45;
+  const auto point = [](int x, int y) {
+    return "X" + std::to_string(x) + "Y" + std::to_string(y) + "D01*\n";
+  };
+  std::string body = "G36*X0Y0D02*\n";
+  for (int column = 0; column < kColumns; ++column) {
+    const int x = 1000 * column + 500;
+    body += point(x, 0);
+    for (int row = 0; row < kRows; ++row) {
+      const int y = 1000 * row + 500;
+      body += point(x, y - 200) + point(x - 200, y - 200) + point(x - 200, y + 200) + point(x, y + 200);
+    }
+    for (int row = kRows - 1; row >= 0; --row) {
+      const int y = 1000 * row + 500;
+      body += point(x, y + 200) + point(x + 200, y + 200) + point(x + 200, y - 200) + point(x, y - 200);
+    }
+    body += point(x, 0);
+  }
+  body += point(1000 * kColumns, 0) + point(1000 * kColumns, 1000 * kRows) + point(0, 1000 * kRows) + "G37*";
+  const Regions dark = dark_of(body);
+  ASSERT_EQ(dark.size(), 1U);
+  EXPECT_EQ(dark[0].islands().size(), static_cast<std::size_t>(kColumns * kRows));
+  EXPECT_NEAR(area(dark), kColumns * kRows * (1 - 0.16), 1e-3);
+}
+
 TEST(Gerber, StandardAperturesHaveTheirAreas) {
   const double disc = kPi;  // of 2 mm
   EXPECT_NEAR(dark_area_of("%ADD10C,2*%D10*X0Y0D03*"), disc, 1e-9);

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "geometry/boolean.h"
 #include "geometry/contours/loops.h"
+#include "geometry/unite_all.h"
 #include "read/repair/crossings/meetings.h"
 #include "read/repair/crossings/nesting.h"
 #include "read/repair/crossings/splitting.h"
@@ -59,6 +60,14 @@ std::vector<Loop> outlines_by_winding(const std::vector<Loop>& loops) {
   return kept;
 }
 
+/// Whether all turn counter-clockwise and none crosses itself: then the area where windings are not zero is their union.
+bool are_pieces(const std::vector<Loop>& loops, const std::vector<Meeting>& met) {
+  return std::all_of(loops.begin(), loops.end(), [](const Loop& loop) { return signed_area(loop) > 0; }) &&
+         std::none_of(met.begin(), met.end(), [](const Meeting& meeting) {
+           return meeting.within_one_loop() && is_harmful(meeting);
+         });
+}
+
 /// One compound of several loops, or one loop that crosses itself.
 std::vector<Loop> resolve_compound(const std::vector<Loop>& loops, bool nonzero, const RepairOptions& options,
                                    Diagnostics& diagnostics) {
@@ -67,7 +76,9 @@ std::vector<Loop> resolve_compound(const std::vector<Loop>& loops, bool nonzero,
   if (crossing == met.end()) return nonzero && loops.size() > 1 ? outlines_by_winding(loops) : loops;
   diagnostics.repair(options.where + " at " + place_text(crossing->at),
                      "a filled path that crosses itself was resolved by its fill rule");
-  return loops_of(nonzero ? resolve_nonzero(loops, options.tol) : resolve_even_odd(loops, options.tol));
+  if (!nonzero) return loops_of(resolve_even_odd(loops, options.tol));
+  return loops_of(are_pieces(loops, met) ? unite_loops(loops, options.tol)
+                                         : resolve_nonzero(loops, options.tol));
 }
 
 }  // namespace

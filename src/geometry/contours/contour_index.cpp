@@ -1,0 +1,134 @@
+#include "geometry/contours/contour_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace clearcut::inline geometry {
+namespace {
+
+using ClipperLib::IntPoint;
+using ClipperLib::Path;
+
+Vec2 place_of(const IntPoint& p) {
+  return {static_cast<double>(p.X), static_cast<double>(p.Y)};
+}
+
+/// Whether `inner`, which does not cross `outer`, lies in it.
+bool lies_in(const Path& inner, const Path& outer) {
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    const IntPoint &p = inner[i], &q = inner[(i + 1) % inner.size()];
+    for (const IntPoint& at : {p, IntPoint((p.X + q.X) / 2, (p.Y + q.Y) / 2)}) {
+      const int side = ClipperLib::PointInPolygon(at, outer);
+      if (side >= 0) return side > 0;  // -1: on the contour
+    }
+  }
+  return true;
+}
+
+/// What a ray from a point towards greater x meets of one contour.
+class Ray {
+ public:
+  explicit Ray(Vec2 from) : from_(from) {}
+
+  void meet(Vec2 a, Vec2 b) {
+    const double turn = cross(a - from_, b - from_);
+    const bool spans = std::min(a.y, b.y) <= from_.y && from_.y <= std::max(a.y, b.y) &&
+                       std::min(a.x, b.x) <= from_.x && from_.x <= std::max(a.x, b.x);
+    if (turn == 0 && spans) starts_on_it_ = true;
+    // Ends at the height of the ray count as below it.
+    if ((a.y > from_.y) != (b.y > from_.y) && (turn > 0) == (b.y > a.y)) crosses_ = !crosses_;
+  }
+
+  bool starts_on_it() const { return starts_on_it_; }
+  bool starts_inside() const { return crosses_; }
+
+ private:
+  Vec2 from_;
+  bool starts_on_it_ = false, crosses_ = false;
+};
+
+}  // namespace
+
+ContourIndex::ContourIndex(const ClipperLib::Paths& contours) : contours_(contours) {
+  std::size_t count = 0;
+  for (const Path& contour : contours) {
+    areas_.push_back(std::abs(ClipperLib::Area(contour)));
+    first_edge_.push_back(count);
+    count += contour.size();
+  }
+  std::size_t contour = 0, edge = 0;
+  edges_.build(static_cast<std::uint32_t>(count), [&](std::uint32_t) {
+    while (edge == contours_[contour].size()) {
+      ++contour;
+      edge = 0;
+    }
+    const Path& path = contours_[contour];
+    Box box;
+    box.add(place_of(path[edge]));
+    box.add(place_of(path[(edge + 1) % path.size()]));
+    ++edge;
+    return box;
+  });
+}
+
+std::size_t ContourIndex::contour_of(std::size_t edge) const {
+  return static_cast<std::size_t>(std::upper_bound(first_edge_.begin(), first_edge_.end(), edge) -
+                                  first_edge_.begin()) -
+         1;
+}
+
+template <typename Visit>
+void ContourIndex::visit_around(const IntPoint& p, Visit&& visit) const {
+  const Vec2 from = place_of(p);
+  std::optional<std::size_t> contour;
+  Ray ray(from);
+  const auto tell = [&] {
+    if (contour && (ray.starts_on_it() || ray.starts_inside())) visit(*contour, ray.starts_on_it());
+  };
+  edges_.descend(
+      [&](const Box& box) { return box.min.y <= from.y && from.y <= box.max.y && from.x <= box.max.x; },
+      [&](std::uint32_t edge) {
+        const std::size_t own = contour && edge < first_edge_[*contour] + contours_[*contour].size()
+                                    ? *contour
+                                    : contour_of(edge);
+        if (contour != own) {
+          tell();
+          contour = own;
+          ray = Ray(from);
+        }
+        const Path& path = contours_[own];
+        const std::size_t at = edge - first_edge_[own];
+        ray.meet(place_of(path[at]), place_of(path[(at + 1) % path.size()]));
+      });
+  tell();
+}
+
+std::optional<std::size_t> ContourIndex::smallest_around(const Path& inner, std::size_t member) const {
+  const double own_area = member < areas_.size() ? areas_[member] : 0;
+  std::optional<std::size_t> smallest;
+  visit_around(inner.front(), [&](std::size_t outer, bool starts_on_it) {
+    const bool may_contain = areas_[outer] > own_area || (areas_[outer] == own_area && outer < member);
+    if (outer == member || !may_contain || (smallest && areas_[outer] >= areas_[*smallest])) return;
+    if (!starts_on_it || lies_in(inner, contours_[outer])) smallest = outer;
+  });
+  return smallest;
+}
+
+std::optional<std::size_t> ContourIndex::smallest_around(std::size_t member) const {
+  return smallest_around(contours_[member], member);
+}
+
+std::optional<std::size_t> ContourIndex::smallest_around(const Path& inner) const {
+  return smallest_around(inner, areas_.size());
+}
+
+std::vector<std::optional<std::size_t>> contours_around(const ClipperLib::Paths& contours) {
+  std::vector<std::optional<std::size_t>> around(contours.size());
+  if (contours.size() < 2) return around;
+  const ContourIndex index(contours);
+  for (std::size_t i = 0; i < contours.size(); ++i) around[i] = index.smallest_around(i);
+  return around;
+}
+
+}  // namespace clearcut::inline geometry

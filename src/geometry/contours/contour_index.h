@@ -1,0 +1,41 @@
+// Which contours of polyclipping lie in which.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <polyclipping/clipper.hpp>
+#include <vector>
+
+#include "geometry/spatial/box_tree.h"
+
+namespace clearcut::inline geometry {
+
+/// Finds the contours about another one, by a ray from one of its points. Keeps a reference to `contours`, which must outlive it.
+/// Contours must not cross each other; they may touch. Built in O(n) for n points.
+class ContourIndex {
+ public:
+  explicit ContourIndex(const ClipperLib::Paths& contours);
+
+  /// The smallest contour that contour `member` lies in; nothing where it lies in none. Of equal ones the first contains the others.
+  /// Cost O(log n + k) for k edges that the ray meets, and the points of those contours that `member` touches.
+  std::optional<std::size_t> smallest_around(std::size_t member) const;
+  /// The same for a contour that is no member.
+  std::optional<std::size_t> smallest_around(const ClipperLib::Path& inner) const;
+
+ private:
+  std::optional<std::size_t> smallest_around(const ClipperLib::Path& inner, std::size_t member) const;
+  std::size_t contour_of(std::size_t edge) const;
+  /// Calls visit(contour, position) for contours whose box the point lies in; position as of PointInPolygon.
+  template <typename Visit>
+  void visit_around(const ClipperLib::IntPoint& p, Visit&& visit) const;
+
+  const ClipperLib::Paths& contours_;
+  std::vector<double> areas_;
+  std::vector<std::size_t> first_edge_;  ///< of each contour
+  BoxTree edges_;                        ///< in units of the grid
+};
+
+/// For each contour the smallest that it lies in.
+std::vector<std::optional<std::size_t>> contours_around(const ClipperLib::Paths& contours);
+
+}  // namespace clearcut::inline geometry
