@@ -166,3 +166,33 @@ describe('a click on the path', () => {
     isNear(ask('distanceToMove(3, { x: 32, y: 10 })'), Math.hypot(3, 5));
   });
 });
+
+describe('the surface in space', () => {
+  /** Pieces of a tile of 32 cells with a groove of three cells from side to side at a height of -1; what is cut through is at the bottom. */
+  const ask = runReport('space/surface.js', sampleJob());
+  ask(`(globalThis.tileOf = (width_, height_, heightOf) => ({ across: 1, grid: { width: width_, block: { x0: 0, y0: 0, x1: width_, y1: height_ },
+    heights: Float32Array.from({ length: width_ * height_ }, (_, k) => heightOf(k % width_, Math.floor(k / width_))) } }), 0)`);
+  /** @type {(heightOf: string, least: number) => [number, number, number, number, boolean][]} */
+  const pieces = (heightOf, least) => /** @type {[number, number, number, number, boolean][]} */ (ask(`piecesOf(tileOf(33, 33, ${heightOf}), 0, ${least})`));
+  const area = (/** @type {[number, number, number, number, boolean][]} */ all) => all.reduce((sum, [x0, y0, x1, y1]) => sum + (x1 - x0) * (y1 - y0), 0);
+  test('what is level is one piece', () => {
+    assert.deepEqual(pieces('() => -1', 1), [[0, 0, 32, 32, true]]);
+  });
+  test('what is cut through has no piece', () => {
+    assert.deepEqual(pieces('() => -100', 1), []);
+    assert.equal(area(pieces('(x, y) => x < 16 ? 0 : -100', 1)), 16 * 32);
+  });
+  test('level cells come together on both sides of a step; the cells of the step stand alone', () => {
+    const all = pieces('(x, y) => y < 10 ? 0 : -1', 1);
+    assert.deepEqual(all.filter(piece => piece[4]), [[0, 0, 32, 9, true], [0, 10, 32, 32, true]]);
+    assert.equal(all.length, 2 + 32);
+  });
+  test('the pieces cover the tile, each cell once, in any detail', () => {
+    for (const least of [1, 2, 4, 8]) {
+      const all = pieces('(x, y) => Math.hypot(x - 16, y - 12) < 9 ? -2 : x + y > 50 ? -1 : 0', least), seen = new Set();
+      for (const [x0, y0, x1, y1] of all) for (let y = y0; y < y1; ++y) for (let x = x0; x < x1; ++x) seen.add(33 * y + x);
+      assert.equal(area(all), 32 * 32);
+      assert.equal(seen.size, 32 * 32);
+    }
+  });
+});

@@ -192,13 +192,13 @@ interface Grid {
   /** What is left at the end; null: not looked for yet. */
   rests: HTMLCanvasElement | null;
 }
-/** A grid as the graphics processor has it: squares of its tiles by their least size in cells, and the units of its textures. */
+/** A grid as the graphics processor has it: pieces of its tiles by their least size in cells, and the units of its textures. */
 interface Surface {
   grid: Grid;
   textures: { heights: WebGLTexture; rests: WebGLTexture };
   units: { heights: number; rests: number };
   array: WebGLVertexArrayObject; corners: WebGLBuffer; indices: WebGLBuffer;
-  /** How many squares the buffer holds, and how many the indices suffice for. */
+  /** How many pieces the buffer holds, and how many the indices suffice for. */
   quads: number; room: number;
   tiles: Record<number, Uint8Array>[]; across: number; down: number;
   /** What the buffer holds, and how often the heights have changed. */
@@ -224,8 +224,8 @@ interface Mesh { array: WebGLVertexArrayObject; count: number }
 interface LineBuffer { array: WebGLVertexArrayObject; buffer: WebGLBuffer; count: number; key: string }
 /** Of a cutter's outline: radius, height above the tip, and 0 where it cuts, 1 shank, 2 holder. */
 type ProfileRow = Triple;
-/** A square of the surface: columns and rows of its corners, and whether it is level. */
-type Square = [number, number, number, number, boolean];
+/** A rectangle of the surface: columns and rows of its corners, and whether it is level. */
+type Piece = [number, number, number, number, boolean];
 /** How finely the view in space is drawn: cells of a step, samples of a pixel, pixels for each of the stage's. */
 interface Detail { step: number; samples: number; share: number }
 /** A frame buffer of a size with its parts. */

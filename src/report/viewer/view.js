@@ -17,7 +17,11 @@ function setPlan(c) {
   c.setTransform(k, 0, 0, -k, (view.w / 2 - view.x * view.k) * view.ratio, (view.h / 2 + view.y * view.k) * view.ratio);
 }
 
-const wholeScale = () => 0.94 * Math.min(view.w / (wx1 - wx0), view.h / (wy1 - wy0));
+/** Pixels that the buttons take at the top of the stage and at its foot. */
+const BARS = 40;
+/** What of the stage's height the whole is fitted into. */
+const freeHeight = () => Math.max(view.h - 2 * BARS, view.h / 2);
+const wholeScale = () => Math.min(0.94 * view.w / (wx1 - wx0), freeHeight() / (wy1 - wy0));
 function fit() {
   view.x = (wx0 + wx1) / 2; view.y = (wy0 + wy1) / 2; view.k = wholeScale();
   fitted = true;

@@ -39,7 +39,7 @@ const stageCorners = () => [0, 1, 2, 3, 4, 5, 6, 7].map(k => ({ x: k & 1 ? wx1 :
 function fitSpace() {
   camera.x = (wx0 + wx1) / 2; camera.y = (wy0 + wy1) / 2; camera.z = (job.top + bottomZ) / 2;
   const axes = cameraAxes(), reach = (/** @type {Triple} */ axis) => Math.max(...stageCorners().map(p => Math.abs(dot(axis, beside(p))))) || 1;
-  camera.k = 0.9 * Math.min(view.w / 2 / reach(axes.right), view.h / 2 / reach(axes.up));
+  camera.k = Math.min(0.94 * view.w / 2 / reach(axes.right), freeHeight() / 2 / reach(axes.up));
   camera.fitted = true;
 }
 

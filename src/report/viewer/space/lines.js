@@ -135,7 +135,7 @@ function drawPathInSpace(values, rough) {
   if (to < first) return;
   writePath(first, to);
   if (rough && pathLines.count > 40000) return;
-  drawLines(pathLines, 0, pathLines.count, { ...values, last: { i: last }, trail: { i: mode === 'all' ? 0 : TRAIL } }, rough && mode !== 'all' ? 0 : mode === 'all' ? 0.45 : 0.3);
+  drawLines(pathLines, 0, pathLines.count, { ...values, last: { i: last }, trail: { i: mode === 'all' ? 0 : TRAIL } }, rough ? 0 : mode === 'all' ? 0.45 : 0.3);
 }
 
 /** Polygons of an outline's path data: M, L, A with equal radii, Z, in the part's mm. @type {(data: string) => [number, number][][]} */

@@ -1,5 +1,5 @@
 // ---- Programs for the graphics processor. The heights are a texture of one float for each cell.
-const TILE = 32;  // cells on each side of the largest squares of the surface
+const TILE = 32;  // cells on each side of the largest pieces of the surface
 
 const SURFACE_VERTEX = `#version 300 es
 precision highp float;

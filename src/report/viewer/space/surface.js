@@ -1,4 +1,4 @@
-// ---- The material: the heights as a surface of squares, the sides of the stock, the face of a section.
+// ---- The material: the heights as a surface of rectangles, the sides of the stock, the face of a section.
 /** Made by startSpace(): the whole; and what is in sight in finer cells, where there is that. @type {Surface} */
 let surface;
 /** @type {Surface | null} */
@@ -60,24 +60,31 @@ function isLevel(g, x0, y0, x1, y1) {
 }
 
 /**
- * Squares of a tile, as large as they are level, no smaller than `least` cells: column, row, cells across and down, 1 where level.
- * @type {(s: Surface, tile: number, least: number) => Square[]}
+ * The tile in rectangles: of squares of `least` cells those that lie level as large as they come together, the others each alone. Column and row of
+ * two corners, and whether it is level.
+ * @type {(s: Surface, tile: number, least: number) => Piece[]}
  */
-function squaresOf(s, tile, least) {
-  const g = s.grid, right = g.block.x1 - 1, low = g.block.y1 - 1;
-  /** @type {Square[]} */
-  const squares = [];
-  /** @type {(x: number, y: number, size: number) => void} */
-  const split = (x, y, size) => {
-    if (x >= right || y >= low) return;
-    const x1 = Math.min(right, x + size), y1 = Math.min(low, y + size), level = isLevel(g, x, y, x1, y1);
-    if (!level && size > least) {
-      const half = size / 2;
-      split(x, y, half); split(x + half, y, half); split(x, y + half, half); split(x + half, y + half, half);
-    } else if (!level || g.heights[y * g.width + x] > bottomZ) squares.push([x, y, x1, y1, level]);
-  };
-  split(g.block.x0 + tile % s.across * TILE, g.block.y0 + Math.floor(tile / s.across) * TILE, TILE);
-  return squares;
+function piecesOf(s, tile, least) {
+  const g = s.grid, x0 = g.block.x0 + tile % s.across * TILE, y0 = g.block.y0 + Math.floor(tile / s.across) * TILE;
+  const right = Math.min(g.block.x1 - 1, x0 + TILE), low = Math.min(g.block.y1 - 1, y0 + TILE), across = Math.ceil((right - x0) / least), down = Math.ceil((low - y0) / least);
+  const isSolid = (/** @type {number} */ x, /** @type {number} */ y) => g.heights[y * g.width + x] > bottomZ;
+  if (isLevel(g, x0, y0, right, low)) return isSolid(x0, y0) ? [[x0, y0, right, low, true]] : [];
+  const columnOf = (/** @type {number} */ i) => Math.min(right, x0 + i * least), rowOf = (/** @type {number} */ j) => Math.min(low, y0 + j * least);
+  const free = new Uint8Array(across * down);  // level and in no piece yet
+  for (let j = 0; j < down; ++j) for (let i = 0; i < across; ++i) free[j * across + i] = Number(isLevel(g, columnOf(i), rowOf(j), columnOf(i + 1), rowOf(j + 1)));
+  /** @type {Piece[]} */
+  const pieces = [];
+  const done = Uint8Array.from(free, level => 1 - level);
+  for (let j = 0; j < down; ++j) for (let i = 0; i < across; ++i) {
+    const k = j * across + i;
+    if (!free[k]) { if (done[k]) pieces.push([columnOf(i), rowOf(j), columnOf(i + 1), rowOf(j + 1), false]); continue; }
+    let i1 = i + 1, j1 = j + 1;
+    while (i1 < across && free[j * across + i1]) ++i1;
+    while (j1 < down && free.subarray(j1 * across + i, j1 * across + i1).every(Boolean)) ++j1;
+    for (let row = j; row < j1; ++row) free.fill(0, row * across + i, row * across + i1);
+    if (isSolid(columnOf(i), rowOf(j))) pieces.push([columnOf(i), rowOf(j), columnOf(i1), rowOf(j1), true]);
+  }
+  return pieces;
 }
 
 /** Slopes of the heights around a cell, over so many cells on each side; nearer rows count twice. @type {(g: Grid, x: number, y: number, least: number) => [number, number]} */
@@ -90,15 +97,15 @@ function slopesAt(g, x, y, least) {
 }
 
 /**
- * The corners of a tile's squares as the shader takes them: column and row in sixteenths. Level squares are that much larger than they
+ * The corners of a tile's pieces as the shader takes them: column and row in sixteenths. Level ones are that much larger than they
  * are, so that no gap shows where a large one meets small ones.
  * @type {(s: Surface, tile: number, least: number) => Uint8Array}
  */
 function cornersOf(s, tile, least) {
-  const g = s.grid, squares = squaresOf(s, tile, least), bytes = new ArrayBuffer(4 * CORNER * squares.length), shorts = new Uint16Array(bytes), floats = new Float32Array(bytes);
+  const g = s.grid, pieces = piecesOf(s, tile, least), bytes = new ArrayBuffer(4 * CORNER * pieces.length), shorts = new Uint16Array(bytes), floats = new Float32Array(bytes);
   const signed = new Int8Array(bytes), colors = new Uint8Array(bytes);
   let n = 0;
-  for (const [x0, y0, x1, y1, level] of squares) {
+  for (const [x0, y0, x1, y1, level] of pieces) {
     for (let corner = 0; corner < 4; ++corner, ++n) {
       const x = corner < 2 ? x0 : x1, y = corner % 2 ? y1 : y0, more = level ? 1 : 0, k = CORNER * n;
       const h = Math.max(bottomZ - 1, g.heights[y * g.width + x]), color = shades[shadeAt(h)], [dx, dy] = level ? [0, 0] : slopesAt(g, x, y, least), one = 127 / Math.hypot(dx, dy, 1);
@@ -136,7 +143,7 @@ function onStage(s, tile, axes) {
   return Math.abs(dot(axes.right, q)) * camera.k < view.w / 2 + reach && Math.abs(dot(axes.up, q)) * camera.k < view.h / 2 + reach;
 }
 
-/** Puts the squares of all tiles on the stage into one buffer. @type {(s: Surface, least: number) => void} */
+/** Puts the pieces of all tiles on the stage into one buffer. @type {(s: Surface, least: number) => void} */
 function updateSquares(s, least) {
   const axes = cameraAxes();
   /** @type {number[]} */
