@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kShare = 0.02;   // of the feature's area
 constexpr double kCorners = 1.0;  // mm2
+/// Of the feature's area: where no more is reached, it is not what was asked for, however small it is.
+constexpr double kMost = 0.5;
 constexpr double kSameArea = 1e-9;
 constexpr int kHalvings = 10;  // of the range of diameters that is searched
 /// mm. Smaller cutters are not proposed.
@@ -153,7 +155,7 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
                              " mm2 has " + trimmed(fits, 2) + " mm"
                        : "; no cutter of 0.1 mm or more reaches it";
     }
-    const bool little = left <= std::max(kShare * whole, kCorners) && !is_nothing_in_reach(left, whole);
+    const bool little = left <= std::max(kShare * whole, kCorners) && left <= kMost * whole;
     conditions.push_back({"out-of-reach", text, 0, little ? "at most 2 percent or 1 mm2" : ""});
   }
   return conditions;
