@@ -18,10 +18,10 @@ struct Cleared {
   Box extent;  ///< of `area`
 };
 
-/// Whether a region, or all of them, is a sliver along outlines that were meant to coincide: thinner than
-/// 0.05 mm in the mean.
-bool is_sliver(const Region& region);
-bool negligible(const Regions& regions);
+/// mm. What subtractions leave of `target` is a sliver, along outlines that were meant to coincide, where it is thinner than
+/// this in the mean: 0.05 mm, and of targets that are themselves hardly wider, half their own width.
+double sliver_width(const Regions& target);
+bool is_sliver(const Region& region, double width);
 
 /// The regions `standing` without what was cleared.
 Regions without(const Regions& standing, const Cleared& cleared, const Tolerances& tol);

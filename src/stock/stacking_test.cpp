@@ -54,6 +54,20 @@ TEST(Stacking, AFeatureThatReachesBeyondAnEarlierOneBeginsAtTheHighestPlaceLeft)
   EXPECT_EQ(part.diagnostics.items()[0].severity, Severity::kWarning) << "declared lower than it is";
 }
 
+TEST(Stacking, ThinFeaturesAreNoSliversOfThemselves) {
+  Part part = block();
+  part.tools = {Tool{}};
+  add(part, rectangle(10, 10, 50, 50), 0, -20);
+  add(part, rectangle(60, 10, 90, 10.03), 0, -12);
+  add(part, rectangle(10, 60, 90, 90), 0, -5);
+  add(part, rectangle(20, 70, 80, 70.03), -5, -12);
+  stack_tops(part, {});
+  EXPECT_EQ(part.features[1].top_z, 0);
+  EXPECT_NEAR(area(Standing(part, 1, {}).above(-12)), 0.9, 1e-6);
+  EXPECT_EQ(part.features[3].top_z, -5);
+  EXPECT_NEAR(area(Standing(part, 3, {}).above(-12)), 1.8, 1e-6);
+}
+
 TEST(Stacking, SharedOutlinesLeaveNoSlivers) {
   Part part = block();
   add(part, rectangle(10, 10, 90, 90), 0, -5);

@@ -57,8 +57,8 @@ void sort_deepest_first(std::vector<Cleared>& areas) {
                    [](const Cleared& a, const Cleared& b) { return a.floor_z < b.floor_z; });
 }
 
-void erase_slivers(Regions& regions) {
-  std::erase_if(regions, is_sliver);
+void erase_slivers(Regions& regions, double width) {
+  std::erase_if(regions, [&](const Region& region) { return is_sliver(region, width); });
 }
 
 }  // namespace
@@ -106,10 +106,11 @@ Regions Standing::above(double z) const {
     standing = without(standing, cleared, tol_);
     whole = false;
   }
-  erase_slivers(standing);
+  const double width = sliver_width(feature_.target);
+  erase_slivers(standing, width);
   if (whole || stock_ <= 0 || standing.empty()) return standing;
   Regions asked = wanted(standing);
-  erase_slivers(asked);
+  erase_slivers(asked, width);
   if (asked.empty()) return asked;
   return intersect(standing, dilate(asked, kIntoStock * stock_, tol_), tol_);
 }
