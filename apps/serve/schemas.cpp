@@ -25,9 +25,9 @@ Json object(const Json& properties, const std::vector<std::string>& required) {
 
 Json progress_of_plan() {
   return object({{"stage", {{"type", "string"}, {"enum", {"planning", "certifying"}}}},
-                 {"done", described("integer", "candidates that are planned")},
+                 {"done", described("integer", "candidates that are planned; of certifying, pieces of work")},
                  {"most", described("integer", "how many there may be")},
-                 {"left_s", described("number", "s left at most; absent: not known")}},
+                 {"left_s", described("number", "s left, of planning at most; absent: not known")}},
                 {"stage", "done", "most"});
 }
 

@@ -238,6 +238,7 @@ verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
   verify.engagement_limit_deg = plan.engagement_deg;
   verify.threads = plan.threads;
   verify.cancel = plan.cancel;
+  verify.progress = plan.progress;
   if (plan.earlier) verify.earlier = &*plan.earlier;
   verify.material = plan.material;
   return verify;

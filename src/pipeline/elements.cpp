@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "base/progress_meter.h"
 #include "base/text/format.h"
 #include "geometry/clearance.h"
 #include "model/results/not_machined.h"
@@ -166,15 +167,14 @@ ElementsResult plan_elements(const ElementJob& job, const resolve::PlanOptions& 
   plan::grid::check(job);
   ElementsResult result;
   result.points = plan::grid::tabulate(job);
-  const auto tell = [&](Stage stage) {
-    throw_if_cancelled(options.cancel);
-    if (options.progress) options.progress({stage, result.searches.size(), job.elements.size()});
-  };
+  ProgressMeter meter(options.progress, options.cancel);
+  meter.begin(Stage::kPlanning, job.elements.size());
   const auto visits = plan::grid::plan_visits(job, result.points, [&](const std::vector<Vec2>& points) {
-    tell(Stage::kPlanning);
-    return searched_visit(points, options, result.searches.emplace_back());
+    auto order = searched_visit(points, options, result.searches.emplace_back());
+    meter.add();
+    return order;
   });
-  tell(Stage::kCertifying);
+  throw_if_cancelled(options.cancel);
   result.elements = figures_of(job, result.points, visits);
   const ResolvedPlan plan =
       resolve::resolve(part_of(job, visits, options.tol), options, strategies_of(options));

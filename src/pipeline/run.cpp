@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "base/progress.h"
+#include "base/progress_meter.h"
 #include "base/text/format.h"
 #include "base/work_budget.h"
 #include "geometry/boolean.h"
@@ -16,7 +16,6 @@
 #include "model/results/not_machined.h"
 #include "pipeline/certify.h"
 #include "pipeline/contour_results.h"
-#include "pipeline/progress_meter.h"
 #include "pipeline/selection/rapids_over_rests.h"
 #include "pipeline/selection/selection.h"
 #include "pipeline/selection/strategies.h"
@@ -398,7 +397,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   resolve::refuse_what_cannot_be(result.part, options);
   refuse_what_means_nothing(plan, result.part.diagnostics);
   warn_of_both_ways(plan, result.part.diagnostics);
-  ProgressMeter meter(options);
+  ProgressMeter meter(options.progress, options.cancel);
   const auto works = step_works(plan);
   const auto shares = work_shares(works, plan);
   const auto planner = [&](int step, const StrategyCandidate& candidate) {
@@ -414,10 +413,9 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   Toolpath toolpath;
   bool over_rests = false;
   do {
-    meter.begin(Stage::kCertifying, 1);
+    throw_if_cancelled(plan.cancel);
     toolpath = toolpath_of(selection, plan, over_rests);
     certify(result, toolpath, plan);
-    meter.add();
   } while (retry_unclean(selection, result) || begin_to_go_over_rests(over_rests, selection, plan, result));
   add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);

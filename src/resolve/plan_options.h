@@ -68,7 +68,7 @@ struct PlanOptions {
   std::uint64_t seed = 1;
   int threads = 0;            ///< 0: all cores
   std::stop_token cancel;     ///< asked to stop, the plan ends with Cancelled within a second
-  ProgressCallback progress;  ///< told after each candidate; may be empty
+  ProgressCallback progress;  ///< told after each candidate and while a program is checked; may be empty
   Tolerances tol;
   Sources sources;           ///< of values that are not given as options of their own names
   StepSources step_sources;  ///< of values in the part's operations that are not from where these were read

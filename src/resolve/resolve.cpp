@@ -198,6 +198,7 @@ ResolvedPlan resolve_whole(const PlanOptions& options) {
   plan.post = options.post;
   plan.tol = options.tol;
   plan.cancel = options.cancel;
+  plan.progress = options.progress;
   return plan;
 }
 

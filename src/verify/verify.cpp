@@ -4,6 +4,7 @@
 
 #include "base/elementary.h"
 #include "base/parallel.h"
+#include "base/progress_meter.h"
 #include "verify/blend.h"
 #include "verify/checked_move.h"
 #include "verify/coverage/carving.h"
@@ -281,20 +282,24 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   std::vector<FeatureWork> works = works_of(part);
   std::vector<CarvingWork> carvings = carvings_of(part);
 
-  const LoadOptions load{options.tol, options.engagement_limit_deg, options.material, options.cancel};
+  const std::size_t gouging = part.is_shape_stated ? program.moves.size() : 0;
+  ProgressMeter meter(options.progress, options.cancel);
+  meter.begin(Stage::kCertifying, samples_of(part, program.moves) + gouging);
+  const LoadOptions load{options.tol, options.engagement_limit_deg, options.material, options.cancel, &meter};
   const int threads = options.threads > 0 ? options.threads : available_threads();
   std::vector<std::function<void()>> tasks = load_tasks(part, program.moves, load, threads);
-  const std::size_t gouging = part.is_shape_stated ? program.moves.size() : 0;
   for (std::size_t i = 0; i < gouging; i += kChunk) {
     const std::span<CheckedMove> chunk(program.moves.data() + i, std::min(kChunk, program.moves.size() - i));
-    tasks.push_back([&finished, &options, &program, chunk] {
+    tasks.push_back([&finished, &options, &program, &meter, chunk] {
       check_gouges(finished, chunk, options.tol);
       check_liberties(finished, program.moves, chunk, options.tol);
+      meter.add(chunk.size());
     });
   }
   for (CarvingWork& work : carvings)
     tasks.push_back([&part, &program, &options, &work] { check_carving(part, program, options.tol, work); });
   check_works(part, finished.plain(), program, options, works, std::move(tasks));
+  meter.finish();
   if (!part.is_shape_stated) return findings_without_part(part, program, options);
   Findings findings = FindingsBuilder(part, program, works, carvings, options).build();
   if (findings.all.load)

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "base/tolerances.h"
 #include "model/control.h"
 #include "model/machine.h"
@@ -42,6 +43,7 @@ struct VerifyOptions {
   std::map<int, ToolLimits> tool_limits;
   std::optional<WorkMaterial> material;  ///< absent: no forces and no wear are computed
   std::stop_token cancel;                ///< asked between moves and layers
+  ProgressCallback progress;             ///< told how far it is, as Stage::kCertifying; may be empty
 };
 
 /// Checks `toolpath`, normally read back from a program's text, against `part`, whoever wrote it.

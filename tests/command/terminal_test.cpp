@@ -25,6 +25,7 @@ namespace {
 using test_support::run_clearcut;
 using test_support::ScratchFolder;
 using ::testing::AnyOf;
+using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -82,6 +83,8 @@ TEST(Help, IsGroupedAndFitsEightyColumns) {
     EXPECT_LE(widest_line(help.out), 80U) << command;
     EXPECT_THAT(help.out, Not(HasSubstr("\nOptions:"))) << command << " has an option without a group";
   }
+  const auto heading = all.out.find("\nChecking:\n");
+  EXPECT_EQ(all.out.find("\nChecking:\n", heading + 1), std::string::npos) << "a group stands in two places";
   const auto plan = run_clearcut({"plan", "--help"}).out;
   for (const char* group :
        {"Input", "Tools", "Strategy", "Limits", "Feeds and speeds", "Controller", "Output"})
@@ -221,9 +224,9 @@ struct Ended {
 
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
-/// Runs the command on a terminal of 80 columns; interrupts it after `interrupt_s` where that is above 0.
-Ended on_terminal(std::vector<std::string> arguments, const Environment& environment,
-                  double interrupt_s = 0) {
+/// Runs the command on a terminal of 80 columns; sends it `signal` after `interrupt_s` where that is above 0.
+Ended on_terminal(std::vector<std::string> arguments, const Environment& environment, double interrupt_s = 0,
+                  int signal = SIGINT) {
   int terminal = -1;
   winsize size{};
   size.ws_row = 24;
@@ -244,7 +247,7 @@ Ended on_terminal(std::vector<std::string> arguments, const Environment& environ
   std::thread interrupter([&] {
     if (interrupt_s <= 0) return;
     std::this_thread::sleep_for(std::chrono::duration<double>(interrupt_s));
-    ::kill(child, SIGINT);
+    ::kill(child, signal);
   });
   Ended ended;
   std::array<char, 4096> buffer{};
@@ -274,11 +277,15 @@ TEST(Colours, AreForTheVerdictOnATerminalAlone) {
   EXPECT_THAT(run_clearcut(call).out, Not(HasSubstr("\x1b")));
 }
 
-/// Minutes of work: a small cutter on a large pocket.
-std::vector<std::string> long_work(const ScratchFolder& folder, const std::string& command) {
-  const auto part = folder.file("large.json", R"({"name": "large", "units": "mm",
+/// A large pocket, minutes of work for a small cutter.
+std::string long_part() {
+  return R"({"name": "large", "units": "mm",
     "outer": [[0,0,0.1],[400,0,0.2],[400,300,0.1],[0,300,0.3]], "islands": [[[200,150,1],[150,150,1]]],
-    "top": 0, "depth": 5})");
+    "top": 0, "depth": 5})";
+}
+
+std::vector<std::string> long_work(const ScratchFolder& folder, const std::string& command) {
+  const auto part = folder.file("large.json", long_part());
   return {command, part, "--tool", "endmill:1", "--tool", "endmill:1.5"};
 }
 
@@ -291,14 +298,56 @@ TEST(Progress, OfATourSaysItsBestValueSoFar) {
               HasSubstr(R"({"progress":{"stage":"searching","best":)"));
 }
 
-TEST(Interrupt, LeavesNothingBehindAndIsCode130) {
+/// A program that is judged for seconds: four layers of close lines.
+std::string long_program() {
+  std::string text = "G21 G90 G17 G54\nT1 M6\nS5000 M3\nG0 X10 Y10\n";
+  for (int layer = 1; layer <= 4; ++layer) {
+    text += "G0 Z5\nG0 X10 Y10\nG1 Z-" + std::to_string(layer) + " F100\n";
+    for (int row = 0; row < 800; ++row)
+      text += "G1 X" + std::to_string(row % 2 == 0 ? 390 : 10) + " F900\nG1 Y" +
+              std::to_string(10 + 0.35 * (row + 1)) + "\n";
+  }
+  return text + "G0 Z5\nM5\nM2\n";
+}
+
+TEST(Progress, OfACheckSaysHowFarItIs) {
+  const ScratchFolder folder;
+  const auto program = folder.file("long.ngc", long_program());
+  const std::vector<std::string> call{"verify",  program,     "--tool",    "endmill:1",
+                                      "--stock", "400,300,5", "--dialect", "linuxcnc"};
+  const auto ended = on_terminal(call, {}, 3);
+  EXPECT_THAT(ended.shown, ContainsRegex("certifying the program: [0-9]+ % done, about [0-9]+ s left"));
+  EXPECT_THAT(ended.shown, HasSubstr("Ctrl-C stops."));
+  auto quiet = call;
+  quiet.emplace_back("--quiet");
+  EXPECT_THAT(on_terminal(quiet, {}, 3).shown, Not(HasSubstr("certifying")));
+}
+
+TEST(Progress, OfBatchesAndStudiesCountsWhatIsDone) {
+  const ScratchFolder folder;
+  folder.file("parts/one.json", kSquare);
+  folder.file("parts/two.json", long_part());
+  const auto batch = on_terminal({"batch", folder.path("parts"), "--tool", "endmill:1.5", "--jobs", "1",
+                                  "--part-time", "3", "-o", folder.path("out")},
+                                 {});
+  EXPECT_THAT(batch.shown, ContainsRegex("1 of 2 parts done, about [0-9]+ s left"));
+  EXPECT_THAT(batch.shown, ContainsRegex("\r\x1b\\[KTIMED OUT +two")) << "the line makes room for the row";
+  const auto study = on_terminal({"study", "population", "--runs", "2", "--generations", "2000", "--threads",
+                                  "1", "--csv", folder.path("rows.csv")},
+                                 {}, 2.5);
+  EXPECT_THAT(study.shown, ContainsRegex("[1-9][0-9]* of 16 runs done, about [0-9]+ s left"));
+}
+
+class Interrupt : public ::testing::TestWithParam<int> {};
+
+TEST_P(Interrupt, LeavesNothingBehindAndEndsByTheSignal) {
   for (const char* command : {"plan", "compare", "tools"}) {
     const ScratchFolder folder;
     auto call = long_work(folder, command);
     if (call.front() == "plan") call.insert(call.end(), {"-o", folder.path("out.ngc")});
-    const auto ended = on_terminal(call, {}, 2.5);
+    const auto ended = on_terminal(call, {}, 2.5, GetParam());
     ASSERT_TRUE(WIFSIGNALED(ended.status)) << command << ended.shown;
-    EXPECT_EQ(128 + WTERMSIG(ended.status), 130) << command;
+    EXPECT_EQ(WTERMSIG(ended.status), GetParam()) << command;
     EXPECT_THAT(ended.shown,
                 AnyOf(HasSubstr("planning:"), HasSubstr("certifying the program"), HasSubstr(" done")))
         << command;
@@ -306,6 +355,35 @@ TEST(Interrupt, LeavesNothingBehindAndIsCode130) {
     EXPECT_THAT(folder.names(), ElementsAre("large.json")) << command;
   }
 }
+
+TEST_P(Interrupt, OfAnythingElseLeavesNothingBehind) {
+  const ScratchFolder folder;
+  folder.file("large.json", long_part());
+  folder.file("long.ngc", long_program());
+  folder.file("parts/large.json", long_part());
+  std::filesystem::create_directories(folder.path("out"));
+  const auto before = folder.names();
+  const std::string out = folder.path("out");
+  const std::vector<std::vector<std::string>> calls{
+      {"verify", folder.path("long.ngc"), "--tool", "endmill:1", "--stock", "400,300,5", "--json",
+       folder.path("c.json")},
+      {"batch", folder.path("parts"), "--tool", "endmill:1", "-o", out},
+      {"reproduce", "objectives"},
+      {"tour", "13x12", "--closed", "--objective", "1:length,7:turns", "--solver", "published", "--time",
+       "60", "--patience", "100000000", "--json", folder.path("t.json")},
+      {"study", "time", "--runs", "2", "--generations", "100000"}};
+  for (const auto& call : calls) {
+    const auto ended = on_terminal(call, {}, 1.5, GetParam());
+    ASSERT_TRUE(WIFSIGNALED(ended.status)) << call.front() << ended.shown;
+    EXPECT_THAT(ended.shown, HasSubstr("\r\x1b[Kclearcut: stopped")) << call.front();
+    EXPECT_EQ(folder.names(), before) << call.front();
+  }
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  for (const auto& one : std::filesystem::directory_iterator(out))
+    EXPECT_EQ(one.path().extension(), ".log") << one.path();
+}
+
+INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, ::testing::Values(SIGINT, SIGTERM));
 
 }  // namespace
 }  // namespace clearcut

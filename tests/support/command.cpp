@@ -35,6 +35,7 @@ ScratchFolder::~ScratchFolder() {
 }
 
 std::string ScratchFolder::file(const std::string& name, const std::string& content) const {
+  fs::create_directories(fs::path(path(name)).parent_path());
   std::ofstream(path(name), std::ios::binary) << content;
   return path(name);
 }

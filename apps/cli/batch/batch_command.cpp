@@ -23,6 +23,7 @@
 #include "process/child_process.h"
 #include "ranks/distribute.h"
 #include "terminal/output.h"
+#include "terminal/progress.h"
 
 namespace clearcut::cli {
 namespace {
@@ -85,6 +86,8 @@ class Batch {
 
   void run() {
     const Share share = share_of(command_.share);
+    for (std::size_t part = 0; part < parts_.size(); ++part) most_ += share.holds(part) ? 1 : 0;
+    begin_progress();
     std::atomic<std::size_t> next = 0;
     std::vector<std::jthread> workers;
     for (int i = 0; i < jobs_; ++i) {
@@ -95,6 +98,7 @@ class Batch {
       });
     }
     workers.clear();
+    line_.reset();
     if (error_) std::rethrow_exception(error_);
     for (std::size_t part = 0; part < parts_.size(); ++part) {
       if (!share.holds(part)) continue;
@@ -108,6 +112,8 @@ class Batch {
     work.tasks = [this] {
       std::vector<std::string> names;
       for (const BatchPart& part : parts_) names.push_back(part.name);
+      most_ = names.size();
+      begin_progress();  // on the process that hands out
       return names;
     };
     work.perform = [this](const std::string& name, const std::string&, const std::atomic<bool>& stop) {
@@ -121,6 +127,7 @@ class Batch {
     work.say = complain;
     work.threads = jobs_;
     const ranks::Outcome outcome = ranks::distribute(all, work);
+    line_.reset();
     chosen_ = rows_;
     return outcome;
   }
@@ -134,6 +141,13 @@ class Batch {
     BatchRow row;
     bool is_kept = false;
   };
+
+  /// For who sees it; elsewhere the lines of the parts say enough.
+  void begin_progress() {
+    if (command_.quiet || !is_watched()) return;
+    line_.emplace("Ctrl-C stops; parts that are done are not planned again by the same command.");
+    line_->count(0, most_, "parts");
+  }
 
   static int jobs_of(const BatchCommand& command, bool is_one_of_many) {
     const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -179,12 +193,14 @@ class Batch {
   /// The result of a part, and a line for it unless it was there.
   void note(std::size_t index, const Taken& taken) {
     rows_[index] = taken.row;
+    if (line_) line_->clear();
     if (taken.is_kept) {
       ++kept_;
     } else if (!command_.quiet) {
       print_line(fmt::format("{:12} {}", taken.row.verdict, taken.row.name));
       std::fflush(stdout);
     }
+    if (line_) line_->count(++done_, most_, "parts");
   }
 
   /// All processes of a job have to see the same parts.
@@ -286,7 +302,8 @@ class Batch {
   int jobs_;
   process::ChildLimits limits_;
   std::vector<BatchRow> rows_, chosen_;
-  std::size_t kept_ = 0;
+  std::size_t kept_ = 0, done_ = 0, most_ = 0;
+  std::optional<ProgressLine> line_;
   std::mutex mutex_;
   std::exception_ptr error_;
 };

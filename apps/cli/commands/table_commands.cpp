@@ -24,8 +24,6 @@ namespace clearcut::cli {
 
 namespace {
 
-const std::string kStops = "Ctrl-C stops.";
-
 /// How the answer of a command is printed.
 struct Answer {
   bool as_markdown = false;

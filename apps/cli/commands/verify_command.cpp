@@ -3,12 +3,14 @@
 #include <clearcut/verify.h>
 
 #include <memory>
+#include <optional>
 
 #include "arguments/certificate_info.h"
 #include "arguments/plan_arguments.h"
 #include "arguments/suggest.h"
 #include "commands/commands.h"
 #include "terminal/output.h"
+#include "terminal/progress.h"
 #include "terminal/terminal.h"
 
 namespace clearcut::cli {
@@ -61,7 +63,9 @@ CheckResult checked_alone(const VerifyCommand& command, const std::string& progr
 }
 
 Checked checked(const VerifyCommand& command) {
-  const PlanOptions options = command.arguments.options();
+  PlanOptions options = command.arguments.options();
+  std::optional<ProgressLine> line;
+  if (!command.quiet) options.progress = line.emplace(kStops).callback();
   Checked out;
   out.program = read_file(command.program);
   out.result = command.arguments.input().empty()

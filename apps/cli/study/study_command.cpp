@@ -2,6 +2,7 @@
 #include <clearcut/file.h>
 
 #include <memory>
+#include <optional>
 
 #include "arguments/suggest.h"
 #include "commands/commands.h"
@@ -29,10 +30,13 @@ void run(StudyCommand& command, const studies::GeneticStudy& study) {
   command.options.finished = [&](const std::vector<studies::StudyRow>& rows) {
     file.append(studies::study_lines(study, command.options, rows));
   };
-  command.options.progress = [&](int done, int total, const auto&) {
-    show_study_progress(command, done, total);
-  };
-  write_results(command, study, studies::run_genetic_study(study, command.options, earlier));
+  const auto total = static_cast<int>(study.levels.size()) * study.runs;
+  const auto missing = static_cast<int>(studies::missing_study_runs(study, command.options, earlier).size());
+  std::optional<StudyProgress> progress(std::in_place, command, total - missing, total);
+  command.options.progress = [&](int done, int all, const auto&) { progress->show(done, all); };
+  const auto rows = studies::run_genetic_study(study, command.options, earlier);
+  progress.reset();
+  write_results(command, study, rows);
 }
 
 int run(StudyCommand& command) {

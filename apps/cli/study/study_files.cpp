@@ -13,6 +13,17 @@ namespace clearcut::cli {
 
 namespace fs = std::filesystem;
 
+StudyProgress::StudyProgress(const StudyCommand& command, int done, int total) {
+  if (command.quiet || !is_watched()) return;
+  const bool keeps = !command.csv.empty() && command.csv != "-";
+  line_.emplace(keeps ? "Ctrl-C stops; runs that are done are kept." : kStops);
+  show(done, total);
+}
+
+void StudyProgress::show(int done, int total) {
+  if (line_) line_->count(static_cast<std::size_t>(done), static_cast<std::size_t>(total), "runs");
+}
+
 RowFile::RowFile(const StudyCommand& command, const studies::GeneticStudy& study)
     : command_(command), study_(study), is_file_(!command.csv.empty() && command.csv != "-") {}
 

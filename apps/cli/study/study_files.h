@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "terminal/progress.h"
+
 namespace clearcut::cli {
 
 struct StudyCommand {
@@ -19,6 +21,17 @@ struct StudyCommand {
   bool is_mpi = false;
   bool as_markdown = false;
   bool quiet = false;
+};
+
+/// How far a study is, for who sees it.
+class StudyProgress {
+ public:
+  /// `done` of `total` runs are from earlier.
+  StudyProgress(const StudyCommand& command, int done, int total);
+  void show(int done, int total);
+
+ private:
+  std::optional<ProgressLine> line_;
 };
 
 /// The file of the rows while the study runs: every finished run is appended at once, so that a study that was stopped goes on where

@@ -2,10 +2,8 @@
 
 #include <clearcut/error.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <sstream>
 #include <thread>
 #include <utility>
@@ -44,7 +42,9 @@ class StudyRank {
     work.say = complain;
     work.threads = command_.threads.value_or(1);
     work.ahead = work.threads;
-    return ranks::distribute(all, work);
+    const ranks::Outcome outcome = ranks::distribute(all, work);
+    progress_.reset();
+    return outcome;
   }
 
   std::vector<studies::StudyRow> rows() const {
@@ -91,11 +91,12 @@ class StudyRank {
   void begin_counting(int missing) {
     total_ = static_cast<int>(study_.levels.size()) * study_.runs;
     done_ = total_ - missing;
+    progress_.emplace(command_, done_, total_);
   }
 
   void finish_run(const std::string& lines) {
     file_.append(lines);
-    show_study_progress(command_, ++done_, total_);
+    progress_->show(++done_, total_);
   }
 
   StudyCommand& command_;
@@ -105,14 +106,10 @@ class StudyRank {
   std::optional<studies::IslandRuns> runs_;  ///< where this process hands out
   std::vector<std::string> next_;            ///< what can be done since a task was finished
   int done_ = 0, total_ = 0;
+  std::optional<StudyProgress> progress_;  ///< likewise
 };
 
 }  // namespace
-
-void show_study_progress(const StudyCommand& command, int done, int total) {
-  const bool shows = !command.quiet && isatty(STDERR_FILENO) != 0;
-  if (shows) std::fprintf(stderr, "\r%d of %d runs%s", done, total, done == total ? "\n" : "");
-}
 
 int run_study_on_ranks(StudyCommand& command, const studies::GeneticStudy& study,
                        const std::function<int(const std::vector<studies::StudyRow>& rows)>& write) {

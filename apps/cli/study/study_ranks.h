@@ -8,9 +8,6 @@
 
 namespace clearcut::cli {
 
-/// Shows how far it is, where somebody sees it.
-void show_study_progress(const StudyCommand& command, int done, int total);
-
 /// Runs what the file does not hold yet, and calls `write`, which gives the exit code, with all rows on the process that has the file; gives
 /// the exit code of this process. Throws InputError where there is no file or no MPI.
 int run_study_on_ranks(StudyCommand& command, const studies::GeneticStudy& study,

@@ -33,11 +33,15 @@ bool is_for_programs() {
 
 }  // namespace
 
+bool is_watched() {
+  return ::isatty(STDERR_FILENO) != 0;
+}
+
 ProgressLine::ProgressLine(std::string hint, std::string advice)
     : hint_(std::move(hint)),
       advice_(std::move(advice)),
       json_(is_for_programs()),
-      terminal_(!json_ && ::isatty(STDERR_FILENO) != 0),
+      terminal_(!json_ && is_watched()),
       began_s_(now_s()),
       watcher_([this] { watch(); }) {}
 
@@ -74,12 +78,17 @@ void ProgressLine::search(const SearchProgress& at) {
 void ProgressLine::count(std::size_t done, std::size_t of, const std::string& things) {
   const std::lock_guard lock(mutex_);
   if (!count_) began_s_ = now_s();
-  count_ = Count{done, of, things};
+  count_ = Count{count_ ? count_->before : done, done, of, things};
 }
 
 void ProgressLine::expect(const std::string& work, double usual_s) {
   const std::lock_guard lock(mutex_);
   work_ = Work{work, usual_s};
+}
+
+void ProgressLine::clear() {
+  const std::lock_guard lock(mutex_);
+  if (shown_ && terminal_) std::fputs("\r\x1b[K", stderr);
 }
 
 void ProgressLine::begin() {
@@ -102,7 +111,7 @@ std::string ProgressLine::text() const {
   if (!count_) return at_ ? described(*at_, spent_s) : "preparing";
   std::string text = work_ ? work_->name + ": " : "";
   text += fmt::format("{} of {} {} done", count_->done, count_->of, count_->things);
-  if (const auto left = time_left(count_->done, count_->of, spent_s))
+  if (const auto left = time_left(count_->done - count_->before, count_->of - count_->before, spent_s))
     text += fmt::format(", about {:.0f} s left", *left);
   return text;
 }

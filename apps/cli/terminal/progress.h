@@ -16,9 +16,14 @@ namespace clearcut::cli {
 
 /// The hint of commands that write their files at the end.
 inline constexpr const char* kCancel = "Ctrl-C stops; nothing is written before the end.";
+/// And of those that print, or write as they go.
+inline constexpr const char* kStops = "Ctrl-C stops.";
+
+/// Whether a terminal shows standard error: commands that print each result as it comes say no more elsewhere.
+bool is_watched();
 
 /// While it lives: after a second (three where no terminal shows it), what is being done, how far it is, and how long it may still take, on one line that is renewed on
-/// a terminal, every five seconds on a line of its own elsewhere; with CLEARCUT_PROGRESS=json as JSON, a line every fifth of a second. Says `hint` once, when it begins to say anything,
+/// a terminal, every three seconds on a line of its own elsewhere; with CLEARCUT_PROGRESS=json as JSON, a line every fifth of a second. Says `hint` once, when it begins to say anything,
 /// and `advice` once, when the work has taken ten seconds.
 class ProgressLine {
  public:
@@ -33,7 +38,10 @@ class ProgressLine {
   /// Of a search: the best that it found so far.
   void search(const SearchProgress& at);
   /// Of several plans or tables: so many `things` are done.
+  /// What was done at the first call took no time.
   void count(std::size_t done, std::size_t of, const std::string& things);
+  /// Removes the line from the terminal, so that what is printed next stands alone; it comes again.
+  void clear();
   /// A line of its own, at once, that stays.
   void say(const std::string& line);
   /// Of work that counts nothing: what it is, and how long it took where it was measured.
@@ -54,7 +62,7 @@ class ProgressLine {
   bool stopped_ = false;
   bool shown_ = false;
   struct Count {
-    std::size_t done, of;
+    std::size_t before, done, of;  ///< `before`: done when it began
     std::string things;
   };
   std::string text() const;

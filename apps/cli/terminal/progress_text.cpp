@@ -13,11 +13,14 @@ std::optional<double> time_left(std::size_t done, std::size_t of, double spent_s
 }
 
 std::string described(const Progress& at, double spent_s) {
-  if (at.stage == Stage::kCertifying) return "certifying the program";
-  std::string text = fmt::format("planning: {} of at most {} candidates", at.done, at.most);
-  if (const auto left = time_left(at.done, at.most, spent_s))
-    text += fmt::format(", at most {:.0f} s left", *left);
-  return text;
+  const auto left = time_left(at.done, at.most, spent_s);
+  if (at.stage == Stage::kCertifying) {
+    const std::string text = "certifying the program";
+    return left ? text + fmt::format(": {} % done, about {:.0f} s left", 100 * at.done / at.most, *left)
+                : text;
+  }
+  const std::string text = fmt::format("planning: {} of at most {} candidates", at.done, at.most);
+  return left ? text + fmt::format(", at most {:.0f} s left", *left) : text;
 }
 
 std::string json_of(const Progress& at, double spent_s) {

@@ -96,12 +96,14 @@ std::string with_colours(const std::string& text) {
 }
 
 void say_when_interrupted() {
-  struct sigaction before {};
-  // Work that was started with the signal ignored (nohup, a script's background) goes on.
-  if (::sigaction(SIGINT, nullptr, &before) == 0 && before.sa_handler == SIG_IGN) return;
   struct sigaction stop {};
   stop.sa_handler = interrupted;
-  ::sigaction(SIGINT, &stop, nullptr);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    struct sigaction before {};
+    // Work that was started with the signal ignored (nohup, a script's background) goes on.
+    const bool is_ignored = ::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN;
+    if (!is_ignored) ::sigaction(signal, &stop, nullptr);
+  }
 }
 
 }  // namespace clearcut::cli

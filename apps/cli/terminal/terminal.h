@@ -19,8 +19,8 @@ bool shows_colours();
 /// The text with its verdicts in green, yellow or red where colours are shown.
 std::string with_colours(const std::string& text);
 
-/// From now on Ctrl-C clears the line of progress, says that the work was stopped, and ends the process by that signal
-/// (a shell calls it exit code 130).
+/// From now on Ctrl-C and SIGTERM clear the line of progress, say that the work was stopped, and end the process by that signal
+/// (a shell calls it exit code 130 or 143).
 void say_when_interrupted();
 
 }  // namespace clearcut::cli

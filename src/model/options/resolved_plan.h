@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.h"
 #include "base/tolerances.h"
 #include "model/control.h"
 #include "model/machine.h"
@@ -97,6 +98,7 @@ struct ResolvedPlan {
   PostOptions post;
   Tolerances tol;
   std::stop_token cancel;             ///< asked to stop, the stages end with Cancelled
+  ProgressCallback progress;          ///< told how far the check of the program is; may be empty
   std::vector<ResolvedValue> values;  ///< all of the above, in the order of the workplan, then of the whole
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/progress.h"
 #include "stock/material.h"
 #include "verify/engagement/forces.h"
 #include "verify/faults/shaped_cutter.h"
@@ -321,9 +320,10 @@ constexpr int kMostParts = 4;
 constexpr double kMostRadii = 6e5;
 
 /// About how many samples a move is measured at.
-double samples_of(const CheckedMove& checked, double top_z) {
+std::size_t samples_of(const CheckedMove& checked, double top_z) {
   const bool sampled = checked.feeds() && checked.radius() > kResidual && checked.low_z() < top_z;
-  return 1 + (sampled ? checked.move->length() / std::min(checked.radius() / 10, kLongestStep) : 0);
+  const double step = std::min(checked.radius() / 10, kLongestStep);
+  return 1 + (sampled ? static_cast<std::size_t>(checked.move->length() / step) : 0);
 }
 
 /// Measures the moves from `first` to before `last`, after running all before them.
@@ -351,10 +351,17 @@ void measure_moves(const Part& part, std::vector<CheckedMove>& moves, std::size_
     } else {
       meter.measure(moves[i]);
     }
+    if (i >= first && options.meter) options.meter->add(samples_of(moves[i], part.top_z()));
   }
 }
 
 }  // namespace
+
+std::size_t samples_of(const Part& part, const std::vector<CheckedMove>& moves) {
+  std::size_t all = 0;
+  for (const CheckedMove& checked : moves) all += samples_of(checked, part.top_z());
+  return all;
+}
 
 void measure_load(const Part& part, std::vector<CheckedMove>& moves, const LoadOptions& options) {
   measure_moves(part, moves, 0, moves.size(), options);

@@ -6,6 +6,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "base/progress_meter.h"
 #include "base/tolerances.h"
 #include "model/part.h"
 #include "model/work_material.h"
@@ -18,7 +19,11 @@ struct LoadOptions {
   std::optional<double> limit_deg;       ///< greater engagement is counted separately
   std::optional<WorkMaterial> material;  ///< absent: no forces are computed
   std::stop_token cancel;                ///< asked before each move
+  ProgressMeter* meter = nullptr;  ///< counts the samples of each move that was measured; see samples_of
 };
+
+/// About how many samples of engagement the moves are measured at: what measuring them costs.
+std::size_t samples_of(const Part& part, const std::vector<CheckedMove>& moves);
 
 /// Runs the program through the stock, move by move, and fills every move's `load`.
 ///

@@ -1,0 +1,36 @@
+// Counts what is done of a work for those who wait for it, and ends it when they ask for that.
+#pragma once
+
+#include <mutex>
+#include <stop_token>
+
+#include "base/progress.h"
+
+namespace clearcut::inline base {
+
+/// Safe from several threads; the callback is called by one at a time, with counts that only grow within a stage, about a
+/// thousand times at most for each. Both are kept by reference to what outlives it.
+class ProgressMeter {
+ public:
+  ProgressMeter(const ProgressCallback& callback, const std::stop_token& cancel)
+      : callback_(callback), cancel_(cancel) {}
+
+  /// A stage of at most `most` pieces of work begins. Throws Cancelled.
+  void begin(Stage stage, std::size_t most);
+  /// So many of them are done. Throws Cancelled.
+  void add(std::size_t pieces = 1);
+  /// The stage is over, whatever was counted. Throws Cancelled.
+  void finish();
+
+ private:
+  void advance_to(std::size_t done);
+  void tell();
+
+  const ProgressCallback& callback_;
+  const std::stop_token& cancel_;
+  std::mutex mutex_;
+  Progress progress_;
+  std::size_t told_ = 0;  ///< pieces of the stage that were done when the callback heard of it last
+};
+
+}  // namespace clearcut::inline base
