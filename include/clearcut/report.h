@@ -6,6 +6,7 @@
 #include "clearcut/verify.h"
 #include "model/results/not_machined.h"
 #include "pipeline/texts.h"
+#include "report/picture/svg_path.h"
 #include "report/sheet/setup_sheet.h"
 
 namespace clearcut {
@@ -21,5 +22,6 @@ using pipeline::write_table;
 using pipeline::write_values;
 using report::CertificateFile;
 using report::joined_setup_sheets;
+using report::svg_path;
 
 }  // namespace clearcut

@@ -65,8 +65,13 @@ async function drives(page) {
   const outlines = await page.locator('#outlines tbody tr').count();
   check(outlines === 10, 'the outlines of the drawing are listed');
   check((await textOf(page, '#found-title')).startsWith('What was found: 9 features'), 'and what was found');
+  check(await page.locator('#drawing path').count() === outlines && await page.locator('#drawing text').count() === outlines, 'and are drawn with their numbers');
+  await page.locator('#drawing path[data-index="2"]').dispatchEvent('click');
+  check(await page.evaluate('document.activeElement.getAttribute("aria-label")') === 'What outline 3 is for' && await page.locator('#drawing path.marked').count() === 1, 'a click on one leads to its line');
   await page.selectOption('#plan-list li:last-child select', 'tools');
   await page.selectOption('[aria-label="What outline 3 is for"]', 'ignore');
+  check(await page.getAttribute('#drawing path[data-index="2"]', 'class') === 'ignore marked', 'what it is for is seen in the drawing');
+  await page.screenshot({ path: picture('serve-drawing-1366') });
   await page.selectOption('[aria-label="What outline 4 is for"]', 'pocket');
   await page.fill('[aria-label="Depth of outline 4, mm"]', '4');
   for (let k = 6; k <= outlines; ++k) await page.selectOption(`[aria-label="What outline ${k} is for"]`, 'ignore');

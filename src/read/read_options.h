@@ -8,6 +8,7 @@
 
 #include "base/tolerances.h"
 #include "geometry/box.h"
+#include "geometry/region.h"
 #include "model/hole.h"
 
 namespace clearcut::read {
@@ -56,6 +57,7 @@ struct OutlineSummary {
   bool says_role = false;       ///< somebody said it; else it is how the outline is read by itself
   std::optional<double> depth;  ///< mm
   Box box;
+  Loop loop;                       ///< itself, mm; the way around is the one it was drawn
   double area = 0;                 ///< mm2, islands not taken out
   std::optional<double> diameter;  ///< of circles
   int within = 0;                  ///< number of the outline right around it; 0: none

@@ -200,6 +200,26 @@ TEST(Json, SaysWhatAPartHolds) {
   EXPECT_TRUE(json.at("asks").empty());
 }
 
+/// Whoever shows the outlines needs no reader of drawings of his own.
+TEST(Json, HoldsTheCurvesOfADrawing) {
+  const ScratchFolder folder;
+  const auto drawing =
+      folder.file("disc.svg", R"(<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="20mm"
+    viewBox="0 0 40 20"><rect x="1" y="2" width="30" height="10"/><circle cx="36" cy="10" r="3"/></svg>)");
+  const auto json = nlohmann::json::parse(run_clearcut({"info", drawing, "--json"}).out);
+  ASSERT_EQ(json.at("outlines").size(), 2U);
+  for (const auto& one : json.at("outlines")) {
+    const std::string path = one.at("path");
+    if (one.at("diameter_mm").is_null()) {
+      for (const char* corner : {"1 8", "31 8", "31 18", "1 18"}) EXPECT_THAT(path, HasSubstr(corner));
+      EXPECT_EQ(std::count(path.begin(), path.end(), 'L'), 4) << path;
+    } else {
+      EXPECT_THAT(path, HasSubstr("A3 3 0 0")) << "true arcs of less than half a turn";
+    }
+    EXPECT_THAT(path, ContainsRegex("^M.*Z$"));
+  }
+}
+
 TEST(Tables, FitTheWidthAskedForAndStayWholeInPipes) {
   const ScratchFolder folder;
   const auto part = folder.file("square.json", kSquare);

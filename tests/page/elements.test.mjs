@@ -9,7 +9,7 @@ import { root } from './fake_page.mjs';
 const kinds = { button: 'HTMLButtonElement', canvas: 'HTMLCanvasElement', datalist: 'HTMLDataListElement', details: 'HTMLDetailsElement', div: 'HTMLDivElement', dl: 'HTMLDListElement',
   form: 'HTMLFormElement', h1: 'HTMLHeadingElement', h2: 'HTMLHeadingElement', iframe: 'HTMLIFrameElement', img: 'HTMLImageElement', input: 'HTMLInputElement', label: 'HTMLLabelElement', ol: 'HTMLOListElement',
   output: 'HTMLOutputElement', p: 'HTMLParagraphElement', pre: 'HTMLPreElement', progress: 'HTMLProgressElement', select: 'HTMLSelectElement', span: 'HTMLSpanElement',
-  table: 'HTMLTableElement', ul: 'HTMLUListElement' };
+  table: 'HTMLTableElement', ul: 'HTMLUListElement', svg: 'SVGSVGElement', g: 'SVGGElement', path: 'SVGPathElement' };
 
 for (const [page, types] of [['src/report/viewer/body.html', 'src/report/viewer/types.d.ts'], ['apps/serve/page/index.html', 'apps/serve/page/types.d.ts']]) {
   test(`elements of ${page}`, () => {

@@ -72,6 +72,8 @@ describe('texts', () => {
   test('how far a plan is', () => {
     assert.equal(ask(`progressText({ state: 'waiting', ahead: 2 })`), 'Waiting; 2 before it.');
     assert.equal(ask(`progressText({ state: 'running', seconds: 3.4, progress: { stage: 'planning', done: 2, most: 9, left_s: 12 } })`), 'Planning: 2 of at most 9 candidates … 3 s, at most 12 s left');
+    assert.equal(ask(`progressText({ state: 'running', seconds: 5.2, progress: { stage: 'certifying', done: 300, most: 900, left_s: 4 } })`), 'Certifying the program … 5 s, about 4 s left');
+    assert.deepEqual(ask(`shareDone({ state: 'running', seconds: 5.2, progress: { stage: 'certifying', done: 300, most: 900 } })`), [300, 900]);
     assert.equal(ask(`progressText({ state: 'running', seconds: 3.4 })`), 'Reading and preparing … 3 s');
   });
   test('figures that are no number are question marks', () => {
@@ -80,6 +82,17 @@ describe('texts', () => {
   });
   test('an outline is as large as its extent or its diameter', () => {
     assert.deepEqual(ask(`[{ diameter_mm: 6.001, extent_mm: null }, { diameter_mm: null, extent_mm: { x: [0, 10.504], y: [-1, 4] } }, { diameter_mm: null, extent_mm: null }].map(sizeOf)`), ['Ø 6', '10.5 × 5', '']);
+  });
+  test('a drawing is as large as all its outlines that have a curve', () => {
+    const outlines = `[{ path: 'M0 0Z', extent_mm: { x: [1, 5], y: [-2, 3] } }, { path: 'M0 0Z', extent_mm: { x: [-4, 2], y: [0, 9] } }, { path: null, extent_mm: { x: [-99, 99], y: [0, 1] } }]`;
+    assert.deepEqual(ask(`extentOfDrawing(${outlines})`), { x: [-4, 5], y: [-2, 9] });
+    assert.equal(ask('extentOfDrawing([])'), null);
+  });
+  test('a part is ready, has to be asked about, or cannot be read', () => {
+    assert.equal(ask(`readiness('a.dxf', { asks: [] }, [])`), 'a.dxf is ready to be planned.');
+    assert.equal(ask(`readiness('a.dxf', { asks: ['x', 'y'] }, [])`), 'Before a.dxf can be planned, say: (1) x (2) y');
+    assert.equal(ask(`readiness('a.dxf', undefined, ['a.dxf:3: no'])`), 'a.dxf:3: no');
+    assert.match(String(ask(`whatIsMissing(['photo.jpg'])`)), /^photo.jpg: no part by the name's ending; choose a DXF/);
   });
   test('set-ups of a job are told apart', () => {
     const joined = `joinedSetups([{ asks: ['a depth'], found: [], features: [], outlines: [] }, { asks: [], found: [{ kind: 'note', where: '', what: 'w' }], features: [], outlines: [] }])`;

@@ -1,6 +1,7 @@
 #include "terminal/json_tables.h"
 
 #include <clearcut/error.h>
+#include <clearcut/report.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -100,11 +101,19 @@ Json feature_json(const Feature& feature) {
           {"largest_cutter_mm", largest_cutter(feature)}};
 }
 
+/// Outlines beyond so many are listed without their curves.
+constexpr int kDrawnOutlines = 2000;
+
 Json outline_json(const OutlineSummary& one) {
-  return {{"number", one.number},           {"layer", one.layer},
-          {"extent_mm", box_json(one.box)}, {"diameter_mm", or_null(one.diameter)},
-          {"area_mm2", number(one.area)},   {"within", one.within > 0 ? Json(one.within) : Json()},
-          {"depth_mm", or_null(one.depth)}, {"role", one.role},
+  return {{"number", one.number},
+          {"layer", one.layer},
+          {"extent_mm", box_json(one.box)},
+          {"diameter_mm", or_null(one.diameter)},
+          {"path", one.number <= kDrawnOutlines ? Json(svg_path(one.loop)) : Json()},
+          {"area_mm2", number(one.area)},
+          {"within", one.within > 0 ? Json(one.within) : Json()},
+          {"depth_mm", or_null(one.depth)},
+          {"role", one.role},
           {"says_role", one.says_role}};
 }
 

@@ -18,8 +18,9 @@ function checkOptions() {
   return words.filter(word => word).join(' ');
 }
 
-/** What the check can speak of. @type {(program: File | undefined, part: File | undefined) => string} */
-function whatIsJudged(program, part) {
+/** What the check can speak of. @type {(program: File | undefined, part: File | undefined, names: string[]) => string} */
+function whatIsJudged(program, part, names) {
+  if (!program && names.length > 0) return `${names.join(', ')}: no program by the name's ending; say in the list which file is the program, or choose one more.`;
   if (!program) return 'Choose a program, and its part if there is one.';
   return part ? 'The program is checked against its part.'
     : 'Without a part: rapids, plunges, depths, engagement, limits, feeds and spindle are checked in the stock; what is left and what is gouged cannot be said.';
@@ -32,7 +33,7 @@ function showCheckCommand() {
   element('check-go').disabled = !program;
   element('check-depth-box').hidden = !part;
   element('check-stock-box').hidden = Boolean(part);
-  if (element('check-result').hidden) say(element('check-status'), whatIsJudged(program, part));
+  if (element('check-result').hidden) say(element('check-status'), whatIsJudged(program, part, check.files.entries.map(entry => entry.file.name)));
 }
 
 /** Brings the report above to the line, and the list below, which may not be there. @type {(number: number) => void} */

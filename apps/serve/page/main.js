@@ -62,6 +62,7 @@ if (pipeline.promise) element('promise').textContent = pipeline.promise;
 element('lengths').addEventListener('change', chooseLengths);
 setUpTabs();
 setUpPlan();
+setUpDrawing();
 setUpBeside();
 setUpCheck();
 setUpElements();

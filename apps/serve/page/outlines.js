@@ -46,6 +46,7 @@ function showOutlines(outlines) {
   element('outlines-box').hidden = outlines.length === 0;
   theOne('tbody', element('outlines')).replaceChildren(...outlines.slice(0, mostOutlines).map(outlineRow));
   element('outlines-title').textContent = `Outlines of the drawing: ${outlines.length}${outlines.length > mostOutlines ? `, the first ${mostOutlines} listed` : ''}`;
+  showDrawing();
 }
 
 /** After another unit was chosen; what is said of the outlines stays. */
@@ -56,6 +57,7 @@ function relabelOutlines() {
     depth.setAttribute('aria-label', `Depth of outline ${outline.number}, ${lengthName()}`);
     depth.placeholder = outline.depth_mm === null ? '' : String(shownLength(outline.depth_mm, 3));
   }
+  showDrawing();
 }
 
 /** @type {(feature: FeatureInfo) => string} */
@@ -75,13 +77,21 @@ function joinedSetups(setups) {
     features: named.flatMap(({ one, setup }) => one.features.map(feature => ({ ...feature, name: setup + feature.name }))), outlines: [] };
 }
 
-/** @type {(answer: InfoAnswer) => void} */
-function showPart(answer) {
+/** Whether the part can be planned as it is, and what is missing. @type {(name: string, info: PartInfo | null | undefined, texts: string[]) => string} */
+function readiness(name, info, texts) {
+  if (!info) return texts[0];
+  if (info.asks.length === 0) return `${name} is ready to be planned.`;
+  return `Before ${name} can be planned, say: ${info.asks.map((ask, k) => info.asks.length > 1 ? `(${k + 1}) ${ask}` : ask).join(' ')}`;
+}
+
+/** @type {(name: string, answer: InfoAnswer) => void} */
+function showPart(name, answer) {
   const info = answer.info && 'setups' in answer.info ? joinedSetups(answer.info.setups) : answer.info;
   const texts = info ? textsOf(info) : [answer.message ?? 'The part cannot be read.'];
   fillList(element('found'), texts.slice(0, mostOutlines));
   element('found-box').hidden = texts.length === 0;
   element('found-title').textContent = !info ? 'The part cannot be read as it is' : info.asks.length > 0 ? 'What was found, and what has to be said' : `What was found: ${info.features.length} ${info.features.length === 1 ? 'feature' : 'features'}`;
+  if (!plan.run.id) say(element('plan-status'), readiness(name, info, texts), !info);
   element('found-box').open = !info || info.asks.length > 0 || info.found.length > 0;
   showOutlines(info?.outlines ?? []);
 }
@@ -91,14 +101,16 @@ async function readPart() {
   const mine = ++part.asked, unit = element('unit').value;
   element('found-box').hidden = element('outlines-box').hidden = true;
   showOutlines([]);
-  if (!plan.files.of('part')) return;
+  const chosen = plan.files.of('part');
+  if (!chosen) return;
+  if (!plan.run.id) say(element('plan-status'), `Reading ${chosen.name} …`);
   try {
     const answer = await pipeline.info(plan.files.form(unit ? `--unit ${unit}` : ''));
     if (mine !== part.asked) return;
-    showPart(answer);
+    showPart(chosen.name, answer);
   } catch (error) {
     if (mine !== part.asked) return;
-    showPart({ message: wordsOfError(error) });
+    showPart(chosen.name, { message: wordsOfError(error) });
   }
   showPlanCommand();
 }

@@ -33,11 +33,16 @@ function showPlanCommand() {
   element('plan-go').disabled = element('plan-compare').disabled = !part;
 }
 
+/** Where none of the files is a part. @type {(names: string[]) => string} */
+const whatIsMissing = names => names.length === 0 ? 'Choose a part.'
+  : `${names.join(', ')}: no part by the name's ending; choose a DXF, SVG, STEP, STEP-NC, Gerber, Excellon, JSON or TOML file, or say in the list which file is the part.`;
+
 function planFilesChanged() {
   const part = plan.files.of('part');
   const diameter = element('tool-diameter');
   if (part && !diameter.dataset.typed) diameter.value = saysTools(part.name) || plan.files.of('tools') ? '' : String(lengths.inch ? mmToInch(6) : 6);
-  if (part && !plan.run.id) say(element('plan-status'), `${part.name} is ready to be planned.`);
+  if (part !== plan.read) plan.run.forget();
+  if (!part) say(element('plan-status'), whatIsMissing(plan.files.entries.map(entry => entry.file.name)), plan.files.entries.length > 0);
   showPlanCommand();
   if (part !== plan.read) readPart();
   plan.read = part;

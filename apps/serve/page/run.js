@@ -5,8 +5,8 @@ function progressText(state, things = 'candidates') {
   if (state.state === 'waiting') return state.ahead > 0 ? `Waiting; ${state.ahead} before it.` : 'Waiting for its turn.';
   const seconds = Math.round(state.seconds), progress = state.progress;
   if (!progress) return `Reading and preparing … ${seconds} s`;
-  if (progress.stage === 'certifying') return `Certifying the program … ${seconds} s`;
-  const left = progress.left_s ? `, at most ${progress.left_s} s left` : '';
+  const about = progress.stage === 'certifying' ? 'about' : 'at most', left = progress.left_s ? `, ${about} ${progress.left_s} s left` : '';
+  if (progress.stage === 'certifying') return `Certifying the program … ${seconds} s${left}`;
   if (progress.stage === 'searching') return `Searching: best ${progress.best} after ${progress.found_s.toFixed(1)} s … ${seconds} s${left}`;
   return `Planning: ${progress.done} of at most ${progress.most} ${things} … ${seconds} s${left}`;
 }
@@ -16,7 +16,7 @@ function shareDone(state) {
   const progress = state.state === 'running' ? state.progress : undefined;
   if (state.state !== 'running' || !progress) return null;
   if (progress.stage === 'searching') return [state.seconds, state.seconds + (progress.left_s ?? 0)];
-  return progress.stage === 'planning' && progress.most > 0 ? [progress.done, progress.most] : null;
+  return progress.most > 0 ? [progress.done, progress.most] : null;
 }
 
 /** The run of a tab, whose elements have names that begin with the tab's. */
@@ -46,6 +46,14 @@ class Run {
     } catch (error) {
       this.fail(error);
     }
+  }
+
+  /** What the last one left is not shown any more, as the question is another; one that goes on is not touched. */
+  forget() {
+    if (this.unfollow || !this.id) return;
+    pipeline.drop(this.id);
+    this.id = '';
+    element(`${this.tab}-result`).hidden = true;
   }
 
   /** @type {(error: unknown) => void} */

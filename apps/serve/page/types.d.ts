@@ -31,9 +31,9 @@ interface SearchProgress {
 /** How far a plan is. */
 interface PlanProgress {
   stage: 'planning' | 'certifying';
-  /** Candidates that are done, and how many there may be. */
+  /** Candidates that are done, and how many there may be; of a check pieces of work. */
   done: number; most: number;
-  /** s at most; absent: not known. */
+  /** s, of a plan at most; absent: not known. */
   left_s?: number;
 }
 
@@ -94,6 +94,9 @@ interface OutlineInfo {
   number: number;
   layer: string;
   extent_mm: Extent | null;
+  /** Data of an SVG path, y up; null: one of too many to be drawn. */
+  path: string | null;
+  area_mm2: number;
   /** Of a circle; null: it is none. */
   diameter_mm: number | null;
   /** Number of the outline around it; null: none. */
@@ -210,6 +213,12 @@ interface PageElements {
   'plan-setups': HTMLLabelElement;
   'plan-setup': HTMLSelectElement;
   'plan-report': HTMLIFrameElement;
+  'drawing-box': HTMLElement;
+  'drawing': SVGSVGElement;
+  'drawing-curves': SVGGElement;
+  'drawing-numbers': SVGGElement;
+  'drawing-size': HTMLSpanElement;
+  'drawing-unsaid': HTMLSpanElement;
   'check': HTMLElement;
   'check-form': HTMLFormElement;
   'check-drop': HTMLDivElement;
@@ -294,9 +303,9 @@ interface PageElements {
   'tour-caption': HTMLElement;
   'tour-high': HTMLSpanElement;
   'tour-low': HTMLSpanElement;
-  'tour-graph': HTMLElement;
-  'tour-bound': HTMLElement;
-  'tour-curve': HTMLElement;
+  'tour-graph': SVGSVGElement;
+  'tour-bound': SVGPathElement;
+  'tour-curve': SVGPathElement;
   'tour-until': HTMLSpanElement;
   'tour-said': HTMLParagraphElement;
   'tour-result': HTMLDivElement;

@@ -327,6 +327,7 @@ void fill_overview(const std::vector<ShapedGroup>& groups, const std::vector<Out
     one.says_role = group.says_role;
     one.depth = options.depth ? options.depth : group.depth;
     one.box = box(outline.loop);
+    one.loop = outline.loop;
     one.area = std::abs(signed_area(outline.loop));
     one.diameter = circle_diameter(Region::from_valid_loops(outline.loop, {}), options.tol);
     one.within = outline.about.empty() ? 0 : outline.about.back() + 1;

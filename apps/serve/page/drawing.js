@@ -1,0 +1,93 @@
+// The outlines of a drawing as a picture: what each is for, its number, and the way to its line in the list.
+
+const svgSpace = 'http://www.w3.org/2000/svg';
+const mostNumbers = 80;  // outlines that have their numbers beside them
+const numberSize = 13;  // pixels
+
+/** An element of a picture. @template {keyof SVGElementTagNameMap} Kind @param {Kind} kind @param {Record<string, string | number>} [attributes] @param {string} [text] @returns {SVGElementTagNameMap[Kind]} */
+function madeSvg(kind, attributes = {}, text = '') {
+  const one = document.createElementNS(svgSpace, kind);
+  if (text) one.textContent = text;
+  for (const [name, value] of Object.entries(attributes)) one.setAttribute(name, String(value));
+  return one;
+}
+
+/** What lies around all outlines that can be drawn, mm; null: there are none. @type {(outlines: OutlineInfo[]) => Extent | null} */
+function extentOfDrawing(outlines) {
+  const extents = outlines.flatMap(one => one.path && one.extent_mm ? [one.extent_mm] : []);
+  if (extents.length === 0) return null;
+  const around = (/** @type {'x' | 'y'} */ axis) => /** @type {[number, number]} */ ([0, 1].map(end => extents.reduce((most, one) => (end ? Math.max : Math.min)(most, one[axis][end]), end ? -Infinity : Infinity)));
+  return { x: around('x'), y: around('y') };
+}
+
+/** The line of an outline in the list; none beyond the last that is listed. @type {(index: number) => HTMLTableRowElement | undefined} */
+const rowOfOutline = index => theOne('tbody', element('outlines')).rows[index];
+/** What an outline is for, as chosen or as read; 'unsaid': nothing says it. @type {(outline: OutlineInfo, index: number) => string} */
+function roleNow(outline, index) {
+  const row = rowOfOutline(index);
+  return (row && theOne('select', row).value) || outline.role || 'unsaid';
+}
+
+/** After something else was chosen. */
+function colourDrawing() {
+  let unsaid = 0;
+  for (const curve of element('drawing-curves').children) {
+    const index = Number(curve.getAttribute('data-index')), { number, layer } = part.outlines[index], role = roleNow(part.outlines[index], index);
+    curve.setAttribute('class', curve.classList.contains('marked') ? `${role} marked` : role);
+    curve.replaceChildren(madeSvg('title', {}, `outline ${number}, layer ${layer}: ${role === 'unsaid' ? 'not said yet' : role}`));
+    if (role === 'unsaid') ++unsaid;
+  }
+  element('drawing-unsaid').textContent = unsaid > 0 ? ` ${unsaid === 1 ? 'One outline is' : `${unsaid} outlines are`} not said yet, drawn in orange.` : '';
+}
+
+/** Numbers stay as large as the page's text, however large the drawing is. */
+function sizeNumbers() {
+  const picture = element('drawing'), box = picture.viewBox.baseVal, scale = Math.min(picture.clientWidth / (box?.width || 1), picture.clientHeight / (box?.height || 1));
+  if (scale > 0) element('drawing-numbers').setAttribute('font-size', String(numberSize / scale));
+}
+
+/** Draws the outlines that were read, the largest first so that a click finds what lies in it. */
+function showDrawing() {
+  const outlines = part.outlines, extent = extentOfDrawing(outlines);
+  element('drawing-box').hidden = !extent;
+  element('drawing-curves').replaceChildren();
+  element('drawing-numbers').replaceChildren();
+  if (!extent) return;
+  const [x0, x1] = extent.x, [y0, y1] = extent.y, edge = 0.04 * Math.max(x1 - x0, y1 - y0, 1e-3);
+  element('drawing').setAttribute('viewBox', [x0 - edge, -y1 - edge, x1 - x0 + 2 * edge, y1 - y0 + 2 * edge].join(' '));
+  element('drawing-size').textContent = `${shownLength(x1 - x0, 2)} × ${shownLength(y1 - y0, 2)} ${lengthName()}`;
+  const drawn = outlines.map((one, index) => ({ one, index })).filter(({ one }) => one.path).sort((a, b) => b.one.area_mm2 - a.one.area_mm2);
+  element('drawing-curves').replaceChildren(...drawn.map(({ one, index }) => madeSvg('path', { 'd': one.path ?? '', 'data-index': index })));
+  if (drawn.length <= mostNumbers) element('drawing-numbers').replaceChildren(...drawn.map(({ one }) => numberOfOutline(one)));
+  colourDrawing();
+  sizeNumbers();
+}
+
+/** Within a circle at its top, so that those of one middle have their own places; else within the corner at the upper left. @type {(outline: OutlineInfo) => SVGTextElement} */
+function numberOfOutline({ number, extent_mm, diameter_mm }) {
+  const { x, y } = extent_mm ?? { x: [0, 0], y: [0, 0] };
+  return diameter_mm ? madeSvg('text', { 'x': (x[0] + x[1]) / 2, 'y': -y[1], 'dy': '1.1em', 'text-anchor': 'middle' }, String(number))
+    : madeSvg('text', { x: x[0], y: -y[1], dx: '0.4em', dy: '1.1em' }, String(number));
+}
+
+/** @type {(target: EventTarget | null) => HTMLTableRowElement | undefined} */
+const rowAround = target => target instanceof Element ? target.closest('tr') ?? undefined : undefined;
+
+/** @type {(index: string | undefined) => void} */
+function markOutline(index) {
+  for (const curve of element('drawing-curves').children) curve.classList.toggle('marked', curve.getAttribute('data-index') === index);
+}
+
+function setUpDrawing() {
+  const list = element('outlines');
+  list.addEventListener('input', colourDrawing);
+  for (const kind of ['focusin', 'mouseover']) list.addEventListener(kind, event => markOutline(rowAround(event.target)?.dataset.index));
+  for (const kind of ['focusout', 'mouseleave']) list.addEventListener(kind, () => markOutline(undefined));
+  element('drawing-curves').addEventListener('click', event => {
+    const index = event.target instanceof Element ? event.target.getAttribute('data-index') : null, row = index === null ? undefined : rowOfOutline(Number(index));
+    if (!row) return;
+    element('outlines-box').open = true;
+    theOne('select', row).focus();
+  });
+  new ResizeObserver(sizeNumbers).observe(element('drawing'));
+}
