@@ -304,7 +304,7 @@ bool depends_on_strategy(FaultKind kind) {
          kind != FaultKind::kToolLength && kind != FaultKind::kSpindleOff &&
          kind != FaultKind::kSpindleDirection && kind != FaultKind::kSpindleSpeed &&
          kind != FaultKind::kOutsideTravel && kind != FaultKind::kWrongTool && kind != FaultKind::kTapping &&
-         kind != FaultKind::kThread && kind != FaultKind::kLoosePart;
+         kind != FaultKind::kThread && kind != FaultKind::kLoosePart && kind != FaultKind::kFeedTooFast;
 }
 
 /// Takes the next best plan of every workingstep that was not certified clean. False when there was nothing to do.

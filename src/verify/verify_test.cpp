@@ -141,6 +141,20 @@ TEST(Verify, AFloorNotReachedIsNothingCut) {
   const Findings findings = verify_program(square_part(), square_program(kRings, -1.9), {});
   EXPECT_TRUE(has(findings, FaultKind::kNothingCut)) << report_of(findings);
   EXPECT_NEAR(findings.all.uncut_mm2, 2500 - 4 * (1 - kPi / 4) * 9, 2);
+  EXPECT_NE(fault_of(findings, FaultKind::kNothingCut)
+                .text.find("the deepest feed move there ends at z -1.9, line"),
+            std::string::npos)
+      << report_of(findings);
+}
+
+TEST(Verify, ARunOfFaultsIsNamedByItsLines) {
+  const Findings deep = verify_program(square_part(), square_program({2}, -2.01), {});
+  const std::string text = fault_of(deep, FaultKind::kGouge).text;
+  EXPECT_NE(text.find("6 successive moves do so, lines 3 to 8."), std::string::npos) << text;
+  Writer still;
+  still.enter({10, 10}, 0, -2).feed({12, 10}, -2, 0).feed({40, 10}, -2, 0);
+  const Fault slow = fault_of(verify_program(square_part(), still.done(), {}), FaultKind::kNoFeed);
+  EXPECT_EQ(slow.at.line, 4) << "the first, not the longest";
 }
 
 TEST(Verify, ACutterThatDoesNotFitIsSaid) {
@@ -233,6 +247,13 @@ TEST(Verify, TravelFeedAndToolAreChecked) {
   Writer other(7);
   other.enter({10, 10}, 0, -2).feed({20, 10});
   EXPECT_TRUE(has(verify_program(square_part(), other.done(), {}), FaultKind::kWrongTool));
+  Writer none(0);
+  none.enter({10, 10}, 0, -2).feed({20, 10});
+  Part two = square_part();
+  two.tools.push_back(two.tools[0]);
+  two.tools[1].number = 2;
+  const std::string text = fault_of(verify_program(two, none.done(), {}), FaultKind::kWrongTool).text;
+  EXPECT_NE(text.find("add a T word"), std::string::npos) << text;
 }
 
 TEST(Verify, AnEmptyProgramIsNotClean) {

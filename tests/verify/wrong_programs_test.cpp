@@ -54,6 +54,7 @@ resolve::PlanOptions options_of(const read::DataValue& one) {
   if (const read::DataValue* machine = one.find("machine"))
     options.machine = read::read_machine(parts / machine->text);
   if (const read::DataValue* engagement = one.find("engagement")) options.engagement_deg = engagement->number;
+  if (const read::DataValue* stepdown = one.find("stepdown")) options.stepdown = stepdown->number;
   if (const read::DataValue* clamps = one.find("keep_out")) {
     for (const std::string& clamp : texts_of(*clamps))
       options.keep_outs.push_back(resolve::parse_keep_out(clamp));

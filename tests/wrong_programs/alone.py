@@ -1,13 +1,15 @@
 """Programs that are checked without a part: against a stock alone, in the words of every controller."""
 import re
 
-from writer import ALL, HERE, WORD, Class, nothing
+from writer import ALL, CHANGER, HERE, WORD, Class, nothing
 
 #: Wider than the pocket that the right program clears.
 STOCK = {"part": "", "asked": {"stock": "-20:60,-20:60,-10:0"}}
 
 MACHINES = {
     "narrow.toml": '[travel]\nx = [-5, 15]\ny = [-50, 100]\nz = [-60, 110]\n',
+    "unhurried.toml": 'max_feed = 300\n',
+    "hurried.toml": 'max_feed = 400\n',
     "broad.toml": '[travel]\nx = [-50, 100]\ny = [-50, 100]\nz = [-60, 110]\n',
 }
 
@@ -89,11 +91,43 @@ def limits(c):
     both("stepdown", "too-deep", "library", "shallow.toml", "deep.toml", "takes 2 mm at once where the tool takes 1",
          "takes what the tool takes")
     both("speed", "spindle-speed", "machine", "slow.toml", "fast.toml", "asks for more turns than there are", "turns as fast as it can")
+    both("feed", "feed-too-fast", "machine", "unhurried.toml", "hurried.toml", "feeds faster than the machine can",
+         "feeds as fast as the machine can")
     both("engagement", "over-engagement", "engagement", 100, 180, "cuts a slot where the limit is 100 degrees",
          "cuts a slot where it may")
 
 
+def changes(c):
+    """Tools that are selected and not put in, or put in where the cutter is in the work; a drill, which has no layers."""
+    def selected(p):
+        p.tool = ["T1"]
+        p.retract = p.retract + ["T1 M6"]
+    c.add("no-change", CHANGER, selected, "CONDITIONAL", "tool-in-spindle", "selects its tool and never puts it in",
+          accepted=["tool-in-spindle"], **STOCK)
+
+    def low(p):
+        p.after = ["T1 M6"] + p.length
+    c.add("low-change", ["linuxcnc", "mach3", "mach4"], low, "CONDITIONAL", "tool-change-height", "changes its tool in the pocket",
+          accepted=["tool-change-height"], **STOCK)
+
+    def high(p):
+        p.after = [p.t.rapid(z=5), "T1 M6"] + p.length
+    c.right("right-high-change", ["linuxcnc", "mach3", "mach4"], high, "changes its tool above the block", **STOCK)
+
+    def drilled(p):
+        p.cut = [p.t.feed(120, z=-8)]
+    c.right("right-drill", ["linuxcnc", "grbl", "fanuc", "haas"], drilled, "drills deeper than the mills' stepdown",
+            tools=["drill:6:T1"], **asked(stepdown=2))
+    c.add("deep-mill", ["linuxcnc", "grbl", "fanuc", "haas"], drilled, "FAULTY", "too-deep", "plunges a mill 8 mm deep at once",
+          **asked(stepdown=2))
+
+
 def open_questions(c):
+    def cut_short(p):
+        p.after, p.retract, p.stop, p.home, p.tail = [], [], [], [], []
+    c.add("cut-short", ["linuxcnc", "mach3", "mach4"], cut_short, "CONDITIONAL", "program-end", "ends in the middle",
+          accepted=["program-end"], **STOCK)
+
     c.add("no-stock", ALL, nothing, "CONDITIONAL", "stock", "says nothing of its block: the box of its cuts is taken",
           accepted=["stock"], part="")
 
@@ -129,6 +163,6 @@ def open_questions(c):
 def alone():
     write_machines()
     c = Class("alone")
-    for write in (motion, state, limits, open_questions):
+    for write in (motion, state, limits, changes, open_questions):
         write(c)
     return c.done()

@@ -32,6 +32,7 @@ constexpr const char* kFaultNames[] = {"uncut",
                                        "holder in material",
                                        "keep-out",
                                        "loose part",
+                                       "feed too fast",
                                        "tapping"};
 static_assert(std::size(kFaultNames) == static_cast<std::size_t>(FaultKind::kTapping) + 1);
 

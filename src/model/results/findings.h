@@ -41,6 +41,7 @@ enum class FaultKind {
   kHolder,          ///< the holder or the shank runs into material that stands
   kKeepOut,         ///< the tool or its holder comes where a clamp is
   kLoosePart,       ///< cut where a profile has cut the piece free before
+  kFeedTooFast,     ///< above the machine's highest feed
   kTapping  ///< a tap whose feed is not its pitch times the speed, or that does not turn back on its way out
 };
 const char* name_of(FaultKind kind);

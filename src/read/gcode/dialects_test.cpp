@@ -37,6 +37,11 @@ TEST(GcodeConditions, WhatTheMachineHoldsIsNamed) {
   EXPECT_EQ(conditions(start + "T1 M6\nG43 H5\nG1 X5 F1\nM2"), "tool-length-h5@4");
   EXPECT_EQ(conditions(start + "T1 M6\nG43 H1\nG1 X5 F1\nG49\nX2\nM2"), "tool-length-off@6");
   EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G54.1 P2\nM2"), "decimal-point@1 g54.1-p2@2");
+  EXPECT_EQ(conditions(start + "T1\nG1 X5 F1\nT2 M6\nM2"), "tool-in-spindle@3");
+  EXPECT_EQ(conditions(start + "T1\nG1 X5 F1\nM2"), "") << "put in by hand";
+  EXPECT_EQ(conditions(start + "T1\nM0\nG1 X5 F1\nM2"), "");
+  EXPECT_EQ(conditions_as(Dialect::kGrbl, start + "T1\nG1 X5 F1\n"), "");
+  EXPECT_EQ(conditions(start + "G0 Z1\n"), "program-end@2");
   EXPECT_EQ(conditions(start + "M99\n"), "m99@2");
   EXPECT_THAT(message_of(start + "M99 P3\n"), HasSubstr("test.ngc:2: M99 P jumps"));
 }

@@ -32,6 +32,26 @@ class TapeMarks {
   bool begun_ = false;
 };
 
+/// The line of the first block after an end, 0 where there is none. What is no code there matters to nobody.
+int next_block(read::gcode::BlockReader& reader) {
+  Block block;
+  try {
+    while (reader.next(block) && !block.percent) {
+      if (block.has_words()) return block.line;
+    }
+  } catch (const InputError&) {
+    return 0;
+  }
+  return 0;
+}
+
+/// What a control never runs may be what somebody wanted to be cut.
+void warn_of_blocks_behind(int end, read::gcode::BlockReader& reader, read::gcode::ToolpathBuilder& builder) {
+  const int line = next_block(reader);
+  if (line == 0) return;
+  builder.warn(line, "what follows the end word in line " + std::to_string(end) + " is not run");
+}
+
 /// Returns whether an end was seen.
 bool read_words(std::string_view text, const std::string& file_name, read::gcode::Interpreter& interpreter,
                 read::gcode::ToolpathBuilder& builder) {
@@ -43,7 +63,13 @@ bool read_words(std::string_view text, const std::string& file_name, read::gcode
     if (marks.ends(block)) return true;
     if (block.has_words()) interpreter.execute(block);
   }
+  if (interpreter.ended()) warn_of_blocks_behind(block.line, reader, builder);
   return interpreter.ended();
+}
+
+int last_line(std::string_view text) {
+  const auto ends = std::count(text.begin(), text.end(), '\n');
+  return static_cast<int>(ends) + (text.empty() || text.back() == '\n' ? 0 : 1);
 }
 
 struct Reading {
@@ -69,6 +95,10 @@ Reading read_as(Dialect dialect, std::string_view text, const std::string& file_
   program.ended = program.ended || dialect == Dialect::kMarlin;  // has no word for it
   if (!program.ended) {
     program.diagnostics.warn(file_name, "the program has no end word (M2, M30, END PGM)");
+    if (dialect != Dialect::kGrbl)
+      program.conditions.push_back({"program-end",
+                                    "the program has no end word and is whole; it may have been cut short",
+                                    last_line(text)});
   }
   program.toolpath = builder.take();
   program.control = builder.take_control();

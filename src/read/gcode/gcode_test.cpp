@@ -12,6 +12,7 @@ namespace clearcut::read::gcode {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 constexpr const char* kStart = "from 0 0 100\nrapid to 0 0 5";
 
@@ -258,6 +259,8 @@ TEST(GcodeEnd, WhatFollowsTheEndIsNotRead) {
   EXPECT_TRUE(read_gcode("%\nO0001\nG0 X0\n%\n$$$", "t").ended);
   EXPECT_FALSE(read_gcode("G0 X0\n", "t").ended);
   EXPECT_THAT(noticed("G0 X0"), HasSubstr("no end word"));
+  EXPECT_THAT(noticed("G0 X0\nM30\n(done)\n%"), Not(HasSubstr("is not run")));
+  EXPECT_THAT(noticed("G0 X0\nM30\nG1 X5 F9"), HasSubstr("what follows the end word in line 2 is not run"));
 }
 
 TEST(GcodeRefusals, EachNamesItsLineAndWhatToDo) {
@@ -281,6 +284,7 @@ TEST(GcodeRefusals, EachNamesItsLineAndWhatToDo) {
               HasSubstr("test.ngc:2: X word with a number no machine takes"));
   EXPECT_THAT(message_of(start + "G1 X99999999"), HasSubstr("test.ngc:2: coordinate beyond any machine"));
   EXPECT_THAT(message_of(start + "(never closed"), HasSubstr("test.ngc:2: comment without its closing"));
+  EXPECT_THAT(message_of(start + "(a (comment) in it)"), HasSubstr("test.ngc:2: comment within a comment"));
   EXPECT_THAT(message_of(start + "\x01"), HasSubstr("test.ngc:2: unexpected byte 1"));
   EXPECT_THAT(message_of(start + "G5 X1"), HasSubstr("test.ngc:2: G5 is not read"));
   EXPECT_THAT(message_of(start + "G80\nX1"), HasSubstr("test.ngc:3: axis words after G80"));

@@ -220,6 +220,11 @@ class WorkCheck {
     }
   }
 
+  void check_floor(FeatureWork& work) const {
+    check_level(work, work.floor);
+    if (!work.floor.any_cut) work.deepest = deepest_in(work);
+  }
+
   void add_layers(FeatureWork& work) const {
     for (std::size_t i = 0; i < part_.workplan.size(); ++i) {
       const Workingstep& step = part_.workplan[i];
@@ -231,6 +236,20 @@ class WorkCheck {
     }
     const auto higher = [](const LevelCoverage& a, const LevelCoverage& b) { return a.z > b.z; };
     std::sort(work.layers.begin(), work.layers.end(), higher);
+  }
+
+  /// Where the lowest feed move below the feature's top ends whose own end lies in the feature.
+  std::optional<Place> deepest_in(const FeatureWork& work) const {
+    const Feature& feature = part_.features[static_cast<std::size_t>(work.feature)];
+    std::optional<Place> deepest;
+    for (const std::size_t i : moves_.near(Around(feature))) {
+      const CheckedMove& checked = moves_.all()[i];
+      const Move& move = *checked.move;
+      if (checked.earlier || move.z_to >= std::min(feature.top_z, deepest ? deepest->z : feature.top_z))
+        continue;
+      if (contains(feature.target, move.path.to)) deepest = Place{move.path.to, move.z_to, move.line};
+    }
+    return deepest;
   }
 
   bool leans(const FeatureWork& work) const { return part_.features[work.feature].wall_slope.radians() > 0; }
@@ -313,7 +332,7 @@ void check_works(const Part& part, const FinishedPart& finished, const CheckedPr
   };
   Tasks first = std::move(beside);
   for (FeatureWork& work : works) {
-    first.push_back([&check, &work] { check.check_level(work, work.floor); });
+    first.push_back([&check, &work] { check.check_floor(work); });
     if (check.leans(work)) add_layer_tasks(work, first);
   }
   run_all(first, options.threads, options.cancel);

@@ -28,6 +28,7 @@ struct FeatureWork {
   double allowance_floor = 0;
   std::optional<double> scallop;  ///< mm; greatest step allowed on walls with draft, square to the wall
   LevelCoverage floor;            ///< down to the floor plus its allowance
+  std::optional<Place> deepest;   ///< end of the lowest feed move in it, only where none reaches the floor
   /// Down to each layer above the floor, of the steps that leave the least on walls. Filled for walls with
   /// draft, where each layer has an outline of its own, and otherwise only if something is left on the floor:
   /// a cutter that reaches the floor has cleared what stood above it.

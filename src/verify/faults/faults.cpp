@@ -69,7 +69,8 @@ class FaultFinder {
   }
 
   std::optional<Fault> depth(const CheckedMove& checked) const {
-    if (checked.load.axial_mm <= least_stepdown_ + kStepdownSlack) return std::nullopt;
+    if (checked.load.axial_mm <= least_stepdown_ + kStepdownSlack || goes_down_alone(checked))
+      return std::nullopt;
     const std::optional<double> stepdown = stepdown_of(checked);
     if (!stepdown || checked.load.axial_mm <= *stepdown + kStepdownSlack) return std::nullopt;
     return fault(
@@ -98,20 +99,28 @@ class FaultFinder {
   std::optional<Fault> feed(const CheckedMove& checked) const {
     if (!checked.feeds() || checked.move->feed.mm_per_min() > 0) return std::nullopt;
     return fault(FaultKind::kNoFeed, checked,
-                 {checked.move->path.from, checked.move->z_from, checked.move->line}, checked.move->length(),
+                 {checked.move->path.from, checked.move->z_from, checked.move->line}, 0,
                  "A feed move has no feed");
   }
 
   std::optional<Fault> tool(const CheckedMove& checked) const {
     if (!checked.feeds() || (checked.tool && checked.tool->diameter > 0)) return std::nullopt;
+    const std::string known = part_.is_shape_stated ? "part's tools" : "tools that were given";
     return fault(FaultKind::kWrongTool, checked,
                  {checked.move->path.from, checked.move->z_from, checked.move->line}, 0,
-                 "Tool " + std::to_string(checked.tool_number) + " is not among the " +
-                     (part_.is_shape_stated ? "part's tools" : "tools that were given") +
-                     "; nothing is known of its moves");
+                 checked.tool_number == 0
+                     ? "The program calls no tool before it cuts, and which of the " + known +
+                           " is meant nobody says; add a T word, or give one tool alone"
+                     : "Tool " + std::to_string(checked.tool_number) + " is not among the " + known +
+                           "; nothing is known of its moves");
   }
 
  private:
+  /// Whether the tool works along its axis, where no layers are.
+  static bool goes_down_alone(const CheckedMove& checked) {
+    return checked.tool && (makes_holes(*checked.tool) || checked.tool->kind == ToolKind::kTap);
+  }
+
   /// mm; what is stated for the tool, else for the work at this place.
   std::optional<double> stepdown_of(const CheckedMove& checked) const {
     const auto limits =
@@ -132,24 +141,48 @@ class FaultFinder {
       std::numeric_limits<double>::infinity();  ///< mm; no pass that takes less is too deep
 };
 
+/// Successive moves with one fault, and the worst of them.
+class FaultRun {
+ public:
+  void add(Fault found) {
+    ++length_;
+    const int line = found.at.line;
+    first_line_ = length_ == 1 ? line : std::min(first_line_, line);
+    last_line_ = std::max(last_line_, line);
+    if (!worst_ || found.size > worst_->size) worst_ = std::move(found);
+  }
+
+  /// The fault of the run, none where it is empty; then a new run begins.
+  std::optional<Fault> take() {
+    std::optional<Fault> fault = std::move(worst_);
+    if (fault && length_ > 1)
+      fault->text += " " + std::to_string(length_) + " successive moves do so" + lines() + ".";
+    *this = {};
+    return fault;
+  }
+
+ private:
+  std::string lines() const {
+    if (first_line_ == 0 || first_line_ == last_line_) return "";
+    return ", lines " + std::to_string(first_line_) + " to " + std::to_string(last_line_);
+  }
+
+  std::optional<Fault> worst_;
+  int length_ = 0, first_line_ = 0, last_line_ = 0;
+};
+
 /// Adds one fault for each run of successive moves of one workingstep with that fault.
 void collect(const std::vector<CheckedMove>& moves, const MoveCheck& check, std::vector<Fault>& out) {
-  std::optional<Fault> run;
-  int run_length = 0, workingstep = -1;
+  FaultRun run;
+  int workingstep = -1;
   const auto finish = [&] {
-    if (!run) return;
-    if (run_length > 1) run->text += " " + std::to_string(run_length) + " successive moves do so.";
-    out.push_back(*run);
-    run.reset();
-    run_length = 0;
+    if (std::optional<Fault> fault = run.take()) out.push_back(*std::move(fault));
   };
   for (const CheckedMove& checked : moves) {
     std::optional<Fault> found = checked.is_carried() ? std::nullopt : check(checked);
     if (!found || checked.workingstep != workingstep) finish();
     workingstep = checked.workingstep;
-    if (!found) continue;
-    ++run_length;
-    if (!run || found->size > run->size) run = std::move(found);
+    if (found) run.add(*std::move(found));
   }
   finish();
 }
@@ -168,19 +201,25 @@ std::vector<Fault> faults_of_steps(const Feature& feature, const FeatureWork& wo
                " is allowed."}};
 }
 
+std::string why_nothing_is_cut(const FeatureWork& work, bool unreachable) {
+  if (work.smallest_flat <= 0)
+    return "its cutter ends in a ball, which leaves cusps on every floor: use a flat end";
+  if (unreachable) return "no cutter of its work fits into it with its flat end";
+  if (!work.deepest) return "the program has no feed move down there";
+  return "the deepest feed move there ends at z " + trimmed(work.deepest->z, 3) + ", line " +
+         std::to_string(work.deepest->line);
+}
+
 /// The order of faults by severity: what breaks things first comes first.
-constexpr FaultKind kBySeverity[] = {FaultKind::kKeepOut,       FaultKind::kRapidInMaterial,
-                                     FaultKind::kHolder,        FaultKind::kGouge,
-                                     FaultKind::kLoosePart,     FaultKind::kTapping,
-                                     FaultKind::kThread,        FaultKind::kMissingTab,
-                                     FaultKind::kTabHeight,     FaultKind::kToolLength,
-                                     FaultKind::kSpindleOff,    FaultKind::kBeyondStock,
-                                     FaultKind::kBeyondFlutes,  FaultKind::kPlungeTooFast,
-                                     FaultKind::kTooDeep,       FaultKind::kOverEngagement,
-                                     FaultKind::kSpindleSpeed,  FaultKind::kSpindleDirection,
-                                     FaultKind::kOutsideTravel, FaultKind::kWrongTool,
-                                     FaultKind::kNoFeed,        FaultKind::kNothingCut,
-                                     FaultKind::kUncut};
+constexpr FaultKind kBySeverity[] = {
+    FaultKind::kKeepOut,        FaultKind::kRapidInMaterial, FaultKind::kHolder,
+    FaultKind::kGouge,          FaultKind::kLoosePart,       FaultKind::kTapping,
+    FaultKind::kThread,         FaultKind::kMissingTab,      FaultKind::kTabHeight,
+    FaultKind::kToolLength,     FaultKind::kSpindleOff,      FaultKind::kBeyondStock,
+    FaultKind::kBeyondFlutes,   FaultKind::kPlungeTooFast,   FaultKind::kTooDeep,
+    FaultKind::kOverEngagement, FaultKind::kSpindleSpeed,    FaultKind::kSpindleDirection,
+    FaultKind::kOutsideTravel,  FaultKind::kFeedTooFast,     FaultKind::kWrongTool,
+    FaultKind::kNoFeed,         FaultKind::kNothingCut,      FaultKind::kUncut};
 
 std::ptrdiff_t severity(FaultKind kind) {
   return std::find(std::begin(kBySeverity), std::end(kBySeverity), kind) - std::begin(kBySeverity);
@@ -229,16 +268,12 @@ std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& wor
   const bool unreachable =
       !bottom.reachable || is_nothing_in_reach(bottom.unreachable_mm2, bottom.target_mm2);
   if (!floor.any_cut || unreachable) {
-    const std::string why =
-        work.smallest_flat <= 0
-            ? "its cutter ends in a ball, which leaves cusps on every floor: use a flat end"
-        : unreachable ? "no cutter of its work fits into it with its flat end"
-                      : "the program has no feed move down there";
     return {{FaultKind::kNothingCut,
              feature.name,
              {middle, floor.z, 0},
              std::sqrt(bottom.target_mm2),
-             feature.name + ": nothing is cut at z " + trimmed(floor.z, 3) + "; " + why + "."}};
+             feature.name + ": nothing is cut at z " + trimmed(floor.z, 3) + "; " +
+                 why_nothing_is_cut(work, unreachable) + "."}};
   }
   std::vector<Fault> faults = faults_of_steps(feature, work, tol);
   const LevelCoverage& worst = worst_level(work);

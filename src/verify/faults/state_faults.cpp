@@ -57,13 +57,12 @@ class StateCheck {
   std::optional<Fault> spindle(const CheckedMove& checked) const {
     if (!checked.control || !checked.cuts()) return std::nullopt;
     if (checked.control->spindle == SpindleState::kOff)
-      return fault(FaultKind::kSpindleOff, checked, checked.move->length(),
+      return fault(FaultKind::kSpindleOff, checked, 0,
                    "The spindle stands while the cutter feeds into material");
     if (checked.control->spindle_rpm <= 0)
-      return fault(FaultKind::kSpindleOff, checked, checked.move->length(),
-                   "The spindle was started without a speed (S)");
+      return fault(FaultKind::kSpindleOff, checked, 0, "The spindle was started without a speed (S)");
     if (short_waits_.count(&checked) > 0)
-      return fault(FaultKind::kSpindleOff, checked, checked.move->length(),
+      return fault(FaultKind::kSpindleOff, checked, 0,
                    "The spindle has had less than the " + trimmed(options_.machine.spindle_wait_s, 2) +
                        " s that the machine needs to start");
     return std::nullopt;
@@ -93,6 +92,15 @@ class StateCheck {
     const double of_tool = *checked.tool->max_spindle_rpm;
     if (!is_beyond(checked, of_tool)) return std::nullopt;
     return too_fast(checked, "T" + std::to_string(checked.tool->number) + " may have", of_tool);
+  }
+
+  std::optional<Fault> fast_feed(const CheckedMove& checked) const {
+    const auto& most = options_.machine.max_feed;
+    const double feed = checked.move->feed.mm_per_min();
+    if (!most || !checked.feeds() || feed <= most->mm_per_min() * (1 + kSpeedRounding)) return std::nullopt;
+    return fault(FaultKind::kFeedTooFast, checked, feed,
+                 "A feed of " + trimmed(feed, 0) + " mm/min is asked for where the machine has " +
+                     trimmed(most->mm_per_min(), 0));
   }
 
   static bool is_beyond(const CheckedMove& checked, double most_rpm) {
@@ -131,17 +139,16 @@ class StateCheck {
   }
 
   std::optional<Fault> stock(const CheckedMove& checked) const {
-    if (!part_.is_shape_stated) return beyond_any_way_through(checked);
-    if (!part_.stock || !checked.feeds()) return std::nullopt;
+    if (!part_.stock) return std::nullopt;
+    if (!part_.is_shape_stated) return beyond_any_way_through(checked, part_.stock->z_bottom);
     double lowest = part_.stock->z_bottom;
     for (const Feature& feature : part_.features) {
       if (feature.through) lowest = std::min(lowest, feature.floor_z);
     }
+    if (!checked.cuts()) return beyond_any_way_through(checked, lowest);
     const double below = lowest - checked.low_z();
-    if (below <= kHeightSlack || !checked.cuts()) return std::nullopt;
-    return fault(
-        FaultKind::kBeyondStock, checked, below,
-        "The cutter goes " + trimmed(below, 3) + " mm below the bottom of the stock, into what it lies on");
+    if (below <= kHeightSlack) return std::nullopt;
+    return beyond_stock(checked, below);
   }
 
   std::optional<Fault> engagement(const CheckedMove& checked) const {
@@ -162,14 +169,19 @@ class StateCheck {
     return std::find(options_.accepted.begin(), options_.accepted.end(), name) != options_.accepted.end();
   }
 
-  /// Where nothing says what goes through: a rapid below the stock, or more than a way through needs.
-  std::optional<Fault> beyond_any_way_through(const CheckedMove& checked) const {
+  /// Where nothing says what goes through, or nothing stands: a rapid below the lowest way through, or a feed move farther
+  /// below than a way through needs.
+  std::optional<Fault> beyond_any_way_through(const CheckedMove& checked, double lowest) const {
     const bool rises = !checked.feeds() && checked.move->z_to > checked.move->z_from;
-    if (!part_.stock || rises) return std::nullopt;
-    const double below = part_.stock->z_bottom - checked.low_z();
+    if (rises) return std::nullopt;
+    const double below = lowest - checked.low_z();
     const double allowed =
         !checked.feeds() ? 0 : kUsualBreakthrough + (checked.tool ? point_length(*checked.tool) : 0);
     if (below <= allowed + kHeightSlack) return std::nullopt;
+    return beyond_stock(checked, below);
+  }
+
+  Fault beyond_stock(const CheckedMove& checked, double below) const {
     return fault(FaultKind::kBeyondStock, checked, below,
                  (checked.feeds() ? "The cutter goes " : "A rapid goes ") + trimmed(below, 3) +
                      " mm below the bottom of the stock, into what it lies on");
@@ -295,9 +307,9 @@ std::vector<MoveCheck> state_checks(const Part& part, const CheckedProgram& prog
   const auto check = std::make_shared<const StateCheck>(part, program, options);
   using Rule = std::optional<Fault> (StateCheck::*)(const CheckedMove&) const;
   std::vector<MoveCheck> checks;
-  for (const Rule rule :
-       {&StateCheck::length, &StateCheck::spindle, &StateCheck::direction, &StateCheck::speed,
-        &StateCheck::plunge, &StateCheck::flutes, &StateCheck::stock, &StateCheck::engagement}) {
+  for (const Rule rule : {&StateCheck::length, &StateCheck::spindle, &StateCheck::direction,
+                          &StateCheck::speed, &StateCheck::fast_feed, &StateCheck::plunge,
+                          &StateCheck::flutes, &StateCheck::stock, &StateCheck::engagement}) {
     checks.push_back([check, rule](const CheckedMove& checked) { return (check.get()->*rule)(checked); });
   }
   return checks;

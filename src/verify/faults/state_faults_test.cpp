@@ -129,6 +129,18 @@ TEST(StateFaults, PlungeFeedFlutesAndStock) {
   EXPECT_TRUE(has(checked(part, pocketing(), table()), FaultKind::kBeyondStock));
 }
 
+/// Beside the block, too: there is the table that it lies on.
+TEST(StateFaults, BelowTheStockWhereNothingStands) {
+  const auto beside = [](double z) {
+    Writer writer;
+    cut_square_rings(writer, {0, 0}, kRings, 0, -2);
+    writer.rapid({0, 0}, 10).rapid({100, 0}, 10).feed({100, 0}, z, 300);
+    return checked(pocket(), writer.done(), table());
+  };
+  EXPECT_FALSE(has(beside(-5.9), FaultKind::kBeyondStock)) << "as far as a way through needs";
+  EXPECT_TRUE(has(beside(-6.1), FaultKind::kBeyondStock));
+}
+
 /// Down by 2 mm within 1 um of advance.
 TEST(StateFaults, ASteepEntryIsAPlunge) {
   Part part = pocket();

@@ -57,6 +57,7 @@ MmPerMin Control::feed_for(double length, const Block& block) const {
 
 void Control::before_feed() {
   check_length();
+  note_tool_in_spindle();
   const PathMode mode = modes.path.mode;
   if (mode == PathMode::kUnstated) {
     condition("blending",
@@ -84,6 +85,20 @@ void Control::check_length() {
   if (off && length_used) {
     condition("tool-length-off", "cuts without the tool's length (G49) after a length was in force");
   }
+}
+
+/// A T word alone makes no changer move. Where a program has no M6 at all hands put its tool in before the start.
+void Control::note_tool_in_spindle() {
+  if (rules.changer && tool_said && !tool_put_in && builder.drive.tool != 0 && in_spindle_since == 0)
+    in_spindle_since = line;
+}
+
+void Control::put_tool_in() {
+  if (in_spindle_since > 0)
+    builder.condition("tool-in-spindle", in_spindle_since,
+                      "T" + std::to_string(builder.drive.tool) +
+                          " is in the spindle; the program selects it and has no M6 before it cuts");
+  tool_put_in = true;
 }
 
 void Control::turn_spindle(int m) {

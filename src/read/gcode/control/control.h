@@ -56,6 +56,8 @@ struct Control {
   /// What the control may do to a cut that follows, by its path control and its tool's length, becomes a condition.
   void before_feed();
   void turn_spindle(int m);
+  /// At an M6.
+  void put_tool_in();
 
   ToolpathBuilder& builder;
   const DialectRules& rules;
@@ -69,6 +71,8 @@ struct Control {
   int next_tool = 0;
   bool tool_said = false;    ///< a T word was seen
   bool changer = false;      ///< an M6 was seen: pauses no longer change tools
+  bool tool_put_in = false;  ///< an M6 or a pause was seen
+  int in_spindle_since = 0;  ///< line of the first cut with a tool that was selected and not put in; 0: none
   bool length_used = false;  ///< a tool length was in force
   bool units_said = false, distance_said = false, plane_said = false, centers_said = false;
   bool return_said = false;
@@ -78,6 +82,7 @@ struct Control {
 
  private:
   void check_length();
+  void note_tool_in_spindle();
 };
 
 }  // namespace clearcut::read::gcode

@@ -172,12 +172,14 @@ void ModeWords::select_tool(const Block& block) {
 void ModeWords::load_tool() {
   if (!control_.rules.changer)
     control_.condition("m6", "M6 is no word of the control; what sends the program changes the tool");
+  control_.put_tool_in();
   control_.changer = true;
   control_.builder.change_tool(control_.next_tool, false, control_.line);
 }
 
 /// A pause is where tools are changed by hand.
 void ModeWords::pause() {
+  control_.tool_put_in = true;
   control_.builder.add_event(ControlEventKind::kPause, control_.line);
   if (control_.changer) return;
   if (control_.tool_said) {

@@ -48,6 +48,11 @@ void ToolpathBuilder::change_tool(int number, bool by_hand, int line) {
   }
   new_section_ = new_section_ || section_cuts_ || other;
   drive.tool = number;
+  if (at_[2] && *at_[2] < setup_.safe_z) {
+    condition("tool-change-height", line,
+              "the tool is changed while the cutter is at Z " + trimmed(*at_[2], 3) +
+                  " mm, below the top of the work; the way up and back is free");
+  }
   add_event(by_hand ? ControlEventKind::kToolChangeByHand : ControlEventKind::kToolChange, line);
 }
 

@@ -78,12 +78,7 @@ void BlockReader::parse(std::string_view line, Block& block) const {
       return;
     }
     if (c == '(') {
-      const std::size_t close = line.find(')', at);
-      if (close == std::string_view::npos) {
-        throw InputError(place(block.line), "comment without its closing ')'; close it");
-      }
-      block.comments.push_back(line.substr(at + 1, close - at - 1));
-      at = close + 1;
+      parse_comment(line, at, block);
     } else if (c == '%') {
       block.percent = true;
       return;
@@ -95,6 +90,19 @@ void BlockReader::parse(std::string_view line, Block& block) const {
     }
     first = false;
   }
+}
+
+/// The first ')' ends a comment for every control; what follows an inner one would be read as words.
+void BlockReader::parse_comment(std::string_view line, std::size_t& at, Block& block) const {
+  const std::size_t close = line.find(')', at);
+  if (close == std::string_view::npos)
+    throw InputError(place(block.line), "comment without its closing ')'; close it");
+  const std::string_view comment = line.substr(at + 1, close - at - 1);
+  at = close + 1;
+  if (comment.find('(') != std::string_view::npos && line.find(')', at) != std::string_view::npos)
+    throw InputError(place(block.line),
+                     "comment within a comment, which ends at its first ')'; take the inner ones out");
+  block.comments.push_back(comment);
 }
 
 void BlockReader::parse_word(std::string_view line, std::size_t& at, Block& block) const {

@@ -47,6 +47,7 @@ class BlockReader {
 
  private:
   void parse(std::string_view line, Block& block) const;
+  void parse_comment(std::string_view line, std::size_t& at, Block& block) const;
   void parse_word(std::string_view line, std::size_t& at, Block& block) const;
   double parse_number(std::string_view line, std::size_t& at, char letter, int number) const;
 
