@@ -45,9 +45,10 @@ std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, cons
     if (is_formed(feature)) continue;  // narrower than its outline, or no deeper than its cone
     const Tool& tool = tool_of(part, step);
     const auto hole = round_hole_of(feature, tol);
-    if (!hole || tool.radius() > hole->radius + tol.fit) continue;
-    const double milled = 2 * (hole->radius - step.operation.allowance_side);
-    holes.push_back({hole->center, only_plunges(tool) ? tool.diameter : milled});
+    if (!hole) continue;
+    const double milled = hole->radius - step.operation.allowance_side;
+    if (tool.radius() > (only_plunges(tool) ? hole->radius : milled) + tol.fit) continue;
+    holes.push_back({hole->center, only_plunges(tool) ? tool.diameter : 2 * milled});
   }
   return holes;
 }
