@@ -44,6 +44,7 @@ Selection::Selection(std::vector<SelectionStep> steps, StepPlanner planner, int 
   }
   plan_first();
   plan_others();
+  plan_instead();
   for (auto& ranked : ranked_) sort(ranked);
 }
 
@@ -97,6 +98,23 @@ void Selection::plan_others() {
   for (std::size_t step = 0; step < steps_.size(); ++step) rate_others(step, work);
   in_parallel(work.size(), threads_,
               [&](std::size_t i) { plan_into(work[i].first, ranked_[work[i].first].all[work[i].second]); });
+}
+
+/// Where all that competed took too much work a fallback answers.
+void Selection::plan_instead() {
+  in_parallel(steps_.size(), threads_, [&](std::size_t step) {
+    auto& ranked = ranked_[step];
+    const auto is_planned = [](const PlannedCandidate& one) { return !one.plan.section.moves.empty(); };
+    const auto& fallbacks = steps_[step].candidates.fallbacks;
+    if (std::any_of(ranked.all.begin(), ranked.all.end(), is_planned) ||
+        std::none_of(ranked.all.begin(), ranked.all.end(),
+                     [](const PlannedCandidate& one) { return one.outcome == Outcome::kTooMuchWork; }))
+      return;
+    while (ranked.fallbacks < fallbacks.size() && !is_planned(ranked.all.back())) {
+      ranked.all.push_back({fallbacks[ranked.fallbacks++], {}, 0, Outcome::kNotTried});
+      plan_into(step, ranked.all.back());
+    }
+  });
 }
 
 /// Holes come out the same whatever the strategy, so the first stays in front.

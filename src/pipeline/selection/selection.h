@@ -66,6 +66,7 @@ class Selection {
   };
   void plan_first();
   void plan_others();
+  void plan_instead();
   void rate_others(std::size_t step, std::vector<std::pair<std::size_t, std::size_t>>& work);
   void sort(RankedCandidates& ranked) const;
   void plan_without_rivals(std::size_t step);

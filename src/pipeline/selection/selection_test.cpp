@@ -61,6 +61,26 @@ TEST(Selection, AfterARivalTheStrategyItselfIsPlanned) {
   EXPECT_EQ(outcomes, (std::vector{Outcome::kNotClean, Outcome::kNotClean, Outcome::kKept}));
 }
 
+/// Where the engagement is limited only one strategy competes.
+TEST(Selection, WhereAllThatCompeteTakeTooMuchWorkAFallbackAnswers) {
+  const StrategyEntry adaptive = named("adaptive"), contour = named("contour"), zigzag = named("zigzag");
+  const auto planner = [](int, const StrategyCandidate& candidate) {
+    if (candidate.strategy->name != "zigzag") throw OutOfWork("too much");
+    StepPlan plan;
+    plan.section.moves.emplace_back();
+    plan.time_s = 1;
+    return plan;
+  };
+  auto steps = one_step({{&adaptive, {}}});
+  steps.front().candidates.fallbacks = {{&contour, {}}, {&zigzag, {}}, {&zigzag, Stepover{"0.4"}}};
+  Selection selection(steps, planner, 1);
+  EXPECT_EQ(selection.candidate(0).strategy->name, "zigzag");
+  EXPECT_FALSE(selection.section(0).moves.empty());
+  EXPECT_EQ(selection.left_out(0), (std::vector<std::string>{"adaptive", "contour"}));
+  ASSERT_TRUE(selection.next(0));
+  EXPECT_EQ(selection.candidate(0).stepover.text, "0.4") << "what was tried is not tried again";
+}
+
 TEST(Selection, WhereAllTakeTooMuchWorkNothingIsPlanned) {
   const StrategyEntry contour = named("contour");
   const auto planner = [](int, const StrategyCandidate&) -> StepPlan { throw OutOfWork("too much"); };
