@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 
 #include "geometry/box.h"
 #include "order/solve.h"
@@ -13,6 +14,8 @@ namespace {
 /// Seconds of one core that the search plans for, and its rounds: no clock, so that programs repeat.
 constexpr double kEffort = 0.005;
 constexpr long long kRounds = 3;
+/// Sections that the search for few tool changes keeps in mind at once, in all its states.
+constexpr std::size_t kMostLooks = 200'000;
 
 using Indices = std::vector<std::size_t>;
 
@@ -55,29 +58,98 @@ std::vector<Indices> predecessors(const std::vector<Section>& sections, const Pa
   return before;
 }
 
-/// Sections in turns of one tool each: the tool in the spindle as long as anything can be cut with it.
-std::vector<Indices> turns_of_tools(const std::vector<Section>& sections,
-                                    const std::vector<Indices>& before) {
-  std::vector<Indices> turns;
-  std::vector<char> done(sections.size(), 0);
-  const auto ready = [&](std::size_t i) {
-    return !done[i] &&
-           std::all_of(before[i].begin(), before[i].end(), [&](std::size_t j) { return done[j]; });
-  };
-  for (std::size_t count = 0; count < sections.size();) {
-    std::size_t first = 0;
-    while (!ready(first)) ++first;
-    turns.emplace_back();
-    // What waits for a section comes after it in the list, so one look at each is enough.
-    for (std::size_t i = first; i < sections.size(); ++i) {
-      if (sections[i].tool_number != sections[first].tool_number || !ready(i)) continue;
-      done[i] = 1;
-      turns.back().push_back(i);
-      ++count;
-    }
+/// Sections in turns of one tool each.
+class ToolTurns {
+ public:
+  ToolTurns(const std::vector<Section>& sections, const std::vector<Indices>& before)
+      : sections_(sections), before_(before) {}
+
+  /// As few turns as the search finds; the tool in the spindle as long as anything can be cut with it where that is as few.
+  std::vector<Indices> fewest() const {
+    std::vector<Indices> turns = in_the_order_given();
+    std::set<int> tools;
+    for (const Section& section : sections_) tools.insert(section.tool_number);
+    if (turns.size() <= tools.size()) return turns;
+    const auto fewer = search(turns.size());
+    return fewer ? *fewer : turns;
   }
-  return turns;
-}
+
+ private:
+  /// What is cut already, and how.
+  struct State {
+    std::vector<char> done;
+    std::vector<Indices> turns;
+  };
+
+  State nothing_done() const { return {std::vector<char>(sections_.size(), 0), {}}; }
+
+  bool is_ready(std::size_t i, const State& state) const {
+    return !state.done[i] &&
+           std::all_of(before_[i].begin(), before_[i].end(), [&](std::size_t j) { return state.done[j]; });
+  }
+
+  /// Adds a turn of all that can be cut with the tool of `first`, which is ready, and of what waits for that alone.
+  void add_turn(std::size_t first, State& state) const {
+    Indices turn;
+    // What waits for a section comes after it in the list, so one look at each is enough.
+    for (std::size_t i = first; i < sections_.size(); ++i) {
+      if (sections_[i].tool_number != sections_[first].tool_number || !is_ready(i, state)) continue;
+      state.done[i] = 1;
+      turn.push_back(i);
+    }
+    state.turns.push_back(std::move(turn));
+  }
+
+  static bool is_complete(const State& state) {
+    return std::all_of(state.done.begin(), state.done.end(), [](char done) { return done != 0; });
+  }
+
+  std::vector<Indices> in_the_order_given() const {
+    State state = nothing_done();
+    for (std::size_t first = 0; !is_complete(state); first = 0) {
+      while (!is_ready(first, state)) ++first;
+      add_turn(first, state);
+    }
+    return state.turns;
+  }
+
+  /// The first section of each tool that can be cut next.
+  Indices choices(const State& state) const {
+    Indices firsts;
+    std::set<int> tools;
+    for (std::size_t i = 0; i < sections_.size(); ++i) {
+      if (tools.count(sections_[i].tool_number) == 0 && is_ready(i, state)) {
+        tools.insert(sections_[i].tool_number);
+        firsts.push_back(i);
+      }
+    }
+    return firsts;
+  }
+
+  /// Turn by turn with every tool that may come next: to cut all that it can is never worse. Nothing where `most` turns are
+  /// no more than the search finds, or where there are too many ways.
+  std::optional<std::vector<Indices>> search(std::size_t most) const {
+    std::vector<State> states{nothing_done()};
+    for (std::size_t count = 1; count < most; ++count) {
+      std::vector<State> next;
+      std::set<std::vector<char>> known;
+      for (const State& state : states) {
+        for (const std::size_t first : choices(state)) {
+          State one = state;
+          add_turn(first, one);
+          if (is_complete(one)) return one.turns;
+          if (known.insert(one.done).second) next.push_back(std::move(one));
+        }
+      }
+      if (next.size() * sections_.size() > kMostLooks) return std::nullopt;
+      states = std::move(next);
+    }
+    return std::nullopt;
+  }
+
+  const std::vector<Section>& sections_;
+  const std::vector<Indices>& before_;
+};
 
 double rapids(const Indices& turn, const std::vector<Section>& sections, std::optional<Vec2> at) {
   double sum = 0;
@@ -132,7 +204,7 @@ std::vector<Section> in_short_order(std::vector<Section> sections, const Part& p
   const auto before = predecessors(sections, part);
   std::vector<Section> out;
   std::optional<Vec2> at;
-  for (const Indices& turn : turns_of_tools(sections, before)) {
+  for (const Indices& turn : ToolTurns(sections, before).fewest()) {
     for (const std::size_t i : shorter(turn, sections, before, at)) {
       at = end_of(sections[i]);
       out.push_back(std::move(sections[i]));

@@ -11,7 +11,8 @@ namespace clearcut::pipeline {
 /// The sections of a part whose order is nobody's wish, so that few tool changes and short rapids join them.
 ///
 /// Kept    sections that may meet (the boxes of what their cutters sweep overlap) stay in the order they have.
-/// Tools   all that can be cut with the tool in the spindle comes before the next tool.
+/// Tools   as few changes as the kept order allows, where there are not too many ways to try; all that can be cut with the
+///         tool in the spindle comes before the next tool.
 /// Rapids  the sections of each turn of a tool are ordered by the optimiser, from where the turn before ended; the order
 ///         they have stays where that is as short. The same sections give the same order on any number of threads.
 /// Cost    O(sections^2) looks at boxes, and the optimiser's.

@@ -93,6 +93,45 @@ TEST(SectionOrder, PutsSeparateHolesInAThirdOfTheRapidsAndTwoTurnsOfTools) {
   }
 }
 
+/// The fewest changes of any order, section by section over all subsets.
+int fewest_changes(const std::vector<Section>& sections) {
+  const std::size_t count = sections.size(), all = (std::size_t{1} << count) - 1;
+  constexpr int kNever = 1000;
+  std::vector<std::vector<int>> least(all + 1,
+                                      std::vector<int>(count, kNever));  // by what is cut, and what was last
+  int best = kNever;
+  for (std::size_t cut = 0; cut <= all; ++cut) {
+    for (std::size_t i = 0; i < count; ++i) {
+      bool ready = (cut >> i & 1) == 0;
+      for (std::size_t j = 0; j < i; ++j)
+        ready = ready && ((cut >> j & 1) != 0 || !may_meet(sections[i], sections[j]));
+      if (!ready) continue;
+      int& with = least[cut | std::size_t{1} << i][i];
+      if (cut == 0) with = 0;
+      for (std::size_t last = 0; last < count; ++last)
+        with = std::min(with,
+                        least[cut][last] + (sections[last].tool_number != sections[i].tool_number ? 1 : 0));
+    }
+  }
+  for (const int changes : least[all]) best = std::min(best, changes);
+  return best;
+}
+
+TEST(SectionOrder, ChangesToolsAsRarelyAsTheKeptOrderAllows) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Job job = random_job(seed, 9, 45);
+    Random random(seed + 1000);
+    job.part.tools.resize(4, job.part.tools[0]);
+    for (Section& section : job.sections) {
+      const int tool = static_cast<int>(random.below(4));
+      section.tool_number = tool + 1;
+      job.part.workplan[static_cast<std::size_t>(section.workingstep)].operation.tool = tool;
+    }
+    EXPECT_EQ(tool_changes(in_short_order(job.sections, job.part)), fewest_changes(job.sections))
+        << "seed " << seed;
+  }
+}
+
 TEST(SectionOrder, LeavesNothingAndOneAsTheyAre) {
   EXPECT_TRUE(in_short_order({}, Part{}).empty());
   const Job job = random_job(1, 1, 1);
