@@ -16,19 +16,23 @@ namespace clearcut::post {
 namespace {
 
 constexpr const char* kKlartext = "heidenhain";
-constexpr double kJoint = 1e-4;  // mm; moves of a section meet to within the finest grid printed
+constexpr double kLongestWait = 3600;  // s; controls take dwells of no more digits
+constexpr double kJoint = 1e-4;        // mm; moves of a section meet to within the finest grid printed
 
-void require_printable(double value, const Section& section) {
+void require_printable(double value, const Section& section, const std::string& what = "a coordinate",
+                       const std::string& check = "the part and its units") {
   if (std::abs(value) <= PrintGrid::kLargest) return;  // false for NaN
-  throw InputError("", "a coordinate in operation '" + section.label + "' is " + trimmed(value, 3) +
-                           ", which no machine reaches; check the part and its units");
+  throw InputError("", what + " in operation '" + section.label + "' is " + trimmed(value, 3) +
+                           ", which no machine reaches; check " + check);
 }
 
 void check_move(const Move& move, const Section& section) {
-  for (const double value : {move.path.from.x, move.path.from.y, move.path.to.x, move.path.to.y, move.z_from,
-                             move.z_to, move.feed.mm_per_min()}) {
+  for (const double value :
+       {move.path.from.x, move.path.from.y, move.path.to.x, move.path.to.y, move.z_from, move.z_to}) {
     require_printable(value, section);
   }
+  require_printable(move.feed.mm_per_min(), section, "a feed (mm/min)",
+                    "the feeds of options, job and tools");
   if (move.path.is_arc() && !std::isfinite(move.path.center.x + move.path.center.y)) {
     require_printable(move.path.center.x + move.path.center.y, section);
   }
@@ -38,7 +42,8 @@ void check_move(const Move& move, const Section& section) {
 }
 
 void check(const Section& section) {
-  require_printable(section.spindle_rpm, section);
+  require_printable(section.spindle_rpm, section, "the spindle's speed (rpm)",
+                    "that of options, job and tools");
   const Move* before = nullptr;
   for (const Move& move : section.moves) {
     check_move(move, section);
@@ -83,6 +88,8 @@ void refuse_missing_words(const PostOptions& options, const IsoDialect* dialect)
   }
   if (options.optional_stop && !(dialect && dialect->optional_stop))
     refuse("--optional-stop", "M1 that stops only where the operator wants it");
+  if (options.spindle_wait && !(options.spindle_wait->seconds() <= kLongestWait))
+    throw InputError("--spindle-wait", "must be at most " + trimmed(kLongestWait, 0) + " s");
   const int digits = dialect ? dialect->program_digits : 0;
   if (options.program_number && digits == 0) refuse("--program-number", "O word");
   if (options.program_number && std::to_string(*options.program_number + options.programs_before).size() >

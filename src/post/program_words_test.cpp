@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 /// One straight cut with each of two tools.
-std::string program(const PostOptions& options) {
+std::string program(const PostOptions& options, double feed = 300, double rpm = 8000) {
   Part part;
   Toolpath toolpath;
   for (const int number : {1, 2}) {
@@ -25,10 +25,10 @@ std::string program(const PostOptions& options) {
     part.tools.push_back(tool);
     Section section;
     section.tool_number = number;
-    section.spindle_rpm = 8000;
+    section.spindle_rpm = rpm;
     section.moves = {
         {Edge::line({0, 0}, {0, 0}), 5, -1, MoveKind::kPlunge, MmPerMin::of(100), 0},
-        {Edge::line({0, 0}, {10, 0}), -1, -1, MoveKind::kCut, MmPerMin::of(300), 0},
+        {Edge::line({0, 0}, {10, 0}), -1, -1, MoveKind::kCut, MmPerMin::of(feed), 0},
         {Edge::line({10, 0}, {10, 0}), -1, 5, MoveKind::kRapid, {}, 0},
     };
     toolpath.sections.push_back(section);
@@ -42,13 +42,23 @@ PostOptions post_for(const char* dialect) {
   return options;
 }
 
-std::string refusal(const PostOptions& options) {
+std::string refusal(const PostOptions& options, double feed = 300, double rpm = 8000) {
   try {
-    program(options);
+    program(options, feed, rpm);
   } catch (const InputError& error) {
     return error.what();
   }
   return "";
+}
+
+TEST(ProgramWords, NumbersThatNoMachineTakesAreNamedForWhatTheyAre) {
+  PostOptions options = post_for("grbl");
+  EXPECT_THAT(refusal(options, 1e8), HasSubstr("a feed (mm/min) in operation"));
+  EXPECT_THAT(refusal(options, 300, 1e8), HasSubstr("the spindle's speed (rpm) in operation"));
+  options.spindle_wait = Seconds::of(3600);
+  EXPECT_EQ(refusal(options), "");
+  options.spindle_wait = Seconds::of(1e9);
+  EXPECT_THAT(refusal(options), HasSubstr("--spindle-wait"));
 }
 
 TEST(ProgramWords, WorkOffsetStandsInTheSafeStart) {

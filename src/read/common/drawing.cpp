@@ -33,7 +33,9 @@ double depth_of(const DrawnGroup& group, const ReadOptions& options, Diagnostics
     diagnostics.warn(group.where, "no depth given: " + trimmed(*depth, 4) + " mm assumed");
   }
   if (!depth) {
-    throw InputError(group.where, "no depth given; add --depth MM, or name the layer like POCKET_D5");
+    throw InputError(
+        group.where,
+        "no depth given; add --depth 5 for all, or --op pocket_d5:LAYER, or name the layer like POCKET_D5");
   }
   return checked_depth(*depth, group.where);
 }
