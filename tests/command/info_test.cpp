@@ -28,7 +28,7 @@ TEST(Info, ShowsADrawingThatLacksADepth) {
   const ScratchFolder folder;
   const auto info = run_clearcut({"info", folder.file("pocket.dxf", circle_on("POCKET"))});
   EXPECT_EQ(info.exit_code, 0) << info.err;
-  EXPECT_THAT(info.out, AllOf(HasSubstr("circle of 8"), HasSubstr("to be said: "), HasSubstr("--depth MM")));
+  EXPECT_THAT(info.out, AllOf(HasSubstr("circle of 8"), HasSubstr("to be said: "), HasSubstr("--depth 5")));
 }
 
 TEST(Info, ShowsADrawingWhoseHolesGoThroughAnUnknownThickness) {
