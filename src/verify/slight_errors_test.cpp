@@ -15,9 +15,11 @@ namespace {
 using testing::circle_loop;
 using testing::cut_square_rings;
 using testing::has;
+using testing::kRings;
 using testing::pocket_part;
 using testing::rectangle;
 using testing::report_of;
+using testing::square_part;
 using testing::Writer;
 
 const Vec2 kCenter{30, 30};
@@ -34,6 +36,19 @@ Findings round_pocket(double last, double depth = 3) {
   writer.enter(kCenter + Vec2{4, 0}, 0, -depth);
   for (const double r : {4.0, 8.0, 12.0, last}) circle(writer, r);
   return verify_program(part, writer.done(), {});
+}
+
+/// A layer as far above the floor as may be left, but for rounding: the passes on the floor count, not that layer's.
+TEST(Verify, ALayerJustAboveTheFloorDoesNotCountForIt) {
+  Part part = square_part();
+  part.features[0].floor_z = -1;
+  ASSERT_GT(-0.99 - part.features[0].floor_z, Tolerances{}.uncut);
+  Writer writer;
+  cut_square_rings(writer, {25, 25}, kRings, 0, -0.99);
+  cut_square_rings(writer, {25, 25}, kRings, 0, -1);
+  const Findings both = verify_program(part, writer.done(), {});
+  EXPECT_TRUE(both.all.clean) << report_of(both);
+  EXPECT_LT(both.all.uncut_thickness_mm, 0.009);
 }
 
 TEST(SlightErrors, ASliverOfElevenMicrometresAlongAnArc) {

@@ -103,11 +103,19 @@ class MovesByPlace {
   BoxTree tree_;
 };
 
+/// The greatest height that lies at most tol.uncut above the level, as the difference of the two is rounded: what stays under a tip
+/// there is not thicker than is allowed.
+double highest_counted(double level, const Tolerances& tol) {
+  double z = level + tol.uncut;
+  while (z - level > tol.uncut) z = std::nextafter(z, level);
+  return z;
+}
+
 /// What feed moves sweep at a level. Tips up to tol.uncut above it count. Only moves within 2 tol.uncut of
 /// the target count, because what farther ones leave is thick.
 std::vector<Swath> swaths_at(double level, const Around& target, const MovesByPlace& moves,
                              const std::vector<std::size_t>& near, const Tolerances& tol) {
-  const double z = level + tol.uncut;
+  const double z = highest_counted(level, tol);
   std::vector<Swath> swaths;
   for (const std::size_t i : near) {
     const CheckedMove& checked = moves.all()[i];
@@ -137,7 +145,7 @@ double height_above(double level, const Around& target, const MovesByPlace& move
   double most = 0;
   for (const std::size_t i : near) {
     const CheckedMove& checked = moves.all()[i];
-    const bool counts = checked.is_flat() && counts_at(checked, level + tol.uncut, target, tol);
+    const bool counts = checked.is_flat() && counts_at(checked, highest_counted(level, tol), target, tol);
     if (counts) most = std::max(most, checked.low_z() - level);
   }
   return most;
@@ -206,7 +214,7 @@ class WorkCheck {
     const Around target(feature);
     const std::vector<std::size_t> near = moves_.near(target);
     question.swaths = swaths_at(level.z, target, moves_, near, tol);
-    question.path_tolerance = liberty_at(level.z + tol.uncut, target, moves_, near, tol);
+    question.path_tolerance = liberty_at(highest_counted(level.z, tol), target, moves_, near, tol);
     question.above = height_above(level.z, target, moves_, near, tol);
     level.any_cut = !question.swaths.empty();
     bool first = true;
@@ -231,7 +239,7 @@ class WorkCheck {
       // Steps that leave stock on walls for a later one make no scallops.
       if (step.feature != work.feature || step.operation.allowance_side > work.allowance_side) continue;
       for (const double z : program_.layers[i]) {
-        if (z > work.floor.z + options_.tol.uncut) work.layers.push_back({z, false, {}});
+        if (z > highest_counted(work.floor.z, options_.tol)) work.layers.push_back({z, false, {}});
       }
     }
     const auto higher = [](const LevelCoverage& a, const LevelCoverage& b) { return a.z > b.z; };
