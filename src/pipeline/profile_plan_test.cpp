@@ -242,6 +242,30 @@ TEST(DrawingRoles, NumbersChooseOutlines) {
   EXPECT_THAT(refusal(plate("0", "0", "0"), options), HasSubstr("there is no outline 9"));
 }
 
+/// The overview asks where a plan refuses, and what is proposed is enough.
+TEST(DrawingRoles, OpenLinesAloneMayBeFollowed) {
+  const std::string open = dxf(line("0", 0, 0, 45, 15) + line("0", 0, 15, 45, 0));
+  EXPECT_THAT(refusal(open, asking(6)), HasSubstr("--op engrave:'*'"));
+  auto options = asking(6);
+  options.depth.reset();
+  read::DrawingOverview overview;
+  options.overview = &overview;
+  read::read_part_text(open, "plate.dxf", options);
+  EXPECT_THAT(overview.question, HasSubstr("--op engrave:'*'"));
+  overview = {};
+  options.layer_rules = {asked(read::LayerRole::kEngrave, "*")};
+  read::read_part_text(open, "plate.dxf", options);
+  EXPECT_EQ(overview.lines, 2);
+  EXPECT_FALSE(overview.lines_have_depths);
+  EXPECT_EQ(overview.question, "");
+  options.depth = 0.3;
+  overview = {};
+  read::read_part_text(open, "plate.dxf", options);
+  EXPECT_TRUE(overview.lines_have_depths);
+  options.overview = nullptr;
+  EXPECT_EQ(read::read_part_text(open, "plate.dxf", options).features.size(), 2u);
+}
+
 TEST(DrawingRoles, OddSizesAndOpenLinesAreQuestioned) {
   EXPECT_THAT(refusal(dxf(rectangle("0", 0, 0, 3700, 2000)), asking(6)), HasSubstr("larger than 2 m"));
   EXPECT_THAT(refusal(dxf(rectangle("0", 0, 0, 0.5, 0.4)), asking(0.1)), HasSubstr("smaller than 1 mm"));

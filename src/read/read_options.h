@@ -66,8 +66,9 @@ struct OutlineSummary {
 /// What a drawing holds, whatever is still to be said about it.
 struct DrawingOverview {
   std::vector<OutlineSummary> outlines;
-  int lines = 0;         ///< to engrave
-  std::string question;  ///< what a plan would ask; "" if nothing
+  int lines = 0;                  ///< to engrave
+  bool lines_have_depths = true;  ///< all of these
+  std::string question;           ///< what a plan would ask; "" if nothing
 };
 
 /// The material that a job states, where it differs from the solid's own box. mm.

@@ -87,8 +87,8 @@ void print_overview(const std::string& file, const DrawingOverview& overview) {
 }
 
 bool has_depths(const DrawingOverview& overview) {
-  return std::all_of(overview.outlines.begin(), overview.outlines.end(),
-                     [](const auto& one) { return one.depth.has_value(); });
+  return overview.lines_have_depths && std::all_of(overview.outlines.begin(), overview.outlines.end(),
+                                                   [](const auto& one) { return one.depth.has_value(); });
 }
 
 const std::string kNoDepth = "how deep; --depth MM, or in layers' names as in POCKET_D5";

@@ -255,12 +255,30 @@ void ask_of_layers(const std::vector<ShapedGroup>& shaped, const ReadOptions& op
   if (options.overview->question.empty()) options.overview->question = question->text;
 }
 
-/// In the words of the reader; "" for none.
+/// In the words of the reader, as much as a person reads; "" for none.
 std::string what_was_left_out(const Diagnostics& diagnostics) {
+  constexpr int kListed = 3;
   std::string all;
+  int count = 0;
   for (const Diagnostic& item : diagnostics.items())
-    if (item.severity == Severity::kSkipped) all += (all.empty() ? "" : "; ") + item.what;
+    if (item.severity == Severity::kSkipped && ++count <= kListed)
+      all += (all.empty() ? "" : "; ") + item.what;
+  if (count > kListed) all += "; and " + std::to_string(count - kListed) + " more";
   return all.empty() ? "" : " (" + all + ")";
+}
+
+std::string nothing_found(const Diagnostics& diagnostics) {
+  return "nothing to mill was found" + what_was_left_out(diagnostics) +
+         "; draw the pockets as closed curves, or have the cutter follow open lines (--op engrave:'*')";
+}
+
+/// What a plan asks, for the overview, where all lines are open.
+void question_open_lines(const std::vector<ShapedGroup>& shaped, const Part& part,
+                         const ReadOptions& options) {
+  const bool nothing = std::all_of(shaped.begin(), shaped.end(), [](const ShapedGroup& one) {
+    return one.regions.empty() && one.lines.empty();
+  });
+  if (nothing && !shaped.empty()) options.overview->question = nothing_found(part.diagnostics);
 }
 
 }  // namespace
@@ -370,12 +388,12 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   std::vector<ShapedGroup> shaped = shaped_groups(groups, options, part.diagnostics);
   assign_outline_roles(shaped, layers, options, part.source_file, part.diagnostics);
   if (options.overview || options.ask_if_unclear) ask_of_layers(shaped, options);
-  if (options.overview) return question_cut_away(std::move(shaped), islands, options);
-  std::vector<Feature> features = features_of(shaped, islands, options, part.diagnostics);
-  if (features.empty()) {
-    throw InputError(part.source_file, "nothing to mill was found" + what_was_left_out(part.diagnostics) +
-                                           "; draw the pockets as closed curves");
+  if (options.overview) {
+    question_open_lines(shaped, part, options);
+    return question_cut_away(std::move(shaped), islands, options);
   }
+  std::vector<Feature> features = features_of(shaped, islands, options, part.diagnostics);
+  if (features.empty()) throw InputError(part.source_file, nothing_found(part.diagnostics));
   ask_of_cut_away(part, features, options);
   std::stable_sort(features.begin(), features.end(), goes_before);
   set_stock(part, shaped, features, options);

@@ -265,7 +265,7 @@ class Joiner {
                      "the outline is open at " + place_text(ends.at(end)) + " (" + ends.curve(end).source +
                          ")" + gap + (gap.empty() ? ": " : "; ") +
                          "close it in the drawing, widen the gap that is joined (--join-gap), "
-                         "or leave open lines out (--open-curves skip)");
+                         "leave open lines out (--open-curves skip), or follow them (--op engrave:'*')");
   }
 
   /// mm. Gaps below this are rounding: mended without a word.

@@ -333,7 +333,10 @@ void fill_overview(const std::vector<ShapedGroup>& groups, const std::vector<Out
     one.within = outline.about.empty() ? 0 : outline.about.back() + 1;
     overview.outlines.push_back(std::move(one));
   }
-  for (const ShapedGroup& group : groups) overview.lines += static_cast<int>(group.lines.size());
+  for (const ShapedGroup& group : groups) {
+    overview.lines += static_cast<int>(group.lines.size());
+    if (!group.lines.empty() && !options.depth && !group.group.depth) overview.lines_have_depths = false;
+  }
 }
 
 }  // namespace
