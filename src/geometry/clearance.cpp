@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "geometry/boolean.h"
+#include "geometry/contours/loops.h"
 #include "geometry/voronoi/axis.h"
 #include "geometry/voronoi/fit_lines.h"
 #include "geometry/voronoi/level_curves.h"
@@ -111,8 +112,25 @@ double usual_error(const Region& region, const Tolerances& tol) {
   return lines < kManyLines ? tol.topology_chord : tol.topology_chord * kRefinement;
 }
 
-voronoi::Diagram diagram_of(const Region& region, const Tolerances& tol) {
+/// Tangents for the arcs of a loop as thin as their error may turn it inside out without meeting each other: these start fine.
+voronoi::SiteErrors first_errors(const Region& region, const Tolerances& tol) {
   voronoi::SiteErrors errors{usual_error(region, tol), {}};
+  std::vector<Edge> thin;
+  for (const Loop& loop : loops_of({region})) {
+    const double mean_width = 2 * std::abs(signed_area(loop)) / length(loop);
+    if (mean_width < 2 * errors.usual) thin.insert(thin.end(), loop.begin(), loop.end());
+  }
+  std::erase_if(thin, [](const Edge& edge) { return !edge.is_arc(); });
+  if (thin.empty()) return errors;
+  const std::vector<voronoi::Element> elements = voronoi::make_sites(region, errors, kSimplify).elements;
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    if (std::find(thin.begin(), thin.end(), elements[i].edge) != thin.end())
+      errors.of_element[static_cast<int>(i)] = kFine;
+  return errors;
+}
+
+voronoi::Diagram diagram_of(const Region& region, const Tolerances& tol) {
+  voronoi::SiteErrors errors = first_errors(region, tol);
   for (;;) {
     auto diagram = voronoi::make_diagram(voronoi::make_sites(region, errors, kSimplify), region);
     if (!refine(diagram, errors)) return diagram;

@@ -356,5 +356,25 @@ TEST(Axis, FilletsLeaveTheRidgeAndItsForks) {
   }
 }
 
+/// A lens 7 um thick between an arc and two lines: tangents for the arc would lie on the other side of the lines.
+TEST(Clearance, AThinIslandBesideAnArcStays) {
+  const Vec2 a{83.292803407, 82.272190488}, b{83.342987450, 82.086658918}, middle{83.330840600, 82.182619034};
+  const Vec2 center{82.649137424, 81.998533761};
+  const Region lens = Region::from_valid_loops(
+      {Edge::arc(a, b, center, Turn::kClockwise), Edge::line(b, middle), Edge::line(middle, a)}, {});
+  const Tolerances tol;
+  for (const double d : {0.005, 0.03, 0.0640625, 0.1, 0.3}) {
+    const Regions rest =
+        inset(Region::from_valid_loops(rectangle(lens.box().min - Vec2{2, 2}, lens.box().max + Vec2{2, 2}),
+                                       {lens.outer()}),
+              d, tol);
+    ASSERT_EQ(rest.size(), 1U) << d;
+    ASSERT_EQ(rest[0].islands().size(), 1U) << d;
+    // Steiner's formula for what is convex but for 7 um.
+    const double grown = lens.area() + d * length(lens.outer()) + kPi * d * d;
+    EXPECT_NEAR(-signed_area(rest[0].islands()[0]), grown, 0.01 * grown + 1e-5) << d;
+  }
+}
+
 }  // namespace
 }  // namespace clearcut::inline geometry
