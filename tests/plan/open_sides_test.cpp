@@ -114,6 +114,22 @@ Entries entries_of(const pipeline::PlanResult& result) {
   return entries;
 }
 
+TEST(Films, BetweenAPartAndItsStockAreNoWallsWhereTheyEnd) {
+  // The stock is wider than the solid by what a CAD kernel's box is, 0.5 nm; a notch ends the film between them.
+  const double top = 20, above = 20.0000005;
+  const std::vector<Vec2> notch{{5, top}, {30, top}, {30, 8}, {40, 8}, {40, above}, {5.0000003, above}};
+  const std::vector<Vec2> solid{
+      {0, 0},  {0, top}, {4, top}, {4.0000003, above}, {5.0000003, above}, {5, top}, {30, top},
+      {30, 8}, {40, 8},  {40, 0}};
+  const Loop air = box_regions({{-100, -100}, {140, 120}}).front().outer();
+  Part part = test_support::part_of({Region::from_valid_loops(loop_from_points(notch), {})},
+                                    {Region::from_valid_loops(air, {loop_from_points(solid)})},
+                                    FeatureKind::kOpenPocket, 4);
+  part.stock = Stock{{{0, 0}, {40, above}}, -5, 0};
+  const auto result = pipeline::plan_part(part, {});
+  for (const Fault& fault : result.findings.faults) ADD_FAILURE() << fault.text;
+}
+
 class OpenSides : public testing::TestWithParam<std::string> {};
 
 INSTANTIATE_TEST_SUITE_P(Strategies, OpenSides,

@@ -174,13 +174,16 @@ double FinishedPart::height_beside(Vec2 p, int own, bool inside_own) const {
   return height;
 }
 
-/// Parameters at which the outlines of other shapes meet this edge, with 0 and 1, ascending.
+/// Parameters at which the outlines of other shapes meet this edge, or turn beside it, with 0 and 1, ascending: where they
+/// turn away from it without a crossing, other heights begin.
 std::vector<double> FinishedPart::cuts_of(const Edge& edge, int shape, const EdgeTree& all,
                                           const std::vector<int>& owner) const {
   std::vector<double> cuts{0, 1};
   all.overlapping(edge.box().grown(kProbe), [&](int other) {
     if (owner[other] == shape) return;
     for (const Vec2 p : intersections(edge, all.edges()[other])) cuts.push_back(nearest(edge, p).t);
+    const auto corner = nearest(edge, all.edges()[other].from);
+    if (corner.distance < kProbe && corner.t > 0 && corner.t < 1) cuts.push_back(corner.t);
   });
   std::sort(cuts.begin(), cuts.end());
   return cuts;
