@@ -88,6 +88,11 @@ describe('texts', () => {
     assert.deepEqual(ask(`extentOfDrawing(${outlines})`), { x: [-4, 5], y: [-2, 9] });
     assert.equal(ask('extentOfDrawing([])'), null);
   });
+  test('outlines on each other share a place for their numbers', () => {
+    const outline = (/** @type {number} */ number, /** @type {number | null} */ d) => ({ number, path: 'M0 0Z', diameter_mm: d, extent_mm: { x: [0, 6], y: [0, 6] } });
+    const places = /** @type {{ text: string, x: number, y: number }[]} */ (ask(`numbersOfOutlines(${JSON.stringify([outline(1, 6), outline(2, null), outline(3, 6)])})`));
+    assert.deepEqual(places.map(({ text, x, y }) => [text, x, y]), [['1, 3', 3, -6], ['2', 0, -6]]);
+  });
   test('a part is ready, has to be asked about, or cannot be read', () => {
     assert.equal(ask(`readiness('a.dxf', { asks: [] }, [])`), 'a.dxf is ready to be planned.');
     assert.equal(ask(`readiness('a.dxf', { asks: ['x', 'y'] }, [])`), 'Before a.dxf can be planned, say: (1) x (2) y');

@@ -58,17 +58,31 @@ function showDrawing() {
   element('drawing-size').textContent = `${shownLength(x1 - x0, 2)} × ${shownLength(y1 - y0, 2)} ${lengthName()}`;
   const drawn = outlines.map((one, index) => ({ one, index })).filter(({ one }) => one.path).sort((a, b) => b.one.area_mm2 - a.one.area_mm2);
   element('drawing-curves').replaceChildren(...drawn.map(({ one, index }) => madeSvg('path', { 'd': one.path ?? '', 'data-index': index })));
-  if (drawn.length <= mostNumbers) element('drawing-numbers').replaceChildren(...drawn.map(({ one }) => numberOfOutline(one)));
+  if (drawn.length <= mostNumbers) element('drawing-numbers').replaceChildren(...numbersOfOutlines(outlines.filter(one => one.path)).map(numberAt));
   colourDrawing();
   sizeNumbers();
 }
 
-/** Within a circle at its top, so that those of one middle have their own places; else within the corner at the upper left. @type {(outline: OutlineInfo) => SVGTextElement} */
-function numberOfOutline({ number, extent_mm, diameter_mm }) {
-  const { x, y } = extent_mm ?? { x: [0, 0], y: [0, 0] };
-  return diameter_mm ? madeSvg('text', { 'x': (x[0] + x[1]) / 2, 'y': -y[1], 'dy': '1.1em', 'text-anchor': 'middle' }, String(number))
-    : madeSvg('text', { x: x[0], y: -y[1], dx: '0.4em', dy: '1.1em' }, String(number));
+/**
+ * Numbers with their places, y down: within a circle at its top, so that those of one middle have their own; else within the corner at the upper left.
+ * Outlines on each other share one.
+ * @type {(outlines: OutlineInfo[]) => NumberPlace[]}
+ */
+function numbersOfOutlines(outlines) {
+  /** @type {Map<string, NumberPlace>} */
+  const places = new Map();
+  for (const { number, extent_mm, diameter_mm } of outlines) {
+    const { x, y } = extent_mm ?? { x: [0, 0], y: [0, 0] }, isCircle = diameter_mm !== null;
+    const place = { x: isCircle ? (x[0] + x[1]) / 2 : x[0], y: -y[1], isCircle, text: String(number) };
+    const key = `${round(place.x, 3)} ${round(place.y, 3)}`, there = places.get(key);
+    if (there) there.text += `, ${number}`;
+    else places.set(key, place);
+  }
+  return [...places.values()];
 }
+
+/** @type {(place: NumberPlace) => SVGTextElement} */
+const numberAt = ({ x, y, isCircle, text }) => madeSvg('text', { x, y, 'dx': isCircle ? '0' : '0.4em', 'dy': '1.1em', 'text-anchor': isCircle ? 'middle' : 'start' }, text);
 
 /** @type {(target: EventTarget | null) => HTMLTableRowElement | undefined} */
 const rowAround = target => target instanceof Element ? target.closest('tr') ?? undefined : undefined;

@@ -90,6 +90,8 @@ interface SetupInfos { setups: PartInfo[] }
 /** What was mended, left out or is worth a word. */
 interface Found { kind: 'note' | 'repair' | 'warning' | 'skipped'; where: string; what: string }
 interface FeatureInfo { name: string; kind: string; top_z: number; floor_z: number; extent_mm: Extent | null }
+/** Where the numbers of outlines stand in the drawing, y down, and whether in a circle. */
+interface NumberPlace { x: number; y: number; isCircle: boolean; text: string }
 interface OutlineInfo {
   number: number;
   layer: string;
