@@ -49,6 +49,17 @@ TEST(Chamfering, TwentyMicrometresTooDeepTooWideOrTooShallowIsFaulty) {
   EXPECT_TRUE(has(checked(all_edges("CHAMFER_D0.48")), FaultKind::kUncut));
 }
 
+/// A tongue of the plate comes into the pocket so near to its left wall that the mill passes it at the tip alone: material stands before its left
+/// flank, and the chamfer of its right one need not go as deep as if that were a wall.
+TEST(Chamfering, BesideWallsThatTheMillDoesNotReachTheMilledOnesCount) {
+  const std::vector<BulgeVertex> tongue{
+      {{0, 0}}, {{7.94, -1.014}}, {{7.483, 12.779}}, {{3.97, 7.818}}, {{1.148, 11.806}}};
+  const PlanResult result = plan_part(drawn(outline("POCKET_D3", tongue) + outline("CHAMFER_D0.2", tongue)),
+                                      with({"endmill:4", "chamfer:90deg:8:tip=0.4"}));
+  EXPECT_NE(verdict_of(result.findings), Verdict::kFaulty) << faults_of(result.findings);
+  EXPECT_LT(result.findings.all.uncut_thickness_mm, 0.01);
+}
+
 /// The words of the chamfer's section, moved down or left out.
 TEST(Chamfering, ATipTwentyMicrometresLowerOrAnEdgeLeftOutIsFaulty) {
   const auto options = with({"endmill:5", "chamfer:90deg:8:tip=0.4"});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/elementary.h"
 #include "verify/faults/shaped_cutter.h"
@@ -81,12 +82,20 @@ class ChamferCheck {
     return found;
   }
 
+  /// mm. Where the mills did not come there is no wall, although the line runs there.
+  double distance_to_wall(Vec2 p) const {
+    const auto is_milled = [&](int i) {
+      return is_wall(nearest(line_.edges()[static_cast<std::size_t>(i)], p).point);
+    };
+    return line_.nearest(p, std::numeric_limits<double>::infinity(), is_milled).distance;
+  }
+
   void check_place(Vec2 foot, Vec2 into_solid) {
     if (!is_wall(foot)) return;
     const double square = slope_ / base::hypot(1.0, slope_);
     for (const double share : kAcross) {
       const Vec2 p = foot + into_solid * (share * width());
-      const double z = feature_.floor_z + line_.nearest(p).distance / slope_;
+      const double z = feature_.floor_z + distance_to_wall(p) / slope_;
       const double left = (std::min(cones_.at(p), feature_.top_z) - z) * square;
       if (left <= work_.left_mm) continue;
       work_.left_mm = left;
