@@ -89,6 +89,18 @@ void leave_skin(Feature& feature, double skin, Diagnostics& diagnostics) {
                    "a skin of " + trimmed(skin, 3) + " mm is left under it, which holds what it surrounds");
 }
 
+/// Tabs that are asked for and cannot be left: a line that is followed is engraved all along.
+void tell_of_missing_tabs(const Feature& feature, const TabOptions& tabs, Part& part) {
+  if (!tabs.any() || feature.profile->side != ProfileSide::kOn) return;
+  const bool through = part.stock && feature.floor_z <= part.stock->z_bottom;
+  part.diagnostics.warn(feature.name,
+                        std::string("tabs are left in profiles alone, not along lines that the cutter's "
+                                    "centre follows") +
+                            (through && feature.profile->closed
+                                 ? "; it goes through the material, and what it surrounds comes loose"
+                                 : ""));
+}
+
 }  // namespace
 
 void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources) {
@@ -98,6 +110,7 @@ void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources
     workplan.push_back(step);
     Feature& feature = part.features[static_cast<std::size_t>(step.feature)];
     if (!feature.profile) continue;
+    tell_of_missing_tabs(feature, options.tabs, part);
     if (options.tabs.skin && feature.profile->side != ProfileSide::kOn)
       leave_skin(feature, *options.tabs.skin, part.diagnostics);
     const double radius = tool_of(part, step).radius();
