@@ -26,6 +26,8 @@ constexpr ToolName kNames[] = {{ToolKind::kEndMill, "endmill"},
                                {ToolKind::kThreadMill, "threadmill"},
                                {ToolKind::kBoringBar, "boringbar"},
                                {ToolKind::kCounterbore, "counterbore"},
+                               {ToolKind::kTapered, "tapered"},
+                               {ToolKind::kTSlot, "tslot"},
                                {ToolKind::kOther, "other"}};
 /// Degrees; of common drills.
 constexpr double kUsualPoint = 118;
@@ -60,13 +62,29 @@ double flank_slope(const Tool& tool) {
   return base::tan(tool.tip_angle.value_or(Radians{}).radians() / 2);
 }
 
-double cone_height(const Tool& tool) {
+bool has_flanks(const Tool& tool) {
+  return is_conical(tool) || (tool.kind == ToolKind::kTapered && tool.tip_angle.has_value());
+}
+
+double flank_height(const Tool& tool) {
+  if (tool.kind == ToolKind::kTapered) return tool.flute_length.value_or(0);
   return (tool.radius() - tool.tip_diameter / 2) / flank_slope(tool);
 }
 
+double tip_radius(const Tool& tool) {
+  return tool.kind == ToolKind::kTapered ? tool.radius() : tool.tip_diameter / 2;
+}
+
+double widest_radius(const Tool& tool) {
+  if (tool.kind != ToolKind::kTapered) return tool.radius();
+  return tool.radius() + flank_height(tool) * flank_slope(tool);
+}
+
 double radius_at(const Tool& tool, double height) {
-  if (is_conical(tool))
-    return std::min(tool.radius(), tool.tip_diameter / 2 + std::max(0.0, height) * flank_slope(tool));
+  if (has_flanks(tool))
+    return std::min(widest_radius(tool), tip_radius(tool) + std::max(0.0, height) * flank_slope(tool));
+  if (tool.kind == ToolKind::kTSlot && height > tool.flute_length.value_or(HUGE_VAL))
+    return tool.shank_diameter / 2;
   const double round = tool.kind == ToolKind::kBallEndMill ? tool.radius() : tool.corner_radius;
   const double flat = std::max(0.0, tool.radius() - round);
   const double below = std::clamp(round - height, 0.0, round);  // the middle of the round
@@ -86,7 +104,11 @@ bool makes_holes(const Tool& tool) {
 bool clears_floors(const Tool& tool) {
   return !makes_holes(tool) && tool.kind != ToolKind::kSpotDrill && tool.kind != ToolKind::kVBit &&
          tool.kind != ToolKind::kChamferMill && tool.kind != ToolKind::kTap &&
-         tool.kind != ToolKind::kThreadMill;
+         tool.kind != ToolKind::kThreadMill && tool.kind != ToolKind::kTSlot;
+}
+
+bool mills_upright(const Tool& tool) {
+  return clears_floors(tool) && tool.kind != ToolKind::kTapered;
 }
 
 }  // namespace clearcut::inline model

@@ -24,10 +24,12 @@ enum class ToolKind {
   kThreadMill,   ///< cuts a thread along a helix; with a pitch in many rows of teeth, else in one
   kBoringBar,    ///< one edge that bores to its diameter
   kCounterbore,  ///< a flat end that goes straight down about a narrower hole
+  kTapered,      ///< an end mill that widens upwards from the diameter of its flat tip
+  kTSlot,        ///< a disc on a narrower neck, for undercuts
   kOther
 };
 /// "endmill", "facemill", "ball", "bullnose", "drill", "reamer", "vbit", "chamfer", "spotdrill", "tap", "threadmill",
-/// "boringbar", "counterbore", "other": as on the command line.
+/// "boringbar", "counterbore", "tapered", "tslot", "other": as on the command line.
 const char* name_of(ToolKind kind);
 std::optional<ToolKind> tool_kind_named(const std::string& name);
 
@@ -36,20 +38,20 @@ struct Tool {
   int number = 1;    ///< T word
   std::string name;  ///< as in the source ("T3"), for messages and headers
   ToolKind kind = ToolKind::kEndMill;
-  double diameter = 0;
+  double diameter = 0;       ///< of tapered end mills that of the tip
   double corner_radius = 0;  ///< 0 flat
   int teeth = 2;
-  std::optional<double> flute_length;
+  std::optional<double> flute_length;          ///< of T-slot cutters the height of the disc
   std::optional<double> max_spindle_rpm = {};  ///< allowed by its maker; > 0
   bool center_cutting = true;                  ///< may plunge straight down
-  std::optional<Radians> tip_angle = {};       ///< cones, points of drills: between opposite flanks
+  std::optional<Radians> tip_angle = {};       ///< cones, tapers, points of drills: between opposite flanks
   double tip_diameter = 0;                     ///< cones: of the flat at the tip
   double pitch = 0;                     ///< taps; thread mills with many rows of teeth: between the rows
   bool left_hand = false;               ///< taps: of the thread
   bool floating = false;                ///< taps: held with play along their axis
   std::optional<double> stickout = {};  ///< from the tip up to the holder; absent: the holder is not known
   double holder_diameter = 0;           ///< of the holder where it begins; 0: not known
-  double shank_diameter = 0;            ///< above the flutes; 0: no wider than the cutter
+  double shank_diameter = 0;  ///< above the flutes; 0: no wider than the cutter; of T-slot cutters the neck
   std::optional<bool> high_speed_steel =
       {};               ///< of the edges; absent: what is usual for the kind, docs/feeds.md
   bool coated = false;  ///< the edges
@@ -61,10 +63,16 @@ const Tool* tool_numbered(const std::vector<Tool>& tools, int number);
 
 /// Whether the cutter is a cone from its tip up to its diameter: V-bits, chamfer mills, spot drills with an angle.
 bool is_conical(const Tool& tool);
-/// Of a cone: mm that it grows sideways for each mm of height.
+/// Whether it widens evenly upwards from its tip: cones and tapered end mills.
+bool has_flanks(const Tool& tool);
+/// Of flanks: mm that they grow sideways for each mm of height.
 double flank_slope(const Tool& tool);
-/// Of a cone: mm from its tip up to where it has its diameter.
-double cone_height(const Tool& tool);
+/// Of flanks: mm from the tip up to where they end.
+double flank_height(const Tool& tool);
+/// Of a tool with flanks: radius of the flat at its tip, mm.
+double tip_radius(const Tool& tool);
+/// mm; greatest radius of what cuts.
+double widest_radius(const Tool& tool);
 /// Radius at `height` mm above the tip: there a cutter that runs deeper clears as much. mm.
 double radius_at(const Tool& tool, double height);
 /// mm that a drill's point stands before its full diameter; 118 degrees where its angle is not stated. 0 for other tools.
@@ -72,8 +80,10 @@ double point_length(const Tool& tool);
 /// Whether it only goes straight down along its axis and makes a hole of its own diameter: drills, reamers, counterbores,
 /// boring bars.
 bool makes_holes(const Tool& tool);
-/// Whether it clears areas down to a flat floor: not what only goes straight down, nor cones.
+/// Whether it clears areas down to a flat floor: not what only goes straight down, nor cones, nor what cuts undercuts.
 bool clears_floors(const Tool& tool);
+/// Whether it clears floors and leaves walls upright: not tapered end mills.
+bool mills_upright(const Tool& tool);
 
 /// Feeds and speeds of one operation. Absent values take the documented defaults (see defaults_for).
 struct CuttingData {

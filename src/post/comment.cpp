@@ -62,6 +62,10 @@ std::string shape_words(const Tool& tool, bool inch) {
   std::string words;
   if (is_conical(tool)) words += " " + trimmed(tool.tip_angle->degrees(), 2) + " DEG";
   if (is_conical(tool) && tool.tip_diameter > 0) words += " TIP " + size_text(tool.tip_diameter, inch);
+  if (tool.kind == ToolKind::kTapered)
+    words += " TAPER " + trimmed(tool.tip_angle.value_or(Radians{}).degrees() / 2, 2) + " DEG A SIDE";
+  if (tool.kind == ToolKind::kTSlot && tool.flute_length)
+    words += " HIGH " + size_text(*tool.flute_length, inch) + " NECK " + size_text(tool.shank_diameter, inch);
   const bool rounded = tool.corner_radius > 0 && tool.corner_radius < tool.radius();
   if (rounded) words += " R " + size_text(tool.corner_radius, inch);
   const std::string pitch = inch ? size_text(tool.pitch, true) : trimmed(tool.pitch, 4);

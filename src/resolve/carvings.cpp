@@ -33,7 +33,7 @@ int floor_mill(const Feature& feature, const std::vector<Tool>& tools, const Tol
   const double fits = stock::largest_fitting_diameter(feature, tol) - kRoom;
   int best = -1;
   for (std::size_t i = 0; i < tools.size(); ++i) {
-    const bool flat = clears_floors(tools[i]) && tools[i].kind != ToolKind::kBallEndMill;
+    const bool flat = mills_upright(tools[i]) && tools[i].kind != ToolKind::kBallEndMill;
     if (!flat || tools[i].diameter > fits) continue;
     if (best < 0 || tools[i].diameter > tools[static_cast<std::size_t>(best)].diameter)
       best = static_cast<int>(i);
@@ -42,7 +42,7 @@ int floor_mill(const Feature& feature, const std::vector<Tool>& tools, const Tol
 }
 
 bool has_mill(const std::vector<Tool>& tools) {
-  return std::any_of(tools.begin(), tools.end(), [](const Tool& tool) { return clears_floors(tool); });
+  return std::any_of(tools.begin(), tools.end(), [](const Tool& tool) { return mills_upright(tool); });
 }
 
 std::string size_of(const Tool& bit) {
@@ -62,7 +62,7 @@ std::string size_of(const Tool& bit) {
 /// How deep the bit goes in the feature: to its limit, as wide as it is, or as deep as the widest place asks for.
 double depth_of(const Feature& feature, const Tool& bit, double widest) {
   const double asked = (widest - bit.tip_diameter / 2) / flank_slope(bit);
-  return std::min({asked, cone_height(bit), feature.carving->limit.value_or(asked)});
+  return std::min({asked, flank_height(bit), feature.carving->limit.value_or(asked)});
 }
 
 void shape_carving(Feature& feature, const Tool& bit, double widest) {
@@ -102,11 +102,11 @@ Workingstep floor_step(const Workingstep& step, int mill, const Part& part, cons
 /// The groove that a shaped cutter leaves along a line.
 void shape_groove(Feature& feature, const Tool& tool) {
   const double depth = feature.top_z - feature.floor_z;
-  if (is_conical(tool) && depth > cone_height(tool)) {
+  if (is_conical(tool) && depth > flank_height(tool)) {
     throw InputError(feature.name,
                      fmt::format("it is {} mm deep and the flanks of {} end {} mm above its tip; "
                                  "use less depth or a wider bit",
-                                 trimmed(depth, 3), size_of(tool), trimmed(cone_height(tool), 3)));
+                                 trimmed(depth, 3), size_of(tool), trimmed(flank_height(tool), 3)));
   }
   const double radius = radius_at(tool, depth);
   const Tolerances tol;

@@ -18,6 +18,8 @@ namespace {
 
 /// Degrees between the flanks of a cone.
 constexpr double kSharpest = 5;
+/// Degrees of each side of a tapered end mill.
+constexpr double kLeastTaper = 0.1, kMostTaper = 45;
 constexpr double kBluntest = 170;
 
 std::optional<double> number(std::string_view text) {
@@ -44,7 +46,8 @@ std::string kind_names() {
   for (const auto kind :
        {ToolKind::kEndMill, ToolKind::kFaceMill, ToolKind::kBullNoseEndMill, ToolKind::kBallEndMill,
         ToolKind::kDrill, ToolKind::kReamer, ToolKind::kVBit, ToolKind::kChamferMill, ToolKind::kSpotDrill,
-        ToolKind::kTap, ToolKind::kThreadMill, ToolKind::kBoringBar, ToolKind::kCounterbore}) {
+        ToolKind::kTap, ToolKind::kThreadMill, ToolKind::kBoringBar, ToolKind::kCounterbore,
+        ToolKind::kTapered, ToolKind::kTSlot}) {
     names += (names.empty() ? "" : ", ") + std::string(name_of(kind));
   }
   return names;
@@ -59,7 +62,7 @@ int whole_number(const std::string& text, const std::string& place, const char* 
 }
 
 bool is_angle(const std::string& word) {
-  return word.size() > 3 && word.ends_with("deg");
+  return word.size() > 3 && word.ends_with("deg") && word.find('=') == std::string::npos;
 }
 
 Radians required_angle(const std::string& text, const std::string& place) {
@@ -68,6 +71,16 @@ Radians required_angle(const std::string& text, const std::string& place) {
     throw InputError(place, fmt::format("'{}' is no angle between flanks; write 60deg, from {} to {}", text,
                                         kSharpest, kBluntest));
   return Radians::of_degrees(*degrees);
+}
+
+/// The angle between the flanks, of the angle of each side.
+Radians required_taper(const std::string& text, const std::string& place) {
+  const auto degrees = number(is_angle(text) ? std::string_view(text).substr(0, text.size() - 3) : text);
+  if (!degrees || *degrees < kLeastTaper || *degrees > kMostTaper)
+    throw InputError(
+        place, fmt::format("'{}' is no taper; write taper=5deg, the angle of each side, from {} to {}", text,
+                           kLeastTaper, kMostTaper));
+  return Radians::of_degrees(2 * *degrees);
 }
 
 double required_speed(const std::string& text, const std::string& place) {
@@ -109,6 +122,8 @@ void apply_word(Tool& tool, const std::string& word, const std::string& place) {
     tool.max_spindle_rpm = required_speed(value, place);
   } else if (is_angle(word) || key == "angle") {
     tool.tip_angle = required_angle(is_angle(word) ? word : value, place);
+  } else if (key == "taper") {
+    tool.tip_angle = required_taper(value, place);
   } else if (key == "tip") {
     tool.tip_diameter = required_length(value, place, "a diameter of the tip");
   } else if (key == "pitch") {
@@ -120,15 +135,33 @@ void apply_word(Tool& tool, const std::string& word, const std::string& place) {
   } else if (key == "name") {
     tool.name = value;
   } else {
-    throw InputError(place, fmt::format("'{}' is unknown; use T<number>, flutes=, corner=, length=, shank=, "
-                                        "stickout=, holder=, max_spindle=, 60deg, tip=, pitch=, left, "
-                                        "floating, hss, carbide, coated, name=, noplunge",
-                                        word));
+    throw InputError(place,
+                     fmt::format("'{}' is unknown; use T<number>, flutes=, corner=, length=, shank=, "
+                                 "stickout=, holder=, max_spindle=, 60deg, tip=, taper=, pitch=, left, "
+                                 "floating, hss, carbide, coated, name=, noplunge",
+                                 word));
   }
+}
+
+/// What tapered end mills and T-slot cutters need.
+void check_shape(const Tool& tool, const std::string& place) {
+  const bool tapered = tool.kind == ToolKind::kTapered;
+  if (tapered && (!tool.tip_angle || !tool.flute_length || tool.corner_radius > 0 || tool.tip_diameter != 0))
+    throw InputError(
+        place,
+        "a tapered end mill needs the diameter of its flat tip, the angle of each side and the length "
+        "of its flutes, for example tapered:3:taper=5deg:length=20");
+  if (tool.kind != ToolKind::kTSlot) return;
+  if (!tool.flute_length || !(tool.shank_diameter > 0) || tool.shank_diameter >= tool.diameter)
+    throw InputError(
+        place,
+        "a T-slot cutter needs the diameter and the height of its disc and the diameter of its neck, "
+        "for example tslot:20:length=8:shank=10");
 }
 
 /// What the kind of the tool needs of its cone.
 void check_cone(const Tool& tool, const std::string& place) {
+  if (tool.kind == ToolKind::kTapered) return;
   const bool cone = tool.kind == ToolKind::kVBit || tool.kind == ToolKind::kChamferMill ||
                     tool.kind == ToolKind::kSpotDrill;
   if (cone && !tool.tip_angle)
@@ -201,6 +234,7 @@ Tool parse_tool(const std::string& text) {
   if (tool.corner_radius < 0 || tool.corner_radius > tool.radius())
     throw InputError(place, fmt::format("the corner radius must lie between 0 and {} mm, half the diameter",
                                         trimmed(tool.radius(), 4)));
+  check_shape(tool, place);
   check_cone(tool, place);
   check_thread(tool, place);
   check_holder(tool, place);

@@ -17,6 +17,7 @@
 #include "resolve/features/corner_relief.h"
 #include "resolve/features/facing.h"
 #include "resolve/features/holes.h"
+#include "resolve/features/tapered_walls.h"
 #include "resolve/left_over.h"
 #include "resolve/profiles.h"
 #include "resolve/tool_cutting.h"
@@ -95,7 +96,7 @@ double most_rpm(const Tool& tool, const Machine& machine) {
 
 double default_spindle(const Tool& tool, const Machine& machine) {
   const double rpm =
-      std::max(10.0, std::round(kDefaultCuttingSpeed * 1000 / (kPi * tool.diameter) / 10) * 10);
+      std::max(10.0, std::round(kDefaultCuttingSpeed * 1000 / (kPi * 2 * widest_radius(tool)) / 10) * 10);
   return std::min(std::max(rpm, machine.min_spindle_rpm.value_or(0)), most_rpm(tool, machine));
 }
 
@@ -162,6 +163,13 @@ void tie_tap(Operation& operation, const Tool& tool, const PlanOptions& options,
   if (options.machine.max_feed)
     rpm = std::min(rpm, std::floor(options.machine.max_feed->mm_per_min() / tool.pitch));
   cutting.spindle_rpm = std::max(1.0, std::round(rpm));
+  if (*cutting.spindle_rpm < options.machine.min_spindle_rpm.value_or(0))
+    throw InputError(
+        operation.name,
+        fmt::format("T{} taps at {} rpm and the machine turns no slower than {}: its feed would not be "
+                    "the pitch; give a thread mill instead of the tap",
+                    tool.number, trimmed(*cutting.spindle_rpm, 0),
+                    trimmed(*options.machine.min_spindle_rpm, 0)));
   cutting.feed = cutting.plunge_feed = cutting.ramp_feed = MmPerMin::of(*cutting.spindle_rpm * tool.pitch);
   for (const char* name : {"feed", "plunge-feed", "ramp-feed"})
     sources.set(name, {Origin::kDerived, "the tap's pitch times the speed"});
@@ -206,10 +214,17 @@ class Defaults {
   std::vector<std::string> defaulted_;
 };
 
-void limit_feed(Operation& operation, const Machine& machine, Sources& sources) {
-  if (!machine.max_feed || *operation.cutting.feed <= *machine.max_feed) return;
-  operation.cutting.feed = machine.max_feed;
-  sources.set("feed", {Origin::kDerived, "the machine's max_feed"});
+/// Whatever was stated, no feed is above what the machine states.
+void limit_feeds(CuttingData& cutting, const Machine& machine, Sources& sources) {
+  const auto limit = [&](std::optional<MmPerMin>& feed, const char* name) {
+    if (!machine.max_feed || !feed || *feed <= *machine.max_feed) return;
+    feed = machine.max_feed;
+    sources.set(name, {Origin::kDerived, "the machine's max_feed"});
+  };
+  limit(cutting.feed, "feed");
+  limit(cutting.plunge_feed, "plunge-feed");
+  limit(cutting.ramp_feed, "ramp-feed");
+  limit(cutting.slot_feed, "slot-feed");
 }
 
 /// What the material of the work says, of taps before their feed is tied to the speed. Adds what is told to `noted`.
@@ -244,7 +259,7 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
   const std::string feed = trimmed(kDefaultFeed, 0) + " mm/min";
   defaults.fill(cutting.feed, MmPerMin::of(kDefaultFeed), "feed", {Origin::kDefault, "default: " + feed},
                 "feed " + feed);
-  limit_feed(operation, machine, sources);
+  limit_feeds(cutting, machine, sources);
   defaults.fill(cutting.plunge_feed, *cutting.feed * kPlungeShare, "plunge-feed",
                 {Origin::kDerived, "30 % of the feed"});
   defaults.fill(cutting.ramp_feed, *cutting.feed * kRampShare, "ramp-feed",
@@ -327,6 +342,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   relieve_corners(part, options);
   shape_profiles(part, options, sources);
   shape_carvings(part, options, sources);
+  lean_walls(part);
   add_rest_steps(part, options, sources);
   if (finish_of(options.shop) != Finish::kNone) add_finishing_steps(part, options, sources);
   shape_chamfers(part, options.tol);

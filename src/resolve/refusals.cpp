@@ -58,6 +58,12 @@ void refuse_wrong_kind(const Part& part, const Workingstep& step) {
   const Tool& tool = tool_of(part, step);
   if (clears_floors(tool) || stock::only_plunges(tool) || is_carved(feature, tool) || is_formed(feature))
     return;
+  if (tool.kind == ToolKind::kTSlot)
+    throw InputError(
+        feature.name,
+        fmt::format("T{} ({} {} mm) cuts undercuts, for which no paths are planned: a program that "
+                    "uses it can be verified; give an end mill, for example --tool endmill:6",
+                    tool.number, name_of(tool.kind), trimmed(tool.diameter, 4)));
   throw InputError(feature.name,
                    fmt::format("T{} ({} {} mm) clears no floors; give an end mill for it, for example --tool "
                                "endmill:6",

@@ -8,6 +8,7 @@
 #include "resolve/tool_cutting.h"
 #include "stock/round_hole.h"
 #include "stock/tools/fitting.h"
+#include "stock/tools/tool_choice.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -182,7 +183,9 @@ void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources
         stock::largest_fitting_diameter(feature_of(part, step), options.tol) + options.tol.fit;
     for (std::size_t i = 0; i < mills.size(); ++i) {
       const Tool& tool = part.tools[static_cast<std::size_t>(mills[i])];
-      if (tool.diameter > fits || !is_preceded_by_wider(part, step, tool)) continue;
+      if (tool.diameter > fits || !stock::keeps_walls(tool, feature_of(part, step)) ||
+          !is_preceded_by_wider(part, step, tool))
+        continue;
       if (under) {
         before[*under].push_back(rest_step(step, mills[i], part, options, sources));
       } else {

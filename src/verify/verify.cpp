@@ -64,7 +64,7 @@ void check_gouges(const FinishedParts& finished, std::span<CheckedMove> moves, c
       before = nullptr;
       continue;
     }
-    if (is_conical(*checked.tool)) {
+    if (has_flanks(*checked.tool)) {
       checked.gouge = least_gouge(finished, checked, [&](const FinishedPart& part) {
         return shaped_gouge_of(part, *checked.move, *checked.tool, tol.gouge);
       });
@@ -86,7 +86,7 @@ void keep_deeper(std::optional<Gouge>& gouge, const std::optional<Gouge>& other)
   if (other && (!gouge || other->depth > gouge->depth)) gouge = other;
 }
 
-/// Adds the gouge of a cone that the control may run off its path.
+/// Adds the gouge of a cutter with flanks that the control may run off its path.
 void check_shaped_liberty(const FinishedParts& finished, const std::vector<CheckedMove>& all,
                           CheckedMove& checked, const Tolerances& tol) {
   const double before = &checked == all.data() ? 0 : (&checked - 1)->path_tolerance;
@@ -107,7 +107,7 @@ void check_liberties(const FinishedParts& finished, const std::vector<CheckedMov
                      std::span<CheckedMove> moves, const Tolerances& tol) {
   for (CheckedMove& checked : moves) {
     if (checked.radius() <= 0) continue;
-    if (is_conical(*checked.tool)) {
+    if (has_flanks(*checked.tool)) {
       check_shaped_liberty(finished, all, checked, tol);
       continue;
     }

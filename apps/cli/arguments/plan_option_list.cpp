@@ -105,7 +105,7 @@ void PlanArguments::add_tool_list_options(CLI::App& command) {
       ":stickout=30 :holder=40 :max_spindle=12000 :hss :carbide :coated :name=N :noplunge; "
       "kinds: "
       "endmill, facemill, bullnose, ball, drill, reamer, vbit, chamfer, spotdrill, tap, threadmill, "
-      "boringbar, counterbore (repeatable)");
+      "boringbar, counterbore, tapered (:taper=5deg), tslot (repeatable)");
   command.add_option("--tools", tool_library_, "Tool library: .fctb .fctl .tbl .json .toml")
       ->type_name("FILE");
 }

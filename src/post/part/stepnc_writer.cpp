@@ -41,6 +41,8 @@ const char* body_keyword(ToolKind kind) {
     case ToolKind::kThreadMill:
     case ToolKind::kBoringBar:
     case ToolKind::kCounterbore:
+    case ToolKind::kTapered:
+    case ToolKind::kTSlot:
     case ToolKind::kOther:
       break;
   }

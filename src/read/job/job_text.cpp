@@ -88,7 +88,10 @@ std::string tool_section(const Tool& tool) {
   if (tool.high_speed_steel)
     out += fmt::format("material = \"{}\"\n", *tool.high_speed_steel ? "hss" : "carbide");
   if (tool.coated) out += "coated = true\n";
-  if (tool.tip_angle) out += fmt::format("tip_angle = {}\n", trimmed(tool.tip_angle->degrees(), 6));
+  if (tool.tip_angle && tool.kind == ToolKind::kTapered)
+    out += fmt::format("taper_angle = {}\n", trimmed(tool.tip_angle->degrees() / 2, 6));
+  else if (tool.tip_angle)
+    out += fmt::format("tip_angle = {}\n", trimmed(tool.tip_angle->degrees(), 6));
   if (tool.tip_diameter > 0) out += fmt::format("tip_diameter = {}\n", trimmed(tool.tip_diameter, 6));
   if (!tool.center_cutting) out += "center_cutting = false\n";
   if (tool.pitch > 0) out += fmt::format("pitch = {}\n", trimmed(tool.pitch, 6));
@@ -103,7 +106,8 @@ std::string tool_sections(const Part& part) {
       "# use = [1, 2]             # numbers; absent: all\n# preset = \"Aluminium\"     # of the library; "
       "absent: the first\n"
       "# Kinds: endmill, facemill, ball, bullnose, drill, reamer, vbit, chamfer, spotdrill (these with "
-      "tip_angle in\n# degrees, tip_diameter). Feeds may stand here too: feed, "
+      "tip_angle in\n# degrees, tip_diameter), tapered (with taper_angle, degrees of each side), tslot. "
+      "Feeds may stand here too: feed, "
       "plunge_feed,\n"
       "# ramp_feed, slot_feed (mm/min), spindle (rpm), coolant, stepdown (mm), stepover (fraction).\n";
   bool any = false;

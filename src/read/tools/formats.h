@@ -8,6 +8,10 @@
 
 namespace clearcut::read {
 
+/// Degrees between the flanks of cones, and of each side of tapered end mills.
+inline constexpr double kSharpestCone = 5, kBluntestCone = 170;
+inline constexpr double kLeastTaper = 0.1, kMostTaper = 45;
+
 /// A text among the values of `object`; empty where it has none of that name.
 std::string text_of(const DataValue& object, const char* key);
 

@@ -34,6 +34,16 @@ std::optional<double> quantity(const DataValue* value) {
   return mm ? std::optional(number * *mm) : std::nullopt;
 }
 
+/// An angle with or without its sign.
+std::optional<double> degrees_of(const DataValue* value) {
+  if (!value || value->is_number()) return value ? std::optional(value->number) : std::nullopt;
+  std::string text = value->is_string() ? value->text : "";
+  std::replace(text.begin(), text.end(), ',', '.');
+  double number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc{} ? std::optional(number) : std::nullopt;
+}
+
 /// "endmill.fcstd", "shape-type": "Endmill" -> "ENDMILL".
 std::string shape_of(const DataValue& root) {
   for (const char* key : {"shape-type", "shape"}) {
@@ -47,11 +57,16 @@ std::string shape_of(const DataValue& root) {
 }
 
 std::optional<ToolKind> kind_of_shape(const std::string& shape) {
-  static const std::map<std::string, ToolKind> kinds{
-      {"ENDMILL", ToolKind::kEndMill},         {"BALLEND", ToolKind::kBallEndMill},
-      {"BALLENDMILL", ToolKind::kBallEndMill}, {"BULLNOSE", ToolKind::kBullNoseEndMill},
-      {"TORUS", ToolKind::kBullNoseEndMill},   {"DRILL", ToolKind::kDrill},
-      {"REAMER", ToolKind::kReamer},           {"FACEMILL", ToolKind::kFaceMill}};
+  static const std::map<std::string, ToolKind> kinds{{"ENDMILL", ToolKind::kEndMill},
+                                                     {"BALLEND", ToolKind::kBallEndMill},
+                                                     {"BALLENDMILL", ToolKind::kBallEndMill},
+                                                     {"BULLNOSE", ToolKind::kBullNoseEndMill},
+                                                     {"TORUS", ToolKind::kBullNoseEndMill},
+                                                     {"DRILL", ToolKind::kDrill},
+                                                     {"REAMER", ToolKind::kReamer},
+                                                     {"FACEMILL", ToolKind::kFaceMill},
+                                                     {"VBIT", ToolKind::kVBit},
+                                                     {"CHAMFER", ToolKind::kChamferMill}};
   const auto found = kinds.find(shape);
   return found == kinds.end() ? std::nullopt : std::optional(found->second);
 }
@@ -64,6 +79,17 @@ const DataValue* value_of(const DataValue& root, const char* key) {
     if (value) return value;
   }
   return nullptr;
+}
+
+/// Cones, by the angle between their flanks. False where none is stated.
+bool read_cone(const DataValue& root, Tool& tool) {
+  if (tool.kind != ToolKind::kVBit && tool.kind != ToolKind::kChamferMill) return true;
+  const auto angle = degrees_of(value_of(root, "CuttingEdgeAngle"));
+  if (!angle || *angle < kSharpestCone || *angle > kBluntestCone) return false;
+  tool.tip_angle = Radians::of_degrees(*angle);
+  tool.tip_diameter = std::max(0.0, quantity(value_of(root, "TipDiameter")).value_or(0));
+  tool.corner_radius = 0;
+  return tool.tip_diameter < tool.diameter;
 }
 
 Tool tool_of(const DataValue& root, ToolKind kind) {
@@ -113,6 +139,12 @@ std::optional<LibraryTool> read_freecad_bit(std::string_view text, const std::st
   }
   LibraryTool out;
   out.tool = tool_of(root, *kind);
+  if (!read_cone(root, out.tool)) {
+    diagnostics.skip(file_name,
+                     "tool '" + printable(out.tool.name) +
+                         "' was dropped: it states no angle between its flanks, or no tip narrower than it");
+    return std::nullopt;
+  }
   const DataValue* spindle = value_of(root, "SpindleDirection");
   if (spindle && spindle->text == "Reverse") {
     CuttingPreset preset;

@@ -16,6 +16,10 @@ std::optional<ToolKind> kind_of_type(const std::string& type) {
                                                      {"ball end mill", ToolKind::kBallEndMill},
                                                      {"bull nose end mill", ToolKind::kBullNoseEndMill},
                                                      {"face mill", ToolKind::kFaceMill},
+                                                     {"tapered mill", ToolKind::kTapered},
+                                                     {"slot mill", ToolKind::kTSlot},
+                                                     {"chamfer mill", ToolKind::kChamferMill},
+                                                     {"spot drill", ToolKind::kSpotDrill},
                                                      {"drill", ToolKind::kDrill},
                                                      {"reamer", ToolKind::kReamer},
                                                      {"tap right hand", ToolKind::kTap},
@@ -99,6 +103,53 @@ Tool tool_of(const DataValue& entry, ToolKind kind, double unit) {
   return tool;
 }
 
+/// The taper of one side, which libraries give in degrees or, as no cutter tapers by less than half a degree, in radians.
+std::optional<Radians> taper_of(const DataValue& entry) {
+  constexpr double kLeastDegrees = 0.5, kMostDegrees = 85;
+  const auto angle = number_of(entry.find("geometry"), "TA");
+  if (!angle || !(*angle > 0) || *angle > kMostDegrees) return std::nullopt;
+  return *angle < kLeastDegrees ? Radians::of(*angle) : Radians::of_degrees(*angle);
+}
+
+/// A chamfer mill by the angle of one side, a spot drill by that of its point.
+std::string complete_cone(const DataValue& entry, double unit, Tool& tool) {
+  const DataValue* geometry = entry.find("geometry");
+  if (tool.kind == ToolKind::kChamferMill) {
+    const auto side = taper_of(entry);
+    if (!side) return "it states no angle of its flanks (TA)";
+    tool.tip_angle = Radians::of(2 * side->radians());
+    tool.tip_diameter = unit * std::max(0.0, number_of(geometry, "tip-diameter").value_or(0));
+  } else {
+    const auto point = number_of(geometry, "SIG");
+    if (!point || !(*point >= kSharpestCone) || *point > kBluntestCone)
+      return "it states no angle of its point (SIG)";
+    tool.tip_angle = Radians::of_degrees(*point);
+  }
+  tool.corner_radius = 0;
+  return tool.tip_diameter < tool.diameter ? "" : "its tip is as wide as the tool";
+}
+
+/// What its kind needs besides. Returns what is missing, "" where nothing is.
+std::string complete_shape(const DataValue& entry, double unit, Tool& tool) {
+  if (tool.kind == ToolKind::kChamferMill || tool.kind == ToolKind::kSpotDrill)
+    return complete_cone(entry, unit, tool);
+  if (tool.kind == ToolKind::kTap && !(tool.pitch > 0)) return "it states no pitch";
+  if (tool.kind == ToolKind::kTapered) {
+    const auto taper = taper_of(entry);
+    if (!taper || taper->degrees() > kMostTaper || !tool.flute_length)
+      return "it states no taper (TA) up to 45 degrees or no length of flutes (LCF)";
+    if (tool.corner_radius > 0)
+      return "its tip is rounded, and tapered end mills are read with flat tips alone";
+    tool.tip_angle = Radians::of(2 * taper->radians());
+  }
+  if (tool.kind == ToolKind::kTSlot) {
+    tool.shank_diameter = unit * number_of(entry.find("geometry"), "shoulder-diameter").value_or(0);
+    if (!tool.flute_length || !(tool.shank_diameter > 0) || tool.shank_diameter >= tool.diameter)
+      return "it states no neck (shoulder-diameter) narrower than its disc";
+  }
+  return "";
+}
+
 /// A holder is its first segment, at its widest; a tool stands out of it by the length of its body.
 void read_holder(const DataValue& entry, double unit, Tool& tool) {
   const DataValue* geometry = entry.find("geometry");
@@ -151,12 +202,12 @@ ToolLibrary read_fusion_library(std::string_view text, const std::string& file_n
     }
     const double unit = unit_name == "inches" ? kMmPerInch : 1;
     LibraryTool tool{tool_of(entry, *kind, unit), {}};
-    if (*kind == ToolKind::kTap && !(tool.tool.pitch > 0)) {
-      library.diagnostics.skip(place,
-                               "tap '" + printable(tool.tool.name) + "' was dropped: it states no pitch");
+    read_holder(entry, unit, tool.tool);
+    if (const std::string missing = complete_shape(entry, unit, tool.tool); !missing.empty()) {
+      library.diagnostics.skip(place, std::string(name_of(*kind)) + " '" + printable(tool.tool.name) +
+                                          "' was dropped: " + missing);
       continue;
     }
-    read_holder(entry, unit, tool.tool);
     append_presets(entry, unit, place, tool, library.diagnostics);
     library.tools.push_back(std::move(tool));
   }

@@ -19,9 +19,9 @@ constexpr std::size_t kLargestLibrary = std::size_t{64} << 20;
 constexpr double kWidest = 1000;
 
 const std::vector<std::string>& kind_names() {
-  static const std::vector<std::string> names{"endmill",    "facemill",  "ball",       "bullnose",  "drill",
-                                              "reamer",     "vbit",      "chamfer",    "spotdrill", "tap",
-                                              "threadmill", "boringbar", "counterbore"};
+  static const std::vector<std::string> names{"endmill",    "facemill",  "ball",        "bullnose",  "drill",
+                                              "reamer",     "vbit",      "chamfer",     "spotdrill", "tap",
+                                              "threadmill", "boringbar", "counterbore", "tapered",   "tslot"};
   return names;
 }
 
@@ -52,7 +52,6 @@ std::vector<CuttingPreset> presets_of(DataSection& section) {
 
 /// tip_angle in degrees and tip_diameter, of tools that end in a cone.
 void read_cone(DataSection& section, Tool& tool) {
-  constexpr double kSharpest = 5, kBluntest = 170;
   const auto angle = section.positive("tip_angle");
   const auto tip = section.not_negative("tip_diameter");
   const bool cone = tool.kind == ToolKind::kVBit || tool.kind == ToolKind::kChamferMill ||
@@ -62,11 +61,31 @@ void read_cone(DataSection& section, Tool& tool) {
     section.fail_at(angle ? "tip_angle" : "tip_diameter", "is not of this kind of tool");
   if (!cone && !angle) return;
   if (!angle) section.fail("tip_angle is missing; add tip_angle = 60 (degrees between the flanks)");
-  if (*angle < kSharpest || *angle > kBluntest)
+  if (*angle < kSharpestCone || *angle > kBluntestCone)
     section.fail_at("tip_angle", "must lie between 5 and 170 degrees");
   tool.tip_angle = Radians::of_degrees(*angle);
   tool.tip_diameter = tip.value_or(0);
   if (tool.tip_diameter >= tool.diameter) section.fail_at("tip_diameter", "is not less than the diameter");
+}
+
+/// Tapered end mills: taper_angle, degrees of each side, from the flat tip up along the flutes. T-slot cutters: a disc on its neck.
+void read_shape(DataSection& section, Tool& tool) {
+  const auto taper = section.positive("taper_angle");
+  if (taper && tool.kind != ToolKind::kTapered) section.fail_at("taper_angle", "is not of this kind of tool");
+  if (tool.kind == ToolKind::kTapered) {
+    if (!taper || !tool.flute_length)
+      section.fail("a tapered end mill needs taper_angle = 5 (degrees of each side) and flute_length");
+    if (*taper < kLeastTaper || *taper > kMostTaper)
+      section.fail_at("taper_angle", "must lie between 0.1 and 45 degrees");
+    if (tool.corner_radius > 0)
+      section.fail_at("corner_radius", "is not of tapered end mills: their tips are flat");
+    tool.tip_angle = Radians::of_degrees(2 * *taper);
+  }
+  const bool has_neck = tool.shank_diameter > 0 && tool.shank_diameter < tool.diameter && tool.flute_length;
+  if (tool.kind == ToolKind::kTSlot && !has_neck)
+    section.fail(
+        "a T-slot cutter needs flute_length, the height of its disc, and a narrower shank_diameter, its "
+        "neck");
 }
 
 /// Taps: thread = "M6", or pitch in mm. Thread mills with many rows of teeth: pitch and flute_length.
@@ -146,6 +165,7 @@ LibraryTool tool_of_section(DataSection section) {
   out.tool.teeth = static_cast<int>(std::clamp(section.positive("teeth").value_or(2), 1.0, 100.0));
   out.tool.flute_length = section.positive("flute_length");
   read_holder(section, out.tool);
+  read_shape(section, out.tool);
   out.tool.max_spindle_rpm = section.positive("max_spindle");
   read_thread(section, out.tool, thread);
   read_edges(section, out.tool);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -110,7 +111,7 @@ TEST(Tools, FusionLibraryInInches) {
   EXPECT_NEAR(*tool.presets[0].stepdown, 2.54, 1e-12);
   EXPECT_NEAR(*tool.presets[0].stepover, 0.4, 1e-12);
   EXPECT_EQ(tool.presets[0].cutting.coolant, Coolant::kFlood);
-  EXPECT_EQ(said(library, Severity::kSkipped, "chamfer mill"), 1);
+  EXPECT_EQ(said(library, Severity::kSkipped, "it states no angle of its flanks"), 1);
 }
 
 TEST(Tools, FusionNamesTheCoolant) {
@@ -130,6 +131,49 @@ TEST(Tools, FusionNamesTheCoolant) {
   EXPECT_EQ(coolant(R"(, "tool-coolant": "air")"), Coolant::kOff);
 }
 
+TEST(Tools, FusionBringsConesTapersAndSlotCutters) {
+  const ToolLibrary library = read(R"({"data": [
+    {"type": "chamfer mill", "unit": "millimeters", "description": "C", "geometry": {"DC": 10, "TA": 45, "tip-diameter": 0.4}},
+    {"type": "spot drill", "unit": "millimeters", "description": "S", "geometry": {"DC": 8, "SIG": 90}},
+    {"type": "tapered mill", "unit": "inches", "description": "T", "geometry": {"DC": 0.125, "TA": 5, "LCF": 1}},
+    {"type": "tapered mill", "unit": "millimeters", "description": "U", "geometry": {"DC": 3, "TA": 0.0872664626, "LCF": 20}},
+    {"type": "tapered mill", "unit": "millimeters", "description": "B", "geometry": {"DC": 3, "TA": 5, "LCF": 20, "RE": 1.5}},
+    {"type": "slot mill", "unit": "millimeters", "description": "K", "geometry": {"DC": 20, "LCF": 8, "shoulder-diameter": 10}},
+    {"type": "slot mill", "unit": "millimeters", "description": "L", "geometry": {"DC": 20, "LCF": 8}}]})",
+                                   "library.json");
+  ASSERT_EQ(library.tools.size(), 5u);
+  const auto tool = [&](std::size_t i) { return library.tools[i].tool; };
+  EXPECT_NEAR(tool(0).tip_angle->degrees(), 90, 1e-9);
+  EXPECT_NEAR(tool(0).tip_diameter, 0.4, 1e-12);
+  EXPECT_NEAR(tool(1).tip_angle->degrees(), 90, 1e-9);
+  EXPECT_EQ(tool(2).kind, ToolKind::kTapered);
+  EXPECT_NEAR(radius_at(tool(2), 25.4), 1.5875 + 25.4 * std::tan(5 * std::acos(-1.0) / 180), 1e-9);
+  EXPECT_NEAR(tool(3).tip_angle->degrees(), 10, 1e-6) << "radians of one side";
+  EXPECT_EQ(said(library, Severity::kSkipped, "its tip is rounded"), 1);
+  EXPECT_EQ(tool(4).kind, ToolKind::kTSlot);
+  EXPECT_NEAR(radius_at(tool(4), 7.9), 10, 1e-12);
+  EXPECT_NEAR(radius_at(tool(4), 8.1), 5, 1e-12);
+  EXPECT_EQ(said(library, Severity::kSkipped, "states no neck"), 1);
+}
+
+TEST(Tools, OwnLibrariesStateTapersAndSlotCutters) {
+  const std::string tapered = "[[tool]]\nkind = \"tapered\"\ndiameter = 3\n";
+  const ToolLibrary library = read(tapered +
+                                       "taper_angle = 5\nflute_length = 20\n[[tool]]\nkind = \"tslot\"\n"
+                                       "diameter = 20\nflute_length = 8\nshank_diameter = 10\n",
+                                   "t.toml");
+  ASSERT_EQ(library.tools.size(), 2u);
+  EXPECT_NEAR(library.tools[0].tool.tip_angle->degrees(), 10, 1e-9);
+  EXPECT_NEAR(radius_at(library.tools[1].tool, 9), 5, 1e-12);
+  EXPECT_THAT(refusal(tapered + "flute_length = 20\n", "t.toml"), HasSubstr("needs taper_angle"));
+  EXPECT_THAT(refusal(tapered + "taper_angle = 5\n", "t.toml"), HasSubstr("flute_length"));
+  EXPECT_THAT(refusal(tapered + "taper_angle = 50\nflute_length = 20\n", "t.toml"),
+              HasSubstr("t.toml:4: taper_angle must lie between"));
+  EXPECT_THAT(refusal("[[tool]]\ndiameter = 6\ntaper_angle = 5\n", "t.toml"), HasSubstr("not of this kind"));
+  EXPECT_THAT(refusal("[[tool]]\nkind = \"tslot\"\ndiameter = 20\n", "t.toml"),
+              HasSubstr("T-slot cutter needs"));
+}
+
 TEST(Tools, FreecadBitWithUnitsAndCommas) {
   const ToolLibrary library =
       read(R"({"version": 2, "name": "2mm", "shape": "endmill.fcstd", "shape-type": "Endmill",
@@ -144,7 +188,16 @@ TEST(Tools, FreecadBitWithUnitsAndCommas) {
   EXPECT_EQ(said(library, Severity::kNote, "Chipload is not used"), 1);
   EXPECT_THAT(
       refusal(R"({"name": "V", "shape": "v-bit.fcstd", "parameter": {"Diameter": "6 mm"}})", "v.fctb"),
-      HasSubstr("tool 'V' of shape 'VBIT' was dropped"));
+      HasSubstr("tool 'V' was dropped: it states no angle"));
+  const ToolLibrary bit = read(R"({"name": "V", "shape": "v-bit.fcstd", "parameter": {"Diameter": "6 mm",
+    "CuttingEdgeAngle": "60,00 \u00b0", "TipDiameter": "0.10 mm"}})",
+                               "v.fctb");
+  ASSERT_EQ(bit.tools.size(), 1u);
+  EXPECT_NEAR(bit.tools[0].tool.tip_angle->degrees(), 60, 1e-9);
+  EXPECT_NEAR(bit.tools[0].tool.tip_diameter, 0.1, 1e-12);
+  EXPECT_THAT(
+      refusal(R"({"name": "P", "shape": "probe.fcstd", "parameter": {"Diameter": "6 mm"}})", "p.fctb"),
+      HasSubstr("tool 'P' of shape 'PROBE' was dropped"));
 }
 
 TEST(Tools, FreecadLibraryFindsItsBits) {

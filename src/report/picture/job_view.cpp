@@ -34,10 +34,11 @@ double layer_above(const Section& section, double last) {
 }
 
 const char* words_for(ToolKind kind) {
-  constexpr std::array kWords{"end mill",    "face mill", "ball end mill", "bull nose end mill",
-                              "drill",       "reamer",    "V-bit",         "chamfer mill",
-                              "spot drill",  "tap",       "thread mill",   "boring bar",
-                              "counterbore", "tool"};
+  constexpr std::array kWords{
+      "end mill",    "face mill",  "ball end mill", "bull nose end mill", "drill",
+      "reamer",      "V-bit",      "chamfer mill",  "spot drill",         "tap",
+      "thread mill", "boring bar", "counterbore",   "tapered end mill",   "T-slot cutter",
+      "tool"};
   static_assert(kWords.size() == static_cast<std::size_t>(ToolKind::kOther) + 1);
   return kWords[static_cast<std::size_t>(kind)];
 }
@@ -120,8 +121,10 @@ std::string headline_of(const Fault& fault) {
 }
 
 std::string description_of(const Tool& tool) {
-  const std::string angle =
-      tool.tip_angle ? " " + trimmed(tool.tip_angle->degrees(), 2) + "\u00b0" : std::string();
+  const bool tapers = tool.kind == ToolKind::kTapered;
+  const std::string angle = tool.tip_angle ? " " + trimmed(tool.tip_angle->degrees() / (tapers ? 2 : 1), 2) +
+                                                 "\u00b0" + (tapers ? " a side" : "")
+                                           : std::string();
   return fmt::format("T{} {}{} {} mm", tool.number, words_for(tool.kind), angle, trimmed(tool.diameter, 3));
 }
 

@@ -191,11 +191,11 @@ double lowest_z(const Job& job) {
 Json tool_json(const Tool& tool) {
   Json json;
   json["n"] = tool.number;
-  json["d"] = number(tool.diameter);
+  json["d"] = number(2 * widest_radius(tool));
   json["r"] = number(tool.kind == ToolKind::kBallEndMill ? tool.radius() : tool.corner_radius);
   json["f"] = tool.flute_length ? number(*tool.flute_length) : Json(nullptr);
-  json["a"] = is_conical(tool) ? number(flank_slope(tool)) : Json(nullptr);
-  json["t"] = number(tool.tip_diameter);
+  json["a"] = has_flanks(tool) ? number(flank_slope(tool)) : Json(nullptr);
+  json["t"] = number(has_flanks(tool) ? 2 * tip_radius(tool) : tool.tip_diameter);
   json["k"] = number(tool.shank_diameter);
   json["s"] = tool.stickout ? number(*tool.stickout) : Json(nullptr);
   json["h"] = number(tool.holder_diameter);

@@ -137,7 +137,7 @@ class Filler {
   }
 
   void fill_speed(const Suggestion& start) {
-    const double wanted = start.speed * 1000 / (kPi * tool_.diameter);
+    const double wanted = start.speed * 1000 / (kPi * 2 * widest_radius(tool_));
     const Limit top = most_rpm();
     double rpm = std::min(wanted, top.most);
     std::string why = fmt::format("{}: {} m/min", work_.name, trimmed(start.speed, 1));

@@ -186,12 +186,12 @@ void refuse_narrow_cone(const Feature& feature, const Tool& tool) {
     throw InputError(feature.name,
                      "a chamfer needs a chamfer mill or a V-bit; give one besides, for example "
                      "--tool chamfer:90deg:6");
-  if (feature.chamfer->depth <= cone_height(tool)) return;
+  if (feature.chamfer->depth <= flank_height(tool)) return;
   throw InputError(feature.name,
                    fmt::format("it is {} mm deep and the flanks of T{} ({} {} mm) are {} mm high; use less "
                                "depth or a wider cutter",
                                trimmed(feature.chamfer->depth, 3), tool.number, name_of(tool.kind),
-                               trimmed(tool.diameter, 4), trimmed(cone_height(tool), 3)));
+                               trimmed(tool.diameter, 4), trimmed(flank_height(tool), 3)));
 }
 
 /// Where the chamfer would take more of the top than stands there.

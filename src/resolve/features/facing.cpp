@@ -28,7 +28,7 @@ int widest_mill(const Part& part) {
   int widest = 0;
   for (std::size_t i = 0; i < part.tools.size(); ++i) {
     const Tool &tool = part.tools[i], &best = part.tools[static_cast<std::size_t>(widest)];
-    if (clears_floors(tool) && (!clears_floors(best) || tool.diameter > best.diameter))
+    if (mills_upright(tool) && (!mills_upright(best) || tool.diameter > best.diameter))
       widest = static_cast<int>(i);
   }
   return widest;

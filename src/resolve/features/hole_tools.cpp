@@ -58,7 +58,7 @@ int tool_of_kind(const std::vector<Tool>& tools, const HoleForm& hole) {
   // A mill that bores it along a helix, or clears it.
   return best_tool(
       tools,
-      [&](const Tool& tool) { return clears_floors(tool) && tool.diameter < hole.diameter + kSameWidth; },
+      [&](const Tool& tool) { return mills_upright(tool) && tool.diameter < hole.diameter + kSameWidth; },
       [](const Tool& tool) { return -tool.diameter; });
 }
 
@@ -101,7 +101,7 @@ int mill_for(const std::vector<Tool>& tools, const Pilot& pilot) {
   return best_tool(
       tools,
       [&](const Tool& tool) {
-        return clears_floors(tool) && tool.corner_radius == 0 && tool.diameter * kLeastBore <= pilot.best;
+        return mills_upright(tool) && tool.corner_radius == 0 && tool.diameter * kLeastBore <= pilot.best;
       },
       [](const Tool& tool) { return -tool.diameter; });
 }

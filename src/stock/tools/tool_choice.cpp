@@ -12,6 +12,8 @@ namespace {
 
 /// mm2. What a mill may leave in corners before a smaller one is taken.
 constexpr double kCorners = 1;
+/// Radians. Angles of files have digits.
+constexpr double kSameSlope = 1e-6;
 
 /// mm2 that a cutter leaves in the corners of a profile.
 double left_in_corners(const ProfileCut& cut, double radius, const Tolerances& tol) {
@@ -31,7 +33,7 @@ double left_in_corners(const ProfileCut& cut, double radius, const Tolerances& t
 int profile_tool(const ProfileCut& cut, const std::vector<Tool>& tools, const Tolerances& tol) {
   std::vector<int> mills;
   for (std::size_t i = 0; i < tools.size(); ++i) {
-    if (clears_floors(tools[i]) && tools[i].kind != ToolKind::kFaceMill) mills.push_back(static_cast<int>(i));
+    if (mills_upright(tools[i]) && tools[i].kind != ToolKind::kFaceMill) mills.push_back(static_cast<int>(i));
   }
   if (mills.empty()) return 0;
   std::stable_sort(mills.begin(), mills.end(), [&](int a, int b) {
@@ -55,6 +57,11 @@ int carving_tool(const Feature& feature, const std::vector<Tool>& tools) {
 }
 
 }  // namespace
+
+bool keeps_walls(const Tool& tool, const Feature& feature) {
+  if (tool.kind != ToolKind::kTapered) return true;
+  return tool.tip_angle.value_or(Radians{}).radians() / 2 <= feature.wall_slope.radians() + kSameSlope;
+}
 
 int chamfer_tool(const std::vector<Tool>& tools) {
   for (const ToolKind kind : {ToolKind::kChamferMill, ToolKind::kVBit}) {
@@ -80,6 +87,7 @@ int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::
   const auto better = [&](const Tool& a, const Tool& b) {
     if (drills(a) != drills(b)) return drills(a);
     if (clears_floors(a) != clears_floors(b)) return clears_floors(a);
+    if (keeps_walls(a, feature) != keeps_walls(b, feature)) return keeps_walls(a, feature);
     const bool a_fits = a.diameter <= fits, b_fits = b.diameter <= fits;
     if (a_fits != b_fits) return a_fits;
     return a_fits ? a.diameter > b.diameter : a.diameter < b.diameter;

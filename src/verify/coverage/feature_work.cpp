@@ -73,7 +73,7 @@ bool counts_at(const CheckedMove& checked, double z, const Around& target, const
     return false;
   const Move& move = *checked.move;
   const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
-  return path.grown(checked.radius() + 2 * tol.uncut).overlaps(target.box);
+  return path.grown(widest_radius(*checked.tool) + 2 * tol.uncut).overlaps(target.box);
 }
 
 /// The moves of a program, found by where they run.
@@ -84,7 +84,8 @@ class MovesByPlace {
       const CheckedMove& checked = moves[i];
       const Edge& path = checked.move->path;
       const Box box = checked.move->is_vertical() ? Box{path.from, path.from} : path.box();
-      return checked.feeds() && checked.tool ? box.grown(checked.radius() + 2 * tol.uncut) : Box{};
+      return checked.feeds() && checked.tool ? box.grown(widest_radius(*checked.tool) + 2 * tol.uncut)
+                                             : Box{};
     });
   }
 
@@ -270,7 +271,10 @@ class WorkCheck {
   const MovesByPlace moves_;
 };
 
-void refine(FeatureWork& work, const Operation& operation, double radius, double flat) {
+void refine(FeatureWork& work, const Operation& operation, const Tool& tool) {
+  const double radius = tool.radius(), flat = flat_radius_of(tool);
+  const double flank = has_flanks(tool) ? flank_slope(tool) : 0;
+  work.steepest_flank = std::min(work.steepest_flank, flank);
   if (radius < work.smallest_radius) {
     work.smallest_radius = radius;
     work.smallest_flat = flat;
@@ -288,8 +292,10 @@ std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& wor
   if (feature.wall_slope.radians() <= 0) return std::nullopt;
   Scallop scallop{0, work.scallop, feature.top_z};
   double above = feature.top_z;
+  const double slope = feature.wall_slope.radians();
   const auto add_level = [&](double z) {
-    const double step = (above - z) * base::sin(feature.wall_slope.radians());
+    const double step =
+        (above - z) * std::max(0.0, base::sin(slope) - base::cos(slope) * work.steepest_flank);
     if (step > scallop.height_mm) scallop.height_mm = step, scallop.z = z;
     above = z;
   };
@@ -323,7 +329,7 @@ std::vector<FeatureWork> works_of(const Part& part) {
       work = works.end() - 1;
     }
     work->last_workingstep = static_cast<int>(i);
-    refine(*work, operation, tool.radius(), flat_radius_of(tool));
+    refine(*work, operation, tool);
     work->floor.z = part.features[step.feature].floor_z + work->allowance_floor;
   }
   return works;

@@ -24,6 +24,8 @@ struct FeatureWork {
   double smallest_radius = 0;  ///< mm; of its smallest cutter
   double smallest_flat = 0;    ///< mm; of the flat end of that cutter
   double greatest_radius = 0;
+  double steepest_flank =
+      HUGE_VAL;  ///< mm sideways for each mm of height, of the cutter that widens least upwards; 0: upright
   double allowance_side = 0;
   double allowance_floor = 0;
   std::optional<double> scallop;  ///< mm; greatest step allowed on walls with draft, square to the wall

@@ -27,6 +27,9 @@ constexpr double kAsPlunge = 1;
 constexpr double kOverRamp = 0.01;
 /// Cosine of 6 degrees: with a smaller change of direction two moves join smoothly.
 constexpr double kSmooth = 0.995;
+/// mm sideways, and how many of them at most.
+constexpr double kFlankStep = 0.05;
+constexpr int kMostFlankSteps = 40;
 
 double degrees(double radians) {
   return radians * 180 / kPi;
@@ -34,6 +37,33 @@ double degrees(double radians) {
 
 Vec2 direction_at(const Move& move, double t) {
   return move.path.tangent_at(t);
+}
+
+/// A cylinder within a cutter, from `above` its tip up, mm.
+struct Cylinder {
+  double above = 0;
+  double radius = 0;
+};
+
+/// What a cutter removes for certain with all that stands above it: within the flanks of a tapered end mill cylinders that miss
+/// them by kFlankStep at most; nothing for a T-slot cutter, over which material stays.
+std::vector<Cylinder> cylinders_within(const Tool& tool) {
+  if (tool.kind == ToolKind::kTSlot) return {};
+  std::vector<Cylinder> cylinders{{0, tool.radius()}};
+  if (tool.kind != ToolKind::kTapered || !has_flanks(tool)) return cylinders;
+  const double wider = widest_radius(tool) - tool.radius();
+  const int steps = std::clamp(static_cast<int>(std::ceil(wider / kFlankStep)), 1, kMostFlankSteps);
+  for (int i = 1; i <= steps; ++i) {
+    const double above = flank_height(tool) * i / steps;
+    cylinders.push_back({above, radius_at(tool, above)});
+  }
+  return cylinders;
+}
+
+Move raised(Move move, double by) {
+  move.z_from += by;
+  move.z_to += by;
+  return move;
 }
 
 class LoadMeter {
@@ -45,6 +75,7 @@ class LoadMeter {
     const double radius = checked.radius();
     follow_entry(checked);
     measure_holder(checked);
+    measure_flanks(checked);
     if (checked.feeds() && checked.tool && is_conical(*checked.tool)) return measure_cone(checked);
     if (checked.low_z() < material_.z_top() - kResidual && radius > kResidual) {
       if (!checked.feeds()) {
@@ -70,7 +101,10 @@ class LoadMeter {
 
  private:
   void take_away(const CheckedMove& checked) {
-    if (checked.radius() > 0 && checked.feeds()) material_.add(*checked.move, checked.radius());
+    if (checked.radius() > 0 && checked.feeds()) {
+      for (const Cylinder& one : cylinders_within(*checked.tool))
+        material_.add(raised(*checked.move, one.above), one.radius);
+    }
     before_ = checked.feeds() ? checked.move : nullptr;
   }
 
@@ -144,10 +178,8 @@ class LoadMeter {
     const Move& move = *checked.move;
     const double z = move.z_from + (move.z_to - move.z_from) * t;
     if (z >= material_.z_top() - kResidual) return;
-    Move lifted = move;
-    lifted.z_from += kResidual;
-    lifted.z_to += kResidual;
-    const stock::CutterEngagement contact = material_.engagement(lifted, t, checked.radius() - kResidual);
+    const stock::CutterEngagement contact =
+        material_.engagement(raised(move, kResidual), t, checked.radius() - kResidual);
     MoveLoad& load = checked.load;
     const double axial = contact.angle > 0 ? measure_axial(checked, move.path.at(t),
                                                            angle_of(direction_at(move, t)), z, contact.angles)
@@ -267,13 +299,32 @@ class LoadMeter {
     const Tool& tool = *checked.tool;
     if (tool.stickout && tool.holder_diameter > 0)
       measure_above(checked, *tool.stickout, tool.holder_diameter / 2, false);
-    if (tool.flute_length && tool.shank_diameter > tool.diameter)
+    if (tool.flute_length && tool.shank_diameter > 2 * widest_radius(tool))
       measure_above(checked, *tool.flute_length, tool.shank_diameter / 2, true);
   }
 
   void measure_above(CheckedMove& checked, double above, double radius, bool is_shank) {
+    if (checked.load.holder_contact) return;
+    const auto touched = touched_above(checked, above, radius);
+    if (!touched) return;
+    checked.load.holder_contact = *touched;
+    checked.load.is_shank = is_shank;
+  }
+
+  /// The flanks of a tapered end mill on a rapid; where they cut they were told to.
+  void measure_flanks(CheckedMove& checked) {
+    if (checked.feeds() || !checked.tool || checked.tool->kind != ToolKind::kTapered) return;
+    const auto cylinders = cylinders_within(*checked.tool);
+    for (std::size_t i = 1; i < cylinders.size() && !checked.load.rapid_contact; ++i) {
+      if (const auto touched = touched_above(checked, cylinders[i].above, cylinders[i - 1].radius))
+        checked.load.rapid_contact = *touched;
+    }
+  }
+
+  /// The first place at which a cylinder that begins `above` the tip touches material.
+  std::optional<Place> touched_above(const CheckedMove& checked, double above, double radius) const {
     const Move& move = *checked.move;
-    if (checked.load.holder_contact || checked.low_z() + above >= material_.z_top() - kResidual) return;
+    if (checked.low_z() + above >= material_.z_top() - kResidual) return std::nullopt;
     const bool is_one = move.is_vertical() || move.z_from == move.z_to;
     const int steps = is_one ? 1 : steps_of(move.path.length(), radius);
     for (int i = 0; i < steps; ++i) {
@@ -283,10 +334,9 @@ class LoadMeter {
       const Edge way = is_one && !move.is_vertical() ? move.path : Edge::line(at, at);
       const auto hit = material_.in_reach(way, radius - kResidual, z + above + kResidual);
       if (!hit) continue;
-      checked.load.holder_contact = Place{is_one ? nearest_on(way, *hit) : at, z, move.line};
-      checked.load.is_shank = is_shank;
-      return;
+      return Place{is_one ? nearest_on(way, *hit) : at, z, move.line};
     }
+    return std::nullopt;
   }
 
   static Vec2 nearest_on(const Edge& way, Vec2 p) {
@@ -331,7 +381,7 @@ void measure_moves(const Part& part, std::vector<CheckedMove>& moves, std::size_
                    const LoadOptions& options) {
   std::vector<double> radii;
   for (const CheckedMove& checked : moves) {
-    if (checked.radius() > 0) radii.push_back(checked.radius());
+    if (checked.radius() > 0) radii.push_back(widest_radius(*checked.tool));
   }
   for (const PredrilledHole& hole : part.predrilled) radii.push_back(hole.diameter / 2);
   if (radii.empty()) return;

@@ -18,8 +18,8 @@ constexpr double kGolden = 0.6180339887498949;
 /// The height between `low` and `high` at which a cutter with its tip at z comes nearest to a wall with draft.
 double nearest_height(const Wall& wall, const Tool& tool, double z, double low, double high) {
   // A flank steeper than the wall comes nearest at low, else at its upper end; a rounding where it is as steep.
-  if (is_conical(tool))
-    return flank_slope(tool) <= wall.slope ? low : std::clamp(z + cone_height(tool), low, high);
+  if (has_flanks(tool))
+    return flank_slope(tool) <= wall.slope ? low : std::clamp(z + flank_height(tool), low, high);
   const double touch = tool.corner_radius * (1 - wall.slope / base::hypot(1.0, wall.slope));
   return std::clamp(z + touch, low, high);
 }
@@ -44,7 +44,7 @@ class ShapedCheck {
   std::optional<Gouge> check() {
     const double low = std::min(move_.z_from, move_.z_to);
     if (low >= part_.top_z()) return std::nullopt;
-    part_.wall_tree().within(at(0.5), half_ + tool_.radius() + part_.greatest_draft_offset(),
+    part_.wall_tree().within(at(0.5), half_ + widest_radius(tool_) + part_.greatest_draft_offset(),
                              [&](int i) { against_wall(part_.walls()[static_cast<std::size_t>(i)]); });
     for (const double t : {0.0, 0.5, 1.0}) against_inside(t);
     return worst_;
@@ -62,7 +62,7 @@ class ShapedCheck {
 
   /// mm; upper bound of how much the excess changes over the whole move while the tip is below the wall's top.
   double rate_beside(const Wall& wall) const {
-    const double flank = is_conical(tool_) ? flank_slope(tool_) : 0;
+    const double flank = has_flanks(tool_) ? flank_slope(tool_) : 0;
     return 2 * half_ + std::abs(move_.z_to - move_.z_from) * (flank + wall.slope);
   }
 
@@ -127,7 +127,7 @@ class ShapedCheck {
   }
 
   void keep(const Wall& wall, double t, double sideways) {
-    const double upwards = is_conical(tool_) ? sideways / flank_slope(tool_) : sideways;
+    const double upwards = has_flanks(tool_) ? sideways / flank_slope(tool_) : sideways;
     const double depth = std::min({sideways, upwards, wall.z_high - z_at(t)});
     if (depth <= 0 || (worst_ && depth <= worst_->depth)) return;
     worst_ = Gouge{depth, at(t), z_at(t), false, wall.feature};
@@ -169,8 +169,8 @@ std::optional<Gouge> shaped_gouge_of(const FinishedPart& part, const Move& move,
 }
 
 std::optional<double> height_at(const Tool& tool, double distance) {
-  if (distance > tool.radius()) return std::nullopt;
-  if (is_conical(tool)) return std::max(0.0, distance - tool.tip_diameter / 2) / flank_slope(tool);
+  if (distance > widest_radius(tool)) return std::nullopt;
+  if (has_flanks(tool)) return std::max(0.0, distance - tip_radius(tool)) / flank_slope(tool);
   const double round = tool.kind == ToolKind::kBallEndMill ? tool.radius() : tool.corner_radius;
   const double out = std::max(0.0, distance - (tool.radius() - round));
   return round - std::sqrt(std::max(0.0, round * round - out * out));
@@ -178,22 +178,21 @@ std::optional<double> height_at(const Tool& tool, double distance) {
 
 void CutHeights::add(const Move& move, const Tool& tool) {
   const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
-  index_.add(path.grown(tool.radius()), static_cast<std::uint32_t>(entries_.size()));
-  entries_.push_back({&move, &tool, is_conical(tool) ? flank_slope(tool) : 0, path});
+  index_.add(path.grown(widest_radius(tool)), static_cast<std::uint32_t>(entries_.size()));
+  entries_.push_back({&move, &tool, has_flanks(tool) ? flank_slope(tool) : 0, path});
 }
 
 std::optional<double> CutHeights::height_over(const Entry& entry, double distance) {
   if (entry.slope <= 0) return height_at(*entry.tool, distance);
-  if (distance > entry.tool->radius()) return std::nullopt;
-  return std::max(0.0, distance - entry.tool->tip_diameter / 2) / entry.slope;
+  if (distance > widest_radius(*entry.tool)) return std::nullopt;
+  return std::max(0.0, distance - tip_radius(*entry.tool)) / entry.slope;
 }
 
 /// mm; no cutter's surface comes lower over p along this move.
 double CutHeights::least_height(const Entry& entry, Vec2 p) {
   const double low = std::min(entry.move->z_from, entry.move->z_to);
   if (entry.slope <= 0) return low;
-  return low + std::max(0.0, entry.path.distance_to(p) - entry.tool->tip_diameter / 2) / entry.slope -
-         kRounding;
+  return low + std::max(0.0, entry.path.distance_to(p) - tip_radius(*entry.tool)) / entry.slope - kRounding;
 }
 
 double CutHeights::at(Vec2 p) const {
