@@ -45,7 +45,10 @@ bool is_at_wall(Vec2 p, const LegalArea& legal) {
 }
 
 MmPerMin feed_of(MoveKind kind, const LinkOptions& options) {
-  if (kind == MoveKind::kLink) return options.link_feed.value_or(options.machine.rapid);
+  const Machine& machine = options.machine;
+  const bool is_slower = machine.max_feed && *machine.max_feed < machine.rapid;
+  if (kind == MoveKind::kLink)
+    return options.link_feed.value_or(is_slower ? *machine.max_feed : machine.rapid);
   const bool leads = kind == MoveKind::kLeadIn || kind == MoveKind::kLeadOut;
   return leads ? options.lead_feed.value_or(options.feed) : options.feed;
 }

@@ -87,11 +87,15 @@ Sourced<Stepover> stepover_of(const Operation& operation, const PlanOptions& opt
   return {{}, {Origin::kDefault, "default: the strategy decides"}};
 }
 
-void resolve_feeds(ResolvedStep& step, const CuttingData& cutting, const ShopOptions& shop) {
+MmPerMin limited(MmPerMin feed, const Machine& machine) {
+  return machine.max_feed && *machine.max_feed < feed ? *machine.max_feed : feed;
+}
+
+void resolve_feeds(ResolvedStep& step, const CuttingData& cutting, const PlanOptions& options) {
   step.feed = cutting.feed.value();
   step.plunge_feed = cutting.plunge_feed.value();
   step.ramp_feed = cutting.ramp_feed.value();
-  step.lead_feed = shop.lead_feed.value_or(step.feed);
+  step.lead_feed = limited(options.shop.lead_feed.value_or(step.feed), options.machine);
   step.slot_feed = cutting.slot_feed.value_or(step.feed);
   step.spindle_rpm = cutting.spindle_rpm.value();
   step.spindle_clockwise = cutting.spindle_clockwise;
@@ -146,7 +150,7 @@ void resolve_published(ResolvedStep& step, const Workingstep& planned, const Pla
 ResolvedStep resolve_step(const Part& part, const Workingstep& planned, const PlanOptions& options) {
   const Operation& operation = planned.operation;
   ResolvedStep step;
-  resolve_feeds(step, operation.cutting, options.shop);
+  resolve_feeds(step, operation.cutting, options);
   resolve_entry(step, operation, feature_of(part, planned), tool_of(part, planned), options.shop);
   step.direction = operation.direction.value();
   step.stepdown = operation.stepdown.value();
@@ -191,6 +195,7 @@ ResolvedPlan resolve_whole(const PlanOptions& options) {
   plan.seed = options.seed;
   plan.threads = thread_count(options);
   resolve_shop(plan, options.shop);
+  if (plan.link_feed) plan.link_feed = limited(*plan.link_feed, options.machine);
   plan.earlier = options.earlier;
   plan.conditions = options.conditions;
   plan.machine = options.machine;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
 
 #include "base/error.h"
 #include "pipeline/run.h"
@@ -92,6 +93,23 @@ TEST(Feeds, WhatIsFasterThanTheCuttingFeedCutsNothing) {
         EXPECT_LT(widest_contact_above(result, feed), 5) << strategy << ", seed " << i + 1;
       } catch (const InputError&) {
       }
+    }
+  }
+}
+
+/// Whatever is stated, and where the cutter goes through what it has cut before.
+TEST(Feeds, NoneIsAboveTheMachines) {
+  for (const char* strategy : {"contour", "adaptive"}) {
+    resolve::PlanOptions options;
+    options.strategy = strategy;
+    options.machine.max_feed = MmPerMin::of(300);
+    options.cutting.plunge_feed = options.cutting.ramp_feed = MmPerMin::of(2000);
+    options.cutting.slot_feed = options.shop.lead_feed = MmPerMin::of(3000);
+    if (strategy == std::string("contour")) options.shop.link_feed = MmPerMin::of(4000);
+    const auto result = pipeline::plan_part(pocket_with_island(6), options);
+    for (const auto& section : result.toolpath.sections) {
+      for (const Move& move : section.moves)
+        EXPECT_LE(is_rapid(move.kind) ? 0 : move.feed.mm_per_min(), 300 + 1e-6) << strategy;
     }
   }
 }
