@@ -13,6 +13,7 @@
 #include "link/link.h"
 #include "link/sections/over_tabs.h"
 #include "model/results/not_machined.h"
+#include "model/section_names.h"
 #include "post/comment.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
@@ -303,6 +304,7 @@ void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& pl
   result.program = post_with(nullptr, "", planned, result.part, plan);
   read::gcode::Program read = read_back(result.program, planned, plan);
   result.toolpath = std::move(read.toolpath);
+  SectionNames(result.part).settle(result.toolpath);
   result.control = std::move(read.control);
   result.findings = check(result.part, result.toolpath, result.control, read.conditions, read.dialect, plan);
 }

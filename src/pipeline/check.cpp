@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "model/results/not_machined.h"
+#include "model/section_names.h"
 #include "pipeline/alone/stock_taken.h"
 #include "pipeline/certify.h"
 #include "pipeline/selection/strategies.h"
@@ -221,6 +222,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   result.dialect = read.dialect;
   result.toolpath = std::move(read.toolpath);
   number_sections(result.toolpath, result.part);
+  SectionNames(result.part).settle(result.toolpath);
   result.findings = check(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan,
                           limits_of_other_tools(result.part, asked));
   add_conditions_of_part(result.part, plan, result.findings);

@@ -100,6 +100,27 @@ TEST(HolePlan, ASpotDrillAmongTheToolsLeadsTheDrill) {
   EXPECT_THAT(result.program, HasSubstr("Z-2.7 R1 "));
 }
 
+TEST(HolePlan, CountersunkHolesAreSpottedBeforeTheyAreDrilled) {
+  const PlanResult result =
+      plan_part(drawn(box("STOCK_D12", -20, -20, 40, 40) + circle("DRILL_D8", {10, 10}, 3) +
+                      circle("CSK_DIA9", {10, 10}, 4.5)),
+                with({"drill:6", "spotdrill:90deg:10", "chamfer:90deg:12:tip=0.4"}));
+  const auto spot = result.program.find("DRILL_D8_SPOT)"), drill = result.program.find("DRILL_D8)");
+  ASSERT_NE(spot, std::string::npos) << result.program;
+  EXPECT_LT(spot, drill);
+}
+
+TEST(HolePlan, ASpindleThatTurnsTooFastForATapIsSaid) {
+  auto options = with({"drill:5", "tap:M6:floating"});
+  options.machine.min_spindle_rpm = 8000;
+  try {
+    plan_part(with_circle("TAP_M6_D8", 6), options);
+    FAIL() << "8 m/min are 424 rpm";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("taps at 424 rpm and the machine turns no slower than 8000"));
+  }
+}
+
 TEST(HolePlan, AReamedHoleIsDrilledFirstAndLeftAtTheFeed) {
   const Part part = with_circle("REAM_DIA6_THRU", 5);
   const PlanResult result = plan_part(part, with({"drill:5.8", "reamer:6"}));

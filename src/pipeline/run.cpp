@@ -14,6 +14,7 @@
 #include "kinematics/kinematics.h"
 #include "link/sections/slot_feed.h"
 #include "model/results/not_machined.h"
+#include "model/section_names.h"
 #include "pipeline/certify.h"
 #include "pipeline/contour_results.h"
 #include "pipeline/selection/rapids_over_rests.h"
@@ -223,6 +224,8 @@ Toolpath toolpath_of(const Selection& selection, const ResolvedPlan& plan, bool 
   if (part.order_free) toolpath.sections = in_short_order(std::move(toolpath.sections), part);
   if (over_rests) keep_rapids_high(toolpath, plan);
   slow_down_slots(toolpath, plan);
+  const SectionNames names(part);
+  for (Section& section : toolpath.sections) section.label = names.of(section.workingstep);
   return toolpath;
 }
 

@@ -46,8 +46,8 @@ std::string plain_comment(std::string_view text) {
   return plain;
 }
 
-std::string operation_comment(int workingstep, std::string_view label) {
-  const std::string number = workingstep >= 0 ? " " + std::to_string(workingstep + 1) : "";
+std::string operation_comment(int place, std::string_view label) {
+  const std::string number = place > 0 ? " " + std::to_string(place) : "";
   return "OPERATION" + number + ": " + plain_comment(label);
 }
 

@@ -17,9 +17,9 @@ inline constexpr std::string_view kEndComment = "END OF PROGRAM";
 /// words.
 std::string plain_comment(std::string_view text);
 
-/// The comment that opens a section: "OPERATION 3: POCKET1", without the number when the workingstep is
-/// unknown. `workingstep` counts from 0, the comment from 1.
-std::string operation_comment(int workingstep, std::string_view label);
+/// The comment that opens a section: "OPERATION 3: POCKET1", without the number where `place`, its place in the program,
+/// is 0.
+std::string operation_comment(int place, std::string_view label);
 
 /// A length in the program's unit: "6 MM", "0.25 IN"; "0.2362 IN = 6 MM" where inches do not say it exactly.
 std::string size_text(double mm, bool inch);

@@ -101,6 +101,7 @@ class IsoWriter {
   BlockPrinter out_;
   Held held_;
   std::vector<Step> steps_;
+  int sections_ = 0;  ///< written so far
 };
 
 StepRules IsoWriter::rules_for(const PostOptions& options, const IsoDialect& dialect) {
@@ -150,7 +151,7 @@ void IsoWriter::write_section(const Section& section) {
   const bool new_tool = section.tool_number > 0 && section.tool_number != held_.tool;
   // Without a tool length in force a height means nothing: the first tool change comes before any motion.
   if (new_tool && held_.height) retract();
-  out_.comment(operation_comment(section.workingstep, section.label));
+  out_.comment(operation_comment(section.workingstep >= 0 ? ++sections_ : 0, section.label));
   if (new_tool) change_tool(section.tool_number);
   set_spindle(section);
   set_coolant(section.coolant);

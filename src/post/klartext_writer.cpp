@@ -108,6 +108,7 @@ class KlartextWriter {
   int number_ = 0;
   ControlState held_;
   std::vector<Step> steps_;
+  int sections_ = 0;  ///< written so far
 };
 
 std::string KlartextWriter::program(const Toolpath& toolpath) {
@@ -151,7 +152,7 @@ void KlartextWriter::blank_form(const Toolpath& toolpath) {
 void KlartextWriter::write_section(const Section& section) {
   const bool new_tool = section.tool_number > 0 && section.tool_number != held_.tool;
   if (new_tool && held_.height) retract();
-  comment(operation_comment(section.workingstep, section.label));
+  comment(operation_comment(section.workingstep >= 0 ? ++sections_ : 0, section.label));
   if (new_tool) {
     set_coolant(Coolant::kOff);
     set_spindle(5);

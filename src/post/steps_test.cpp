@@ -126,8 +126,8 @@ TEST(Comments, ArePlain) {
   EXPECT_EQ(plain_comment("Pocket (1)\n50% ~!?"), "POCKET 1 50. ...");
   EXPECT_EQ(plain_comment("MSG, hello, all"), "MSG: HELLO, ALL");
   EXPECT_EQ(plain_comment("T\xC3\xA4sch"), "T.SCH");
-  EXPECT_EQ(operation_comment(2, "Pocket"), "OPERATION 3: POCKET");
-  EXPECT_EQ(operation_comment(-1, ""), "OPERATION: ");
+  EXPECT_EQ(operation_comment(3, "Pocket"), "OPERATION 3: POCKET");
+  EXPECT_EQ(operation_comment(0, ""), "OPERATION: ");
 }
 
 TEST(Comments, ProgramNumbers) {

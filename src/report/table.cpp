@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/text/format.h"
+#include "model/section_names.h"
 #include "report/picture/job_view.h"
 #include "report/text.h"
 #include "report/text_table.h"
@@ -187,9 +188,11 @@ std::string table(const Part& part, const Findings& findings, std::size_t width)
                   {"eng deg"},
                   {"clean", Align::kLeft}};
   std::size_t layers = 0;
+  const SectionNames names(part);
   for (const FeatureFindings& feature : findings.features) {
     layers += feature.layers.size();
-    text.add(row(feature.name, cutter_of(feature), std::to_string(feature.layers.size()), feature.figures));
+    text.add(row(feature.workingstep < 0 ? feature.name : names.of(feature.workingstep), cutter_of(feature),
+                 std::to_string(feature.layers.size()), feature.figures));
   }
   text.add_rule();
   text.add(row("total", "", std::to_string(layers), findings.all));

@@ -16,7 +16,7 @@ Vec2 middle_of(const Move& move) {
 
 }  // namespace
 
-Attribution::Attribution(const Part& part) : part_(part) {
+Attribution::Attribution(const Part& part) : part_(part), names_(part) {
   for (const Feature& feature : part.features) {
     std::vector<Edge> edges;
     for (const Region& region : feature.target) {
@@ -27,14 +27,7 @@ Attribution::Attribution(const Part& part) : part_(part) {
 }
 
 int Attribution::by_section(const Section& section) const {
-  const int count = static_cast<int>(part_.workplan.size());
-  if (section.workingstep >= 0 && section.workingstep < count) return section.workingstep;
-  if (section.label.empty()) return -1;
-  for (int i = 0; i < count; ++i) {
-    const Workingstep& step = part_.workplan[i];
-    if (section.label == step.name || section.label == part_.features[step.feature].name) return i;
-  }
-  return -1;
+  return names_.workingstep_of(section);
 }
 
 int Attribution::by_place(const CheckedMove& checked, int previous) const {

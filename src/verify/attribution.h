@@ -6,6 +6,7 @@
 
 #include "model/move.h"
 #include "model/part.h"
+#include "model/section_names.h"
 #include "verify/checked_move.h"
 #include "verify/part/edge_tree.h"
 
@@ -16,7 +17,7 @@ class Attribution {
  public:
   explicit Attribution(const Part& part);
 
-  /// The workingstep that the whole section names: by number, else by the name of the workingstep or the feature; -1: none.
+  /// The workingstep that the whole section names: by its label, else by its number; -1: none.
   int by_section(const Section& section) const;
 
   /// `previous`, if the move lies in its feature; else a workingstep for which that is so, if possible with its tool; -1: none.
@@ -32,6 +33,7 @@ class Attribution {
   bool fits(const CheckedMove& checked, Vec2 p, int workingstep, double beside = 0) const;
 
   const Part& part_;
+  SectionNames names_;
   std::vector<EdgeTree> outlines_;  ///< of the features' targets
 };
 

@@ -6,6 +6,7 @@
 #include "base/inch.h"
 #include "base/text/format.h"
 #include "base/text/xml_text.h"
+#include "model/section_names.h"
 #include "report/picture/palette.h"
 #include "report/picture/plan_picture.h"
 #include "report/sheet/sheet_facts.h"
@@ -162,8 +163,8 @@ class Sheet {
         continue;
       }
       const bool named = !tool->name.empty() && tool->name != name;
-      row({name, std::string(name_of(tool->kind)) + (named ? ", " + tool->name : ""), length(tool->diameter),
-           length(tool->corner_radius), std::to_string(tool->teeth),
+      row({name, name_of(tool->kind) + angle_of(*tool) + (named ? ", " + tool->name : ""),
+           length(tool->diameter), length(tool->corner_radius), std::to_string(tool->teeth),
            tool->flute_length ? length(*tool->flute_length) : "not stated",
            length(stickout_of(part_, toolpath_, called)), coolant_of_tool(toolpath_, called),
            clock_time(time_of_tool(findings_, called))},
@@ -193,13 +194,13 @@ class Sheet {
              {"Left on walls, floor", true},
              {"Time", true}});
     int place = 0;
-    for (const FeatureFindings& one : findings_.features) {
-      if (one.workingstep < 0) continue;
+    const SectionNames names(part_);
+    for (const FeatureFindings& one : in_order_of_cutting(findings_, toolpath_)) {
       const Workingstep& step = part_.workplan[static_cast<std::size_t>(one.workingstep)];
       const Feature& feature = feature_of(part_, step);
       const Operation& operation = step.operation;
-      row({std::to_string(++place), one.name, "T" + std::to_string(one.tool_number), number(feature.top_z),
-           number(feature.floor_z), std::to_string(one.layers.size()),
+      row({std::to_string(++place), names.of(one.workingstep), "T" + std::to_string(one.tool_number),
+           number(feature.top_z), number(feature.floor_z), std::to_string(one.layers.size()),
            operation.cutting.spindle_rpm ? trimmed(*operation.cutting.spindle_rpm, 0) : "",
            feeds_of(operation), number(operation.allowance_side) + ", " + number(operation.allowance_floor),
            clock_time(one.figures.time_s)},

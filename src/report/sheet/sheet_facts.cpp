@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "base/text/format.h"
 
@@ -82,6 +83,28 @@ double time_of_tool(const Findings& findings, int tool) {
   for (const FeatureFindings& one : findings.features)
     seconds += one.tool_number == tool ? one.figures.time_s : 0;
   return seconds;
+}
+
+std::vector<FeatureFindings> in_order_of_cutting(const Findings& findings, const Toolpath& toolpath) {
+  std::map<int, std::size_t> places;  // of the first section of each workingstep
+  for (const Section& section : toolpath.sections) places.emplace(section.workingstep, places.size());
+  std::vector<FeatureFindings> rows;
+  for (const FeatureFindings& one : findings.features)
+    if (one.workingstep >= 0) rows.push_back(one);
+  const auto place = [&](const FeatureFindings& one) {
+    const auto found = places.find(one.workingstep);
+    return found == places.end() ? toolpath.sections.size() + 1 : found->second;
+  };
+  std::stable_sort(rows.begin(), rows.end(),
+                   [&](const FeatureFindings& a, const FeatureFindings& b) { return place(a) < place(b); });
+  return rows;
+}
+
+std::string angle_of(const Tool& tool) {
+  if (!has_flanks(tool)) return "";
+  const double degrees = tool.tip_angle->degrees();
+  return tool.kind == ToolKind::kTapered ? " " + trimmed(degrees / 2, 2) + " degrees a side"
+                                         : " " + trimmed(degrees, 2) + " degrees";
 }
 
 std::string zero_on(const Stock& stock, double unit_mm, const std::string& unit) {

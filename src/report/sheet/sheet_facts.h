@@ -31,6 +31,12 @@ int tool_changes(const Toolpath& toolpath);
 /// What cools a tool while it cuts, in the order of the program, each once: "off", "flood, mist", "flood and mist".
 std::string coolant_of_tool(const Toolpath& toolpath, int tool);
 
+/// The workingsteps that were found, in the order in which the program cuts them; what it does not cut comes last.
+std::vector<FeatureFindings> in_order_of_cutting(const Findings& findings, const Toolpath& toolpath);
+
+/// " 60 degrees" between the flanks of a cone, " 5 degrees a side" of a tapered end mill; "" for other tools.
+std::string angle_of(const Tool& tool);
+
 /// Seconds of the operations that a tool cuts.
 double time_of_tool(const Findings& findings, int tool);
 

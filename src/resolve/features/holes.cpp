@@ -275,7 +275,7 @@ class HoleShaper {
     const int tool = std::max(drill, mill);
     const Tool& cutter = part_.tools[static_cast<std::size_t>(tool)];
     const double width = drill >= 0 ? cutter.diameter : pilot.best;
-    Feature hole = cylinder(step, "_drill", width, full_z - point_length(cutter));
+    Feature hole = cylinder(step, drill >= 0 ? "_drill" : "_bore", width, full_z - point_length(cutter));
     hole.hole = HoleForm{
         HoleKind::kDrilled,         feature_of(step).hole->center, width, full_z, std::nullopt, false,
         feature_of(step).hole->peck};
@@ -296,7 +296,8 @@ class HoleShaper {
     if (depth <= 0 || top - depth < full_z) return;
     const Vec2 center = stock::round_hole_of(feature_of(step), options_.tol)->center;
     const bool spotted = std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
-      return is_cone(other) && distance(other.hole->center, center) < kSame;
+      return other.hole && other.hole->kind == HoleKind::kSpotted &&
+             distance(other.hole->center, center) < kSame;
     });
     if (spotted) return;
     Feature spot = cylinder(step, "_spot", width, top - depth);
