@@ -1,4 +1,6 @@
 // What programs call their operations, and that reading them back finds each again.
+#include "model/section_names.h"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -6,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "model/section_names.h"
 #include "pipeline/test_drawings.h"
 
 namespace clearcut::pipeline {

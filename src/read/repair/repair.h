@@ -15,7 +15,8 @@ namespace clearcut::read {
 /// Curves filled together are an area of their own, whatever they cross (SVG paths).
 struct Compound {
   int number = 0;
-  bool nonzero = true;  ///< by the winding rule; else even-odd
+  bool nonzero = true;     ///< by the winding rule; else even-odd
+  std::string paint = {};  ///< its colour: fills of one that overlap in part are one area
   friend auto operator<=>(const Compound&, const Compound&) = default;
 };
 

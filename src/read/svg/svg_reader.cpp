@@ -235,7 +235,8 @@ class SvgCollector {
     if (own.style.marked) ++notes_.marked;
     const bool as_area = stroked && options_.stroke_areas.value_or(false);
     std::optional<Compound> compound;
-    if (filled) compound = Compound{compounds_++, own.style.fill_rule != "evenodd"};
+    if (filled)
+      compound = Compound{compounds_++, own.style.fill_rule != "evenodd", normal_color(own.style.fill)};
     if (filled || !as_area) add_curves(node, own, compound, *group);
     if (as_area) add_stroke(node, own, compound, *group);
   }
@@ -259,7 +260,7 @@ class SvgCollector {
     if (!text.problem.empty()) throw InputError(place(node), text.problem);
     for (const auto& [name, count] : text.left_out) notes_.not_read[name] += count;
     for (const auto& [name, count] : text.not_applied) notes_.letters_not_so[name] += count;
-    const Compound compound{compounds_++, true};
+    const Compound compound{compounds_++, true, normal_color(own.style.fill)};
     bool drawn = false;
     for (SvgTextRun& run : text.runs) {
       const bool filled = run.style.fills();

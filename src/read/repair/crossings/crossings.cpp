@@ -10,6 +10,7 @@
 #include "geometry/boolean.h"
 #include "geometry/contours/loops.h"
 #include "geometry/unite_all.h"
+#include "read/repair/crossings/fills.h"
 #include "read/repair/crossings/meetings.h"
 #include "read/repair/crossings/nesting.h"
 #include "read/repair/crossings/splitting.h"
@@ -21,7 +22,6 @@ namespace {
 constexpr std::size_t kMostMeetings = 20'000;
 /// Of what is filled together, which one boolean resolves: a board of 5000 pads and 10 000 tracks has about 300 000.
 constexpr std::size_t kMostMeetingsInFill = 1'000'000;
-constexpr std::size_t kMostCrossingPairs = 500;
 /// mm. How far the library may move a boundary: its grid.
 constexpr double kBooleanRounding = 2e-6;
 
@@ -344,6 +344,16 @@ std::vector<Meeting> harmful_of(const std::vector<Meeting>& met) {
   return harmful;
 }
 
+/// Harmful ones of different shapes.
+std::vector<Meeting> between_shapes(const std::vector<Meeting>& met, const std::vector<RawLoop>& loops) {
+  std::vector<Meeting> harmful = harmful_of(met);
+  std::erase_if(harmful, [&](const Meeting& m) {
+    return m.within_one_loop() ||
+           is_one_fill(loops[static_cast<std::size_t>(m.a.loop)], loops[static_cast<std::size_t>(m.b.loop)]);
+  });
+  return harmful;
+}
+
 /// What the library returns may meet loops that it has not seen, or itself where arcs were found again:
 /// once more, with all that meet.
 std::vector<Loop> settled(std::vector<Loop> loops, const RepairOptions& options) {
@@ -388,14 +398,13 @@ std::vector<Loop> resolve_crossings(std::vector<RawLoop> loops, const RepairOpti
     met = meetings_of(bare(loops), options);
   }
   std::erase_if(met, [](const Meeting& m) { return m.within_one_loop(); });
-  std::vector<Meeting> harmful = harmful_of(met);
-  if (harmful.empty()) {
+  if (harmful_of(met).empty()) {
     report_touches(met, loops, options, diagnostics);
     return bare(loops);
   }
-  std::erase_if(harmful, [&](const Meeting& m) {
-    return is_one_fill(loops[static_cast<std::size_t>(m.a.loop)], loops[static_cast<std::size_t>(m.b.loop)]);
-  });
+  std::vector<Meeting> harmful = between_shapes(met, loops);
+  while (unite_fills(loops, harmful, options, diagnostics))
+    harmful = between_shapes(meetings_of(bare(loops), options), loops);
   if (!harmful.empty()) loops = PairResolver(loops, options, diagnostics).run(harmful);
   return settled(bare(loops), options);
 }

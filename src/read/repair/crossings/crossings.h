@@ -2,6 +2,7 @@
 // refused.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "read/repair/joining.h"
@@ -17,6 +18,7 @@ std::vector<RawLoop> resolve_compounds(std::vector<RawLoop> loops, const RepairO
 /// - a loop that crosses itself keeps its main part when all the rest is a sliver (kLargestCurl of its
 ///   area);
 /// - an island through a wall (kMostlyInside of it lies within) is cut back to the wall;
+/// - filled shapes of one colour that overlap in part are united;
 /// - outlines that overlap by less than kSlightOverlap of the smaller, or share a stretch of wall, are
 ///   united. Throws InputError naming the place for all other crossings.
 std::vector<Loop> resolve_crossings(std::vector<RawLoop> loops, const RepairOptions& options,
@@ -25,5 +27,7 @@ std::vector<Loop> resolve_crossings(std::vector<RawLoop> loops, const RepairOpti
 inline constexpr double kLargestCurl = 0.001;
 inline constexpr double kMostlyInside = 0.9;
 inline constexpr double kSlightOverlap = 0.1;
+/// Of outlines that cross each other, each pair with a boolean of its own.
+inline constexpr std::size_t kMostCrossingPairs = 500;
 
 }  // namespace clearcut::read
