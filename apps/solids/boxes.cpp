@@ -23,7 +23,7 @@ struct Range {
 /// Of a cos t + b sin t where t runs from `first` to `last`.
 Range wave(double a, double b, double first, double last) {
   const auto at = [&](double t) { return a * base::cos(t) + b * base::sin(t); };
-  const double height = std::hypot(a, b), crest = base::atan2(b, a);
+  const double height = base::hypot(a, b), crest = base::atan2(b, a);
   const auto reaches = [&](double t) { return t + 2 * kPi * std::ceil((first - t) / (2 * kPi)) <= last; };
   return {reaches(crest + kPi) ? -height : std::min(at(first), at(last)),
           reaches(crest) ? height : std::max(at(first), at(last))};

@@ -92,10 +92,9 @@ bool unite_fills(std::vector<RawLoop>& loops, const std::vector<Meeting>& harmfu
   for (const auto& [pair, at] : pairs) {
     if (!fills.join(pair.first, pair.second)) continue;
     any = true;
-    diagnostics.note(options.where + " at " + place_text(at), "filled shapes that overlap (" +
-                                                                  fills.source_of(pair.first) + ", " +
-                                                                  fills.source_of(pair.second) +
-                                                                  ") are one area");
+    diagnostics.note(options.where + " at " + place_text(at),
+                     "filled shapes that overlap (" + fills.source_of(pair.first) + ", " +
+                         fills.source_of(pair.second) + ") are one area");
   }
   if (any) loops = fills.united();
   return any;
