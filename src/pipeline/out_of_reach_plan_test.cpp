@@ -32,8 +32,7 @@ TEST(OutOfReach, IsSaidWithTheLargestCutterThatReaches) {
 TEST(OutOfReach, IsAConditionOfTheVerdictWhereItIsMuch) {
   // A slot of 2 mm beside a square: most of it is too narrow for the cutter.
   const Part part = drawn(outline(
-      "POCKET_D2",
-      {{{0, 0}}, {{10, 0}}, {{10, 4}}, {{40, 4}}, {{40, 6}}, {{10, 6}}, {{10, 10}}, {{0, 10}}}));
+      "POCKET_D2", {{{0, 0}}, {{10, 0}}, {{10, 4}}, {{40, 4}}, {{40, 6}}, {{10, 6}}, {{10, 10}}, {{0, 10}}}));
   resolve::PlanOptions options = by_contour("endmill:4");
   const auto result = plan_part(part, options);
   EXPECT_EQ(verdict_of(result.findings), Verdict::kConditional);

@@ -249,7 +249,9 @@ void PlanArguments::add_shop_options(CLI::App& command) {
 void PlanArguments::add_entry_options(CLI::App& command) {
   command.option_defaults()->group("Entry");
   command
-      .add_option("--entry", cutting_.entry, "helix, ramp, zigzag or plunge (default: helix where it fits)")
+      .add_option("--entry", cutting_.entry,
+                  "helix, ramp, zigzag or plunge (default: plunge; helix in metal, under limited engagement, "
+                  "and for mills that do not cut over their centre)")
       ->check(one_of({"helix", "ramp", "zigzag", "plunge"}));
   command.add_option("--entry-angle", cutting_.entry_angle,
                      "Steepest way down of a helix or ramp, degrees (default 3)");
