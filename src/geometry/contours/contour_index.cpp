@@ -14,6 +14,12 @@ Vec2 place_of(const IntPoint& p) {
   return {static_cast<double>(p.X), static_cast<double>(p.Y)};
 }
 
+Box box_of(const Path& contour) {
+  Box box;
+  for (const IntPoint& p : contour) box.add(place_of(p));
+  return box;
+}
+
 /// Whether `inner`, which does not cross `outer`, lies in it.
 bool lies_in(const Path& inner, const Path& outer) {
   for (std::size_t i = 0; i < inner.size(); ++i) {
@@ -54,6 +60,7 @@ ContourIndex::ContourIndex(const ClipperLib::Paths& contours) : contours_(contou
   std::size_t count = 0;
   for (const Path& contour : contours) {
     areas_.push_back(std::abs(ClipperLib::Area(contour)));
+    boxes_.push_back(box_of(contour));
     first_edge_.push_back(count);
     count += contour.size();
   }
@@ -106,10 +113,14 @@ void ContourIndex::visit_around(const IntPoint& p, Visit&& visit) const {
 
 std::optional<std::size_t> ContourIndex::smallest_around(const Path& inner, std::size_t member) const {
   const double own_area = member < areas_.size() ? areas_[member] : 0;
+  const Box own_box = box_of(inner);
   std::optional<std::size_t> smallest;
   visit_around(inner.front(), [&](std::size_t outer, bool starts_on_it) {
     const bool may_contain = areas_[outer] > own_area || (areas_[outer] == own_area && outer < member);
-    if (outer == member || !may_contain || (smallest && areas_[outer] >= areas_[*smallest])) return;
+    // A place on an edge in common may be rounded to within a contour that lies beside it.
+    const bool holds_box = boxes_[outer].contains(own_box.min) && boxes_[outer].contains(own_box.max);
+    if (outer == member || !may_contain || !holds_box || (smallest && areas_[outer] >= areas_[*smallest]))
+      return;
     if (!starts_on_it || lies_in(inner, contours_[outer])) smallest = outer;
   });
   return smallest;

@@ -25,14 +25,15 @@ class ContourIndex {
  private:
   std::optional<std::size_t> smallest_around(const ClipperLib::Path& inner, std::size_t member) const;
   std::size_t contour_of(std::size_t edge) const;
-  /// Calls visit(contour, position) for contours whose box the point lies in; position as of PointInPolygon.
+  /// Calls visit(contour, runs_through) for contours that hold the point or run through it.
   template <typename Visit>
   void visit_around(const ClipperLib::IntPoint& p, Visit&& visit) const;
 
   const ClipperLib::Paths& contours_;
   std::vector<double> areas_;
+  std::vector<Box> boxes_;               ///< in units of the grid, like all that follows
   std::vector<std::size_t> first_edge_;  ///< of each contour
-  BoxTree edges_;                        ///< in units of the grid
+  BoxTree edges_;
 };
 
 /// For each contour the smallest that it lies in.
