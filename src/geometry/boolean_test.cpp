@@ -78,6 +78,19 @@ TEST(Boolean, ContoursAreNestedToAnyDepth) {
   EXPECT_NEAR(area(touching), 400 - 25 + 12, 1e-6);
 }
 
+/// A tilted rectangle in the notch of a larger outline, along whose edge every place of its own rounds to within the outline.
+TEST(Boolean, WhatSharesATiltedEdgeLiesBesideIt) {
+  const Vec2 notched[] = {{-31.544187, 43.175228}, {-57.272854, 123.710164}, {-89.486829, 113.418697},
+                          {-79.195362, 81.204723}, {-74.049628, 65.097735},  {-106.263603, 54.806269},
+                          {-95.972136, 22.592294}};
+  const Vec2 beside[] = {
+      {-79.195362, 81.204723}, {-89.486829, 113.418697}, {-105.593816, 108.272963}, {-95.302349, 76.058989}};
+  const std::vector<Loop> loops{loop_from_points(notched), loop_from_points(beside)};
+  const Regions regions = resolve_even_odd(loops, kTol);
+  for (const Region& region : regions) EXPECT_TRUE(region.islands().empty());
+  EXPECT_NEAR(area(regions), signed_area(loops[0]) + signed_area(loops[1]), 1e-3);
+}
+
 TEST(Boolean, UnionOfOverlappingSquaresHasTheirOutline) {
   const auto result = unite(one(rectangle({0, 0}, {10, 10})), one(rectangle({5, 5}, {15, 15})), kTol);
   ASSERT_EQ(result.size(), 1u);

@@ -59,7 +59,7 @@ class Ray {
 ContourIndex::ContourIndex(const ClipperLib::Paths& contours) : contours_(contours) {
   std::size_t count = 0;
   for (const Path& contour : contours) {
-    areas_.push_back(std::abs(ClipperLib::Area(contour)));
+    areas_.push_back(ClipperLib::Area(contour));
     boxes_.push_back(box_of(contour));
     first_edge_.push_back(count);
     count += contour.size();
@@ -112,15 +112,16 @@ void ContourIndex::visit_around(const IntPoint& p, Visit&& visit) const {
 }
 
 std::optional<std::size_t> ContourIndex::smallest_around(const Path& inner, std::size_t member) const {
-  const double own_area = member < areas_.size() ? areas_[member] : 0;
+  const double own = member < areas_.size() ? areas_[member] : ClipperLib::Area(inner);
   const Box own_box = box_of(inner);
   std::optional<std::size_t> smallest;
   visit_around(inner.front(), [&](std::size_t outer, bool starts_on_it) {
-    const bool may_contain = areas_[outer] > own_area || (areas_[outer] == own_area && outer < member);
+    const double area = std::abs(areas_[outer]);
+    const bool turns_otherwise = (areas_[outer] > 0) != (own > 0);
+    const bool may_contain = turns_otherwise && (member == areas_.size() || area > std::abs(own));
     // A place on an edge in common may be rounded to within a contour that lies beside it.
     const bool holds_box = boxes_[outer].contains(own_box.min) && boxes_[outer].contains(own_box.max);
-    if (outer == member || !may_contain || !holds_box || (smallest && areas_[outer] >= areas_[*smallest]))
-      return;
+    if (!may_contain || !holds_box || (smallest && area >= std::abs(areas_[*smallest]))) return;
     if (!starts_on_it || lies_in(inner, contours_[outer])) smallest = outer;
   });
   return smallest;
