@@ -33,6 +33,8 @@ constexpr double kClosePitch = 0.02;
 constexpr double kTolerance = 3e-4;
 /// Least number of points on an arc, so that fitting finds the arc again.
 constexpr int kLeastParts = 6;
+/// The same on a line: an arc through the ends alone of many short lines would run beyond their middles.
+constexpr int kLeastPartsOfLine = 2;
 /// Points times edges. Beyond this the search for narrow places takes too long, and everything is cleared up
 /// to the walls.
 constexpr double kMostWork = 3e7;
@@ -77,8 +79,8 @@ class FrontOutline {
     for (const Edge& edge : loop) {
       // Round an obstacle the points are close, because chords between them would cut into it.
       const double pitch = (edge.turn == Turn::kClockwise ? kClosePitch : kPitch) * radius_;
-      const int parts =
-          std::max(edge.is_arc() ? kLeastParts : 1, static_cast<int>(edge.length() / pitch) + 1);
+      const int parts = std::max(edge.is_arc() ? kLeastParts : kLeastPartsOfLine,
+                                 static_cast<int>(edge.length() / pitch) + 1);
       for (int i = 0; i < parts; ++i) {
         const double t = static_cast<double>(i) / parts;
         points_.push_back({edge.at(t), left_of(edge.tangent_at(t)), length_ + t * edge.length(),

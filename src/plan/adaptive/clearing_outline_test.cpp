@@ -4,6 +4,9 @@
 
 #include <vector>
 
+#include "base/elementary.h"
+#include "base/units.h"
+
 namespace clearcut::plan::adaptive {
 namespace {
 
@@ -34,6 +37,23 @@ TEST(FrontArea, GoesRoundIslandsInFewArcs) {
       front_area(region_of({{-10, -10}, {50, -10}, {50, 34}, {-10, 34}}, {{right, left}}), 3, 1.36);
   ASSERT_EQ(front.islands().size(), 1U);
   EXPECT_LE(front.islands()[0].size(), 16U);
+}
+
+TEST(FrontArea, StaysInsideRoundEndsOfManyShortLines) {
+  // Half of a circle of 1.5 mm in 32 lines: a circle through their ends is 1.8 um beyond their middles.
+  std::vector<Vec2> corners{{-20, -1.5}};
+  for (int i = 0; i <= 32; ++i) {
+    const double at = (i / 32.0 - 0.5) * kPi;
+    corners.push_back({1.5 * base::cos(at), 1.5 * base::sin(at)});
+  }
+  corners.push_back({-20, 1.5});
+  const Region legal = region_of(corners);
+  for (const Edge& edge : front_area(legal, 3, kPi / 3).edges()) {
+    for (int i = 0; i <= 64; ++i) {
+      const Vec2 p = edge.at(i / 64.0);
+      EXPECT_TRUE(legal.contains(p) || legal.boundary_distance(p) < 5e-4) << p.x << ' ' << p.y;
+    }
+  }
 }
 
 }  // namespace
