@@ -2,9 +2,7 @@
 # `make setup` installs everything that any command here needs, the programs that a few tests run among it.
 BUILD := build/release
 OUT := out
-# Common headers are parsed once. Continuous integration sets OFF, so that no source lacks an include unseen.
-PRECOMPILED ?= ON
-configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=$(PRECOMPILED) $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
+configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=ON $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
             rm -f build-configure.log
 
 .PHONY: all setup build demo test web test-web python packages reproduce-packages docs format lint-viewer test-browser test-freecad clean
