@@ -57,8 +57,58 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
+/// What other programs and shops call an option of ours.
+struct Synonym {
+  const char* word;
+  const char* option;
+};
+constexpr Synonym kSynonyms[] = {
+    {"--stock-to-leave", "--allowance"},
+    {"--radial-stock-to-leave", "--allowance"},
+    {"--wall-stock", "--allowance"},
+    {"--axial-stock-to-leave", "--allowance-floor"},
+    {"--floor-stock", "--allowance-floor"},
+    {"--depth-per-pass", "--stepdown"},
+    {"--depth-of-cut", "--stepdown"},
+    {"--doc", "--stepdown"},
+    {"--width-of-cut", "--stepover"},
+    {"--woc", "--stepover"},
+    {"--rpm", "--spindle"},
+    {"--speed", "--spindle"},
+    {"--plunge-rate", "--plunge-feed"},
+    {"--safe-z", "--clearance"},
+    {"--safe-height", "--clearance"},
+    {"--clearance-height", "--clearance"},
+    {"--retract-height", "--clearance"},
+    {"--controller", "--post"},
+    {"--postprocessor", "--post"},
+    {"--dialect", "--post"},
+    {"--zero", "--origin"},
+    {"--wcs", "--work-offset"},
+    {"--climb", "--direction"},
+    {"--conventional", "--direction"},
+    {"--ramp-angle", "--entry-angle"},
+    {"--ramp", "--entry"},
+    {"--helix", "--entry"},
+    {"--cutter", "--tool"},
+    {"--diameter", "--tool"},
+    {"--tool-library", "--tools"},
+    {"--onion-skin", "--skin"},
+    {"--operation", "--op"},
+};
+
+/// The option that another name means, "" where it is none of the names.
+std::string meant_by(const std::string& word, const std::vector<std::string>& names) {
+  for (const Synonym& synonym : kSynonyms) {
+    if (word == synonym.word && std::find(names.begin(), names.end(), synonym.option) != names.end())
+      return synonym.option;
+  }
+  return "";
+}
+
 std::string advice(const std::string& word, const std::vector<std::string>& names, const std::string& help) {
-  const std::string meant = nearest(word, names);
+  const std::string synonym = meant_by(word, names);
+  const std::string meant = synonym.empty() ? nearest(word, names) : synonym;
   return meant.empty() ? "see " + help : "did you mean '" + meant + "'?";
 }
 
