@@ -147,7 +147,7 @@ std::vector<Move> ramp(const EntryPlace& place, const Path& stroke, const LinkOp
 }  // namespace
 
 Entry entry_at(const EntryPlace& place, const Regions& legal, const LinkOptions& options) {
-  if (options.entry == EntryKind::kHelix) {
+  if (options.entry == EntryKind::kHelix || place.circle_center) {
     if (const auto circle = helix_circle(place, legal, options))
       return {helix(place, *circle, options), EntryKind::kHelix};
   }

@@ -33,7 +33,8 @@ struct Entry {
 /// The moves from z_above down to the pass, all inside `legal`; they begin at or beside its start. Takes the
 /// first of these kinds that fits, beginning with the one asked for:
 ///
-/// Helix    About circle_center, else about a centre beside the start so that the helix touches `direction`.
+/// Helix    About circle_center, whatever is asked for, because the circle of the pass would be cut at full width after any other
+///          entry; else about a centre beside the start so that the helix touches `direction`.
 ///          As wide as options.helix_widest and, while it does not fit, narrower down to helix_narrowest; no
 ///          steeper than the entry angle, at least once round, with a level circle at the end.
 /// Ramp     Along the ring at the entry angle, as far as that takes, a few times round at most.

@@ -73,6 +73,16 @@ TEST(Entry, HelixShrinksUntilItFits) {
   EXPECT_LE(moves.front().path.radius(), 1.0);
 }
 
+TEST(Entry, PassesThatBeginOnACircleAreEnteredByAHelixWhateverIsAskedFor) {
+  for (const EntryKind asked : {EntryKind::kPlunge, EntryKind::kRamp, EntryKind::kZigzagRamp}) {
+    EntryPlace place = place_at({15, 5});
+    place.circle_center = Vec2{13, 5};
+    const Entry entry = entry_at(place, square(30), options_for(asked));
+    EXPECT_EQ(entry.kind, EntryKind::kHelix);
+    for (const Move& move : entry.moves) EXPECT_TRUE(move.path.is_arc());
+  }
+}
+
 TEST(Entry, SlotTakesARampInsteadOfAHelix) {
   const Regions legal{Region::from_valid_loops(
       loop_from_points(std::vector<Vec2>{{0, 0}, {30, 0}, {30, 0.2}, {0, 0.2}}), {})};

@@ -95,6 +95,8 @@ std::vector<std::string> Linker::notes() const {
       notes.push_back(what + " (" + std::to_string(times) + (times == 1 ? " place)" : " places)"));
   };
   const auto other = [&](EntryKind kind) { return options_.entry != kind ? entries_[index_of(kind)] : 0; };
+  tell(other(EntryKind::kHelix),
+       "adaptive clearing goes down by a helix, which its first cuts widen, not by the entry asked for");
   tell(other(EntryKind::kRamp), "the entry asked for does not fit; ramped along the pass");
   tell(other(EntryKind::kZigzagRamp), "the entry asked for does not fit; ramped to and fro");
   tell(other(EntryKind::kPlunge), options_.may_plunge
