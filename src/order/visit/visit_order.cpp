@@ -82,22 +82,26 @@ class Costs {
 
   /// The states of other visits that begin nearest to where this one ends.
   void find_near(std::size_t from) {
-    auto& near = near_[from];
+    all_.clear();
     for (std::size_t s = 0; s < states(); ++s) {
       if (steps_[s].visit != steps_[from].visit)
-        near.push_back({s, norm_squared(way(s).begin - way(from).end), -1});
+        all_.push_back({s, norm_squared(way(s).begin - way(from).end), -1});
     }
-    if (near.size() <= static_cast<std::size_t>(kMostNear)) return;
-    std::nth_element(near.begin(), near.begin() + kMostNear, near.end(), [](const Near& a, const Near& b) {
-      return a.away != b.away ? a.away < b.away : a.state < b.state;
-    });
-    near.resize(static_cast<std::size_t>(kMostNear));
+    const auto kept = std::min(kMostNear, std::ssize(all_));
+    if (kept < std::ssize(all_)) {
+      std::nth_element(all_.begin(), all_.begin() + kept, all_.end(), [](const Near& a, const Near& b) {
+        return a.away != b.away ? a.away < b.away : a.state < b.state;
+      });
+    }
+    near_[from].assign(all_.begin(),
+                       all_.begin() + kept);  // no room beyond: there are as many lists as states
   }
 
   const VisitQuestion& question_;
   std::vector<VisitStep> steps_;
   std::vector<std::size_t> first_;
   std::vector<std::vector<Near>> near_;
+  std::vector<Near> all_;      ///< of the state that is looked at
   std::vector<double> known_;  ///< from each state to each; below 0: not asked for yet
 };
 

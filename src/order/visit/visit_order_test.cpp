@@ -1,6 +1,7 @@
 #include "order/visit/visit_order.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <numeric>
@@ -112,6 +113,23 @@ TEST(VisitOrder, NearestFirstIsNeverBetter) {
     question.visits.push_back({{{{x, 0}, {x, 0}, 0}}});
   go_straight(question);
   EXPECT_LE(cost_of(question, order_visits(question)), 101);
+}
+
+/// kB; the most that this process has held so far.
+long peak_memory() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+TEST(VisitOrder, MemoryGrowsWithTheWaysAndNotWithTheirSquare) {
+  Random random(1);
+  auto question = random_question(random, 3000, 2, 0);
+  question.ordered_before = true;
+  go_straight(question);
+  const long before = peak_memory();
+  EXPECT_TRUE(is_valid(question, order_visits(question)));
+  EXPECT_LT(peak_memory() - before, 100'000);
 }
 
 TEST(VisitOrder, NothingIsNothing) {
