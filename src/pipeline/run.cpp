@@ -249,6 +249,10 @@ void report_notes(const Selection& selection, const std::vector<StepWork>& works
                             fmt::format("{} is left out: planning it took more than its share of {}", name,
                                         thousands(shares[i])));
     }
+    for (const auto& name : selection.beyond_memory(i)) {
+      part.diagnostics.note(feature_of(part, part.workplan[i]).name,
+                            fmt::format("{} is left out: planning it took more memory than there is", name));
+    }
     const Section& section = selection.section(i);
     for (const auto& text : section.notes) part.diagnostics.note(section.label, text);
   }

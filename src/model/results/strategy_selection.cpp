@@ -22,6 +22,8 @@ const char* name_of(Outcome outcome) {
       return "cannot win";
     case Outcome::kTooMuchWork:
       return "too much work";
+    case Outcome::kTooMuchMemory:
+      return "too much memory";
     case Outcome::kNotTried:
       break;
   }

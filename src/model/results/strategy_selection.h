@@ -7,12 +7,13 @@
 namespace clearcut::inline model {
 
 enum class Outcome {
-  kKept,         ///< the fastest that is certified clean
-  kOutrun,       ///< planned, not certified: a faster one is clean
-  kNotClean,     ///< certified with faults
-  kCannotWin,    ///< not planned: by its least length alone it is slower than another
-  kTooMuchWork,  ///< left out: planning it took more steps than a strategy is given
-  kNotTried      ///< not planned: not made for such a feature, hardly to win there, or it has no passes
+  kKept,           ///< the fastest that is certified clean
+  kOutrun,         ///< planned, not certified: a faster one is clean
+  kNotClean,       ///< certified with faults
+  kCannotWin,      ///< not planned: by its least length alone it is slower than another
+  kTooMuchWork,    ///< left out: planning it took more steps than a strategy is given
+  kTooMuchMemory,  ///< left out: planning it alone took more memory than there was
+  kNotTried        ///< not planned: not made for such a feature, hardly to win there, or it has no passes
 };
 
 struct CandidateResult {

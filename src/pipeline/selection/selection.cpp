@@ -1,6 +1,7 @@
 #include "pipeline/selection/selection.h"
 
 #include <algorithm>
+#include <new>
 
 #include "base/elementary.h"
 #include "base/error.h"
@@ -59,20 +60,42 @@ void Selection::plan_into(std::size_t step, PlannedCandidate& one) const {
   } catch (const OutOfWork&) {
     one.plan = {};
     one.outcome = Outcome::kTooMuchWork;
+  } catch (const std::bad_alloc&) {
+    one.plan = {};
+    one.outcome = Outcome::kTooMuchMemory;
   }
+}
+
+/// What others held while a candidate was planned may be free now, so what found no memory is planned again by itself: what is
+/// left out does not depend on threads.
+void Selection::plan_all(const Places& work) {
+  const auto plan = [&](std::size_t i) {
+    plan_into(work[i].first, ranked_[work[i].first].all[work[i].second]);
+  };
+  in_parallel(work.size(), threads_, plan);
+  for (std::size_t i = 0; i < work.size(); ++i) {
+    if (ranked_[work[i].first].all[work[i].second].outcome == Outcome::kTooMuchMemory) plan(i);
+  }
+}
+
+/// Where nothing was planned for want of memory the caller has to hear of it.
+void Selection::throw_without_memory(const RankedCandidates& ranked) const {
+  const bool wanting = std::any_of(ranked.all.begin(), ranked.all.end(), [](const PlannedCandidate& one) {
+    return one.outcome == Outcome::kTooMuchMemory;
+  });
+  if (wanting && std::none_of(ranked.all.begin(), ranked.all.end(), is_planned)) throw std::bad_alloc();
 }
 
 void Selection::plan_first() {
-  std::vector<std::pair<std::size_t, std::size_t>> work;
+  Places work;
   for (std::size_t step = 0; step < steps_.size(); ++step) {
     for (std::size_t k = 0; k < std::min(kFirst, ranked_[step].all.size()); ++k) work.emplace_back(step, k);
   }
-  in_parallel(work.size(), threads_,
-              [&](std::size_t i) { plan_into(work[i].first, ranked_[work[i].first].all[work[i].second]); });
+  plan_all(work);
 }
 
 /// Adds the candidates of a step that may be faster than the first ones to `work`.
-void Selection::rate_others(std::size_t step, std::vector<std::pair<std::size_t, std::size_t>>& work) {
+void Selection::rate_others(std::size_t step, Places& work) {
   auto& all = ranked_[step].all;
   const StepPlan& known = all.front().plan;
   const double radius = steps_[step].tool_radius;
@@ -94,27 +117,27 @@ void Selection::rate_others(std::size_t step, std::vector<std::pair<std::size_t,
 }
 
 void Selection::plan_others() {
-  std::vector<std::pair<std::size_t, std::size_t>> work;
+  Places work;
   for (std::size_t step = 0; step < steps_.size(); ++step) rate_others(step, work);
-  in_parallel(work.size(), threads_,
-              [&](std::size_t i) { plan_into(work[i].first, ranked_[work[i].first].all[work[i].second]); });
+  plan_all(work);
 }
 
-/// Where all that competed took too much work a fallback answers.
+/// Where all that competed took too much work or memory a fallback answers.
 void Selection::plan_instead() {
   in_parallel(steps_.size(), threads_, [&](std::size_t step) {
     auto& ranked = ranked_[step];
-    const auto is_planned = [](const PlannedCandidate& one) { return !one.plan.section.moves.empty(); };
     const auto& fallbacks = steps_[step].candidates.fallbacks;
     if (std::any_of(ranked.all.begin(), ranked.all.end(), is_planned) ||
-        std::none_of(ranked.all.begin(), ranked.all.end(),
-                     [](const PlannedCandidate& one) { return one.outcome == Outcome::kTooMuchWork; }))
+        std::none_of(ranked.all.begin(), ranked.all.end(), [](const PlannedCandidate& one) {
+          return one.outcome == Outcome::kTooMuchWork || one.outcome == Outcome::kTooMuchMemory;
+        }))
       return;
     while (ranked.fallbacks < fallbacks.size() && !is_planned(ranked.all.back())) {
       ranked.all.push_back({fallbacks[ranked.fallbacks++], {}, 0, Outcome::kNotTried});
       plan_into(step, ranked.all.back());
     }
   });
+  for (const RankedCandidates& ranked : ranked_) throw_without_memory(ranked);
 }
 
 /// Holes come out the same whatever the strategy, so the first stays in front.
@@ -122,11 +145,10 @@ void Selection::sort(RankedCandidates& ranked) const {
   auto& all = ranked.all;
   if (all.front().plan.hole) all.resize(1);
   std::stable_sort(all.begin(), all.end(), [](const PlannedCandidate& a, const PlannedCandidate& b) {
-    const bool a_planned = !a.plan.section.moves.empty(), b_planned = !b.plan.section.moves.empty();
+    const bool a_planned = is_planned(a), b_planned = is_planned(b);
     return a_planned != b_planned ? a_planned : a_planned && a.plan.time_s < b.plan.time_s;
   });
-  ranked.planned = static_cast<std::size_t>(std::count_if(
-      all.begin(), all.end(), [](const PlannedCandidate& one) { return !one.plan.section.moves.empty(); }));
+  ranked.planned = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), is_planned));
   if (ranked.planned > 0) all.front().outcome = Outcome::kKept;
 }
 
@@ -138,10 +160,10 @@ const StrategyCandidate& Selection::candidate(std::size_t step) const {
   return ranked_[step].all[ranked_[step].at].candidate;
 }
 
-std::vector<std::string> Selection::left_out(std::size_t step) const {
+std::vector<std::string> Selection::names_of(std::size_t step, Outcome outcome) const {
   std::vector<std::string> names;
   for (const auto& one : ranked_[step].all) {
-    if (one.outcome == Outcome::kTooMuchWork) names.push_back(one.candidate.strategy->name);
+    if (one.outcome == outcome) names.push_back(one.candidate.strategy->name);
   }
   return names;
 }
@@ -183,7 +205,7 @@ std::vector<StrategySelection> Selection::selections() const {
   for (std::size_t step = 0; step < steps_.size(); ++step) {
     StrategySelection selection{steps_[step].feature, steps_[step].workingstep, {}};
     for (const auto& one : ranked_[step].all) {
-      const bool planned = !one.plan.section.moves.empty();
+      const bool planned = is_planned(one);
       selection.candidates.push_back({one.candidate.strategy->name, one.candidate.stepover.text, one.outcome,
                                       planned ? one.plan.time_s : 0,
                                       planned ? feed_length(one.plan.section) : 0, one.least_s});

@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "model/move.h"
@@ -38,7 +40,8 @@ using StepPlanner = std::function<StepPlan(int workingstep, const StrategyCandid
 class Selection {
  public:
   /// Plans the first two candidates of every step, then those others that may be faster by their least length and are worth
-  /// the effort; all in parallel on `threads`. Throws what the planner throws for a step's first strategy.
+  /// the effort; all in parallel on `threads`. What finds no memory beside others is planned once more alone. Throws what the
+  /// planner throws for a step's first strategy, and std::bad_alloc where no strategy of a step finds the memory.
   Selection(std::vector<SelectionStep> steps, StepPlanner planner, int threads);
 
   const Section& section(std::size_t step) const;
@@ -48,7 +51,11 @@ class Selection {
   bool next(std::size_t step);
   const StrategyCandidate& candidate(std::size_t step) const;
   /// Names of strategies whose planning took too much work.
-  std::vector<std::string> left_out(std::size_t step) const;
+  std::vector<std::string> left_out(std::size_t step) const { return names_of(step, Outcome::kTooMuchWork); }
+  /// The same for memory.
+  std::vector<std::string> beyond_memory(std::size_t step) const {
+    return names_of(step, Outcome::kTooMuchMemory);
+  }
   std::vector<StrategySelection> selections() const;
 
  private:
@@ -58,19 +65,27 @@ class Selection {
     double least_s = 0;
     Outcome outcome = Outcome::kNotTried;
   };
+  static bool is_planned(const PlannedCandidate& one) { return !one.plan.section.moves.empty(); }
+
   struct RankedCandidates {
     std::vector<PlannedCandidate> all;  ///< planned ones first, fastest first
     std::size_t at = 0;
     std::size_t planned = 0;
     std::size_t fallbacks = 0;  ///< used
   };
+  /// Places of candidates: step, candidate.
+  using Places = std::vector<std::pair<std::size_t, std::size_t>>;
+
+  std::vector<std::string> names_of(std::size_t step, Outcome outcome) const;
   void plan_first();
   void plan_others();
   void plan_instead();
-  void rate_others(std::size_t step, std::vector<std::pair<std::size_t, std::size_t>>& work);
+  void rate_others(std::size_t step, Places& work);
+  void plan_all(const Places& work);
   void sort(RankedCandidates& ranked) const;
   void plan_without_rivals(std::size_t step);
   void plan_into(std::size_t step, PlannedCandidate& one) const;
+  void throw_without_memory(const RankedCandidates& ranked) const;
 
   std::vector<SelectionStep> steps_;
   StepPlanner planner_;

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <new>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "base/work_budget.h"
 #include "model/strategy_entry.h"
@@ -37,6 +41,29 @@ TEST(Selection, AStrategyThatTakesTooMuchWorkIsLeftOutByNameAndTheOthersAnswer) 
   EXPECT_FALSE(selection.section(0).moves.empty());
   EXPECT_EQ(selection.left_out(0), std::vector<std::string>{"contour"});
   EXPECT_EQ(selection.selections().front().candidates.back().outcome, Outcome::kTooMuchWork);
+}
+
+/// Both of two that are planned at once may find no memory; each is asked again alone.
+TEST(Selection, AStrategyThatTakesTooMuchMemoryIsLeftOutByNameAndTheOthersAnswer) {
+  const StrategyEntry contour = named("contour"), zigzag = named("zigzag");
+  std::atomic<int> asked{0};
+  const auto planner = [&](int, const StrategyCandidate& candidate) {
+    if (++asked <= 2 || candidate.strategy->name == "contour") throw std::bad_alloc();
+    StepPlan plan;
+    plan.section.moves.emplace_back();
+    plan.time_s = 1;
+    return plan;
+  };
+  const Selection selection(one_step({{&contour, {}}, {&zigzag, {}}}), planner, 1);
+  EXPECT_EQ(selection.candidate(0).strategy->name, "zigzag");
+  EXPECT_EQ(selection.beyond_memory(0), std::vector<std::string>{"contour"});
+  EXPECT_EQ(selection.selections().front().candidates.back().outcome, Outcome::kTooMuchMemory);
+}
+
+TEST(Selection, WhereNoneFindsMemoryThatIsThrown) {
+  const StrategyEntry contour = named("contour"), zigzag = named("zigzag");
+  const auto planner = [](int, const StrategyCandidate&) -> StepPlan { throw std::bad_alloc(); };
+  EXPECT_THROW(Selection(one_step({{&contour, {}}, {&zigzag, {}}}), planner, 1), std::bad_alloc);
 }
 
 /// A rival of contour is fastest and not clean; contour's own plan comes before the slower zigzag.
