@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "geometry/rectangle.h"
 #include "pipeline/test_drawings.h"
 
 namespace clearcut::pipeline {
@@ -41,6 +42,47 @@ TEST(OutOfReach, IsAConditionOfTheVerdictWhereItIsMuch) {
   EXPECT_EQ(verdict_of(plan_part(part, options).findings), Verdict::kClean);
   const Part square = drawn(box("POCKET_D2", 0, 0, 60, 40));
   EXPECT_EQ(verdict_of(plan_part(square, by_contour("endmill:10")).findings), Verdict::kClean);
+}
+
+/// A frame with rounded corners outside and sharp ones inside, as a pen of that width draws it about a box.
+Regions frame(double x, double y, double width) {
+  const double inner = 10, outer = inner + width;
+  Loop outside;
+  const Vec2 center{x, y};
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const Vec2 along = direction_of(quarter * kPi / 2), up = left_of(along);
+    const Vec2 corner = center + (along + up) * (outer - width / 2);
+    outside.push_back(
+        Edge::line(center + along * outer - up * (outer - width / 2), corner + along * (width / 2)));
+    outside.push_back(
+        Edge::arc(outside.back().to, corner + up * (width / 2), corner, Turn::kCounterClockwise));
+  }
+  const std::vector<Vec2> box{
+      {x - inner, y - inner}, {x - inner, y + inner}, {x + inner, y + inner}, {x + inner, y - inner}};
+  return {Region::from_valid_loops(outside, {loop_from_points(box)})};
+}
+
+/// Diameter of the largest disc in such a corner, which touches the corner within and both sides outside, for a width of 1.
+constexpr double kDiscInCorner = 1.1715728752538099;
+
+/// By micrometres too narrow is too narrow: for the verifier as for the planner, whatever each allows for rounding.
+TEST(OutOfReach, IsWhatIsNarrowerByMoreThanTheToleranceOfAFit) {
+  for (const double lacking :
+       {0.0011, 0.0015, 0.0017, 0.0018, 0.00182, 0.00185, 0.00188, 0.0019, 0.0024, 0.0027}) {
+    Part part = drawn(box("POCKET_D2", -40, -40, -20, -20));
+    for (const Regions& narrow : {frame(0, 0, (6 - lacking) / kDiscInCorner),
+                                  Regions{rectangular_region({{40, 0}, {90, 6 - lacking}})}}) {
+      Feature feature = part.features.front();
+      feature.name = "NARROW_" + std::to_string(part.features.size());
+      feature.target = feature.allowed = narrow;
+      part.features.push_back(feature);
+      part.workplan.push_back(part.workplan.front());
+      part.workplan.back().feature = static_cast<int>(part.features.size()) - 1;
+    }
+    const auto result = plan_part(part, by_contour("endmill:6"));
+    EXPECT_THAT(result.findings.faults, ::testing::IsEmpty()) << lacking << "\n"
+                                                              << faults_of(result.findings);
+  }
 }
 
 /// A comb of slots whose sides wave: thousands of short edges, none of which a wide cutter comes into.

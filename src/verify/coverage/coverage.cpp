@@ -115,9 +115,12 @@ class CoverageProof {
 
   /// Whether a legal centre reaches some of the target. Where the boundary of the legal area does not come near a region of
   /// the target, either all of that region is legal or nothing: other features may have taken all that stood around it.
+  /// What is too narrow for the cutter but for rounding is within reach of programs that cut there.
   bool any_within_reach() const {
     const std::vector<Edge>& legal = legal_.boundary().edges();
-    return std::any_of(legal.begin(), legal.end(), [this](const Edge& curve) { return reaches(curve); }) ||
+    const bool owed = legal_.within_fit() || !question_.swaths.empty();
+    return (owed &&
+            std::any_of(legal.begin(), legal.end(), [this](const Edge& curve) { return reaches(curve); })) ||
            std::any_of(question_.target->begin(), question_.target->end(), [this](const Region& region) {
              return legal_.contains(region.outer().front().at(0.5));
            });

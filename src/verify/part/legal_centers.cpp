@@ -19,12 +19,12 @@ constexpr double kSlot = 0.1;
 /// By how much the cutter may be wider than the place it goes, as shares of the fit tolerance.
 struct Allowances {
   double slot;   ///< how far it may come into the far wall while it runs along the near one
-  double hole;   ///< the same if all that is left is shorter than kSlot
-  double point;  ///< how far it may come into all walls around a single place where it fits
+  double hole;   ///< how far it may come into all walls around where all that is left is shorter than kSlot
+  double point;  ///< the same at the centre of round walls
 };
 /// The verifier asks for less than the tolerance allows, because a planner may see walls with rounded or
 /// simplified edges. Where nothing fits by the first row, the next ones are tried.
-constexpr Allowances kAllowances[] = {{1, 0.75, 0.5}, {1.7, 1.7, 0.85}, {1.9, 1.9, 0.95}};
+constexpr Allowances kAllowances[] = {{1, 0.75, 0.5}, {1.7, 0.85, 0.85}, {1.9, 0.95, 0.95}};
 
 /// Number of walls before and after a curve's own that are tested first.
 constexpr int kNeighbours = 3;
@@ -63,6 +63,7 @@ LegalCenters::LegalCenters(const FinishedPart& part, double z, double reach, con
     add_corner_curves(walls);
     add_end_curves(walls);
     add_tight_places();
+    within_fit_ = found_.empty() || &allowed == std::begin(kAllowances);
     if (!found_.empty()) break;
     tight_.clear();
   }
@@ -106,7 +107,7 @@ void LegalCenters::add_corner_curves(const std::vector<int>& walls) {
       if (distance(arc.from, arc.to) > kRounding) add_legal_parts(arc, i);
     }
     if (matched || (wall.flat_to && d > reach_)) continue;
-    for (const Edge& half : circle(corner, d)) add_legal_parts(half, i);
+    for (const Edge& half : circle(corner, d)) add_legal_parts(half.reversed(), i);
   }
 }
 
@@ -116,7 +117,7 @@ void LegalCenters::add_end_curves(const std::vector<int>& walls) {
     for (const Edge& end : part_.walls()[i].flat_ends(z_)) {
       for (const Edge& curve : parallel(end, reach_, 0)) add_legal_parts(curve, i);
       for (const Vec2 corner : {end.from, end.to}) {
-        for (const Edge& half : circle(corner, reach_)) add_legal_parts(half, i);
+        for (const Edge& half : circle(corner, reach_)) add_legal_parts(half.reversed(), i);
       }
     }
   }
@@ -149,18 +150,23 @@ void LegalCenters::add_legal_parts(const Edge& curve, int wall) {
 }
 
 /// Adds the places in holes just as wide as the cutter: of the curve of each wall only some micrometres are left
-/// there, with no other legal place near them.
+/// there, with no other legal place near them. A cutter smaller all round by what it may come into the walls has to fit.
 void LegalCenters::add_tight_places() {
   const EdgeTree known(found_);
   for (const auto& [piece, wall] : tight_) {
     const Vec2 middle = piece.from == piece.to ? piece.from : piece.at(0.5);
     if (piece.from == piece.to || !part_.is_free(middle, z_)) continue;
     if (known.nearest(middle, kSlot + norm(piece.to - piece.from)).edge >= 0) continue;
-    const TrimmedCurve fitting = legal_parts(piece, wall, hole_);
-    for (const Interval& part : fitting.parts()) {
-      const Edge left = piece.part(part.first, part.second);
-      if (left.from != left.to) found_.push_back(left);
-    }
+    for (const Edge& nearer : parallel(piece, -hole_, 0)) add_fitting_parts(nearer, wall);
+  }
+}
+
+void LegalCenters::add_fitting_parts(const Edge& curve, int wall) {
+  if (curve.from == curve.to) return;
+  const TrimmedCurve fitting = legal_parts(curve, wall, hole_ + kRounding);
+  for (const Interval& part : fitting.parts()) {
+    const Edge left = curve.part(part.first, part.second);
+    if (left.from != left.to) found_.push_back(left);
   }
 }
 

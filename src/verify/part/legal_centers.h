@@ -23,6 +23,10 @@ class LegalCenters {
   /// another wall are cut away. O(walls * walls near).
   const EdgeTree& boundary() const { return boundary_; }
 
+  /// Whether the places of boundary() are no narrower than tol.fit lets pass for the cutter's width. Where they are,
+  /// a program need not go there: it may, as far as rounding of walls lets it.
+  bool within_fit() const { return within_fit_; }
+
   /// Whether the centre may be at p, which must be free.
   bool contains(Vec2 p) const;
 
@@ -30,10 +34,11 @@ class LegalCenters {
   void add_wall_curves(const std::vector<int>& walls);
   void add_corner_curves(const std::vector<int>& walls);
   void add_end_curves(const std::vector<int>& walls);
-  /// `wall`: the one that the curve runs along; its neighbours are tested first.
+  /// `wall`: the one that the curve runs along, on its right; its neighbours are tested first.
   void add_legal_parts(const Edge& curve, int wall);
   void add_fit_point(Vec2 p);
   void add_tight_places();
+  void add_fitting_parts(const Edge& curve, int wall);
   /// What of `curve` is at least reach - `allowed` mm from every wall.
   TrimmedCurve legal_parts(const Edge& curve, int wall, double allowed) const;
   void cut_by_wall(TrimmedCurve& left, const Wall& wall, double upright) const;
@@ -42,6 +47,7 @@ class LegalCenters {
   const FinishedPart& part_;
   double z_, reach_;
   double slot_ = 0, hole_ = 0, point_ = 0;  ///< mm; how far the cutter may come into walls where it just fits
+  bool within_fit_ = true;
   std::vector<Edge> found_;
   std::vector<std::pair<Edge, int>> tight_;  ///< short curves where the cutter just fits, with their walls
   EdgeTree boundary_;
