@@ -4,30 +4,28 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <utility>
 
 #include "base/error.h"
 #include "base/inch.h"
-#include "base/text/format.h"
-#include "geometry/contours/loops.h"
 #include "read/board/coordinates.h"
-#include "read/board/drawn.h"
-#include "read/common/drawing.h"
-#include "read/common/strokes/stroke.h"
+#include "read/board/drilled.h"
+#include "read/board/gerber_curves.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
-#include "read/repair/clean.h"
 
 namespace clearcut::read {
 namespace {
 
 constexpr std::size_t kMostHoles = 1'000'000;
 constexpr double kMostRepeatedHoles = 10000;
+/// Of half the distance of an arc's ends: radii are rounded.
+constexpr double kLeastRadius = 0.99;
 
-/// What one tool makes, mm.
-struct DrillTool {
-  double diameter = 0;
-  std::vector<Vec2> holes;
-  std::vector<Path> slots;  ///< what its centre follows
+/// One move; what is left out stays as it was.
+struct DrillMove {
+  GerberMove to;
+  std::optional<double> radius;  ///< mm; of a routed arc
 };
 
 class ExcellonReader {
@@ -48,10 +46,7 @@ class ExcellonReader {
     }
     if (!ended_) fail("the file ends without M30: it is cut short; export it again");
     finish_route();
-    if (assumed_ && has_digits_)
-      diagnostics_.warn(
-          file_, "the file does not say how its numbers are written: " + std::to_string(format_.decimals) +
-                     " digits after the point assumed; compare the size");
+    say_what_was_assumed();
     return std::move(tools_);
   }
 
@@ -62,6 +57,19 @@ class ExcellonReader {
   [[noreturn]] void not_understood(std::string_view line) const {
     fail("'" + printable(line) +
          "' is not understood; export the drill file again (Excellon, decimal numbers, no patterns)");
+  }
+
+  void say_what_was_assumed() const {
+    if (assumed_ && has_digits_)
+      diagnostics_.warn(
+          file_, "the file does not say how its numbers are written: " + std::to_string(format_.decimals) +
+                     " digits after the point assumed; compare the size");
+    if (taken_for_down_ > 0)
+      diagnostics_.warn(file_, "G01 without M15, which lowers the tool: taken for slots; compare them");
+    if (above_ > 0)
+      diagnostics_.warn(file_, std::to_string(above_) +
+                                   (above_ == 1 ? " move at the feed is" : " moves at the feed are") +
+                                   " above the board (no M15 before): nothing is cut there");
   }
 
   void take(std::string_view line) {
@@ -146,19 +154,25 @@ class ExcellonReader {
     if (const std::size_t slot = line.find("G85"); slot != std::string_view::npos) return slotted(line, slot);
     const auto words = words_of(line);
     if (!words) not_understood(line);
-    std::optional<double> x, y;
+    DrillMove move;
     double repeats = 0;
     for (const auto& [letter, digits] : *words) {
-      if (letter == 'X') x = length(digits, line);
-      if (letter == 'Y') y = length(digits, line);
+      if (std::string_view("XYIJ").find(letter) != std::string_view::npos)
+        move.to.set(letter, length(digits, line));
+      if (letter == 'A') move.radius = length(digits, line);
       if (letter == 'R') repeats = plain_number(digits).value_or(-1);
       if (letter == 'T') choose(digits, line);
       if (letter == 'G') general(digits, line);
       if (letter == 'M') machine(digits, line);
-      if (std::string_view("XYRTGMFSN").find(letter) == std::string_view::npos) not_understood(line);
+      if (std::string_view("XYIJARTGMFSN").find(letter) == std::string_view::npos) not_understood(line);
     }
-    if (repeats != 0) return repeat(repeats, x.value_or(0), y.value_or(0), line);
-    if (x || y) operate(x, y);
+    if (std::exchange(sets_zero_, false)) return set_zero(move.to.end({}, true));
+    if (repeats != 0) return repeat(repeats, move.to.end({}, true), line);
+    if (move.to.any()) operate(move, line);
+  }
+
+  void set_zero(Vec2 zero) const {
+    if (zero != Vec2{}) fail("G93 moves the zero of what follows: export the drill file again with one zero");
   }
 
   void choose(std::string_view digits, std::string_view line) {
@@ -176,14 +190,22 @@ class ExcellonReader {
         finish_route();
         return void(mode_ = Mode::kMove);
       case 1:
+        turn_ = Turn::kStraight;
+        return void(mode_ = Mode::kRoute);
+      case 2:
+        turn_ = Turn::kClockwise;
+        return void(mode_ = Mode::kRoute);
+      case 3:
+        turn_ = Turn::kCounterClockwise;
         return void(mode_ = Mode::kRoute);
       case 5:
       case 81:
         finish_route();
         return void(mode_ = Mode::kDrill);
       case 40:
-      case 93:
         return;
+      case 93:
+        return void(sets_zero_ = true);
       case 90:
         return void(incremental_ = false);
       case 91:
@@ -195,7 +217,9 @@ class ExcellonReader {
 
   void machine(std::string_view digits, std::string_view line) {
     switch (code_number(digits).value_or(-1)) {
+      case 14:
       case 15:
+        says_down_ = true;
         return void(is_down_ = true);
       case 16:
       case 17:
@@ -232,16 +256,32 @@ class ExcellonReader {
     return found->second;
   }
 
-  Vec2 end_of(std::optional<double> x, std::optional<double> y) const {
-    if (incremental_) return at_ + Vec2{x.value_or(0), y.value_or(0)};
-    return {x.value_or(at_.x), y.value_or(at_.y)};
+  void operate(const DrillMove& move, std::string_view line) {
+    const Vec2 from = at_;
+    at_ = move.to.end(from, incremental_);
+    if (mode_ == Mode::kDrill) return drill(at_);
+    if (mode_ == Mode::kMove) return void(has_moved_ = true);
+    if (!is_down_) {
+      if (says_down_) return void(++above_);
+      if (!has_moved_)
+        fail(
+            "G01 without G00 and M15 before does not say whether holes or slots are meant; export the drill "
+            "file again");
+      ++taken_for_down_;
+    }
+    std::optional<Path> edge = gerber_edge(from, at_, center_offset(move, from), turn_, false);
+    if (!edge) not_understood(line);
+    route_.insert(route_.end(), edge->begin(), edge->end());
   }
 
-  void operate(std::optional<double> x, std::optional<double> y) {
-    const Vec2 from = at_;
-    at_ = end_of(x, y);
-    if (mode_ == Mode::kDrill) return drill(at_);
-    if (mode_ == Mode::kRoute && is_down_ && from != at_) route_.push_back(Edge::line(from, at_));
+  /// From the start to the centre of a routed arc: as it is written, or of an arc of at most half a turn with the radius A.
+  Vec2 center_offset(const DrillMove& move, Vec2 from) const {
+    if (!move.radius || at_ == from) return move.to.center_offset();
+    const Vec2 half = (at_ - from) / 2;
+    const double radius = *move.radius, apart = norm(half);
+    if (radius < apart * kLeastRadius) fail("the radius is too small for an arc between its ends");
+    const Vec2 aside = left_of(half) * (std::sqrt(std::max(0.0, radius * radius - apart * apart)) / apart);
+    return turn_ == Turn::kCounterClockwise ? half + aside : half - aside;
   }
 
   void drill(Vec2 at) {
@@ -259,25 +299,23 @@ class ExcellonReader {
     const auto begin = words_of(line.substr(0, at)), end = words_of(line.substr(at + 3));
     if (!begin || !end) not_understood(line);
     const auto go = [&](const Words& words) {
-      std::optional<double> x, y;
+      GerberMove move;
       for (const auto& [letter, digits] : words) {
-        if (letter == 'X') x = length(digits, line);
-        if (letter == 'Y') y = length(digits, line);
         if (letter != 'X' && letter != 'Y') not_understood(line);
+        move.set(letter, length(digits, line));
       }
-      at_ = end_of(x, y);
-      return at_;
+      return at_ = move.end(at_, incremental_);
     };
     const Vec2 from = go(*begin), to = go(*end);
     if (from == to) return drill(from);
     tool().slots.push_back({Edge::line(from, to)});
   }
 
-  void repeat(double times, double x, double y, std::string_view line) {
+  void repeat(double times, Vec2 by, std::string_view line) {
     if (!(times >= 1 && times <= kMostRepeatedHoles && times == std::floor(times)) || mode_ != Mode::kDrill)
       not_understood(line);
     for (int i = 0; i < static_cast<int>(times); ++i) {
-      at_ = at_ + Vec2{x, y};
+      at_ = at_ + by;
       drill(at_);
     }
   }
@@ -295,48 +333,13 @@ class ExcellonReader {
   std::map<int, DrillTool> tools_;
   int tool_ = 0;
   Mode mode_ = Mode::kDrill;
-  bool is_down_ = false;
+  Turn turn_ = Turn::kStraight;  ///< of what is routed
+  bool is_down_ = false, says_down_ = false, has_moved_ = false, sets_zero_ = false;
+  std::size_t above_ = 0, taken_for_down_ = 0;  ///< moves at the feed above the board; as if M15 came before
   Vec2 at_;
   Path route_;
   std::size_t count_ = 0;
 };
-
-DrawnGroup group_named(const std::string& name, LayerRole role, const std::string& file,
-                       const ReadOptions& options) {
-  DrawnGroup group;
-  group.name = name;
-  group.where = file + ": " + name;
-  group.role = role;
-  group.says_role = true;
-  apply_rules(options.layer_rules, name, group);
-  return group;
-}
-
-/// Holes, then slots, of one tool.
-void add_groups(int number, const DrillTool& tool, const std::string& file, const ReadOptions& options,
-                std::vector<DrawnGroup>& groups) {
-  const double diameter = tool.diameter * options.scale;
-  const std::string name = "T" + std::to_string(number) + " " + trimmed(diameter, 4) + " mm";
-  DrawnGroup holes = group_named(name, LayerRole::kHole, file, options);
-  holes.hole = HoleRequest{};
-  holes.hole->through = true;
-  for (const Vec2 at : tool.holes)
-    holes.curves.push_back({full_circle(at * options.scale, diameter / 2), true, "a hole", {}});
-  DrawnGroup slots = group_named(name + " slot", LayerRole::kPocket, file, options);
-  RepairOptions repair;
-  repair.tol = options.tol;
-  repair.where = slots.where;
-  std::vector<Drawn> drawn;
-  for (const Path& line : tool.slots) {
-    drawn.push_back(
-        {true, stroke_pieces({{line, false}}, {tool.diameter, StrokeCap::kRound, StrokeJoin::kRound}), {}});
-    drawn.back() = mapped(drawn.back(), Affine::scaling(options.scale, options.scale));
-  }
-  for (Path& loop : loops_of(dark_area(drawn, repair)))
-    slots.curves.push_back({std::move(loop), true, "a slot", {}});
-  for (DrawnGroup* group : {&holes, &slots})
-    if (!group->curves.empty()) groups.push_back(std::move(*group));
-}
 
 }  // namespace
 
@@ -345,8 +348,7 @@ Part read_excellon(std::string_view text, const std::string& file_name, const Re
   part.name = std::filesystem::path(file_name).stem().string();
   part.source_file = file_name;
   const auto tools = ExcellonReader(file_name, options, part.diagnostics).read(text);
-  std::vector<DrawnGroup> groups;
-  for (const auto& [number, tool] : tools) add_groups(number, tool, file_name, options, groups);
+  std::vector<DrawnGroup> groups = drilled_groups(tools, file_name, options, part.diagnostics);
   question_size(groups, file_name, options);
   add_drawn_features(part, std::move(groups), options);
   return part;

@@ -4,8 +4,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/region.h"
@@ -87,6 +90,46 @@ TEST(Excellon, SlotsAreAsWideAsTheirTool) {
   EXPECT_NEAR(center_of(feature).x, 31.5, 1e-9);
 }
 
+/// The only slot that these lines of a body make with a tool of 1 mm.
+Feature slot_of(const std::string& body) {
+  const Part part = read("M48\nMETRIC\nT2C1.0\n%\nT2\n" + body + "T0\nM30\n");
+  EXPECT_EQ(part.features.size(), 1U);
+  EXPECT_EQ(part.features.front().name, "T2 1 mm slot");
+  return part.features.front();
+}
+
+TEST(Excellon, RoutedArcsAreArcs) {
+  const double quarter = kPi / 2 * 4, ends = kPi / 4;
+  const Feature ccw = slot_of("G00X4.0Y0.0\nM15\nG03X0.0Y4.0A4.0\nM16\n");
+  EXPECT_NEAR(area(ccw.target), quarter + ends, 1e-6);
+  EXPECT_NEAR(box(ccw.target).max.x, 4.5, 1e-6) << "about the origin";
+  const Feature clockwise = slot_of("G00X4.0Y0.0\nM15\nG02X0.0Y4.0A4.0\nM16\n");
+  EXPECT_NEAR(box(clockwise.target).min.x, -0.5, 1e-6) << "about (4, 4)";
+  EXPECT_NEAR(area(clockwise.target), quarter + ends, 1e-6);
+  const Feature ring = slot_of("G00X4.0Y0.0\nM15\nG03X4.0Y0.0I-4.0J0.0\nM17\n");
+  EXPECT_NEAR(area(ring.target), 2 * kPi * 4, 1e-6);
+  const Feature both = slot_of("G00X0.0Y0.0\nM15\nG01X5.0\nG02X9.0Y-4.0A4.0\nG01Y-9.0\nM16\n");
+  EXPECT_NEAR(area(both.target), 5 + quarter + 5 + ends, 1e-6);
+}
+
+TEST(Excellon, RoutesNeedNotSayThatTheToolIsDown) {
+  EXPECT_NEAR(area(slot_of("G00X0.0Y0.0\nG01X5.0\n").target), 5 + kPi / 4, 1e-6);
+  EXPECT_NEAR(area(slot_of("G00X0.0Y0.0\nM15\nG01X5.0\nM16\nG01X9.0\n").target), 5 + kPi / 4, 1e-6);
+  EXPECT_THAT(refusal("M48\nMETRIC\nT1C1\n%\nT1\nG01X1.0Y1.0\nX3.0\nM30\n"), HasSubstr("holes or slots"));
+}
+
+TEST(Excellon, HolesThatOverlapAreSlots) {
+  const double lens = 2 * base::acos(0.8) * 0.25 - 0.8 * std::sqrt(0.25 - 0.16);  // of circles 0.8 mm apart
+  EXPECT_NEAR(area(slot_of("X0.0Y0.0\nX0.8\n").target), kPi / 2 - lens, 1e-6);
+  EXPECT_NEAR(area(slot_of("X0.0Y0.0G85X5.0Y0.0\nX0.0Y0.0\nX5.0Y0.0\n").target), 5 + kPi / 4, 1e-6);
+  const Part part = read(
+      "M48\nMETRIC\nT1C1\nT2C3\n%\nT1\nX0.0Y0.0\nX0.0Y0.001\nX1.0\nX2.0Y4.0\nT2\nX0.0Y4.0G85X5.0Y4.0\nM30\n");
+  ASSERT_EQ(part.features.size(), 3U) << "two that touch, and a slot that takes one away";
+  EXPECT_EQ(std::count_if(part.features.begin(), part.features.end(),
+                          [](const Feature& feature) { return feature.kind == FeatureKind::kRoundHole; }),
+            2);
+}
+
 TEST(Excellon, RepeatsAndIncrements) {
   const Part part = read("M48\nMETRIC,TZ\nT1C0.5\n%\nT1\nX1.0Y1.0\nR3X2.0Y0\nG91\nX0.0Y5.0\nM30\n");
   ASSERT_EQ(part.features.size(), 5U);
@@ -100,7 +143,8 @@ TEST(Excellon, DamageIsRefusedWithItsPlace) {
   EXPECT_THAT(refusal("M48\nMETRIC\nT1C1\n%\nT1\nX1.0Y1.0\n"), HasSubstr("cut short"));
   EXPECT_THAT(refusal("M48\nMETRIC\n%\nT3\nX1.0Y1.0\nM30\n"), HasSubstr("T3 has no diameter"));
   EXPECT_THAT(refusal("M48\nT1C1\n%\nT1\nX1.0Y1.0\nM30\n"), HasSubstr("unit"));
-  EXPECT_THAT(refusal("M48\nMETRIC\nT1C1\n%\nT1\nG02X1.0Y1.0A5\nM30\n"), HasSubstr("b.drl:6: "));
+  EXPECT_THAT(refusal("M48\nMETRIC\nT1C1\n%\nT1\nG02X1.0Y1.0Q5\nM30\n"), HasSubstr("b.drl:6: "));
+  EXPECT_THAT(refusal("M48\nMETRIC\nT1C1\n%\nG93X1.0Y0\nT1\nX1.0Y1.0\nM30\n"), HasSubstr("G93"));
   EXPECT_THAT(refusal("M48\nMETRIC\nT1C-1\n%\nM30\n"), HasSubstr("not understood"));
   EXPECT_THAT(refusal("M48\nMETRIC\nT1C1\n%\nT55555555555555555555\nM30\n"), HasSubstr("not understood"));
 }
