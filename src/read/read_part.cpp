@@ -48,7 +48,7 @@ Kind kind_of_content(std::string_view text) {
   if (first == std::string_view::npos) return Kind::kUnknown;
   if (head.substr(first, 12) == "ISO-10303-21") return Kind::kStep;
   if (head[first] == '{') return Kind::kJson;
-  if (head.substr(first, 3) == "M48") return Kind::kExcellon;
+  if (head.substr(first, 3) == "M48" || head.find("\nM48") != std::string_view::npos) return Kind::kExcellon;
   if (head.find("%FSLA") != std::string_view::npos || head.find("%FSTA") != std::string_view::npos)
     return Kind::kGerber;
   if (head.find("<svg") != std::string_view::npos) return Kind::kSvg;
@@ -66,8 +66,11 @@ void refuse_what_is_no_text(std::string_view text, const std::string& file_name)
   }
   // These two say more in their readers.
   if (head.substr(0, 18) == "AutoCAD Binary DXF" || head.substr(0, 2) == "\x1f\x8b") return;
-  if (head.find('\0') != std::string_view::npos) {
-    throw InputError(file_name, "this is a binary file; give a STEP-NC, DXF, SVG or JSON file");
+  // No text has these, whatever its code page.
+  if (head.find_first_of(std::string_view("\0\1\2\3\4\5\6", 7)) != std::string_view::npos) {
+    throw InputError(file_name,
+                     "this is a binary file; give a STEP-NC, DXF, SVG or JSON file, of a board Gerber and "
+                     "Excellon as text");
   }
 }
 
@@ -159,10 +162,10 @@ Part read_text(std::string_view text, const std::string& file_name, const ReadOp
     case Kind::kUnknown:
       break;
   }
-  throw InputError(file_name,
-                   "unknown kind of file; give STEP-NC (.stpnc, .p21), DXF, SVG, outline JSON, lengths and "
-                   "angles (.edges) or a job "
-                   "(.toml)");
+  throw InputError(
+      file_name,
+      "unknown kind of file; give STEP-NC (.stpnc, .p21), a solid (.step), DXF, SVG, Gerber (.gbr), a drill "
+      "file (.drl), outline JSON, lengths and angles (.edges) or a job (.toml)");
 }
 
 }  // namespace

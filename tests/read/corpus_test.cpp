@@ -50,8 +50,13 @@ TEST(ReadPart, WhatCannotBeReadGivesOneLineWithTheFileAndWhatToDo) {
   for (const char* name : {"b.dxf", "b.svg", "b.json", "b.stpnc", "b"}) {
     EXPECT_THAT(refusal(folder.file(name, binary)), HasSubstr("binary file")) << name;
   }
+  EXPECT_THAT(refusal(folder.file("b.drl", "T\7\2\x80T\4")), HasSubstr("binary file"));
+  EXPECT_THAT(refusal(folder.file("c.drl", "M48\nMETRIC\n%\nJ\xe4ger\n")), HasSubstr("'J?ger'"));
   EXPECT_THAT(refusal(folder.file("w.svg", "\xff\xfe<")), HasSubstr("UTF-16"));
   EXPECT_THAT(refusal(folder.file("noise.xyz", "what is this")), HasSubstr("unknown kind of file"));
+  // EAGLE's drill files begin with a % and have a name of their own.
+  EXPECT_THAT(refusal(folder.file("board.drd", "%\nM48\nM72\nT01C0.0236\n%\nT01\nX1Y1\n")),
+              HasSubstr("cut short"));
   EXPECT_THAT(
       refusal(folder.file("solid.step",
                           "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION((''),'2;1');\n"

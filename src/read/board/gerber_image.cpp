@@ -19,9 +19,9 @@ namespace {
 constexpr int kFirstAperture = 10;
 constexpr double kMostRepeats = 10000;
 
-/// "MIA0B0", "OFA0B0", "SFA1B1": as if it were not there.
+/// "MIA0B0", "OFA0B0", "SFA1B1", "ICAS" (the file is in ASCII): as if it were not there.
 bool has_no_effect(std::string_view text) {
-  if (text == "IPPOS" || text == "ASAXBY" || text == "IR0") return true;
+  if (text == "IPPOS" || text == "ASAXBY" || text == "IR0" || text == "ICAS") return true;
   const bool scale = text.starts_with("SF");
   if (!scale && !text.starts_with("MI") && !text.starts_with("OF")) return false;
   const auto words = words_of(text.substr(2));

@@ -111,6 +111,22 @@ TEST(Gerber, StandardAperturesHaveTheirAreas) {
   EXPECT_NEAR(dark_area_of("%ADD10P,2X4X45X1*%D10*X0Y0D03*"), 2 - kPi / 4, 1e-9);
 }
 
+/// Two rings and a cross 2 mm wide and 14 mm long: primitive 6.
+TEST(Gerber, MoiresAreRingsAndACross) {
+  const double rings = kPi * (25 - 16) + kPi * (9 - 4);
+  const auto cross_in_disc = [](double r) {
+    return 4 * (std::sqrt(r * r - 1) + r * r * std::asin(1 / r)) - 4;
+  };
+  const double in_rings = cross_in_disc(5) - cross_in_disc(4) + cross_in_disc(3) - cross_in_disc(2);
+  const auto moire = [](const std::string& rest) {
+    return dark_area_of("%AMM*6,0,0,10,1,1," + rest + "*%%ADD10M*%D10*X0Y0D03*");
+  };
+  EXPECT_NEAR(moire("2,0,0,0"), rings, 1e-6);
+  EXPECT_NEAR(moire("9,0,0,0"), rings + kPi, 1e-6);
+  EXPECT_NEAR(moire("2,2,14,0"), rings + 2 * 2 * 14 - 4 - in_rings, 1e-5);
+  EXPECT_NEAR(moire("2,2,14,30"), rings + 2 * 2 * 14 - 4 - in_rings, 1e-5);
+}
+
 TEST(Gerber, LinesAndArcsAreAsWideAsTheirAperture) {
   EXPECT_NEAR(dark_area_of("%ADD10C,2*%D10*X0Y0D02*X10000D01*"), 20 + kPi, 1e-6);
   // Modal: the coordinates alone go on with D01.
@@ -135,8 +151,9 @@ TEST(Gerber, NumbersComeInAllTheirWays) {
   EXPECT_NEAR(corner(dark_of("%ADD10R,1X1*%D10*X1000000Y0D03*", "%FSLAX26Y26*%\n%MOIN*%\n")).x, 12.7, 1e-9);
   EXPECT_NEAR(corner(dark_of("%ADD10R,1X1*%D10*X2000Y0D02*X-1000Y1000D03*", "%FSLIX33Y33*%\n%MOMM*%\n")).x,
               0.5, 1e-9);
-  // Old files say the unit by G70.
-  EXPECT_NEAR(corner(dark_of("%ADD10R,1X1*%G54D10*X10000Y0D03*", "%FSLAX24Y24*%\nG70*\n")).x, 12.7, 1e-9);
+  // Old files say the unit by G70, and that they are in ASCII.
+  EXPECT_NEAR(corner(dark_of("%ADD10R,1X1*%G54D10*X10000Y0D03*", "%ICAS*%\n%FSLAX24Y24*%\nG70*\n")).x, 12.7,
+              1e-9);
 }
 
 TEST(Gerber, WhatIsClearTakesAwayWhatWasDrawnBefore) {

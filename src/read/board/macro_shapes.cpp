@@ -17,6 +17,8 @@ namespace {
 
 /// Corners of an outline: more are a trap.
 constexpr double kMostCorners = 10000;
+/// Of a moiré.
+constexpr double kMostRings = 1000;
 
 Path polygon(const std::vector<Vec2>& corners) {
   Path path;
@@ -116,6 +118,25 @@ Drawn thermal(const Primitive& p, const ApertureContext& context) {
   return mapped(Drawn{true, loops_of(dark_area(parts, context.repair)), {}}, Affine::rotation(p.turn(6)));
 }
 
+/// Rings about each other and a cross over them.
+Drawn moire(const Primitive& p, const ApertureContext& context) {
+  const Vec2 center = p.point(1);
+  const double thickness = p.length(4), gap = p.length(5), most = p.number(6);
+  if (!(thickness >= 0 && gap >= 0 && most >= 0 && most <= kMostRings)) p.fail();
+  std::vector<Drawn> parts;
+  double diameter = p.length(3);
+  for (int i = 0; i < static_cast<int>(most) && diameter > 0; ++i) {
+    parts.push_back({true, {full_circle(center, diameter / 2)}, {}});
+    diameter -= 2 * thickness;
+    if (diameter > 0) parts.push_back({false, {full_circle(center, diameter / 2)}, {}});
+    diameter -= 2 * gap;
+  }
+  const double line = p.length(7), length = p.length(8);
+  if (line > 0 && length > 0)
+    parts.push_back({true, {box_about(center, length, line), box_about(center, line, length)}, {}});
+  return mapped(Drawn{true, loops_of(dark_area(parts, context.repair)), {}}, Affine::rotation(p.turn(9)));
+}
+
 Drawn drawn_by(const Primitive& p, const ApertureContext& context) {
   const double code = p.number(0);
   Drawn drawn = code == 1                 ? circle(p)
@@ -124,9 +145,10 @@ Drawn drawn_by(const Primitive& p, const ApertureContext& context) {
                 : code == 22              ? box_primitive(p, true)
                 : code == 4               ? outline(p)
                 : code == 5               ? polygon_primitive(p)
+                : code == 6               ? moire(p, context)
                 : code == 7               ? thermal(p, context)
                                           : (p.fail(), Drawn{});
-  drawn.dark = code == 7 || p.number(1) != 0;
+  drawn.dark = code == 6 || code == 7 || p.number(1) != 0;
   return drawn;
 }
 
