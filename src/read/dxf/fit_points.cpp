@@ -1,6 +1,9 @@
 #include "read/dxf/fit_points.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include "geometry/box.h"
 
 namespace clearcut::read {
 namespace {
@@ -9,12 +12,18 @@ namespace {
 /// to point, so nothing of it is left inside.
 constexpr std::size_t kWrap = 60;
 
+/// Of the extent of all points: nearer ones are one, written with other roundings. Between two of them the curve would turn any way.
+constexpr double kSamePoint = 1e-6;
+
 std::vector<Vec2> without_repeats(std::span<const Vec2> points, bool closed) {
+  Box all;
+  for (const Vec2 p : points) all.add(p);
+  const double same = all.empty() ? 0 : kSamePoint * std::max(all.width(), all.height());
   std::vector<Vec2> out;
   for (const Vec2 p : points) {
-    if (out.empty() || out.back() != p) out.push_back(p);
+    if (out.empty() || distance(out.back(), p) > same) out.push_back(p);
   }
-  while (closed && out.size() > 1 && out.back() == out.front()) out.pop_back();
+  while (closed && out.size() > 1 && distance(out.back(), out.front()) <= same) out.pop_back();
   return out;
 }
 

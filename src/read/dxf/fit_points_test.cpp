@@ -78,6 +78,19 @@ TEST(FitPoints, CirclesComeBackAsTheFourthPowerOfTheStep) {
   EXPECT_LT(before, 1e-5);
 }
 
+/// The first point again, rounded another way, is no point more: between the two the curve could turn anywhere.
+TEST(FitPoints, PointsRepeatedButForRoundingCountOnce) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < 8; ++i) points.push_back(direction_of(0.3 + 2 * kPi * i / 8) * 10);
+  for (const Vec2 rounding : {Vec2{1e-12, 1e-13}, Vec2{-3e-8, 1e-8}, Vec2{0, 0}}) {
+    std::vector<Vec2> again = points;
+    again.push_back(points.front() + rounding);
+    const auto spans = cubic_through(again, {std::nullopt, std::nullopt, true});
+    ASSERT_EQ(spans.size(), 8u);
+    for (const FitSpan& span : spans) EXPECT_NEAR(norm(span.at(0.5)), 10, 0.02);
+  }
+}
+
 TEST(FitPoints, FewOrRepeatedPointsAreNoTrouble) {
   EXPECT_TRUE(cubic_through(std::vector<Vec2>{}, {}).empty());
   EXPECT_TRUE(cubic_through(std::vector<Vec2>{{1, 1}, {1, 1}}, {}).empty());
