@@ -44,19 +44,46 @@ const Region* region_within(const Regions& inner, const Regions& outer, const To
   return nullptr;
 }
 
-std::optional<DrawingQuestion> question_of_two(const ShapedGroup& inner, const ShapedGroup& outer,
-                                               const Tolerances& tol) {
-  const Region* region = region_within(inner.regions, outer.regions, tol);
-  if (region == nullptr) return std::nullopt;
-  const Box place = region->box();
-  const std::string name = printable(inner.group.name);
-  return DrawingQuestion{inner.group.where,
-                         "the outline of " + trimmed(place.width(), 2) + " x " + trimmed(place.height(), 2) +
-                             " mm at (" + trimmed(place.min.x, 2) + ", " + trimmed(place.min.y, 2) +
-                             ") lies in a pocket of the same depth on layer " + printable(outer.group.name) +
-                             ", and nothing says what it is: --op island:" + name +
-                             " if it stays standing, --op pocket:" + name +
-                             " if it is milled with that pocket"};
+/// An outline of one layer in a pocket of another.
+struct Within {
+  const ShapedGroup* inner;
+  const ShapedGroup* outer;
+  const Region* region;
+};
+
+DrawingQuestion question_of(const Within& first) {
+  const Box place = first.region->box();
+  const std::string name = printable(first.inner->group.name);
+  return DrawingQuestion{
+      first.inner->group.where,
+      "the outline of " + trimmed(place.width(), 2) + " x " + trimmed(place.height(), 2) + " mm at (" +
+          trimmed(place.min.x, 2) + ", " + trimmed(place.min.y, 2) +
+          ") lies in a pocket of the same depth on layer " + printable(first.outer->group.name) +
+          ", and nothing says what it is: --op island:" + name +
+          " if it stays standing, --op pocket:" + name + " if it is milled with that pocket"};
+}
+
+/// All layers of which it is unclear, each once, in the first pocket that one of its outlines is found in.
+std::vector<Within> layers_within(const std::vector<ShapedGroup>& groups, const ReadOptions& options) {
+  std::vector<Within> all;
+  const auto add = [&](const ShapedGroup& inner, const ShapedGroup& outer) {
+    const bool known =
+        std::any_of(all.begin(), all.end(), [&](const Within& one) { return one.inner == &inner; });
+    const Region* region = known ? nullptr : region_within(inner.regions, outer.regions, options.tol);
+    if (region != nullptr) all.push_back({&inner, &outer, region});
+    return known || region != nullptr;
+  };
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const ShapedGroup &a = groups[i], &b = groups[j];
+      if (a.group.says_role || b.group.says_role || !near_any(a.regions, b.regions) ||
+          !are_pockets_of_one_floor(a.group, b.group, options)) {
+        continue;
+      }
+      if (!add(a, b)) add(b, a);
+    }
+  }
+  return all;
 }
 
 /// Pockets of two layers and one floor that overlap become one pocket, of the layer that has more of it: there is no wall
@@ -89,18 +116,15 @@ bool lies_in(const Regions& inner, const Regions& outer, const Tolerances& tol) 
 
 std::optional<DrawingQuestion> question_of_layers(const std::vector<ShapedGroup>& groups,
                                                   const ReadOptions& options) {
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const ShapedGroup &a = groups[i], &b = groups[j];
-      if (a.group.says_role || b.group.says_role || !near_any(a.regions, b.regions) ||
-          !are_pockets_of_one_floor(a.group, b.group, options)) {
-        continue;
-      }
-      if (auto question = question_of_two(a, b, options.tol)) return question;
-      if (auto question = question_of_two(b, a, options.tol)) return question;
-    }
-  }
-  return std::nullopt;
+  const std::vector<Within> all = layers_within(groups, options);
+  if (all.empty()) return std::nullopt;
+  DrawingQuestion question = question_of(all.front());
+  std::string others;
+  for (std::size_t i = 1; i < all.size(); ++i)
+    others += (others.empty() ? "" : ", ") + printable(all[i].inner->group.name) + " (in " +
+              printable(all[i].outer->group.name) + ")";
+  if (!others.empty()) question.text += "; the same has to be said of " + others;
+  return question;
 }
 
 void unite_overlapping_layers(std::vector<ShapedGroup>& groups, const ReadOptions& options,

@@ -21,8 +21,8 @@ struct DrawingQuestion {
   std::string text;
 };
 
-/// The first outline that lies in a pocket of another layer, of the same top and depth, where nothing says what either is:
-/// it may be an island.
+/// The first outline that lies in a pocket of another layer, of the same top and depth, where nothing says what either is, and the other
+/// layers of which the same is unclear: they may be islands.
 std::optional<DrawingQuestion> question_of_layers(const std::vector<ShapedGroup>& groups,
                                                   const ReadOptions& options);
 
