@@ -69,6 +69,7 @@ struct DrawingOverview {
   int lines = 0;                  ///< to engrave
   bool lines_have_depths = true;  ///< all of these
   std::string question;           ///< what a plan would ask; "" if nothing
+  std::string missing;  ///< without a question: what a plan would refuse, as a depth that nothing says
 };
 
 /// The material that a job states, where it differs from the solid's own box. mm.

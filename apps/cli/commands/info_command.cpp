@@ -93,6 +93,11 @@ bool has_depths(const DrawingOverview& overview) {
 
 const std::string kNoDepth = "how deep; --depth MM, or in layers' names as in POCKET_D5";
 
+bool left_out_any(const Diagnostics& found) {
+  return std::any_of(found.items().begin(), found.items().end(),
+                     [](const Diagnostic& item) { return item.severity == Severity::kSkipped; });
+}
+
 /// A drawing that is understood is shown even where something is missing that a plan needs: what that is, is said.
 PartInfo info_of(const PlanArguments& arguments) {
   PartInfo info;
@@ -103,6 +108,11 @@ PartInfo info_of(const PlanArguments& arguments) {
   if (!info.overview.question.empty()) {
     info.asks.push_back(info.overview.question);
     if (!has_depths(info.overview)) info.asks.push_back(kNoDepth);
+    return info;
+  }
+  // Where nothing was left out of the overview, a plan would not find more.
+  if (!info.overview.missing.empty() && !left_out_any(info.found)) {
+    info.asks.push_back(info.overview.missing);
     return info;
   }
   try {

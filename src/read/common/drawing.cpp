@@ -223,14 +223,16 @@ std::vector<Feature> features_of(std::vector<ShapedGroup>& shaped, const Regions
   return features;
 }
 
-/// What a plan asks of pockets that cut others away, for the overview.
-void question_cut_away(std::vector<ShapedGroup> shaped, const Regions& islands, const ReadOptions& options) {
-  if (shaped.size() < 2 || !options.overview->question.empty()) return;
+/// What a plan asks of pockets that cut others away, or refuses, for the overview.
+void question_features(std::vector<ShapedGroup> shaped, const Regions& islands, const ReadOptions& options) {
+  if (!options.overview->question.empty()) return;
   Diagnostics said_when_planned;
   try {
+    const bool several = shaped.size() > 1;
     const auto features = features_of(shaped, islands, options, said_when_planned);
-    options.overview->question = question_of_cut_away(features, options.tol).value_or("");
-  } catch (const InputError&) {  // a depth is missing: that is asked first
+    if (several) options.overview->question = question_of_cut_away(features, options.tol).value_or("");
+  } catch (const InputError& error) {  // a depth is missing: that is asked first
+    options.overview->missing = error.what();
   }
 }
 
@@ -390,7 +392,7 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   if (options.overview || options.ask_if_unclear) ask_of_layers(shaped, options);
   if (options.overview) {
     question_open_lines(shaped, part, options);
-    return question_cut_away(std::move(shaped), islands, options);
+    return question_features(std::move(shaped), islands, options);
   }
   std::vector<Feature> features = features_of(shaped, islands, options, part.diagnostics);
   if (features.empty()) throw InputError(part.source_file, nothing_found(part.diagnostics));

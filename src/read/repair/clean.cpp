@@ -61,13 +61,13 @@ void append_consistent(const Edge& edge, const std::string& source, Cleaning& cl
 
 /// The path without edges below kTinyEdge. Vertices stay where they are: the next edge starts at the last
 /// one kept, so a long run of tiny edges is followed by chords of about kTinyEdge.
-Path without_tiny(const Path& path, Cleaning& cleaning) {
+Path without_tiny(const Path& path, Mends& tiny) {
   Path kept;
   kept.reserve(path.size());
   Vec2 at = path.front().from;
   for (const Edge& edge : path) {
     if (edge.length() < kTinyEdge) {
-      if (edge.from != edge.to) cleaning.tiny.add(edge.from, edge.length());
+      if (edge.from != edge.to) tiny.add(edge.from, edge.length());
       if (distance(at, edge.to) < kTinyEdge) continue;
       kept.push_back(Edge::line(at, edge.to));
     } else if (distance(at, edge.to) < kTinyEdge && !edge.is_arc()) {
@@ -100,6 +100,14 @@ Edge with_ends(const Edge& edge, Vec2 from, Vec2 to) {
   return arc_through(from, edge.at(0.5), to);
 }
 
+Loop without_tiny_edges(const Loop& loop) {
+  Mends tiny{""};
+  Loop kept = without_tiny(loop, tiny);
+  if (kept.empty() || kept.back().to == kept.front().from) return kept;
+  kept.back() = with_ends(kept.back(), kept.back().from, kept.front().from);
+  return kept;
+}
+
 Path full_circle(Vec2 center, double radius) {
   const Vec2 right{center.x + radius, center.y}, left{center.x - radius, center.y};
   return {Edge::arc(right, left, center, Turn::kCounterClockwise),
@@ -130,7 +138,7 @@ std::vector<RawCurve> clean(std::vector<RawCurve> curves, const RepairOptions& o
     Path consistent;
     consistent.reserve(curve.edges.size());
     for (const Edge& edge : curve.edges) append_consistent(edge, curve.source, cleaning, consistent);
-    curve.edges = without_tiny(consistent, cleaning);
+    curve.edges = without_tiny(consistent, cleaning.tiny);
     if (!curve.edges.empty()) cleaned.push_back(std::move(curve));
   }
   cleaning.tiny.report(options.where, diagnostics);

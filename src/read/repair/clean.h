@@ -15,6 +15,8 @@ inline constexpr double kTinyEdge = 1e-4;
 Edge arc_through(Vec2 from, Vec2 through, Vec2 to);
 /// `edge` with its ends moved to `from` and `to` (small moves): arcs keep the middle of their curve.
 Edge with_ends(const Edge& edge, Vec2 from, Vec2 to);
+/// The closed loop without edges below kTinyEdge, which booleans leave where their curves all but meet; may be empty.
+Loop without_tiny_edges(const Loop& loop);
 /// A full circle as two half circles, counter-clockwise, from its right-most point.
 Path full_circle(Vec2 center, double radius);
 

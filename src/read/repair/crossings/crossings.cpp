@@ -10,6 +10,7 @@
 #include "geometry/boolean.h"
 #include "geometry/contours/loops.h"
 #include "geometry/unite_all.h"
+#include "read/repair/clean.h"
 #include "read/repair/crossings/fills.h"
 #include "read/repair/crossings/meetings.h"
 #include "read/repair/crossings/nesting.h"
@@ -68,6 +69,14 @@ bool are_pieces(const std::vector<Loop>& loops, const std::vector<Meeting>& met)
          });
 }
 
+/// Where thousands of pieces meet, many edges are left that are shorter than the rounding of their ends: each would count as a
+/// place where its neighbours meet.
+std::vector<Loop> without_tiny_edges(std::vector<Loop> loops) {
+  for (Loop& loop : loops) loop = read::without_tiny_edges(loop);
+  std::erase_if(loops, [](const Loop& loop) { return loop.size() < 2; });
+  return loops;
+}
+
 /// One compound of several loops, or one loop that crosses itself.
 std::vector<Loop> resolve_compound(const std::vector<Loop>& loops, bool nonzero, const RepairOptions& options,
                                    Diagnostics& diagnostics) {
@@ -77,8 +86,8 @@ std::vector<Loop> resolve_compound(const std::vector<Loop>& loops, bool nonzero,
   diagnostics.repair(options.where + " at " + place_text(crossing->at),
                      "a filled path that crosses itself was resolved by its fill rule");
   if (!nonzero) return loops_of(resolve_even_odd(loops, options.tol));
-  return loops_of(are_pieces(loops, met) ? unite_loops(loops, options.tol)
-                                         : resolve_nonzero(loops, options.tol));
+  return without_tiny_edges(loops_of(are_pieces(loops, met) ? unite_loops(loops, options.tol)
+                                                            : resolve_nonzero(loops, options.tol)));
 }
 
 }  // namespace
@@ -222,8 +231,7 @@ class PairResolver {
       throw InputError(options_.where, "two outlines (" + source(large) + ", " + source(small) +
                                            ") cross at " + place_text(at) +
                                            " and neither lies inside the other (" +
-                                           short_number(100 * shared) +
-                                           " % does); separate them, or put the island on a layer ISLAND");
+                                           short_number(100 * shared) + " % does); separate them, or put the island on a layer ISLAND");
     }
   }
 
