@@ -47,6 +47,7 @@ RepairOptions repair_options(const DrawnGroup& group, const ReadOptions& options
   out.open_curves = options.overview ? OpenCurves::kSkip : options.open_curves.value_or(OpenCurves::kRefuse);
   out.may_be_empty = out.open_curves == OpenCurves::kSkip;
   out.find_arcs = options.find_arcs.value_or(true);
+  out.has_pens = group.has_pens;
   return out;
 }
 

@@ -49,6 +49,7 @@ struct DrawnGroup {
   std::optional<double> width = {};            ///< mm; of the band about what is isolated
   std::optional<LayerRule> broken_edges = {};  ///< its outlines get a chamfer besides
   std::optional<HoleRequest> hole = {};
+  bool has_pens = false;  ///< lines of it are drawn with a width, which was not asked to count
   std::vector<RawCurve> curves;
 };
 

@@ -265,7 +265,8 @@ class Joiner {
                      "the outline is open at " + place_text(ends.at(end)) + " (" + ends.curve(end).source +
                          ")" + gap + (gap.empty() ? ": " : "; ") +
                          "close it in the drawing, widen the gap that is joined (--join-gap), "
-                         "leave open lines out (--open-curves skip), or follow them (--op engrave:'*')");
+                         "leave open lines out (--open-curves skip)" +
+                         other_use_of_lines(options_));
   }
 
   /// mm. Gaps below this are rounding: mended without a word.

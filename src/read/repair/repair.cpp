@@ -66,6 +66,11 @@ Regions checked(Regions regions, const RepairOptions& options) {
 
 }  // namespace
 
+std::string other_use_of_lines(const RepairOptions& options) {
+  return std::string(", or have the cutter follow the lines (--op engrave:'*')") +
+         (options.has_pens ? ", or mill them as wide as they are drawn (--strokes areas)" : "");
+}
+
 Regions repair(std::vector<RawCurve> curves, const RepairOptions& options, Diagnostics& diagnostics) {
   const bool nothing_drawn = curves.empty();
   std::vector<RawLoop> loops = join(clean(std::move(curves), options, diagnostics), options, diagnostics);

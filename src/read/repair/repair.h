@@ -37,8 +37,12 @@ struct RepairOptions {
   std::string where;  ///< file, or file and layer: begins every message
   OpenCurves open_curves = OpenCurves::kRefuse;
   bool find_arcs = false;
+  bool has_pens = false;      ///< lines have a width that can be asked for: messages say so
   bool may_be_empty = false;  ///< what encloses nothing gives no regions, instead of an error
 };
+
+/// What else can be done with lines than to take them for outlines, for the end of a message: ", or ...".
+std::string other_use_of_lines(const RepairOptions& options);
 
 /// Shape   regions with disjoint interiors by the even-odd rule, to any depth of nesting: a loop in a
 ///         pocket is an island, a loop in an island is a pocket again. Valid by construction, and checked.

@@ -59,7 +59,10 @@ class SvgCollector {
     take(root, start, 0, true);
   }
 
-  std::vector<DrawnGroup> take_groups() { return std::move(groups_); }
+  std::vector<DrawnGroup> take_groups() {
+    for (DrawnGroup& group : groups_) say_what_strokes_are(group);
+    return std::move(groups_);
+  }
 
   /// Throws where no layer that was asked for has shapes.
   void refuse_unknown_layers() const {
@@ -305,6 +308,15 @@ class SvgCollector {
     }
   }
 
+  /// Where somebody asked for the areas of strokes, and there are no others, they are what is milled.
+  void say_what_strokes_are(DrawnGroup& group) const {
+    const auto strokes = stroke_compounds_.find(group.where);
+    group.says_role = group.says_role ||
+                      (strokes != stroke_compounds_.end() &&
+                       std::all_of(group.curves.begin(), group.curves.end(),
+                                   [&](const RawCurve& curve) { return curve.compound == strokes->second; }));
+  }
+
   Compound compound_of_strokes(const DrawnGroup& group) {
     const auto [found, is_new] = stroke_compounds_.try_emplace(group.where, Compound{compounds_, true});
     if (is_new) ++compounds_;
@@ -322,7 +334,10 @@ class SvgCollector {
   void add_curves(const pugi::xml_node& node, const SvgInherited& own, const std::optional<Compound>& fill,
                   DrawnGroup& group) {
     SvgPathData data = shape_of(node, own, own.map);
-    if (!fill) ++notes_.stroke_only;
+    if (!fill) {
+      ++notes_.stroke_only;
+      group.has_pens = true;
+    }
     if (data.half_point) ++notes_.odd_points;
     if (data.subpaths.empty()) ++notes_.not_read[std::string(local_name(node)) + " without size"];
     std::vector<RawCurve> curves;

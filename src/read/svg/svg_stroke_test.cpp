@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/error.h"
 #include "base/random.h"
 #include "base/text/format.h"
 #include "base/units.h"
@@ -15,6 +16,9 @@
 
 namespace clearcut::read {
 namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::string page(const std::string& shapes) {
   return "<svg xmlns='http://www.w3.org/2000/svg' width='200mm' height='200mm' viewBox='0 0 200 200'>" +
@@ -135,6 +139,37 @@ TEST(SvgStroke, RoundPensCoverWhatIsNear) {
       ASSERT_EQ(covered, near < width / 2) << p.x << " " << p.y;
     }
   }
+}
+
+std::string refusal_of_lines(const std::string& shapes) {
+  ReadOptions options;
+  options.depth = 2;
+  try {
+    read_svg(page(shapes), "lines.svg", options);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "not refused";
+}
+
+/// Lines that are no outlines: what is proposed works.
+TEST(SvgStroke, LinesThatCrossOrEndAreOfferedAsLinesAndAsStrokes) {
+  const std::string star = "<polygon points='50,5 79,90 5,38 95,38 21,90' " + kPen + "/>";
+  const std::string two = "<rect x='10' y='10' width='50' height='50' " + kPen +
+                          "/><rect x='40' y='40' width='50' height='50' " + kPen + "/>";
+  const std::string open = "<path d='M10 10L90 90' " + kPen + "/>";
+  for (const std::string& lines : {star, two, open}) {
+    EXPECT_THAT(refusal_of_lines(lines), HasSubstr("--op engrave:'*'"));
+    EXPECT_THAT(refusal_of_lines(lines), HasSubstr("--strokes areas"));
+    ReadOptions areas;
+    areas.depth = 2;
+    areas.stroke_areas = areas.ask_if_unclear = true;
+    EXPECT_EQ(read_svg(page(lines), "lines.svg", areas).features.size(), 1U);
+  }
+  EXPECT_THAT(refusal_of_lines("<path d='M10 10L90 90L90 10L10 90' fill='red'/>"
+                               "<path d='M40 10L90 10L90 40Z' fill='blue'/>"),
+              Not(HasSubstr("--strokes")))
+      << "areas have no strokes";
 }
 
 /// The line comes back close to itself at the tip, so that many pieces of the band run along each other.

@@ -138,7 +138,8 @@ std::vector<Loop> resolve_self_crossing(const RawLoop& raw, Vec2 at, const Repai
   if (main == parts.end() || rest > limit) {
     throw InputError(options.where, "the outline (" + raw.source + ") crosses itself at " + place_text(at) +
                                         " and encloses " + short_number(rest) +
-                                        " mm2 the wrong way round; untangle it in the drawing");
+                                        " mm2 the wrong way round; untangle it in the drawing" +
+                                        other_use_of_lines(options));
   }
   diagnostics.repair(where, "a curl where the outline (" + raw.source +
                                 ") crosses itself was removed: area " + short_number(rest) + " mm2");
@@ -231,8 +232,16 @@ class PairResolver {
       throw InputError(options_.where, "two outlines (" + source(large) + ", " + source(small) +
                                            ") cross at " + place_text(at) +
                                            " and neither lies inside the other (" +
-                                           short_number(100 * shared) + " % does); separate them, or put the island on a layer ISLAND");
+                                           short_number(100 * shared) + " % does); " + what_to_do(a, b));
     }
+  }
+
+  /// Lines are an area only as far as they enclose one.
+  std::string what_to_do(int a, int b) const {
+    const auto filled = [&](int i) { return loops_[static_cast<std::size_t>(i)].compound.has_value(); };
+    if (filled(a) || filled(b)) return "separate them, or put the island on a layer ISLAND";
+    return "separate or unite them in the drawing, put the one that stays on a layer ISLAND" +
+           other_use_of_lines(options_);
   }
 
   std::vector<RawLoop> with_resolved(const std::set<int>& involved) {
