@@ -1,7 +1,6 @@
 // Gerber layers by areas that are known by formula, and beside the winding of what was drawn.
 #include "read/board/gerber_reader.h"
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -140,26 +139,6 @@ TEST(Gerber, LinesAndArcsAreAsWideAsTheirAperture) {
   EXPECT_NEAR(dark_area_of("%ADD10C,1*%D10*G75*X5000Y0D02*G02*X5000Y0I-5000J0D01*"), kPi * 10, 1e-6);
   // A dot.
   EXPECT_NEAR(dark_area_of("%ADD10C,2*%D10*X1000Y0D02*X1000Y0D01*"), kPi, 1e-9);
-}
-
-/// Text of short lines, in a pen wider than they are long, thousands of which a board's legend holds: where bands and corners all but
-/// meet, a boolean leaves edges of nanometres, each of which counted as a place where outlines meet.
-TEST(Gerber, RoundLettersAreLinesWithoutSpecks) {
-  std::string body = "%ADD10C,0.005*%D10*\n";
-  constexpr int kLetters = 40, kSides = 14;
-  for (int letter = 0; letter < kLetters; ++letter) {
-    for (int i = 0; i <= kSides; ++i) {
-      const double turn = 2 * kPi * i / kSides;
-      body += fmt::format("X{:.0f}Y{:.0f}D0{}*\n", 1000.0 * letter + 170 * std::cos(turn) + letter,
-                          (200.0 + 3 * letter) * std::sin(turn), i == 0 ? 2 : 1);
-    }
-  }
-  const Regions dark = dark_of(body, "%FSLAX34Y34*%\n%MOIN*%\n");
-  ASSERT_EQ(dark.size(), static_cast<std::size_t>(kLetters));
-  for (const Region& letter : dark) {
-    EXPECT_EQ(letter.islands().size(), 1U);
-    for (const Edge& edge : letter.edges()) EXPECT_GT(edge.length(), 9e-5);
-  }
 }
 
 TEST(Gerber, NumbersComeInAllTheirWays) {

@@ -164,5 +164,25 @@ TEST(Outlines, AreAreasByTheEvenOddRuleUnlessAMendIsSaid) {
   EXPECT_GT(plain, scenes() / 10);
 }
 
+/// What a boolean leaves of thousands of strokes: where a band and its round end all but meet, an edge of a fraction of a nanometre that
+/// runs back along its neighbour. On a board's legend each counted as a place where outlines meet.
+TEST(Compounds, EdgesOfNanometresBetweenBandAndEndGo) {
+  const Vec2 joint{10, 5}, beside{10 - 2e-7, 5 - 6e-8};
+  const Loop band{Edge::arc({10, -5}, joint, {10, 0}, Turn::kCounterClockwise),
+                  Edge::line(joint, beside),
+                  Edge::line(beside, {0, 5}),
+                  Edge::line({0, 5}, {0, -5}),
+                  Edge::line({0, -5}, {10 - 3e-7, -5}),
+                  Edge::line({10 - 3e-7, -5}, {10, -5})};
+  const Loop clean = without_tiny_edges(band);
+  ASSERT_EQ(clean.size(), 4u);
+  for (std::size_t i = 0; i < clean.size(); ++i) {
+    EXPECT_EQ(clean[i].to, clean[(i + 1) % clean.size()].from);
+    EXPECT_GT(clean[i].length(), kTinyEdge);
+  }
+  EXPECT_NEAR(signed_area(clean), 100 + kPi * 25 / 2, 1e-5);
+  EXPECT_TRUE(without_tiny_edges({Edge::line({0, 0}, {1e-5, 0}), Edge::line({1e-5, 0}, {0, 0})}).empty());
+}
+
 }  // namespace
 }  // namespace clearcut::read
