@@ -149,9 +149,10 @@ TEST(DrawingRoles, AnOutlineInAPocketOfAnotherLayerIsAskedAbout) {
   EXPECT_THAT(question, HasSubstr("layer B: the outline of 16 x 16 mm at (12, 12) lies in a pocket"));
   EXPECT_THAT(question, HasSubstr("--op island:B"));
   EXPECT_THAT(question, Not(HasSubstr("the same has to be said")));
-  const std::string more = dxf(rectangle("A", 0, 0, 80, 50) + circle("B", 20, 20, 8) +
-                               circle("D", 20, 20, 3) + circle("E", 60, 20, 8) + circle("E", 60, 40, 3));
-  EXPECT_THAT(refusal(more, asking(6)), HasSubstr("; the same has to be said of D (in B), E (in A)"));
+  const std::string more =
+      dxf(rectangle("A", 0, 0, 80, 50) + circle("B", 20, 20, 8) + circle("D", 20, 20, 3) +
+          circle("E", 60, 20, 8) + rectangle("C", 100, 0, 120, 20));
+  EXPECT_THAT(refusal(more, asking(6)), HasSubstr("; the same has to be said of D (in A), E (in A)"));
   read::DrawingOverview overview;
   auto looking = asking();
   looking.overview = &overview;
