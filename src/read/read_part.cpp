@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "base/files/file.h"
-#include "read/board/excellon_reader.h"
+#include "read/board/drill/excellon_reader.h"
 #include "read/board/gerber_reader.h"
 #include "read/common/foreign_files.h"
 #include "read/common/text.h"

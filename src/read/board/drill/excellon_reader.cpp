@@ -1,4 +1,4 @@
-#include "read/board/excellon_reader.h"
+#include "read/board/drill/excellon_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/inch.h"
 #include "read/board/coordinates.h"
-#include "read/board/drilled.h"
+#include "read/board/drill/drilled.h"
 #include "read/board/gerber_curves.h"
 #include "read/common/text.h"
 #include "read/common/units.h"

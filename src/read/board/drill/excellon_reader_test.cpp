@@ -1,5 +1,5 @@
 // Drill files as several programs write them.
-#include "read/board/excellon_reader.h"
+#include "read/board/drill/excellon_reader.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "read/board/drilled.h"
+#include "read/board/drill/drilled.h"
 
 #include <algorithm>
 #include <utility>
