@@ -29,6 +29,8 @@ const char* body_keyword(ToolKind kind) {
       return "BALL_ENDMILL";
     case ToolKind::kBullNoseEndMill:
       return "BULLNOSE_ENDMILL";
+    case ToolKind::kTapered:
+      return "TAPERED_ENDMILL";
     case ToolKind::kDrill:
       return "TWIST_DRILL";
     case ToolKind::kReamer:
@@ -41,7 +43,6 @@ const char* body_keyword(ToolKind kind) {
     case ToolKind::kThreadMill:
     case ToolKind::kBoringBar:
     case ToolKind::kCounterbore:
-    case ToolKind::kTapered:
     case ToolKind::kTSlot:
     case ToolKind::kOther:
       break;
@@ -169,6 +170,8 @@ class Writer {
       const char* hand = counter_clockwise(static_cast<int>(i)) ? ".LEFT." : ".RIGHT.";
       std::vector<std::string> arguments = {size, std::to_string(tool.teeth), hand, ".F.", kUnset};
       if (body_keyword(tool.kind) == std::string_view("SIDE_MILL")) arguments.push_back(kUnset);
+      if (tool.kind == ToolKind::kTapered)
+        arguments.push_back(p21_real(tool.tip_angle.value_or(Radians{}).radians() / 2));
       const std::string body = out_.add(body_keyword(tool.kind), arguments);
       const std::string edge = out_.add("CUTTING_COMPONENT", {kUnset, kUnset, kUnset, kUnset, kUnset});
       tools_.push_back(out_.add("MILLING_CUTTING_TOOL", {p21_string(tool_name(tool)), body, p21_list({edge}),

@@ -1,7 +1,6 @@
 #include "read/stepnc/operation.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "base/elementary.h"
@@ -15,128 +14,6 @@ namespace {
 
 constexpr double kFastestCut = 20;  // m/s; cutting speeds above this are m/min
 constexpr double kFastestFeed = 2;  // m/s; feeds above this are mm/min
-constexpr double kMostTeeth = 100;
-
-struct BodyKind {
-  std::string_view keyword;
-  ToolKind kind;
-};
-constexpr BodyKind kBodies[] = {
-    {"ENDMILL", ToolKind::kEndMill},          {"TAPERED_ENDMILL", ToolKind::kEndMill},
-    {"BALL_ENDMILL", ToolKind::kBallEndMill}, {"BULLNOSE_ENDMILL", ToolKind::kBullNoseEndMill},
-    {"FACEMILL", ToolKind::kFaceMill},        {"TWIST_DRILL", ToolKind::kDrill},
-    {"SPADE_DRILL", ToolKind::kDrill},        {"CENTER_DRILL", ToolKind::kDrill},
-    {"TAPERED_DRILL", ToolKind::kDrill},      {"REAMER", ToolKind::kReamer},
-    {"TAPERED_REAMER", ToolKind::kReamer}};
-
-ToolKind kind_of(const Node& body) {
-  for (const BodyKind& entry : kBodies)
-    if (body.is(entry.keyword)) return entry.kind;
-  return ToolKind::kOther;
-}
-
-/// "T3" gives 3 and leaves the name; "T3 MILL 20MM" gives 3 and the rest as the name.
-std::optional<int> number_in(std::string& name) {
-  if (name.size() < 2 || (name[0] != 'T' && name[0] != 't')) return std::nullopt;
-  int number = 0;
-  const auto [end, error] = std::from_chars(name.data() + 1, name.data() + name.size(), number);
-  const bool whole = end == name.data() + name.size();
-  if (error != std::errc() || number <= 0 || (!whole && *end != ' ')) return std::nullopt;
-  if (!whole) name.erase(0, static_cast<std::size_t>(end - name.data()) + 1);
-  return number;
-}
-
-double corner_radius_of(const Node& tool, const Tool& result, std::optional<double> edge_radius,
-                        Context& context) {
-  if (result.kind == ToolKind::kBallEndMill) return result.radius();
-  if (result.kind == ToolKind::kDrill || result.kind == ToolKind::kReamer) return 0;
-  if (!edge_radius) context.note("no edge radius; the cutter is taken as flat-ended", tool);
-  if (edge_radius && *edge_radius > result.radius() + 1e-9)
-    tool.fail("its edge radius is larger than half its diameter; correct it");
-  return std::max(0.0, edge_radius.value_or(0));
-}
-
-Tool read_tool(const Node& node, Context& context) {
-  if (!node.is_any("MILLING_CUTTING_TOOL", "CUTTING_TOOL"))
-    node.fail("a MILLING_CUTTING_TOOL is needed here; correct the reference");
-  const Node body = node.needed_ref(1, "tool body");
-  const Node size = body.needed_ref(0, "tool dimension");
-  Tool tool;
-  tool.name = node.text(0);
-  tool.kind = kind_of(body);
-  tool.diameter = size.needed_length(0, "diameter");
-  if (tool.diameter <= 0) size.fail("the tool's diameter is not above zero; correct it");
-  tool.corner_radius = corner_radius_of(size, tool, size.length(4), context);
-  tool.flute_length = size.length(3);
-  if (tool.flute_length && *tool.flute_length <= 0) tool.flute_length.reset();
-  const double teeth = body.number(1).value_or(2);
-  tool.teeth = teeth >= 1 && teeth <= kMostTeeth ? static_cast<int>(teeth) : 2;
-  tool.center_cutting = tool.kind != ToolKind::kFaceMill;
-  const bool tapered = body.is("TAPERED_ENDMILL") && body.number(5).value_or(0) != 0;
-  if (tapered) tool.kind = ToolKind::kOther;
-  return tool;
-}
-
-bool same_tool(const Tool& a, const Tool& b) {
-  return a.name == b.name && a.kind == b.kind && a.diameter == b.diameter &&
-         a.corner_radius == b.corner_radius && a.teeth == b.teeth && a.flute_length == b.flute_length;
-}
-
-}  // namespace
-
-Tools::Tools(Context& context) {
-  for (const Node& node : nodes_called(context.file, "MILLING_CUTTING_TOOL")) {
-    try {
-      Tool tool = read_tool(node, context);
-      const auto number = number_in(tool.name);
-      if (number) tool.number = *number;
-      by_entity_[node.id()] = add(std::move(tool), number.has_value());
-    } catch (const InputError&) {
-      // find() reports it where an operation needs this tool.
-    }
-  }
-  number_the_rest();
-}
-
-int Tools::add(Tool tool, bool numbered) {
-  for (std::size_t i = 0; i < tools_.size(); ++i) {
-    const bool same_number = numbered_[i] == numbered && (!numbered || tools_[i].number == tool.number);
-    if (same_number && same_tool(tools_[i], tool)) return static_cast<int>(i);
-    if (numbered && numbered_[i] && tools_[i].number == tool.number) numbered = false;
-  }
-  tools_.push_back(std::move(tool));
-  numbered_.push_back(numbered);
-  return static_cast<int>(tools_.size()) - 1;
-}
-
-/// Tools whose name holds no number (or one that is taken) get the smallest free ones.
-void Tools::number_the_rest() {
-  std::vector<int> taken;
-  for (std::size_t i = 0; i < tools_.size(); ++i)
-    if (numbered_[i]) taken.push_back(tools_[i].number);
-  std::sort(taken.begin(), taken.end());
-  int next = 1;
-  for (std::size_t i = 0; i < tools_.size(); ++i) {
-    if (numbered_[i]) continue;
-    while (std::binary_search(taken.begin(), taken.end(), next)) ++next;
-    tools_[i].number = next++;
-    if (tools_[i].name.empty()) tools_[i].name = "T" + std::to_string(tools_[i].number);
-  }
-}
-
-int Tools::find(const Node& tool, Context& context) const {
-  const auto found = by_entity_.find(tool.id());
-  if (found != by_entity_.end()) return found->second;
-  read_tool(tool, context);  // throws what is wrong with it
-  tool.fail("a MILLING_CUTTING_TOOL is needed here; correct the reference");
-}
-
-bool Tools::left_handed(const Node& tool) const {
-  const auto body = tool.ref(1);
-  return body && body->enumeration(2) == "LEFT";
-}
-
-namespace {
 
 struct OperationEntity {
   std::string_view keyword;

@@ -245,6 +245,23 @@ TEST(StepNc, OnlyALeftHandCutterTurningPositiveRunsCounterClockwise) {
   EXPECT_FALSE(p.read().workplan[0].operation.cutting.spindle_clockwise);
 }
 
+TEST(StepNc, TaperedEndMillsAreReadWithTheirTaper) {
+  Program p;
+  EXPECT_EQ(p.with(32, "TAPERED_ENDMILL(#33,3,.RIGHT.,$,$,$)").read().tools[0].kind, ToolKind::kEndMill);
+  p.with(32, "TAPERED_ENDMILL(#33,3,.RIGHT.,$,$,0.0873)");
+  EXPECT_THAT(p.error(), HasSubstr("tip is rounded"));
+  const Part part = p.with(33, "MILLING_TOOL_DIMENSION(10.,$,$,25.,0.,$,$)").read();
+  EXPECT_EQ(part.tools[0].kind, ToolKind::kTapered);
+  EXPECT_EQ(part.tools[0].diameter, 10) << "of the tip";
+  EXPECT_NEAR(part.tools[0].tip_angle.value_or(Radians{}).radians(), 2 * 0.0873, 1e-12);
+  const Part in_degrees = p.with(32, "TAPERED_ENDMILL(#33,3,.RIGHT.,$,$,10.)").read();
+  EXPECT_NEAR(in_degrees.tools[0].tip_angle.value_or(Radians{}).degrees(), 20, 1e-9);
+  EXPECT_THAT(p.with(32, "TAPERED_ENDMILL(#33,3,.RIGHT.,$,$,50.)").error(), HasSubstr("0.1 to 45 degrees"));
+  p.with(32, "TAPERED_ENDMILL(#33,3,.RIGHT.,$,$,0.0873)")
+      .with(33, "MILLING_TOOL_DIMENSION(10.,$,$,$,0.,$,$)");
+  EXPECT_THAT(p.error(), HasSubstr("length of its cutting edges"));
+}
+
 TEST(StepNc, ToolsAreReadOnceAndNumbered) {
   Program p;
   p.with(2, "WORKPLAN('MAIN',(#10,#11,#12),$,#4,$)");
