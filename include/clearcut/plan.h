@@ -74,6 +74,7 @@ using pipeline::built_in_strategies;
 // A part with every absent value decided, as plan_part does it first.
 using resolve::prepare;
 using resolve::with_tools;
+using stock::largest_cutters;
 using stock::largest_fitting_diameter;
 
 /// Every strategy on one part, checked alike, as a table. Throws InputError where none can plan it.

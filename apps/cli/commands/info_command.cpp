@@ -33,14 +33,14 @@ std::string shape(const Feature& feature) {
                      feature.target.size() == 1 ? "" : "s", islands, islands == 1 ? "" : "s", edges, arcs);
 }
 
-void print_feature(const Feature& feature, const Tolerances& tol) {
+void print_feature(const Feature& feature, double largest_cutter) {
   print_line(fmt::format("{}  {}  {}", feature.name, name_of(feature.kind), feature.source));
   print_line(fmt::format("    z {} to {}, {}, area {} mm2", trimmed(feature.top_z, 3),
                          trimmed(feature.floor_z, 3), extent(box(feature.target)),
                          trimmed(area(feature.target), 2)));
-  const double fits = largest_fitting_diameter(feature, tol);
-  print_line(fmt::format("    {}, largest cutter {}", shape(feature),
-                         fits > kOpenReach ? "any (open)" : trimmed(fits, 3) + " mm"));
+  print_line(
+      fmt::format("    {}, largest cutter {}", shape(feature),
+                  largest_cutter > kOpenReach / 2 ? "any (open)" : trimmed(largest_cutter, 3) + " mm"));
 }
 
 void print_part(const Part& part) {
@@ -53,7 +53,8 @@ void print_part(const Part& part) {
   for (const auto& tool : part.tools) {
     print_line(fmt::format("T{} {} {} mm", tool.number, name_of(tool.kind), trimmed(tool.diameter, 3)));
   }
-  for (const auto& feature : part.features) print_feature(feature, Tolerances{});
+  const std::vector<double> cutters = largest_cutters(part, Tolerances{});
+  for (std::size_t i = 0; i < cutters.size(); ++i) print_feature(part.features[i], cutters[i]);
   for (const auto& step : part.workplan) {
     const std::string& strategy = step.operation.strategy_hint;
     print_line(fmt::format("step {} -> {}{}", step.name, feature_of(part, step).name,

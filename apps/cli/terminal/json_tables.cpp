@@ -81,12 +81,11 @@ Json tool_run_json(const ToolRun& run, bool fastest) {
 }
 
 /// null: open, any cutter fits.
-Json largest_cutter(const Feature& feature) {
-  const double fits = largest_fitting_diameter(feature, Tolerances{});
-  return fits > kOpenReach ? Json() : number(fits);
+Json cutter_json(double diameter) {
+  return diameter > kOpenReach / 2 ? Json() : number(diameter);
 }
 
-Json feature_json(const Feature& feature) {
+Json feature_json(const Feature& feature, double largest_cutter) {
   std::size_t islands = 0;
   for (const auto& region : feature.target) islands += region.islands().size();
   return {{"name", feature.name},
@@ -98,7 +97,7 @@ Json feature_json(const Feature& feature) {
           {"area_mm2", number(area(feature.target))},
           {"regions", feature.target.size()},
           {"islands", islands},
-          {"largest_cutter_mm", largest_cutter(feature)}};
+          {"largest_cutter_mm", cutter_json(largest_cutter)}};
 }
 
 /// Outlines beyond so many are listed without their curves.
@@ -142,7 +141,9 @@ Json info_json(const PartInfo& info) {
   json["stock"] = stock_json(part);
   for (const char* list : {"tools", "features", "workingsteps", "outlines"}) json[list] = Json::array();
   for (const Tool& tool : part.tools) json["tools"].push_back(tool_json(tool));
-  for (const Feature& feature : part.features) json["features"].push_back(feature_json(feature));
+  const std::vector<double> cutters = largest_cutters(part, Tolerances{});
+  for (std::size_t i = 0; i < cutters.size(); ++i)
+    json["features"].push_back(feature_json(part.features[i], cutters[i]));
   for (const auto& step : part.workplan)
     json["workingsteps"].push_back({{"name", step.name}, {"feature", feature_of(part, step).name}});
   for (const auto& one : info.overview.outlines) json["outlines"].push_back(outline_json(one));
