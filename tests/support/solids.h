@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "base/error.h"
 #include "base/units.h"
 #include "read/read_part.h"
 #include "read/step_solid/solid_model.h"

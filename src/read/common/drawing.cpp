@@ -307,7 +307,12 @@ double checked_length(double length, const std::string& what, const std::string&
 }
 
 double checked_depth(double depth, const std::string& place) {
-  return checked_length(depth, "depth", place);
+  checked_length(depth, "depth", place);
+  // To the checks walls as low as that are none.
+  const double least = Tolerances{}.gouge;
+  if (depth > least) return depth;
+  throw InputError(place, "the depth is " + short_number(depth) + " mm; it must be above " +
+                              trimmed(least, 4) + ": is the unit right?");
 }
 
 void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, DrawnGroup& group) {

@@ -97,6 +97,8 @@ TEST(OutlineJson, BadFilesGiveOneLineWithFileAndLine) {
       {"{\"depth\": 1,\n\"outer\": [[0,0],\n[9,\"x\"],[9,9]]}", "plate.json:3: ", "y must be a number"},
       {"{\"units\": \"mm\", \"depth\":\n0\n, \"outer\": [[0,0],[9,0],[9,9]]}",
        "plate.json:2: ", "must be above 0"},
+      {"{\"depth\": 0.0005, \"outer\": [[0,0],[9,0],[9,9]]}",
+       "plate.json:1: ", "above 0.001: is the unit right?"},
       {"{\"depth\": 1, \"units\": \"furlong\", \"outer\": [[0,0],[9,0],[9,9]]}",
        "plate.json:1: ", "unknown unit"},
       {"{\"depth\": 1, \"outer\": [[0,0],[9,0],[9,1e300]]}", "plate.json: ", "beyond 1000 m"},

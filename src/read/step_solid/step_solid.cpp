@@ -17,7 +17,7 @@
 #include "read/step_solid/height_map.h"
 #include "read/step_solid/lie.h"
 #include "read/step_solid/solid_model.h"
-#include "stock/stacking.h"
+#include "read/step_solid/tops.h"
 
 namespace clearcut::read {
 namespace {
@@ -126,7 +126,7 @@ class Finder {
   void add_area(const Region& target, const Region& allowed, bool open, double z);
   double point_below(const Feature& hole) const;
   FeatureKind kind_of(const Region& target, bool open, bool through) const;
-  void set_tops();
+  void leave_out_thin();
   void report_hidden_floors();
   void report_left_out();
   void report_set_ups();
@@ -146,6 +146,7 @@ class Finder {
   Part part_;
   std::vector<Feature> found_;
   Diagnostics cones_;      ///< drills' points among them
+  Diagnostics thin_;       ///< floors that are not worth a cut
   std::set<int> reached_;  ///< indices of cells
 };
 
@@ -154,6 +155,7 @@ bool Finder::find() {
   refuse_too_much(heights.size());
   FloorSweep sweep(map_, tol_);
   for (const double z : heights) add_level(z, sweep.free_at(z));
+  leave_out_thin();
   return !found_.empty();
 }
 
@@ -168,12 +170,12 @@ Part Finder::part(bool stated_stock) {
     part_.diagnostics.warn(file_name_,
                            std::to_string(solid_.bodies.size()) + " solids are taken as one part");
   part_.diagnostics.append(cones_);
+  part_.diagnostics.append(thin_);
   add_features(part_, std::move(found_));
   report_hidden_floors();
   report_left_out();
   report_set_ups();
   report_through();
-  set_tops();
   return std::move(part_);
 }
 
@@ -294,10 +296,11 @@ void Finder::add_area(const Region& target, const Region& allowed, bool open, do
   found_.push_back(std::move(feature));
 }
 
-/// What the features before it leave standing decides where each begins.
-void Finder::set_tops() {
-  const std::vector<double> tops = stock::stacked_tops(part_, tol_);
-  for (std::size_t i = 0; i < tops.size(); ++i) part_.features[i].top_z = tops[i];
+void Finder::leave_out_thin() {
+  for (const Feature& thin : settle_tops(found_, stock_, tol_))
+    thin_.skip(file_name_, "the floor at z " + trimmed(thin.floor_z, 5) + " (" + thin.source + ") lies " +
+                               trimmed(thin.top_z - thin.floor_z, 5) + " mm below what is around it, " +
+                               "too little for a cut: left out");
 }
 
 void Finder::report_cone(const Cell& cell) {
