@@ -118,8 +118,20 @@ Side& side_along(std::vector<Side>& sides, const gp_XYZ& direction, int number) 
   for (Side& side : sides)
     if ((side.direction - direction).Modulus() < kSameDirection) return side;
   const Axis* axis = axis_along(direction);
-  sides.push_back({direction, {axis ? axis->name : "face" + std::to_string(number), 0, 0}, {}});
+  Side side{direction, {}, {}};
+  side.flat.up = axis ? axis->name : "face" + std::to_string(number);
+  const double across = base::hypot(direction.X(), direction.Y());
+  side.flat.lean = base::atan2(across, direction.Z()) * 180 / kPi;
+  sides.push_back(std::move(side));
   return sides.back();
+}
+
+/// mm; 0 where nothing flat looks the opposite way.
+double thickness_along(const Side& side, const std::vector<Side>& sides) {
+  for (const Side& other : sides)
+    if ((side.direction + other.direction).Modulus() < kSameDirection)
+      return side.heights.back() + other.heights.back();
+  return 0;
 }
 
 bool comes_before(const read::FlatSide& a, const read::FlatSide& b) {
@@ -155,11 +167,13 @@ std::vector<read::FlatSide> flat_sides(const TopoDS_Shape& shape) {
     side.heights.push_back(surface.Plane().Location().XYZ().Dot(*normal));
   }
   std::vector<read::FlatSide> out;
+  for (Side& side : sides) std::sort(side.heights.begin(), side.heights.end());
   for (Side& side : sides) {
-    std::sort(side.heights.begin(), side.heights.end());
+    side.flat.thickness = thickness_along(side, sides);
     const auto same = [](double a, double b) { return b - a < kSamePlane; };
     const auto last = std::unique(side.heights.begin(), side.heights.end(), same);
     side.flat.heights = static_cast<int>(last - side.heights.begin());
+    side.heights.erase(last, side.heights.end());
     out.push_back(side.flat);
   }
   std::stable_sort(out.begin(), out.end(), comes_before);

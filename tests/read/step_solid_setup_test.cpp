@@ -9,6 +9,8 @@
 #include "base/units.h"
 #include "pipeline/run.h"
 #include "read/read_part.h"
+#include "read/step_solid/lie.h"
+#include "read/step_solid/solid_model.h"
 #include "support/plans.h"
 #include "support/solids.h"
 
@@ -110,6 +112,23 @@ TEST(StepSolid, WithoutAFloorTheSideToTurnUpIsNamed) {
   ASSERT_EQ(part.features.size(), 1u);
   EXPECT_NEAR(area(part.features[0].target), 14 * 20, 1e-6);
   EXPECT_NEAR(part.features[0].top_z - part.features[0].floor_z, 6, 1e-9);
+}
+
+/// The underside of a plate with countersunk holes is the larger one, and all floors look the other way.
+TEST(StepSolid, OfTwoSidesThatLeanTheOneWithFloorsIsProposed) {
+  read::SolidModel solid;
+  solid.bodies = {{"PLATE", 80, 60, 70}};
+  solid.faces.emplace_back();
+  solid.sides = {{"face16", 4743, 1, 143, 20}, {"face4", 1200, 1, 60, 80}, {"face1", 4600, 3, 37, 20}};
+  try {
+    read::refuse_askew(solid, "plate.step");
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("looks 37 degrees away from +Z; turn the solid with --up face1 "));
+  }
+  solid.faces[0].level = true;
+  solid.faces[0].facing = read::Facing::kUp;
+  EXPECT_NO_THROW(read::refuse_askew(solid, "plate.step"));
 }
 
 TEST(StepSolid, AnyFlatFaceCanBeTurnedUp) {

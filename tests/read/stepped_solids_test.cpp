@@ -1,10 +1,16 @@
 // Solids of blocks side by side, whose floors lie where the test put them.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdio>
+#include <sstream>
 #include <string>
 
+#include "base/elementary.h"
+#include "base/units.h"
 #include "pipeline/run.h"
 #include "read/read_part.h"
 #include "support/plans.h"
@@ -14,9 +20,11 @@
 namespace clearcut {
 namespace {
 
+using test_support::refusal;
 using test_support::step_text;
 using test_support::SteppedSolid;
 using test_support::with_tool;
+using ::testing::HasSubstr;
 
 /// A pocket of 10 x 6 mm in a block of 10 mm, and a second one in its right half.
 std::string nested(double depth, double below) {
@@ -53,6 +61,54 @@ TEST(SteppedSolids, WhatIsTooLowForACutIsNamed) {
   EXPECT_TRUE(std::any_of(said.begin(), said.end(), [](const Diagnostic& item) {
     return item.what.find("lies 0.0005 mm below what is around it") != std::string::npos;
   }));
+}
+
+/// The same file with every point and direction turned, about X where `first` is 1, about Z where it is 0.
+std::string turned(const std::string& text, std::size_t first, double degrees) {
+  const double sine = base::sin(degrees * kPi / 180), cosine = base::cos(degrees * kPi / 180);
+  std::string out;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find("('',(");
+    double p[3];
+    if (at != std::string::npos && std::sscanf(line.c_str() + at, "('',(%lf,%lf,%lf))", &p[0], &p[1], &p[2]) == 3) {
+      const double a = p[first], b = p[first + 1];
+      p[first] = cosine * a - sine * b;
+      p[first + 1] = sine * a + cosine * b;
+      line = line.substr(0, at) + fmt::format("('',({:.12f},{:.12f},{:.12f}));", p[0], p[1], p[2]);
+    }
+    out += line + "\n";
+  }
+  return out;
+}
+
+TEST(SteppedSolids, ThatLieAskewAreRefusedWithTheirFlattestSide) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const std::string text = nested(2, 3);
+  for (const double degrees : {0.01, 37.0}) {
+    const std::string message = refusal(turned(text, 1, degrees));
+    EXPECT_THAT(message, HasSubstr("the solid lies askew")) << degrees;
+    EXPECT_THAT(message, HasSubstr("turn the solid with --up face")) << degrees;
+  }
+  read::ReadOptions options;
+  const std::string askew = turned(text, 1, 37);
+  const std::string message = refusal(askew);
+  const std::size_t at = message.find("--up face") + 5;
+  options.solid.up = message.substr(at, message.find(' ', at) - at);
+  const Part part = read::read_part_text(askew, "askew.step", options);
+  ASSERT_EQ(part.features.size(), 2U);
+  EXPECT_NEAR(area(part.features[0].target), 60, 1e-4);
+  EXPECT_NEAR(part.features[1].top_z - part.features[1].floor_z, 3, 1e-6);
+}
+
+TEST(SteppedSolids, SheetsOnTheirEdgesAreKnownHoweverTheyStand) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const std::string sheet = step_text({{0, 30, 60, 90}, {0, 3}, {{60, 50, 60}}});
+  for (const double degrees : {0.0, 45.0, 10.0}) {
+    const std::string message = refusal(turned(sheet, 0, degrees));
+    EXPECT_THAT(message, HasSubstr("a sheet of 3 mm stands on its edge")) << degrees;
+    EXPECT_THAT(message, HasSubstr(degrees == 0 ? "Y)" : "--up face")) << degrees;
+  }
 }
 
 }  // namespace

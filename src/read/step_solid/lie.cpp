@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "read/common/text.h"
 
 namespace clearcut::read {
 namespace {
@@ -45,8 +46,13 @@ std::string listed(const std::vector<SolidBody>& bodies) {
   return out;
 }
 
+/// A name that several bodies have may be no choice.
 std::string example_of(const std::vector<SolidBody>& bodies) {
-  return bodies.front().name.empty() ? "1" : "\"" + bodies.front().name + "\"";
+  const std::string& name = bodies.front().name;
+  const auto named_so = std::count_if(bodies.begin(), bodies.end(), [&](const SolidBody& body) {
+    return capitals(body.name) == capitals(name);
+  });
+  return name.empty() || named_so > 1 ? "1" : "\"" + name + "\"";
 }
 
 /// Flat area that looks along one axis or the other way, and the better of both: more heights, then larger.
@@ -65,6 +71,38 @@ FlatPair flat_along(const SolidModel& solid, char axis) {
   return pair;
 }
 
+bool leans(const FlatSide& side) {
+  return side.up.rfind("face", 0) == 0;
+}
+
+/// The largest side or the one opposite to it: that with more heights, then that which looks up more.
+const FlatSide& better_of_largest(const SolidModel& solid) {
+  constexpr double kSame = 1e-4;  // degrees, mm
+  const FlatSide& largest = solid.sides.front();
+  const FlatSide* better = &largest;
+  for (const FlatSide& other : solid.sides) {
+    const bool is_opposite = std::abs(other.lean + largest.lean - 180) < kSame &&
+                             std::abs(other.thickness - largest.thickness) < kSame;
+    if (!is_opposite || !leans(other) || other.heights < better->heights) continue;
+    if (other.heights > better->heights || other.lean < better->lean) better = &other;
+  }
+  return *better;
+}
+
+/// A sheet that stands on its edge and is turned about the vertical.
+void refuse_turned_sheet(const SolidModel& solid, const std::string& file_name) {
+  constexpr double kUpright = 0.01;  // degrees
+  if (solid.bodies.size() != 1 || solid.sides.empty()) return;
+  const FlatSide& side = better_of_largest(solid);
+  const double height = solid.z_top - solid.z_bottom;
+  if (!leans(side) || std::abs(side.lean - 90) > kUpright || !(side.thickness > 0)) return;
+  if (height < kSheet * side.thickness || side.area < kSheet * side.thickness * height) return;
+  throw InputError(file_name, "a sheet of " + trimmed(side.thickness, 3) +
+                                  " mm stands on its edge: as it lies it is milled " + trimmed(height, 3) +
+                                  " mm deep (--up +Z if that is meant); lying flat it is milled " +
+                                  trimmed(side.thickness, 3) + " mm deep (--up " + side.up + ")");
+}
+
 }  // namespace
 
 void refuse_assembly(const SolidModel& solid, const std::string& file_name) {
@@ -77,6 +115,7 @@ void refuse_assembly(const SolidModel& solid, const std::string& file_name) {
 }
 
 void refuse_sheet_on_edge(const SolidModel& solid, const std::string& file_name) {
+  refuse_turned_sheet(solid, file_name);
   // As the file has it: the turn about the vertical leaves heights alone.
   const SolidBody& body = solid.bodies.front();
   const double height = solid.z_top - solid.z_bottom;
@@ -90,6 +129,18 @@ void refuse_sheet_on_edge(const SolidModel& solid, const std::string& file_name)
                      trimmed(height, 3) + " mm deep out of " + size_text(body.width, body.depth) +
                      " mm (--up +Z if that is meant); lying flat it is milled " + trimmed(thickness, 3) +
                      " mm deep out of " + size_text(across, height) + " mm (--up " + flat.better->up + ")");
+}
+
+void refuse_askew(const SolidModel& solid, const std::string& file_name) {
+  const bool has_level = std::any_of(solid.faces.begin(), solid.faces.end(), [](const SolidFace& face) {
+    return face.level && face.facing == Facing::kUp;
+  });
+  if (has_level || solid.sides.empty() || !leans(solid.sides.front())) return;
+  const FlatSide& side = better_of_largest(solid);
+  throw InputError(file_name, "nothing flat looks up: the solid lies askew, its largest flat side (" +
+                                  trimmed(side.area, 1) + " mm2) looks " + trimmed(side.lean, 4) +
+                                  " degrees away from +Z; turn the solid with --up " + side.up +
+                                  " (--up +Z if it is meant as it lies)");
 }
 
 void refuse_without_floor(const SolidModel& solid, const std::string& file_name, const std::string& up,

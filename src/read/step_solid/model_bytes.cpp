@@ -82,12 +82,16 @@ void put(Writer& out, const FlatSide& side) {
   put(out, side.up);
   out.put(side.area);
   out.put(side.heights);
+  out.put(side.lean);
+  out.put(side.thickness);
 }
 
 void get(Reader& in, FlatSide& side) {
   get(in, side.up);
   in.get(side.area);
   in.get(side.heights);
+  in.get(side.lean);
+  in.get(side.thickness);
 }
 
 void put(Writer& out, const SolidFace& face) {

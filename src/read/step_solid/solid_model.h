@@ -51,6 +51,9 @@ struct FlatSide {
   std::string up;   ///< what ReadOptions::up must say for them to look up: "+X" or "face12"
   double area = 0;  ///< mm2
   int heights = 0;  ///< different heights along their direction
+  double lean = 0;  ///< degrees between their direction and +Z, as the file has it
+  double thickness =
+      0;  ///< mm; from the outermost of them to that of those which look the opposite way, 0 where there are none
 };
 
 struct SolidModel {

@@ -422,7 +422,10 @@ Part read_step_solid(std::string_view text, const std::string& file_name, const 
   const SolidOptions& how = options.solid;
   const SolidModel solid = load_solid(text, file_name, {how.up, how.turn_deg, how.body});
   refuse_assembly(solid, file_name);
-  if (how.up.empty()) refuse_sheet_on_edge(solid, file_name);
+  if (how.up.empty()) {
+    refuse_sheet_on_edge(solid, file_name);
+    refuse_askew(solid, file_name);
+  }
   Finder finder(solid, file_name, options);
   if (!finder.find()) {
     refuse_without_floor(solid, file_name, how.up, [&](const std::string& side) {
