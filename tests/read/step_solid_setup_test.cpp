@@ -171,6 +171,17 @@ TEST(StepSolid, AssembliesAreRefusedWithTheNamesOfTheirBodies) {
   EXPECT_THAT(refused("plate_and_pins.step", only_body("PIN")), HasSubstr("give the number"));
 }
 
+TEST(StepSolid, BodiesOfOneNameAreProposedByNumber) {
+  read::SolidModel solid;
+  solid.bodies = {{"NONE", 2, 1, 1}, {"none", 3, 1, 1}};
+  try {
+    read::refuse_assembly(solid, "led.step");
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("for example --body 1,"));
+  }
+}
+
 TEST(StepSolid, OneBodyOfAnAssemblyIsChosenByNameOrNumber) {
   SKIP_WITHOUT_OPEN_CASCADE();
   for (const char* body : {"PLATE", "plate", "1"}) {

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/files/file.h"
 #include "base/random.h"
+#include "base/units.h"
 #include "geometry/boolean.h"
 #include "post/part/stepnc_writer.h"
 #include "read/stepnc/stepnc.h"
@@ -45,6 +46,19 @@ TEST(StepNcRoundTrip, EveryFile) {
 TEST(StepNcRoundTrip, Plate) {
   const Part plate = test_support::plate();
   expect_same_part(plate, read::stepnc::read_stepnc(post::write_stepnc(plate), "again.p21", {}));
+}
+
+TEST(StepNcRoundTrip, TaperedEndMillsKeepTheirTaper) {
+  Part plate = test_support::plate();
+  Tool& tool = plate.tools.front();
+  tool.kind = ToolKind::kTapered;
+  tool.tip_angle = Radians::of_degrees(8);
+  tool.flute_length = 30;
+  tool.corner_radius = 0;
+  const Part again = read::stepnc::read_stepnc(post::write_stepnc(plate), "again.p21", {});
+  expect_same_part(plate, again);
+  EXPECT_EQ(again.tools.front().kind, ToolKind::kTapered);
+  EXPECT_NEAR(again.tools.front().tip_angle.value_or(Radians{}).degrees(), 8, 1e-9);
 }
 
 TEST(StepNcRoundTrip, LinesToFollowAreRefusedByName) {
