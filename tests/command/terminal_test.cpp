@@ -18,6 +18,8 @@
 
 #include "base/files/file.h"
 #include "support/command.h"
+#include "support/solids.h"
+#include "support/stepped_solid.h"
 
 namespace clearcut {
 namespace {
@@ -341,6 +343,21 @@ TEST(Progress, OfACheckSaysHowFarItIs) {
   auto quiet = call;
   quiet.emplace_back("--quiet");
   EXPECT_THAT(on_terminal(quiet, {}, 3).shown, Not(HasSubstr("certifying")));
+}
+
+TEST(Progress, OfReadingSaysThatItReads) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  // Thousands of faces.
+  test_support::SteppedSolid solid;
+  for (int i = 0; i <= 30; ++i) solid.x.push_back(i);
+  solid.y = solid.x;
+  for (int j = 0; j < 30; ++j) {
+    solid.heights.emplace_back();
+    for (int i = 0; i < 30; ++i) solid.heights.back().push_back(10 + (5 * i + 7 * j) % 11);
+  }
+  const ScratchFolder folder;
+  const auto file = folder.file("blocks.step", step_text(solid));
+  EXPECT_THAT(on_terminal({"info", file}, {}).shown, HasSubstr("reading " + file));
 }
 
 TEST(Progress, OfBatchesAndStudiesCountsWhatIsDone) {

@@ -71,7 +71,8 @@ std::string turned(const std::string& text, std::size_t first, double degrees) {
   for (std::string line; std::getline(lines, line);) {
     const std::size_t at = line.find("('',(");
     double p[3];
-    if (at != std::string::npos && std::sscanf(line.c_str() + at, "('',(%lf,%lf,%lf))", &p[0], &p[1], &p[2]) == 3) {
+    if (at != std::string::npos &&
+        std::sscanf(line.c_str() + at, "('',(%lf,%lf,%lf))", &p[0], &p[1], &p[2]) == 3) {
       const double a = p[first], b = p[first + 1];
       p[first] = cosine * a - sine * b;
       p[first + 1] = sine * a + cosine * b;

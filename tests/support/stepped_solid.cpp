@@ -1,12 +1,12 @@
 #include "support/stepped_solid.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cstddef>
 #include <map>
 #include <set>
 #include <utility>
-
-#include <fmt/format.h>
 
 namespace clearcut::test_support {
 namespace {
@@ -20,7 +20,8 @@ constexpr const char* kHead =
     "FILE_SCHEMA(('AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }'));\nENDSEC;\nDATA;\n"
     "#1=APPLICATION_CONTEXT('core data');\n#2=PRODUCT_CONTEXT('',#1,'mechanical');\n"
     "#3=PRODUCT('stepped','stepped','',(#2));\n#4=PRODUCT_DEFINITION_FORMATION('','',#3);\n"
-    "#5=PRODUCT_DEFINITION_CONTEXT('part definition',#1,'design');\n#6=PRODUCT_DEFINITION('design','',#4,#5);\n"
+    "#5=PRODUCT_DEFINITION_CONTEXT('part "
+    "definition',#1,'design');\n#6=PRODUCT_DEFINITION('design','',#4,#5);\n"
     "#7=PRODUCT_DEFINITION_SHAPE('','',#6);\n#8=SHAPE_DEFINITION_REPRESENTATION(#7,#9);\n"
     "#9=ADVANCED_BREP_SHAPE_REPRESENTATION('',(#10),#11);\n#10=MANIFOLD_SOLID_BREP('',#16);\n"
     "#11=(GEOMETRIC_REPRESENTATION_CONTEXT(3)GLOBAL_UNCERTAINTY_ASSIGNED_CONTEXT((#15))"
@@ -54,13 +55,16 @@ class Writer {
                                      triple("DIRECTION", unit(r[0], r[1]))));
     const int plane = add(fmt::format("PLANE('',#{})", axis));
     std::string loop;
-    for (std::size_t i = 0; i < r.size(); ++i) loop += fmt::format("{}#{}", i ? "," : "", oriented(r[i], r[(i + 1) % r.size()]));
+    for (std::size_t i = 0; i < r.size(); ++i)
+      loop += fmt::format("{}#{}", i ? "," : "", oriented(r[i], r[(i + 1) % r.size()]));
     const int bound = add(fmt::format("FACE_OUTER_BOUND('',#{},.T.)", add("EDGE_LOOP('',(" + loop + "))")));
-    faces_ += fmt::format("{}#{}", faces_.empty() ? "" : ",", add(fmt::format("ADVANCED_FACE('',(#{}),#{},.T.)", bound, plane)));
+    faces_ += fmt::format("{}#{}", faces_.empty() ? "" : ",",
+                          add(fmt::format("ADVANCED_FACE('',(#{}),#{},.T.)", bound, plane)));
   }
 
   std::string text() const {
-    return kHead + fmt::format("#{}=CLOSED_SHELL('',({}));\n", kShell, faces_) + data_ + "ENDSEC;\nEND-ISO-10303-21;\n";
+    return kHead + fmt::format("#{}=CLOSED_SHELL('',({}));\n", kShell, faces_) + data_ +
+           "ENDSEC;\nEND-ISO-10303-21;\n";
   }
 
  private:

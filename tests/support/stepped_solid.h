@@ -7,9 +7,10 @@
 namespace clearcut::test_support {
 
 struct SteppedSolid {
-  std::vector<double> x, y;                  ///< mm; the lines between blocks, ascending
-  std::vector<std::vector<double>> heights;  ///< mm; heights[j][i] between x[i], x[i+1] and y[j], y[j+1]; at `bottom` there is no block
-  double bottom = 0;                         ///< mm
+  std::vector<double> x, y;  ///< mm; the lines between blocks, ascending
+  std::vector<std::vector<double>>
+      heights;  ///< mm; heights[j][i] between x[i], x[i+1] and y[j], y[j+1]; at `bottom` there is no block
+  double bottom = 0;  ///< mm
 };
 
 /// AP214; every block has a top, a bottom, and walls down to its lower neighbours.

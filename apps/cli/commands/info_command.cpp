@@ -11,6 +11,7 @@
 #include "commands/commands.h"
 #include "terminal/json_tables.h"
 #include "terminal/output.h"
+#include "terminal/progress.h"
 
 namespace clearcut::cli {
 namespace {
@@ -126,6 +127,8 @@ PartInfo info_of(const PlanArguments& arguments) {
 
 /// Of every set-up of a job that has several, or of the one that is chosen.
 std::vector<PartInfo> infos_of(const PlanArguments& arguments) {
+  ProgressLine line(kStops);
+  line.expect("reading " + arguments.input());
   const int count = arguments.setup().number > 0 ? 0 : setup_count_of(arguments.input());
   if (count == 0) return {info_of(arguments)};
   std::vector<PartInfo> infos;

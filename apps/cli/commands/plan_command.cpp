@@ -262,10 +262,16 @@ int run_setups(const PlanCommand& command, int count) {
   return worst == Verdict::kClean ? kClean : kFault;
 }
 
+Part read_with_progress(const PlanCommand& command) {
+  std::optional<ProgressLine> line;
+  if (!command.quiet) line.emplace("").expect("reading " + command.arguments.input());
+  return command.arguments.read();
+}
+
 int run(PlanCommand command) {
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
   if (const int setups = setup_count_of(command.arguments.input())) return run_setups(command, setups);
-  const Part part = command.arguments.read();
+  const Part part = read_with_progress(command);
   const PlanOptions options = command.arguments.options();
   if (command.output.empty() && command.explain) return explain(part, options);
   if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");

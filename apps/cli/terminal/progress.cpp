@@ -106,7 +106,8 @@ void ProgressLine::say(const std::string& line) {
 
 std::string ProgressLine::text() const {
   const double spent_s = now_s() - began_s_;
-  if (work_ && !count_) return fmt::format("{}, about {:g} s in all", work_->name, work_->usual_s);
+  if (work_ && !count_)
+    return work_->name + (work_->usual_s > 0 ? fmt::format(", about {:g} s in all", work_->usual_s) : "");
   if (search_) return described(*search_, spent_s);
   if (!count_) return at_ ? described(*at_, spent_s) : "preparing";
   std::string text = work_ ? work_->name + ": " : "";

@@ -44,8 +44,8 @@ class ProgressLine {
   void clear();
   /// A line of its own, at once, that stays.
   void say(const std::string& line);
-  /// Of work that counts nothing: what it is, and how long it took where it was measured.
-  void expect(const std::string& work, double usual_s);
+  /// Of work that counts nothing: what it is, and how long it took where it was measured, 0 where it was not.
+  void expect(const std::string& work, double usual_s = 0);
 
  private:
   void watch();

@@ -66,10 +66,12 @@ void read_taper(const Node& body, Tool& tool, Context& context) {
   if (!tool.flute_length)
     body.fail("a tapered end mill needs the length of its cutting edges; add it to its dimensions");
   if (tool.corner_radius > 0)
-    body.fail("its tip is rounded, and tapered end mills are read with flat tips alone; correct its edge radius");
+    body.fail(
+        "its tip is rounded, and tapered end mills are read with flat tips alone; correct its edge radius");
   tool.kind = ToolKind::kTapered;
   tool.tip_angle = Radians::of(2 * angle);
-  context.note("the diameter of a tapered end mill is read as that of its tip, its taper as that of one side", body);
+  context.note("the diameter of a tapered end mill is read as that of its tip, its taper as that of one side",
+               body);
 }
 
 Tool read_tool(const Node& node, Context& context) {

@@ -13,7 +13,8 @@ namespace {
 /// A notch into the material below y = 0, `width` wide and `depth` deep, with everything above free.
 Feature notch(double width, double depth) {
   const double w = width / 2, far = kOpenReach;
-  const Vec2 corners[] = {{-far, 0}, {-w, 0}, {-w, -depth}, {w, -depth}, {w, 0}, {far, 0}, {far, far}, {-far, far}};
+  const Vec2 corners[] = {{-far, 0}, {-w, 0},  {-w, -depth}, {w, -depth},
+                          {w, 0},    {far, 0}, {far, far},   {-far, far}};
   Feature feature;
   feature.kind = FeatureKind::kOpenPocket;
   feature.target = {rectangular_region({{-w, -depth}, {w, 0}})};
@@ -52,7 +53,8 @@ TEST(Fitting, WideCuttersComeIntoShallowNotchesFromOutside) {
 
 TEST(Fitting, StripsAlongAStraightSideTakeAny) {
   Feature strip = notch(40, 0.04);
-  const Vec2 corners[] = {{-kOpenReach, -0.04}, {kOpenReach, -0.04}, {kOpenReach, kOpenReach}, {-kOpenReach, kOpenReach}};
+  const Vec2 corners[] = {
+      {-kOpenReach, -0.04}, {kOpenReach, -0.04}, {kOpenReach, kOpenReach}, {-kOpenReach, kOpenReach}};
   strip.allowed = {Region::from_valid_loops(loop_from_points(corners), {})};
   EXPECT_GT(largest_for(strip), kOpenReach / 2);
 }
