@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/diagnostics.h"
@@ -17,7 +18,11 @@ struct Compound {
   int number = 0;
   bool nonzero = true;     ///< by the winding rule; else even-odd
   std::string paint = {};  ///< its colour: fills of one that overlap in part are one area
-  friend auto operator<=>(const Compound&, const Compound&) = default;
+  friend bool operator==(const Compound&, const Compound&) = default;
+  // Texts have no three-way comparison in every standard library (emscripten's).
+  friend bool operator<(const Compound& a, const Compound& b) {
+    return std::tie(a.number, a.nonzero, a.paint) < std::tie(b.number, b.nonzero, b.paint);
+  }
 };
 
 /// A curve as a reader found it. Nothing is promised: ends may miss each other, edges may have no length,

@@ -50,7 +50,7 @@ class Fills {
       if (!loop.compound || !first_.contains(*loop.compound)) out.push_back(loop);
     std::map<Compound, Regions> areas;
     for (const auto& [compound, first] : first_)
-      std::ranges::copy(areas_.at(compound), std::back_inserter(areas[first]));
+      std::copy(areas_.at(compound).begin(), areas_.at(compound).end(), std::back_inserter(areas[first]));
     for (const auto& [first, regions] : areas)
       for (Loop& loop : loops_of(unite_all(regions, tol_)))
         out.push_back({std::move(loop), source_of(first), first});
@@ -58,7 +58,9 @@ class Fills {
   }
 
   const std::string& source_of(const Compound& compound) const {
-    return std::ranges::find(loops_, compound, &RawLoop::compound)->source;
+    return std::find_if(loops_.begin(), loops_.end(),
+                        [&](const RawLoop& loop) { return loop.compound == compound; })
+        ->source;
   }
 
  private:
