@@ -20,5 +20,11 @@ PART
 "$clearcut" plan examples/bracket.json --tool endmill:10 --tool endmill:3 --rest -o "$kit/rest.ngc" --report "$kit/rest.html" --quiet
 printf '%s\n' G21 G90 G17 G54 'T1 M6' 'S5000 M3' 'G0 X50 Y100' 'G0 Z5' 'G1 Z-2 F100' 'G1 X350 F900' 'G1 Y106.1' 'G1 X50' 'G0 Z5' M5 M2 > "$kit/rib.ngc"
 "$clearcut" verify "$kit/rib.ngc" --stock 400,300,5 --tool endmill:6 --dialect linuxcnc --report "$kit/rib.html" > /dev/null || [ $? -eq 1 ]
+{
+  printf '%s\n' 'G21 G90 G17 G54' 'T1 M6' 'S5000 M3' 'G0 Z5'
+  for ((i = 0; i < 260; ++i)); do printf 'G0 X%d Y%d\nG0 Z-1\nG1 X%d F600\nG0 Z5\n' $((2 + 2 * (i % 20))) $((2 + 3 * (i / 20))) $((3 + 2 * (i % 20))); done
+  echo M30
+} > "$kit/faulty.ngc"
+"$clearcut" verify "$kit/faulty.ngc" --part "$kit/square.json" --tool endmill:6 --dialect linuxcnc --report "$kit/faulty.html" > /dev/null || [ $? -eq 1 ]
 timeout 900 node "$kit/viewer_browser_test.mjs" "$kit" "$browser"
 timeout 1800 node "$kit/examples_test.mjs" report "$kit" "$browser" "$clearcut" examples

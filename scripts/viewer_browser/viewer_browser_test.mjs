@@ -1,7 +1,7 @@
 // node viewer_browser_test.mjs FOLDER BROWSER: what a person does with FOLDER/fishhead.html, and whether the page follows.
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
-import { axe, boxOf, check, conclude, holds, launch, numberOf, numbersOf, pointOf, textOf, watch } from './browser.mjs';
+import { axe, boxOf, check, conclude, holds, isAccessible, launch, numberOf, numbersOf, pointOf, textOf, watch } from './browser.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -259,6 +259,28 @@ async function withoutStock() {
   await page.close();
 }
 
+/** Hundreds of faults hide neither what they lie on nor what is written there, and the moment's feature has a name. */
+async function manyFaults() {
+  const page = await open(1366, 768, 'light', '', browser, folder + '/faulty.html');
+  await stagePicture(page);
+  check(await holds(page, 'job.faults.length > 200'), 'a program with more than 200 faults');
+  const red = await numberOf(page, `(canvas => {
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height), bad = rgb(css('bad')).map(v => Math.round(255 * v));
+    let n = 0;
+    for (let k = 0; k < data.length; k += 4) if (bad.every((v, i) => Math.abs(data[k + i] - v) < 3)) ++n;
+    return 4 * n / data.length;
+  })(by('plot'))`);
+  check(red > 0.005 && red < 0.1, `its faults are marked on the plot without hiding it (${(100 * red).toFixed(1)} % of it)`);
+  check(await holds(page, 'by("timeline").querySelector("i").offsetHeight < by("timeline").offsetHeight / 2 + 1'), 'and on the bar of features, which are still seen');
+  check(await page.textContent('#now dd') === 'square', 'what is under way has the name of its feature');
+  await page.screenshot({ path: `${folder}/pictures/faulty.png` });
+  for (const scheme of /** @type {const} */ (['light', 'dark'])) {
+    await page.emulateMedia({ colorScheme: scheme });
+    await isAccessible(page, `a faulty program's page, ${scheme}`);
+  }
+  await page.close();
+}
+
 /** A program of a million lines, a spiral in chords: the page of the fishhead with other moves. */
 function millionPage() {
   const n = 1e6, text = readFileSync(fishhead, 'utf8'), [whole, json] = /id="job">(.*?)<\/script>/s.exec(text) ?? [''], job = JSON.parse(json), x = [], y = [], program = [];
@@ -337,7 +359,7 @@ check(statSync(fishhead).size < 10e6, `the page has ${statSync(fishhead).size} b
 console.log('opened in', await numberOf(page, 'Math.round(performance.timing.loadEventEnd - performance.timing.navigationStart)'), 'ms');
 for (const part of [plays, clicks, chooses, scrubs]) await part(page);
 await page.close();
-for (const part of [inSpace, scrubsInSpace, zoomsIn, beforeAndAfter, withoutStock, frames, aMillionLines, strangeAddresses, withoutWebGl]) await part();
+for (const part of [inSpace, scrubsInSpace, zoomsIn, beforeAndAfter, withoutStock, manyFaults, frames, aMillionLines, strangeAddresses, withoutWebGl]) await part();
 for (const [width, height] of [[390, 844], [1366, 768], [1920, 1080], [3840, 2160]]) {
   await looks(width, height, 'light');
   await looks(width, height, 'dark');

@@ -126,6 +126,15 @@ describe('heights', () => {
   });
 });
 
+describe('the present move', () => {
+  test('an operation without a name has that of its feature, as in programs of others', () => {
+    const job = sampleJob();
+    for (const section of job.sections) section.label = '';
+    assert.deepEqual(runReport('panels.js', sampleJob())('job.sections.map(nameOfSection)'), ['slot', 'hole']);
+    assert.deepEqual(runReport('panels.js', job)('job.sections.map(nameOfSection)'), ['slot', 'not named']);
+  });
+});
+
 describe('before and after an operation', () => {
   test('operations that are called alike are told apart by their cutters', () => {
     const job = sampleJob();

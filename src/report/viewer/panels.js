@@ -131,6 +131,9 @@ function writeNow() {
   }
 }
 
+/** Programs of others name no operations. @type {(section: JobSection) => string} */
+const nameOfSection = section => section.label || job.features[section.feature]?.name || 'not named';
+
 function updateNow() {
   by('clock').textContent = clock(at.time) + ' / ' + clock(total);
   by('scrub').value = String(total > 0 ? Math.round(100000 * at.time / total) : 0);
@@ -139,7 +142,7 @@ function updateNow() {
   timeMark.style.left = 100 * at.time / (total || 1) + '%';
   if (count === 0) return;
   const i = Math.max(0, shownMove()), section = job.sections[moves.section[i]], tool = toolOf(i), p = pointAt(i, shownFraction());
-  nowCells.feature.textContent = section.label;
+  nowCells.feature.textContent = nameOfSection(section);
   nowCells.tool.textContent = tool ? tool.w : '?';
   nowCells.move.textContent = KINDS[moves.kind[i]] || '?';
   nowCells.feed.textContent = feedText(moves.feed[i]);

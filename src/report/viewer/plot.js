@@ -45,10 +45,16 @@ function drawPlotPicture(w, h, ratio) {
   const c = contextOf(plotPicture), strips = plotStrips(), share = h / strips.length;
   c.scale(ratio, ratio);
   if (count === 0 || !(total > 0)) return;
-  strips.forEach((strip, k) => {
-    plotCurve(c, { ...strip, y: k * share + 1, h: share - 3, w });
-    writePlotWords(c, strip.words, k * share + 2);
-  });
+  strips.forEach((strip, k) => plotCurve(c, { ...strip, y: k * share + 1, h: share - 3, w }));
+  plotFaults(c, w, h);
+  strips.forEach((strip, k) => writePlotWords(c, strip.words, k * share + 2));
+}
+
+const SPARSE = 12, TICK = 6;  // pixels between lines through the whole plot, on average; pixels of a mark where they are more
+/** Lines through the whole plot, or, where these would hide it, marks at its upper edge. @type {(c: Context2D, w: number, h: number) => void} */
+function plotFaults(c, w, h) {
+  c.fillStyle = css('bad');
+  for (const time of faultTimes) c.fillRect(w * time / total - 1, 0, 2, w < SPARSE * faultTimes.length ? TICK : h);
 }
 
 /** What is known of every move, each with its greatest value. @type {() => PlotStrip[]} */
@@ -74,8 +80,6 @@ function drawPlot() {
   c.clearRect(0, 0, canvas.width, canvas.height);
   c.drawImage(plotPicture, 0, 0);
   c.scale(ratio, ratio);
-  c.fillStyle = css('bad');
-  for (const time of faultTimes) c.fillRect(w * time / (total || 1) - 1, 0, 2, h);
   c.fillStyle = css('ink');
   c.fillRect(w * at.time / (total || 1) - 1, 0, 2, h);
 }
