@@ -1,7 +1,9 @@
 // ---- Lines in space: the path in its colours, the outlines of the part, the edges of the stock.
 const STRIDE = 20;  // bytes of a corner: three floats, a colour, the move that it belongs to
-/** Both are drawn with one program. Made by startSpace(). @type {Shader} */
+/** Both are drawn with one program, the plain one where nothing is cut open. Made by startSpace(). @type {Shader} */
 let lineProgram;
+/** @type {Shader} */
+let plainLineProgram;
 /** @type {LineBuffer} */
 let pathLines;
 /** @type {LineBuffer} */
@@ -11,6 +13,7 @@ let pathChords = null;
 
 function makeLines() {
   lineProgram = programOf(LINE_VERTEX, LINE_FRAGMENT, ['position', 'tint', 'owner']);
+  plainLineProgram = programOf(LINE_VERTEX, plainOf(LINE_FRAGMENT), ['position', 'tint', 'owner']);
   const made = () => {
     const lines = { array: gl.createVertexArray(), buffer: gl.createBuffer(), count: 0, key: '' };
     gl.bindVertexArray(lines.array);
@@ -118,7 +121,7 @@ function drawLines(lines, from, to, values, hidden) {
   for (const [test, strength] of [[gl.LEQUAL, 1], [gl.GREATER, hidden]]) {
     if (strength === 0) continue;
     gl.depthFunc(test);
-    use(lineProgram, { ...values, strength });
+    use(section.axis === 'none' ? plainLineProgram : lineProgram, { ...values, strength });
     gl.drawArrays(gl.LINES, from, to - from);
   }
   gl.depthFunc(gl.LEQUAL);

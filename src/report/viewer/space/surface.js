@@ -3,13 +3,14 @@
 let surface;
 /** @type {Surface | null} */
 let fineSurface = null;
-/** @type {{ top: Shader, wall: Shader }} */
+/** @type {Record<'top' | 'plainTop' | 'wall' | 'plainWall', Shader>} */
 let surfacePrograms;
 const CORNER = 16;  // bytes: column and row, height, direction square to the surface, colour
 const NO_HOLE = [1, 1, 0, 0];
 
 function makeSurface() {
-  surfacePrograms = { top: programOf(SURFACE_VERTEX, SURFACE_FRAGMENT, ['corner', 'altitude', 'normal', 'tint']), wall: programOf(WALL_VERTEX, WALL_FRAGMENT, []) };
+  const top = (/** @type {string} */ fragment) => programOf(SURFACE_VERTEX, fragment, ['corner', 'altitude', 'normal', 'tint']);
+  surfacePrograms = { top: top(SURFACE_FRAGMENT), plainTop: top(plainOf(SURFACE_FRAGMENT)), wall: programOf(WALL_VERTEX, WALL_FRAGMENT, []), plainWall: programOf(WALL_VERTEX, plainOf(WALL_FRAGMENT), []) };
   textureOf(1, gl.RGBA8, 256, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(shades.flatMap(color => [...color, 255])));
   surface = surfaceOf(whole, { heights: 0, rests: 2 });
   fineSurface = surfaceBefore = null;
@@ -179,9 +180,14 @@ function valuesOfSurface(s) {
     showRests: { i: s.restsLoaded && at.time >= total ? 1 : 0 }, hole: s === surface && lens.on && lens.grid ? lens.grid.edges : NO_HOLE };
 }
 
+/** Whether a surface is seen as it is: not cut open, no hole where finer cells lie, no rests in red. @type {(values: UniformValues) => boolean} */
+const isPlain = values => section.axis === 'none' && values.hole === NO_HOLE && !(showsRests() && surface.restsLoaded);
+
+const showsRests = () => !job.clean && at.time >= total;
+
 /** @type {(s: Surface) => void} */
 function loadRests(s) {
-  if (s.restsLoaded || job.clean || at.time < total) return;
+  if (s.restsLoaded || !showsRests()) return;
   gl.activeTexture(gl.TEXTURE0 + s.units.rests);
   gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, restsAtTheEnd(s.grid));
   s.restsLoaded = true;
@@ -198,23 +204,23 @@ function drawSurface(detail_, isBefore) {
     gl.bindVertexArray(one.array);
     updateSquares(one, least);
     for (const under of camera.pitch < 0 ? [0, 1] : [0]) {
-      use(surfacePrograms.top, { ...values, under });
+      use(isPlain(values) ? surfacePrograms.plainTop : surfacePrograms.top, { ...values, under });
       gl.drawElements(gl.TRIANGLES, 6 * one.quads, gl.UNSIGNED_INT, 0);
     }
     gl.bindVertexArray(null);
-    drawWalls(one.grid, values);
+    drawWalls(one.grid, least, values);
   }
   gl.disable(gl.POLYGON_OFFSET_FILL);
 }
 
-/** The sides of the stock that are seen and the face of a section, as far as they lie in the grid. @type {(g: Grid, values: UniformValues) => void} */
-function drawWalls(g, values) {
+/** The sides of the stock that are seen and the face of a section, as far as they lie in the grid, at each `every`th cell. @type {(g: Grid, every: number, values: UniformValues) => void} */
+function drawWalls(g, every, values) {
   const near = cameraAxes().near, [x0, y0, x1, y1] = g.edges;
   /** @type {(along: number, at_: number, shade_: number, hatch: number) => void} */
   const wall = (along, at_, shade_, hatch) => {
     if (along === 0 ? at_ < y0 || at_ > y1 : at_ < x0 || at_ > x1) return;
-    use(surfacePrograms.wall, { ...values, along: { i: along }, at: at_, shade: shade_, hatch });
-    gl.drawArrays(gl.TRIANGLE_STRIP, 0, 2 * (along === 0 ? g.block.x1 - g.block.x0 : g.block.y1 - g.block.y0));
+    use(isPlain(values) ? surfacePrograms.plainWall : surfacePrograms.wall, { ...values, along: { i: along }, every: { i: every }, at: at_, shade: shade_, hatch });
+    gl.drawArrays(gl.TRIANGLE_STRIP, 0, 2 * (Math.ceil(((along === 0 ? g.block.x1 - g.block.x0 : g.block.y1 - g.block.y0) - 1) / every) + 1));
   };
   wall(0, near[1] > 0 ? sy1 : sy0, 0.78, 0);
   wall(1, near[0] > 0 ? sx1 : sx0, 0.7, 0);
