@@ -77,7 +77,7 @@ const Foreign* kind_of_name(const std::string& file_name) {
   return nullptr;
 }
 
-const Foreign* kind_of_content(std::string_view text) {
+const Foreign* signed_as(std::string_view text) {
   const std::size_t first = text.substr(0, 4096).find_first_not_of(" \t\r\n\xEF\xBB\xBF");
   if (first == std::string_view::npos) return nullptr;
   const std::string_view start = text.substr(first, 4096);
@@ -86,14 +86,22 @@ const Foreign* kind_of_content(std::string_view text) {
   return nullptr;
 }
 
+/// Many documents are zip archives: their names say more.
+const Foreign* kind_of_content(std::string_view text, const std::string& file_name) {
+  const Foreign* kind = signed_as(text);
+  const Foreign* named = kind == &kZip ? kind_of_name(file_name) : nullptr;
+  return named != nullptr ? named : kind;
+}
+
 }  // namespace
 
+std::string_view foreign_content(std::string_view text, const std::string& file_name) {
+  const Foreign* kind = kind_of_content(text, file_name);
+  return kind != nullptr ? kind->what : "";
+}
+
 void refuse_foreign_content(std::string_view text, const std::string& file_name) {
-  const Foreign* kind = kind_of_content(text);
-  if (kind == nullptr) return;
-  // Many documents are zip archives: their names say more.
-  const Foreign* named = kind_of_name(file_name);
-  refuse(kind == &kZip && named != nullptr ? *named : *kind, file_name);
+  if (const Foreign* kind = kind_of_content(text, file_name)) refuse(*kind, file_name);
 }
 
 void refuse_foreign_name(const std::string& file_name) {

@@ -6,6 +6,9 @@
 
 namespace clearcut::read {
 
+/// What the content unmistakably is, of the kinds that are not read, whatever the file is called: "a zip archive"; "" for none.
+std::string_view foreign_content(std::string_view text, const std::string& file_name);
+
 /// Throws InputError where the content is unmistakably of a kind that is not read, whatever the file is called.
 void refuse_foreign_content(std::string_view text, const std::string& file_name);
 

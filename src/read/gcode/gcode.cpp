@@ -7,6 +7,7 @@
 #include "read/gcode/interpreter.h"
 #include "read/gcode/klartext.h"
 #include "read/gcode/marker.h"
+#include "read/gcode/no_program.h"
 #include "read/gcode/recognise.h"
 
 namespace clearcut::read::gcode {
@@ -163,6 +164,7 @@ Program read_unnamed(std::string_view text, const std::string& file_name,
 
 Program read_gcode(std::string_view text, const std::string& file_name,
                    const ReadControllerOptions& options) {
+  refuse_what_is_no_program(text, file_name);
   const bool klartext = read::gcode::is_klartext(text);
   if (options.dialect && klartext != (*options.dialect == Dialect::kHeidenhain)) {
     throw InputError(file_name,

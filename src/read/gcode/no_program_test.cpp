@@ -1,0 +1,69 @@
+#include "read/gcode/no_program.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "read/gcode/gcode.h"
+
+namespace clearcut::read::gcode {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using namespace std::string_literals;
+
+std::string refusal_of(const std::string& text, const std::string& file = "dropped") {
+  try {
+    read_gcode(text, file, ReadControllerOptions{});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "read";
+}
+
+TEST(NoProgram, EmptyFilesAreSaidToBeEmpty) {
+  for (const char* text : {"", " \n\t\r\n", "\xEF\xBB\xBF\n"})
+    EXPECT_THAT(refusal_of(text), StartsWith("dropped: the file is empty; give the text")) << text;
+}
+
+TEST(NoProgram, FilesOfOtherKindsAreNamed) {
+  const std::vector<std::pair<std::string, const char*>> files{
+      {"\x89PNG\r\n\x1a\n\0\0"s, "this is a picture"},
+      {"%PDF-1.4\n", "this is a page for printing"},
+      {"PK\3\4\24\0"s, "this is a zip archive"},
+      {"ISO-10303-21;\nHEADER;\n", "this is a STEP file"},
+      {"  0\r\nSECTION\r\n", "this is a DXF drawing"},
+      {"999\nmade by\n0\nSECTION\n", "this is a DXF drawing"},
+      {"<?xml version='1.0'?>\n<svg/>", "this is an SVG drawing"},
+      {"{\"name\": \"a\"}", "this is a JSON file"},
+      {"# a job\n\n[part]\nfile = 'a.dxf'\n", "this is a job file"},
+      {"%FSLAX46Y46*%\nX0Y0D02*\n", "this is a Gerber file"},
+      {"M48\nMETRIC,TZ\nT1C0.8\n", "this is an Excellon"},
+      {"G\0"
+       "1\0 \0"s,
+       "this is a binary file"},
+      {"Dear Sir,\nplease mill this.\n", "no line of it is a block"},
+      {"(A)\n; a comment\n%\n", "no line of it is a block"}};
+  for (const auto& [text, what] : files) {
+    const std::string refusal = refusal_of(text);
+    EXPECT_THAT(refusal, StartsWith("dropped: "s + what));
+    EXPECT_THAT(refusal, HasSubstr("; give "));
+    EXPECT_EQ(refusal.find('\n'), std::string::npos);
+  }
+}
+
+TEST(NoProgram, ProgramsOfEveryKindAreNone) {
+  for (const char* text :
+       {"G21\nM2\n", "%\nO0001 (A)\nG21\nM30\n%\n", ":0001\nG0 Z5\nM30\n", "/N10 g 0 z 5\nM2\n",
+        "(A) G0 Z5\nM2\n", "; made by hand\nG0 Z5\nM2\n", "0 BEGIN PGM A MM\n1 END PGM A MM\n"})
+    EXPECT_EQ(refusal_of(text), "read") << text;
+}
+
+TEST(NoProgram, WhatProgramsComputeIsRefusedByItsLine) {
+  for (const char* text : {"#1 = 5\nG0 Z#1\n", "G0 Z[5+1]\n"})
+    EXPECT_THAT(refusal_of(text), HasSubstr("dropped:1: parameters and expressions are not read")) << text;
+}
+
+}  // namespace
+}  // namespace clearcut::read::gcode
