@@ -63,7 +63,7 @@ Regions islands_of(std::vector<DrawnGroup>& groups, const ReadOptions& options, 
   Regions islands;
   for (DrawnGroup& group : groups) {
     // A thread's boss stays standing as an island does, and is a feature besides.
-    if (group.role != LayerRole::kIsland && !is_external_thread(group)) continue;
+    if ((group.role != LayerRole::kIsland && !is_external_thread(group)) || group.curves.empty()) continue;
     std::vector<RawCurve> curves = group.curves;
     const Regions more = repair(std::move(curves), repair_options(group, options), diagnostics);
     islands = islands.empty() ? more : unite(islands, more, options.tol);
@@ -390,8 +390,8 @@ void report_left_out(Diagnostics& diagnostics, const std::string& file, const Le
 
 void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOptions& options) {
   if (options.mirror) mirror(groups);
-  std::vector<std::string> layers;
-  for (const DrawnGroup& group : groups) layers.push_back(group.name);
+  std::vector<NamedLayer> layers;
+  for (const DrawnGroup& group : groups) layers.push_back({group.name, !group.curves.empty()});
   const Regions islands = islands_of(groups, options, part.diagnostics);
   std::vector<ShapedGroup> shaped = shaped_groups(groups, options, part.diagnostics);
   assign_outline_roles(shaped, layers, options, part.source_file, part.diagnostics);

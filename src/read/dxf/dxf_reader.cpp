@@ -42,7 +42,12 @@ class Collector {
     take_fills();
   }
 
-  std::vector<DrawnGroup> take() { return std::move(groups_); }
+  /// Layers of which nothing is read have empty groups, so that options may name them.
+  std::vector<DrawnGroup> take() {
+    for (const auto& [key, name] : unread_)
+      if (by_layer_.count(key) == 0) groups_.push_back(new_group(name));
+    return std::move(groups_);
+  }
 
   /// A layer that was asked for and is not there is a mistake, whatever else there is.
   void refuse_unknown_layers() const {
@@ -131,6 +136,7 @@ class Collector {
     if (is_paper) {
       leave_out(std::string(entity.type) + " of the paper layout", layer);
     } else if (is_hidden(entity, layer)) {
+      unread_.try_emplace(capitals(layer), layer);
       ++hidden_[layer];
     } else if (entity.type == "INSERT") {
       for (const DxfEntity& attribute : followers) take_attribute(attribute, map, layer);
@@ -147,6 +153,7 @@ class Collector {
   }
 
   void leave_out(const std::string& what, const std::string& layer) {
+    unread_.try_emplace(capitals(layer), layer);
     ++not_read_[layer == "0" ? what : what + " on layer " + layer];
   }
 
@@ -167,6 +174,7 @@ class Collector {
   void take_text(const DxfEntity& entity, const Affine& map, const std::string& layer) {
     const std::string type(entity.type);
     if (!options_.text_outlines.value_or(false)) {
+      unread_.try_emplace(capitals(layer), layer);
       ++texts_not_read_[layer == "0" ? type : type + " on layer " + layer];
     } else if (is_wanted(layer)) {
       auto letters = lettering_.letters_of(entity, map, Compound{compounds_++, true});
@@ -380,9 +388,10 @@ class Collector {
   DxfLettering lettering_;
   LeftOut fills_not_read_, texts_not_read_;
   LeftOut not_read_, external_, hidden_, not_chosen_, ignored_;
-  std::map<std::string, std::string> seen_;  ///< layers with curves, as written, by their names in capitals
-  int risen_ = 0;                            ///< curves that are not flat
-  std::array<double, 2> heights_{};          ///< lowest and highest, in units of the drawing
+  std::map<std::string, std::string> seen_;    ///< layers with curves, as written, by their names in capitals
+  std::map<std::string, std::string> unread_;  ///< likewise those with anything that is not read
+  int risen_ = 0;                              ///< curves that are not flat
+  std::array<double, 2> heights_{};            ///< lowest and highest, in units of the drawing
   bool any_height_ = false;
   std::string unplotted_;  ///< names of layers
   int wide_ = 0;           ///< polylines

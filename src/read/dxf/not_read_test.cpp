@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "read/dxf/dxf_reader.h"
+#include "read/read_part.h"
 
 namespace clearcut::read {
 namespace {
@@ -101,6 +102,27 @@ TEST_P(NotRead, IsNamedWhereNothingElseIsThere) {
     ADD_FAILURE() << "not refused";
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find(GetParam().said), std::string::npos) << error.what();
+  }
+}
+
+/// What is not read may be told to be left out, and nothing else can be made of it.
+TEST(NotReadLayers, MayBeIgnoredAndNothingElse) {
+  const std::string square = " 0 LWPOLYLINE 8 D5 90 4 70 1 10 0 20 0 10 10 20 0 10 10 20 10 10 0 20 10";
+  for (const std::size_t k : {0U, 1U, 4U}) {  // texts, a dimension
+    const Drawing& drawing = kDrawings[k];
+    const std::string text = text_of(drawing, square), layer = k == 4 ? "MASS" : "NOTES";
+    ReadOptions options;
+    options.layer_rules = {rule_of_option("ignore:" + layer, "--op")};
+    EXPECT_EQ(read_dxf(text, "plate.dxf", options).features.size(), 1U) << drawing.name;
+    options.layer_rules = {rule_of_option("pocket:" + layer, "--op")};
+    try {
+      read_dxf(text, "plate.dxf", options);
+      ADD_FAILURE() << "not refused: " << drawing.name;
+    } catch (const InputError& error) {
+      EXPECT_EQ(
+          std::string(error.what()),
+          "--op: layer '" + layer + "' has no outlines that are read; `clearcut info` says what is on it");
+    }
   }
 }
 

@@ -257,6 +257,7 @@ class SvgCollector {
   void take_text(const pugi::xml_node& node, const SvgInherited& own) {
     if (!options_.text_outlines.value_or(false)) {
       ++notes_.texts_not_read["text" + (own.layer.empty() ? "" : " on layer " + own.layer)];
+      if (!own.layer.empty()) group_of(own, own.style.fill);  // so that options may name it
       return;
     }
     SvgText text = read_svg_text(node, own.style, document_.sheet, own.view, own.map, lettering_);

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "read/read_part.h"
 #include "read/svg/svg_style.h"
 
 namespace clearcut::read {
@@ -360,6 +361,19 @@ TEST(Svg, BadFilesGiveOneLineSayingWhere) {
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<g>";
   EXPECT_THAT(refusal("<svg>" + deep), HasSubstr("not SVG"));
+}
+
+/// A layer of texts alone, which are not read.
+TEST(SvgText, ItsLayerMayBeIgnored) {
+  ReadOptions options;
+  options.depth = 3;
+  options.layer_rules = {rule_of_option("ignore:Notes", "--op")};
+  const std::string text =
+      "<svg xmlns='http://www.w3.org/2000/svg' xmlns:inkscape='http://www.inkscape.org/namespaces/inkscape' "
+      "width='50mm' height='50mm' "
+      "viewBox='0 0 50 50'><rect width='20' height='20'/><g inkscape:groupmode='layer' "
+      "inkscape:label='Notes'><text>a</text></g></svg>";
+  EXPECT_EQ(read(text, options).features.size(), 1U);
 }
 
 }  // namespace

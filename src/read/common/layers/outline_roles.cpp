@@ -100,12 +100,28 @@ std::optional<std::set<std::size_t>> chosen_by(const LayerRule& rule, const std:
   return chosen;
 }
 
-[[noreturn]] void refuse_unmatched(const LayerRule& rule, const std::vector<std::string>& layers) {
+[[noreturn]] void refuse_unmatched(const LayerRule& rule, const std::vector<NamedLayer>& layers) {
   std::string known;
-  for (const std::string& layer : layers) known += (known.empty() ? "" : ", ") + printable(layer);
+  for (const NamedLayer& layer : layers) known += (known.empty() ? "" : ", ") + printable(layer.name);
   throw InputError("--op", "no layer or outline is called '" + printable(rule.pattern) +
                                "'; write the name of a layer (" + known +
                                "), the number of an outline as `clearcut info` lists them, or outer");
+}
+
+/// Whether a layer is called so. Refuses a rule that would make something of a layer of which nothing was read.
+bool names_layer(const LayerRule& rule, const std::vector<NamedLayer>& layers) {
+  bool named = false, drawn = false, others = false;
+  for (const NamedLayer& layer : layers) {
+    const bool is_it = matches(rule.pattern, layer.name);
+    named = named || is_it;
+    drawn = drawn || (is_it && layer.has_outlines);
+    others = others || layer.has_outlines;
+  }
+  if (named && !drawn && others && rule.asked && rule.role && *rule.role != LayerRole::kIgnore) {
+    throw InputError("--op", "layer '" + printable(rule.pattern) +
+                                 "' has no outlines that are read; `clearcut info` says what is on it");
+  }
+  return named;
 }
 
 /// What an outline is stays so where its edge is to be broken: only those of which nothing else is said leave their group.
@@ -245,13 +261,11 @@ void add_broken_edges(std::vector<ShapedGroup>& groups) {
 
 /// Whether an option or rule that names outlines was used.
 bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>& outlines,
-                         const std::vector<std::string>& layers, const ReadOptions& options,
+                         const std::vector<NamedLayer>& layers, const ReadOptions& options,
                          Diagnostics& diagnostics) {
   bool any = false;
   for (const LayerRule& rule : in_turn(options.layer_rules)) {
-    const bool is_layer = std::any_of(layers.begin(), layers.end(),
-                                      [&](const std::string& layer) { return matches(rule.pattern, layer); });
-    if (is_layer || !rule.role) continue;
+    if (names_layer(rule, layers) || !rule.role) continue;
     const auto chosen = chosen_by(rule, outlines);
     if (!chosen) {
       if (rule.asked && rule.pattern.substr(0, 1) != "#") refuse_unmatched(rule, layers);
@@ -378,7 +392,7 @@ LayerRule rule_of_option(const std::string& text, const std::string& place) {
   return rule;
 }
 
-void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<std::string>& layers,
+void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<NamedLayer>& layers,
                           const ReadOptions& options, const std::string& file, Diagnostics& diagnostics) {
   add_broken_edges(groups);
   const bool wanted = options.ask_if_unclear || options.overview || !options.layer_rules.empty();

@@ -15,12 +15,18 @@ struct ShapedGroup {
   std::vector<Path> lines;
 };
 
+/// A layer of the drawing, and whether anything on it was read.
+struct NamedLayer {
+  std::string name;
+  bool has_outlines = false;
+};
+
 /// "pocket", "profile", ...: as in `--op`.
 const char* name_of(LayerRole role);
 /// Gives outlines that options name ("outer", "2,5") a group of their own, fills in options.overview, and asks what the
 /// outermost outline is where that is unclear and options.ask_if_unclear. Throws InputError for options that match nothing.
 /// Cost O(n log n) for n outlines.
-void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<std::string>& layers,
+void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<NamedLayer>& layers,
                           const ReadOptions& options, const std::string& file, Diagnostics& diagnostics);
 
 /// The curves chained where their ends meet, open or closed, in their order. Cost O(n log n) unless many ends meet.
