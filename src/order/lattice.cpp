@@ -61,6 +61,11 @@ std::optional<LatticeSize> parse_lattice(std::string_view text) {
   return size;
 }
 
+bool is_like_lattice(std::string_view text) {
+  return text.size() > 1 && std::count(text.begin(), text.end(), 'x') == 1 &&
+         text.find_first_not_of("0123456789x") == std::string_view::npos;
+}
+
 std::optional<Lattice> Lattice::recognise(const std::vector<Vec2>& points) {
   if (points.empty()) return std::nullopt;
   Box box;

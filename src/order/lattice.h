@@ -19,6 +19,8 @@ struct LatticeSize {
   int rows = 0;
 };
 std::optional<LatticeSize> parse_lattice(std::string_view text);
+/// Whether somebody meant a lattice, also one without points or one that is too large: "0x10", "3x".
+bool is_like_lattice(std::string_view text);
 
 /// A point set whose points lie on the crossings of an axis-parallel square lattice, each crossing at most
 /// once.

@@ -146,6 +146,10 @@ TEST(Lattice, SizesAreReadAndRecognised) {
        {"", "x", "10x", "x10", "0x5", "10x-3", "10x10x10", "a280.tsp", "99999x2", "3.5x2"}) {
     EXPECT_FALSE(parse_lattice(bad)) << bad;
   }
+  for (const char* meant : {"10x", "x10", "0x5", "99999x2", "100x75"})
+    EXPECT_TRUE(is_like_lattice(meant)) << meant;
+  for (const char* other : {"", "x", "10x10x10", "a280.tsp", "3.5x2", "./3x0"})
+    EXPECT_FALSE(is_like_lattice(other)) << other;
   const auto lattice = Lattice::recognise(lattice_problem(7, 4, 2.5).points);
   ASSERT_TRUE(lattice);
   EXPECT_EQ(lattice->columns(), 7);

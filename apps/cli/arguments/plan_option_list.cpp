@@ -205,7 +205,7 @@ void PlanArguments::add_search_options(CLI::App& command) {
                   "Of the strategy tour: ours, or published (Tour eq. 4.8; leaves what it leaves)")
       ->check(one_of({"ours", "published"}));
   command.add_option("--time", time_, "Longest search, s (default: as long as it gains)");
-  command.add_option("--seed", seed_, "Seed of the search (default 1)");
+  command.add_option("--seed", seed_, "Seed of the search (default 1)")->check(is_seed());
   solver_.add_options(command);
   command.option_defaults()->group("Search");
 }

@@ -2,7 +2,10 @@
 
 #include <clearcut/text.h>
 
+#include <charconv>
+#include <cstdint>
 #include <optional>
+#include <string>
 
 namespace clearcut::cli {
 namespace {
@@ -59,6 +62,17 @@ CLI::Validator as_stepover() {
         return std::optional(all);
       },
       "a stepover");
+}
+
+CLI::Validator is_seed() {
+  return {[](const std::string& text) {
+            std::uint64_t seed = 0;
+            const char* end = text.data() + text.size();
+            const auto [next, error] = std::from_chars(text.data(), end, seed);
+            if (error == std::errc{} && next == end) return std::string();
+            return "'" + text + "' is not a seed; write a whole number from 0 to 18446744073709551615";
+          },
+          ""};
 }
 
 }  // namespace clearcut::cli

@@ -9,5 +9,7 @@ namespace clearcut::cli {
 CLI::Validator as_length();
 CLI::Validator as_feed();
 CLI::Validator as_stepover();
+/// A seed is any whole number of 64 bits; what does not fit is refused, not cut.
+CLI::Validator is_seed();
 
 }  // namespace clearcut::cli

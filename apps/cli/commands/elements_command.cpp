@@ -11,6 +11,7 @@
 
 #include "arguments/certificate_info.h"
 #include "arguments/plan_arguments.h"
+#include "arguments/quantities.h"
 #include "arguments/suggest.h"
 #include "commands/commands.h"
 #include "terminal/output.h"
@@ -175,7 +176,7 @@ void add_elements_command(CLI::App& app, int& exit_code, void (*print_reductions
                    "Controller: linuxcnc (default), grbl, fanuc, haas, heidenhain, mach3, mach4, marlin")
       ->check(one_of({"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"}));
   command->option_defaults()->group("Search");
-  command->add_option("--seed", state->options.seed, "Seed of the search (default 1)");
+  command->add_option("--seed", state->options.seed, "Seed of the search (default 1)")->check(is_seed());
   state->solver.add_options(*command);
   command->option_defaults()->group("Output");
   state->print_reductions = print_reductions;

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "arguments/quantities.h"
 #include "arguments/suggest.h"
 #include "commands/commands.h"
 #include "terminal/output.h"
@@ -108,7 +109,9 @@ void add_tour_command(CLI::App& app, int& exit_code) {
   command->add_option("--time", state->options.time_s, "Longest search, s")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  command->add_option("--seed", state->options.seed, "Seed of the search")->capture_default_str();
+  command->add_option("--seed", state->options.seed, "Seed of the search")
+      ->capture_default_str()
+      ->check(is_seed());
   command->add_option("--threads", state->options.threads, "Threads; 0: all cores")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "arguments/quantities.h"
 #include "arguments/suggest.h"
 #include "commands/commands.h"
 #include "study/study_files.h"
@@ -99,7 +100,9 @@ void add_study_command(CLI::App& app, int& exit_code) {
       ->check(one_of({"length", "turns", "angle"}));
   command->add_flag("--published", options.published_size,
                     "Runs, generations and lattices of the text: days");
-  command->add_option("--seed", options.seed, "Seed of the first run")->capture_default_str();
+  command->add_option("--seed", options.seed, "Seed of the first run")
+      ->capture_default_str()
+      ->check(is_seed());
   add_island_options(*command, options.islands);
   command
       ->add_option("--threads", state->threads,

@@ -44,6 +44,8 @@ constexpr const char* kOption = "--objective";
 
 order::Problem problem_of(const std::string& input, const TourOptions& options) {
   const auto lattice = order::parse_lattice(input);
+  if (!lattice && order::is_like_lattice(input))
+    throw InputError(input, "a lattice has 1 to 10000 columns and rows; write for example 30x20");
   order::Problem problem = lattice ? order::lattice_problem(lattice->columns, lattice->rows)
                                    : order::read_tsplib(read_file(input), input);
   const bool closed = options.closed.value_or(!lattice);
