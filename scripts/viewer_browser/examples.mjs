@@ -71,6 +71,18 @@ export function plannedByCommand(command, folder, example, report = false) {
   return programsOf(example).map(name => existsSync(`${folder}/own/${name}`) ? readFileSync(`${folder}/own/${name}`, 'utf8') : '');
 }
 
+/** A job that the page gave away, planned by the command beside the files that it names: the same programs. @type {(command: string, folder: string, example: Example, programs: string[]) => void} */
+export function jobPlannedByCommand(command, folder, example, programs) {
+  const stem = stemOf(example.part), place = `${folder}/job`;
+  rmSync(place, { recursive: true, force: true });
+  mkdirSync(place);
+  for (const name of filesOf(example)) copyFileSync(`${folder}/${name}`, `${place}/${name}`);
+  copyFileSync(`${folder}/downloaded/${stem}.toml`, `${place}/${stem}.toml`);
+  const ended = spawnSync(command, ['plan', `${stem}.toml`, '--quiet'], { cwd: place, encoding: 'utf8' });
+  const same = programsOf(example).every((name, k) => existsSync(`${place}/${name}`) && readFileSync(`${place}/${name}`, 'utf8') === programs[k]);
+  check(ended.status === 0 && same, `${stem}.toml: the page's job gives the same bytes ${ended.stderr}`);
+}
+
 /** The programs in `folder`/`from`, downloaded or written, by `clearcut verify`. @type {(command: string, folder: string, example: Example, from: string) => void} */
 export function verifiedByCommand(command, folder, example, from) {
   const names = programsOf(example);
@@ -90,13 +102,22 @@ export async function until(frame, code) {
   throw new Error(`${code}: not in time`);
 }
 
+/** Where an element lies once it is in sight and the page around it moves no more. @type {(one: import('playwright-core').Locator) => Promise<{ x: number, y: number, width: number, height: number }>} */
+async function boxInSight(one) {
+  for (let k = 0, before = ''; k < 100; ++k) {
+    await one.scrollIntoViewIfNeeded();
+    const box = await one.boundingBox(), now = JSON.stringify(box);
+    if (box && now === before) return box;
+    before = now;
+    await new Promise(soon => { setTimeout(soon, 100); });
+  }
+  throw new Error('the stage is not in sight');
+}
+
 /** The stage at rest, without its rounded edge, which a browser blends with what lies around as it likes. @type {(frame: Page | Frame) => Promise<Buffer>} */
 export async function stageAtRest(frame) {
   await until(frame, '!redrawAsked && detail.settled');
-  const stage = frame.locator('#stage'), page = 'page' in frame ? frame.page() : frame;
-  await stage.scrollIntoViewIfNeeded();
-  const box = await stage.boundingBox();
-  if (!box) throw new Error('there is no stage');
+  const page = 'page' in frame ? frame.page() : frame, box = await boxInSight(frame.locator('#stage'));
   return page.screenshot({ clip: { x: Math.ceil(box.x) + 8, y: Math.ceil(box.y) + 8, width: Math.floor(box.width) - 17, height: Math.floor(box.height) - 17 } });
 }
 

@@ -4,7 +4,7 @@
 import { mkdirSync, readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { check, conclude, launch, reportIn, textOf, watch } from './browser.mjs';
-import { copyExamples, EXAMPLES, filesOf, optionsOf, plannedByCommand, programsOf, scrubsBothWays, verifiedByCommand } from './examples.mjs';
+import { copyExamples, EXAMPLES, filesOf, jobPlannedByCommand, optionsOf, plannedByCommand, programsOf, scrubsBothWays, verifiedByCommand } from './examples.mjs';
 import { hostOf } from './static_host.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -61,6 +61,12 @@ async function inPage(page, example) {
     check(readFileSync(`${folder}/downloaded/${name}`, 'utf8') === programs[k], `${name}: the page's program is the command's, byte for byte`);
   }
   verifiedByCommand(command, folder, example, 'downloaded');
+  if (await page.locator('#plan-job').count() > 0) {
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('#plan-job')]);
+    await download.saveAs(`${folder}/downloaded/${download.suggestedFilename()}`);
+    check(!(await textOf(page, '#plan-downloads')).includes('without'), `${example.part}: its job holds everything`);
+    jobPlannedByCommand(command, folder, example, programs);
+  }
   for (const [k, name] of programsOf(example).entries()) {
     if (k > 0) await page.selectOption('#plan-setup', { index: k });
     const again = async () => {

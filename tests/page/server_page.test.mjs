@@ -23,8 +23,24 @@ describe('the job file', () => {
       assert.ok(job.text.split('\n').includes(line), `${line} is not in\n${job.text}`);
     assert.deepEqual(job.left, []);
   });
+  test('holds tools with all that is said of them, and lengths in inches', () => {
+    const tables = /** @type {string[]} */ (ask(`['vbit:60deg:10', 'chamfer:90deg:8:tip=0.4:T7', 'endmill:0.25in:flutes=3:length=20:shank=6:stickout=30:holder=40:hss:coated:noplunge', 'tapered:3:taper=5deg:length=20', 'bullnose:6:corner=0.5:name=A'].map(text => toolTable(text, 2))`));
+    assert.deepEqual(tables.map(table => table.trim().split('\n').slice(1).join('; ')), [
+      'kind = "vbit"; number = 2; tip_angle = 60; diameter = 10',
+      'kind = "chamfer"; tip_angle = 90; diameter = 8; tip_diameter = 0.4; number = 7',
+      'kind = "endmill"; number = 2; diameter = 6.35; teeth = 3; flute_length = 20; shank_diameter = 6; stickout = 30; holder_diameter = 40; material = "hss"; coated = true; center_cutting = false',
+      'kind = "tapered"; number = 2; diameter = 3; taper_angle = 5; flute_length = 20',
+      'kind = "bullnose"; number = 2; diameter = 6; corner_radius = 0.5; name = "A"']);
+    assert.deepEqual(ask(`['endmill', 'endmill:six', 'endmill:6:magic=1', '6:endmill'].map(text => toolTable(text, 1))`), [null, null, null, null]);
+  });
+  test('holds tabs, the look of the program, and how contours run', () => {
+    const job = /** @type {{ text: string, left: string[] }} */ (ask(`jobOf('plate.dxf', '--tabs 4 --tab-shape triangular --skin 0.2 --order outside-in --angle 30 --program-number 7 --block-numbers --optional-stop --style maker --dogbones bone')`));
+    for (const line of ['tabs = 4', 'tab_shape = "triangular"', 'skin = 0.2', 'order = "outside-in"', 'angle = 30', 'program_number = 7', 'block_numbers = true', 'optional_stop = true', 'style = "maker"', 'dogbones = "bone"'])
+      assert.ok(job.text.split('\n').includes(line), `${line} is not in\n${job.text}`);
+    assert.deepEqual(job.left, []);
+  });
   test('says what it has no words for', () => {
-    assert.deepEqual(ask(`jobOf('plate.dxf', '--tool vbit:60deg:10 --no-such 3').left`), ['--tool vbit:60deg:10', '--no-such 3']);
+    assert.deepEqual(ask(`jobOf('plate.dxf', '--tool vbit:sharp:10 --no-such 3').left`), ['--tool vbit:sharp:10', '--no-such 3']);
   });
 });
 

@@ -2,13 +2,14 @@
 
 /** @type {Record<string, [JobTable, string, string]>} */
 const flagKeys = { '--rest': ['plan', 'rest', 'true'], '--inch': ['output', 'inch', 'true'], '--exact-stop': ['output', 'exact_stop', 'true'], '--no-arcs': ['output', 'arcs', 'false'],
-  '--no-tool-change': ['output', 'tool_change', 'false'], '--no-length-offset': ['output', 'length_offset', 'false'] };
+  '--no-tool-change': ['output', 'tool_change', 'false'], '--no-length-offset': ['output', 'length_offset', 'false'],
+  '--block-numbers': ['output', 'block_numbers', 'true'], '--optional-stop': ['output', 'optional_stop', 'true'] };
 /** @type {Record<Exclude<JobTable, 'library'>, string[]>} */
 const keysOf = { part: ['unit', 'depth', 'top', 'join-gap', 'open-curves', 'strokes', 'text', 'up', 'turn', 'body', 'breakthrough'], machine: ['rapid', 'acceleration', 'junction-deviation'],
-  output: ['post', 'decimals', 'spindle-wait', 'work-offset', 'end-position'],
+  output: ['post', 'decimals', 'spindle-wait', 'work-offset', 'end-position', 'program-number'],
   plan: ['strategy', 'stepover', 'stepdown', 'allowance', 'allowance-floor', 'scallop', 'lead', 'lead-angle', 'entry', 'entry-angle', 'direction', 'feed', 'plunge-feed', 'ramp-feed', 'slot-feed', 'spindle', 'coolant',
     'passage', 'grid', 'solver', 'clearance', 'engagement', 'objective', 'time', 'seed', 'helix-diameter', 'helix-min', 'lead-feed', 'lead-overlap', 'overrun', 'link-feed', 'link-lift', 'slot-angle', 'after',
-    'finish', 'finish-stock', 'finish-stock-floor', 'finish-depths', 'material'] };
+    'finish', 'finish-stock', 'finish-stock-floor', 'finish-depths', 'material', 'style', 'dogbones', 'angle', 'order', 'tabs', 'tab-spacing', 'tab-shape', 'tab-width', 'tab-height', 'skin'] };
 /** @type {Exclude<JobTable, 'library'>[]} */
 const tablesWithKeys = ['part', 'machine', 'output', 'plan'];
 /** @type {Record<string, [JobTable, string]>} */
@@ -36,10 +37,39 @@ const tomlText = text => JSON.stringify(text);
 /** @type {(text: string) => string} */
 const tomlValue = text => /^-?\d+(\.\d+)?$/.test(text) ? text : tomlText(text);
 
-/** A tool as a table, null where more is said of it than a job's simplest table holds. @type {(text: string, number: number) => string | null} */
+/** mm of a length as on the command line, null where it is none. @type {(text: string) => number | null} */
+function mmOf(text) {
+  const [, number, unit_] = /^(\d+(?:\.\d+)?)(mm|in|")?$/.exec(text) ?? [];
+  return number === undefined ? null : unit_ === 'in' || unit_ === '"' ? Number((25.4 * Number(number)).toFixed(9)) : Number(number);
+}
+
+/** What may follow a tool's kind, as a line of its table; `length`: it is a length. @type {{ pattern: RegExp, key: string, length?: boolean }[]} */
+const toolWords = [{ pattern: /^T(\d+)$/, key: 'number' }, { pattern: /^(\d+(?:\.\d+)?)deg$/, key: 'tip_angle' }, { pattern: /^taper=(\d+(?:\.\d+)?)deg$/, key: 'taper_angle' },
+  { pattern: /^flutes=(\d+)$/, key: 'teeth' }, { pattern: /^max_spindle=(\d+(?:\.\d+)?)$/, key: 'max_spindle' }, { pattern: /^tip=(.+)$/, key: 'tip_diameter', length: true },
+  { pattern: /^corner=(.+)$/, key: 'corner_radius', length: true }, { pattern: /^length=(.+)$/, key: 'flute_length', length: true }, { pattern: /^shank=(.+)$/, key: 'shank_diameter', length: true },
+  { pattern: /^stickout=(.+)$/, key: 'stickout', length: true }, { pattern: /^holder=(.+)$/, key: 'holder_diameter', length: true }, { pattern: /^(.+)$/, key: 'diameter', length: true }];
+/** @type {Record<string, string>} */
+const toolFlags = { hss: 'material = "hss"', carbide: 'material = "carbide"', coated: 'coated = true', noplunge: 'center_cutting = false' };
+
+/** Key and value of a word of a tool, null where a job has none for it. @type {(word: string) => string | null} */
+function toolLine(word) {
+  if (toolFlags[word]) return toolFlags[word];
+  if (word.startsWith('name=')) return `name = ${tomlText(word.slice(5))}`;
+  for (const { pattern, key, length } of toolWords) {
+    const value = pattern.exec(word)?.[1];
+    if (value === undefined) continue;
+    const number = length ? mmOf(value) : Number(value);
+    return number === null ? null : `${key} = ${number}`;
+  }
+  return null;
+}
+
+/** A tool as a table, null where more is said of it than a job has words for. @type {(text: string, number: number) => string | null} */
 function toolTable(text, number) {
-  const found = /^([a-z]+):(\d+(?:\.\d+)?)(?:mm)?(?::T(\d+))?$/.exec(text);
-  return found && `[[tool]]\nnumber = ${found[3] ?? number}\nkind = ${tomlText(found[1])}\ndiameter = ${found[2]}\n`;
+  const [kind, ...words] = text.split(':'), lines = words.map(toolLine);
+  if (!/^[a-z]+$/.test(kind) || lines.some(line => line === null) || !lines.some(line => line?.startsWith('diameter'))) return null;
+  if (!lines.some(line => line?.startsWith('number'))) lines.unshift(`number = ${number}`);
+  return `[[tool]]\nkind = ${tomlText(kind)}\n${lines.join('\n')}\n`;
 }
 
 /** What outlines are for, null where a job has no word for it. @type {(text: string) => string | null} */
