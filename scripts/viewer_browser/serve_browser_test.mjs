@@ -5,6 +5,7 @@ import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'no
 import { resolve } from 'node:path';
 import { showsBeside } from './beside.mjs';
 import { check, conclude, fits, isAccessible, launch, reportIn, textOf, watch } from './browser.mjs';
+import { keepsItsPlace, walksByTab } from './keyboard.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -189,6 +190,25 @@ async function checksAlone(page) {
   check((await textOf(frame, '#tiles')).includes('not asked'), 'a program is checked alone, and its report says what was not asked');
 }
 
+/** What is no program is told for what it is. @type {(page: Page) => Promise<void>} */
+async function refusesNoPrograms(page) {
+  await page.goto(address);
+  await page.click('#tab-check');
+  for (const [name, text, words] of [['empty.ngc', '\n', 'the file is empty'], ['letter.txt', 'Dear Sir,\nplease mill this.\n', 'no line of it is a block of a program'], ['drawing.nc', '  0\nSECTION\n', 'this is a DXF drawing, no program']]) {
+    writeFileSync(`${folder}/${name}`, text);
+    await page.setInputFiles('#check-files', `${folder}/${name}`);
+    await page.fill('#check-diameter', '6');
+    await page.click('#check-go');
+    await page.waitForSelector('#check-status.error');
+    check((await textOf(page, '#check-status')).startsWith(`${name}: ${words}; `) && await page.isHidden('#check-result'), `what is no program is told: ${await textOf(page, '#check-status')}`);
+    if (name !== 'drawing.nc') await page.click(`[aria-label="Remove ${name}"]`);
+  }
+  await isAccessible(page, 'the page with what is no program');
+  await page.setInputFiles('#check-files', [`${folder}/letter.txt`, `${folder}/square.json`]);
+  await page.click('[aria-label="Remove drawing.nc"]');
+  await keepsItsPlace(page, 'letter.txt', 'square.json');
+}
+
 /** Elements that are written down, then a job of them: squares, tool impact, visit, points. @type {(page: Page) => Promise<void>} */
 async function activates(page) {
   await page.goto(address);
@@ -218,6 +238,10 @@ async function activates(page) {
   await frame?.waitForSelector('svg');
   check(/Activated, reduced, cut/.test(await frame?.content() ?? '') && (await frame?.locator('td:text-is("middle")').count() ?? 0) > 0, 'squares and the table of elements are shown');
   await isAccessible(page, 'the page with elements');
+  const report = await page.context().newPage();
+  await report.goto(await page.getAttribute('#elements-report', 'src').then(src => new URL(src ?? '', address).href));
+  await isAccessible(report, 'the report of elements');
+  await report.close();
   check(await fits(page), 'nothing overflows with elements');
 }
 
@@ -279,6 +303,7 @@ await isAccessible(page, 'the empty page');
 await plans(page);
 await page.screenshot({ path: picture('serve-1366') });
 await isAccessible(page, 'the page with a plan');
+await walksByTab(page, 'the page with a plan');
 check(await fits(page), 'nothing overflows at 1366');
 await drives(page);
 await isAccessible(page, 'the page with outlines');
@@ -289,15 +314,19 @@ await cancels(page);
 await checks(page);
 await page.screenshot({ path: picture('serve-check-1366') });
 await isAccessible(page, 'the page with a check');
+await walksByTab(page, 'the page with a check');
 await checksAlone(page);
 await page.screenshot({ path: picture('serve-alone-1366'), fullPage: true });
 await isAccessible(page, 'the page with a program alone');
 await checksWithConditions(page);
+await refusesNoPrograms(page);
 await activates(page);
 await page.screenshot({ path: picture('serve-elements-1366'), fullPage: true });
+await walksByTab(page, 'the page with elements');
 await refusesElements(page);
 await solves(page);
 await page.screenshot({ path: picture('serve-tour-1366'), fullPage: true });
+await walksByTab(page, 'the page with a tour');
 await cancelsTour(page);
 const phone = await open(390, 844, 'dark');
 await plans(phone);

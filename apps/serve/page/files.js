@@ -14,6 +14,7 @@ class ChosenFiles {
   constructor(drop, input, list, roles, changed) {
     /** @type {ChosenFile[]} */
     this.entries = [];
+    this.input = input;
     this.list = list;
     this.roles = roles;
     this.changed = changed;
@@ -56,9 +57,16 @@ class ChosenFiles {
     this.show();
   }
 
+  /** The list is written anew; what had the focus has it again, and where its line is gone, the next one or the choice of files. */
   show() {
+    const held = this.list.contains(document.activeElement) ? document.activeElement : null, lines = [...this.list.children];
+    const row = lines.findIndex(line => line.contains(held)), isSame = lines.length === this.entries.length;
     this.list.replaceChildren(...this.entries.map(entry => this.line(entry)));
     this.changed();
+    if (!held) return;
+    const controls = this.list.children[Math.min(row, this.entries.length - 1)]?.querySelectorAll(isSame ? held.tagName : 'button');
+    const next = controls?.[0] ?? this.input;
+    if (next instanceof HTMLElement) next.focus();
   }
 
   /** @type {(entry: ChosenFile) => HTMLElement} */

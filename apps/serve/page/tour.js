@@ -56,8 +56,8 @@ function drawConvergence(until, bound) {
   element('tour-bound').setAttribute('d', bound === undefined ? '' : convergencePath([[0, bound]], until, low, high));
   element('tour-high').textContent = shortNumber(high);
   element('tour-low').textContent = low < high ? shortNumber(low) : '';
-  element('tour-until').textContent = `${until.toFixed(1)} s`;
-  element('tour-said').textContent = `${tour.samples.length} ${tour.samples.length === 1 ? 'value' : 'values'}, from ${shortNumber(values[0])} to ${shortNumber(best)}${bound === undefined ? '' : `; the dashed line is the bound, ${shortNumber(bound)}`}`;
+  element('tour-until').textContent = `${until.toFixed(until < 1 ? 3 : 1)} s`;
+  element('tour-said').textContent = `${values.length === 1 ? `1 value, ${shortNumber(best)}` : `${values.length} values, from ${shortNumber(values[0])} to ${shortNumber(best)}`}${bound === undefined ? '' : `; the dashed line is the bound, ${shortNumber(bound)}`}`;
 }
 
 /** @type {(state: WaitingState | RunningState) => void} */
