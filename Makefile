@@ -5,7 +5,7 @@ OUT := out
 configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=ON $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
             rm -f build-configure.log
 
-.PHONY: all setup build demo test web test-web python packages reproduce-packages docs format lint-viewer test-browser test-freecad clean
+.PHONY: all setup build demo test web test-web python packages reproduce-packages docs pictures format lint-viewer test-browser test-freecad clean
 all: build
 
 setup:
@@ -61,6 +61,10 @@ docs:
 # All packages a second time, elsewhere and without a compiler cache: they have to be the same to the byte. Takes as long as a first build.
 reproduce-packages:
 	@scripts/packaging/reproduce.sh build/packages/out
+
+# The README's pictures, after what they show has changed.
+pictures: test-browser
+	@scripts/docs/pictures.sh $(BUILD)/apps/cli/clearcut
 
 format:
 	@scripts/format.sh

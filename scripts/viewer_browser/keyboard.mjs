@@ -15,10 +15,10 @@ const stopOf = page => page.evaluate(() => {
   return { name: one.id || one.getAttribute('aria-label') || one.tagName, seen: one.tagName === 'IFRAME' || style.outlineStyle !== 'none' && parseFloat(style.outlineWidth) >= 2, end: again };
 });
 
-/** Presses Tab from the chosen tab to the end of the page. @type {(page: Page, what: string) => Promise<void>} */
-export async function walksByTab(page, what) {
+/** Presses Tab from the element that the selector finds, if there is one, to the end of the page. @type {(page: Page, what: string, from?: string) => Promise<void>} */
+export async function walksByTab(page, what, from = '[role=tab][aria-selected=true]') {
   await page.evaluate(() => { for (const one of document.querySelectorAll('[data-reached]')) one.removeAttribute('data-reached'); });
-  await page.focus('[role=tab][aria-selected=true]');
+  if (from) await page.focus(from);
   /** @type {string[]} */
   const unseen = [];
   let stops = 0;

@@ -86,6 +86,10 @@ async function drives(page) {
   check((await textOf(page, '#plan-status')).startsWith('Done'), 'it is planned: ' + await textOf(page, '#plan-status'));
   const program = await saved(page, '#plan-downloads li:first-child a', 'plate.ngc'), sheet = await saved(page, 'a[download="plate-setup.html"]', 'sheet.html');
   check(sheet.includes('<html') && sheet.includes('plate'), 'the set-up sheet is downloaded');
+  const sheetPage = await page.context().newPage();
+  await sheetPage.goto(`file://${folder}/drive/sheet.html`);
+  await isAccessible(sheetPage, 'the set-up sheet');
+  await sheetPage.close();
   const job = await saved(page, '#plan-job', 'plate.toml');
   check(!(await textOf(page, '#plan-downloads')).includes('without'), 'the job holds everything');
   for (const file of ['plate.dxf', 'tools.toml']) copyFileSync(`${folder}/${file}`, `${folder}/drive/${file}`);
@@ -194,7 +198,7 @@ async function checksAlone(page) {
 async function refusesNoPrograms(page) {
   await page.goto(address);
   await page.click('#tab-check');
-  for (const [name, text, words] of [['empty.ngc', '\n', 'the file is empty'], ['letter.txt', 'Dear Sir,\nplease mill this.\n', 'no line of it is a block of a program'], ['drawing.nc', '  0\nSECTION\n', 'this is a DXF drawing, no program']]) {
+  for (const [name, text, words] of [['empty.ngc', '\n', 'the file is empty'], ['letter.txt', 'Dear Sir,\nplease mill this.\n', 'no line of it is a block of a program, such as G1 X10 F300'], ['drawing.nc', '  0\nSECTION\n', 'this is a DXF drawing, no program']]) {
     writeFileSync(`${folder}/${name}`, text);
     await page.setInputFiles('#check-files', `${folder}/${name}`);
     await page.fill('#check-diameter', '6');

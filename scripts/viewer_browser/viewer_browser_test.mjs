@@ -2,6 +2,7 @@
 import { readFileSync, statSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { axe, boxOf, check, conclude, holds, isAccessible, launch, numberOf, numbersOf, pointOf, textOf, watch } from './browser.mjs';
+import { walksByTab } from './keyboard.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -240,6 +241,27 @@ const sidesApart = (page, seen, left, right, w) => page.evaluate(`(async () => {
   return n;
 })()`);
 
+/** The whole page without a pointer: turned, zoomed, brought to a line, measuring ended. */
+async function byKeyboard() {
+  const page = await open(1366, 768, 'light', '#t=5000');
+  await walksByTab(page, 'the report', '');
+  await page.focus('#overlay');
+  const before = await numbersOf(page, '[camera.yaw, camera.k]');
+  await page.keyboard.press('Shift+ArrowLeft');
+  await page.keyboard.press('+');
+  const after = await numbersOf(page, '[camera.yaw, camera.k]');
+  check(before[0] !== after[0] && after[1] > before[1], 'keys turn the part and zoom');
+  await page.keyboard.press('m');
+  check(await page.getAttribute('#measure', 'aria-pressed') === 'true', 'm measures');
+  await page.keyboard.press('Escape');
+  check(await page.getAttribute('#measure', 'aria-pressed') === 'false', 'Escape ends it');
+  await page.focus('#program');
+  const line = await selectedLine(page);
+  await page.keyboard.press('ArrowDown');
+  check(await selectedLine(page) > line, 'arrows in the list bring the cutter to the next line');
+  await page.close();
+}
+
 async function frames() {
   const page = await open(1280, 720, 'light', '#t=5000');
   const rate = await numberOf(page, `new Promise(done => { let n = 0; const from = performance.now();
@@ -359,7 +381,7 @@ check(statSync(fishhead).size < 10e6, `the page has ${statSync(fishhead).size} b
 console.log('opened in', await numberOf(page, 'Math.round(performance.timing.loadEventEnd - performance.timing.navigationStart)'), 'ms');
 for (const part of [plays, clicks, chooses, scrubs]) await part(page);
 await page.close();
-for (const part of [inSpace, scrubsInSpace, zoomsIn, beforeAndAfter, withoutStock, manyFaults, frames, aMillionLines, strangeAddresses, withoutWebGl]) await part();
+for (const part of [inSpace, scrubsInSpace, zoomsIn, beforeAndAfter, withoutStock, manyFaults, byKeyboard, frames, aMillionLines, strangeAddresses, withoutWebGl]) await part();
 for (const [width, height] of [[390, 844], [1366, 768], [1920, 1080], [3840, 2160]]) {
   await looks(width, height, 'light');
   await looks(width, height, 'dark');
