@@ -148,10 +148,10 @@ async function activates(page) {
 /** @type {(page: Page) => Promise<void>} */
 async function solves(page) {
   await page.click('#tab-tour');
-  await page.fill('#tour-lattice', '40x40');
+  await page.fill('#tour-lattice', '24x24');
   await page.selectOption('#tour-shape', '--closed');
   await page.selectOption('#tour-solver', 'published');
-  await page.fill('#tour-time', '8');
+  await page.fill('#tour-time', '20');
   await page.click('#tour-go');
   await page.waitForFunction(() => Number(document.getElementById('tour-curve')?.getAttribute('data-samples')) > 1 && document.getElementById('tour-result')?.hidden, null, { timeout: 60000 });
   check(true, 'the graph of a tour grows while the search goes on');
