@@ -102,12 +102,13 @@ export async function until(frame, code) {
   throw new Error(`${code}: not in time`);
 }
 
-/** Where an element lies once it is in sight and the page around it moves no more. @type {(one: import('playwright-core').Locator) => Promise<{ x: number, y: number, width: number, height: number }>} */
+/** Where an element lies once all of it is in sight and the page around it moves no more. @type {(one: import('playwright-core').Locator) => Promise<{ x: number, y: number, width: number, height: number }>} */
 async function boxInSight(one) {
+  const window_ = one.page().viewportSize();
   for (let k = 0, before = ''; k < 100; ++k) {
-    await one.scrollIntoViewIfNeeded();
-    const box = await one.boundingBox(), now = JSON.stringify(box);
-    if (box && now === before) return box;
+    const box = await one.boundingBox(), now = JSON.stringify(box), isWhole = box && box.y >= 0 && box.y + box.height <= (window_?.height ?? Infinity);
+    if (isWhole && now === before) return box;
+    if (!isWhole) await one.evaluate(element => { element.scrollIntoView({ block: 'center' }); });
     before = now;
     await new Promise(soon => { setTimeout(soon, 100); });
   }
