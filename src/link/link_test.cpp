@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "kinematics/kinematics.h"
 #include "link/work.h"
 
@@ -86,6 +89,49 @@ TEST(Link, RapidsBetweenAreasCrossOverAllThatStands) {
   }
   EXPECT_EQ(crossings, 2);
   EXPECT_EQ(section.moves.back().z_to, options.safe_z);
+}
+
+TEST(Link, NextLayerBelowTheCutterIsEnteredWithoutGoingUp) {
+  const auto layers = layers_of_pockets({{0, 0}}, 3);
+  for (const EntryKind entry : {EntryKind::kPlunge, EntryKind::kRamp}) {
+    LinkOptions options = options_with_radius(3);
+    options.entry = entry;
+    const Section section = link_layers(layers, options, {});
+    double highest_inside = -10;
+    for (std::size_t i = 2; i + 1 < section.moves.size(); ++i)
+      highest_inside = std::max(highest_inside, section.moves[i].z_to);
+    EXPECT_LE(highest_inside, 0) << static_cast<int>(entry);
+    EXPECT_EQ(section.moves[section.moves.size() - 2].z_to, -6);
+  }
+}
+
+TEST(Link, WhereTheCutterOnlyComesDownItComesUpForEveryLayer) {
+  std::vector<LayerPasses> layers = layers_of_pockets({{0, 0}}, 3);
+  for (LayerPasses& layer : layers) {
+    layer.legal = {square({0, 0}, 0.001)};
+    layer.passes.front().path = {Edge::line({0, 0}, {0, 0})};
+    layer.passes.front().closed = false;
+  }
+  double at_once = 0, most = 0;  // mm down without a rapid between
+  for (const Move& move : link_layers(layers, options_with_radius(3), {}).moves) {
+    at_once = is_rapid(move.kind) ? 0 : at_once + move.z_from - move.z_to;
+    most = std::max(most, at_once);
+  }
+  EXPECT_NEAR(most, 3, 1e-9);
+}
+
+TEST(Link, EntriesBesideTheCutterBeginWhereItIsTaken) {
+  // A helix into the next layer begins beside the start of the pass, at another angle from another height.
+  std::vector<LayerPasses> layers = layers_of_pockets({{0, 0}}, 3);
+  for (LayerPasses& layer : layers) layer.legal = {square({0, 0}, 2.5)};
+  LinkOptions options = options_with_radius(3);
+  options.entry = EntryKind::kHelix;
+  options.entry_angle = Radians::of_degrees(7);
+  const Section section = link_layers(layers, options, {});
+  for (std::size_t i = 1; i < section.moves.size(); ++i) {
+    EXPECT_LE(distance(section.moves[i - 1].path.to, section.moves[i].path.from), 1e-6) << i;
+    EXPECT_NEAR(section.moves[i - 1].z_to, section.moves[i].z_from, 1e-9) << i;
+  }
 }
 
 TEST(Link, WayThroughAreasInARowIsTheShortOne) {

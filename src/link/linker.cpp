@@ -70,6 +70,12 @@ double least_retract_time(const Work& work, const LinkOptions& options, const Cu
   return rapid_time(up, options.machine) + rapid_time(apart, options.machine);
 }
 
+/// Whether a pass has left the cutter at p, at a height between these. Where it has only come down the chips have to come up first.
+bool stand_over(const MoveList& moves, Vec2 p, double z_low, double z_high) {
+  return !moves.empty() && !moves.ends_upright() && moves.at() == p && moves.z() > z_low &&
+         moves.z() <= z_high;
+}
+
 }  // namespace
 
 void Linker::cut_nearest_first() {
@@ -287,13 +293,15 @@ void Linker::link_to(Vec2 p) {
   moves_.vertical(depth, MoveKind::kPlunge, options_.plunge_feed);
 }
 
-/// Goes over p by rapids, as low as is safe.
+/// Goes over p by rapids, as low as is safe. Where the cutter is at p already it stays in its own cut.
 void Linker::go_over(Vec2 p, std::size_t item) {
-  rise_and_cross(p, running() ? retract_height(here(), p, item) : options_.safe_z);
+  if (!running() || moves_.at() != p)
+    rise_and_cross(p, running() ? retract_height(here(), p, item) : options_.safe_z);
   moves_.vertical(approach_z(p, item), MoveKind::kRapid, {});
 }
 
-/// Goes from a little above the material down into it by the entry asked for. Returns the same as go_to.
+/// Goes from a little above the material down into it by the entry asked for, or from where the layer above has left the
+/// cutter over the start. Returns the same as go_to.
 double Linker::enter_material(Vec2 start, const Path& path, const Path* ring, std::size_t item) {
   const LayerPasses& passes = layer(item).layer();
   const Edge first = path.front();
@@ -303,9 +311,16 @@ double Linker::enter_material(Vec2 start, const Path& path, const Path* ring, st
   EntryPlace place{start, heading, z_above, passes.z, pass.entry_center, ring};
   if (pass.kinds.empty()) place.run = &path;
   place.stays_on_run = !pass.may_cut_to_start;
-  const Entry entry = entry_at(place, passes.legal, options_);
-  go_over(entry.moves.front().path.from, item);
-  moves_.vertical(z_above, MoveKind::kPlunge, options_.plunge_feed);
+  if (stand_over(moves_, start, passes.z, z_above)) place.z_above = moves_.z();
+  Entry entry = entry_at(place, passes.legal, options_);
+  if (entry.moves.front().path.from != start && place.z_above != z_above) {
+    place.z_above = z_above;
+    entry = entry_at(place, passes.legal, options_);
+  }
+  if (place.z_above == z_above) {
+    go_over(entry.moves.front().path.from, item);
+    moves_.vertical(z_above, MoveKind::kPlunge, options_.plunge_feed);
+  }
   moves_.append(entry.moves);
   ++entries_[index_of(entry.kind)];
   return entry.along_ring;

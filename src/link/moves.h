@@ -51,6 +51,7 @@ class MoveList {
   }
 
   bool empty() const { return moves_.empty(); }
+  bool ends_upright() const { return !moves_.empty() && moves_.back().is_vertical(); }
   std::vector<Move> take() { return std::move(moves_); }
 
  private:

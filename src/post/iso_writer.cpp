@@ -144,7 +144,10 @@ void IsoWriter::set_path_control() {
   if (dialect_.path_control == PathControl::kTolerance)
     out_.line(fmt::format("G64 P{} Q0", trimmed(blend, 6)));
   if (dialect_.path_control == PathControl::kCornerRounding) out_.line("G187 E" + trimmed(blend, 6));
-  if (dialect_.path_control == PathControl::kExactStop) out_.line(options_.continuous ? "G64" : "G61");
+  if (dialect_.path_control != PathControl::kExactStop) return;
+  // Said in the program, because a shop asks why the machine stops at every corner.
+  if (!options_.continuous) out_.comment("EXACT STOP: G64 ROUNDS CORNERS BY NO STATED BOUND, SEE BLENDING");
+  out_.line(options_.continuous ? "G64" : "G61");
 }
 
 void IsoWriter::write_section(const Section& section) {
@@ -158,7 +161,8 @@ void IsoWriter::write_section(const Section& section) {
   approach(section.moves.front());
   const Tool* tap = tap_of(section, part_);
   if (tap) refuse_tap(*tap, dialect_.tapping, dialect_.name);
-  const std::span<const Move> moves(section.moves);
+  const std::vector<Move> joined = with_lines_joined(section.moves, rules_.grid);
+  const std::span<const Move> moves(joined);
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const auto hole = dialect_.drill_cycles ? drill_block(moves.subspan(i), rules_.grid) : std::nullopt;
     if (hole && held_.height && held_.at.z == hole->above) {

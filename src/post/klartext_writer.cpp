@@ -29,16 +29,21 @@ constexpr std::size_t kLineLength = 80;
 constexpr double kWidestHelix = 200;
 constexpr double kLargestRadius = 10000;   // mm
 constexpr double kFinestTolerance = 1e-5;  // mm or inch, of cycle 32
-constexpr std::size_t kNameLength = 16;
+constexpr std::size_t kNameLength = 24;    // what TNCs show of a file's name
 
 std::string program_name(const std::string& wanted) {
   std::string name;
   for (const char c : wanted) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte < 128 && (std::isalnum(byte) || c == '-' || c == '_'))
+    if (byte < 128 && (std::isalnum(byte) || c == '-' || c == '_')) {
       name += static_cast<char>(std::toupper(byte));
+    } else if (!name.empty() && name.back() != '_') {
+      name += '_';  // words do not run together
+    }
   }
-  return name.empty() ? "CLEARCUT" : name.substr(0, kNameLength);
+  name = name.substr(0, kNameLength);
+  while (!name.empty() && name.back() == '_') name.pop_back();
+  return name.empty() ? "CLEARCUT" : name;
 }
 
 struct ControlState {
@@ -164,7 +169,7 @@ void KlartextWriter::write_section(const Section& section) {
   approach(section.moves.front());
   const Tool* tap = tap_of(section, part_);
   if (tap) refuse_tap(*tap, Tapping::kByWords, "heidenhain");
-  for (const Move& move : section.moves) {
+  for (const Move& move : with_lines_joined(section.moves, rules_.grid)) {
     // With a floating holder the spindle turns back at the bottom, and forward again once the tap is out.
     const bool out = tap && !is_rapid(move.kind) && move.z_to > move.z_from;
     if (out) block(section.spindle_clockwise ? "M4" : "M3");

@@ -81,6 +81,14 @@ TEST(ProgramWords, ProgramNumberIsTheOWord) {
   EXPECT_THAT(program(options), HasSubstr("%\nO12345\n"));
 }
 
+TEST(ProgramWords, KlartextNamesKeepTheirWordsApart) {
+  PostOptions options = post_for("heidenhain");
+  options.program_name = "two sided: set-up 1";
+  EXPECT_THAT(program(options), HasSubstr("BEGIN PGM TWO_SIDED_SET-UP_1 MM"));
+  options.program_name = "a name that is longer than a TNC shows";
+  EXPECT_THAT(program(options), HasSubstr("BEGIN PGM A_NAME_THAT_IS_LONGER_TH MM"));
+}
+
 TEST(ProgramWords, BlocksAreNumberedInTens) {
   PostOptions options = post_for("haas");
   const std::string plain = program(options);

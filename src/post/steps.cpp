@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 #include "base/elementary.h"
@@ -131,6 +132,22 @@ void append_arc(const Move& move, const StepRules& rules, int halvings, Ticks& a
   append_arc(half(move, 1), rules, halvings + 1, at, out);
 }
 
+/// The smallest whole steps in the direction from `a` to `b`; none where they are the same place.
+Ticks direction_between(const Ticks& a, const Ticks& b) {
+  const Ticks way{b.x - a.x, b.y - a.y, b.z - a.z};
+  const long long share = std::gcd(std::gcd(way.x, way.y), way.z);
+  return share == 0 ? way : Ticks{way.x / share, way.y / share, way.z / share};
+}
+
+bool goes_on(const Move& before, const Move& after, const PrintGrid& grid) {
+  if (before.path.is_arc() || after.path.is_arc()) return false;
+  if (is_rapid(before.kind) != is_rapid(after.kind) || before.feed != after.feed) return false;
+  const Ticks joint = grid.ticks(before.path.to, before.z_to);
+  const Ticks way = direction_between(grid.ticks(before.path.from, before.z_from), joint);
+  if (way == Ticks{} || way != direction_between(joint, grid.ticks(after.path.to, after.z_to))) return false;
+  return !is_rapid(before.kind) || way.z == 0 || way.same_plan({});
+}
+
 }  // namespace
 
 double largest_deviation(const PrintGrid& grid) {
@@ -154,6 +171,21 @@ Ticks append_steps(const Move& move, Ticks from, const StepRules& rules, std::ve
     append_line(rules.grid.ticks(move.path.to, move.z_to), at, out);
   }
   return at;
+}
+
+std::vector<Move> with_lines_joined(std::span<const Move> moves, const PrintGrid& grid) {
+  std::vector<Move> joined;
+  joined.reserve(moves.size());
+  for (const Move& move : moves) {
+    if (joined.empty() || !goes_on(joined.back(), move, grid)) {
+      joined.push_back(move);
+      continue;
+    }
+    Move& before = joined.back();
+    before.path = Edge::line(before.path.from, move.path.to);
+    before.z_to = move.z_to;
+  }
+  return joined;
 }
 
 }  // namespace clearcut::post

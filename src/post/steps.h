@@ -1,6 +1,7 @@
 // From moves to what a program can say: lines and arcs between printed positions.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "model/move.h"
@@ -41,5 +42,9 @@ StepRules step_rules(const PostOptions& options, int decimals, double largest_ra
 /// Cost    constant per step.
 /// Returns the printed position reached.
 Ticks append_steps(const Move& move, Ticks from, const StepRules& rules, std::vector<Step>& out);
+
+/// The moves with straight ones joined that go on in exactly the printed direction at the same feed: one block says them all.
+/// Rapids are joined along Z or level, because controls may drive others as a bend.
+std::vector<Move> with_lines_joined(std::span<const Move> moves, const PrintGrid& grid);
 
 }  // namespace clearcut::post

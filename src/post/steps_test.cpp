@@ -157,5 +157,36 @@ TEST(Comment, NamesToolsInTheUnitOfTheProgram) {
             "TOOL CHANGE T2: VBIT D0.3937 IN = 10 MM 60 DEG TIP 0.0157 IN = 0.4 MM");
 }
 
+Move line_move(Vec2 from, double z_from, Vec2 to, double z_to, MoveKind kind, double feed) {
+  return {Edge::line(from, to), z_from, z_to, kind, MmPerMin::of(feed), 0};
+}
+
+TEST(JoinedLines, AreThoseThatGoOnInOneDirectionAtOneFeed) {
+  const PrintGrid grid(false, 3);
+  const std::vector<Move> moves = {line_move({0, 0}, 5, {0, 0}, 1, MoveKind::kRapid, 0),
+                                   line_move({0, 0}, 1, {0, 0}, 0.2, MoveKind::kPlunge, 300),
+                                   line_move({0, 0}, 0.2, {0, 0}, -3, MoveKind::kPlunge, 300),
+                                   line_move({0, 0}, -3, {2, 4}, -3, MoveKind::kLink, 900),
+                                   line_move({2, 4}, -3, {3, 6}, -3, MoveKind::kCut, 900),
+                                   line_move({3, 6}, -3, {5, 10}, -3, MoveKind::kCut, 600),
+                                   line_move({5, 10}, -3, {3, 6}, -3, MoveKind::kCut, 600)};
+  const std::vector<Move> joined = with_lines_joined(moves, grid);
+  ASSERT_EQ(joined.size(), 5U);
+  EXPECT_EQ(joined[1].z_from, 1);
+  EXPECT_EQ(joined[1].z_to, -3);
+  EXPECT_EQ(joined[2].path.to, (Vec2{3, 6}));
+  EXPECT_EQ(joined[4].path.to, (Vec2{3, 6}));
+}
+
+TEST(JoinedLines, AreNeitherBentByAStepNorSlantingRapids) {
+  const PrintGrid grid(false, 3);
+  const std::vector<Move> bent = {line_move({0, 0}, 0, {10, 0}, 0, MoveKind::kCut, 300),
+                                  line_move({10, 0}, 0, {20, 0.001}, 0, MoveKind::kCut, 300)};
+  EXPECT_EQ(with_lines_joined(bent, grid).size(), 2U);
+  const std::vector<Move> slanting = {line_move({0, 0}, 0, {1, 0}, 1, MoveKind::kRapid, 0),
+                                      line_move({1, 0}, 1, {2, 0}, 2, MoveKind::kRapid, 0)};
+  EXPECT_EQ(with_lines_joined(slanting, grid).size(), 2U);
+}
+
 }  // namespace
 }  // namespace clearcut::post

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "plan/carve/chains.h"
 
@@ -11,13 +12,73 @@ namespace {
 
 /// mm. Curved pieces of the medial axis are replaced by chords this near to them.
 constexpr double kChord = 0.0002;
+/// mm. Points of a track nearer to the one before are left out: they are rounding of where pieces of the axis meet.
+constexpr double kSamePoint = kChord;
 /// mm. Width of the rim of what a mill clears that is cut once more.
 constexpr double kRim = 0.02;
+/// Share of the distance between rings that the places where they run begin outside the first of them.
+constexpr double kOutside = 0.01;
+
+Vec2 begin_of(const Track& track) {
+  return track.pieces.front().path.from;
+}
+
+Vec2 middle_of(const Track& track) {
+  return track.pieces[track.pieces.size() / 2].path.at(0.5);
+}
+
+/// The region that holds p, or the nearest one.
+std::size_t place_of(Vec2 p, const Regions& places) {
+  std::size_t best = 0;
+  double least = HUGE_VAL;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i].contains(p)) return i;
+    const double apart = places[i].boundary_distance(p);
+    if (apart < least) least = apart, best = i;
+  }
+  return best;
+}
+
+/// The first and the last point always stay.
+Chain without_near_points(const Chain& chain) {
+  if (chain.size() < 2) return chain;
+  Chain out;
+  for (const AxisPoint& p : chain) {
+    if (out.empty() || distance(out.back().point, p.point) > kSamePoint) out.push_back(p);
+  }
+  if (out.size() > 1) out.pop_back();  // the last point itself, or one as near to it
+  out.push_back(chain.back());
+  return out;
+}
+
+double length_of(const Track& track) {
+  double length = 0;
+  for (const Track::Piece& piece : track.pieces) length += piece.path.length();
+  return length;
+}
+
+/// The sets of one place after those of another, always the place that begins nearest to the one before.
+TrackSets place_by_place(std::vector<TrackSets> places) {
+  TrackSets ordered;
+  std::erase_if(places, [](const TrackSets& sets) { return sets.empty(); });
+  while (!places.empty()) {
+    const auto apart = [&ordered](const TrackSets& sets) {
+      return ordered.empty() ? 0 : distance(begin_of(ordered.back().back()), begin_of(sets.front().front()));
+    };
+    const auto next =
+        std::min_element(places.begin(), places.end(),
+                         [&](const TrackSets& a, const TrackSets& b) { return apart(a) < apart(b); });
+    for (std::vector<Track>& set : *next) ordered.push_back(std::move(set));
+    places.erase(next);
+  }
+  return ordered;
+}
 
 class RegionCarver {
  public:
   RegionCarver(const Region& region, const CarveShape& shape, const Regions& cleared, const Tolerances& tol)
       : clearance_(region, tol),
+        tol_(tol),
         shape_(shape),
         nearest_(shape.tip_radius + shape.aside),
         widest_(nearest_ + (shape.top - shape.floor) * shape.slope) {
@@ -85,7 +146,7 @@ class RegionCarver {
     std::vector<Track> tracks;
     for (const Chain& chain : chains) {
       Track track;
-      const Chain bent = with_points_at(chain, bend);
+      const Chain bent = without_near_points(with_points_at(chain, bend));
       const auto tip = [&](const AxisPoint& p) { return std::max(z, tip_at(p.clearance)); };
       for (std::size_t i = 0; i + 1 < bent.size(); ++i) {
         track.pieces.push_back(
@@ -113,9 +174,31 @@ class RegionCarver {
     }
   }
 
-  /// Adds passes over the part of the floor that no mill has cleared: rings inwards, then the axis inside them.
+  /// mm from one ring on the floor to the next.
+  double ring_step() const { return 2 * (shape_.tip_radius + shape_.cusp * shape_.slope); }
+
+  /// Adds passes over the part of the floor that no mill has cleared, all those of one corner before those of another.
   void clear_floor(TrackSets& sets) const {
-    const double step = 2 * (shape_.tip_radius + shape_.cusp * shape_.slope);
+    TrackSets passes = floor_passes();
+    const Regions floor = clearance_.inset(widest_ + (1 - kOutside) * ring_step());
+    const Regions places = cleared_.empty() ? floor : subtract(floor, cleared_, tol_);
+    if (places.size() > 1) {
+      std::vector<TrackSets> by_place(places.size());
+      for (std::vector<Track>& set : passes) {
+        std::vector<std::vector<Track>> shares(places.size());
+        for (Track& track : set) shares[place_of(middle_of(track), places)].push_back(std::move(track));
+        for (std::size_t i = 0; i < shares.size(); ++i)
+          if (!shares[i].empty()) by_place[i].push_back(std::move(shares[i]));
+      }
+      passes = place_by_place(std::move(by_place));
+    }
+    for (std::vector<Track>& set : passes) sets.push_back(std::move(set));
+  }
+
+  /// Rings inwards, then the axis inside them.
+  TrackSets floor_passes() const {
+    TrackSets sets;
+    const double step = ring_step();
     for (double at = widest_ + step; at < clearance_.max(); at += step) {
       std::vector<Track> set;
       for (const Region& region : clearance_.inset(at)) {
@@ -130,6 +213,7 @@ class RegionCarver {
       for (const Chain& part : between(chain, widest_, clearance_.max() + 1)) add_uncleared_part(part, inner);
     }
     sets.push_back(tracks_of(joined(inner), shape_.floor));
+    return sets;
   }
 
   bool is_cleared(Vec2 p) const { return contains(cleared_, p); }
@@ -157,7 +241,7 @@ class RegionCarver {
         const double a = shares[i], b = shares[i + 1];
         if (is_cleared(edge.at((a + b) / 2))) {
           whole = false;
-          if (!run.pieces.empty()) set.push_back(std::move(run));
+          add_run(std::move(run), set);
           run = {};
         } else {
           run.pieces.push_back({shares.size() == 2 ? edge : edge.part(a, b), shape_.floor, shape_.floor});
@@ -165,7 +249,12 @@ class RegionCarver {
       }
     }
     if (whole) return add_loop(loop, shape_.floor, set);
-    if (!run.pieces.empty()) set.push_back(std::move(run));
+    add_run(std::move(run), set);
+  }
+
+  /// A run that begins or ends where the mill has cut is left out if all of it lies in the rim.
+  static void add_run(Track run, std::vector<Track>& set) {
+    if (length_of(run) > kRim) set.push_back(std::move(run));
   }
 
   void add_uncleared_part(const Chain& chain, std::vector<Chain>& out) const {
@@ -189,6 +278,7 @@ class RegionCarver {
   }
 
   Clearance clearance_;
+  const Tolerances& tol_;
   const CarveShape& shape_;
   double nearest_;  ///< mm; clearance at which the tip is at the top of the material
   double widest_;   ///< mm; clearance from which on the tip is at the floor

@@ -142,6 +142,49 @@ TEST(Carve, NoPassGoesDeeperAtOnceThanTheStepdown) {
   }
 }
 
+/// Which corner of a square about the origin a track lies in.
+int corner_of(const Track& track) {
+  const Vec2 p = track.pieces[track.pieces.size() / 2].path.at(0.5);
+  return (p.x > 0 ? 1 : 0) + (p.y > 0 ? 2 : 0);
+}
+
+TEST(Carve, CornersThatAMillLeftAreClearedOneAfterTheOther) {
+  const Tolerances tol;
+  const Region whole = Region::from_valid_loops(
+      loop_from_points(std::vector<Vec2>{{-10, -10}, {10, -10}, {10, 10}, {-10, 10}}), {});
+  // What a mill of 6 mm clears of the floor: all but its four corners.
+  const double quarter = std::tan(kPi / 8);
+  const std::vector<BulgeVertex> rounded{{{-6, -9}, 0},     {{6, -9}, quarter}, {{9, -6}, 0},
+                                         {{9, 6}, quarter}, {{6, 9}, 0},        {{-6, 9}, quarter},
+                                         {{-9, 6}, 0},      {{-9, -6}, quarter}};
+  const Regions cleared{Region::from_valid_loops(loop_from_bulges(rounded), {})};
+  CarveShape shape;
+  shape.slope = 0.5;
+  shape.floor = -2;
+  shape.stepdown = 5;
+  shape.cusp = 0.1;
+  const TrackSets sets = carve_region(whole, shape, cleared, tol);
+  ASSERT_GT(sets.size(), 8u);
+  std::vector<int> corners;
+  for (std::size_t i = 1; i < sets.size(); ++i)
+    for (const Track& track : sets[i])
+      if (corners.empty() || corners.back() != corner_of(track)) corners.push_back(corner_of(track));
+  EXPECT_EQ(corners.size(), 4u);
+}
+
+TEST(Carve, NoTrackStepsOverWhatIsOnlyRounding) {
+  const Tolerances tol;
+  int steps = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    const Region region = outline(seed);
+    for (const auto& set : carve_region(region, shape_for(seed, Clearance(region, tol).max()), {}, tol))
+      for (const Track& track : set)
+        for (const Track::Piece& piece : track.pieces)
+          if (track.pieces.size() > 1 && !track.closed && piece.path.length() < 0.0001) ++steps;
+  }
+  EXPECT_EQ(steps, 0);
+}
+
 TEST(Carve, ACircleIsOnePlunge) {
   const Tolerances tol;
   const std::vector<BulgeVertex> circle{{{2, 0}, 1}, {{-2, 0}, 1}};
