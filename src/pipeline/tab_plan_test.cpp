@@ -376,8 +376,10 @@ TEST(TabPlaces, AlongLinesThatTheCentreFollowsTheLackOfThemIsTold) {
       if (one.severity == Severity::kWarning) text += one.what;
     return text;
   };
-  const std::string through = told(box("STOCK_D4", 0, 0, 60, 50) + box("ON_D4", 10, 10, 50, 40));
-  EXPECT_THAT(through, HasSubstr("what it surrounds comes loose"));
+  const std::string stock = box("STOCK_D4", 0, 0, 60, 50), through = box("ON_D4", 20, 20, 40, 30);
+  // Within a part it frees waste; alone it frees the part, as an outer profile would.
+  EXPECT_THAT(told(stock + box("PROFILE_D4", 10, 10, 50, 40) + through), HasSubstr("surrounds comes loose"));
+  EXPECT_THROW(told(stock + through), InputError);
   EXPECT_THAT(
       told(box("STOCK_D4", 0, 0, 60, 50) + box("ON_D2", 10, 10, 50, 40)),
       ::testing::AllOf(HasSubstr("tabs are left in profiles alone"), ::testing::Not(HasSubstr("loose"))));

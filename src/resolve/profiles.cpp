@@ -89,16 +89,27 @@ void leave_skin(Feature& feature, double skin, Diagnostics& diagnostics) {
                    "a skin of " + trimmed(skin, 3) + " mm is left under it, which holds what it surrounds");
 }
 
-/// Tabs that are asked for and cannot be left: a line that is followed is engraved all along.
+/// Whether an outer profile surrounds the line, so that what the line cuts free is no part of its own.
+bool lies_in_a_part(const ProfileCut& cut, const Part& part) {
+  return std::any_of(part.features.begin(), part.features.end(), [&cut](const Feature& feature) {
+    return feature.profile && feature.profile->side == ProfileSide::kOutside &&
+           contains(feature.profile->line, cut.line.front().from);
+  });
+}
+
+/// Tabs that are asked for and cannot be left: a line that is followed is engraved all along. Throws where the line frees the
+/// part itself.
 void tell_of_missing_tabs(const Feature& feature, const TabOptions& tabs, Part& part) {
   if (!tabs.any() || feature.profile->side != ProfileSide::kOn) return;
+  const std::string what =
+      "tabs are left in profiles alone, not along lines that the cutter's centre follows";
   const bool through = part.stock && feature.floor_z <= part.stock->z_bottom;
-  part.diagnostics.warn(feature.name,
-                        std::string("tabs are left in profiles alone, not along lines that the cutter's "
-                                    "centre follows") +
-                            (through && feature.profile->closed
-                                 ? "; it goes through the material, and what it surrounds comes loose"
-                                 : ""));
+  if (!through || !feature.profile->closed) return part.diagnostics.warn(feature.name, what);
+  const std::string loose = what + "; it goes through the material, and what it surrounds comes loose";
+  if (lies_in_a_part(*feature.profile, part)) return part.diagnostics.warn(feature.name, loose);
+  throw InputError(feature.name, loose +
+                                     ": cut it beside the line (--op profile, drawn larger by half the "
+                                     "cutter), or leave a skin (less depth)");
 }
 
 }  // namespace

@@ -144,7 +144,9 @@ class Filler {
     if (wanted > top.most) why += fmt::format(", no more than {} rpm, {}", trimmed(top.most, 0), top.by);
     if (rpm >= 100) rpm = std::floor(rpm / 10) * 10;
     const double least = std::min(options_.machine.min_spindle_rpm.value_or(0), top.most);
-    const bool is_too_slow = rpm < least;
+    // A tap is no mill: far above its speed it breaks, so it keeps the one that it needs, and is refused where its feed is tied to it.
+    const bool breaks = tool_.kind == ToolKind::kTap && least > kFarOff * wanted;
+    const bool is_too_slow = rpm < least && !breaks;
     if (is_too_slow) {
       rpm = least;
       why += fmt::format(", no less than {} rpm, the machine's min_spindle", trimmed(least, 0));

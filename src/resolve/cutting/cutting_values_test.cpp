@@ -75,6 +75,16 @@ TEST(CuttingValues, AreTheTablesRowByHand) {
   EXPECT_FALSE(filled(tap, of("steel")).cutting.feed);
 }
 
+TEST(CuttingValues, LeaveTapsTheSpeedThatTheyNeedWhereASpindleTurnsFarTooFast) {
+  Tool tap = tool_of(ToolKind::kTap, 6, 3);
+  tap.pitch = 1;
+  PlanOptions options = of("steel");
+  options.machine.min_spindle_rpm = 8000;
+  EXPECT_EQ(filled(tap, options).cutting.spindle_rpm, 570);  // refused where its feed is tied to it
+  options.machine.min_spindle_rpm = 800;
+  EXPECT_EQ(filled(tap, options).cutting.spindle_rpm, 800);
+}
+
 TEST(CuttingValues, KnowEdgesAndCoatings) {
   Tool tool = tool_of(ToolKind::kEndMill, 10, 4);
   const double carbide = *filled(tool, of("steel")).cutting.spindle_rpm;
