@@ -1,8 +1,14 @@
 #include "resolve/work_plan.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "base/elementary.h"
 #include "base/error.h"
+#include "base/text/format.h"
+#include "base/units.h"
 #include "geometry/boolean.h"
 #include "resolve/prepare.h"
 #include "resolve/tool_cutting.h"
@@ -161,6 +167,42 @@ std::optional<std::size_t> first_step_under(const Part& part, const Workingstep&
   return std::nullopt;
 }
 
+/// Radians by which a cutter of `radius` mm turns at once in the sharpest corner between walls of `loop`.
+double sharpest_turn(const Loop& loop, double radius) {
+  double sharpest = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Edge& edge = loop[i];
+    const Vec2 in = edge.tangent_at(1), out = loop[(i + 1) % loop.size()].tangent_at(0);
+    sharpest = std::max(sharpest, base::atan2(cross(in, out), dot(in, out)));
+    if (edge.turn == Turn::kCounterClockwise && edge.radius() <= radius)
+      sharpest = std::max(sharpest, std::min(kPi, edge.sweep()));
+  }
+  return sharpest;
+}
+
+/// Where walls meet, the cutter takes the stock of both at once: no path along the wall keeps a limit that this is above.
+void warn_of_corners(const Workingstep& walls, const PlanOptions& options, Part& part) {
+  if (!options.engagement_deg) return;
+  const double radius = tool_of(part, walls).radius();
+  const double stock = options.shop.finish_stock.value_or(kWallStock);
+  if (stock <= 0 || stock >= radius) return;
+  double sharpest = 0;
+  for (const Region& region : feature_of(part, walls).target) {
+    sharpest = std::max(sharpest, sharpest_turn(region.outer(), radius));
+    for (const Loop& island : region.islands()) sharpest = std::max(sharpest, sharpest_turn(island, radius));
+  }
+  const double most = (sharpest + base::acos(1 - stock / radius)) * 180 / kPi;
+  if (sharpest <= 0 || most <= *options.engagement_deg) return;
+  part.diagnostics.warn(
+      walls.name,
+      fmt::format(
+          "along walls with {} mm of stock T{} is engaged by {} degrees in the sharpest corner, whatever "
+          "the way, where {} are the limit; leave out the finishing of walls, or limit the "
+          "engagement to {}",
+          trimmed(stock, 3), tool_of(part, walls).number, trimmed(std::ceil(most), 0),
+          trimmed(*options.engagement_deg, 1), trimmed(std::ceil(most), 0)));
+}
+
 }  // namespace
 
 Finish finish_of(const ShopOptions& shop) {
@@ -223,6 +265,7 @@ void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& so
   }
   part.workplan.insert(part.workplan.end(), floors.begin(), floors.end());
   part.workplan.insert(part.workplan.end(), walls.begin(), walls.end());
+  for (const Workingstep& step : walls) warn_of_corners(step, options, part);
 }
 
 }  // namespace clearcut::resolve
