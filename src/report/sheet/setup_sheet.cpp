@@ -33,7 +33,11 @@ td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; }
 .by-hand span { border-bottom: 1px solid #1c2733; padding-bottom: 1.2rem; color: #55606b; }
 svg { width: 100%; height: auto; max-height: 42vh; } ul { margin: 0; padding-left: 1.2rem; }
 .scroll { overflow-x: auto; }
-@media print { body { margin: 0; max-width: none; font-size: 11px; } svg { max-height: 30vh; } @page { margin: 12mm; } }
+@media print {
+  :root { font-size: 10.5px; line-height: 1.25; } body { margin: 0; padding: 0; max-width: none; } h2 { margin: .6rem 0 .1rem; }
+  th, td { padding: .1rem .4rem; } tr, li { break-inside: avoid; } svg { max-height: 21vh; } .by-hand span { padding-bottom: 1rem; }
+  @page { margin: 10mm; }
+}
 )";
 
 /// A page element by element; every text is escaped by the writer.
