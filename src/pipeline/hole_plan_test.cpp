@@ -230,6 +230,25 @@ TEST(HolePlan, ThreadsAreMilledAlongTheirHelix) {
   EXPECT_THAT(refusal(part, {"endmill:10"}), HasSubstr("its thread M20X1.5 is to be milled"));
 }
 
+TEST(HolePlan, ThreadsAreCheckedWhereChordsStandForArcs) {
+  const Part part = with_circle("THREAD_M20x1.5_D8", 20);
+  auto options = with({"endmill:10", "threadmill:12"});
+  options.post.arcs = false;
+  const PlanResult result = plan_part(part, options);
+  expect_clean(result);
+  Toolpath steep = result.toolpath;
+  for (Section& section : steep.sections) {
+    if (section.tool_number != 2) continue;
+    for (Move& move : section.moves) {
+      if (move.kind == MoveKind::kRapid) continue;
+      for (double* z : {&move.z_from, &move.z_to}) *z = *z < 0 ? *z * 1.05 : *z;
+    }
+  }
+  const std::string program = post::write_program(steep, result.part, options.post);
+  const auto found = check_program(part, program, "steep", options, read::gcode::Dialect::kLinuxCnc).findings;
+  EXPECT_TRUE(has(found, FaultKind::kThread)) << "pitch of 1.575";
+}
+
 /// Dense places of a program against the surface of the thread, without the verifier's formulas: how far the mill cuts beside it.
 double worst_beside(const PlanResult& result, const Thread& thread, double z_top, int mill) {
   std::vector<std::array<double, 3>> full;  // angle, z, reach of whole turns

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "read/gcode/told_program.h"
 
 namespace clearcut::read::gcode {
@@ -128,6 +130,17 @@ TEST(GcodeDialects, AreRecognised) {
   EXPECT_EQ(dialect("; A\nG90\nG0 X0\n; end"), "marlin");
   EXPECT_EQ(dialect("G64\nT1 M6\nG43 H1\nG0 X0\nM30"), "mach3");
   EXPECT_EQ(dialect("BEGIN PGM A MM\nEND PGM A MM"), "heidenhain");
+}
+
+TEST(GcodeDialects, AWordThatOneControlAloneHasLeavesNoDoubt) {
+  const auto asks = [](const std::string& blend) {
+    const auto program = read_gcode(
+        blend + "G21\nT1 M6\nG43 H1\nM3 S400\nG0 X0 Y0\nZ5\nG98 G84 X0 Y0 Z-5 R2 F400\nG80\nM2", "t");
+    return std::any_of(program.conditions.begin(), program.conditions.end(),
+                       [](const auto& one) { return one.name == "dialect"; });
+  };
+  EXPECT_TRUE(asks(""));
+  EXPECT_FALSE(asks("G64 P0.001 Q0\n"));
 }
 
 TEST(GcodeDialects, WordsOfOthersAreRefused) {

@@ -154,9 +154,10 @@ void compare_dialects(Program& program, std::string_view text, const std::string
 
 Program read_unnamed(std::string_view text, const std::string& file_name,
                      const ReadControllerOptions& options) {
-  const Dialect likely = read::gcode::recognised(text, file_name);
-  Reading reading = read_as(likely, text, file_name, options);
-  if (reading.depends_on_dialect) compare_dialects(reading.program, text, file_name, options);
+  const Recognised likely = read::gcode::recognised(text, file_name);
+  Reading reading = read_as(likely.dialect, text, file_name, options);
+  if (reading.depends_on_dialect && !likely.is_certain)
+    compare_dialects(reading.program, text, file_name, options);
   return std::move(reading.program);
 }
 

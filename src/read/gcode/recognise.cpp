@@ -66,19 +66,7 @@ void note_traits(const Block& block, std::string_view line, Traits& traits) {
   traits.tool = traits.tool || block.has('T');
 }
 
-}  // namespace
-
-Dialect recognised(std::string_view text, const std::string& file_name) {
-  Traits traits;
-  Lines lines(text);
-  BlockReader reader(text, file_name);
-  std::string_view line;
-  Block block;
-  try {
-    while (!traits.end && lines.next(line) && reader.next(block)) note_traits(block, line, traits);
-  } catch (const InputError&) {
-    // The reader itself says what is wrong, where it is not behind the end.
-  }
+Dialect likeliest(const Traits& traits) {
   if (traits.haas) return Dialect::kHaas;
   if (traits.tape && traits.long_number) return Dialect::kHaas;
   if (traits.fanuc || traits.dwell_x || traits.tape) return Dialect::kFanuc;
@@ -89,6 +77,23 @@ Dialect recognised(std::string_view text, const std::string& file_name) {
   }
   const bool grbl = !traits.beyond_grbl && traits.last_m30 && traits.arcs_stated && !traits.blend_plain;
   return grbl ? Dialect::kGrbl : Dialect::kLinuxCnc;
+}
+
+}  // namespace
+
+Recognised recognised(std::string_view text, const std::string& file_name) {
+  Traits traits;
+  Lines lines(text);
+  BlockReader reader(text, file_name);
+  std::string_view line;
+  Block block;
+  try {
+    while (!traits.end && lines.next(line) && reader.next(block)) note_traits(block, line, traits);
+  } catch (const InputError&) {
+    // The reader itself says what is wrong, where it is not behind the end.
+  }
+  const Dialect dialect = likeliest(traits);
+  return {dialect, dialect == Dialect::kLinuxCnc && (traits.linuxcnc || traits.blend_bound)};
 }
 
 }  // namespace clearcut::read::gcode

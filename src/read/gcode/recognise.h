@@ -8,7 +8,12 @@
 
 namespace clearcut::read::gcode {
 
+struct Recognised {
+  Dialect dialect = Dialect::kLinuxCnc;
+  bool is_certain = false;  ///< a word of it means nothing to any other control
+};
+
 /// The likeliest; never Klartext. Text that is no G-code counts up to its first fault.
-Dialect recognised(std::string_view text, const std::string& file_name);
+Recognised recognised(std::string_view text, const std::string& file_name);
 
 }  // namespace clearcut::read::gcode

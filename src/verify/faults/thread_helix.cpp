@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/text/format.h"
 
 namespace clearcut::verify {
@@ -20,10 +21,22 @@ constexpr double kPitchShare = 0.01;
 constexpr double kThreadHeightSlack = 0.006;
 /// Number of places that are checked on each move.
 constexpr int kThreadPlaces = 48;
+/// mm. Lines whose ends are as far from the axis as each other to within this are chords of a turn: rounding makes less.
+constexpr double kSameRadius = 0.003;
+/// Radians. Runs of chords that turn by less do not tell a pitch.
+constexpr double kLeastTurn = 0.1;
 
 double whole_turns_off(double height, double pitch) {
   return height - pitch * std::round(height / pitch);
 }
+
+/// A run of moves about the axis: an arc, or chords one after the other.
+struct AxisTurn {
+  const CheckedMove* first = nullptr;
+  Vec2 to;
+  double z_to = 0;
+  double sweep = 0;  ///< radians, counter-clockwise
+};
 
 class ThreadCheck {
  public:
@@ -34,7 +47,7 @@ class ThreadCheck {
   }
 
   std::vector<ThreadDefect> check(const std::vector<const CheckedMove*>& moves) {
-    for (const CheckedMove* checked : moves) find_helix(*checked);
+    for (const AxisTurn& turn : turns_of(moves)) find_helix(turn);
     if (!origin_) return {nothing(moves)};
     for (const CheckedMove* checked : moves) sample_along(*checked);
     sample_at_heights();
@@ -67,16 +80,48 @@ class ThreadCheck {
     return move.path.is_arc() && distance(move.path.center, hole_.center) <= kRadiusSlack;
   }
 
-  /// Takes z0 and the heights that have a thread from arcs about the axis at the full radius, and checks their pitch.
-  void find_helix(const CheckedMove& checked) {
+  /// The angle about the axis of a line that is a chord of a turn, radians; 0 for other lines.
+  double chord_about_axis(const Move& move) const {
+    const Vec2 a = move.path.from - hole_.center, b = move.path.to - hole_.center;
+    if (move.path.is_arc() || move.is_vertical() || std::abs(norm(a) - norm(b)) > kSameRadius) return 0;
+    const double sweep = base::atan2(cross(a, b), dot(a, b));
+    return norm(a) * (1 - base::cos(sweep / 2)) <= kRadiusSlack ? sweep : 0;
+  }
+
+  /// Chords that go on from one another make one turn: a single one rises too little to tell the pitch.
+  std::vector<AxisTurn> turns_of(const std::vector<const CheckedMove*>& moves) const {
+    std::vector<AxisTurn> turns;
+    bool goes_on = false;
+    for (const CheckedMove* checked : moves) {
+      const Move& move = *checked->move;
+      const bool is_arc = is_about_axis(move);
+      const double sweep = is_arc ? move.path.sweep() : chord_about_axis(move);
+      const bool joins = goes_on && !is_arc && sweep * turns.back().sweep > 0 &&
+                         distance(turns.back().to, move.path.from) <= kSameRadius &&
+                         checked->tool == turns.back().first->tool;
+      goes_on = sweep != 0 && !is_arc;
+      if (sweep == 0) continue;
+      if (!joins) turns.push_back({checked, {}, 0, 0});
+      turns.back().to = move.path.to;
+      turns.back().z_to = move.z_to;
+      turns.back().sweep += sweep;
+    }
+    std::erase_if(turns, [](const AxisTurn& turn) {
+      return !turn.first->move->path.is_arc() && std::abs(turn.sweep) < kLeastTurn;
+    });
+    return turns;
+  }
+
+  /// Takes z0 and the heights that have a thread from turns at the full radius, and checks their pitch.
+  void find_helix(const AxisTurn& turn) {
+    const CheckedMove& checked = *turn.first;
     const Move& move = *checked.move;
-    if (!is_about_axis(move)) return;
     const double short_of = short_of_full(reach(checked, move.path.from));
     if (short_of > kRadiusSlack) {
       narrowest_ = std::max(narrowest_, short_of);
       return;
     }
-    const double rise = (move.z_to - move.z_from) / (move.path.sweep() * sign()) * 2 * kPi;
+    const double rise = (turn.z_to - move.z_from) / (turn.sweep * sign()) * 2 * kPi;
     if (!origin_) origin_ = on_helix(move.path.from, move.z_from);
     if (std::abs(rise - pitch_) > slack_) {
       add(ThreadDefect::Kind::kHelix, std::abs(rise - pitch_), move.line,
@@ -89,7 +134,7 @@ class ThreadCheck {
     const double rows =
         tool.pitch > 0 && tool.flute_length ? std::floor(*tool.flute_length / tool.pitch + 1e-9) : 1;
     cut_.push_back(
-        {std::min(move.z_from, move.z_to), std::max(move.z_from, move.z_to) + (rows - 1) * pitch_});
+        {std::min(move.z_from, turn.z_to), std::max(move.z_from, turn.z_to) + (rows - 1) * pitch_});
   }
 
   double sign() const { return hole_.thread->left_hand ? -1 : 1; }
@@ -152,7 +197,7 @@ class ThreadCheck {
   double pitch_, minor_radius_ = 0, slack_ = 0;
   double narrowest_ = 0;
   std::optional<double> origin_;
-  std::vector<std::pair<double, double>> cut_;  ///< mm; heights from and to which each arc has cut a thread
+  std::vector<std::pair<double, double>> cut_;  ///< mm; heights from and to which each turn has cut a thread
   std::vector<ThreadDefect> defects_;
 };
 
