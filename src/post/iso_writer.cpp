@@ -263,10 +263,12 @@ void IsoWriter::load_by_changer(int number) {
   held_.length_due = length_offset() == LengthOffset::kWithApproach;
 }
 
-/// The first tool is in the spindle when the program starts.
+/// The first tool is in the spindle when the program starts. Others have other lengths, which such a control does not know.
 void IsoWriter::load_by_hand(int number) {
   if (dialect_.tool_word) out_.line(fmt::format("T{}", number));
-  if (held_.tool != 0) out_.line("M0");
+  if (held_.tool == 0) return;
+  out_.comment("TOUCH OFF Z WITH THIS TOOL");
+  out_.line("M0");
 }
 
 void IsoWriter::home() {

@@ -110,6 +110,12 @@ TEST(ProgramWords, BlocksAreNumberedInTens) {
   EXPECT_EQ(without, plain);
 }
 
+TEST(ProgramWords, ToolsPutInByHandAreTouchedOffBeforeTheProgramGoesOn) {
+  EXPECT_THAT(program(post_for("grbl")), HasSubstr("T2\n(TOUCH OFF Z WITH THIS TOOL)\nM0\n"));
+  EXPECT_THAT(program(post_for("marlin")), HasSubstr("; TOUCH OFF Z WITH THIS TOOL\nM0\n"));
+  EXPECT_THAT(program(post_for("linuxcnc")), Not(HasSubstr("TOUCH OFF")));
+}
+
 TEST(ProgramWords, OptionalStopComesBeforeEveryToolButTheFirst) {
   PostOptions options = post_for("linuxcnc");
   EXPECT_THAT(program(options), Not(HasSubstr("\nM1\n")));
