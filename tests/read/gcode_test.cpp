@@ -102,7 +102,6 @@ TEST(GcodeCorpus, OtherDialectsMeanWhatTheySay) {
       {"vertical_lead.nc", 1, {4}, 1 + kPi / 2 + 19 + kPi / 2 * 5 + kPi / 2, true},
       {"klartext.h", 1, {3}, std::hypot(4 * kPi * 5, 4) + 2 * kPi * 5 + 10 + kPi / 2 * 10 + 10, true},
       {"klartext_inch.h", 1, {1}, 25.4 * 3.1, true},
-      {"empty.nc", 0, {}, 0, false},
       {"no_motion.nc", 0, {}, 0, true},
   };
   for (const Row& row : rows) {

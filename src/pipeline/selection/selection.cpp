@@ -41,7 +41,7 @@ Selection::Selection(std::vector<SelectionStep> steps, StepPlanner planner, int 
     : steps_(std::move(steps)), planner_(std::move(planner)), threads_(threads), ranked_(steps_.size()) {
   for (std::size_t step = 0; step < steps_.size(); ++step) {
     for (const auto& candidate : steps_[step].candidates.competing)
-      ranked_[step].all.push_back({candidate, {}, 0, Outcome::kNotTried});
+      ranked_[step].all.push_back({candidate, {}, 0, Outcome::kNotTried, {}});
   }
   plan_first();
   plan_others();
@@ -63,6 +63,7 @@ void Selection::plan_into(std::size_t step, PlannedCandidate& one) const {
   } catch (const std::bad_alloc&) {
     one.plan = {};
     one.outcome = Outcome::kTooMuchMemory;
+    one.without_memory = std::current_exception();
   }
 }
 
@@ -79,11 +80,11 @@ void Selection::plan_all(const Places& work) {
 }
 
 /// Where nothing was planned for want of memory the caller has to hear of it.
-void Selection::throw_without_memory(const RankedCandidates& ranked) const {
-  const bool wanting = std::any_of(ranked.all.begin(), ranked.all.end(), [](const PlannedCandidate& one) {
-    return one.outcome == Outcome::kTooMuchMemory;
-  });
-  if (wanting && std::none_of(ranked.all.begin(), ranked.all.end(), is_planned)) throw std::bad_alloc();
+void Selection::throw_without_memory(const RankedCandidates& ranked) {
+  if (std::any_of(ranked.all.begin(), ranked.all.end(), is_planned)) return;
+  for (const PlannedCandidate& one : ranked.all) {
+    if (one.without_memory) std::rethrow_exception(one.without_memory);
+  }
 }
 
 void Selection::plan_first() {
@@ -133,7 +134,7 @@ void Selection::plan_instead() {
         }))
       return;
     while (ranked.fallbacks < fallbacks.size() && !is_planned(ranked.all.back())) {
-      ranked.all.push_back({fallbacks[ranked.fallbacks++], {}, 0, Outcome::kNotTried});
+      ranked.all.push_back({fallbacks[ranked.fallbacks++], {}, 0, Outcome::kNotTried, {}});
       plan_into(step, ranked.all.back());
     }
   });
@@ -172,7 +173,7 @@ std::vector<std::string> Selection::names_of(std::size_t step, Outcome outcome) 
 /// those that are left.
 void Selection::plan_without_rivals(std::size_t step) {
   auto& ranked = ranked_[step];
-  PlannedCandidate own{ranked.all[ranked.at].candidate, {}, 0, Outcome::kNotTried};
+  PlannedCandidate own{ranked.all[ranked.at].candidate, {}, 0, Outcome::kNotTried, {}};
   own.candidate.beside_rivals = false;
   plan_into(step, own);
   if (own.plan.section.moves.empty()) return;
@@ -190,7 +191,7 @@ bool Selection::next(std::size_t step) {
   if (ranked.all[ranked.at].candidate.beside_rivals) plan_without_rivals(step);
   if (ranked.at + 1 >= ranked.planned) {
     if (ranked.fallbacks == fallbacks.size()) return false;
-    PlannedCandidate fallback{fallbacks[ranked.fallbacks++], {}, 0, Outcome::kNotTried};
+    PlannedCandidate fallback{fallbacks[ranked.fallbacks++], {}, 0, Outcome::kNotTried, {}};
     plan_into(step, fallback);
     const auto place = ranked.all.begin() + static_cast<std::ptrdiff_t>(ranked.planned++);
     ranked.all.insert(place, std::move(fallback));

@@ -1,6 +1,7 @@
 // Several strategies for every workingstep, of which the fastest that is certified clean is kept.
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <limits>
 #include <string>
@@ -64,6 +65,7 @@ class Selection {
     StepPlan plan;
     double least_s = 0;
     Outcome outcome = Outcome::kNotTried;
+    std::exception_ptr without_memory{};  ///< what was thrown where it found none
   };
   static bool is_planned(const PlannedCandidate& one) { return !one.plan.section.moves.empty(); }
 
@@ -85,7 +87,7 @@ class Selection {
   void sort(RankedCandidates& ranked) const;
   void plan_without_rivals(std::size_t step);
   void plan_into(std::size_t step, PlannedCandidate& one) const;
-  void throw_without_memory(const RankedCandidates& ranked) const;
+  static void throw_without_memory(const RankedCandidates& ranked);
 
   std::vector<SelectionStep> steps_;
   StepPlanner planner_;

@@ -40,8 +40,9 @@ struct ResidualLimits {
   static constexpr double kFinishedWall = 2 * kCornerLink;
   /// In corners: the arcs between the walls end when this is left. Each halving costs one or two arcs a corner.
   static constexpr double kCorner = 3.7e-3;
-  /// A rest no farther than this from what is cut stays. Between two cuts it may be twice as wide.
-  static constexpr double kRest = 4.7e-3;
+  /// A rest no farther than this from what is cut stays. Between two cuts it may be twice as wide, and a bound of its width by
+  /// small squares some micrometres wider yet: that, too, has to stay below what counts as uncut.
+  static constexpr double kRest = 3.7e-3;
 };
 
 /// Shares of the cutter's radius: lengths that scale with the cutter.

@@ -6,6 +6,8 @@
 
 #include "base/error.h"
 #include "geometry/contours/loops.h"
+#include "geometry/route/legal_area.h"
+#include "geometry/route/legal_route.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/mend.h"
 #include "plan/common/residual.h"
@@ -58,6 +60,7 @@ class SpiralPlanner {
         clearance_(region, tol),
         around_(around),
         legal_({legal}),
+        routes_({legal}, legal_),
         retract_(options.machine, options.feed, retract_heights(layer)) {
     job_.radius = layer.tool_radius;
     for (const auto& loops : around) {
@@ -179,7 +182,7 @@ class SpiralPlanner {
       const SpiralTurn turn = turn_to(chain.loops[i], at);
       append(path, turn.path);
       if (turn.path.empty()) {
-        append(path, lap(oriented(chain.loops[i]), at));
+        append_lap(path, lap(oriented(chain.loops[i]), at));
       } else if (i == 0) {
         const Path around = lap(oriented(chain.loops[0]), path.back().to);
         append(path, beginning(around, std::max(kSpiralFall * length(around), turn.reached)));
@@ -187,6 +190,16 @@ class SpiralPlanner {
       outermost = path.size() - before;
     }
     return path;
+  }
+
+  /// Continues with a loop that no turn leads to. Where loops have changed much from one to the next an island may lie between:
+  /// the way to it then goes round that.
+  void append_lap(Path& path, const Path& around) const {
+    const Vec2 from = path.back().to, to = around.front().from;
+    if (!legal_.holds_line(from, to)) {
+      if (const auto way = routes_.between(from, to)) append(path, *way);
+    }
+    append(path, around);
   }
 
   /// The turn to `loop`; empty if it would run into something that does not belong to the loop, such as an
@@ -255,6 +268,7 @@ class SpiralPlanner {
   LegalArea around_;
   std::vector<Edge> rim_;
   LegalArea legal_;
+  LegalRoutes routes_;
   RetractLink retract_;
   MendJob job_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/route/legal_area.h"
 #include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
@@ -144,11 +145,29 @@ void TrochoidalSteps::take(Vec2 p) {
   run_.push_back(p);
 }
 
+/// Beside a wall an arc through places that are all legal may bulge into it between two of them; lines do not.
 void TrochoidalSteps::end_run() {
   if (run_.size() > 1) {
-    for (const Edge& edge : fit_arcs(run_, kFitTolerance)) path_.push_back(edge);
+    Path fitted = fit_arcs(run_, kFitTolerance);
+    if (!std::all_of(fitted.begin(), fitted.end(), [this](const Edge& edge) { return stays_legal(edge); })) {
+      fitted.clear();
+      for (std::size_t i = 1; i < run_.size(); ++i) fitted.push_back(Edge::line(run_[i - 1], run_[i]));
+    }
+    path_.insert(path_.end(), fitted.begin(), fitted.end());
   }
   run_.clear();
+}
+
+/// Chords that stray from an arc by no more than the slack of the legal area stand for it.
+bool TrochoidalSteps::stays_legal(const Edge& edge) const {
+  const double turn =
+      edge.is_arc() ? std::abs(edge.sweep()) / std::sqrt(8 * LegalArea::kSlack / edge.radius()) : 0;
+  const int pieces = 1 + static_cast<int>(turn);
+  for (int i = 0; i < pieces; ++i) {
+    const Vec2 a = edge.at(static_cast<double>(i) / pieces), b = edge.at((i + 1.0) / pieces);
+    if (!remaining_.legal().holds_line(a, b)) return false;
+  }
+  return true;
 }
 
 TrochoidalSteps::Next TrochoidalSteps::freely() {
