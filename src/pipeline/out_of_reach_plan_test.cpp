@@ -57,6 +57,7 @@ Regions frame(double x, double y, double width) {
     outside.push_back(
         Edge::arc(outside.back().to, corner + up * (width / 2), corner, Turn::kCounterClockwise));
   }
+  for (std::size_t i = 0; i < outside.size(); ++i) outside[i].to = outside[(i + 1) % outside.size()].from;
   const std::vector<Vec2> box{
       {x - inner, y - inner}, {x - inner, y + inner}, {x + inner, y + inner}, {x + inner, y - inner}};
   return {Region::from_valid_loops(outside, {loop_from_points(box)})};
