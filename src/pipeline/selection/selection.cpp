@@ -52,6 +52,8 @@ Selection::Selection(std::vector<SelectionStep> steps, StepPlanner planner, int 
 /// Strategies but the first may refuse what was asked for: then they are not in the selection.
 void Selection::plan_into(std::size_t step, PlannedCandidate& one) const {
   const bool first = one.candidate.strategy == steps_[step].candidates.competing.front().strategy;
+  one.outcome = Outcome::kNotTried;
+  one.without_memory = nullptr;
   try {
     one.plan = planner_(steps_[step].workingstep, one.candidate);
     if (!one.plan.section.moves.empty()) one.outcome = Outcome::kOutrun;
@@ -189,11 +191,12 @@ bool Selection::next(std::size_t step) {
   const auto& fallbacks = steps_[step].candidates.fallbacks;
   if (ranked.planned == 0 || ranked.all[ranked.at].plan.hole) return false;
   if (ranked.all[ranked.at].candidate.beside_rivals) plan_without_rivals(step);
-  if (ranked.at + 1 >= ranked.planned) {
+  while (ranked.at + 1 >= ranked.planned) {
     if (ranked.fallbacks == fallbacks.size()) return false;
     PlannedCandidate fallback{fallbacks[ranked.fallbacks++], {}, 0, Outcome::kNotTried, {}};
     plan_into(step, fallback);
-    const auto place = ranked.all.begin() + static_cast<std::ptrdiff_t>(ranked.planned++);
+    const auto place = ranked.all.begin() + static_cast<std::ptrdiff_t>(ranked.planned);
+    if (is_planned(fallback)) ++ranked.planned;
     ranked.all.insert(place, std::move(fallback));
   }
   ranked.all[ranked.at].outcome = Outcome::kNotClean;

@@ -60,6 +60,40 @@ TEST(Selection, AStrategyThatTakesTooMuchMemoryIsLeftOutByNameAndTheOthersAnswer
   EXPECT_EQ(selection.selections().front().candidates.back().outcome, Outcome::kTooMuchMemory);
 }
 
+/// Planned again alone a strategy may have no passes: then it was not left out for want of memory.
+TEST(Selection, WhatIsPlannedAgainIsToldByWhatItThenCameTo) {
+  const StrategyEntry contour = named("contour"), zigzag = named("zigzag");
+  std::atomic<int> asked{0};
+  const auto planner = [&](int, const StrategyCandidate& candidate) {
+    if (++asked <= 2) throw std::bad_alloc();
+    StepPlan plan;
+    if (candidate.strategy->name == "zigzag") plan.section.moves.emplace_back();
+    return plan;
+  };
+  const Selection selection(one_step({{&contour, {}}, {&zigzag, {}}}), planner, 1);
+  EXPECT_EQ(selection.candidate(0).strategy->name, "zigzag");
+  EXPECT_TRUE(selection.beyond_memory(0).empty());
+}
+
+/// What was not clean stays where a fallback gives nothing.
+TEST(Selection, AFallbackWithoutAPlanTakesNoPlace) {
+  const StrategyEntry contour = named("contour"), zigzag = named("zigzag");
+  const auto planner = [](int, const StrategyCandidate& candidate) {
+    if (candidate.strategy->name == "zigzag") throw std::bad_alloc();
+    StepPlan plan;
+    plan.section.moves.emplace_back();
+    plan.time_s = 1;
+    return plan;
+  };
+  auto steps = one_step({{&contour, {}}});
+  steps.front().candidates.fallbacks = {{&zigzag, {}}};
+  Selection selection(steps, planner, 1);
+  EXPECT_FALSE(selection.next(0));
+  EXPECT_EQ(selection.candidate(0).strategy->name, "contour");
+  EXPECT_FALSE(selection.section(0).moves.empty());
+  EXPECT_EQ(selection.beyond_memory(0), std::vector<std::string>{"zigzag"});
+}
+
 TEST(Selection, WhereNoneFindsMemoryThatIsThrown) {
   const StrategyEntry contour = named("contour"), zigzag = named("zigzag");
   const auto planner = [](int, const StrategyCandidate&) -> StepPlan { throw std::bad_alloc(); };
