@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/route/legal_area.h"
 #include "plan/adaptive/parameters.h"
 #include "plan/adaptive/trace/arcs.h"
 
@@ -149,25 +148,14 @@ void TrochoidalSteps::take(Vec2 p) {
 void TrochoidalSteps::end_run() {
   if (run_.size() > 1) {
     Path fitted = fit_arcs(run_, kFitTolerance);
-    if (!std::all_of(fitted.begin(), fitted.end(), [this](const Edge& edge) { return stays_legal(edge); })) {
+    if (!std::all_of(fitted.begin(), fitted.end(),
+                     [this](const Edge& edge) { return remaining_.is_legal(edge); })) {
       fitted.clear();
       for (std::size_t i = 1; i < run_.size(); ++i) fitted.push_back(Edge::line(run_[i - 1], run_[i]));
     }
     path_.insert(path_.end(), fitted.begin(), fitted.end());
   }
   run_.clear();
-}
-
-/// Chords that stray from an arc by no more than the slack of the legal area stand for it.
-bool TrochoidalSteps::stays_legal(const Edge& edge) const {
-  const double turn =
-      edge.is_arc() ? std::abs(edge.sweep()) / std::sqrt(8 * LegalArea::kSlack / edge.radius()) : 0;
-  const int pieces = 1 + static_cast<int>(turn);
-  for (int i = 0; i < pieces; ++i) {
-    const Vec2 a = edge.at(static_cast<double>(i) / pieces), b = edge.at((i + 1.0) / pieces);
-    if (!remaining_.legal().holds_line(a, b)) return false;
-  }
-  return true;
 }
 
 TrochoidalSteps::Next TrochoidalSteps::freely() {

@@ -47,7 +47,6 @@ class TrochoidalSteps {
   void take(Vec2 p);
   void end_run();
   double wall_engagement(double s) const;
-  bool stays_legal(const Edge& edge) const;
   bool is_legal(Vec2 p) const { return remaining_.legal().contains(p); }
 
   const RemainingStock& remaining_;
