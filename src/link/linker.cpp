@@ -73,7 +73,7 @@ double least_retract_time(const Work& work, const LinkOptions& options, const Cu
 /// Whether a pass has left the cutter at p, at a height between these. Where it has only come down the chips have to come up first.
 bool stand_over(const MoveList& moves, Vec2 p, double z_low, double z_high) {
   return !moves.empty() && !moves.ends_upright() && moves.at() == p && moves.z() > z_low &&
-         moves.z() <= z_high;
+         moves.z() < z_high;
 }
 
 }  // namespace
@@ -311,19 +311,21 @@ double Linker::enter_material(Vec2 start, const Path& path, const Path* ring, st
   EntryPlace place{start, heading, z_above, passes.z, pass.entry_center, ring};
   if (pass.kinds.empty()) place.run = &path;
   place.stays_on_run = !pass.may_cut_to_start;
-  if (stand_over(moves_, start, passes.z, z_above)) place.z_above = moves_.z();
-  Entry entry = entry_at(place, passes.legal, options_);
-  if (entry.moves.front().path.from != start && place.z_above != z_above) {
+  std::optional<Entry> entry;
+  if (stand_over(moves_, start, passes.z, z_above)) {
+    place.z_above = moves_.z();
+    entry = entry_at(place, passes.legal, options_);
+    if (entry->moves.front().path.from != start) entry.reset();  // a helix begins beside it
+  }
+  if (!entry) {
     place.z_above = z_above;
     entry = entry_at(place, passes.legal, options_);
-  }
-  if (place.z_above == z_above) {
-    go_over(entry.moves.front().path.from, item);
+    go_over(entry->moves.front().path.from, item);
     moves_.vertical(z_above, MoveKind::kPlunge, options_.plunge_feed);
   }
-  moves_.append(entry.moves);
-  ++entries_[index_of(entry.kind)];
-  return entry.along_ring;
+  moves_.append(entry->moves);
+  ++entries_[index_of(entry->kind)];
+  return entry->along_ring;
 }
 
 void Linker::rise_and_cross(Vec2 to, double height) {

@@ -191,7 +191,7 @@ void warn_of_corners(const Workingstep& walls, const PlanOptions& options, Part&
     sharpest = std::max(sharpest, sharpest_turn(region.outer(), radius));
     for (const Loop& island : region.islands()) sharpest = std::max(sharpest, sharpest_turn(island, radius));
   }
-  const double most = (sharpest + base::acos(1 - stock / radius)) * 180 / kPi;
+  const double most = Radians::of(sharpest + base::acos(1 - stock / radius)).degrees();
   if (sharpest <= 0 || most <= *options.engagement_deg) return;
   part.diagnostics.warn(
       walls.name,
