@@ -89,6 +89,17 @@ const FlatSide& better_of_largest(const SolidModel& solid) {
   return *better;
 }
 
+/// Both readings of a sheet that stands on its edge; `upright`, `flat`: out of how much it is milled as it lies and lying flat, "" where
+/// that is not known.
+[[noreturn]] void refuse_edge(const std::string& file_name, double thickness, double height,
+                              const std::string& upright, const std::string& flat, const std::string& up) {
+  throw InputError(file_name, "a sheet of " + trimmed(thickness, 3) +
+                                  " mm stands on its edge: as it lies it is milled " + trimmed(height, 3) +
+                                  " mm deep" + upright +
+                                  " (--up +Z if that is meant); lying flat it is milled " +
+                                  trimmed(thickness, 3) + " mm deep" + flat + " (--up " + up + ")");
+}
+
 /// A sheet that stands on its edge and is turned about the vertical.
 void refuse_turned_sheet(const SolidModel& solid, const std::string& file_name) {
   constexpr double kUpright = 0.01;  // degrees
@@ -97,10 +108,7 @@ void refuse_turned_sheet(const SolidModel& solid, const std::string& file_name) 
   const double height = solid.z_top - solid.z_bottom;
   if (!leans(side) || std::abs(side.lean - 90) > kUpright || !(side.thickness > 0)) return;
   if (height < kSheet * side.thickness || side.area < kSheet * side.thickness * height) return;
-  throw InputError(file_name, "a sheet of " + trimmed(side.thickness, 3) +
-                                  " mm stands on its edge: as it lies it is milled " + trimmed(height, 3) +
-                                  " mm deep (--up +Z if that is meant); lying flat it is milled " +
-                                  trimmed(side.thickness, 3) + " mm deep (--up " + side.up + ")");
+  refuse_edge(file_name, side.thickness, height, "", "", side.up);
 }
 
 }  // namespace
@@ -124,11 +132,8 @@ void refuse_sheet_on_edge(const SolidModel& solid, const std::string& file_name)
   if (solid.bodies.size() != 1 || height < kSheet * thickness || across < kSheet * thickness) return;
   const FlatPair flat = flat_along(solid, along_x ? 'X' : 'Y');
   if (!flat.better || flat.area < solid.sides.front().area) return;
-  throw InputError(
-      file_name, "a sheet of " + trimmed(thickness, 3) + " mm stands on its edge: as it lies it is milled " +
-                     trimmed(height, 3) + " mm deep out of " + size_text(body.width, body.depth) +
-                     " mm (--up +Z if that is meant); lying flat it is milled " + trimmed(thickness, 3) +
-                     " mm deep out of " + size_text(across, height) + " mm (--up " + flat.better->up + ")");
+  refuse_edge(file_name, thickness, height, " out of " + size_text(body.width, body.depth) + " mm",
+              " out of " + size_text(across, height) + " mm", flat.better->up);
 }
 
 void refuse_askew(const SolidModel& solid, const std::string& file_name) {
