@@ -8,6 +8,7 @@
 #include "base/files/file.h"
 #include "read/board/drill/excellon_reader.h"
 #include "read/board/gerber_reader.h"
+#include "read/common/file_kind.h"
 #include "read/common/foreign_files.h"
 #include "read/common/text.h"
 #include "read/dxf/dxf_reader.h"
@@ -21,39 +22,22 @@
 namespace clearcut::read {
 namespace {
 
-enum class Kind { kStep, kDxf, kSvg, kJson, kEdges, kJob, kGerber, kExcellon, kUnknown };
-
-Kind kind_of_extension(const std::string& extension) {
+FileKind kind_of_extension(const std::string& extension) {
   for (const char* step : {".P21", ".STP", ".STEP", ".STPNC", ".238"}) {
-    if (extension == step) return Kind::kStep;
+    if (extension == step) return FileKind::kStep;
   }
-  if (extension == ".DXF") return Kind::kDxf;
-  if (extension == ".SVG") return Kind::kSvg;
-  if (extension == ".JSON") return Kind::kJson;
-  if (extension == ".EDGES") return Kind::kEdges;
-  if (extension == ".TOML") return Kind::kJob;
+  if (extension == ".DXF") return FileKind::kDxf;
+  if (extension == ".SVG") return FileKind::kSvg;
+  if (extension == ".JSON") return FileKind::kJson;
+  if (extension == ".EDGES") return FileKind::kEdges;
+  if (extension == ".TOML") return FileKind::kJob;
   for (const char* gerber : {".GBR", ".GER", ".PHO", ".GTL", ".GBL", ".GTS", ".GBS", ".GTO", ".GBO", ".GTP",
                              ".GBP", ".GKO", ".GML", ".GM1", ".GM2", ".GM3", ".CMP", ".SOL"}) {
-    if (extension == gerber) return Kind::kGerber;
+    if (extension == gerber) return FileKind::kGerber;
   }
   if (extension == ".DRL" || extension == ".XLN" || extension == ".EXC" || extension == ".XNC")
-    return Kind::kExcellon;
-  return Kind::kUnknown;
-}
-
-/// What the first bytes say, for files without a telling name.
-Kind kind_of_content(std::string_view text) {
-  const std::string_view head = text.substr(0, 4096);
-  const std::size_t first = head.find_first_not_of(" \t\r\n\xEF\xBB\xBF");
-  if (first == std::string_view::npos) return Kind::kUnknown;
-  if (head.substr(first, 12) == "ISO-10303-21") return Kind::kStep;
-  if (head[first] == '{') return Kind::kJson;
-  if (head.substr(first, 3) == "M48" || head.find("\nM48") != std::string_view::npos) return Kind::kExcellon;
-  if (head.find("%FSLA") != std::string_view::npos || head.find("%FSTA") != std::string_view::npos)
-    return Kind::kGerber;
-  if (head.find("<svg") != std::string_view::npos) return Kind::kSvg;
-  if (head.find("SECTION") != std::string_view::npos) return Kind::kDxf;
-  return Kind::kUnknown;
+    return FileKind::kExcellon;
+  return FileKind::kUnknown;
 }
 
 void refuse_what_is_no_text(std::string_view text, const std::string& file_name) {
@@ -124,9 +108,9 @@ Part snapped(Part part) {
   return part;
 }
 
-void refuse_to_mirror(Kind kind, const std::string& file_name, const ReadOptions& options) {
-  const bool is_drawing = kind == Kind::kDxf || kind == Kind::kSvg || kind == Kind::kGerber ||
-                          kind == Kind::kExcellon || kind == Kind::kJob;
+void refuse_to_mirror(FileKind kind, const std::string& file_name, const ReadOptions& options) {
+  const bool is_drawing = kind == FileKind::kDxf || kind == FileKind::kSvg || kind == FileKind::kGerber ||
+                          kind == FileKind::kExcellon || kind == FileKind::kJob;
   if (options.mirror && !is_drawing)
     throw InputError(
         file_name, "only drawings are mirrored (DXF, SVG, Gerber, Excellon); turn a solid over with --up -Z");
@@ -134,32 +118,32 @@ void refuse_to_mirror(Kind kind, const std::string& file_name, const ReadOptions
 
 Part read_text(std::string_view text, const std::string& file_name, const ReadOptions& options) {
   refuse_foreign_content(text, file_name);
-  Kind kind = kind_of_extension(capitals(std::filesystem::path(file_name).extension().string()));
-  if (kind == Kind::kUnknown) {
+  FileKind kind = kind_of_extension(capitals(std::filesystem::path(file_name).extension().string()));
+  if (kind == FileKind::kUnknown) {
     refuse_foreign_name(file_name);
     kind = kind_of_content(text);
   }
   refuse_what_is_no_text(text, file_name);
   refuse_to_mirror(kind, file_name, options);
   switch (kind) {
-    case Kind::kStep:
+    case FileKind::kStep:
       if (is_step_solid(text)) return read_step_solid(text, file_name, options);
       return read_program(text, file_name, options);
-    case Kind::kDxf:
+    case FileKind::kDxf:
       return read_dxf(text, file_name, options);
-    case Kind::kSvg:
+    case FileKind::kSvg:
       return read_svg(text, file_name, options);
-    case Kind::kJson:
+    case FileKind::kJson:
       return read_outline_json(text, file_name, options);
-    case Kind::kGerber:
+    case FileKind::kGerber:
       return read_gerber(text, file_name, options);
-    case Kind::kExcellon:
+    case FileKind::kExcellon:
       return read_excellon(text, file_name, options);
-    case Kind::kEdges:
+    case FileKind::kEdges:
       return read_edges(text, file_name, options);
-    case Kind::kJob:
+    case FileKind::kJob:
       return part_of_job(read_job_text(text, file_name), options);
-    case Kind::kUnknown:
+    case FileKind::kUnknown:
       break;
   }
   throw InputError(

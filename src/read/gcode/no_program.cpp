@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "base/error.h"
+#include "read/common/file_kind.h"
 #include "read/common/foreign_files.h"
 #include "read/gcode/klartext.h"
 #include "read/gcode/words/lines.h"
@@ -35,18 +36,22 @@ bool is_dxf(std::string_view start) {
   return line == "0" || line == "999" || start.substr(0, 18) == "AutoCAD Binary DXF";
 }
 
+/// Also in programs M48 is a word, so the unit of a drill file has to be there.
+bool is_drill_file(std::string_view start) {
+  const std::string_view head = start.substr(0, 4096);
+  return start.substr(0, 3) == "M48" &&
+         (head.find("METRIC") != std::string_view::npos || head.find("INCH") != std::string_view::npos);
+}
+
 /// What a part is read from, by how it starts; "" for none.
 std::string_view part_file(std::string_view start) {
-  const std::string_view head = start.substr(0, 4096);
-  if (start.substr(0, 12) == "ISO-10303-21") return "a STEP file";
   if (is_dxf(start)) return "a DXF drawing";
-  if (start.substr(0, 1) == "<" && head.find("<svg") != std::string_view::npos) return "an SVG drawing";
-  if (start.substr(0, 1) == "{") return "a JSON file";
-  if (head.find("%FSLA") != std::string_view::npos || head.find("%FSTA") != std::string_view::npos)
-    return "a Gerber file";
-  if (start.substr(0, 3) == "M48" &&
-      (head.find("METRIC") != std::string_view::npos || head.find("INCH") != std::string_view::npos))
-    return "an Excellon drill file";
+  const FileKind kind = kind_of_content(start);
+  if (kind == FileKind::kStep) return "a STEP file";
+  if (kind == FileKind::kSvg && start[0] == '<') return "an SVG drawing";
+  if (kind == FileKind::kJson) return "a JSON file";
+  if (kind == FileKind::kGerber) return "a Gerber file";
+  if (kind == FileKind::kExcellon && is_drill_file(start)) return "an Excellon drill file";
   return is_job(start) ? "a job file" : "";
 }
 
