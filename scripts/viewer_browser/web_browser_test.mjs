@@ -148,7 +148,7 @@ async function activates(page) {
 /** @type {(page: Page) => Promise<void>} */
 async function solves(page) {
   await page.click('#tab-tour');
-  await page.fill('#tour-lattice', '24x24');
+  await page.fill('#tour-lattice', '40x40');
   await page.selectOption('#tour-shape', '--closed');
   await page.selectOption('#tour-solver', 'published');
   await page.fill('#tour-time', '20');
