@@ -3,7 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "base/error.h"
+#include "read/common/file_kind.h"
 #include "read/read_part.h"
 
 namespace clearcut::read {
@@ -24,6 +29,19 @@ struct Case {
   const char* what;
   const char* instead;
 };
+
+TEST(FileKind, IsToldByTheFirstBytesWhereNoNameDoes) {
+  using K = FileKind;
+  const std::pair<const char*, K> files[] = {{"ISO-10303-21;\n", K::kStep},
+                                             {"\n {\"name\": 1}", K::kJson},
+                                             {"M48\nMETRIC\n", K::kExcellon},
+                                             {"%\nM48\nM72\n", K::kExcellon},
+                                             {"G04 x*\n%FSLAX46Y46*%\n", K::kGerber},
+                                             {"<svg><path d=\"\nM48 3 L9 9\"/></svg>", K::kSvg},
+                                             {"0\nSECTION\n", K::kDxf},
+                                             {"Dear Sir,\n", K::kUnknown}};
+  for (const auto& [text, kind] : files) EXPECT_EQ(kind_of_content(text), kind) << text;
+}
 
 TEST(ForeignFiles, AreRefusedInOneLineWithWhatToDo) {
   using namespace std::string_literals;
