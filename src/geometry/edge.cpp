@@ -15,6 +15,8 @@ constexpr double kTouch = 1e-9;
 constexpr double kTouchPerRadius = 1e-15;
 /// Below this bulge the sagitta is under the rounding of the centre: a line is the more exact curve.
 constexpr double kStraightBulge = 1e-8;
+/// Rounds by which a crossing of circles is found as exactly as numbers allow.
+constexpr int kRounds = 4;
 
 /// Radius of the circle through the middle between the two ends' radii, by one square root.
 double circle_radius(const Edge& arc) {
@@ -80,8 +82,38 @@ double touch_of(const Edge& a, const Edge& b) {
   return touch;
 }
 
-void add_if_on_both(Vec2 p, const Edge& a, const Edge& b, double touch, std::vector<Vec2>& out) {
-  if (distance(a, p) <= touch && distance(b, p) <= touch) out.push_back(p);
+/// mm beyond the whole circle or line of an edge, and the direction in which it grows.
+struct Beyond {
+  double distance = 0;
+  Vec2 outward;
+};
+Beyond beyond(const Edge& edge, Vec2 p) {
+  if (!edge.is_arc()) {
+    const Vec2 normal = left_of(unit(edge.to - edge.from));
+    return {dot(p - edge.from, normal), normal};
+  }
+  const Vec2 v = p - edge.center;
+  return {norm(v) - circle_radius(edge), unit(v)};
+}
+
+/// A crossing again, one step of Newton nearer to both curves.
+Vec2 polished(Vec2 p, const Edge& a, const Edge& b) {
+  const Beyond from_a = beyond(a, p), from_b = beyond(b, p);
+  const double det = cross(from_a.outward, from_b.outward);
+  if (det == 0) return p;
+  const Vec2 step = left_of(from_a.outward) * from_b.distance - left_of(from_b.outward) * from_a.distance;
+  return p - step / det;
+}
+
+/// The candidate, or where it lies on both edges indeed: formulas of circles lose digits where a circle is huge or
+/// both cross at a small angle.
+std::optional<Vec2> place_on_both(Vec2 p, const Edge& a, const Edge& b, double touch) {
+  for (int round = 0; round < kRounds; ++round) {
+    if (distance(a, p) <= touch && distance(b, p) <= touch) return p;
+    if (!a.is_arc() && !b.is_arc()) break;
+    p = polished(p, a, b);
+  }
+  return std::nullopt;
 }
 
 void line_line_candidates(const Edge& a, const Edge& b, std::vector<Vec2>& out) {
@@ -104,6 +136,8 @@ void line_circle_candidates(const Edge& line, const Edge& arc, std::vector<Vec2>
 
 void circle_circle_candidates(const Edge& a, const Edge& b, std::vector<Vec2>& out) {
   const double ra = circle_radius(a), rb = circle_radius(b);
+  // Seen from the smaller circle, of whose radius the distances do not lose digits.
+  if (ra > rb) return circle_circle_candidates(b, a, out);
   const Vec2 between = b.center - a.center;
   const double d = norm(between);
   if (d <= kTouch) return;
@@ -276,7 +310,9 @@ std::vector<Vec2> intersections(const Edge& a, const Edge& b) {
     if (distance(a, end) <= touch) add(end, false);
   }
   std::vector<Vec2> crossings;
-  for (const Vec2 p : crossing_candidates(a, b)) add_if_on_both(p, a, b, touch, crossings);
+  for (const Vec2 p : crossing_candidates(a, b)) {
+    if (const auto place = place_on_both(p, a, b, touch)) crossings.push_back(*place);
+  }
   for (const Vec2 p : crossings) add(p, true);
   return found;
 }

@@ -207,5 +207,30 @@ TEST(Path, ReversedRunsBackwards) {
   EXPECT_NEAR(box(path).min.y, -0.25, 1e-12);
 }
 
+/// An arc through `p`, from one mm before it to one mm behind it.
+Edge arc_through(Vec2 p, Vec2 heading, double radius) {
+  const Vec2 center = p + left_of(heading) * radius;
+  const Vec2 along = heading, inward = left_of(heading);
+  const double back = radius - std::sqrt((radius - 1) * (radius + 1));
+  return Edge::arc(p - along + inward * back, p + along + inward * back, center, Turn::kCounterClockwise);
+}
+
+TEST(Intersections, OfHugeCirclesAtSmallAnglesAreFound) {
+  const Vec2 p{0.3, -0.2};
+  for (const double radius : {1.0, 50.0, 1e3, 1e4, 1e5, 1e6}) {
+    for (const double other : {2.0, 1e3, 3e5}) {
+      for (const double angle : {0.7, 0.03, 1e-3, 2e-4}) {
+        const Edge a = arc_through(p, {1, 0}, radius);
+        const Edge b = arc_through(p, {base::cos(angle), base::sin(angle)}, other);
+        const std::vector<Vec2> found = intersections(a, b);
+        const bool is_there = std::any_of(found.begin(), found.end(), [&](Vec2 q) {
+          return distance(p, q) * angle < 1e-8 * (1 + radius / 1e4);
+        });
+        EXPECT_TRUE(is_there) << "radii " << radius << ", " << other << ", angle " << angle;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace clearcut::inline geometry
