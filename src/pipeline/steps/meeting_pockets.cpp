@@ -5,7 +5,9 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "geometry/short_edges.h"
 #include "geometry/spatial/apart.h"
+#include "geometry/unite_over_gaps.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "resolve/left_over.h"
@@ -18,70 +20,9 @@ namespace {
 /// mm. Outlines that are no farther apart touch; what reaches no farther beyond an outline does not count.
 constexpr double kTouching = 0.005;
 
-/// mm. A wall thinner than this between two outlines is rounding of the drawing's numbers; the verifier finds none either.
-constexpr double kHairline = 1e-5;
-/// mm. Outlines this near to each other are the same to polygon booleans.
-constexpr double kSame = 5e-10;
-
-std::vector<Edge> edges_of(const Regions& regions) {
-  std::vector<Edge> edges;
-  for (const Region& region : regions) {
-    const std::vector<Edge> own = region.edges();
-    edges.insert(edges.end(), own.begin(), own.end());
-  }
-  return edges;
-}
-
-/// Whether an end or the middle of `edge` lies a hairline beside the other, outside of `others`.
-bool is_hairline_beside(const Edge& edge, const Edge& other, const Regions& others) {
-  const Vec2 places[] = {edge.from, edge.at(0.5), edge.to};
-  return std::any_of(std::begin(places), std::end(places), [&](Vec2 p) {
-    const double d = distance(other, p);
-    return d > kSame && d < kHairline && !contains(others, p);
-  });
-}
-
-/// Whether a wall thinner than kHairline stands anywhere between the two areas.
-bool hairline_between(const Regions& a, const Regions& b) {
-  const std::vector<Edge> edges = edges_of(a), others = edges_of(b);
-  return std::any_of(edges.begin(), edges.end(), [&](const Edge& edge) {
-    const Box near = edge.box().grown(kHairline);
-    return std::any_of(others.begin(), others.end(), [&](const Edge& other) {
-      return near.overlaps(other.box()) &&
-             (is_hairline_beside(edge, other, b) || is_hairline_beside(other, edge, a));
-    });
-  });
-}
-
-Loop shifted(const Loop& loop, Vec2 by) {
-  Loop moved = loop;
-  for (Edge& edge : moved) {
-    edge.from = edge.from + by;
-    edge.to = edge.to + by;
-    edge.center = edge.center + by;
-  }
-  return moved;
-}
-
-Regions shifted(const Regions& regions, Vec2 by) {
-  Regions moved;
-  for (const Region& region : regions) {
-    std::vector<Loop> islands;
-    for (const Loop& island : region.islands()) islands.push_back(shifted(island, by));
-    moved.push_back(Region::from_valid_loops(shifted(region.outer(), by), std::move(islands)));
-  }
-  return moved;
-}
-
-/// Both areas as one, also where only a hairline parts them: far thinner than offsets are made.
-Regions united_over_hairlines(const Regions& a, const Regions& b, const Tolerances& tol) {
-  Regions all = unite(a, b, tol);
-  if (!hairline_between(a, b)) return all;
-  constexpr double kAside = 1.5 * kHairline;  // along the nearer axis it crosses walls of any direction
-  for (const Vec2 aside : {Vec2{kAside, 0}, Vec2{-kAside, 0}, Vec2{0, kAside}, Vec2{0, -kAside}})
-    all = unite(all, shifted(b, aside), tol);
-  return all;
-}
+/// mm. What is no thicker between two outlines than a gouge may be deep is no wall: one line, drawn twice. The verifier finds none
+/// either.
+constexpr double kGap = 0.001;
 
 bool runs_into(const Feature& other, const Regions& around, const Tolerances& tol) {
   return !are_apart(other.allowed, around, 2 * tol.chord) && !intersect(other.allowed, around, tol).empty() &&
@@ -156,7 +97,7 @@ void MeetingPockets::widen(Layer& layer) {
     last_open_ = open;
   }
   if (!last_added_) return;
-  const Regions wide = unite(layer.allowed, *last_added_, tol_);
+  const Regions wide = without_short_edges(unite(layer.allowed, *last_added_, tol_), kGap);
   layer.target = plan::closed_all_round(layer)
                      ? wide
                      : unite(layer.target, subtract(*last_added_, layer.allowed, tol_), tol_);
@@ -166,7 +107,7 @@ void MeetingPockets::widen(Layer& layer) {
 std::optional<Regions> MeetingPockets::added_to(const Layer& layer,
                                                 const std::vector<const Feature*>& open) const {
   Regions wide = layer.allowed;
-  for (const Feature* other : open) wide = united_over_hairlines(wide, room_of(*other, layer.z), tol_);
+  for (const Feature* other : open) wide = unite_over_gaps(wide, room_of(*other, layer.z), kGap, tol_);
   const double around = 2 * (layer.tool_radius + layer.wall_stock);
   const Regions near = dilate(layer.allowed, around, tol_);
   const auto reached = [&](const Regions& allowed, double more) {

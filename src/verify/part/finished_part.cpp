@@ -4,11 +4,14 @@
 #include <limits>
 
 #include "base/elementary.h"
+#include "verify/part/films.h"
 #include "verify/part/trimmed_curve.h"
 
 namespace clearcut::verify {
 namespace {
 
+/// mm. The height on both sides of an edge is asked this far beside it: more than outlines that coincide differ by rounding.
+constexpr double kBeside = 1e-8;
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 
 double top_of(const Part& part) {
@@ -161,6 +164,10 @@ double FinishedPart::height(Vec2 p) const {
   return height;
 }
 
+bool FinishedPart::is_film(Vec2 p, double z) const {
+  return film_tree_.nearest(p, kFilm, [&](int i) { return films_[i].stands_at(z); }).edge >= 0;
+}
+
 /// mm; height near a piece of the outline of shape `own`. Walls with draft are taken as upright, because they
 /// are added as walls of their own.
 double FinishedPart::height_beside(Vec2 p, int own, bool inside_own) const {
@@ -179,11 +186,11 @@ double FinishedPart::height_beside(Vec2 p, int own, bool inside_own) const {
 std::vector<double> FinishedPart::cuts_of(const Edge& edge, int shape, const EdgeTree& all,
                                           const std::vector<int>& owner) const {
   std::vector<double> cuts{0, 1};
-  all.overlapping(edge.box().grown(kProbe), [&](int other) {
+  all.overlapping(edge.box().grown(kBeside), [&](int other) {
     if (owner[other] == shape) return;
     for (const Vec2 p : intersections(edge, all.edges()[other])) cuts.push_back(nearest(edge, p).t);
     const auto corner = nearest(edge, all.edges()[other].from);
-    if (corner.distance < kProbe && corner.t > 0 && corner.t < 1) cuts.push_back(corner.t);
+    if (corner.distance < kBeside && corner.t > 0 && corner.t < 1) cuts.push_back(corner.t);
   });
   std::sort(cuts.begin(), cuts.end());
   return cuts;
@@ -203,18 +210,20 @@ void FinishedPart::find_walls() {
     const std::vector<double> cuts =
         shapes_.size() == 1 ? std::vector<double>{0, 1} : cuts_of(edge, owner[k], all, owner);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      // Where outlines nearly coincide, crossings cut off pieces too short to find walls: heights are asked kProbe off.
-      if (cuts.size() > 2 && (cuts[i + 1] - cuts[i]) * edge.length() < kProbe) continue;
+      // Where outlines nearly coincide, crossings cut off pieces too short to find walls: heights are asked kBeside off.
+      if (cuts.size() > 2 && (cuts[i + 1] - cuts[i]) * edge.length() < kBeside) continue;
       add_wall(cuts.size() == 2 ? edge : edge.part(cuts[i], cuts[i + 1]), shapes_[owner[k]], owner[k]);
     }
   }
-  std::vector<Edge> wall_edges;
-  for (const Wall& wall : walls_) wall_edges.push_back(wall.edge);
-  tree_ = EdgeTree(std::move(wall_edges));
+  Films parts = parted(walls_);
+  walls_ = std::move(parts.walls);
+  films_ = std::move(parts.films);
+  tree_ = tree_of(walls_);
+  film_tree_ = tree_of(films_);
 }
 
 void FinishedPart::add_wall(const Edge& piece, const Shape& shape, int index) {
-  const Vec2 middle = piece.at(0.5), aside = left_normal_at_middle(piece) * kProbe;
+  const Vec2 middle = piece.at(0.5), aside = left_normal_at_middle(piece) * kBeside;
   const double left = height_beside(middle + aside, index, true);
   const double right = height_beside(middle - aside, index, false);
   if (is_drafted_at(shape, piece)) return add_drafted_wall(piece, shape, left, right);

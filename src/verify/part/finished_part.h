@@ -42,7 +42,8 @@ struct CutFeatures {
 /// touching pockets vanish.
 ///
 /// Cost    build O(n log n + crossings); a query O(features * log n).
-/// Error   Walls thinner than 2 * kProbe are not found, nor pieces shorter than kProbe that crossings cut off.
+///         What is no thicker than kFilm between two features is no wall.
+/// Error   Of walls that crossings cut off, pieces shorter than 10 nm are not found.
 ///         Where another feature cuts into a wall with draft, that wall is taken to stand there, too; see FinishedParts.
 class FinishedPart {
  public:
@@ -71,10 +72,12 @@ class FinishedPart {
   bool is_inside(int feature, Vec2 p) const;
 
   double height(Vec2 p) const;
+  /// Whether p lies in a film at height z: what two features that all but touch leave standing, which counts as free.
+  bool is_film(Vec2 p, double z) const;
   /// Whether a point at height z is outside the finished part.
   bool is_free(Vec2 p, double z) const { return z >= top_z_ || height(p) <= z; }
 
-  /// mm. The height on both sides of an edge is computed this far beside it.
+  /// mm. Places that are nearer to an outline than this lie on it.
   static constexpr double kProbe = 1e-5;
 
  private:
@@ -105,8 +108,8 @@ class FinishedPart {
   double height_beside(Vec2 p, int own, bool inside_own) const;
 
   std::vector<Shape> shapes_;
-  std::vector<Wall> walls_, beyond_;
-  EdgeTree tree_;
+  std::vector<Wall> walls_, beyond_, films_;
+  EdgeTree tree_, film_tree_;
   std::vector<double> heights_;
   double top_z_ = 0;
   double greatest_draft_offset_ = 0;

@@ -1,0 +1,126 @@
+// Where an edge of one area runs within the gap before an edge of the other, a patch between the two closes it. The stretch is
+// bounded by where the edge crosses the outline of all that is no farther than the gap from the other.
+#include "geometry/unite_over_gaps.h"
+
+#include <algorithm>
+
+#include "geometry/boolean.h"
+#include "geometry/spatial/box_tree.h"
+
+namespace clearcut::inline geometry {
+namespace {
+
+/// mm. Straight patches reach this far into both areas: more than the grid of polygon booleans.
+constexpr double kOverlap = 1e-5;
+/// mm. Areas whose edges are this near are one to polygon booleans already.
+constexpr double kSame = 5e-10;
+
+std::vector<Edge> edges_of(const Regions& regions) {
+  std::vector<Edge> edges;
+  for (const Region& region : regions) {
+    const std::vector<Edge> own = region.edges();
+    edges.insert(edges.end(), own.begin(), own.end());
+  }
+  return edges;
+}
+
+/// The outline of all that is no farther than `gap` from an edge, in pieces.
+std::vector<Edge> outline_around(const Edge& edge, double gap) {
+  std::vector<Edge> outline;
+  for (const Vec2 end : {edge.from, edge.to}) {
+    const Vec2 aside{gap, 0};
+    outline.push_back(Edge::arc(end + aside, end - aside, end, Turn::kCounterClockwise));
+    outline.push_back(Edge::arc(end - aside, end + aside, end, Turn::kCounterClockwise));
+  }
+  for (const double side : {gap, -gap}) {
+    Edge shifted = edge;
+    shifted.from = edge.from + left_of(edge.tangent_at(0)) * side;
+    shifted.to = edge.to + left_of(edge.tangent_at(1)) * side;
+    if (shifted.from != shifted.to) outline.push_back(shifted);
+  }
+  return outline;
+}
+
+/// Whether `other` runs back along `edge` at t, on its right hand side and no farther than the gap.
+bool is_across(const Edge& edge, double t, const Edge& other, double gap) {
+  const Vec2 p = edge.at(t);
+  const Nearest there = nearest(other, p);
+  const Vec2 back = other.tangent_at(there.t);
+  return there.distance <= gap && dot(left_of(back), p - there.point) <= kSame &&
+         dot(edge.tangent_at(t), back) < 0;
+}
+
+/// Parameters along the edge at which a gap to `other` may begin or end, with 0 and 1, ascending.
+std::vector<double> places_along(const Edge& edge, const Edge& other, double gap) {
+  std::vector<double> places{0, 1};
+  for (const Edge& limit : outline_around(other, gap)) {
+    for (const Vec2 p : intersections(edge, limit)) places.push_back(nearest(edge, p).t);
+  }
+  for (const Vec2 p : intersections(edge, other)) places.push_back(nearest(edge, p).t);
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+/// The line or arc beside an edge, on its left.
+Edge beside(const Edge& edge, double aside) {
+  Edge shifted = edge;
+  shifted.from = edge.from + left_of(edge.tangent_at(0)) * aside;
+  shifted.to = edge.to + left_of(edge.tangent_at(1)) * aside;
+  return shifted;
+}
+
+/// What lies between a stretch of an edge and `other`, which runs back along it, and a little of what both bound.
+Region patch(const Edge& stretch, const Edge& other, const Tolerances& tol) {
+  const double overlap = stretch.is_arc() || other.is_arc() ? 2.5 * tol.chord : kOverlap;
+  const double first = nearest(other, stretch.to).t, last = nearest(other, stretch.from).t;
+  const Edge near = beside(stretch, overlap).reversed();
+  Loop loop{near};
+  if (last - first > kSame) {
+    const Edge far = beside(other.part(first, last), overlap).reversed();
+    loop.push_back(Edge::line(near.to, far.from));
+    loop.push_back(far);
+  } else {
+    const Vec2 end = other.at(first) + left_of(other.tangent_at(first)) * overlap;
+    loop.push_back(Edge::line(near.to, end));
+  }
+  loop.push_back(Edge::line(loop.back().to, near.from));
+  return Region::from_valid_loops(std::move(loop), {});
+}
+
+void add_patches(const Edge& edge, const Edge& other, double gap, const Tolerances& tol, Regions& patches) {
+  const std::vector<double> places = places_along(edge, other, gap);
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const double length = (places[i + 1] - places[i]) * edge.length();
+    if (length <= kSame || !is_across(edge, (places[i] + places[i + 1]) / 2, other, gap)) continue;
+    patches.push_back(patch(edge.part(places[i], places[i + 1]), other, tol));
+  }
+}
+
+/// Patches over all gaps before the edges of `a`.
+Regions patches_between(const std::vector<Edge>& a, const std::vector<Edge>& b, double gap,
+                        const Tolerances& tol) {
+  BoxTree tree;
+  tree.build(static_cast<std::uint32_t>(b.size()), [&](std::uint32_t i) { return b[i].box(); });
+  Regions patches;
+  for (const Edge& edge : a) {
+    const Box near = edge.box().grown(gap);
+    tree.descend([&](const Box& box) { return box.overlaps(near); },
+                 [&](std::uint32_t i) {
+                   if (b[i].box().overlaps(near)) add_patches(edge, b[i], gap, tol, patches);
+                 });
+  }
+  return patches;
+}
+
+}  // namespace
+
+Regions unite_over_gaps(const Regions& a, const Regions& b, double gap, const Tolerances& tol) {
+  const std::vector<Edge> edges = edges_of(a), others = edges_of(b);
+  Regions patches = patches_between(edges, others, gap, tol);
+  const Regions more = patches_between(others, edges, gap, tol);
+  patches.insert(patches.end(), more.begin(), more.end());
+  Regions all = unite(a, b, tol);
+  return patches.empty() ? all : unite(all, patches, tol);
+}
+
+}  // namespace clearcut::inline geometry

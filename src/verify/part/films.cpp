@@ -1,0 +1,117 @@
+#include "verify/part/films.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace clearcut::verify {
+namespace {
+
+/// Share of a wall's length to which the end of a film is found; places that are nearer to each other are one.
+constexpr double kEndOfFilm = 1e-6;
+/// mm. Walls that cross or share a line are on both sides of each other by this, for rounding.
+constexpr double kBothSides = 1e-9;
+constexpr double kNoFilm = std::numeric_limits<double>::infinity();
+
+class FilmFinder {
+ public:
+  FilmFinder(const std::vector<Wall>& walls, const EdgeTree& tree) : walls_(walls), tree_(tree) {}
+
+  /// Adds the wall in pieces that have a film behind them all along, or nowhere.
+  void divide(const Wall& wall, Films& parts) {
+    find_near(wall);
+    if (near_.empty()) return parts.walls.push_back(wall);
+    std::vector<double> cuts{0};
+    const std::vector<double> places = places_along(wall.edge);
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      if (has_film(wall, places[i]) != has_film(wall, places[i + 1]))
+        cuts.push_back(change_between(wall, places[i], places[i + 1]));
+    }
+    cuts.push_back(1);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      Wall piece = wall;
+      if (cuts.size() > 2) piece.edge = wall.edge.part(cuts[i], cuts[i + 1]);
+      piece.flat_from = wall.flat_from && i == 0;
+      piece.flat_to = wall.flat_to && i + 2 == cuts.size();
+      add(piece, film_z(wall, (cuts[i] + cuts[i + 1]) / 2), parts);
+    }
+  }
+
+ private:
+  /// Adds a wall behind which a film stands from film_z up.
+  static void add(Wall piece, double film_z, Films& parts) {
+    if (film_z < piece.z_high) {
+      parts.films.push_back(piece);
+      parts.films.back().z_low = film_z;
+      piece.z_high = film_z;
+    }
+    if (piece.z_low < piece.z_high) parts.walls.push_back(piece);
+  }
+
+  void find_near(const Wall& wall) {
+    near_.clear();
+    if (wall.slope > 0) return;
+    tree_.overlapping(wall.edge.box().grown(kFilm), [&](int i) {
+      const Wall& other = walls_[static_cast<std::size_t>(i)];
+      const bool may_leave_film = other.feature != wall.feature && other.slope <= 0;
+      if (may_leave_film && distance(wall.edge, other.edge) <= kFilm) near_.push_back(&other);
+    });
+  }
+
+  /// Ascending; between two of them how near the other walls are changes one way only, if all are straight.
+  std::vector<double> places_along(const Edge& edge) const {
+    std::vector<double> places{0, 1};
+    for (const Wall* other : near_) {
+      for (const Vec2 end : {other->edge.from, other->edge.to}) places.push_back(nearest(edge, end).t);
+    }
+    std::sort(places.begin(), places.end());
+    const auto same = [](double a, double b) { return b - a < kEndOfFilm; };
+    places.erase(std::unique(places.begin(), places.end() - 1, same), places.end() - 1);
+    for (std::size_t i = places.size() - 1; i > 0; --i) places.push_back((places[i - 1] + places[i]) / 2);
+    std::sort(places.begin(), places.end());
+    return places;
+  }
+
+  double film_z(const Wall& wall, double t) const {
+    const Vec2 p = wall.edge.at(t), heading = wall.edge.tangent_at(t);
+    double lowest = kNoFilm;
+    for (const Wall* other : near_) {
+      const auto there = nearest(other->edge, p);
+      const Vec2 back = other->edge.tangent_at(there.t);
+      const bool is_behind = dot(left_of(back), p - other->edge.at(there.t)) <= kBothSides && dot(heading, back) < 0;
+      if (is_behind && there.distance <= kFilm) lowest = std::min(lowest, std::max(wall.z_low, other->z_low));
+    }
+    return lowest;
+  }
+  bool has_film(const Wall& wall, double t) const { return film_z(wall, t) < kNoFilm; }
+
+  double change_between(const Wall& wall, double low, double high) const {
+    const bool first = has_film(wall, low);
+    while (high - low > kEndOfFilm) {
+      const double middle = (low + high) / 2;
+      (has_film(wall, middle) == first ? low : high) = middle;
+    }
+    return (low + high) / 2;
+  }
+
+  const std::vector<Wall>& walls_;
+  const EdgeTree& tree_;
+  std::vector<const Wall*> near_;
+};
+
+}  // namespace
+
+EdgeTree tree_of(const std::vector<Wall>& walls) {
+  std::vector<Edge> edges;
+  for (const Wall& wall : walls) edges.push_back(wall.edge);
+  return EdgeTree(std::move(edges));
+}
+
+Films parted(const std::vector<Wall>& walls) {
+  const EdgeTree tree = tree_of(walls);
+  FilmFinder finder(walls, tree);
+  Films parts;
+  for (const Wall& wall : walls) finder.divide(wall, parts);
+  return parts;
+}
+
+}  // namespace clearcut::verify
