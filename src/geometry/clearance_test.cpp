@@ -376,5 +376,20 @@ TEST(Clearance, AThinIslandBesideAnArcStays) {
   }
 }
 
+TEST(Dilate, GrowsWhatABooleanLeavesWithATipThatCrossesItself) {
+  const std::vector<BulgeVertex> corners{{{4.3962000099372318, 0.017965846110231165}, 0.18914423630644867},
+                                         {{4.6200732391528598, 0.30652816036290703}, 0},
+                                         {{4.6199585359123434, 0.30613832622866594}, -0.25300661999846641},
+                                         {{4.2371120781991705, 0.016065617108206125}, 0}};
+  const Region sliver = Region::from_valid_loops(loop_from_bulges(corners), {});
+  const Regions grown = dilate({sliver}, 1, Tolerances{});
+  ASSERT_EQ(grown.size(), 1u);
+  for (double angle = 0; angle < 2 * kPi; angle += 0.01) {
+    const Vec2 p = Vec2{4.4, 0.15} + direction_of(angle) * 2;
+    const double d = sliver.boundary_distance(p);
+    EXPECT_NEAR(grown[0].boundary_distance(p), d - 1, 2e-3) << angle;
+  }
+}
+
 }  // namespace
 }  // namespace clearcut::inline geometry

@@ -18,7 +18,8 @@ void draw_together(Loop& loop, std::size_t first, std::size_t end, double shorte
   const Vec2 corner = before.is_arc() ? from : after.is_arc() ? to : lerp(from, to, 0.5);
   if (before.from == corner || after.to == corner) return;
   before.to = after.from = corner;
-  loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(first), loop.begin() + static_cast<std::ptrdiff_t>(end));
+  loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(first),
+             loop.begin() + static_cast<std::ptrdiff_t>(end));
 }
 
 Loop without_short(Loop loop, double shortest) {

@@ -46,7 +46,8 @@ TEST(UniteOverGaps, ClosesRoundGapsAndOnesBetweenRoundAndStraight) {
   };
   for (const double gap : {1e-5, 1e-4, 5e-4, 9e-4}) {
     const Regions plate{Region::from_valid_loops(rectangle(Box{{-9, -9}, {9, 9}}), {disc(radius + gap)})};
-    const Regions all = unite_over_gaps({Region::from_valid_loops(disc(radius), {})}, plate, 1e-3, Tolerances{});
+    const Regions all =
+        unite_over_gaps({Region::from_valid_loops(disc(radius), {})}, plate, 1e-3, Tolerances{});
     ASSERT_EQ(all.size(), 1u) << gap;
     EXPECT_TRUE(all[0].islands().empty()) << gap;
   }

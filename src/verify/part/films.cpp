@@ -77,7 +77,8 @@ class FilmFinder {
     for (const Wall* other : near_) {
       const auto there = nearest(other->edge, p);
       const Vec2 back = other->edge.tangent_at(there.t);
-      const bool is_behind = dot(left_of(back), p - other->edge.at(there.t)) <= kBothSides && dot(heading, back) < 0;
+      const bool is_behind =
+          dot(left_of(back), p - other->edge.at(there.t)) <= kBothSides && dot(heading, back) < 0;
       if (is_behind && there.distance <= kFilm) lowest = std::min(lowest, std::max(wall.z_low, other->z_low));
     }
     return lowest;
