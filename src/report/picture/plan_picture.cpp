@@ -188,22 +188,46 @@ void draw_reach(SvgWriter& svg, const PlanView& view, const Reach& reach) {
                     {"stroke-linecap", "round"}});
 }
 
-/// The floor of a feature: what is out of reach, below what is within reach, below what was swept. What its
-/// own moves sweep beyond `allowed` is a gouge.
+/// Whether other features, too, let the cutter go where `feature` is cut down to z.
+bool opens_beside(const Feature& other, const Feature& feature, double z) {
+  constexpr double kHair = 1e-6;
+  return &other != &feature && other.floor_z <= z + kHair &&
+         box(other.allowed).overlaps(box(feature.allowed).grown(kHair));
+}
+
+/// What the moves of a feature sweep beyond all that its own and other outlines allow at that depth.
+void draw_gouges(SvgWriter& svg, const PlanView& view, const Job& job, const Feature& feature, double z,
+                 const std::vector<Sweep>& own) {
+  const std::vector<Fault>& faults = job.findings.faults;
+  const bool gouged = std::any_of(faults.begin(), faults.end(),
+                                  [](const Fault& fault) { return fault.kind == FaultKind::kGouge; });
+  if (!gouged) return;
+  PathData all;
+  all.add(rectangle(view.visible()));
+  open_clipped(svg, all.text() + path_of(floor_allowed(feature)));
+  int open = 1;
+  for (const Feature& other : job.part.features) {
+    if (!opens_beside(other, feature, z)) continue;
+    open_clipped(svg, all.text() + path_of(floor_allowed(other)));
+    ++open;
+  }
+  draw_sweeps(svg, own, report::palette::kGouge);
+  for (; open > 0; --open) svg.close();
+}
+
+/// The floor of a feature: what is out of reach, below what is within reach, below what was swept, and gouges.
 void draw_coverage(SvgWriter& svg, const PlanView& view, const Job& job, int feature, double z) {
   const Feature& f = job.part.features[static_cast<std::size_t>(feature)];
   const std::vector<Sweep> own = sweeps_at(job, z, view.visible(), feature);
-  const std::string allowed = path_of(floor_allowed(f)), target = path_of(floor_target(f));
-  PathData outside;
-  outside.add(rectangle(view.visible()));
+  const std::string target = path_of(floor_target(f));
+  PathData all;
+  all.add(rectangle(view.visible()));
   fill_regions(svg, f.target, report::palette::kWall);
   if (f.chamfer) return;  // it is all wall
-  open_clipped(svg, outside.text() + allowed);
-  draw_sweeps(svg, own, report::palette::kGouge);
-  svg.close();
-  open_clipped(svg, allowed, "0.25");
+  open_clipped(svg, all.text(), "0.25");
   draw_sweeps(svg, own, report::palette::kImpact);
   svg.close();
+  draw_gouges(svg, view, job, f, z, own);
   open_clipped(svg, target);
   const Reach reach = reach_of(job, feature);
   svg.leaf("path", {{"d", target},

@@ -3,12 +3,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <pugixml.hpp>
 #include <regex>
 #include <set>
 
+#include "geometry/rectangle.h"
 #include "report/picture/palette.h"
+#include "report/picture/svg_path.h"
 #include "report/picture/svg_writer.h"
 #include "report/sample_job.h"
 
@@ -124,6 +127,53 @@ TEST(Svg, WhatIsWithinReachIsRedAndTheRestOfTheTargetAmberUnderWhatWasSwept) {
     EXPECT_NEAR(reach.attribute("stroke-width").as_double(), 10, 0.3) << "a hair less than the cutter";
     EXPECT_STREQ(swept.attribute("stroke").value(), report::palette::kFloor);
   }
+}
+
+/// Two pockets side by side, the moves of the first going over into the second.
+std::string picture_of_meeting_pockets(bool gouged) {
+  Part part = sample::part();
+  part.features.resize(1);
+  part.features[0].target =
+      part.features[0].allowed = {Region::from_valid_loops(clearcut::rectangle(Box{{0, 0}, {20, 20}}), {})};
+  part.features.push_back(part.features[0]);
+  part.features[1].name = "beside";
+  part.features[1].target =
+      part.features[1].allowed = {Region::from_valid_loops(clearcut::rectangle(Box{{20, 0}, {40, 20}}), {})};
+  Findings findings = sample::findings();
+  findings.faults.clear();
+  if (gouged)
+    findings.faults.push_back({FaultKind::kGouge, part.features[0].name, {{1, 2}, -3, 40}, 0.25, ""});
+  return picture(part, sample::toolpath(), findings);
+}
+
+TEST(Svg, PaintsNoGougesThatWereNotFound) {
+  const auto strokes = [](const std::string& text) {
+    const std::vector<std::string> colors = attributes(parsed(text), "path", "stroke");
+    return std::count(colors.begin(), colors.end(), std::string(palette::kGouge));
+  };
+  EXPECT_EQ(strokes(picture_of_meeting_pockets(false)), 0);
+  EXPECT_GT(strokes(picture_of_meeting_pockets(true)), 0);
+}
+
+TEST(Svg, WhatIsSweptInTheNextPocketIsNoGouge) {
+  const auto document = parsed(picture_of_meeting_pockets(true));
+  PathData beside;
+  beside.add(clearcut::rectangle(Box{{20, 0}, {40, 20}}));
+  int drawn = 0;
+  for (const auto& found : document.select_nodes("//path")) {
+    if (found.node().attribute("stroke").value() != std::string(palette::kGouge)) continue;
+    ++drawn;
+    bool clipped = false;
+    for (auto above = found.node().parent(); above; above = above.parent()) {
+      std::string clip = above.attribute("clip-path").value();
+      if (clip.size() < 6) continue;
+      clip = clip.substr(5, clip.size() - 6);
+      const auto shape = document.select_node(("//clipPath[@id='" + clip + "']/path").c_str());
+      clipped |= std::string(shape.node().attribute("d").value()).find(beside.text()) != std::string::npos;
+    }
+    EXPECT_TRUE(clipped);
+  }
+  EXPECT_GT(drawn, 0);
 }
 
 TEST(Svg, AFeatureThatNothingWorksOnIsAllRed) {
