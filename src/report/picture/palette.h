@@ -20,6 +20,7 @@ inline constexpr const char* kLink = "#17915a";
 inline constexpr const char* kEntry = "#e8760c";
 inline constexpr const char* kRapid = "#7a6a8e";
 inline constexpr const char* kGood = "#178a4c";
+inline constexpr const char* kWarn = "#8a5a00";
 inline constexpr const char* kBad = "#d11f31";
 
 /// Shade of a floor: 0 at the top of the work (pale), 1 at its deepest (dark blue). Clamped.

@@ -104,10 +104,9 @@ void draw_worst_places(SvgWriter& svg, const PlanView& view,
     if (f.uncut_at && f.uncut_thickness_mm >= kLeastShown) {
       draw_place(svg, view, *f.uncut_at, "left \u2264 " + fixed(f.uncut_thickness_mm, 3), checked);
     }
-    if (f.gouge_at && f.gouge_mm >= kLeastShown) {
-      draw_place(svg, view, *f.gouge_at, "gouge " + fixed(f.gouge_mm, 3),
-                 f.clean ? report::palette::kFaint : report::palette::kGouge);
-    }
+    // Of a clean feature it is below what counts as a gouge.
+    if (f.gouge_at && f.gouge_mm >= kLeastShown && !f.clean)
+      draw_place(svg, view, *f.gouge_at, "gouge " + fixed(f.gouge_mm, 3), report::palette::kGouge);
   }
 }
 

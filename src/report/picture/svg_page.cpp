@@ -43,25 +43,38 @@ std::string badge_words(const Findings& findings) {
   return findings.faults.empty() ? "not clean" : "faulty: " + counted(findings.faults.size(), "fault");
 }
 
+struct BadgeLook {
+  const char* color;
+  const char* mark;  ///< a line drawn from the middle of the left end
+};
+BadgeLook look_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kClean:
+      return {report::palette::kGood, "m0 0l6 7l11 -13"};
+    case Verdict::kConditional:
+      return {report::palette::kWarn, "m8 -8v9m0 7v0.1"};
+    case Verdict::kFaulty:
+      break;
+  }
+  return {report::palette::kBad, "m0 -6l12 12m0 -12l-12 12"};
+}
+
 void draw_verdict(SvgWriter& svg, const Findings& findings) {
-  const Verdict verdict = verdict_of(findings);
-  const bool clean = verdict == Verdict::kClean;
+  const BadgeLook look = look_of(verdict_of(findings));
   const std::string words = badge_words(findings);
-  const double width = 60 + 9.6 * static_cast<double>(words.size());
+  const double width = 62 + 10.8 * static_cast<double>(words.size());
   const double left = kPageWidth - kPageMargin - width;
   svg.leaf("rect", {{"x", svg_number(left)},
                     {"y", "36"},
                     {"width", svg_number(width)},
                     {"height", "40"},
                     {"rx", "20"},
-                    {"fill", clean ? report::palette::kGood : report::palette::kBad}});
-  svg.leaf(
-      "path",
-      {{"d", fmt::format("M{} {}", svg_number(left + 19), clean ? "56l6 7l11 -13" : "50l12 12m0 -12l-12 12")},
-       {"fill", "none"},
-       {"stroke", "#ffffff"},
-       {"stroke-width", "3"},
-       {"stroke-linecap", "round"}});
+                    {"fill", look.color}});
+  svg.leaf("path", {{"d", fmt::format("M{} 56{}", svg_number(left + 19), look.mark)},
+                    {"fill", "none"},
+                    {"stroke", "#ffffff"},
+                    {"stroke-width", "3"},
+                    {"stroke-linecap", "round"}});
   svg.text({left + 46, 62}, words, text_style(18, "#ffffff", "bold"));
 }
 
