@@ -23,6 +23,8 @@ namespace {
 using ClipperLib::IntPoint;
 
 constexpr double kGridPerMm = 1e6;  // 1 nm
+/// mm. Ends of an arc whose distances from its centre differ by no more are on its circle, as the grid rounds them.
+constexpr double kOnCircle = 2e-6;
 
 IntPoint to_grid(Vec2 p) {
   return {static_cast<ClipperLib::cInt>(std::llround(p.x * kGridPerMm)),
@@ -222,12 +224,25 @@ Vec2 corner(const Piece& before, const Piece& after, const Sources& sources, con
   return best;
 }
 
+/// An arc whose ends lie off its circle, on a chord of it or at another outline's point: again through both, about a centre as
+/// near as can be; the line where it bends less than that.
+Edge through_ends(Edge arc) {
+  const double off = norm(arc.from - arc.center) - norm(arc.to - arc.center);
+  if (std::abs(off) <= kOnCircle) return arc;
+  const Vec2 chord = arc.to - arc.from;
+  const double sagitta = norm_squared(chord) / (8 * arc.radius());
+  if (sagitta <= std::abs(off)) return Edge::line(arc.from, arc.to);
+  const Vec2 middle = lerp(arc.from, arc.to, 0.5);
+  arc.center = arc.center - chord * (dot(arc.center - middle, chord) / norm_squared(chord));
+  return arc;
+}
+
 Edge joined(Vec2 from, Vec2 to, const Piece& piece, const Sources& sources) {
   if (piece.first < 0) return Edge::line(from, to);
   const Turn turn = piece.sweep > 0 ? Turn::kCounterClockwise : Turn::kClockwise;
   const Edge arc = Edge::arc(from, to, sources.edge(piece.first).center, turn);
   // Ends that all but coincide may stand the other way about: then the arc would go all round.
-  return std::abs(arc.sweep()) > std::abs(piece.sweep) + kPi ? Edge::line(from, to) : arc;
+  return std::abs(arc.sweep()) > std::abs(piece.sweep) + kPi ? Edge::line(from, to) : through_ends(arc);
 }
 
 Loop loop_of(const ClipperLib::Path& path, const Sources& sources, const Tolerances& tol) {

@@ -220,5 +220,37 @@ TEST(Boolean, AreasOfRandomPairsAddUp) {
   }
 }
 
+/// An outline round the origin with up to three more points within `off` mm of each corner, every third edge an arc.
+Loop outline_with_tiny_edges(Random& random, double off) {
+  std::vector<BulgeVertex> vertices;
+  const auto bulge = [&](double most) { return random.below(3) == 0 ? random.between(-most, most) : 0.0; };
+  const int corners = 5 + static_cast<int>(random.below(8));
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * kPi * (i + random.between(-0.3, 0.3)) / corners;
+    const Vec2 p = direction_of(angle) * random.between(5, 12);
+    for (auto more = random.below(4); more > 0; --more)
+      vertices.push_back({p + Vec2{random.between(-off, off), random.between(-off, off)}, bulge(0.5)});
+    vertices.push_back({p, bulge(0.2)});
+  }
+  return loop_from_bulges(vertices);
+}
+
+TEST(Boolean, ArcsThatComeBackRunThroughTheirEnds) {
+  Random random(52);
+  for (const double off : {2e-5, 3e-4, 8e-4, 2e-3, 0.02}) {
+    for (int round = 0; round < 300; ++round) {
+      const Loop loop = outline_with_tiny_edges(random, off);
+      for (const Region& region : resolve_even_odd({{loop}}, Tolerances{})) {
+        const double left = region.box().min.x - 1;
+        for (const Edge& edge : region.edges()) {
+          const double from = distance(edge.from, edge.center), to = distance(edge.to, edge.center);
+          EXPECT_TRUE(!edge.is_arc() || std::abs(from - to) < 1e-5) << off << ": " << from << ", " << to;
+          EXPECT_FALSE(region.contains({left, edge.at(0.3).y})) << off << ", round " << round;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace clearcut::inline geometry
