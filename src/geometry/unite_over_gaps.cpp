@@ -3,6 +3,7 @@
 #include "geometry/unite_over_gaps.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/boolean.h"
 #include "geometry/spatial/box_tree.h"
@@ -12,6 +13,8 @@ namespace {
 
 /// mm. Straight patches reach this far into both areas: more than the grid of polygon booleans.
 constexpr double kOverlap = 1e-5;
+/// Times as long as it reaches into an area a patch's side runs along the edge to get there.
+constexpr double kTaper = 4;
 /// mm. Areas whose edges are this near are one to polygon booleans already.
 constexpr double kSame = 5e-10;
 
@@ -46,7 +49,7 @@ bool is_across(const Edge& edge, double t, const Edge& other, double gap) {
   const Vec2 p = edge.at(t);
   const Nearest there = nearest(other, p);
   const Vec2 back = other.tangent_at(there.t);
-  return there.distance <= gap && dot(left_of(back), p - there.point) <= kSame &&
+  return there.distance > kSame && there.distance <= gap && dot(left_of(back), p - there.point) <= kSame &&
          dot(edge.tangent_at(t), back) < 0;
 }
 
@@ -61,29 +64,33 @@ std::vector<double> places_along(const Edge& edge, const Edge& other, double gap
   return places;
 }
 
-/// The line or arc beside an edge, on its left.
-Edge beside(const Edge& edge, double aside) {
-  Edge shifted = edge;
-  shifted.from = edge.from + left_of(edge.tangent_at(0)) * aside;
-  shifted.to = edge.to + left_of(edge.tangent_at(1)) * aside;
-  return shifted;
+/// Appends an edge backwards, its middle `aside` to its left and its ends where they are: what lies behind them stays out, however
+/// acute the corner.
+void append_bulged(const Edge& edge, double aside, Loop& loop) {
+  const double slope = kTaper * aside / edge.length();
+  const double first = std::min(slope, 0.3), last = 1 - first;
+  Edge middle = edge.part(first, last);
+  middle.from = middle.from + left_of(edge.tangent_at(first)) * aside;
+  middle.to = middle.to + left_of(edge.tangent_at(last)) * aside;
+  loop.push_back(Edge::line(edge.to, middle.to));
+  loop.push_back(middle.reversed());
+  loop.push_back(Edge::line(middle.from, edge.from));
 }
 
 /// What lies between a stretch of an edge and `other`, which runs back along it, and a little of what both bound.
 Region patch(const Edge& stretch, const Edge& other, const Tolerances& tol) {
-  const double overlap = stretch.is_arc() || other.is_arc() ? 2.5 * tol.chord : kOverlap;
+  const double overlap = stretch.is_arc() || other.is_arc() ? 1.25 * tol.chord : kOverlap;
   const double first = nearest(other, stretch.to).t, last = nearest(other, stretch.from).t;
-  const Edge near = beside(stretch, overlap).reversed();
-  Loop loop{near};
+  Loop loop;
+  append_bulged(stretch, overlap, loop);
   if (last - first > kSame) {
-    const Edge far = beside(other.part(first, last), overlap).reversed();
-    loop.push_back(Edge::line(near.to, far.from));
-    loop.push_back(far);
+    const Edge far = other.part(first, last);
+    if (far.to != stretch.from) loop.push_back(Edge::line(stretch.from, far.to));
+    append_bulged(far, overlap, loop);
   } else {
-    const Vec2 end = other.at(first) + left_of(other.tangent_at(first)) * overlap;
-    loop.push_back(Edge::line(near.to, end));
+    loop.push_back(Edge::line(stretch.from, other.at(first)));
   }
-  loop.push_back(Edge::line(loop.back().to, near.from));
+  if (loop.back().to != stretch.to) loop.push_back(Edge::line(loop.back().to, stretch.to));
   return Region::from_valid_loops(std::move(loop), {});
 }
 

@@ -101,6 +101,51 @@ TEST(MeetingPockets, OnBothSidesOfALineDrawnTwiceAreCutWithoutFaults) {
   }
 }
 
+/// Four pockets of two depths that fill a rectangle but for the fourth in some; every corner of each is drawn up to `off` mm
+/// from where the next one has it.
+Part mosaic(double off, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(random() >> 11) * 0x1p-53);
+  };
+  Vec2 nodes[3][3];
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const double dx = i == 1 ? between(-3, 3) : 0, dy = j == 1 ? between(-3, 3) : 0;
+      nodes[i][j] = Vec2{(i - 1) * 9.0 + dx, (j - 1) * 7.0 + dy};
+    }
+  }
+  Part part;
+  part.name = part.source_file = "mosaic";
+  const int cells = seed % 3 == 0 ? 3 : 4;
+  for (int cell = 0; cell < cells; ++cell) {
+    const int i = cell % 2, j = cell / 2;
+    std::vector<Vec2> corners{nodes[i][j], nodes[i + 1][j], nodes[i + 1][j + 1], nodes[i][j + 1]};
+    for (Vec2& corner : corners) corner = corner + Vec2{between(-off, off), between(-off, off)};
+    part.features.push_back(pocket(("cell " + std::to_string(cell)).c_str(), corners));
+    part.features.back().floor_z = between(0, 1) < 0.5 ? -1 : -2;
+    Workingstep step;
+    step.feature = cell;
+    part.workplan.push_back(step);
+  }
+  return part;
+}
+
+TEST(MeetingPockets, OfAMosaicAreCutWithoutFaults) {
+  Tool mill;
+  mill.diameter = 1.7;
+  resolve::PlanOptions options;
+  options.tools = {mill};
+  for (const double off : {0.0, 1e-6, 1e-5, 1e-4, 2e-4}) {
+    for (std::uint64_t seed = 0; seed < 9; ++seed) {
+      options.strategy = seed % 2 == 0 ? "zigzag" : "contour";
+      const auto result = pipeline::plan_part(mosaic(off, seed), options);
+      for (const auto& fault : result.findings.faults)
+        ADD_FAILURE() << "corners " << off << " mm off, seed " << seed << ": " << fault.text;
+    }
+  }
+}
+
 TEST(MeetingPockets, AreCutAcrossAFilmButNotAcrossAWall) {
   Tool mill;
   mill.diameter = 1;

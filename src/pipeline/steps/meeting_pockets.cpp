@@ -23,6 +23,8 @@ constexpr double kTouching = 0.005;
 /// mm. What is no thicker between two outlines than a gouge may be deep is no wall: one line, drawn twice. The verifier finds none
 /// either.
 constexpr double kGap = 0.001;
+/// mm. Shorter edges are what unions leave where outlines all but coincide.
+constexpr double kShortEdge = 0.0004;
 
 bool runs_into(const Feature& other, const Regions& around, const Tolerances& tol) {
   return !are_apart(other.allowed, around, 2 * tol.chord) && !intersect(other.allowed, around, tol).empty() &&
@@ -97,7 +99,7 @@ void MeetingPockets::widen(Layer& layer) {
     last_open_ = open;
   }
   if (!last_added_) return;
-  const Regions wide = without_short_edges(unite(layer.allowed, *last_added_, tol_), kGap);
+  const Regions wide = without_short_edges(unite(layer.allowed, *last_added_, tol_), kShortEdge);
   layer.target = plan::closed_all_round(layer)
                      ? wide
                      : unite(layer.target, subtract(*last_added_, layer.allowed, tol_), tol_);
