@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <tuple>
 
 #include "base/elementary.h"
 #include "verify/part/films.h"
@@ -41,6 +43,22 @@ EdgeTree drafted_edges(const Feature& feature) {
 bool is_cut(const Feature& feature, int number, const CutFeatures& cut) {
   if (feature.kind == FeatureKind::kExternalThread && !cut.threads) return false;
   return !cut.only_draft || *cut.only_draft == number || feature.wall_slope.radians() <= 0;
+}
+
+/// Walls without those upright ones that another feature with the same outline has given before: operations on one outline, such
+/// as the cut-outs of a panel, would else multiply every query by their number.
+std::vector<Wall> without_repeats(const std::vector<Wall>& walls) {
+  const auto key = [](const Wall& wall) {
+    const Edge& e = wall.edge;
+    const Vec2 center = e.is_arc() ? e.center : Vec2{};
+    return std::make_tuple(e.from.x, e.from.y, e.to.x, e.to.y, center.x, center.y, e.turn, wall.z_low,
+                           wall.z_high);
+  };
+  std::set<decltype(key(walls.front()))> known;
+  std::vector<Wall> kept;
+  for (const Wall& wall : walls)
+    if (wall.slope > 0 || known.insert(key(wall)).second) kept.push_back(wall);
+  return kept;
 }
 
 double distance_of(const Edge& path, const Edge& wall) {
@@ -215,7 +233,7 @@ void FinishedPart::find_walls() {
       add_wall(cuts.size() == 2 ? edge : edge.part(cuts[i], cuts[i + 1]), shapes_[owner[k]], owner[k]);
     }
   }
-  Films parts = parted(walls_);
+  Films parts = parted(without_repeats(walls_));
   walls_ = std::move(parts.walls);
   films_ = std::move(parts.films);
   tree_ = tree_of(walls_);
