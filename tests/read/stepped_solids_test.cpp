@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "base/elementary.h"
 #include "base/units.h"
@@ -109,6 +110,33 @@ TEST(SteppedSolids, SheetsOnTheirEdgesAreKnownHoweverTheyStand) {
     const std::string message = refusal(turned(sheet, 0, degrees));
     EXPECT_THAT(message, HasSubstr("a sheet of 3 mm stands on its edge")) << degrees;
     EXPECT_THAT(message, HasSubstr(degrees == 0 ? "Y)" : "--up face")) << degrees;
+    EXPECT_THAT(message, HasSubstr("(--up +Z if that is meant)")) << degrees;
+  }
+}
+
+/// Every "--up SIDE" of a message.
+std::vector<std::string> proposed(const std::string& message) {
+  std::vector<std::string> sides;
+  for (std::size_t at = message.find("--up "); at != std::string::npos; at = message.find("--up ", at + 5))
+    sides.push_back(message.substr(at + 5, message.find_first_of(" );", at + 5) - at - 5));
+  return sides;
+}
+
+/// Sheets with a notch in their edge, without one, and with steps, as they lie and turned: no side is proposed in vain.
+TEST(SteppedSolids, SidesThatAreProposedForASheetAreMilled) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const std::string notched = step_text({{0, 30, 60, 90}, {0, 3}, {{60, 50, 60}}});
+  const std::string plain = step_text({{0, 90}, {0, 3}, {{60}}});
+  const std::string stepped = step_text({{0, 30, 90}, {0, 3}, {{60, 59.9}}});
+  for (const std::string& sheet : {notched, plain, stepped}) {
+    for (const double degrees : {0.0, 30.0}) {
+      const std::string text = turned(sheet, 0, degrees);
+      for (const std::string& side : proposed(refusal(text))) {
+        read::ReadOptions options;
+        options.solid.up = side;
+        EXPECT_NO_THROW(read::read_part_text(text, "sheet.step", options)) << side << " " << degrees;
+      }
+    }
   }
 }
 

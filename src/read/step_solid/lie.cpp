@@ -89,26 +89,39 @@ const FlatSide& better_of_largest(const SolidModel& solid) {
   return *better;
 }
 
-/// Both readings of a sheet that stands on its edge; `upright`, `flat`: out of how much it is milled as it lies and lying flat, "" where
-/// that is not known.
-[[noreturn]] void refuse_edge(const std::string& file_name, double thickness, double height,
-                              const std::string& upright, const std::string& flat, const std::string& up) {
-  throw InputError(file_name, "a sheet of " + trimmed(thickness, 3) +
-                                  " mm stands on its edge: as it lies it is milled " + trimmed(height, 3) +
-                                  " mm deep" + upright +
-                                  " (--up +Z if that is meant); lying flat it is milled " +
-                                  trimmed(thickness, 3) + " mm deep" + flat + " (--up " + up + ")");
+/// A sheet that stands on its edge, read both ways; `upright`, `flat`: out of how much it is milled as it lies and lying flat, ""
+/// where that is not known.
+struct SheetOnEdge {
+  double thickness = 0, height = 0;  // mm
+  std::string upright, flat;
+  std::string up;  ///< side that looks up when it lies flat
+};
+
+std::string reading(const std::string& how, bool offered, double depth, const std::string& out_of,
+                    const std::string& option) {
+  if (!offered) return how + " no floor looks up and nothing goes through";
+  return how + " it is milled " + trimmed(depth, 3) + " mm deep" + out_of + " (" + option + ")";
+}
+
+/// Only sides from which something can be milled are named; where neither is one, the sheet is no question.
+void refuse_edge(const std::string& file_name, const SheetOnEdge& sheet, const OffersFloors& offers) {
+  const bool upright = offers("+Z"), flat = offers(sheet.up);
+  if (!upright && !flat) return;
+  throw InputError(
+      file_name, "a sheet of " + trimmed(sheet.thickness, 3) + " mm stands on its edge: " +
+                     reading("as it lies", upright, sheet.height, sheet.upright, "--up +Z if that is meant") +
+                     "; " + reading("lying flat", flat, sheet.thickness, sheet.flat, "--up " + sheet.up));
 }
 
 /// A sheet that stands on its edge and is turned about the vertical.
-void refuse_turned_sheet(const SolidModel& solid, const std::string& file_name) {
+void refuse_turned_sheet(const SolidModel& solid, const std::string& file_name, const OffersFloors& offers) {
   constexpr double kUpright = 0.01;  // degrees
   if (solid.bodies.size() != 1 || solid.sides.empty()) return;
   const FlatSide& side = better_of_largest(solid);
   const double height = solid.z_top - solid.z_bottom;
   if (!leans(side) || std::abs(side.lean - 90) > kUpright || !(side.thickness > 0)) return;
   if (height < kSheet * side.thickness || side.area < kSheet * side.thickness * height) return;
-  refuse_edge(file_name, side.thickness, height, "", "", side.up);
+  refuse_edge(file_name, {side.thickness, height, "", "", side.up}, offers);
 }
 
 }  // namespace
@@ -122,8 +135,8 @@ void refuse_assembly(const SolidModel& solid, const std::string& file_name) {
                        ", or take all as one part with --body all. Bodies: " + listed(solid.bodies));
 }
 
-void refuse_sheet_on_edge(const SolidModel& solid, const std::string& file_name) {
-  refuse_turned_sheet(solid, file_name);
+void refuse_sheet_on_edge(const SolidModel& solid, const std::string& file_name, const OffersFloors& offers) {
+  refuse_turned_sheet(solid, file_name, offers);
   // As the file has it: the turn about the vertical leaves heights alone.
   const SolidBody& body = solid.bodies.front();
   const double height = solid.z_top - solid.z_bottom;
@@ -132,8 +145,10 @@ void refuse_sheet_on_edge(const SolidModel& solid, const std::string& file_name)
   if (solid.bodies.size() != 1 || height < kSheet * thickness || across < kSheet * thickness) return;
   const FlatPair flat = flat_along(solid, along_x ? 'X' : 'Y');
   if (!flat.better || flat.area < solid.sides.front().area) return;
-  refuse_edge(file_name, thickness, height, " out of " + size_text(body.width, body.depth) + " mm",
-              " out of " + size_text(across, height) + " mm", flat.better->up);
+  refuse_edge(file_name,
+              {thickness, height, " out of " + size_text(body.width, body.depth) + " mm",
+               " out of " + size_text(across, height) + " mm", flat.better->up},
+              offers);
 }
 
 void refuse_askew(const SolidModel& solid, const std::string& file_name) {
@@ -149,7 +164,7 @@ void refuse_askew(const SolidModel& solid, const std::string& file_name) {
 }
 
 void refuse_without_floor(const SolidModel& solid, const std::string& file_name, const std::string& up,
-                          const std::function<bool(const std::string& side)>& offers) {
+                          const OffersFloors& offers) {
   const std::string what = "no floor looks up and nothing goes through; ";
   std::string tried;
   int tries = 0;
@@ -162,9 +177,13 @@ void refuse_without_floor(const SolidModel& solid, const std::string& file_name,
                                       side.up);
     tried += (tried.empty() ? "" : ", ") + side.up;
   }
-  throw InputError(file_name, what + (tried.empty() ? "it has no other flat side to be milled from"
-                                                    : "nor from its largest flat sides (" + tried +
-                                                          "); name another with --up"));
+  if (tries > kMostTries)
+    throw InputError(file_name,
+                     what + "nor from its largest flat sides (" + tried + "); name another with --up");
+  throw InputError(file_name, what +
+                                  (tried.empty() ? "it has no other flat side to be milled from"
+                                                 : "nor from its other flat sides (" + tried + ")") +
+                                  ": only flat floors and upright walls are milled here, no free surfaces");
 }
 
 }  // namespace clearcut::read

@@ -422,19 +422,18 @@ Part read_step_solid(std::string_view text, const std::string& file_name, const 
   const SolidOptions& how = options.solid;
   const SolidModel solid = load_solid(text, file_name, {how.up, how.turn_deg, how.body});
   refuse_assembly(solid, file_name);
+  const auto offers = [&](const std::string& side) {
+    ReadOptions turned = options;
+    turned.solid.stock.reset();
+    const SolidModel other = load_solid(text, file_name, {side, how.turn_deg, how.body});
+    return Finder(other, file_name, turned).find();
+  };
   if (how.up.empty()) {
-    refuse_sheet_on_edge(solid, file_name);
+    refuse_sheet_on_edge(solid, file_name, offers);
     refuse_askew(solid, file_name);
   }
   Finder finder(solid, file_name, options);
-  if (!finder.find()) {
-    refuse_without_floor(solid, file_name, how.up, [&](const std::string& side) {
-      ReadOptions turned = options;
-      turned.solid.stock.reset();
-      const SolidModel other = load_solid(text, file_name, {side, how.turn_deg, how.body});
-      return Finder(other, file_name, turned).find();
-    });
-  }
+  if (!finder.find()) refuse_without_floor(solid, file_name, how.up, offers);
   Part part = finder.part(how.stock.has_value());
   part.is_solid = true;
   if (options.unit || options.depth || options.top || !options.layers.empty()) {
