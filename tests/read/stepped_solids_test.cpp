@@ -64,6 +64,15 @@ TEST(SteppedSolids, WhatIsTooLowForACutIsNamed) {
   }));
 }
 
+/// Floors there are, so "no floor looks up" would send their owner looking for what is not wrong.
+TEST(SteppedSolids, FloorsThatAreAllTooLowAreTheReasonOfTheRefusal) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const std::string text =
+      step_text({{0, 5, 10, 15}, {0, 5, 11, 16}, {{7, 7, 7}, {7, 6.9992, 7}, {7, 7, 7}}, 0});
+  const std::string message = refusal(text);
+  EXPECT_THAT(message, HasSubstr("its floors lie at most 0.0008 mm below what is around them"));
+}
+
 /// The same file with every point and direction turned, about X where `first` is 1, about Z where it is 0.
 std::string turned(const std::string& text, std::size_t first, double degrees) {
   const double sine = base::sin(degrees * kPi / 180), cosine = base::cos(degrees * kPi / 180);

@@ -164,8 +164,8 @@ void refuse_askew(const SolidModel& solid, const std::string& file_name) {
 }
 
 void refuse_without_floor(const SolidModel& solid, const std::string& file_name, const std::string& up,
-                          const OffersFloors& offers) {
-  const std::string what = "no floor looks up and nothing goes through; ";
+                          const std::string& why, const OffersFloors& offers) {
+  const std::string what = why + "; ";
   std::string tried;
   int tries = 0;
   for (const FlatSide& side : solid.sides) {

@@ -24,8 +24,9 @@ void refuse_sheet_on_edge(const SolidModel& solid, const std::string& file_name,
 void refuse_askew(const SolidModel& solid, const std::string& file_name);
 
 /// Throws  InputError that proposes the largest flat side from which something can be milled, by trying: `offers` says
-///         whether a side does. Of the largest three; where none does, it says so.
+///         whether a side does. Of the largest three; where none does, it says so. `why`: what there is not with this side up.
 [[noreturn]] void refuse_without_floor(const SolidModel& solid, const std::string& file_name,
-                                       const std::string& up, const OffersFloors& offers);
+                                       const std::string& up, const std::string& why,
+                                       const OffersFloors& offers);
 
 }  // namespace clearcut::read

@@ -114,6 +114,8 @@ class Finder {
 
   /// Whether there is anything to mill.
   bool find();
+  /// Why there is nothing, where that is so.
+  std::string why_nothing() const;
   Part part(bool stated_stock);
 
  private:
@@ -145,9 +147,10 @@ class Finder {
   HeightMap map_;
   Part part_;
   std::vector<Feature> found_;
-  Diagnostics cones_;      ///< drills' points among them
-  Diagnostics thin_;       ///< floors that are not worth a cut
-  std::set<int> reached_;  ///< indices of cells
+  Diagnostics cones_;        ///< drills' points among them
+  Diagnostics thin_;         ///< floors that are not worth a cut
+  double deepest_thin_ = 0;  ///< mm; how deep the deepest of them is
+  std::set<int> reached_;    ///< indices of cells
 };
 
 bool Finder::find() {
@@ -157,6 +160,12 @@ bool Finder::find() {
   for (const double z : heights) add_level(z, sweep.free_at(z));
   leave_out_thin();
   return !found_.empty();
+}
+
+std::string Finder::why_nothing() const {
+  if (deepest_thin_ <= 0) return "no floor looks up and nothing goes through";
+  return "its floors lie at most " + trimmed(deepest_thin_, 5) +
+         " mm below what is around them, too little for a cut, and nothing goes through (is its unit right?)";
 }
 
 Part Finder::part(bool stated_stock) {
@@ -297,10 +306,12 @@ void Finder::add_area(const Region& target, const Region& allowed, bool open, do
 }
 
 void Finder::leave_out_thin() {
-  for (const Feature& thin : settle_tops(found_, stock_, tol_))
+  for (const Feature& thin : settle_tops(found_, stock_, tol_)) {
+    deepest_thin_ = std::max(deepest_thin_, thin.top_z - thin.floor_z);
     thin_.skip(file_name_, "the floor at z " + trimmed(thin.floor_z, 5) + " (" + thin.source + ") lies " +
                                trimmed(thin.top_z - thin.floor_z, 5) + " mm below what is around it, " +
                                "too little for a cut: left out");
+  }
 }
 
 void Finder::report_cone(const Cell& cell) {
@@ -433,7 +444,7 @@ Part read_step_solid(std::string_view text, const std::string& file_name, const 
     refuse_askew(solid, file_name);
   }
   Finder finder(solid, file_name, options);
-  if (!finder.find()) refuse_without_floor(solid, file_name, how.up, offers);
+  if (!finder.find()) refuse_without_floor(solid, file_name, how.up, finder.why_nothing(), offers);
   Part part = finder.part(how.stock.has_value());
   part.is_solid = true;
   if (options.unit || options.depth || options.top || !options.layers.empty()) {
