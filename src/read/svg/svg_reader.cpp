@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <pugixml.hpp>
+#include <set>
 #include <tuple>
 
 #include "base/error.h"
@@ -298,7 +299,7 @@ class SvgCollector {
     } else {
       if (own.style.dashed) ++notes_.dashed;
       if (own.style.fixed_stroke) ++notes_.fixed_strokes;
-      const Compound compound = fill ? *fill : compound_of_strokes(group);
+      const Compound compound = fill ? *fill : compound_of_strokes(group, own.style);
       const bool clockwise = fill && winding_of(group, compound) < 0;
       const auto lines = [&](const Affine& map) { return shape_of(node, own, map).subpaths; };
       std::vector<RawCurve> pieces;
@@ -309,19 +310,27 @@ class SvgCollector {
     }
   }
 
-  /// Where somebody asked for the areas of strokes, and there are no others, they are what is milled.
+  /// Where somebody asked for the areas of strokes, and there are no others, they are what is milled. Strokes of one colour are one
+  /// area with the fills of that colour that they run into.
   void say_what_strokes_are(DrawnGroup& group) const {
-    const auto strokes = stroke_compounds_.find(group.where);
-    group.says_role = group.says_role ||
-                      (strokes != stroke_compounds_.end() &&
-                       std::all_of(group.curves.begin(), group.curves.end(),
-                                   [&](const RawCurve& curve) { return curve.compound == strokes->second; }));
+    const auto strokes = strokes_.find(group.where);
+    if (strokes == strokes_.end()) return;
+    const auto& [compound, colors] = strokes->second;
+    bool alone = true;
+    for (RawCurve& curve : group.curves) {
+      const bool is_stroke = curve.compound == compound;
+      alone = alone && is_stroke;
+      if (is_stroke && colors.size() == 1) curve.compound->paint = *colors.begin();
+    }
+    group.says_role = group.says_role || alone;
   }
 
-  Compound compound_of_strokes(const DrawnGroup& group) {
-    const auto [found, is_new] = stroke_compounds_.try_emplace(group.where, Compound{compounds_, true});
-    if (is_new) ++compounds_;
-    return found->second;
+  Compound compound_of_strokes(const DrawnGroup& group, const SvgStyle& style) {
+    const auto [found, is_new] = strokes_.try_emplace(group.where);
+    auto& [compound, colors] = found->second;
+    if (is_new) compound.number = compounds_++;
+    colors.insert(normal_color(style.stroke));
+    return compound;
   }
 
   /// mm2, above 0 where the curves of a compound run counter-clockwise about what they fill.
@@ -400,7 +409,8 @@ class SvgCollector {
   SvgNotes notes_;
   Lettering lettering_;
   int compounds_ = 0;
-  std::map<std::string, Compound> stroke_compounds_;  ///< strokes of a group are one area
+  /// Strokes of a group are one area; which, and their colours.
+  std::map<std::string, std::pair<Compound, std::set<std::string>>> strokes_;
   int count_ = 0;
 };
 

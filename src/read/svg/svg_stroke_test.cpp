@@ -93,6 +93,20 @@ TEST(SvgStroke, StrokesOfALayerAreOneArea) {
   EXPECT_NEAR(area_of("<path d='M10 20H50' " + kPen + "/><path d='M20 20H30' " + kPen + "/>"), 160, 1e-6);
 }
 
+/// A track that ends in a pad, as boards and icons have them: one area where their colour is one.
+TEST(SvgStroke, StrokesAndFillsOfOneColourAreOneArea) {
+  const std::string pad = "<rect x='10' y='10' width='20' height='20' fill='#000'/>";
+  const auto track = [](const std::string& color) {
+    return "<path d='M20 20H50' fill='none' stroke-width='4' stroke='" + color + "'/>";
+  };
+  EXPECT_NEAR(area_of(pad + track("black")), 400 + 20 * 4, 1e-6);
+  EXPECT_NEAR(area_of(track("#000000") + pad), 400 + 20 * 4, 1e-6);
+  EXPECT_THROW(read(pad + track("red")), InputError);
+  EXPECT_THROW(read(pad + track("black") + "<path d='M60 60H70' fill='none' stroke-width='4' stroke='red'/>"),
+               InputError)
+      << "strokes of two colours have none";
+}
+
 TEST(SvgStroke, TheDrawingStretchesThePen) {
   EXPECT_NEAR(area_of("<g transform='scale(2)'><path d='M5 5H15' " + kPen + "/></g>"), 160, 1e-6);
   EXPECT_NEAR(area_of("<g transform='scale(3 1)'><path d='M5 5V15' " + kPen + "/></g>"), 120, 1e-6);
