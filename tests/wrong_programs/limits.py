@@ -63,6 +63,16 @@ def cycles():
     def wrong_bore(p):
         bore("G85")(p)
         p.after[1] = p.after[1].replace("Z" + p.t.n(-2), "Z" + p.t.n(-2.05))
+    c.add("dwell-unsaid", ["linuxcnc"], bore("G82"), "REFUSED", "", "stops, as it asks for the time of the dwell")
+    c.right("right-dwell-unsaid", [d for d in CHANGER if d != "linuxcnc"], bore("G82"), "drills without a dwell")
+
+    def home_within(p):
+        bore("G81")(p)
+        p.after[-1:] = ["M5"]
+        p.retract = p.stop = []
+    c.add("home-within", ["fanuc"], home_within, "REFUSED", "", "stops by an alarm at G28, as the cycle is in force")
+    c.right("right-home-within", ["haas"], home_within, "goes home by G53")
+
     c.add("bore", CHANGER, wrong_bore, "FAULTY", "gouge", "feeds 0.05 mm below the floor and out")
     return c.done()
 

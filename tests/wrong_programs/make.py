@@ -237,6 +237,11 @@ def conditions():
     c.add("macro", CHANGER + ["heidenhain"], unknown, "CONDITIONAL", "m207", "does what the builder wrote",
           accepted=["m207"])
 
+    def clamps(p):
+        p.head.append("M10")
+    c.add("no-word-of-grbl", ["grbl"], clamps, "CONDITIONAL", "m10", "stops at a word that it does not have",
+          accepted=["m10"])
+
     def mode(p):
         p.modes = [block.replace(" G90 ", " ") for block in p.modes]
         p.home = [block for block in p.home if block != "G90" and "G91" not in block]
@@ -276,6 +281,19 @@ def state():
     def stopped(p):
         p.cut.insert(6, "M5")
     c.add("spindle-stopped", ALL, stopped, "FAULTY", "spindle-off", "stops the spindle between two cuts")
+
+    def before_change(p):
+        p.spindle, p.tool, p.length, p.dwell = [], p.spindle + p.dwell + p.tool, p.length, []
+    c.add("spindle-before-change", CHANGER + ["heidenhain"], before_change, "FAULTY", "spindle-off",
+          "starts the spindle and then puts the tool in, which stops it")
+
+    def oriented(p):
+        p.cut.insert(6, "M19")
+    c.add("spindle-oriented", CHANGER, oriented, "FAULTY", "spindle-off", "holds the spindle at an angle between two cuts")
+
+    def turned_again(p):
+        p.retract += ["M19"] + p.spindle + p.dwell + [p.t.rapid(x=10, y=10)] + p.cut + [p.t.rapid(z=5)]
+    c.right("right-spindle-oriented", CHANGER, turned_again, "turns it again before it cuts")
 
     def backwards(p):
         p.spindle = [block.replace("M3", "M4") for block in p.spindle]

@@ -87,6 +87,8 @@ constexpr int kGrblWords[] = {0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 
                               300, 301, 382, 383, 384, 385, 400, 431, 490, 530, 540, 550, 560,
                               570, 580, 590, 610, 800, 900, 910, 911, 920, 921, 930, 940};
 
+constexpr int kGrblMiscellaneous[] = {0, 10, 20, 30, 40, 50, 70, 80, 90, 300, 560, 990};
+
 bool among(const auto& list, int code) {
   return std::find(std::begin(list), std::end(list), code) != std::end(list);
 }
@@ -122,6 +124,10 @@ bool knows_g(const DialectRules& rules, int code) {
   if (code == 281 || code == 301) return dialect == Dialect::kLinuxCnc;
   if (code == 901) return dialect == Dialect::kLinuxCnc || mach;
   return true;
+}
+
+bool knows_m(const DialectRules& rules, int code) {
+  return rules.dialect != Dialect::kGrbl || among(kGrblMiscellaneous, code);
 }
 
 }  // namespace clearcut::read::gcode

@@ -49,5 +49,7 @@ const DialectRules& rules_of(Dialect dialect);
 std::vector<Dialect> word_address_dialects();
 /// Whether the control has the G word; codes in tenths. True for words that are nobody's business here.
 bool knows_g(const DialectRules& rules, int code);
+/// The same of M words.
+bool knows_m(const DialectRules& rules, int code);
 
 }  // namespace clearcut::read::gcode

@@ -145,7 +145,8 @@ void Reader::block(const Words& found) {
   }
 }
 
-/// A number without a tool is a new speed. DL: the tool is taken as that much longer than in the table.
+/// A number without a tool is a new speed; a tool is put in by a changer that leaves the spindle stopped. DL: the tool is
+/// taken as that much longer than in the table.
 void Reader::tool_call(const std::vector<std::string>& words) {
   double longer = 0;
   bool changed = false;
@@ -153,6 +154,7 @@ void Reader::tool_call(const std::vector<std::string>& words) {
     const std::string& word = words[k];
     if (k == 2 && (is_digit(word[0]) || word[0] == '"')) {
       changed = true;
+      m_word(5);
       builder_.change_tool(is_digit(word[0]) ? static_cast<int>(number(word)) : 0, false, line_);
       if (word[0] == '"') builder_.warn(line_, "tools called by name have no number here");
     } else if (word[0] == 'S') {
@@ -216,8 +218,8 @@ void Reader::switch_coolant(int m) {
 void Reader::m_word(int m) {
   constexpr int kStill[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 13, 14, 30, 91, 92};
   if (m == 3 || m == 4 || m == 13 || m == 14) builder_.set_spindle(m % 10, line_);
-  if (m == 5) builder_.set_spindle(5, line_);
-  if (m <= 5 && m >= 3) spindle_ = m;
+  if (m == 5 || m == 6) builder_.set_spindle(5, line_);
+  if (m <= 6 && m >= 3) spindle_ = m == 6 ? 5 : m;
   if (m == 13 || m == 14) spindle_ = m - 10;
   switch_coolant(m);
   if (m == 0 || m == 1) builder_.add_event(ControlEventKind::kPause, line_);

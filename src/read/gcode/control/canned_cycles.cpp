@@ -17,6 +17,7 @@ constexpr double kMostRepeats = 10000;
 /// The words stay in force for the following blocks of the cycle; on some controls for other cycles, too.
 void CannedCycles::set_cycle_words(const Block& block) {
   const std::size_t across = axes_of(control_.modes.plane).across;
+  check_dwell(block);
   if (control_.cycle.code == 0) {
     control_.cycle = {};
     control_.cycle.level = control_.builder.known(across, control_.line) - control_.frame.shift(across);
@@ -33,6 +34,16 @@ void CannedCycles::set_cycle_words(const Block& block) {
   if (block.has('P')) control_.cycle.dwell = block.value('P') * (control_.rules.dwell_in_ms ? 0.001 : 1);
   if (!control_.cycle.z || !control_.cycle.r)
     control_.refuse("drilling cycle without its Z or R word; give both");
+}
+
+/// LinuxCNC asks for the time of a dwell wherever a cycle begins that dwells.
+void CannedCycles::check_dwell(const Block& block) const {
+  const int code = control_.motion;
+  const bool dwells = code == 820 || code == 860 || code == 880 || code == 890;
+  if (dwells && control_.rules.dialect == Dialect::kLinuxCnc && control_.cycle.code != code &&
+      !block.has('P'))
+    control_.refuse(g_word(code) +
+                    " without its P word, which LinuxCNC asks for; add the seconds of the dwell");
 }
 
 /// In G91, R counts from a height before the cycle and Z from R.

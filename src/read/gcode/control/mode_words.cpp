@@ -12,8 +12,8 @@ namespace clearcut::read::gcode {
 
 namespace {
 
-/// M words in tenths that move nothing on a three-axis mill: stops, spindle, coolant, overrides, clamps, doors, chips,
-/// signals.
+/// M words in tenths that move nothing on a three-axis mill: stops, spindle, tool, coolant, overrides, clamps, doors,
+/// chips, signals.
 constexpr int kStillWords[] = {0,   10,  20,  30,  40,  50,  60,  70,  80,  90,  100,  110, 130,
                                140, 190, 290, 300, 310, 330, 480, 490, 500, 510, 520,  530, 620,
                                630, 640, 650, 830, 840, 880, 890, 970, 980, 990, 1170, 1180};
@@ -153,6 +153,7 @@ void ModeWords::set_feed_and_drive(const Block& block, double feed_unit) {
   const bool seconds = has_g(block, 40) && control_.rules.dwell_by_s;
   if (block.has('S') && !seconds) control_.modes.speed = std::abs(block.value('S'));
   if (block.has('T')) select_tool(block);
+  if (std::find(block.m.begin(), block.m.end(), 60) != block.m.end()) load_tool();
   for (const int m : block.m) set_drive(m, block);
   const bool turning = control_.modes.spindle != 5;
   control_.builder.drive.spindle_rpm = turning ? control_.modes.speed : 0;
@@ -169,8 +170,11 @@ void ModeWords::select_tool(const Block& block) {
   control_.tool_said = true;
 }
 
+/// A changer stops the spindle and leaves it so: the M3 counts that comes in this block or later.
 void ModeWords::load_tool() {
-  if (!control_.rules.changer)
+  if (control_.rules.changer)
+    control_.turn_spindle(5);
+  else
     control_.condition("m6", "M6 is no word of the control; what sends the program changes the tool");
   control_.put_tool_in();
   control_.changer = true;
@@ -213,8 +217,8 @@ void ModeWords::switch_coolant(int m) {
 void ModeWords::set_drive(int m, const Block& block) {
   switch_coolant(m);
   if (m == 30 || m == 40 || m == 50) return control_.turn_spindle(m / 10);
+  if (m == 190) return control_.turn_spindle(5);
   if (m == 130 || m == 140) return control_.turn_spindle(m / 10 - 10);
-  if (m == 60) return load_tool();
   if (m == 0 || m == 10) return pause();
   if (m == 960 || m == 970 || (m == 980 && block.has('P'))) {
     control_.refuse("subprogram calls are not read; post the program without them");
@@ -222,6 +226,12 @@ void ModeWords::set_drive(int m, const Block& block) {
   if (m == 990 && block.has('P'))
     control_.refuse("M99 P jumps to another block; post the program without it");
   if (control_.rules.saves_modes && m >= 700 && m <= 730) return;
+  if (m != 60 && !knows_m(control_.rules, m)) {
+    return control_.condition("m" + trimmed(m / 10.0, 1),
+                              "M" + trimmed(m / 10.0, 1) +
+                                  " is no word of the control, which stops there; "
+                                  "what sends the program leaves it out");
+  }
   if (std::find(std::begin(kStillWords), std::end(kStillWords), m) != std::end(kStillWords)) return;
   control_.condition("m" + trimmed(m / 10.0, 1),
                      "M" + trimmed(m / 10.0, 1) + " is unknown here and moves nothing");

@@ -52,6 +52,9 @@ bool PlaceWords::move_specially(const Block& block) {
 void PlaceWords::go_home(const Block& block, bool first) {
   const std::string name = first ? "g28-home" : "g30-home";
   const bool all = !block.has_axis();
+  if (control_.rules.dialect == Dialect::kFanuc && is_drill_cycle(control_.motion))
+    control_.refuse(
+        "G28 and G30 within a drilling cycle stop the control with an alarm; end it by G80 before");
   if (control_.rules.dialect == Dialect::kMarlin) return go_to_unknown(block, name, all, false);
   // The way goes through the place stated, straight, whatever lies there.
   if (!all) control_.builder.rapid(stated_way(block), control_.line);
