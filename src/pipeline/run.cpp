@@ -314,15 +314,25 @@ bool depends_on_strategy(FaultKind kind) {
          kind != FaultKind::kThread && kind != FaultKind::kLoosePart && kind != FaultKind::kFeedTooFast;
 }
 
+/// Degrees. So much more than the limit in a figure is no fault.
+constexpr double kFaultlessExcess = 2;
+
+/// Whether another plan of a workingstep may do without the fault. The workingsteps of one feature share its name, and where
+/// its walls are finished beyond the limit of engagement the clearing before them is none the worse.
+bool may_be_avoided(const Fault& fault, const FeatureFindings& step, const ResolvedPlan& plan) {
+  if (fault.feature != step.name || !depends_on_strategy(fault.kind)) return false;
+  return fault.kind != FaultKind::kOverEngagement ||
+         step.figures.engagement.max_deg > plan.engagement_deg.value_or(0) + kFaultlessExcess;
+}
+
 /// Takes the next best plan of every workingstep that was not certified clean. False when there was nothing to do.
-bool retry_unclean(Selection& selection, PlanResult& result) {
+bool retry_unclean(Selection& selection, const ResolvedPlan& plan, PlanResult& result) {
   bool retried = false;
   for (const auto& feature : result.findings.features) {
     if (feature.figures.clean || feature.workingstep < 0) continue;
     const auto& faults = result.findings.faults;
-    if (std::none_of(faults.begin(), faults.end(), [&](const Fault& fault) {
-          return fault.feature == feature.name && depends_on_strategy(fault.kind);
-        }))
+    if (std::none_of(faults.begin(), faults.end(),
+                     [&](const Fault& fault) { return may_be_avoided(fault, feature, plan); }))
       continue;
     const auto i = static_cast<std::size_t>(feature.workingstep);
     const Tool& tool = tool_of(result.part, result.part.workplan[i]);
@@ -423,7 +433,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
     throw_if_cancelled(plan.cancel);
     toolpath = toolpath_of(selection, plan, over_rests);
     certify(result, toolpath, plan);
-  } while (retry_unclean(selection, result) || begin_to_go_over_rests(over_rests, selection, plan, result));
+  } while (retry_unclean(selection, plan, result) || begin_to_go_over_rests(over_rests, selection, plan, result));
   add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   explain_rounded_places(result, plan);

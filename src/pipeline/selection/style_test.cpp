@@ -80,5 +80,17 @@ TEST(Style, OneThatIsNoneIsRefused) {
   EXPECT_THROW(resolve::check(asked("", "sloppy")), InputError);
 }
 
+/// Corners between finished walls go beyond a narrow limit; the clearing before them keeps to it by its own strategy.
+TEST(LimitedEngagement, HoldsInTheClearingWhereFinishedCornersCannotKeepIt) {
+  resolve::PlanOptions options = with({"endmill:4"});
+  options.engagement_deg = 60;
+  options.shop.finish = "walls";
+  const PlanResult result = plan_part(drawn(box("POCKET_D2", 0, 0, 20, 20)), options);
+  ASSERT_EQ(result.findings.features.size(), 2U);
+  EXPECT_LE(result.findings.features.front().figures.engagement.max_deg, 62);
+  EXPECT_GT(result.findings.features.back().figures.engagement.max_deg, 100);
+  EXPECT_FALSE(result.findings.all.clean);
+}
+
 }  // namespace
 }  // namespace clearcut::pipeline
