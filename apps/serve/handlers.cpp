@@ -250,31 +250,14 @@ void get_result(Service& service, const Request& request, Response& response) {
 }
 
 void post_check(Service& service, const Request& request, Response& response, const ContentReader& content) {
-  refusing(response, [&] {
-    const Place place(service.checks);
-    if (place.number() > service.settings.most_waiting / 2)
-      throw Refusal{503, "too many checks run; try again later"};
-    const std::string id = new_id();
-    Upload upload(service.folder / id / "work", service.settings.upload);
-    read_form(request, response, content, upload);
+  answer_queued(service, request, response, content, [&](const Upload& upload) {
     const std::string program = upload.file_of("program"), part = upload.file_of("part");
     if (program.empty()) throw Refusal{400, "the program is missing; send its file as the field 'program'"};
-    const auto options = option_words(upload, service.check_options);
-    const WorkPtr work = new_work(service, upload, id);
-    work->words = {"verify", program};
-    if (!part.empty()) work->words.push_back("--part=" + part);
-    work->words.insert(work->words.end(), options.begin(), options.end());
-    work->words.insert(work->words.end(), {"--json=results/certificate.json", "--svg=results/picture.svg",
-                                           "--report=results/report.html"});
-    service.works.add(work, true);
-    service.works.wait(work);
-    Json json = service.works.status(work);
-    const fs::path certificate = work->folder / "results/certificate.json",
-                   text = work->folder / "results/text.txt";
-    if (fs::exists(certificate))
-      json["certificate"] = Json::parse(read_file(certificate.string()), nullptr, false);
-    if (fs::exists(text)) json["text"] = read_file(text.string());
-    answer_json(response, 200, json);
+    std::vector<std::string> command{"verify", program};
+    if (!part.empty()) command.push_back("--part=" + part);
+    return Task{joined(
+        command, option_words(upload, service.check_options),
+        {"--json=results/certificate.json", "--svg=results/picture.svg", "--report=results/report.html"})};
   });
 }
 
@@ -284,7 +267,7 @@ namespace {
 void answer_with_json(Service& service, const std::string& command, const Request& request,
                       Response& response, const ContentReader& content) {
   refusing(response, [&] {
-    const Place place(service.checks);
+    const Place place(service.questions);
     if (place.number() > service.settings.most_waiting / 2)
       throw Refusal{503, "too many questions are asked; try again later"};
     const std::string id = new_id();

@@ -134,15 +134,16 @@ std::vector<Route> all_routes() {
   for (auto& route : plan_routes()) out.push_back(std::move(route));
   for (auto& route : grid_and_tour_routes()) out.push_back(std::move(route));
   for (auto& route : result_routes()) out.push_back(std::move(route));
-  out.push_back({"POST",
-                 "/check",
-                 "Check any program against the part it is for, or without one",
-                 {"program", "part", "file", "options"},
-                 with_upload({{200, "verdict and faults"}}),
-                 "application/json",
-                 {},
-                 post_check,
-                 "Checked"});
+  out.push_back(
+      {"POST",
+       "/check",
+       "Check any program against the part it is for, or without one",
+       {"program", "part", "file", "options"},
+       with_upload({{202, "queued; where its state, its events and its results are, as of a plan"}}),
+       "application/json",
+       {},
+       post_check,
+       "Queued"});
   for (const auto& [path, what, answer, reader, schema] :
        {std::tuple{"/info", "What a part holds: outlines and what they are for, features, what was mended",
                    "state, and the JSON of the command under info", &post_info, "Info"},

@@ -21,7 +21,7 @@ struct Service {
   std::vector<KnownOption> plan_options, check_options;
   WorkList works;
   std::atomic<std::size_t> followers = 0;  ///< connections with events
-  std::atomic<std::size_t> checks = 0;     ///< that somebody waits for
+  std::atomic<std::size_t> questions = 0;  ///< that somebody waits for
 
   Service(const Settings& given, std::filesystem::path place, std::string options_json);
 };

@@ -62,13 +62,6 @@ Json state() {
   return properties;
 }
 
-Json checked() {
-  Json properties = state();
-  properties["certificate"] = described("object", "as docs/certificate.schema.json says");
-  properties["text"] = described("string", "figures as a terminal shows them");
-  return properties;
-}
-
 /// Of a command that prints JSON.
 Json answer_of(const char* command, const char* what) {
   Json properties = work();
@@ -83,12 +76,11 @@ Json schemas() {
           {"Queued", object({{"id", described("string", "name of the plan")},
                              {"status", described("string", "address of its state")},
                              {"events", described("string", "address of its events")},
-                             {"command", list_of("words of the command that plans")}},
+                             {"command", list_of("words of the command that does it")}},
                             {"id", "status", "events", "command"})},
           {"Gone", object({{"state", {{"const", "cancelled"}, {"type", "string"}}}}, {"state"})},
           {"Progress", {{"oneOf", {progress_of_plan(), progress_of_search()}}}},
           {"State", object(state(), {"id", "state"})},
-          {"Checked", object(checked(), {"id", "state"})},
           {"Info", answer_of("info", "what `clearcut info --json` prints")},
           {"Compare", answer_of("compare", "what `clearcut compare --json` prints")}};
 }

@@ -213,6 +213,23 @@ async function refusesNoPrograms(page) {
   await keepsItsPlace(page, 'letter.txt', 'square.json');
 }
 
+/** A long program: how far its check is, and its end before it is done. @type {(page: Page) => Promise<void>} */
+async function cancelsCheck(page) {
+  const moves = Array.from({ length: 60000 }, (_, i) => `G1 X${(0.004 * i).toFixed(3)} Y${((i % 2 ? -1 : 1) * 0.0012 * i).toFixed(3)} F900`);
+  writeFileSync(`${folder}/long.ngc`, `G21 G90 G17 G54\nT1 M6\nS5000 M3\nG0 Z5\nG0 X0 Y0\nG1 Z-1 F300\n${moves.join('\n')}\nG0 Z5\nM5\nM2\n`);
+  await page.goto(address);
+  await page.click('#tab-check');
+  await page.setInputFiles('#check-files', `${folder}/long.ngc`);
+  await page.fill('#check-diameter', '6');
+  await page.fill('#check-stock', '-10:260,-90:90,-5:0');
+  await page.click('#check-go');
+  await page.waitForFunction(() => /^Checking the program … /.test(document.getElementById('check-status')?.textContent ?? ''), null, { timeout: 60000 });
+  check(await page.isVisible('#check-progress'), 'a check says how far it is');
+  await page.screenshot({ path: picture('serve-checking-1366') });
+  await page.click('#check-cancel');
+  check(await textOf(page, '#check-status') === 'Cancelled.' && await page.isHidden('#check-result') && await page.isEnabled('#check-go'), 'a check is cancelled');
+}
+
 /** Elements that are written down, then a job of them: squares, tool impact, visit, points. @type {(page: Page) => Promise<void>} */
 async function activates(page) {
   await page.goto(address);
@@ -324,6 +341,7 @@ await page.screenshot({ path: picture('serve-alone-1366'), fullPage: true });
 await isAccessible(page, 'the page with a program alone');
 await checksWithConditions(page);
 await refusesNoPrograms(page);
+await cancelsCheck(page);
 await activates(page);
 await page.screenshot({ path: picture('serve-elements-1366'), fullPage: true });
 await walksByTab(page, 'the page with elements');

@@ -131,6 +131,23 @@ async function checks(page) {
   check((await textOf(frame, '#tiles')).includes('not asked'), 'a program is checked alone, and its report says what was not asked');
 }
 
+/** A long program: how far its check is, and its end before it is done. @type {(page: Page) => Promise<void>} */
+async function cancelsCheck(page) {
+  const moves = Array.from({ length: 60000 }, (_, i) => `G1 X${(0.004 * i).toFixed(3)} Y${((i % 2 ? -1 : 1) * 0.0012 * i).toFixed(3)} F900`);
+  writeFileSync(`${folder}/long.ngc`, `G21 G90 G17 G54\nT1 M6\nS5000 M3\nG0 Z5\nG0 X0 Y0\nG1 Z-1 F300\n${moves.join('\n')}\nG0 Z5\nM5\nM2\n`);
+  await page.goto(address);
+  await page.click('#tab-check');
+  await page.setInputFiles('#check-files', `${folder}/long.ngc`);
+  await page.fill('#check-diameter', '6');
+  await page.fill('#check-stock', '-10:260,-90:90,-5:0');
+  await page.click('#check-go');
+  await page.waitForFunction(() => /^Checking the program … /.test(document.getElementById('check-status')?.textContent ?? ''), null, { timeout: 60000 });
+  check(await page.isVisible('#check-progress'), 'a check says how far it is');
+  await page.screenshot({ path: picture('web-checking-1366') });
+  await page.click('#check-cancel');
+  check(await textOf(page, '#check-status') === 'Cancelled.' && await page.isHidden('#check-result') && await page.isEnabled('#check-go'), 'a check is cancelled');
+}
+
 /** @type {(page: Page) => Promise<void>} */
 async function activates(page) {
   await page.click('#tab-elements');
@@ -193,6 +210,7 @@ await cancels(page);
 await refuses(page);
 await checks(page);
 await page.screenshot({ path: picture('web-check-1366') });
+await cancelsCheck(page);
 await activates(page);
 await solves(page);
 const phone = await open(390, 844, 'dark');

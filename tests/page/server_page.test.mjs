@@ -84,7 +84,40 @@ describe('strategies side by side', () => {
   });
 });
 
+describe('a run', () => {
+  /** Answers to `begin` come when they are let; what is followed and dropped is written down. */
+  const newRun = () => {
+    const ask = runScripts('apps/serve/page', 'tour.js');
+    ask(`(globalThis.begun = [], globalThis.followed = [], globalThis.dropped = [], globalThis.heard = [],
+      pipeline.begin = () => new Promise(done => { begun.push(done); }), pipeline.drop = async id => { dropped.push(id); },
+      pipeline.follow = (id, hear) => { followed.push(id); heard.push(hear); return () => { followed.splice(followed.indexOf(id), 1); }; },
+      globalThis.run = new Run('check', { done() {}, ended() {} }), 0)`);
+    return ask;
+  };
+  const settled = () => new Promise(done => { setTimeout(done); });
+
+  test('started anew hears no more of the one before', async () => {
+    const ask = newRun();
+    ask(`(run.start(null), begun[0]('a'), 0)`);
+    await settled();
+    ask(`(run.start(null), begun[1]('b'), 0)`);
+    await settled();
+    assert.deepEqual(ask('[followed, dropped, run.id, run.isOn]'), [['b'], ['a'], 'b', true]);
+    ask(`(heard[1]({ state: 'done', results: {} }), 0)`);
+    assert.deepEqual(ask(`[followed, run.id, run.isOn]`), [[], 'b', false]);
+  });
+  test('cancelled while its files are sent is dropped as soon as it has a name', async () => {
+    const ask = newRun();
+    ask(`(run.start(null), run.cancel(), begun[0]('a'), 0)`);
+    await settled();
+    assert.deepEqual(ask(`[followed, dropped, run.id, run.isOn, element('check-status').textContent]`), [[], ['a'], '', false, 'Cancelled.']);
+  });
+});
+
 describe('texts', () => {
+  test('how far a check is', () => {
+    assert.equal(ask(`progressText({ state: 'running', seconds: 5.2, progress: { stage: 'certifying', done: 300, most: 900, left_s: 4 } }, { certifying: 'Checking the program' })`), 'Checking the program … 5 s, about 4 s left');
+  });
   test('how far a plan is', () => {
     assert.equal(ask(`progressText({ state: 'waiting', ahead: 2 })`), 'Waiting; 2 before it.');
     assert.equal(ask(`progressText({ state: 'running', seconds: 3.4, progress: { stage: 'planning', done: 2, most: 9, left_s: 12 } })`), 'Planning: 2 of at most 9 candidates … 3 s, at most 12 s left');
@@ -129,7 +162,7 @@ describe('elements', () => {
     assert.equal(option('line', ' ', '2', '1'), '');
   });
   test('their progress counts elements', () => {
-    assert.equal(ask(`progressText({ state: 'running', seconds: 1, progress: { stage: 'planning', done: 1, most: 5 } }, 'elements')`), 'Planning: 1 of at most 5 elements … 1 s');
+    assert.equal(ask(`progressText({ state: 'running', seconds: 1, progress: { stage: 'planning', done: 1, most: 5 } }, { things: 'elements' })`), 'Planning: 1 of at most 5 elements … 1 s');
   });
 });
 

@@ -118,7 +118,11 @@ TEST_F(Description, HoldsForQuestions) {
   auto form = form_of("square.json", kSquare, "--tool endmill:6");
   form.push_back(
       {"program", "G21 G90 G17 G54\nT1 M6\nG0 X-20 Y25\nG0 Z-1\nM30\n", "square.ngc", "text/plain"});
-  expect_described("post", "/check", client.Post("/check", form));
+  const auto queued = client.Post("/check", form);
+  expect_described("post", "/check", queued);
+  state_at_end(server_, json::parse(queued->body).at("id"));
+  expect_described("get", "/plan/{id}",
+                   client.Get(json::parse(queued->body).at("status").get<std::string>()));
   expect_described("post", "/info", client.Post("/info", form_of("square.json", kSquare, "")));
   expect_described("post", "/info", client.Post("/info", form_of("square.json", "{", "")));
   expect_described("post", "/compare",

@@ -1,4 +1,5 @@
 // clearcut serve as browsers, programs and strangers meet it.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -160,32 +161,51 @@ TEST(Serve, ChecksAProgram) {
   const auto checked = [&](const std::string& text) {
     auto form = form_of("square.json", kSquare, "--tool endmill:6 --accept out-of-reach");
     form.push_back({"program", text, "square.ngc", "text/plain"});
-    auto client = server.client();
-    const auto answer = client.Post("/check", form);
-    return answer ? json::parse(answer->body) : json();
+    return state_at_end(server, posted(server, form, "/check"));
   };
   EXPECT_EQ(checked(program).value("verdict", ""), "CLEAN");
   const json wrong =
       checked("G21 G90 G17 G54\nT1 M6\nS5000 M3\nG0 Z5\nG0 X-20 Y25\nG0 Z-1\nG1 X70 F900\nG0 Z5\nM30\n");
   EXPECT_EQ(wrong.value("verdict", ""), "FAULTY") << wrong.dump();
-  EXPECT_FALSE(wrong.at("certificate").at("faults").empty());
+  EXPECT_FALSE(json::parse(fetched(server, wrong.at("results").at("certificate"))).at("faults").empty());
+}
+
+/// Seconds of work: a plunging spiral of many small steps through a block, and a block for it.
+httplib::MultipartFormDataItems long_check() {
+  std::string program = "G21 G90 G17 G54\nT1 M6\nS5000 M3\nG0 Z5\nG0 X0 Y0\nG1 Z-1 F300\n";
+  for (int i = 0; i < 60000; ++i)
+    program += fmt::format("G1 X{:.3f} Y{:.3f} F900\n", 0.004 * i, (i % 2 == 0 ? 1 : -1) * 0.0012 * i);
+  return {{"program", program + "G0 Z5\nM5\nM2\n", "long.ngc", "text/plain"},
+          {"options", "--tool endmill:6 --stock=-10:260,-90:90,-5:0 --dialect linuxcnc", "", ""}};
+}
+
+TEST(Serve, SaysHowFarACheckIsAndCancelsIt) {
+  const ServerProcess server;
+  auto client = server.client();
+  const std::string id = posted(server, long_check(), "/check");
+  json state;
+  const auto asked = [&] { return state = json::parse(fetched(server, "/plan/" + id)); };
+  EXPECT_TRUE(soon([&] { return asked().contains("progress"); })) << state.dump();
+  EXPECT_EQ(state.at("state"), "running") << state.dump();
+  EXPECT_EQ(state.at("progress").at("stage"), "certifying") << state.dump();
+  EXPECT_EQ(client.Delete("/plan/" + id)->status, 200);
+  EXPECT_EQ(client.Get("/plan/" + id)->status, 404);
+  EXPECT_TRUE(soon([&] { return server.files_of_plans() == 0; }));
 }
 
 TEST(Serve, ChecksAProgramWithoutItsPart) {
   const ServerProcess server;
-  auto client = server.client();
   const std::string program =
       "G21 G90 G17 G54 G61\nT1 M6\nG43\nS5000 M3\nG0 X25 Y25\nG0 Z5\nG1 Z-1 F100\nG1 X40 F900\nG0 "
       "Z5\nM5\nM2\n";
   const httplib::MultipartFormDataItems form{
       {"program", program, "alone.ngc", "text/plain"},
       {"options", "--tool endmill:6 --stock 50,50,5 --dialect linuxcnc", "", ""}};
-  const auto answer = client.Post("/check", form);
-  ASSERT_TRUE(answer);
-  const json state = json::parse(answer->body);
+  const json state = state_at_end(server, posted(server, form, "/check"));
   EXPECT_EQ(state.value("verdict", ""), "CLEAN AS FAR AS CAN BE SAID WITHOUT A PART") << state.dump();
-  EXPECT_FALSE(state.at("certificate").at("clean"));
-  EXPECT_TRUE(state.at("certificate").at("gouge_mm").is_null());
+  const json certificate = json::parse(fetched(server, state.at("results").at("certificate")));
+  EXPECT_FALSE(certificate.at("clean"));
+  EXPECT_TRUE(certificate.at("gouge_mm").is_null());
   EXPECT_THAT(fetched(server, state.at("results").at("report")), HasSubstr("not asked"));
 }
 

@@ -1,7 +1,8 @@
 // The tab that checks a program of any CAM against the part it is for.
 
-/** @type {{ files: ChosenFiles }} */
-const check = { files: listOfFiles('check', ['program', 'part', 'file'], () => showCheckCommand()) };
+/** @type {{ files: ChosenFiles, run: Run, program?: File }} */
+const check = { files: listOfFiles('check', ['program', 'part', 'file'], () => { check.run.forget(); showCheckCommand(); }),
+  run: new Run('check', { certifying: 'Checking the program', done: state => showCheck(state), ended: () => showCheckCommand() }) };
 const mostLines = 20000;  // of a program that are shown
 
 /** @type {() => string} */
@@ -30,10 +31,10 @@ function showCheckCommand() {
   const program = check.files.of('program'), part = check.files.of('part');
   const words = ['clearcut', 'verify', program && quoted(program.name), part && `--part ${quoted(part.name)}`, checkOptions()];
   element('check-command').textContent = program ? words.filter(word => word).join(' ') : '';
-  element('check-go').disabled = !program;
+  element('check-go').disabled = !program || check.run.isOn;
   element('check-depth-box').hidden = !part;
   element('check-stock-box').hidden = Boolean(part);
-  if (element('check-result').hidden) say(element('check-status'), whatIsJudged(program, part, check.files.entries.map(entry => entry.file.name)));
+  if (element('check-result').hidden && !check.run.isOn) say(element('check-status'), whatIsJudged(program, part, check.files.entries.map(entry => entry.file.name)));
 }
 
 /** Brings the report above to the line, and the list below, which may not be there. @type {(number: number) => void} */
@@ -63,42 +64,39 @@ async function showProgram(program, faults) {
   if (shown) element('check-lines').replaceChildren(...lines.map((text, i) => made('li', text || ' ', marked.has(i + 1) ? { class: 'fault' } : {})));
 }
 
-/** @type {(state: DoneState, program: File) => void} */
-function showCheck(state, program) {
-  const verdict = element('check-verdict');
-  verdict.textContent = state.verdict;
-  verdict.className = `verdict ${state.verdict.split(' ')[0]}`;
-  const faults = state.certificate?.faults ?? [];
-  const conditions = (state.certificate?.conditions ?? []).filter(one => !one.met_by);
+/** @type {(certificate: Certificate) => void} */
+function showFaults({ faults, conditions }) {
   element('check-summary').textContent = faults.length === 0 ? 'no fault found' : `${faults.length} ${faults.length === 1 ? 'fault' : 'faults'}`;
   element('check-faults').replaceChildren(
     ...faults.map(fault => faultLine(fault.text, fault.line, 'fault')),
-    ...conditions.map(one => faultLine(one.text, one.line, 'condition')));
+    ...conditions.filter(one => !one.met_by).map(one => faultLine(one.text, one.line, 'condition')));
+}
+
+/** @type {(state: DoneState) => Promise<void>} */
+async function showCheck(state) {
+  const verdict = element('check-verdict'), program = check.program, id = check.run.id;
+  verdict.textContent = state.verdict;
+  verdict.className = `verdict ${state.verdict.split(' ')[0]}`;
   fillList(element('check-messages'), state.messages);
   element('check-notes').hidden = state.messages.length === 0;
-  element('check-text').textContent = state.text ?? '';
-  element('check-result').hidden = false;
+  element('check-downloads').replaceChildren(...downloadLines(state.results, stemOf(program?.name ?? 'program')));
   showFrame('check-report', state.results.report);
   say(element('check-status'), `Done: ${state.verdict}.`);
-  showProgram(program, faults);
+  const [certificate, text] = await Promise.all([textAt(state.results.certificate), textAt(state.results.text)]);
+  if (!program || check.run.id !== id) return;
+  showFaults(JSON.parse(certificate));
+  element('check-text').textContent = text;
+  await showProgram(program, JSON.parse(certificate).faults);
 }
 
 /** @type {(event: Event) => Promise<void>} */
 async function startCheck(event) {
   event.preventDefault();
-  const program = check.files.of('program');
-  if (!program) return;
-  element('check-result').hidden = true;
-  element('check-go').disabled = true;
-  say(element('check-status'), 'Checking …');
-  try {
-    const state = await pipeline.check(check.files.form(checkOptions()));
-    if (state.state === 'done') showCheck(state, program);
-    else say(element('check-status'), state.state === 'failed' && state.message || 'The check was broken off.', true);
-  } catch (error) {
-    say(element('check-status'), wordsOfError(error), true);
-  }
-  element('check-go').disabled = false;
+  check.program = check.files.of('program');
+  if (!check.program) return;
+  element('check-faults').replaceChildren();
+  element('check-lines').replaceChildren();
+  await check.run.start(check.files.form(checkOptions()));
 }
 
 function setUpCheck() {

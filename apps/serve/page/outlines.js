@@ -91,7 +91,7 @@ function showPart(name, answer) {
   fillList(element('found'), texts.slice(0, mostOutlines));
   element('found-box').hidden = texts.length === 0;
   element('found-title').textContent = !info ? 'The part cannot be read as it is' : info.asks.length > 0 ? 'What was found, and what has to be said' : `What was found: ${info.features.length} ${info.features.length === 1 ? 'feature' : 'features'}`;
-  if (!plan.run.id) say(element('plan-status'), readiness(name, info, texts), !info);
+  if (!plan.run.isOn && !plan.run.id) say(element('plan-status'), readiness(name, info, texts), !info);
   element('found-box').open = !info || info.asks.length > 0 || info.found.length > 0;
   showOutlines(info?.outlines ?? []);
 }
@@ -103,7 +103,7 @@ async function readPart() {
   showOutlines([]);
   const chosen = plan.files.of('part');
   if (!chosen) return;
-  if (!plan.run.id) say(element('plan-status'), `Reading ${chosen.name} …`);
+  if (!plan.run.isOn && !plan.run.id) say(element('plan-status'), `Reading ${chosen.name} …`);
   try {
     const answer = await pipeline.info(plan.files.form(unit ? `--unit ${unit}` : ''));
     if (mine !== part.asked) return;

@@ -1,12 +1,12 @@
 // A run of the command that goes on while the page shows how far it is: a plan, a job of elements, a tour. All tabs that have one show it alike.
 
-/** @type {(state: WaitingState | RunningState, things?: string) => string} */
-function progressText(state, things = 'candidates') {
+/** @type {(state: WaitingState | RunningState, words?: RunWords) => string} */
+function progressText(state, { things = 'candidates', certifying = 'Certifying the program' } = {}) {
   if (state.state === 'waiting') return state.ahead > 0 ? `Waiting; ${state.ahead} before it.` : 'Waiting for its turn.';
   const seconds = Math.round(state.seconds), progress = state.progress;
   if (!progress) return `Reading and preparing … ${seconds} s`;
   const about = progress.stage === 'certifying' ? 'about' : 'at most', left = progress.left_s ? `, ${about} ${progress.left_s} s left` : '';
-  if (progress.stage === 'certifying') return `Certifying the program … ${seconds} s${left}`;
+  if (progress.stage === 'certifying') return `${certifying} … ${seconds} s${left}`;
   if (progress.stage === 'searching') return `Searching: best ${progress.best} after ${progress.found_s.toFixed(1)} s … ${seconds} s${left}`;
   return `Planning: ${progress.done} of at most ${progress.most} ${things} … ${seconds} s${left}`;
 }
@@ -29,30 +29,44 @@ class Run {
     this.id = '';
     /** @type {(() => void) | null} */
     this.unfollow = null;
+    /** From its start, when the files are sent, to its end. */
+    this.isOn = false;
+    /** Runs that were started: what was begun for an earlier one is not wanted any more. */
+    this.count = 0;
     element(`${tab}-cancel`).addEventListener('click', () => this.cancel());
   }
 
   /** Begins another; what the last one left is not wanted any more. @type {(form: FormData) => Promise<void>} */
   async start(form) {
-    if (this.id) pipeline.drop(this.id);
-    this.id = '';
+    this.leave();
+    const mine = ++this.count;
+    this.isOn = true;
     element(`${this.tab}-result`).hidden = true;
     element(`${this.tab}-go`).disabled = true;
+    element(`${this.tab}-cancel`).hidden = false;
     say(element(`${this.tab}-status`), 'Sending the files …');
     try {
-      this.id = await pipeline.begin(this.tab, form);
-      element(`${this.tab}-cancel`).hidden = false;
-      this.unfollow = pipeline.follow(this.id, state => this.hear(state), error => this.fail(error));
+      const id = await pipeline.begin(this.tab, form);
+      if (mine !== this.count) { pipeline.drop(id); return; }
+      this.id = id;
+      this.unfollow = pipeline.follow(id, state => this.hear(state), error => this.fail(error));
     } catch (error) {
-      this.fail(error);
+      if (mine === this.count) this.fail(error);
     }
+  }
+
+  /** Hears no more of the run and drops it, if there is one. */
+  leave() {
+    this.unfollow?.();
+    this.unfollow = null;
+    if (this.id) pipeline.drop(this.id);
+    this.id = '';
   }
 
   /** What the last one left is not shown any more, as the question is another; one that goes on is not touched. */
   forget() {
-    if (this.unfollow || !this.id) return;
-    pipeline.drop(this.id);
-    this.id = '';
+    if (this.isOn || !this.id) return;
+    this.leave();
     element(`${this.tab}-result`).hidden = true;
   }
 
@@ -83,24 +97,24 @@ class Run {
     bar.hidden = false;
     if (share) [bar.value, bar.max] = share;
     else bar.removeAttribute('value');
-    say(element(`${this.tab}-status`), progressText(state, this.shown.things));
+    say(element(`${this.tab}-status`), progressText(state, this.shown));
     this.shown.progress?.(state);
   }
 
   end() {
     this.unfollow?.();
     this.unfollow = null;
+    this.isOn = false;
     element(`${this.tab}-progress`).hidden = true;
     element(`${this.tab}-cancel`).hidden = true;
     this.shown.ended();
   }
 
-  async cancel() {
-    const id = this.id;
-    this.id = '';
+  cancel() {
+    ++this.count;
+    this.leave();
     this.end();
     say(element(`${this.tab}-status`), 'Cancelled.');
-    await pipeline.drop(id);
   }
 }
 

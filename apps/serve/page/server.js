@@ -38,7 +38,6 @@ const pipeline = {
     open();
     return () => { isOver = true; events?.close(); };
   },
-  check: form => asked('/check', { method: 'POST', body: form }),
   info: form => asked('/info', { method: 'POST', body: form }),
   compare: form => asked('/compare', { method: 'POST', body: form }),
 };

@@ -8,11 +8,16 @@ interface ChosenFile { file: File; role: FileRole }
 /** What can be chosen at the top of the page. */
 type TabName = 'plan' | 'check' | 'elements' | 'tour';
 /** Those whose work goes on while the page shows how far it is, by the names of their requests. */
-type RunTab = 'plan' | 'elements' | 'tour';
-/** What a tab shows of its run beside how far it is. */
-interface RunShown {
+type RunTab = 'plan' | 'check' | 'elements' | 'tour';
+/** How a tab says how far its run is. */
+interface RunWords {
   /** What a plan is counted in. */
   things?: string;
+  /** What is done with a program. */
+  certifying?: string;
+}
+/** What a tab shows of its run beside how far it is. */
+interface RunShown extends RunWords {
   /** While it goes on. */
   progress?(state: WaitingState | RunningState): void;
   done(state: DoneState): void | Promise<void>;
@@ -37,7 +42,7 @@ interface PlanProgress {
   left_s?: number;
 }
 
-/** Of a plan or a check: GET /plan/{id}, its events, POST /check. */
+/** Of a plan or a check: GET /plan/{id} and its events. */
 type WorkState = WaitingState | RunningState | FailedState | DoneState;
 /** `ahead`: plans before it. */
 interface WaitingState { state: 'waiting'; ahead: number }
@@ -55,10 +60,8 @@ interface DoneState {
   messages: string[];
   /** Addresses by name: 'program', 'certificate', ..., of several set-ups 'program-1', ... */
   results: Record<string, string>;
-  /** Of a check. */
+  /** In the browser itself: the worst one of a plan or a check. */
   certificate?: Certificate;
-  /** Of a check: figures as a terminal shows them. */
-  text?: string;
 }
 
 /** What the page reads of a certificate (docs/certificate.schema.json). */
@@ -132,8 +135,6 @@ interface Pipeline {
   drop(id: string): Promise<void>;
   /** Calls `hear` with each state of a plan until its last, `broken` where none comes any more. Gives what ends that. */
   follow(id: string, hear: (state: WorkState) => void, broken: (error: Error) => void): () => void;
-  /** Checks a program; gives its last state with certificate and text. */
-  check(form: FormData): Promise<WorkState>;
   /** What a part holds. */
   info(form: FormData): Promise<InfoAnswer>;
   /** Every strategy on a part. */
@@ -238,10 +239,13 @@ interface PageElements {
   'check-names': HTMLDataListElement;
   'check-command': HTMLElement;
   'check-go': HTMLButtonElement;
+  'check-cancel': HTMLButtonElement;
   'check-status': HTMLDivElement;
+  'check-progress': HTMLProgressElement;
   'check-result': HTMLDivElement;
   'check-verdict': HTMLElement;
   'check-summary': HTMLSpanElement;
+  'check-downloads': HTMLUListElement;
   'check-faults': HTMLUListElement;
   'check-report': HTMLIFrameElement;
   'check-lines-title': HTMLHeadingElement;

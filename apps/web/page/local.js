@@ -2,8 +2,8 @@
 // functions as by a server (apps/serve/page/server.js).
 
 const mostMessages = 200;
-/** @type {{ wasm: Promise<WebAssembly.Module> | null, works: Map<string, LocalWork>, last: number, checked: Record<string, string> }} */
-const local = { wasm: null, works: new Map(), last: 0, checked: {} };
+/** @type {{ wasm: Promise<WebAssembly.Module> | null, works: Map<string, LocalWork>, last: number }} */
+const local = { wasm: null, works: new Map(), last: 0 };
 
 /** The command, fetched and compiled once. @type {() => Promise<WebAssembly.Module>} */
 function compiledCommand() {
@@ -65,7 +65,7 @@ function stateOfEnd(work, end) {
   const worst = certificates.sort((a, b) => severity(b.verdict) - severity(a.verdict)).at(0);
   const results = Object.fromEntries(named.map(([name, bytes, type]) => [name, linkTo(bytes, type)]));
   results.text = linkTo(end.text, 'text/plain');
-  return { state: 'done', seconds: work.seconds, verdict: worst?.verdict ?? '', messages: work.messages, results, certificate: worst, text: end.text };
+  return { state: 'done', seconds: work.seconds, verdict: worst?.verdict ?? '', messages: work.messages, results, certificate: worst };
 }
 
 const broken = (/** @type {string} */ reason) => new Error(`The planner broke down (${reason}); this browser may give it too little memory.`);
@@ -175,12 +175,14 @@ const ofProgram = ['--output=results/program.ngc', '--certificate=results/certif
 /** Options that name the results. @type {Record<RunTab, string[]>} */
 const resultsWanted = {
   plan: [...ofProgram, '--report=results/report.html', '--setup-sheet=results/setup-sheet.html'],
+  check: ['--json=results/certificate.json', '--svg=results/picture.svg', '--report=results/report.html'],
   elements: [...ofProgram, '--html=results/report.html', '--points=results/points.csv'],
   tour: ['--json=results/tour.json', '--svg=results/picture.svg'],
 };
 /** The command and what it is given. @type {Record<RunTab, (form: FormData) => string[]>} */
 const inputOf = {
   plan: form => ['plan', nameIn(form, 'part')],
+  check: form => ['verify', nameIn(form, 'program'), ...(form.get('part') ? [`--part=${nameIn(form, 'part')}`] : [])],
   elements: form => ['elements', nameIn(form, 'job')].filter(word => word),
   tour: form => ['tour', nameIn(form, 'points') || String(form.get('lattice') ?? '')],
 };
@@ -213,14 +215,6 @@ const pipeline = {
     work.hear = hear;
     setTimeout(() => work.tell());
     return () => { work.hear = null; };
-  },
-  async check(form) {
-    const part = form.get('part') ? [`--part=${nameIn(form, 'part')}`] : [];
-    const words = ['verify', nameIn(form, 'program'), ...part, ...optionsIn(form), '--json=results/certificate.json', '--report=results/report.html'];
-    forgetLinks(local.checked);
-    const state = await new LocalWork(words, await filesOf(form)).last();
-    local.checked = state.state === 'done' ? state.results : {};
-    return state;
   },
   async info(form) {
     const work = new LocalWork(['info', nameIn(form, 'part'), ...optionsIn(form), '--json'], await filesOf(form)), end = await work.end;
