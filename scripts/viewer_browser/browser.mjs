@@ -71,3 +71,12 @@ export const numberOf = (page, code) => page.evaluate(code);
 export const numbersOf = (page, code) => page.evaluate(code);
 /** @type {(page: Page, code: string) => Promise<{ x: number, y: number }>} */
 export const pointOf = (page, code) => page.evaluate(code);
+
+/** Waits until a piece of the page's own script gives true, a minute at most; asked from outside, as the policy of a report forbids pages to evaluate texts. @type {(page: Page | Frame, code: string) => Promise<boolean>} */
+export async function becomes(page, code) {
+  for (let i = 0; i < 600; ++i) {
+    if (await page.evaluate(code)) return true;
+    await page.waitForTimeout(100);
+  }
+  return false;
+}

@@ -4,7 +4,7 @@ import { execFileSync, spawnSync } from 'node:child_process';
 import { copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { showsBeside } from './beside.mjs';
-import { check, conclude, fits, isAccessible, launch, reportIn, textOf, watch } from './browser.mjs';
+import { becomes, check, conclude, fits, isAccessible, launch, reportIn, textOf, watch } from './browser.mjs';
 import { keepsItsPlace, walksByTab } from './keyboard.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -161,8 +161,7 @@ async function checks(page) {
   check(await page.locator('#check-lines li.fault').count() > 0, 'their lines are marked');
   const frame = await reportIn(page, '#check-report');
   await page.click('#check-faults button:text-is("Line 6")');
-  await frame.waitForFunction('selected >= 0 && moves.line[selected] === 6', null, { timeout: 60000 });
-  check(true, 'a click on the line of a fault brings the report there');
+  check(await becomes(frame, 'selected >= 0 && moves.line[selected] === 6'), 'a click on the line of a fault brings the report there');
   const play = await frame.locator('#play').boundingBox();
   check(play !== null && play.y > 0 && play.y + play.height <= 768, 'verdict, faults, part and play are seen without scrolling');
 }

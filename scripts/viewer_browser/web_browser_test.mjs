@@ -5,7 +5,7 @@ import { spawnSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join, resolve } from 'node:path';
 import { showsBeside } from './beside.mjs';
-import { check, conclude, fits, isAccessible, launch, reportIn, textOf, watch } from './browser.mjs';
+import { becomes, check, conclude, fits, isAccessible, launch, reportIn, textOf, watch } from './browser.mjs';
 import { hostOf } from './static_host.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -120,8 +120,7 @@ async function checks(page) {
   check(await page.locator('#check-lines li.fault').count() > 0, 'their lines are marked');
   const faulty = await reportIn(page, '#check-report');
   await page.click('#check-faults button:text-is("Line 6")');
-  await faulty.waitForFunction('selected >= 0 && moves.line[selected] === 6', null, { timeout: 60000 });
-  check(true, 'a click on the line of a fault brings the report there');
+  check(await becomes(faulty, 'selected >= 0 && moves.line[selected] === 6'), 'a click on the line of a fault brings the report there');
   check(/Nothing is uploaded/.test(await textOf(page, '#promise')), 'the page says that nothing is uploaded');
   await page.click('#check [aria-label="Remove bracket.dxf"]');
   await page.fill('#check-stock', '0:70,0:50,-5:0');

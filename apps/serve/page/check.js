@@ -55,9 +55,9 @@ function faultLine(text, line, kind) {
   return item;
 }
 
-/** @type {(program: File, faults: CertificateFault[]) => Promise<void>} */
-async function showProgram(program, faults) {
-  const lines = (await program.text()).trimEnd().split(/\r?\n/);
+/** @type {(program: string, faults: CertificateFault[]) => void} */
+function showProgram(program, faults) {
+  const lines = program.trimEnd().split(/\r?\n/);
   const marked = new Set(faults.map(fault => fault.line));
   const shown = lines.length <= mostLines;
   element('check-lines').hidden = element('check-lines-title').hidden = !shown;
@@ -72,21 +72,25 @@ function showFaults({ faults, conditions }) {
     ...conditions.filter(one => !one.met_by).map(one => faultLine(one.text, one.line, 'condition')));
 }
 
-/** @type {(state: DoneState) => Promise<void>} */
+/** Verdict, faults and program appear together, once all of them have come. @type {(state: DoneState) => Promise<void>} */
 async function showCheck(state) {
   const verdict = element('check-verdict'), program = check.program, id = check.run.id;
+  element('check-result').hidden = true;
+  const texts = await Promise.all([textAt(state.results.certificate), textAt(state.results.text), program?.text() ?? '']);
+  if (check.run.id !== id) return;
+  /** @type {Certificate} */
+  const certificate = JSON.parse(texts[0]);
+  element('check-result').hidden = false;
   verdict.textContent = state.verdict;
   verdict.className = `verdict ${state.verdict.split(' ')[0]}`;
+  showFaults(certificate);
   fillList(element('check-messages'), state.messages);
   element('check-notes').hidden = state.messages.length === 0;
   element('check-downloads').replaceChildren(...downloadLines(state.results, stemOf(program?.name ?? 'program')));
   showFrame('check-report', state.results.report);
+  showProgram(texts[2], certificate.faults);
+  element('check-text').textContent = texts[1];
   say(element('check-status'), `Done: ${state.verdict}.`);
-  const [certificate, text] = await Promise.all([textAt(state.results.certificate), textAt(state.results.text)]);
-  if (!program || check.run.id !== id) return;
-  showFaults(JSON.parse(certificate));
-  element('check-text').textContent = text;
-  await showProgram(program, JSON.parse(certificate).faults);
 }
 
 /** @type {(event: Event) => Promise<void>} */
@@ -94,8 +98,6 @@ async function startCheck(event) {
   event.preventDefault();
   check.program = check.files.of('program');
   if (!check.program) return;
-  element('check-faults').replaceChildren();
-  element('check-lines').replaceChildren();
   await check.run.start(check.files.form(checkOptions()));
 }
 

@@ -85,7 +85,7 @@ class Run {
     this.end();
     if (state.state === 'done') {
       element(`${this.tab}-result`).hidden = false;
-      this.shown.done(state);
+      Promise.resolve(this.shown.done(state)).catch(error => this.fail(error));
     } else {
       say(element(`${this.tab}-status`), state.message || 'Cancelled.', state.state === 'failed');
     }
