@@ -143,6 +143,14 @@ void require_tools(const resolve::PlanOptions& options, const Toolpath& toolpath
                   fmt::join(called, ", "), called.size() == 1 ? "it is" : "they are", called[0]));
 }
 
+void require_moves(const Toolpath& toolpath, const std::string& program_name) {
+  const auto moves = [](const Section& section) { return !section.moves.empty(); };
+  if (std::any_of(toolpath.sections.begin(), toolpath.sections.end(), moves)) return;
+  throw InputError(program_name,
+                   "moves nothing: no block goes to a place, such as G1 X10 F300, so there is nothing to "
+                   "check; give the whole program");
+}
+
 /// The stock that was stated, else the one that the program's own cuts make.
 Stock stock_for(const std::optional<Stock>& stated, const Toolpath& toolpath, const std::vector<Tool>& tools,
                 double top, const std::string& program_name, std::vector<Condition>& conditions) {
@@ -236,6 +244,7 @@ CheckResult check_program_alone(const std::optional<Stock>& stock, const std::st
   const ProgramText text{program, program_name, dialect};
   auto read = read_program(text, options, stock ? stock->z_top : top,
                            text.names_no_tools() ? as_given(options.tools) : HandTools{});
+  require_moves(read.toolpath, program_name);
   require_tools(options, read.toolpath, program_name);
   const resolve::PlanOptions asked = numbered_by(read.toolpath, options);
   const ResolvedPlan plan = resolve::resolve_without_part(asked);
@@ -254,6 +263,8 @@ CheckResult check_program_alone(const std::optional<Stock>& stock, const std::st
     if (open) conditions.push_back(*open);
   result.findings = check(result.part, result.toolpath, result.control, conditions, result.dialect, plan,
                           limits_of_other_tools(result.part, asked));
+  if (const auto open = cuts_nothing(result.findings)) result.findings.conditions.push_back(*open);
+  accept_conditions(result.findings, plan.accept);
   return result;
 }
 

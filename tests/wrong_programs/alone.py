@@ -160,9 +160,22 @@ def open_questions(c):
     c.right("right-one-radius", WORD, radii(0), "ends its arc on its circle", **STOCK)
 
 
+def idle(c):
+    """Programs that cut nothing, or do not even move."""
+    def above(p):
+        p.cut = [p.t.feed(120, z=1), p.t.feed(x=17, y=17)]
+    c.add("above", ALL, above, "CONDITIONAL", "cuts-nothing", "feeds above the block alone", accepted=["cuts-nothing"], **STOCK)
+    c.add("beside", ALL, nothing, "CONDITIONAL", "cuts-nothing", "cuts beside the block, whose zero is another",
+          accepted=["cuts-nothing"], **asked(stock="100:160,100:160,-10:0"))
+
+    def still(p):
+        p.approach, p.cut, p.after, p.retract, p.home = [], [], [], [], []
+    c.add("still", ALL, still, "REFUSED", "", "moves nothing", **STOCK)
+
+
 def alone():
     write_machines()
     c = Class("alone")
-    for write in (motion, state, limits, changes, open_questions):
+    for write in (motion, state, limits, changes, open_questions, idle):
         write(c)
     return c.done()

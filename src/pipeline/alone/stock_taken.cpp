@@ -87,4 +87,13 @@ std::optional<Condition> doubtful_arcs(const Toolpath& toolpath, const ControlTa
       line_of_move(toolpath, worst->move)};
 }
 
+std::optional<Condition> cuts_nothing(const Findings& findings) {
+  if (findings.all.max_axial_mm > 0) return std::nullopt;
+  return Condition{
+      "cuts-nothing",
+      "no feed move meets the stock: nothing is to be cut, or the stock is stated where it is not (--stock, "
+      "--top)",
+      0};
+}
+
 }  // namespace clearcut::pipeline

@@ -9,6 +9,7 @@
 #include "model/control.h"
 #include "model/move.h"
 #include "model/part.h"
+#include "model/results/findings.h"
 
 namespace clearcut::pipeline {
 
@@ -25,5 +26,8 @@ std::optional<Condition> below_stock(const Toolpath& toolpath, const Stock& stoc
 /// That arcs whose words give two radii run as they were read; nothing if no two differ by more than `tol.uncut`.
 std::optional<Condition> doubtful_arcs(const Toolpath& toolpath, const ControlTable& control,
                                        const Tolerances& tol);
+
+/// That the stock lies where nothing of it is cut; nothing if something is.
+std::optional<Condition> cuts_nothing(const Findings& findings);
 
 }  // namespace clearcut::pipeline
