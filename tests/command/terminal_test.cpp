@@ -416,8 +416,7 @@ TEST_P(Interrupt, OfAnythingElseLeavesNothingBehind) {
     EXPECT_EQ(folder.names(), before) << call.front();
   }
   std::this_thread::sleep_for(std::chrono::seconds(1));
-  for (const auto& one : std::filesystem::directory_iterator(out))
-    EXPECT_EQ(one.path().extension(), ".log") << one.path();
+  EXPECT_TRUE(std::filesystem::is_empty(out));
 }
 
 INSTANTIATE_TEST_SUITE_P(Signals, Interrupt, ::testing::Values(SIGINT, SIGTERM));

@@ -24,6 +24,7 @@
 #include "ranks/distribute.h"
 #include "terminal/output.h"
 #include "terminal/progress.h"
+#include "terminal/signals_held.h"
 
 namespace clearcut::cli {
 namespace {
@@ -88,17 +89,7 @@ class Batch {
     const Share share = share_of(command_.share);
     for (std::size_t part = 0; part < parts_.size(); ++part) most_ += share.holds(part) ? 1 : 0;
     begin_progress();
-    std::atomic<std::size_t> next = 0;
-    std::vector<std::jthread> workers;
-    for (int i = 0; i < jobs_; ++i) {
-      workers.emplace_back([&] {
-        for (std::size_t part = next++; part < parts_.size(); part = next++) {
-          if (share.holds(part)) take_safely(part);
-        }
-      });
-    }
-    workers.clear();
-    line_.reset();
+    take_all(share);
     if (error_) std::rethrow_exception(error_);
     for (std::size_t part = 0; part < parts_.size(); ++part) {
       if (!share.holds(part)) continue;
@@ -141,6 +132,22 @@ class Batch {
     BatchRow row;
     bool is_kept = false;
   };
+
+  /// A signal ends the parts that are under way, and with them the batch; those that are done stay.
+  void take_all(const Share& share) {
+    const SignalsHeld signals;
+    std::atomic<std::size_t> next = 0;
+    std::vector<std::jthread> workers;
+    for (int i = 0; i < jobs_; ++i) {
+      workers.emplace_back([&] {
+        for (std::size_t part = next++; part < parts_.size() && !SignalsHeld::any(); part = next++) {
+          if (share.holds(part)) take_safely(part);
+        }
+      });
+    }
+    workers.clear();
+    line_.reset();
+  }
 
   /// For who sees it; elsewhere the lines of the parts say enough.
   void begin_progress() {
@@ -236,11 +243,32 @@ class Batch {
     words.insert(words.end(), {"--output", place(part, ".ngc"), "--certificate", place(part, ".json"),
                                "--svg", place(part, ".svg"), "--quiet"});
     const ChildEnd end = process::run_child(words, {place(part, ".log"), "", "", false}, limits_,
-                                            [stop] { return stop == nullptr || !*stop; });
-    if (end.how == ChildEnd::How::kStopped) throw InputError(part.name, "was stopped, as the whole batch");
+                                            [stop] { return !is_stopped(stop); });
+    if (is_stopped(stop)) {  // the part may have heard of it first, and ended by itself
+      remove_begun(part);
+      throw InputError(part.name, "was stopped, as the whole batch");
+    }
     const Json done{{"key", key}, {"how", static_cast<int>(end.how)}, {"code", end.code}};
     write_files({{place(part, ".done"), done.dump() + "\n"}}, {part.file});
     return row_of(part, end);
+  }
+
+  static bool is_stopped(const std::atomic<bool>* stop) {
+    return SignalsHeld::any() || (stop != nullptr && *stop);
+  }
+
+  /// What a part that was stopped has written, whole or not.
+  void remove_begun(const BatchPart& part) const {
+    std::vector<fs::path> begun;
+    for (const auto& one : fs::directory_iterator(fs::path(place(part, "")).parent_path())) {
+      const std::string path = one.path().string();
+      for (const char* ending : {".ngc", ".json", ".svg", ".log"}) {
+        const std::string own = place(part, ending);
+        if (path == own || (path.starts_with(own + ".") && path.ends_with(".tmp"))) begun.push_back(path);
+      }
+    }
+    std::error_code ignored;
+    for (const fs::path& path : begun) fs::remove(path, ignored);
   }
 
   BatchRow row_of(const BatchPart& part, const ChildEnd& end) const {

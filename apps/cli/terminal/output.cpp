@@ -3,11 +3,10 @@
 #include <clearcut/error.h>
 
 #include <algorithm>
-#include <array>
-#include <csignal>
 #include <cstdio>
 #include <filesystem>
 
+#include "terminal/signals_held.h"
 #include "terminal/terminal.h"
 
 namespace clearcut::cli {
@@ -26,29 +25,6 @@ const char* word_for(Severity severity) {
   }
   return "note";
 }
-
-/// Signals that would end the program are kept until this ends.
-class SignalsHeld {
- public:
-  SignalsHeld() {
-    caught = 0;
-    struct sigaction hold {};
-    hold.sa_handler = [](int signal) { caught = signal; };
-    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &hold, &before_[i]);
-  }
-  ~SignalsHeld() {
-    for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
-    if (caught != 0) ::raise(caught);
-  }
-  SignalsHeld(const SignalsHeld&) = delete;
-  SignalsHeld& operator=(const SignalsHeld&) = delete;
-  static bool any() { return caught != 0; }
-
- private:
-  static constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
-  static inline volatile std::sig_atomic_t caught = 0;
-  std::array<struct sigaction, kSignals.size()> before_{};
-};
 
 }  // namespace
 

@@ -1,0 +1,31 @@
+#include "terminal/signals_held.h"
+
+namespace clearcut::cli {
+namespace {
+
+volatile std::sig_atomic_t caught = 0;
+
+}  // namespace
+
+SignalsHeld::SignalsHeld() : earlier_(caught) {
+  caught = 0;
+  struct sigaction hold {};
+  hold.sa_handler = [](int signal) { caught = signal; };
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    ::sigaction(kSignals[i], &hold, &before_[i]);
+    if (before_[i].sa_handler == SIG_IGN) ::sigaction(kSignals[i], &before_[i], nullptr);
+  }
+}
+
+SignalsHeld::~SignalsHeld() {
+  for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
+  const int now = caught != 0 ? caught : earlier_;
+  caught = 0;
+  if (now != 0) ::raise(now);
+}
+
+bool SignalsHeld::any() {
+  return caught != 0;
+}
+
+}  // namespace clearcut::cli
