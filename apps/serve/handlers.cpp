@@ -104,6 +104,12 @@ std::vector<std::string> joined(std::vector<std::string> command, const std::vec
   return command;
 }
 
+std::string part_of(const Upload& upload) {
+  const std::string part = upload.file_of("part");
+  if (part.empty()) throw Refusal{400, "the part is missing; send its file as the field 'part'"};
+  return part;
+}
+
 /// The file of points that was sent, or the lattice in words; nothing else, which the command might read as a file's name.
 std::string tour_input(const Upload& upload) {
   static const std::regex lattice_words("[1-9][0-9]{0,3}x[1-9][0-9]{0,3}");
@@ -169,9 +175,7 @@ void stream_file(const WorkPtr& work, const std::string& file, const std::string
 
 void post_plan(Service& service, const Request& request, Response& response, const ContentReader& content) {
   answer_queued(service, request, response, content, [&](const Upload& upload) {
-    const std::string part = upload.file_of("part");
-    if (part.empty()) throw Refusal{400, "the part is missing; send its file as the field 'part'"};
-    return Task{joined({"plan", part}, option_words(upload, service.plan_options),
+    return Task{joined({"plan", part_of(upload)}, option_words(upload, service.plan_options),
                        {"--output=results/program.ngc", "--certificate=results/certificate.json",
                         "--svg=results/picture.svg", "--report=results/report.html",
                         "--setup-sheet=results/setup-sheet.html"})};
@@ -261,11 +265,17 @@ void post_check(Service& service, const Request& request, Response& response, co
   });
 }
 
-namespace {
+void post_compare(Service& service, const Request& request, Response& response,
+                  const ContentReader& content) {
+  answer_queued(service, request, response, content, [&](const Upload& upload) {
+    return Task{joined({"compare", part_of(upload)},
+                       option_words(upload, known_options(service.options, "compare")), {"--json"}),
+                false};
+  });
+}
 
-/// Runs a command about a part that prints JSON, and answers with the state and that JSON under the command's name.
-void answer_with_json(Service& service, const std::string& command, const Request& request,
-                      Response& response, const ContentReader& content) {
+/// Waits for the command, and answers with its state and the JSON that it prints.
+void post_info(Service& service, const Request& request, Response& response, const ContentReader& content) {
   refusing(response, [&] {
     const Place place(service.questions);
     if (place.number() > service.settings.most_waiting / 2)
@@ -273,37 +283,23 @@ void answer_with_json(Service& service, const std::string& command, const Reques
     const std::string id = new_id();
     Upload upload(service.folder / id / "work", service.settings.upload);
     read_form(request, response, content, upload);
-    const std::string part = upload.file_of("part");
-    if (part.empty()) throw Refusal{400, "the part is missing; send its file as the field 'part'"};
-    const auto options = option_words(upload, known_options(service.options, command));
+    const std::string part = part_of(upload);
+    const auto options = option_words(upload, known_options(service.options, "info"));
     const WorkPtr work = new_work(service, upload, id);
-    work->words = {command, part};
-    work->words.insert(work->words.end(), options.begin(), options.end());
-    work->words.emplace_back("--json");
+    work->words = joined({"info", part}, options, {"--json"});
     service.works.add(work, false);
     service.works.wait(work);
     Json json = service.works.status(work);
     for (const char* own : {"id", "results", "verdict"}) json.erase(own);
     const fs::path text = work->folder / "results/text.txt";
     Json said = fs::exists(text) ? Json::parse(read_file(text.string()), nullptr, false) : Json();
-    json[command] = said.is_object() ? said : Json();
-    if (said.is_object()) {  // these commands give no verdict, by which plans and checks are known to be done
+    json["info"] = said.is_object() ? said : Json();
+    if (said.is_object()) {  // it gives no verdict, by which plans and checks are known to be done
       json["state"] = name_of(WorkState::kDone);
       json.erase("message");
     }
     answer_json(response, 200, json);
   });
-}
-
-}  // namespace
-
-void post_info(Service& service, const Request& request, Response& response, const ContentReader& content) {
-  answer_with_json(service, "info", request, response, content);
-}
-
-void post_compare(Service& service, const Request& request, Response& response,
-                  const ContentReader& content) {
-  answer_with_json(service, "compare", request, response, content);
 }
 
 Service::Service(const Settings& given, fs::path place, std::string options_json)

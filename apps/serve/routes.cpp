@@ -144,20 +144,25 @@ std::vector<Route> all_routes() {
        {},
        post_check,
        "Queued"});
-  for (const auto& [path, what, answer, reader, schema] :
-       {std::tuple{"/info", "What a part holds: outlines and what they are for, features, what was mended",
-                   "state, and the JSON of the command under info", &post_info, "Info"},
-        std::tuple{"/compare", "All strategies that fit a part, planned and certified",
-                   "state, and the JSON of the command under compare", &post_compare, "Compare"}})
-    out.push_back({"POST",
-                   path,
-                   what,
-                   {"part", "file", "options"},
-                   with_upload({{200, answer}}),
-                   "application/json",
-                   {},
-                   reader,
-                   schema});
+  out.push_back(
+      {"POST",
+       "/compare",
+       "Plan and certify a part by all strategies that fit it; its result `text` is their JSON",
+       {"part", "file", "options"},
+       with_upload({{202, "queued; where its state, its events and its results are, as of a plan"}}),
+       "application/json",
+       {},
+       post_compare,
+       "Queued"});
+  out.push_back({"POST",
+                 "/info",
+                 "What a part holds: outlines and what they are for, features, what was mended",
+                 {"part", "file", "options"},
+                 with_upload({{200, "state, and the JSON of the command under info"}}),
+                 "application/json",
+                 {},
+                 post_info,
+                 "Info"});
   return out;
 }
 

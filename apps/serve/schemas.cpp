@@ -31,6 +31,15 @@ Json progress_of_plan() {
                 {"stage", "done", "most"});
 }
 
+Json progress_of_comparison() {
+  return object({{"stage", {{"type", "string"}, {"const", "counting"}}},
+                 {"things", described("string", "what is counted: strategies")},
+                 {"done", described("integer", "that are planned and certified")},
+                 {"most", described("integer", "how many there are")},
+                 {"left_s", described("number", "s left, about; absent: not known")}},
+                {"stage", "things", "done", "most"});
+}
+
 Json progress_of_search() {
   return object({{"stage", {{"type", "string"}, {"const", "searching"}}},
                  {"best", described("number", "of the objective, so far")},
@@ -53,20 +62,19 @@ Json work() {
 Json state() {
   Json properties = work();
   properties["id"] = described("string", "name of the plan");
-  properties["verdict"] = described(
-      "string",
-      "CLEAN, CONDITIONAL or FAULTY, perhaps with AS FAR AS CAN BE SAID WITHOUT A PART; of a tour empty");
+  properties["verdict"] = described("string",
+                                    "CLEAN, CONDITIONAL or FAULTY, perhaps with AS FAR AS CAN BE SAID "
+                                    "WITHOUT A PART; of a tour and a comparison empty");
   properties["results"] = {{"type", "object"},
                            {"additionalProperties", {{"type", "string"}}},
                            {"description", "addresses of the results by their names"}};
   return properties;
 }
 
-/// Of a command that prints JSON.
-Json answer_of(const char* command, const char* what) {
+Json info() {
   Json properties = work();
-  properties[command] = {{"type", {"object", "null"}}, {"description", what}};
-  return object(properties, {"state", command});
+  properties["info"] = {{"type", {"object", "null"}}, {"description", "what `clearcut info --json` prints"}};
+  return object(properties, {"state", "info"});
 }
 
 }  // namespace
@@ -79,10 +87,9 @@ Json schemas() {
                              {"command", list_of("words of the command that does it")}},
                             {"id", "status", "events", "command"})},
           {"Gone", object({{"state", {{"const", "cancelled"}, {"type", "string"}}}}, {"state"})},
-          {"Progress", {{"oneOf", {progress_of_plan(), progress_of_search()}}}},
+          {"Progress", {{"oneOf", {progress_of_plan(), progress_of_comparison(), progress_of_search()}}}},
           {"State", object(state(), {"id", "state"})},
-          {"Info", answer_of("info", "what `clearcut info --json` prints")},
-          {"Compare", answer_of("compare", "what `clearcut compare --json` prints")}};
+          {"Info", info()}};
 }
 
 }  // namespace clearcut::serve

@@ -125,7 +125,7 @@ async function compares(page) {
   await page.goto(address);
   await page.setInputFiles('#plan-files', `${folder}/square.json`);
   await page.fill('#plan-options', '--accept out-of-reach');
-  await page.click('#plan-compare');
+  await page.click('#compare-go');
   await page.waitForSelector('#comparison tbody tr', { timeout: 240000 });
   check(await page.locator('#comparison tr.fastest').count() === 1 && await page.locator('#comparison tbody tr').count() > 2, 'strategies are compared');
   await page.click('#comparison button[aria-label="Take the strategy zigzag"]');
@@ -144,6 +144,11 @@ async function cancels(page) {
   await page.waitForFunction(() => /Planning|Reading/.test(document.getElementById('plan-status')?.textContent ?? ''), null, { timeout: 60000 });
   await page.click('#plan-cancel');
   check(await textOf(page, '#plan-status') === 'Cancelled.', 'a plan is cancelled');
+  await page.click('#compare-go');
+  await page.waitForFunction(() => /^Planning and certifying: [0-9]+ of [0-9]+ strategies/.test(document.getElementById('compare-status')?.textContent ?? ''), null, { timeout: 60000 });
+  await page.screenshot({ path: picture('serve-comparing-1366') });
+  await page.click('#compare-cancel');
+  check(await textOf(page, '#compare-status') === 'Cancelled.' && await page.isEnabled('#compare-go'), 'a comparison says how far it is, and is cancelled');
 }
 
 /** @type {(page: Page) => Promise<void>} */

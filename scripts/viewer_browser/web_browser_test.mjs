@@ -61,7 +61,7 @@ async function compares(page) {
   await page.setInputFiles('#plan-files', `${folder}/small.json`);
   await partOf(page);
   await page.fill('#plan-options', '--accept out-of-reach');
-  await page.click('#plan-compare');
+  await page.click('#compare-go');
   await page.waitForSelector('#comparison tbody tr', { timeout: 300000 });
   const rows = await page.locator('#comparison tbody tr').count();
   check(rows > 10 && await page.locator('#comparison tr.fastest').count() === 1, `${rows} strategies are compared`);
@@ -86,6 +86,11 @@ async function cancels(page) {
   check(page.workers().length === 1, 'a plan runs in a worker');
   await page.click('#plan-cancel');
   check(await textOf(page, '#plan-status') === 'Cancelled.', 'a plan is cancelled');
+  await page.click('#compare-go');
+  await page.waitForFunction(() => /^Planning and certifying: [0-9]+ of [0-9]+ strategies/.test(document.getElementById('compare-status')?.textContent ?? ''), null, { timeout: 60000 });
+  await page.screenshot({ path: picture('web-comparing-1366') });
+  await page.click('#compare-cancel');
+  check(await textOf(page, '#compare-status') === 'Cancelled.' && await page.isEnabled('#compare-go'), 'a comparison says how far it is, and is cancelled');
   for (let i = 0; i < 100 && page.workers().length > 0; ++i) await page.waitForTimeout(100);
   check(page.workers().length === 0, 'its worker is gone');
 }

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -367,12 +368,29 @@ TEST(Progress, OfBatchesAndStudiesCountsWhatIsDone) {
   const auto batch = on_terminal({"batch", folder.path("parts"), "--tool", "endmill:1.5", "--jobs", "1",
                                   "--part-time", "3", "-o", folder.path("out")},
                                  {});
-  EXPECT_THAT(batch.shown, ContainsRegex("1 of 2 parts done, about [0-9]+ s left"));
+  EXPECT_THAT(batch.shown, ContainsRegex("1 of 2 parts done \\([0-9]+ s\\)"))
+      << "one quick part says nothing of a long one";
   EXPECT_THAT(batch.shown, ContainsRegex("\r\x1b\\[KTIMED OUT +two")) << "the line makes room for the row";
   const auto study = on_terminal({"study", "population", "--runs", "2", "--generations", "2000", "--threads",
                                   "1", "--csv", folder.path("rows.csv")},
                                  {}, 2.5);
   EXPECT_THAT(study.shown, ContainsRegex("[1-9][0-9]* of 16 runs done, about [0-9]+ s left"));
+}
+
+/// While one strategy takes its time, what is left falls; it grew by as much as all that are to come.
+TEST(Progress, OfAComparisonFallsWhileNothingEnds) {
+  const ScratchFolder folder;
+  const std::string shown =
+      on_terminal({"compare", folder.file("large.json", long_part()), "--tool", "endmill:6"}, {}).shown;
+  const std::regex line("([0-9]+) of [0-9]+ strategies done, about ([0-9]+) s left");
+  int done = 0, left = 0, count = 0;
+  for (std::sregex_iterator at(shown.begin(), shown.end(), line), end; at != end; ++at, ++count) {
+    const int now_done = std::stoi((*at)[1]), now_left = std::stoi((*at)[2]);
+    EXPECT_TRUE(now_done > done || now_left <= left) << at->str();
+    done = now_done;
+    left = now_left;
+  }
+  EXPECT_GT(count, 3) << shown;
 }
 
 class Interrupt : public ::testing::TestWithParam<int> {};

@@ -118,6 +118,10 @@ describe('texts', () => {
   test('how far a check is', () => {
     assert.equal(ask(`progressText({ state: 'running', seconds: 5.2, progress: { stage: 'certifying', done: 300, most: 900, left_s: 4 } }, { certifying: 'Checking the program' })`), 'Checking the program … 5 s, about 4 s left');
   });
+  test('how far a comparison is', () => {
+    assert.equal(ask(`progressText({ state: 'running', seconds: 8.2, progress: { stage: 'counting', things: 'strategies', done: 4, most: 17, left_s: 30 } })`), 'Planning and certifying: 4 of 17 strategies done … 8 s, about 30 s left');
+    assert.deepEqual(ask(`shareDone({ state: 'running', seconds: 8.2, progress: { stage: 'counting', things: 'strategies', done: 4, most: 17 } })`), [4, 17]);
+  });
   test('how far a plan is', () => {
     assert.equal(ask(`progressText({ state: 'waiting', ahead: 2 })`), 'Waiting; 2 before it.');
     assert.equal(ask(`progressText({ state: 'running', seconds: 3.4, progress: { stage: 'planning', done: 2, most: 9, left_s: 12 } })`), 'Planning: 2 of at most 9 candidates … 3 s, at most 12 s left');

@@ -71,6 +71,14 @@ class Description : public ::testing::Test {
         content.at(std::to_string(answer->status)).at("content").at("application/json").at("schema");
     EXPECT_EQ(fault(all_, rule, json::parse(answer->body), path), "") << answer->body;
   }
+  void expect_events_described(const std::string& events) {
+    const json& state = all_.at("components").at("schemas").at("State");
+    std::istringstream lines(events);
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with("data: ")) continue;
+      EXPECT_EQ(fault(all_, state, json::parse(line.substr(6)), "event"), "") << line;
+    }
+  }
 
   ServerProcess server_;
   json all_;
@@ -88,12 +96,7 @@ TEST_F(Description, HoldsForElementsAndTours) {
     const std::string id = json::parse(queued->body).at("id");
     const auto events = client.Get("/plan/" + id + "/events");
     ASSERT_TRUE(events);
-    const json& state = all_.at("components").at("schemas").at("State");
-    std::istringstream lines(events->body);
-    for (std::string line; std::getline(lines, line);) {
-      if (!line.starts_with("data: ")) continue;
-      EXPECT_EQ(fault(all_, state, json::parse(line.substr(6)), path), "") << line;
-    }
+    expect_events_described(events->body);
     expect_described("get", "/plan/{id}", client.Get("/plan/" + id));
   }
 }
@@ -125,8 +128,6 @@ TEST_F(Description, HoldsForQuestions) {
                    client.Get(json::parse(queued->body).at("status").get<std::string>()));
   expect_described("post", "/info", client.Post("/info", form_of("square.json", kSquare, "")));
   expect_described("post", "/info", client.Post("/info", form_of("square.json", "{", "")));
-  expect_described("post", "/compare",
-                   client.Post("/compare", form_of("square.json", kSquare, "--tool endmill:6")));
 }
 
 TEST_F(Description, WouldSayWhatIsNotDescribed) {

@@ -227,15 +227,24 @@ TEST(Serve, SaysWhatAPartHolds) {
 
 TEST(Serve, ComparesStrategies) {
   const ServerProcess server;
-  auto client = server.client();
-  client.set_read_timeout(300);
-  const auto answer =
-      client.Post("/compare", form_of("square.json", kSquare, "--tool endmill:6 --accept out-of-reach"));
-  ASSERT_TRUE(answer);
-  EXPECT_EQ(json::parse(answer->body).at("state"), "done");
-  const json compared = json::parse(answer->body).at("compare");
+  const auto form = form_of("square.json", kSquare, "--tool endmill:6 --accept out-of-reach");
+  const json state = state_at_end(server, posted(server, form, "/compare"));
+  EXPECT_EQ(state.at("state"), "done") << state.dump();
+  const json compared = json::parse(fetched(server, state.at("results").at("text")));
   EXPECT_EQ(compared.at("schema"), "clearcut-compare-1");
   EXPECT_GT(compared.at("strategies").size(), 2U);
+}
+
+TEST(Serve, SaysHowFarAComparisonIsAndCancelsIt) {
+  const ServerProcess server;
+  auto client = server.client();
+  const std::string id = posted(server, form_of("large.json", kLarge, "--tool endmill:2"), "/compare");
+  json state;
+  const auto asked = [&] { return state = json::parse(fetched(server, "/plan/" + id)); };
+  EXPECT_TRUE(soon([&] { return asked().contains("progress"); })) << state.dump();
+  EXPECT_EQ(state.at("progress").at("things"), "strategies") << state.dump();
+  EXPECT_EQ(client.Delete("/plan/" + id)->status, 200);
+  EXPECT_TRUE(soon([&] { return server.files_of_plans() == 0; }));
 }
 
 struct Refused {

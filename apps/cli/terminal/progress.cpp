@@ -78,7 +78,8 @@ void ProgressLine::search(const SearchProgress& at) {
 void ProgressLine::count(std::size_t done, std::size_t of, const std::string& things) {
   const std::lock_guard lock(mutex_);
   if (!count_) began_s_ = now_s();
-  count_ = Count{count_ ? count_->before : done, done, of, things};
+  if (!count_ || done != count_->done) counted_s_ = now_s();
+  count_ = CountProgress{count_ ? count_->before : done, done, of, things};
 }
 
 void ProgressLine::expect(const std::string& work, double usual_s) {
@@ -110,11 +111,8 @@ std::string ProgressLine::text() const {
     return work_->name + (work_->usual_s > 0 ? fmt::format(", about {:g} s in all", work_->usual_s) : "");
   if (search_) return described(*search_, spent_s);
   if (!count_) return at_ ? described(*at_, spent_s) : "preparing";
-  std::string text = work_ ? work_->name + ": " : "";
-  text += fmt::format("{} of {} {} done", count_->done, count_->of, count_->things);
-  if (const auto left = time_left(count_->done - count_->before, count_->of - count_->before, spent_s))
-    text += fmt::format(", about {:.0f} s left", *left);
-  return text;
+  return (work_ ? work_->name + ": " : "") +
+         described(*count_, time_left(*count_, spent_s, now_s() - counted_s_));
 }
 
 void ProgressLine::watch() {
@@ -132,6 +130,9 @@ void ProgressLine::show(double elapsed_s) {
     const double spent_s = now_s() - began_s_;
     if (search_) std::fprintf(stderr, "%s\n", json_of(*search_, spent_s).c_str());
     if (at_) std::fprintf(stderr, "%s\n", json_of(*at_, spent_s).c_str());
+    if (count_)
+      std::fprintf(stderr, "%s\n",
+                   json_of(*count_, time_left(*count_, spent_s, now_s() - counted_s_)).c_str());
     return;
   }
   begin();

@@ -61,14 +61,11 @@ class ProgressLine {
   std::condition_variable stop_;
   bool stopped_ = false;
   bool shown_ = false;
-  struct Count {
-    std::size_t before, done, of;  ///< `before`: done when it began
-    std::string things;
-  };
   std::string text() const;
   std::optional<Progress> at_;
   std::optional<SearchProgress> search_;
-  std::optional<Count> count_;
+  std::optional<CountProgress> count_;
+  double counted_s_ = 0;  ///< when the last one ended
   struct Work {
     std::string name;
     double usual_s;

@@ -43,4 +43,25 @@ std::string json_of(const SearchProgress& at, double spent_s) {
       at.found_s, std::max(0.0, at.most_s - spent_s));
 }
 
+std::optional<double> time_left(const CountProgress& at, double spent_s, double since_s) {
+  constexpr std::size_t kTelling = 6;
+  const std::size_t done = at.done - at.before, of = at.of - at.before;
+  if (done * kTelling < of) return std::nullopt;
+  const auto left = time_left(done, of, spent_s - since_s);
+  if (!left || *left < since_s) return std::nullopt;
+  return *left - since_s;
+}
+
+std::string described(const CountProgress& at, std::optional<double> left_s) {
+  const std::string text = fmt::format("{} of {} {} done", at.done, at.of, at.things);
+  return left_s ? text + fmt::format(", about {:.0f} s left", *left_s) : text;
+}
+
+std::string json_of(const CountProgress& at, std::optional<double> left_s) {
+  std::string text = fmt::format(R"({{"progress":{{"stage":"counting","things":"{}","done":{},"most":{})",
+                                 at.things, at.done, at.of);
+  if (left_s) text += fmt::format(R"(,"left_s":{:.0f})", *left_s);
+  return text + "}}";
+}
+
 }  // namespace clearcut::cli

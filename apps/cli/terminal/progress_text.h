@@ -29,4 +29,18 @@ struct SearchProgress {
 std::string described(const SearchProgress& at, double spent_s);
 std::string json_of(const SearchProgress& at, double spent_s);
 
+/// Things of unlike length, one after the other.
+struct CountProgress {
+  std::size_t before = 0;  ///< that were done when it began
+  std::size_t done = 0, of = 0;
+  std::string things;
+};
+
+/// s, by what was done when the last one ended, `since_s` ago, after `spent_s`: it falls until the next one ends. None before a sixth is
+/// done, which says too little, and where the one under way takes longer than all were thought to.
+std::optional<double> time_left(const CountProgress& at, double spent_s, double since_s);
+
+std::string described(const CountProgress& at, std::optional<double> left_s);
+std::string json_of(const CountProgress& at, std::optional<double> left_s);
+
 }  // namespace clearcut::cli

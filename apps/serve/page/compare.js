@@ -39,26 +39,31 @@ function showComparison(found) {
   head.append(...[...compareColumns.map(([title]) => title), 'show', ''].map(title => title ? made('th', title, { scope: 'col' }) : made('td')));
   theOne('thead', element('comparison')).replaceChildren(head);
   theOne('tbody', element('comparison')).replaceChildren(...found.strategies.map(one => compareRow(one, shownFirst)));
-  element('comparison-box').hidden = element('beside-choice').hidden = false;
   limitBeside();
 }
 
+const comparing = new Run('compare', {
+  ended: () => showPlanCommand(),
+  async done(state) {
+    element('compare-result').hidden = true;
+    const found = await textAt(state.results.text);
+    showComparison(JSON.parse(found));
+    element('compare-result').hidden = false;
+    say(element('compare-status'), 'Compared.');
+  },
+});
+
+/** Another part: what was compared is not shown any more. */
+function forgetComparison() {
+  comparing.cancel();
+  say(element('compare-status'), '');
+  element('compare-result').hidden = true;
+  forgetBeside();
+}
+
+/** @type {() => Promise<void>} */
 async function startComparison() {
-  element('comparison-box').hidden = element('beside-choice').hidden = true;
   forgetBeside();
   compared = plan.files.form(planOptions({ strategy: false }));
-  element('plan-compare').disabled = true;
-  say(element('plan-status'), 'Planning and certifying every strategy that fits …');
-  try {
-    const answer = await pipeline.compare(compared);
-    if (answer.compare) {
-      showComparison(answer.compare);
-      say(element('plan-status'), 'Compared.');
-    } else {
-      say(element('plan-status'), answer.message ?? 'There is nothing to compare.', true);
-    }
-  } catch (error) {
-    say(element('plan-status'), wordsOfError(error), true);
-  }
-  showPlanCommand();
+  await comparing.start(compared);
 }

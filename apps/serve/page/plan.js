@@ -30,7 +30,8 @@ function planOptions({ strategy } = { strategy: true }) {
 function showPlanCommand() {
   const part = plan.files.of('part');
   element('plan-command').textContent = part ? `clearcut plan ${quoted(part.name)} ${planOptions()} -o program.ngc` : '';
-  element('plan-go').disabled = element('plan-compare').disabled = !part;
+  element('plan-go').disabled = !part;
+  element('compare-go').disabled = !part || comparing.isOn;
 }
 
 /** Where none of the files is a part. @type {(names: string[]) => string} */
@@ -41,7 +42,7 @@ function planFilesChanged() {
   const part = plan.files.of('part');
   const diameter = element('tool-diameter');
   if (part && !diameter.dataset.typed) diameter.value = saysTools(part.name) || plan.files.of('tools') ? '' : String(lengths.inch ? mmToInch(6) : 6);
-  if (part !== plan.read) plan.run.forget();
+  if (part !== plan.read) { plan.run.forget(); forgetComparison(); }
   if (!part) say(element('plan-status'), whatIsMissing(plan.files.entries.map(entry => entry.file.name)), plan.files.entries.length > 0);
   showPlanCommand();
   if (part !== plan.read) readPart();
@@ -91,7 +92,7 @@ function setUpPlan() {
   element('plan-form').addEventListener('submit', startPlan);
   element('plan-form').addEventListener('input', showPlanCommand);
   element('tool-diameter').addEventListener('input', () => { element('tool-diameter').dataset.typed = '1'; });
-  element('plan-compare').addEventListener('click', startComparison);
+  element('compare-go').addEventListener('click', startComparison);
   element('plan-setup').addEventListener('change', () => showFrame('plan-report', element('plan-setup').value));
   element('unit').addEventListener('change', readPart);
   showPlanCommand();

@@ -5,7 +5,8 @@ function progressText(state, { things = 'candidates', certifying = 'Certifying t
   if (state.state === 'waiting') return state.ahead > 0 ? `Waiting; ${state.ahead} before it.` : 'Waiting for its turn.';
   const seconds = Math.round(state.seconds), progress = state.progress;
   if (!progress) return `Reading and preparing … ${seconds} s`;
-  const about = progress.stage === 'certifying' ? 'about' : 'at most', left = progress.left_s ? `, ${about} ${progress.left_s} s left` : '';
+  const about = progress.stage === 'planning' || progress.stage === 'searching' ? 'at most' : 'about', left = progress.left_s ? `, ${about} ${progress.left_s} s left` : '';
+  if (progress.stage === 'counting') return `Planning and certifying: ${progress.done} of ${progress.most} ${progress.things} done … ${seconds} s${left}`;
   if (progress.stage === 'certifying') return `${certifying} … ${seconds} s${left}`;
   if (progress.stage === 'searching') return `Searching: best ${progress.best} after ${progress.found_s.toFixed(1)} s … ${seconds} s${left}`;
   return `Planning: ${progress.done} of at most ${progress.most} ${things} … ${seconds} s${left}`;

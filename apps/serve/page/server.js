@@ -39,5 +39,4 @@ const pipeline = {
     return () => { isOver = true; events?.close(); };
   },
   info: form => asked('/info', { method: 'POST', body: form }),
-  compare: form => asked('/compare', { method: 'POST', body: form }),
 };

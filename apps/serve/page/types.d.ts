@@ -8,7 +8,7 @@ interface ChosenFile { file: File; role: FileRole }
 /** What can be chosen at the top of the page. */
 type TabName = 'plan' | 'check' | 'elements' | 'tour';
 /** Those whose work goes on while the page shows how far it is, by the names of their requests. */
-type RunTab = 'plan' | 'check' | 'elements' | 'tour';
+type RunTab = 'plan' | 'compare' | 'check' | 'elements' | 'tour';
 /** How a tab says how far its run is. */
 interface RunWords {
   /** What a plan is counted in. */
@@ -33,6 +33,15 @@ interface SearchProgress {
   /** s at most. */
   left_s?: number;
 }
+/** How far a comparison is. */
+interface CountProgress {
+  stage: 'counting';
+  /** What is counted. */
+  things: string;
+  done: number; most: number;
+  /** s; absent: not known. */
+  left_s?: number;
+}
 /** How far a plan is. */
 interface PlanProgress {
   stage: 'planning' | 'certifying';
@@ -47,7 +56,7 @@ type WorkState = WaitingState | RunningState | FailedState | DoneState;
 /** `ahead`: plans before it. */
 interface WaitingState { state: 'waiting'; ahead: number }
 /** `seconds`: since it began. */
-interface RunningState { state: 'running'; progress?: PlanProgress | SearchProgress; seconds: number }
+interface RunningState { state: 'running'; progress?: PlanProgress | CountProgress | SearchProgress; seconds: number }
 /** `message`: why it failed. */
 interface FailedState { state: 'failed' | 'cancelled'; message?: string }
 interface DoneState {
@@ -82,8 +91,6 @@ interface CertificateFault {
 }
 /** POST /info. */
 interface InfoAnswer { state?: string; message?: string; info?: PartInfo | SetupInfos | null }
-/** POST /compare. */
-interface CompareAnswer { state?: string; message?: string; compare?: { strategies: StrategyRun[] } | null }
 
 /** From and to. */
 interface Extent { x: [number, number]; y: [number, number] }
@@ -137,8 +144,6 @@ interface Pipeline {
   follow(id: string, hear: (state: WorkState) => void, broken: (error: Error) => void): () => void;
   /** What a part holds. */
   info(form: FormData): Promise<InfoAnswer>;
-  /** Every strategy on a part. */
-  compare(form: FormData): Promise<CompareAnswer>;
 }
 
 /** Of design elements on a grid, as the options of `clearcut elements` are named. */
@@ -193,11 +198,14 @@ interface PageElements {
   'plan-names': HTMLDataListElement;
   'plan-command': HTMLElement;
   'plan-go': HTMLButtonElement;
-  'plan-compare': HTMLButtonElement;
   'plan-cancel': HTMLButtonElement;
+  'compare-go': HTMLButtonElement;
+  'compare-cancel': HTMLButtonElement;
   'plan-status': HTMLDivElement;
   'plan-progress': HTMLProgressElement;
-  'comparison-box': HTMLDivElement;
+  'compare-status': HTMLDivElement;
+  'compare-progress': HTMLProgressElement;
+  'compare-result': HTMLDivElement;
   'comparison': HTMLTableElement;
   'beside-choice': HTMLParagraphElement;
   'beside-go': HTMLButtonElement;

@@ -2,7 +2,7 @@
 // functions as by a server (apps/serve/page/server.js).
 
 const mostMessages = 200;
-/** @type {{ wasm: Promise<WebAssembly.Module> | null, works: Map<string, LocalWork>, last: number }} */
+/** @type {{ wasm: Promise<WebAssembly.Module> | null, works: Map<string, LocalWork | LocalComparison>, last: number }} */
 const local = { wasm: null, works: new Map(), last: 0 };
 
 /** The command, fetched and compiled once. @type {() => Promise<WebAssembly.Module>} */
@@ -155,10 +155,8 @@ function forgetLinks(links) {
   for (const link of Object.values(links)) URL.revokeObjectURL(link);
 }
 
-/** The part, planned and certified by one strategy. @type {(strategy: string, form: FormData, files: NamedBytes[]) => Promise<StrategyRun>} */
-async function runOf(strategy, form, files) {
-  const words = ['plan', nameIn(form, 'part'), ...optionsIn(form), `--strategy=${strategy}`, '--output=results/program.ngc', '--certificate=results/certificate.json'];
-  const state = await new LocalWork(words, files).last();
+/** What came of a part that was planned and certified by one strategy. @type {(strategy: string, state: WorkState) => StrategyRun} */
+function runOf(strategy, state) {
   if (state.state === 'done') forgetLinks(state.results);
   if (state.state !== 'done' || !state.certificate) return { strategy, planned: false, refusal: state.state === 'failed' && state.message || 'ended without a result' };
   const { time_s, feed_mm, retracts, engagement, uncut_thickness_mm, features } = state.certificate;
@@ -171,15 +169,89 @@ function fastestOf(runs) {
   return runs.filter(run => run.planned).filter(run => run.clean).reduce((/** @type {PlannedRun | undefined} */ best, run) => best && seconds(best) <= seconds(run) ? best : run, undefined);
 }
 
+/** Every strategy on a part, two at a time, each in a worker of its own. */
+class LocalComparison {
+  /** @param {FormData} form @param {NamedBytes[]} files @param {string[]} names */
+  constructor(form, files, names) {
+    this.words = ['plan', nameIn(form, 'part'), ...optionsIn(form), '--output=results/program.ngc', '--certificate=results/certificate.json'];
+    this.files = files;
+    this.names = names;
+    /** Strategies that nobody has begun. */
+    this.left = [...names.keys()];
+    /** @type {StrategyRun[]} */
+    this.runs = [];
+    /** What is under way. @type {Set<LocalWork>} */
+    this.works = new Set();
+    this.began = performance.now();
+    /** How many are done, and after how many s the last one was. */
+    this.done = { count: 0, seconds: 0 };
+    /** @type {WorkState} */
+    this.state = { state: 'running', seconds: 0 };
+    /** Who follows it. @type {((state: WorkState) => void) | null} */
+    this.hear = null;
+    this.clock = setInterval(() => this.tell(), 500);
+  }
+
+  /** s since it began. */
+  get seconds() { return (performance.now() - this.began) / 1000; }
+
+  tell() {
+    if (this.state.state === 'running') {
+      const { count, seconds } = this.done, left = timeLeft(count, this.names.length, seconds, this.seconds - seconds);
+      this.state = { state: 'running', seconds: this.seconds, progress: { stage: 'counting', things: 'strategies', done: count, most: this.names.length, ...left === null ? {} : { left_s: left } } };
+    }
+    this.hear?.(this.state);
+  }
+
+  async planSome() {
+    for (let k = this.left.shift(); k !== undefined; k = this.left.shift()) {
+      const work = new LocalWork([...this.words, `--strategy=${this.names[k]}`], this.files);
+      this.works.add(work);
+      this.runs[k] = runOf(this.names[k], await work.last());
+      this.works.delete(work);
+      this.done = { count: this.done.count + 1, seconds: this.seconds };
+      this.tell();
+    }
+  }
+
+  /** @type {() => Promise<void>} */
+  async last() {
+    await Promise.all([this.planSome(), this.planSome()]);
+    clearInterval(this.clock);
+    const fastest = fastestOf(this.runs), refused = this.runs.find(run => !run.planned);
+    if (fastest) fastest.fastest = true;
+    this.state = this.runs.some(run => run.planned) ? { state: 'done', seconds: this.seconds, verdict: '', messages: [], results: { text: linkTo(JSON.stringify({ strategies: this.runs }), 'application/json') } }
+      : { state: 'failed', message: refused && !refused.planned ? refused.refusal : '' };
+    this.tell();
+  }
+
+  drop() {
+    this.hear = null;
+    this.left = [];
+    clearInterval(this.clock);
+    for (const work of this.works) work.drop();
+    if (this.state.state === 'done') forgetLinks(this.state.results);
+  }
+}
+
+/** s, as the command says it: it falls until the next one ends, and is not known before a sixth is done. @type {(done: number, most: number, spent: number, since: number) => number | null} */
+function timeLeft(done, most, spent, since) {
+  const left = done > 0 ? Math.round(spent * (most - done) / done - since) : 0;
+  return done < most / 6 || done >= most || left < 0 ? null : left;
+}
+
 const ofProgram = ['--output=results/program.ngc', '--certificate=results/certificate.json', '--svg=results/picture.svg'];
-/** Options that name the results. @type {Record<RunTab, string[]>} */
+/** @type {() => Promise<string[]>} */
+const strategyNames = async () => (await pipeline.options()).plan.find(one => one.names.includes('--strategy'))?.values ?? [];
+/** What is one run of the command. @typedef {Exclude<RunTab, 'compare'>} CommandTab */
+/** Options that name the results. @type {Record<CommandTab, string[]>} */
 const resultsWanted = {
   plan: [...ofProgram, '--report=results/report.html', '--setup-sheet=results/setup-sheet.html'],
   check: ['--json=results/certificate.json', '--svg=results/picture.svg', '--report=results/report.html'],
   elements: [...ofProgram, '--html=results/report.html', '--points=results/points.csv'],
   tour: ['--json=results/tour.json', '--svg=results/picture.svg'],
 };
-/** The command and what it is given. @type {Record<RunTab, (form: FormData) => string[]>} */
+/** The command and what it is given. @type {Record<CommandTab, (form: FormData) => string[]>} */
 const inputOf = {
   plan: form => ['plan', nameIn(form, 'part')],
   check: form => ['verify', nameIn(form, 'program'), ...(form.get('part') ? [`--part=${nameIn(form, 'part')}`] : [])],
@@ -196,8 +268,8 @@ const pipeline = {
     return answer.json();
   },
   async begin(what, form) {
-    const words = [...inputOf[what](form), ...optionsIn(form), ...resultsWanted[what]];
-    const work = new LocalWork(words, await filesOf(form)), id = String(++local.last);
+    const files = await filesOf(form);
+    const work = what === 'compare' ? new LocalComparison(form, files, await strategyNames()) : new LocalWork([...inputOf[what](form), ...optionsIn(form), ...resultsWanted[what]], files), id = String(++local.last);
     local.works.set(id, work);
     work.last();
     return id;
@@ -220,19 +292,6 @@ const pipeline = {
     const work = new LocalWork(['info', nameIn(form, 'part'), ...optionsIn(form), '--json'], await filesOf(form)), end = await work.end;
     if (end.code > 1 || !end.text.startsWith('{')) return { state: 'failed', message: work.messages.at(-1) ?? 'ended without an answer' };
     return { state: 'done', info: JSON.parse(end.text) };
-  },
-  async compare(form) {
-    const options = await pipeline.options(), files = await filesOf(form);
-    const names = options.plan.find(one => one.names.includes('--strategy'))?.values ?? [], left = [...names.keys()];
-    /** @type {StrategyRun[]} */
-    const runs = [];
-    const planSome = async () => {
-      for (let k = left.shift(); k !== undefined; k = left.shift()) runs[k] = await runOf(names[k], form, files);
-    };
-    await Promise.all([planSome(), planSome()]);
-    const fastest = fastestOf(runs);
-    if (fastest) fastest.fastest = true;
-    return runs.some(run => run.planned) ? { state: 'done', compare: { strategies: runs } } : { state: 'failed', message: runs[0] && !runs[0].planned ? runs[0].refusal : '' };
   },
 };
 
