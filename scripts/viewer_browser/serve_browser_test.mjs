@@ -325,6 +325,7 @@ async function cancelsTour(page) {
 
 const page = await open(1366, 768, 'light');
 await isAccessible(page, 'the empty page');
+check(/DXF, SVG, STEP, STEP-NC/.test(await page.innerText('#plan-kinds')), 'what is read is said before anything is dropped');
 await plans(page);
 await page.screenshot({ path: picture('serve-1366') });
 await isAccessible(page, 'the page with a plan');

@@ -205,6 +205,7 @@ await isAccessible(page, 'the empty page');
 /** @type {{ name: string, display: string, icons: object[] }} */
 const manifest = await page.evaluate(async () => (await fetch(document.querySelector('link[rel=manifest]')?.getAttribute('href') ?? '')).json());
 check(manifest.name === 'Clearcut' && manifest.display === 'standalone' && manifest.icons.length > 0, 'it can be installed as an app');
+check(/DXF, SVG, STEP-NC.*STEP solids are not read in the browser/.test(await page.innerText('#plan-kinds')), 'what is not read is said before anything is dropped');
 await plansBracket(page);
 await page.screenshot({ path: picture('web-1366') });
 await isAccessible(page, 'the page with a plan');

@@ -58,6 +58,11 @@ async function setUpOptions() {
 }
 
 for (const select of [element('tool-kind'), element('check-kind')]) fillSelect(select, toolKinds);
+for (const word of document.querySelectorAll('[data-solids]')) word.toggleAttribute('hidden', pipeline.noSolids !== '');
+for (const place of document.querySelectorAll('[data-no-solids]')) {
+  place.textContent = ` ${pipeline.noSolids}`;
+  place.toggleAttribute('hidden', pipeline.noSolids === '');
+}
 if (pipeline.promise) element('promise').textContent = pipeline.promise;
 element('lengths').addEventListener('change', chooseLengths);
 setUpTabs();

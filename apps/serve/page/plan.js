@@ -36,7 +36,7 @@ function showPlanCommand() {
 
 /** Where none of the files is a part. @type {(names: string[]) => string} */
 const whatIsMissing = names => names.length === 0 ? 'Choose a part.'
-  : `${names.join(', ')}: no part by the name's ending; choose a DXF, SVG, STEP, STEP-NC, Gerber, Excellon, JSON or TOML file, or say in the list which file is the part.`;
+  : `${names.join(', ')}: no part by the name's ending; choose a DXF, SVG, ${pipeline.noSolids ? '' : 'STEP, '}STEP-NC, Gerber, Excellon, JSON or TOML file, or say in the list which file is the part.`;
 
 function planFilesChanged() {
   const part = plan.files.of('part');

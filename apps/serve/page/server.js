@@ -11,6 +11,7 @@ async function asked(path, request) {
 /** See Pipeline for what each does. @type {Pipeline} */
 const pipeline = {
   promise: '',
+  noSolids: '',
   options: () => asked('/options'),
   begin: async (what, form) => (await asked(`/${what}`, { method: 'POST', body: form })).id,
   drop: id => asked(`/plan/${id}`, { method: 'DELETE' }).catch(() => {}),

@@ -135,6 +135,8 @@ interface CommandOption { names: string[]; positional: boolean; group: string; h
 interface Pipeline {
   /** What happens to files, where it is not what the page says. */
   promise: string;
+  /** Why STEP solids are not read here, and what to do instead; '': they are. */
+  noSolids: string;
   options(): Promise<Options>;
   /** Begins a plan, or what else goes on for long; gives its name. */
   begin(what: RunTab, form: FormData): Promise<string>;

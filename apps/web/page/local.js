@@ -262,6 +262,7 @@ const inputOf = {
 /** See Pipeline for what each does. @type {Pipeline} */
 const pipeline = {
   promise: 'Nothing is uploaded: this page plans and checks in your browser, also without a network.',
+  noSolids: 'STEP solids are not read in the browser: take clearcut or its server, or export a DXF of their outlines.',
   async options() {
     const answer = await fetch('options.json').catch(() => null);
     if (!answer?.ok) throw new Error('The list of options cannot be loaded. Is there a network?');
