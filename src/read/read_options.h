@@ -63,12 +63,25 @@ struct OutlineSummary {
   int within = 0;                  ///< number of the outline right around it; 0: none
 };
 
+/// An option of the command that answers a question: "--op" and "profile:outer".
+struct DrawingAnswer {
+  std::string option, value;
+};
+
+/// What is to be asked of a drawing.
+struct DrawingQuestion {
+  std::string where;  ///< file and layer
+  std::string text;
+  std::vector<DrawingAnswer> answers;  ///< that there are, as the text names them
+};
+
 /// What a drawing holds, whatever is still to be said about it.
 struct DrawingOverview {
   std::vector<OutlineSummary> outlines;
-  int lines = 0;                  ///< to engrave
-  bool lines_have_depths = true;  ///< all of these
-  std::string question;           ///< what a plan would ask; "" if nothing
+  int lines = 0;                       ///< to engrave
+  bool lines_have_depths = true;       ///< all of these
+  std::string question;                ///< what a plan would ask; "" if nothing
+  std::vector<DrawingAnswer> answers;  ///< to it
   std::string missing;  ///< without a question: what a plan would refuse, as a depth that nothing says
 };
 

@@ -203,6 +203,38 @@ TEST(Json, SaysWhatAPartHolds) {
   EXPECT_TRUE(json.at("asks").empty());
 }
 
+/// Whoever asks the question can offer its answers; each of them answers it.
+TEST(Json, HoldsTheAnswersToAQuestion) {
+  const ScratchFolder folder;
+  const auto lwpolyline = [](const std::string& layer, int size) {
+    std::string text = "0\nLWPOLYLINE\n8\n" + layer + "\n90\n4\n70\n1\n";
+    for (const auto& [x, y] : {std::pair{-size, -size}, {size, -size}, {size, size}, {-size, size}})
+      text += "10\n" + std::to_string(x) + "\n20\n" + std::to_string(y) + "\n";
+    return text;
+  };
+  const auto drawing = [&](const std::string& outer, const std::string& inner) {
+    return folder.file("drawing.dxf",
+                       "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" +
+                           lwpolyline(outer, 30) + lwpolyline(inner, 10) + "0\nENDSEC\n0\nEOF\n");
+  };
+  using Answers = std::vector<std::string>;
+  for (const auto& [outer, inner, wanted] :
+       {std::tuple{"A", "A", Answers{"profile:outer", "pocket:outer"}},
+        std::tuple{"POCKET_D8", "POCKET_D4", Answers{"step:POCKET_D4", "ignore:POCKET_D4"}}}) {
+    const auto file = drawing(outer, inner);
+    const auto json = nlohmann::json::parse(run_clearcut({"info", file, "--json"}).out);
+    Answers found;
+    for (const auto& one : json.at("answers")) {
+      found.push_back(one.at("value"));
+      const auto answered = nlohmann::json::parse(
+          run_clearcut({"info", file, "--json", one.at("option").get<std::string>(), found.back()}).out);
+      EXPECT_TRUE(answered.at("answers").empty()) << found.back();
+      EXPECT_NE(answered.at("asks"), json.at("asks")) << found.back();
+    }
+    EXPECT_EQ(found, wanted);
+  }
+}
+
 /// Whoever shows the outlines needs no reader of drawings of his own.
 TEST(Json, HoldsTheCurvesOfADrawing) {
   const ScratchFolder folder;

@@ -148,6 +148,9 @@ Json info_json(const PartInfo& info) {
     json["workingsteps"].push_back({{"name", step.name}, {"feature", feature_of(part, step).name}});
   for (const auto& one : info.overview.outlines) json["outlines"].push_back(outline_json(one));
   json["asks"] = info.asks;
+  json["answers"] = Json::array();
+  for (const auto& one : info.overview.answers)
+    json["answers"].push_back({{"option", one.option}, {"value", one.value}});
   json["found"] = found_json(part.diagnostics);
   return json;
 }

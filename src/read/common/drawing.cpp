@@ -224,6 +224,11 @@ std::vector<Feature> features_of(std::vector<ShapedGroup>& shaped, const Regions
   return features;
 }
 
+void ask(const DrawingQuestion& question, DrawingOverview& overview) {
+  overview.question = question.text;
+  overview.answers = question.answers;
+}
+
 /// What a plan asks of pockets that cut others away, or refuses, for the overview.
 void question_features(std::vector<ShapedGroup> shaped, const Regions& islands, const ReadOptions& options) {
   if (!options.overview->question.empty()) return;
@@ -231,7 +236,8 @@ void question_features(std::vector<ShapedGroup> shaped, const Regions& islands, 
   try {
     const bool several = shaped.size() > 1;
     const auto features = features_of(shaped, islands, options, said_when_planned);
-    if (several) options.overview->question = question_of_cut_away(features, options.tol).value_or("");
+    if (!several) return;
+    if (const auto question = question_of_cut_away(features, options.tol)) ask(*question, *options.overview);
   } catch (const InputError& error) {  // a depth is missing: that is asked first
     options.overview->missing = error.what();
   }
@@ -241,8 +247,8 @@ void question_features(std::vector<ShapedGroup> shaped, const Regions& islands, 
 void ask_of_cut_away(Part& part, const std::vector<Feature>& features, const ReadOptions& options) {
   const auto question = question_of_cut_away(features, options.tol);
   if (!question) return;
-  if (options.ask_if_unclear) throw InputError(part.source_file, *question);
-  part.diagnostics.warn(part.source_file, *question);
+  if (options.ask_if_unclear) throw InputError(part.source_file, question->text);
+  part.diagnostics.warn(part.source_file, question->text);
 }
 
 bool have_several_floors(const std::vector<Feature>& features) {
@@ -255,7 +261,7 @@ void ask_of_layers(const std::vector<ShapedGroup>& shaped, const ReadOptions& op
   const auto question = question_of_layers(shaped, options);
   if (!question) return;
   if (!options.overview) throw InputError(question->where, question->text);
-  if (options.overview->question.empty()) options.overview->question = question->text;
+  if (options.overview->question.empty()) ask(*question, *options.overview);
 }
 
 /// In the words of the reader, as much as a person reads; "" for none.
@@ -353,6 +359,7 @@ void question_size(const std::vector<DrawnGroup>& groups, const std::string& fil
       "; say which unit it is drawn in (--unit mm, --unit in), or --scale 1 if it is right";
   if (options.overview) {
     options.overview->question = question;
+    options.overview->answers = {{"--unit", "mm"}, {"--unit", "inch"}, {"--scale", "1"}};
   } else if (!options.scale_is_right) {
     throw InputError(file, question);
   }

@@ -35,11 +35,13 @@ bool holds(const Box& outer, const Box& inner) {
   return outer.grown(kSameDepth).contains(inner.min) && outer.grown(kSameDepth).contains(inner.max);
 }
 
-std::string question_of(const Feature& feature, const Feature& pocket) {
+DrawingQuestion question_of(const Feature& feature, const Feature& pocket) {
   const std::string name = printable(feature.name), layer = printable(pocket.source);
   const double depth = feature.top_z - feature.floor_z;
   std::string meant;
+  std::vector<DrawingAnswer> answers;
   if (is_pocket(feature)) {
+    answers.push_back({"--op", "step:" + printable(feature.source)});
     meant = "--op step:" + printable(feature.source) + " if it is a step that stays in that pocket";
   } else if (feature.carving || feature.profile) {
     meant = "if it is meant on that floor say so in its layer's name, as in TOP" +
@@ -48,9 +50,12 @@ std::string question_of(const Feature& feature, const Feature& pocket) {
     meant = "if it is meant on that floor give its depth from the top, as in D" +
             trimmed(feature.top_z - pocket.floor_z + depth, 4);
   }
-  return name + " is " + trimmed(depth, 4) + " mm deep and lies in a pocket of layer " + layer +
-         ", which takes all of it away: " + meant + "; --op ignore:" + printable(feature.source) +
-         " leaves it out";
+  answers.push_back({"--op", "ignore:" + printable(feature.source)});
+  return {"",
+          name + " is " + trimmed(depth, 4) + " mm deep and lies in a pocket of layer " + layer +
+              ", which takes all of it away: " + meant + "; --op ignore:" + printable(feature.source) +
+              " leaves it out",
+          answers};
 }
 
 /// Whether `pocket` is one that would take the step's floor away.
@@ -86,7 +91,8 @@ void let_steps_stand(std::vector<ShapedGroup>& groups, const ReadOptions& option
   }
 }
 
-std::optional<std::string> question_of_cut_away(const std::vector<Feature>& features, const Tolerances& tol) {
+std::optional<DrawingQuestion> question_of_cut_away(const std::vector<Feature>& features,
+                                                    const Tolerances& tol) {
   std::vector<Box> boxes;
   for (const Feature& feature : features) boxes.push_back(box(feature.target));
   for (std::size_t i = 0; i < features.size(); ++i) {

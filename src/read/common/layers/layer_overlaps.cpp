@@ -60,7 +60,8 @@ DrawingQuestion question_of(const Within& first) {
           trimmed(place.min.x, 2) + ", " + trimmed(place.min.y, 2) +
           ") lies in a pocket of the same depth on layer " + printable(first.outer->group.name) +
           ", and nothing says what it is: --op island:" + name +
-          " if it stays standing, --op pocket:" + name + " if it is milled with that pocket"};
+          " if it stays standing, --op pocket:" + name + " if it is milled with that pocket",
+      {{"--op", "island:" + name}, {"--op", "pocket:" + name}}};
 }
 
 /// All layers of which it is unclear, each once, in the first pocket that one of its outlines is found in.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "read/common/layers/outline_roles.h"
+#include "read/read_options.h"
 
 namespace clearcut::read {
 
@@ -14,12 +15,6 @@ bool near_any(const Regions& regions, const Regions& others);
 
 /// Whether `inner` lies in `outer` but for rounding, and is not all of it.
 bool lies_in(const Regions& inner, const Regions& outer, const Tolerances& tol);
-
-/// What is to be asked of a drawing.
-struct DrawingQuestion {
-  std::string where;  ///< file and layer
-  std::string text;
-};
 
 /// The first outline that lies in a pocket of another layer, of the same top and depth, where nothing says what either is, and the other
 /// layers of which the same is unclear: they may be islands.

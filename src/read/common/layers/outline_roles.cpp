@@ -403,7 +403,10 @@ void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<Na
   if (options.overview) fill_overview(groups, outlines, options, *options.overview);
   if (unclear.empty()) return;
   const std::string question = question_of(outlines, unclear, groups);
-  if (options.overview) options.overview->question = question;
+  if (options.overview) {
+    options.overview->question = question;
+    options.overview->answers = {{"--op", "profile:outer"}, {"--op", "pocket:outer"}};
+  }
   if (options.ask_if_unclear && !options.overview) throw InputError(file, question);
 }
 
