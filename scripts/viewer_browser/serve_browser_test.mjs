@@ -120,6 +120,29 @@ async function plansSetups(page) {
   await isAccessible(page, 'the page with two set-ups');
 }
 
+/** A plate of which nothing says what its edge is: both readings are drawn, a click answers, and it can be asked again. @type {(page: Page) => Promise<void>} */
+async function asksForReadings(page) {
+  const square = (/** @type {number} */ a, /** @type {number} */ b) => `0\nLWPOLYLINE\n8\n0\n90\n4\n70\n1\n10\n${a}\n20\n${a}\n10\n${b}\n20\n${a}\n10\n${b}\n20\n${b}\n10\n${a}\n20\n${b}\n`;
+  writeFileSync(`${folder}/unsaid.dxf`, `0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n${square(0, 60)}${square(20, 40)}0\nENDSEC\n0\nEOF\n`);
+  await page.goto(address);
+  await page.setInputFiles('#plan-files', `${folder}/unsaid.dxf`);
+  await page.waitForSelector('#readings-list button');
+  check((await page.locator('#readings-list strong').allTextContents()).join('; ') === 'The edge of the part: cut out along it; A pocket: what lies in it stays', 'a drawing that may be read in two ways is asked about');
+  check(await page.locator('#readings-list .drawing .profile').count() === 1 && await page.locator('#readings-list .drawing .island').count() === 1 && await page.locator('#drawing .unsaid').count() === 2, 'both readings are drawn');
+  await isAccessible(page, 'the page with two readings');
+  await page.screenshot({ path: picture('serve-readings-1366') });
+  await page.click('#readings-list button');
+  await page.waitForSelector('#drawing .profile');
+  check(await page.isHidden('#readings') && (await textOf(page, '#plan-command')).includes('--op profile:outer') && /field Depth/.test(await textOf(page, '#plan-status')), 'a click says which is meant');
+  await page.fill('#depth', '3');
+  await page.press('#depth', 'Tab');
+  await page.waitForFunction(() => document.getElementById('plan-status')?.textContent === 'unsaid.dxf is ready to be planned.');
+  await page.click('#given-again');
+  await page.waitForSelector('#readings-list button');
+  check(!(await textOf(page, '#plan-command')).includes('--op'), 'and it can be asked again');
+  await page.fill('#depth', '');
+}
+
 /** @type {(page: Page) => Promise<void>} */
 async function compares(page) {
   await page.goto(address);
@@ -335,6 +358,7 @@ await drives(page);
 await isAccessible(page, 'the page with outlines');
 check(await fits(page), 'nothing overflows with outlines');
 await plansSetups(page);
+await asksForReadings(page);
 await compares(page);
 await cancels(page);
 await checks(page);

@@ -147,14 +147,27 @@ describe('texts', () => {
     assert.deepEqual(places.map(({ text, x, y }) => [text, x, y]), [['1, 3', 3, -6], ['2', 0, -6]]);
   });
   test('a part is ready, has to be asked about, or cannot be read', () => {
-    assert.equal(ask(`readiness('a.dxf', { asks: [] }, [])`), 'a.dxf is ready to be planned.');
-    assert.equal(ask(`readiness('a.dxf', { asks: ['x', 'y'] }, [])`), 'Before a.dxf can be planned, say: (1) x (2) y');
+    assert.equal(ask(`readiness('a.dxf', { asks: [], answers: [], found: [{ kind: 'note', what: 'n' }] }, [])`), 'a.dxf is ready to be planned.');
+    assert.equal(ask(`readiness('a.dxf', { asks: [], answers: [], found: [{ kind: 'warning', what: 'the file names no unit' }] }, [])`), 'a.dxf is ready to be planned. See first: the file names no unit.');
+    assert.equal(ask(`readiness('a.dxf', { asks: ['the outline holds 5 others: --op profile:outer if', 'how deep; --depth MM, or'], answers: [{}] }, [])`), 'Before a.dxf can be planned, say: (1) which reading below is meant, by a click on it (2) how deep it is, in the field Depth');
+    assert.equal(ask(`readiness('a.dxf', { asks: ['x', 'y'], answers: [] }, [])`), 'Before a.dxf can be planned, say: (1) x (2) y');
     assert.equal(ask(`readiness('a.dxf', undefined, ['a.dxf:3: no'])`), 'a.dxf:3: no');
     assert.match(String(ask(`whatIsMissing(['photo.jpg'])`)), /^photo.jpg: no part by the name's ending; choose a DXF/);
   });
   test('set-ups of a job are told apart', () => {
     const joined = `joinedSetups([{ asks: ['a depth'], found: [], features: [], outlines: [] }, { asks: [], found: [{ kind: 'note', where: '', what: 'w' }], features: [], outlines: [] }])`;
     assert.deepEqual(ask(`textsOf(${joined})`), ['To say: set-up 1: a depth', 'note: set-up 2: w']);
+  });
+});
+
+describe('readings of a drawing', () => {
+  test('a question is asked without its options, and its answers are said in words', () => {
+    assert.deepEqual(ask(`['the outline holds 5 others, and nothing says what it is: --op profile:outer if it is the edge', 'it is 0.1 x 0.2 mm, smaller than 1 mm; say which unit it is drawn in (--unit mm)'].map(plainQuestion)`),
+      ['The outline holds 5 others, and nothing says what it is', 'It is 0.1 x 0.2 mm, smaller than 1 mm']);
+    assert.deepEqual(ask(`[['--op', 'pocket:outer'], ['--op', 'pocket:B'], ['--op', 'step:my layer'], ['--unit', 'inch'], ['--new', 'thing']].map(([option, value]) => wordsOfAnswer({ option, value }))`),
+      ['A pocket: what lies in it stays', 'Milled with that pocket', 'A step that stays in that pocket', 'Drawn in inches', '--new thing']);
+    assert.equal(ask(`(part.given = [{ option: '--op', value: 'step:my layer' }], outlineOptions.call(null, element('outlines').querySelector = () => ({ rows: [] })).join(' '))`), '--op "step:my layer"');
+    assert.equal(ask(`rolesSaid(['profile', 'pocket', 'pocket', '', 'inside', 'inside'].map(role => ({ role })))`), '1 profile, 2 pockets, 2 inside');
   });
 });
 

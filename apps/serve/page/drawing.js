@@ -25,7 +25,19 @@ const rowOfOutline = index => theOne('tbody', element('outlines')).rows[index];
 /** What an outline is for, as chosen or as read; 'unsaid': nothing says it. @type {(outline: OutlineInfo, index: number) => string} */
 function roleNow(outline, index) {
   const row = rowOfOutline(index);
-  return (row && theOne('select', row).value) || outline.role || 'unsaid';
+  return (row && theOne('select', row).value) || (isOpen(outline) ? 'unsaid' : outline.role) || 'unsaid';
+}
+
+/** The curves of a drawing, the largest first, so that a click finds what lies in it. @type {(outlines: OutlineInfo[], roleOf: (one: OutlineInfo, index: number) => string) => SVGPathElement[]} */
+function curvesOf(outlines, roleOf) {
+  const drawn = outlines.map((one, index) => ({ one, index })).filter(({ one }) => one.path).sort((a, b) => b.one.area_mm2 - a.one.area_mm2);
+  return drawn.map(({ one, index }) => madeSvg('path', { 'd': one.path ?? '', 'data-index': index, 'class': roleOf(one, index) }));
+}
+
+/** With a little room around it, y down. @type {(extent: Extent) => string} */
+function viewBoxOf({ x: [x0, x1], y: [y0, y1] }) {
+  const edge = 0.04 * Math.max(x1 - x0, y1 - y0, 1e-3);
+  return [x0 - edge, -y1 - edge, x1 - x0 + 2 * edge, y1 - y0 + 2 * edge].join(' ');
 }
 
 /** After something else was chosen. */
@@ -46,19 +58,18 @@ function sizeNumbers() {
   if (scale > 0) element('drawing-numbers').setAttribute('font-size', String(numberSize / scale));
 }
 
-/** Draws the outlines that were read, the largest first so that a click finds what lies in it. */
+/** Draws the outlines that were read. */
 function showDrawing() {
   const outlines = part.outlines, extent = extentOfDrawing(outlines);
   element('drawing-box').hidden = !extent;
   element('drawing-curves').replaceChildren();
   element('drawing-numbers').replaceChildren();
   if (!extent) return;
-  const [x0, x1] = extent.x, [y0, y1] = extent.y, edge = 0.04 * Math.max(x1 - x0, y1 - y0, 1e-3);
-  element('drawing').setAttribute('viewBox', [x0 - edge, -y1 - edge, x1 - x0 + 2 * edge, y1 - y0 + 2 * edge].join(' '));
-  element('drawing-size').textContent = `${shownLength(x1 - x0, 2)} × ${shownLength(y1 - y0, 2)} ${lengthName()}`;
-  const drawn = outlines.map((one, index) => ({ one, index })).filter(({ one }) => one.path).sort((a, b) => b.one.area_mm2 - a.one.area_mm2);
-  element('drawing-curves').replaceChildren(...drawn.map(({ one, index }) => madeSvg('path', { 'd': one.path ?? '', 'data-index': index })));
-  if (drawn.length <= mostNumbers) element('drawing-numbers').replaceChildren(...numbersOfOutlines(outlines.filter(one => one.path)).map(numberAt));
+  element('drawing').setAttribute('viewBox', viewBoxOf(extent));
+  element('drawing-size').textContent = sizeOfDrawing(outlines);
+  const curves = curvesOf(outlines, roleNow);
+  element('drawing-curves').replaceChildren(...curves);
+  if (curves.length <= mostNumbers) element('drawing-numbers').replaceChildren(...numbersOfOutlines(outlines.filter(one => one.path)).map(numberAt));
   colourDrawing();
   sizeNumbers();
 }

@@ -68,6 +68,7 @@ element('lengths').addEventListener('change', chooseLengths);
 setUpTabs();
 setUpPlan();
 setUpDrawing();
+setUpReadings();
 setUpBeside();
 setUpCheck();
 setUpElements();

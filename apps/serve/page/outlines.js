@@ -1,16 +1,20 @@
 // What a part holds: what was found and mended, what has to be said, and what each outline of a drawing is for.
 
-/** @type {{ asked: number, outlines: OutlineInfo[] }} */
-const part = { asked: 0, outlines: [] };
+/** `isAsked`: which reading is meant is still to be said; `given`: the answers so far. @type {{ asked: number, outlines: OutlineInfo[], isAsked: boolean, given: DrawingAnswer[] }} */
+const part = { asked: 0, outlines: [], isAsked: false, given: [] };
 const outlineKinds = ['pocket', 'step', 'profile', 'inside', 'drill', 'engrave', 'vcarve', 'isolate', 'chamfer', 'face', 'island', 'ignore'];
 const mostOutlines = 300;  // that are listed
 /** @type {(value: number, digits: number) => number} */
 const round = (value, digits) => Number(value.toFixed(digits));
 
-/** The options that say what outlines are for, where that was changed. @type {() => string[]} */
+/** Nothing says yet what it is for. @type {(outline: OutlineInfo) => boolean} */
+const isOpen = outline => part.isAsked && !outline.says_role;
+/** What the list says of an outline where nobody chose. @type {(outline: OutlineInfo) => string} */
+const roleAsRead = outline => outline.role && !isOpen(outline) ? `${outline.role} (read)` : 'not said yet';
+
+/** The options that say what outlines are for: the answers, and what was changed in the list. @type {() => string[]} */
 function outlineOptions() {
-  /** @type {string[]} */
-  const words = [];
+  const words = part.given.map(optionOfAnswer);
   for (const row of theOne('tbody', element('outlines')).rows) {
     const outline = part.outlines[Number(row.dataset.index)];
     const kind = theOne('select', row).value, depth = inMm(theOne('input', row).value);
@@ -31,13 +35,20 @@ function sizeOf(outline) {
 function outlineRow(outline, index) {
   const row = made('tr', '', { 'data-index': index });
   const kind = made('select', '', { 'aria-label': `What outline ${outline.number} is for` });
-  fillSelect(kind, outlineKinds, outline.role ? `${outline.role} (read)` : 'not said yet');
+  fillSelect(kind, outlineKinds, roleAsRead(outline));
   const depth = made('input', '', { 'aria-label': `Depth of outline ${outline.number}, ${lengthName()}`, inputmode: 'decimal', 'data-length': '1', size: '4', placeholder: outline.depth_mm === null ? '' : String(shownLength(outline.depth_mm, 3)) });
   const layer = made('td', outline.layer, { title: outline.within ? `within outline ${outline.within}` : 'within no other' });
   row.append(made('td', String(outline.number)), layer, made('td', sizeOf(outline)), made('td'), made('td'));
   row.children[3].append(kind);
   row.children[4].append(depth);
   return row;
+}
+
+/** The same outlines, read anew after something was said: what was chosen in the list stays, and so do the names of layers. @type {(outlines: OutlineInfo[]) => void} */
+function renewOutlines(outlines) {
+  part.outlines = outlines.map((one, index) => ({ ...one, layer: part.outlines[index].layer }));
+  for (const row of theOne('tbody', element('outlines')).rows) theOne('option', row).textContent = roleAsRead(part.outlines[Number(row.dataset.index)]);
+  relabelOutlines();
 }
 
 /** @type {(outlines: OutlineInfo[]) => void} */
@@ -72,45 +83,76 @@ const textsOf = info => [...info.asks.map(text => `To say: ${text}`), ...info.fo
 /** The set-ups of a job as one part, each text with its set-up. @type {(setups: PartInfo[]) => PartInfo} */
 function joinedSetups(setups) {
   const named = setups.map((one, i) => ({ one, setup: `set-up ${i + 1}: ` }));
-  return { asks: named.flatMap(({ one, setup }) => one.asks.map(ask => setup + ask)),
+  return { answers: [], asks: named.flatMap(({ one, setup }) => one.asks.map(ask => setup + ask)),
     found: named.flatMap(({ one, setup }) => one.found.map(item => ({ ...item, what: setup + item.what }))),
     features: named.flatMap(({ one, setup }) => one.features.map(feature => ({ ...feature, name: setup + feature.name }))), outlines: [] };
 }
 
+/** What is missing, in the words of the page. @type {(ask: string, hasReadings: boolean) => string} */
+const askInPage = (ask, hasReadings) => hasReadings ? 'which reading below is meant, by a click on it' : /(^how deep; |no depth given; add )--depth/.test(ask) ? 'how deep it is, in the field Depth' : ask;
+
 /** Whether the part can be planned as it is, and what is missing. @type {(name: string, info: PartInfo | null | undefined, texts: string[]) => string} */
 function readiness(name, info, texts) {
   if (!info) return texts[0];
-  if (info.asks.length === 0) return `${name} is ready to be planned.`;
-  return `Before ${name} can be planned, say: ${info.asks.map((ask, k) => info.asks.length > 1 ? `(${k + 1}) ${ask}` : ask).join(' ')}`;
+  const warning = info.asks.length === 0 && info.found.find(one => one.kind === 'warning');
+  if (info.asks.length === 0) return `${name} is ready to be planned.${warning ? ` See first: ${warning.what}.` : ''}`;
+  return `Before ${name} can be planned, say: ${info.asks.map((ask, k) => askInPage(ask, k === 0 && info.answers.length > 0)).map((ask, k) => info.asks.length > 1 ? `(${k + 1}) ${ask}` : ask).join(' ')}`;
 }
 
-/** @type {(name: string, answer: InfoAnswer) => void} */
-function showPart(name, answer) {
-  const info = answer.info && 'setups' in answer.info ? joinedSetups(answer.info.setups) : answer.info;
-  const texts = info ? textsOf(info) : [answer.message ?? 'The part cannot be read.'];
+/** @type {(info: PartInfo | null | undefined) => string} */
+function titleOfFound(info) {
+  if (!info) return 'The part cannot be read as it is';
+  return info.asks.length > 0 ? 'What was found, and what has to be said' : `What was found: ${info.features.length} ${info.features.length === 1 ? 'feature' : 'features'}`;
+}
+
+/** @type {(info: PartInfo | null | undefined, texts: string[], isAgain: boolean) => void} */
+function showFound(info, texts, isAgain) {
   fillList(element('found'), texts.slice(0, mostOutlines));
   element('found-box').hidden = texts.length === 0;
-  element('found-title').textContent = !info ? 'The part cannot be read as it is' : info.asks.length > 0 ? 'What was found, and what has to be said' : `What was found: ${info.features.length} ${info.features.length === 1 ? 'feature' : 'features'}`;
-  if (!plan.run.isOn && !plan.run.id) say(element('plan-status'), readiness(name, info, texts), !info);
-  element('found-box').open = !info || info.asks.length > 0 || info.found.length > 0;
-  showOutlines(info?.outlines ?? []);
+  element('found-title').textContent = titleOfFound(info);
+  if (!isAgain) element('found-box').open = !info || info.asks.length > 0 || info.found.length > 0;
+  element('depth').classList.toggle('wanted', info?.asks.some(ask => ask.includes('--depth')) ?? false);
 }
 
-/** Asks the server what the part holds; a later question makes an earlier one void. */
-async function readPart() {
-  const mine = ++part.asked, unit = element('unit').value;
-  element('found-box').hidden = element('outlines-box').hidden = true;
+/** `isAgain`: the same part, after something was said. @type {(name: string, answer: InfoAnswer, isAgain: boolean) => void} */
+function showPart(name, answer, isAgain) {
+  const info = answer.info && 'setups' in answer.info ? joinedSetups(answer.info.setups) : answer.info;
+  const texts = info ? textsOf(info) : [answer.message ?? 'The part cannot be read.'], outlines = info?.outlines ?? (isAgain ? part.outlines : []);
+  if (info) part.isAsked = info.answers.length > 0;
+  showFound(info, texts, isAgain);
+  if (!plan.run.isOn && !plan.run.id) say(element('plan-status'), readiness(name, info, texts), !info);
+  if (isAgain && outlines.length === part.outlines.length) renewOutlines(outlines);
+  else showOutlines(outlines);
+  offerReadings(info);
+}
+
+/** What is said of the part so far, as the command takes it. @type {() => string} */
+function readOptions() {
+  const unit = element('unit').value, depth = inMm(element('depth').value);
+  return [unit && `--unit ${unit}`, depth && `--depth ${quoted(depth)}`, ...outlineOptions()].filter(word => word).join(' ');
+}
+
+/** Another part: what was said of the last one is void. @type {() => Promise<void>} */
+async function readNewPart() {
+  part.given = [];
+  part.isAsked = false;
+  element('found-box').hidden = element('outlines-box').hidden = element('readings').hidden = element('given').hidden = true;
   showOutlines([]);
-  const chosen = plan.files.of('part');
+  await readPart(false);
+}
+
+/** Asks the server what the part holds; a later question makes an earlier one void. @type {(isAgain?: boolean) => Promise<void>} */
+async function readPart(isAgain = true) {
+  const mine = ++part.asked, chosen = plan.files.of('part');
   if (!chosen) return;
   if (!plan.run.isOn && !plan.run.id) say(element('plan-status'), `Reading ${chosen.name} …`);
   try {
-    const answer = await pipeline.info(plan.files.form(unit ? `--unit ${unit}` : ''));
+    const answer = await pipeline.info(plan.files.form(readOptions()));
     if (mine !== part.asked) return;
-    showPart(chosen.name, answer);
+    showPart(chosen.name, answer, isAgain);
   } catch (error) {
     if (mine !== part.asked) return;
-    showPart(chosen.name, { message: wordsOfError(error) });
+    showPart(chosen.name, { message: wordsOfError(error) }, isAgain);
   }
   showPlanCommand();
 }

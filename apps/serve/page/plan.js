@@ -45,7 +45,7 @@ function planFilesChanged() {
   if (part !== plan.read) { plan.run.forget(); forgetComparison(); }
   if (!part) say(element('plan-status'), whatIsMissing(plan.files.entries.map(entry => entry.file.name)), plan.files.entries.length > 0);
   showPlanCommand();
-  if (part !== plan.read) readPart();
+  if (part !== plan.read) readNewPart();
   plan.read = part;
 }
 
@@ -94,6 +94,6 @@ function setUpPlan() {
   element('tool-diameter').addEventListener('input', () => { element('tool-diameter').dataset.typed = '1'; });
   element('compare-go').addEventListener('click', startComparison);
   element('plan-setup').addEventListener('change', () => showFrame('plan-report', element('plan-setup').value));
-  element('unit').addEventListener('change', readPart);
+  for (const input of [element('unit'), element('depth'), element('outlines')]) input.addEventListener('change', () => readPart());
   showPlanCommand();
 }

@@ -94,7 +94,9 @@ interface InfoAnswer { state?: string; message?: string; info?: PartInfo | Setup
 
 /** From and to. */
 interface Extent { x: [number, number]; y: [number, number] }
-interface PartInfo { asks: string[]; found: Found[]; features: FeatureInfo[]; outlines: OutlineInfo[] }
+/** An option of the command that answers what is asked of a drawing. */
+interface DrawingAnswer { option: string; value: string }
+interface PartInfo { asks: string[]; answers: DrawingAnswer[]; found: Found[]; features: FeatureInfo[]; outlines: OutlineInfo[] }
 /** Of a job with several set-ups. */
 interface SetupInfos { setups: PartInfo[] }
 /** What was mended, left out or is worth a word. */
@@ -117,6 +119,8 @@ interface OutlineInfo {
   depth_mm: number | null;
   /** What it is read as; '': not said yet. */
   role: string;
+  /** Somebody said it; else it is how the outline is read by itself. */
+  says_role: boolean;
 }
 
 /** A strategy that was planned and certified, or why it was not. */
@@ -205,6 +209,12 @@ interface PageElements {
   'compare-cancel': HTMLButtonElement;
   'plan-status': HTMLDivElement;
   'plan-progress': HTMLProgressElement;
+  'readings': HTMLDivElement;
+  'readings-question': HTMLParagraphElement;
+  'readings-list': HTMLDivElement;
+  'given': HTMLParagraphElement;
+  'given-words': HTMLSpanElement;
+  'given-again': HTMLButtonElement;
   'compare-status': HTMLDivElement;
   'compare-progress': HTMLProgressElement;
   'compare-result': HTMLDivElement;
