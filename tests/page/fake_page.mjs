@@ -29,6 +29,7 @@ class FakeElement {
   replaceChildren(...all) { this.children = all; }
   setAttribute() {}
   addEventListener() {}
+  scrollIntoView() {}
   querySelectorAll() { return []; }
 }
 

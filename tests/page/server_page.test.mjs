@@ -62,6 +62,16 @@ describe('lengths', () => {
     assert.deepEqual(ask(`[inMm(' 6 '), inMm('0:70,0:50,-5:0')]`), ['6', '0:70,0:50,-5:0']);
     assert.deepEqual(ask(`(lengths.inch = true, [inMm('0.25'), inMm('.0625'), inMm('-1,2,0.5,cw'), inMm('6mm'), inMm(''), shownLength(50.8, 2)])`), ['6.35', '1.5875', '-25.4,50.8,12.7,cw', '6mm', '', 2]);
   });
+  test('sentences of results are shown in inches, too', () => {
+    const text = `'The outline of 101.6 x 50.8 mm leaves 645.16 mm2, up to 2.54 mm wide, at x -25.4 y 0 z -3.175, line 6; 1000 mm/min'`;
+    assert.equal(ask(`(lengths.inch = false, shownText(${text}))`), 'The outline of 101.6 x 50.8 mm leaves 645.16 mm2, up to 2.54 mm wide, at x -25.4 y 0 z -3.175, line 6; 1000 mm/min');
+    assert.equal(ask(`(lengths.inch = true, shownText(${text}))`), 'The outline of 4 x 2 in leaves 1 in2, up to 0.1 in wide, at x -1 y 0 z -0.125, line 6; 39.3701 in/min');
+  });
+  test('what speaks against a program is said in a line', () => {
+    const fault = { text: 'A' }, open = { text: 'C', met_by: '' }, met = { text: 'D', met_by: 'accepted' };
+    const reasons = [{ faults: [fault, fault], conditions: [open] }, { faults: [], conditions: [met, open] }, { faults: [], conditions: [met] }];
+    assert.deepEqual(ask(`${JSON.stringify(reasons)}.map(reasonOf)`), ['2 faults: A', '1 open condition: C', '']);
+  });
   test('to inches and back a length is what it was', () => {
     assert.deepEqual(ask(`[6, 0.3, 1.5875, 123.4567].map(mm => inchToMm(mmToInch(mm)))`), [6, 0.3, 1.5875, 123.4567]);
   });
@@ -149,8 +159,8 @@ describe('texts', () => {
   test('a part is ready, has to be asked about, or cannot be read', () => {
     assert.equal(ask(`readiness('a.dxf', { asks: [], answers: [], found: [{ kind: 'note', what: 'n' }] }, [])`), 'a.dxf is ready to be planned.');
     assert.equal(ask(`readiness('a.dxf', { asks: [], answers: [], found: [{ kind: 'warning', what: 'the file names no unit' }] }, [])`), 'a.dxf is ready to be planned. See first: the file names no unit.');
-    assert.equal(ask(`readiness('a.dxf', { asks: ['the outline holds 5 others: --op profile:outer if', 'how deep; --depth MM, or'], answers: [{}] }, [])`), 'Before a.dxf can be planned, say: (1) which reading below is meant, by a click on it (2) how deep it is, in the field Depth');
-    assert.equal(ask(`readiness('a.dxf', { asks: ['x', 'y'], answers: [] }, [])`), 'Before a.dxf can be planned, say: (1) x (2) y');
+    assert.equal(ask(`readiness('a.dxf', { asks: ['the outline holds 5 others: --op profile:outer if', 'how deep; --depth MM, or'], answers: [{}] }, [])`), 'Before a.dxf can be planned, say: (1) which reading below is meant, by a click on it; (2) how deep it is, in the field Depth');
+    assert.equal(ask(`readiness('a.dxf', { asks: ['x', 'y'], answers: [] }, [])`), 'Before a.dxf can be planned, say: (1) x; (2) y');
     assert.equal(ask(`readiness('a.dxf', undefined, ['a.dxf:3: no'])`), 'a.dxf:3: no');
     assert.match(String(ask(`whatIsMissing(['photo.jpg'])`)), /^photo.jpg: no part by the name's ending; choose a DXF/);
   });

@@ -46,7 +46,7 @@ function showLine(number) {
 
 /** @type {(text: string, line: number, kind: string) => HTMLElement} */
 function faultLine(text, line, kind) {
-  const item = made('li', text, { class: kind });
+  const item = made('li', shownText(text), { class: kind });
   if (line > 0) {
     const button = made('button', `Line ${line}`, { type: 'button' });
     button.addEventListener('click', () => showLine(line));

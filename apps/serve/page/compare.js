@@ -49,6 +49,7 @@ const comparing = new Run('compare', {
     const found = await textAt(state.results.text);
     showComparison(JSON.parse(found));
     element('compare-result').hidden = false;
+    element('compare-result').open = true;
     say(element('compare-status'), 'Compared.');
   },
 });

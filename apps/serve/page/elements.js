@@ -52,7 +52,7 @@ function addElement(kind = 'pocket', numbers = '', depth = '') {
   /** @type {(what: string, attributes: Record<string, string | number>) => HTMLInputElement} */
   const input = (what, attributes) => made('input', '', { 'aria-label': `${what} of element ${number}`, spellcheck: 'false', autocomplete: 'off', ...attributes });
   const row = { line, kind: made('select', '', { 'aria-label': `Kind of element ${number}` }), numbers: input('Numbers', { 'data-length': '1' }), tool: input('Tool', { inputmode: 'numeric' }), depth: input('Depth', { inputmode: 'decimal', 'data-length': '1' }) };
-  const remove = made('button', 'Remove', { type: 'button', 'aria-label': `Remove element ${number}` });
+  const remove = made('button', '×', { type: 'button', 'title': 'Remove', 'aria-label': `Remove element ${number}` });
   fillSelect(row.kind, elementKinds);
   row.kind.value = kind;
   row.numbers.value = numbers;
@@ -85,7 +85,7 @@ async function showElements(state) {
   element('elements-downloads').replaceChildren(...downloadLines(state.results, elements.stem));
   showFrame('elements-report', state.results.report);
   element('elements-text').textContent = '';
-  element('elements-text').textContent = await textAt(state.results.text).catch(wordsOfError);
+  element('elements-text').textContent = await textAt(state.results.text);
 }
 
 /** @type {(event: Event) => Promise<void>} */

@@ -73,7 +73,7 @@ class ChosenFiles {
   line(entry) {
     const line = made('li');
     const role = made('select', '', { 'aria-label': `What ${entry.file.name} is` });
-    const words = { part: 'the part', program: 'the program', job: 'the job', points: 'the points', tools: 'a tool library', machine: 'a machine file', file: 'named by another' };
+    const words = { part: 'the part', program: 'the program', job: 'the job', points: 'the points', tools: 'a tool library', machine: 'a machine file', file: 'a further file' };
     role.replaceChildren(...this.roles.map(value => made('option', words[value], { value })));
     role.value = entry.role;
     role.addEventListener('change', () => this.setRole(entry, this.roles[role.selectedIndex]));

@@ -17,6 +17,21 @@ const inMm = text => lengths.inch ? changedNumbers(text.trim(), inchToMm) : text
 /** A length of a result, as it is shown. @type {(mm: number, decimals: number) => number} */
 const shownLength = (mm, decimals) => lengths.inch ? round(mm / MM_PER_INCH, decimals + 1) : round(mm, decimals);
 
+/** Sizes, areas, lengths and places in a sentence. */
+const SAID_LENGTHS = /(?:(?<width>-?\d+(?:\.\d+)?) x )?(?<mm>-?\d+(?:\.\d+)?) mm\b|(?<mm2>\d+(?:\.\d+)?) mm2\b|\b(?<axis>[xyz]) (?<at>-?\d+(?:\.\d+)?)/g;
+
+/** A sentence of a result, which is in mm. @type {(text: string) => string} */
+function shownText(text) {
+  if (!lengths.inch) return text;
+  const inches = (/** @type {string} */ mm) => String(round(Number(mm) / MM_PER_INCH, 4));
+  return text.replaceAll(SAID_LENGTHS, (...found) => {
+    /** @type {Record<string, string | undefined>} */
+    const { width, mm, mm2, axis, at } = found.at(-1);
+    if (mm) return `${width ? `${inches(width)} x ` : ''}${inches(mm)} in`;
+    return mm2 ? `${round(Number(mm2) / MM_PER_INCH ** 2, 5)} in2` : `${axis} ${inches(at ?? '')}`;
+  });
+}
+
 /** All fields of lengths that there are. @type {() => HTMLInputElement[]} */
 const lengthFields = () => [...document.querySelectorAll('input')].filter(input => input.dataset.length === '1');
 

@@ -96,7 +96,7 @@ function readiness(name, info, texts) {
   if (!info) return texts[0];
   const warning = info.asks.length === 0 && info.found.find(one => one.kind === 'warning');
   if (info.asks.length === 0) return `${name} is ready to be planned.${warning ? ` See first: ${warning.what}.` : ''}`;
-  return `Before ${name} can be planned, say: ${info.asks.map((ask, k) => askInPage(ask, k === 0 && info.answers.length > 0)).map((ask, k) => info.asks.length > 1 ? `(${k + 1}) ${ask}` : ask).join(' ')}`;
+  return `Before ${name} can be planned, say: ${info.asks.map((ask, k) => askInPage(ask, k === 0 && info.answers.length > 0)).map((ask, k) => info.asks.length > 1 ? `(${k + 1}) ${ask}` : ask).join('; ')}`;
 }
 
 /** @type {(info: PartInfo | null | undefined) => string} */
@@ -120,7 +120,7 @@ function showPart(name, answer, isAgain) {
   const texts = info ? textsOf(info) : [answer.message ?? 'The part cannot be read.'], outlines = info?.outlines ?? (isAgain ? part.outlines : []);
   if (info) part.isAsked = info.answers.length > 0;
   showFound(info, texts, isAgain);
-  if (!plan.run.isOn && !plan.run.id) say(element('plan-status'), readiness(name, info, texts), !info);
+  if (!plan.run.isOn && !plan.run.id) say(element('plan-status'), shownText(readiness(name, info, texts)), !info);
   if (isAgain && outlines.length === part.outlines.length) renewOutlines(outlines);
   else showOutlines(outlines);
   offerReadings(info);

@@ -82,6 +82,7 @@ async function startPlan(event) {
   const part = plan.files.of('part');
   if (!part) return;
   element('plan-report').removeAttribute('src');
+  element('compare-result').open = false;  // what is planned now stands in sight
   const options = planOptions();
   plan.part = part.name;
   plan.job = kindOf(plan.part) === 'toml' ? null : jobOf(plan.part, options);

@@ -59,7 +59,7 @@ async function offerReadings(info) {
   if (!info || answers.length === 0) { element('readings').hidden = true; return; }
   const read = await Promise.all(answers.map(answer => pipeline.info(plan.files.form(`${readOptions()} ${optionOfAnswer(answer)}`)).catch(() => null)));
   if (mine !== part.asked) return;
-  element('readings-question').textContent = `${plainQuestion(info.asks[0])}. Which is meant?`;
+  element('readings-question').textContent = `${shownText(plainQuestion(info.asks[0]))}. Which is meant?`;
   element('readings-list').replaceChildren(...answers.flatMap((answer, k) => {
     const found = read[k]?.info;
     return found && !('setups' in found) ? [readingButton(answer, found)] : [];

@@ -46,6 +46,7 @@ class Run {
     element(`${this.tab}-go`).disabled = true;
     element(`${this.tab}-cancel`).hidden = false;
     say(element(`${this.tab}-status`), 'Sending the files …');
+    element(`${this.tab}-status`).scrollIntoView({ block: 'nearest' });  // a narrow page has it below the form
     try {
       const id = await pipeline.begin(this.tab, form);
       if (mine !== this.count) { pipeline.drop(id); return; }
@@ -140,12 +141,26 @@ const downloadLines = (results, stem) => downloads.flatMap(([kind, title, ending
 /** What lies at the address of a result. @type {(address: string) => Promise<string>} */
 const textAt = async address => (await fetch(address)).text();
 
+/** What speaks against a program, in a line; '': nothing. @type {(certificate: Certificate) => string} */
+function reasonOf({ faults, conditions }) {
+  const open = conditions.filter(one => !one.met_by), [first, count, name] = faults.length > 0 ? [faults[0], faults.length, 'fault'] : [open[0], open.length, 'open condition'];
+  return first ? `${count} ${name}${count === 1 ? '' : 's'}: ${shownText(first.text)}` : '';
+}
+
+/** The same of each set-up. @type {(results: Record<string, string>) => Promise<string>} */
+async function reasonsOf(results) {
+  const reasons = await Promise.all(resultsOf(results, 'certificate').map(async ([setup, address]) => [setup && `set-up ${setup}, `, reasonOf(JSON.parse(await textAt(address)))]));
+  return reasons.filter(([, reason]) => reason).map(([setup, reason]) => setup + reason).join('; ');
+}
+
 /** What was found of a program. @type {(tab: 'plan' | 'elements', state: DoneState) => void} */
 function showVerdict(tab, state) {
   const verdict = element(`${tab}-verdict`);
   verdict.textContent = state.verdict;
   verdict.className = `verdict ${state.verdict}`;
-  element(`${tab}-summary`).textContent = `planned and certified in ${state.seconds.toFixed(1)} s`;
+  const summary = element(`${tab}-summary`), said = `planned and certified in ${state.seconds.toFixed(1)} s`;
+  summary.textContent = said;
+  reasonsOf(state.results).then(reasons => { if (reasons && summary.textContent === said) summary.textContent = `${said}; ${reasons}`; }, () => {});
   fillList(element(`${tab}-messages`), state.messages);
   element(`${tab}-notes`).hidden = state.messages.length === 0;
   say(element(`${tab}-status`), `Done: ${state.verdict}.`);

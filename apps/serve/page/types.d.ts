@@ -217,7 +217,7 @@ interface PageElements {
   'given-again': HTMLButtonElement;
   'compare-status': HTMLDivElement;
   'compare-progress': HTMLProgressElement;
-  'compare-result': HTMLDivElement;
+  'compare-result': HTMLDetailsElement;
   'comparison': HTMLTableElement;
   'beside-choice': HTMLParagraphElement;
   'beside-go': HTMLButtonElement;
