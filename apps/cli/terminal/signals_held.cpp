@@ -1,9 +1,13 @@
 #include "terminal/signals_held.h"
 
+#include <atomic>
+
 namespace clearcut::cli {
 namespace {
 
-volatile std::sig_atomic_t caught = 0;
+/// Several threads may write files at once, each under a guard of its own.
+std::atomic<int> caught = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "a handler may store to it");
 
 }  // namespace
 
