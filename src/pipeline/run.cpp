@@ -433,7 +433,8 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
     throw_if_cancelled(plan.cancel);
     toolpath = toolpath_of(selection, plan, over_rests);
     certify(result, toolpath, plan);
-  } while (retry_unclean(selection, plan, result) || begin_to_go_over_rests(over_rests, selection, plan, result));
+  } while (retry_unclean(selection, plan, result) ||
+           begin_to_go_over_rests(over_rests, selection, plan, result));
   add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   explain_rounded_places(result, plan);

@@ -132,6 +132,10 @@ double rounding_of_lines(const PostOptions& options) {
   return PrintGrid(options.inch, decimals_of(options)).step() * std::sqrt(0.5);
 }
 
+double rounding_of_heights(const PostOptions& options) {
+  return PrintGrid(options.inch, decimals_of(options)).step() / 2;
+}
+
 std::string write_program(const Toolpath& toolpath, const Part& part, const PostOptions& options) {
   const IsoDialect* dialect = iso_dialect_named(options.dialect);
   if (!dialect && options.dialect != kKlartext) refuse_dialect(options.dialect);

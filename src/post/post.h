@@ -24,6 +24,8 @@ int decimals_of(const PostOptions& options);
 double rounding_of(const PostOptions& options);
 /// The same for straight lines alone: no arc's radius is rounded.
 double rounding_of_lines(const PostOptions& options);
+/// The same for heights, mm: half a step.
+double rounding_of_heights(const PostOptions& options);
 
 /// The program's text: LF line ends, ASCII. Same input, same bytes.
 ///

@@ -23,16 +23,9 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// mm. What coarse digits of a controller may move a pass into a wall or floor beyond half of the smallest
-/// gouge that counts. The coarser of millimetres and inches decides, so that both are the same path; decimals that are
-/// asked for are those of one unit.
-double printing_reserve(const ResolvedPlan& plan) {
-  if (plan.post.decimals) return std::max(0.0, post::rounding_of(plan.post) - plan.tol.gouge / 2);
-  PostOptions metric = plan.post, inch = plan.post;
-  metric.inch = false;
-  inch.inch = true;
-  return std::max(
-      {0.0, post::rounding_of(metric) - plan.tol.gouge / 2, post::rounding_of(inch) - plan.tol.gouge / 2});
+/// mm. What the digits of a controller may move a pass beyond half of the smallest gouge that counts.
+double printing_reserve(double rounding, const ResolvedPlan& plan) {
+  return std::max(0.0, rounding - plan.tol.gouge / 2);
 }
 
 /// Whether rapids may come down through the feature after it is cut: to another one under it, or between drafted
@@ -68,9 +61,9 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
   const auto& feature = feature_of(part, step);
   Operation operation = step.operation;
-  const double reserve = printing_reserve(plan);
+  const double reserve = printing_reserve(post::rounding_of(plan.post), plan);
   operation.allowance_side += reserve;
-  operation.allowance_floor += reserve;
+  operation.allowance_floor += printing_reserve(post::rounding_of_heights(plan.post), plan);
   const Tool& tool = tool_of(part, step);
   MeetingPockets met(part, index, plan.tol);
   // Where layers are widened by pockets of other depths, passes of one begin elsewhere than those of the layer above.
