@@ -257,6 +257,10 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
                     ? ""
                     : "stepdown " + trimmed(stepdown, 3) + " mm");
   const std::string feed = trimmed(kDefaultFeed, 0) + " mm/min";
+  if ((stock::only_plunges(tool) || tool.kind == ToolKind::kSpotDrill) && cutting.plunge_feed) {
+    defaults.fill(cutting.feed, *cutting.plunge_feed, "feed",
+                  {Origin::kDerived, "the plunge feed: the tool only plunges"});
+  }
   defaults.fill(cutting.feed, MmPerMin::of(kDefaultFeed), "feed", {Origin::kDefault, "default: " + feed},
                 "feed " + feed);
   limit_feeds(cutting, machine, sources);

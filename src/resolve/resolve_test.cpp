@@ -68,6 +68,14 @@ TEST(Resolve, DecidesEveryDefaultAndSaysSo) {
   expect_value(plan, "tool", "T1 endmill 8", Origin::kPart, "bracket.p21 #123");
 }
 
+TEST(Resolve, WhatOnlyPlungesNeedsNoOtherFeed) {
+  Part part = pocket();
+  part.tools = {parse_tool("spotdrill:8:90deg:T1")};
+  part.workplan[0].operation.cutting.plunge_feed = MmPerMin::of(120);
+  const ResolvedPlan plan = resolve(part, {}, table());
+  expect_value(plan, "feed", "120", Origin::kDerived, "the plunge feed: the tool only plunges");
+}
+
 /// All that is warned of.
 std::string warnings_of(const ResolvedPlan& plan) {
   std::string text;
