@@ -33,11 +33,12 @@ class TapeMarks {
   bool begun_ = false;
 };
 
-/// The line of the first block after an end, 0 where there is none. What is no code there matters to nobody.
+/// The line of the first block after an end, 0 where there is none: also behind the percent sign that ends the tape, where
+/// another program may follow. What is no code there matters to nobody.
 int next_block(read::gcode::BlockReader& reader) {
   Block block;
   try {
-    while (reader.next(block) && !block.percent) {
+    while (reader.next(block)) {
       if (block.has_words()) return block.line;
     }
   } catch (const InputError&) {

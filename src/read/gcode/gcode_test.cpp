@@ -261,6 +261,8 @@ TEST(GcodeEnd, WhatFollowsTheEndIsNotRead) {
   EXPECT_THAT(noticed("G0 X0"), HasSubstr("no end word"));
   EXPECT_THAT(noticed("G0 X0\nM30\n(done)\n%"), Not(HasSubstr("is not run")));
   EXPECT_THAT(noticed("G0 X0\nM30\nG1 X5 F9"), HasSubstr("what follows the end word in line 2 is not run"));
+  EXPECT_THAT(noticed("%\nO1\nG0 X0\nM30\n%\n%\nO2\nG0 X5\nM30\n%"),
+              HasSubstr("what follows the end word in line 4 is not run"));
 }
 
 TEST(GcodeRefusals, EachNamesItsLineAndWhatToDo) {
