@@ -23,8 +23,7 @@ SignalsHeld::SignalsHeld() : earlier_(caught) {
 
 SignalsHeld::~SignalsHeld() {
   for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
-  const int now = caught != 0 ? caught : earlier_;
-  caught = 0;
+  const int last = caught.exchange(0), now = last != 0 ? last : earlier_;
   if (now != 0) ::raise(now);
 }
 
