@@ -295,6 +295,10 @@ async function manyFaults() {
   })(by('plot'))`);
   check(red > 0.005 && red < 0.1, `its faults are marked on the plot without hiding it (${(100 * red).toFixed(1)} % of it)`);
   check(await holds(page, 'by("timeline").querySelector("i").offsetHeight < by("timeline").offsetHeight / 2 + 1'), 'and on the bar of features, which are still seen');
+  const count = await page.locator('#faults button').count();
+  await page.selectOption('#unit', 'inch');
+  check(!/ mm\b/.test(await textOf(page, '#faults')) && / in\b/.test(await textOf(page, '#faults')) && await page.locator('#faults button').count() === count, 'their sentences are in inches where that is chosen');
+  await page.selectOption('#unit', 'mm');
   check(await page.textContent('#now dd') === 'square', 'what is under way has the name of its feature');
   await page.screenshot({ path: `${folder}/pictures/faulty.png` });
   for (const scheme of /** @type {const} */ (['light', 'dark'])) {

@@ -20,6 +20,8 @@ describe('figures as text', () => {
   test('lengths and feeds in mm and in inches, which take one decimal more', () => {
     assert.deepEqual(ask('[lengthText(25.4, 2), feedText(254), feedText(0)]'), ['25.40\u00a0mm', '254\u00a0mm/min', 'rapid']);
     assert.deepEqual(ask('(unit = UNITS.inch, [lengthText(25.4, 2), feedText(254), feedText(0)])'), ['1.000\u00a0in', '10.0\u00a0in/min', 'rapid']);
+    assert.equal(ask(`sentence('A stock of 101.6 x 50.8 mm keeps 645.16 mm2, 2.54 mm wide, at x -25.4 y 0 z -3.175, line 6')`), 'A stock of 4 x 2 in keeps 1 in2, 0.1 in wide, at x -1 y 0 z -0.125, line 6');
+    assert.equal(ask(`(unit = UNITS.mm, sentence('2.54 mm wide'))`), '2.54 mm wide');
   });
 });
 

@@ -25,17 +25,19 @@ function writeVerdict() {
   by('verdict').textContent = job.verdict;
   const [verdict] = job.verdict.split(' ');
   by('verdict').className = verdict.toLowerCase();
+  by('faults').replaceChildren();
+  by('conditions').replaceChildren();
   by('reason').textContent = verdict === 'CLEAN' && !job.asked ? 'No fault. What is left and what is gouged was not asked: no part was stated.'
     : verdict === 'CLEAN' ? 'Nothing is left beyond the tolerance, nothing gouged, no fault.'
     : verdict === 'CONDITIONAL' ? 'No fault, as long as ' + (open === 1 ? 'this condition holds:' : 'these ' + open + ' conditions hold:')
       : faults > 0 ? counted(faults, 'fault') + (open ? ', ' + counted(open, 'open condition') : '') + ':' : 'The figures are beyond the tolerances.';
   job.faults.forEach((fault, k) => {
-    const button = listButton(by('faults'), fault.head, (fault.feature ? ' in ' + fault.feature : '') + (fault.line ? ', line ' + fault.line : ''), fault.text);
+    const button = listButton(by('faults'), sentence(fault.head), (fault.feature ? ' in ' + fault.feature : '') + (fault.line ? ', line ' + fault.line : ''), sentence(fault.text));
     button.onclick = () => goToFault(k);
   });
   for (const condition of [...job.conditions].sort((a, b) => (a.met_by ? 1 : 0) - (b.met_by ? 1 : 0))) {
     const words = (condition.line ? ', line ' + condition.line : '') + (condition.met_by ? ' (met: ' + condition.met_by + ')' : '');
-    const button = listButton(by('conditions'), condition.name, words, condition.text);
+    const button = listButton(by('conditions'), condition.name, words, sentence(condition.text));
     button.parentElement?.classList.toggle('met', condition.met_by !== '');
     if (condition.line > 0 && lineCount > 0) button.onclick = () => { play(false); goToLine(condition.line); };
     else button.disabled = true;

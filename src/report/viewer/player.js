@@ -118,7 +118,7 @@ function listen() {
   by('rapids').onchange = filter(() => { filters.rapids = by('rapids').checked; });
   by('operation').onchange = filter(() => { filters.operation = Number(by('operation').value); });
   by('layer').onchange = filter(() => { filters.layer = Number(by('layer').value); });
-  by('unit').onchange = () => { unit = UNITS[by('unit').value]; writeHeader(); writeFeatures(); writeLayers(); writeMeasured(); colorMoves(); chooseSection(true); redraw(); };
+  by('unit').onchange = () => { unit = UNITS[by('unit').value]; writeHeader(); writeVerdict(); writeFeatures(); writeLayers(); writeMeasured(); colorMoves(); chooseSection(true); redraw(); };
   window.onresize = () => { drawProgram(); redraw(); };
   window.onhashchange = openAtHash;
   dark.onchange = () => { colorMoves(); redraw(); };
