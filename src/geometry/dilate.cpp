@@ -6,8 +6,8 @@
 #include "base/error.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "geometry/gaps/short_edges.h"
 #include "geometry/rectangle.h"
-#include "geometry/short_edges.h"
 #include "geometry/unite_all.h"
 
 namespace clearcut::inline geometry {

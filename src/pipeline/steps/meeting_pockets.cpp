@@ -5,9 +5,9 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "geometry/short_edges.h"
+#include "geometry/gaps/short_edges.h"
+#include "geometry/gaps/unite_over_gaps.h"
 #include "geometry/spatial/apart.h"
-#include "geometry/unite_over_gaps.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "resolve/left_over.h"

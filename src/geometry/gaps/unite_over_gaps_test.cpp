@@ -1,11 +1,11 @@
-#include "geometry/unite_over_gaps.h"
+#include "geometry/gaps/unite_over_gaps.h"
 
 #include <gtest/gtest.h>
 
 #include "base/random.h"
 #include "geometry/boolean.h"
+#include "geometry/gaps/short_edges.h"
 #include "geometry/rectangle.h"
-#include "geometry/short_edges.h"
 
 namespace clearcut::inline geometry {
 namespace {

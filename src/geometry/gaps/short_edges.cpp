@@ -1,4 +1,4 @@
-#include "geometry/short_edges.h"
+#include "geometry/gaps/short_edges.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 // Where an edge of one area runs within the gap before an edge of the other, a patch between the two closes it. The stretch is
 // bounded by where the edge crosses the outline of all that is no farther than the gap from the other.
-#include "geometry/unite_over_gaps.h"
+#include "geometry/gaps/unite_over_gaps.h"
 
 #include <algorithm>
 #include <utility>
