@@ -13,6 +13,8 @@ namespace {
 
 /// mm. Straight patches reach this far into both areas: more than the grid of polygon booleans.
 constexpr double kOverlap = 1e-5;
+/// mm. What the grid of polygon booleans may move two edges against each other.
+constexpr double kGrid = 2e-6;
 /// Times as long as it reaches into an area a patch's side runs along the edge to get there.
 constexpr double kTaper = 4;
 /// mm. Areas whose edges are this near are one to polygon booleans already.
@@ -44,12 +46,13 @@ std::vector<Edge> outline_around(const Edge& edge, double gap) {
   return outline;
 }
 
-/// Whether `other` runs back along `edge` at t, on its right hand side and no farther than the gap.
+/// Whether `other` runs back along `edge` at t, on its right hand side and no farther than the gap. Where they overlap by less
+/// than the grid it is one, too: rounding may part them.
 bool is_across(const Edge& edge, double t, const Edge& other, double gap) {
   const Vec2 p = edge.at(t);
   const Nearest there = nearest(other, p);
   const Vec2 back = other.tangent_at(there.t);
-  return there.distance > kSame && there.distance <= gap && dot(left_of(back), p - there.point) <= kSame &&
+  return there.distance > kSame && there.distance <= gap && dot(left_of(back), p - there.point) <= kGrid &&
          dot(edge.tangent_at(t), back) < 0;
 }
 

@@ -52,7 +52,8 @@ class FilmFinder {
     if (wall.slope > 0) return;
     tree_.overlapping(wall.edge.box().grown(kFilm), [&](int i) {
       const Wall& other = walls_[static_cast<std::size_t>(i)];
-      const bool may_leave_film = other.feature != wall.feature && other.slope <= 0;
+      const bool may_leave_film =
+          other.feature != wall.feature && other.slope <= 0 && !(other.edge == wall.edge);
       if (may_leave_film && distance(wall.edge, other.edge) <= kFilm) near_.push_back(&other);
     });
   }

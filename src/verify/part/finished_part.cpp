@@ -233,9 +233,10 @@ void FinishedPart::find_walls() {
       add_wall(cuts.size() == 2 ? edge : edge.part(cuts[i], cuts[i + 1]), shapes_[owner[k]], owner[k]);
     }
   }
-  Films parts = parted(without_repeats(walls_));
-  walls_ = std::move(parts.walls);
-  films_ = std::move(parts.films);
+  // Before repeats go: films stand between walls of different features.
+  const Films parts = parted(walls_);
+  walls_ = without_repeats(parts.walls);
+  films_ = without_repeats(parts.films);
   tree_ = tree_of(walls_);
   film_tree_ = tree_of(films_);
 }
