@@ -1,6 +1,7 @@
 """Programs that are checked without a part: against a stock alone, in the words of every controller."""
 import re
 
+from holes import CYCLES, tap
 from writer import ALL, CHANGER, HERE, WORD, Class, nothing
 
 #: Wider than the pocket that the right program clears.
@@ -38,6 +39,11 @@ def motion(c):
     def across(p):
         p.after = [p.t.rapid(x=40)]
     c.add("rapid-across", ALL, across, "FAULTY", "rapid-in-material", "leaves the pocket through its side at the rapid", **STOCK)
+
+    pair = {"tools": ["drill:5:T1", "tap:M6:floating:T2"]}
+    c.right("right-tap", CYCLES, tap(drill=-9.9, z=-8), "drills and taps a hole", **pair, **STOCK)
+    pair = {"tools": ["drill:5:T1", "drill:6:T2"]}
+    c.add("tap-drill", CYCLES, tap(drill=-9.9, z=-8), "FAULTY", "tapping", "turns a drill back as if it were a tap", **pair, **STOCK)
 
     def over(p):
         p.after = [p.t.rapid(z=1), p.t.rapid(x=40)]

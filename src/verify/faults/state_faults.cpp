@@ -33,6 +33,7 @@ class StateCheck {
       : part_(part), options_(options), changed_by_changer_(changer_tools(options)) {
     find_lengths(program);
     find_short_waits(program);
+    find_tapped(program);
   }
 
   std::optional<Fault> length(const CheckedMove& checked) const {
@@ -151,6 +152,14 @@ class StateCheck {
     return beyond_stock(checked, below);
   }
 
+  std::optional<Fault> tapping(const CheckedMove& checked) const {
+    if (tapped_.count(&checked) == 0 || !checked.tool || checked.tool->kind == ToolKind::kTap)
+      return std::nullopt;
+    return fault(FaultKind::kTapping, checked, 0,
+                 "T" + std::to_string(checked.tool->number) +
+                     " is no tap, and the cycle turns it back at the bottom of the hole");
+  }
+
   std::optional<Fault> engagement(const CheckedMove& checked) const {
     const auto limit = options_.engagement_limit_deg;
     if (!limit || checked.load.max_deg <= *limit + kDegreeSlack) return std::nullopt;
@@ -235,6 +244,18 @@ class StateCheck {
     }
   }
 
+  /// Finds the moves at whose end a tapping cycle turns the spindle back.
+  void find_tapped(const CheckedProgram& program) {
+    if (!options_.control) return;
+    const auto own = std::find_if(program.moves.begin(), program.moves.end(),
+                                  [](const CheckedMove& checked) { return !checked.earlier; });
+    for (const ControlEvent& event : options_.control->events) {
+      const auto index = static_cast<std::ptrdiff_t>(event.before_move);
+      if (event.kind == ControlEventKind::kTapTurnsBack && index > 0 && index <= program.moves.end() - own)
+        tapped_.insert(&own[index - 1]);
+    }
+  }
+
   /// Whether the step works with the tool of the move.
   bool drives(const Workingstep& step, const CheckedMove& checked) const {
     const int index = step.operation.tool;
@@ -298,6 +319,7 @@ class StateCheck {
   std::set<int> changed_by_changer_;
   const CheckedMove* first_with_length_ = nullptr;
   std::set<const CheckedMove*> short_waits_;
+  std::set<const CheckedMove*> tapped_;
 };
 
 }  // namespace
@@ -307,9 +329,10 @@ std::vector<MoveCheck> state_checks(const Part& part, const CheckedProgram& prog
   const auto check = std::make_shared<const StateCheck>(part, program, options);
   using Rule = std::optional<Fault> (StateCheck::*)(const CheckedMove&) const;
   std::vector<MoveCheck> checks;
-  for (const Rule rule : {&StateCheck::length, &StateCheck::spindle, &StateCheck::direction,
-                          &StateCheck::speed, &StateCheck::fast_feed, &StateCheck::plunge,
-                          &StateCheck::flutes, &StateCheck::stock, &StateCheck::engagement}) {
+  for (const Rule rule :
+       {&StateCheck::length, &StateCheck::spindle, &StateCheck::direction, &StateCheck::speed,
+        &StateCheck::fast_feed, &StateCheck::plunge, &StateCheck::flutes, &StateCheck::stock,
+        &StateCheck::tapping, &StateCheck::engagement}) {
     checks.push_back([check, rule](const CheckedMove& checked) { return (check.get()->*rule)(checked); });
   }
   return checks;

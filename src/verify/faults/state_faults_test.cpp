@@ -74,6 +74,18 @@ TEST(StateFaults, SpindleOffWithoutSpeedOrTheWrongWay) {
   EXPECT_FALSE(has(checked(part, pocketing(), table(left)), FaultKind::kSpindleDirection));
 }
 
+TEST(StateFaults, ATappingCycleWithAnotherToolThanATap) {
+  const auto turned_back_before = [](std::size_t move) {
+    ControlTable control = table();
+    control.events.push_back({ControlEventKind::kTapTurnsBack, move, 1});
+    return checked(pocket(), pocketing(), control);
+  };
+  const std::size_t moves = pocketing().sections[0].moves.size();
+  for (std::size_t move = 1; move <= moves; ++move)
+    EXPECT_TRUE(has(turned_back_before(move), FaultKind::kTapping)) << move;
+  EXPECT_FALSE(has(checked(pocket(), pocketing(), table()), FaultKind::kTapping));
+}
+
 TEST(StateFaults, SpindleBeyondTheMachineAndTooShortAWait) {
   VerifyOptions options;
   options.machine.max_spindle_rpm = 8000;
