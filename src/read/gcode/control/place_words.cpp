@@ -207,7 +207,8 @@ void PlaceWords::use_numbered_system(int code, const Block& block) {
   const std::string word = g_word(is_short ? 1540 : code == 540 ? 541 : code);
   if (!is_short && !block.has('P'))
     control_.refuse(word + " without its P word; give the number of the work offset");
-  const double number = is_short ? (code - 1100) / 10 + 1 : block.value('P');
+  const int of_word = (code - 1100) / 10 + 1;  // G110 is the first; codes are in tenths
+  const double number = is_short ? of_word : block.value('P');
   if (code == 590 && number == std::floor(number) && number >= 1 && number <= 6)
     return use_plain_system(kSystemWords[static_cast<int>(number) - 1]);
   const int most = control_.rules.numbered_offsets;
