@@ -145,6 +145,15 @@ double area(const Regions& regions) {
   return sum;
 }
 
+std::vector<Edge> edges_of(const Regions& regions) {
+  std::vector<Edge> edges;
+  for (const Region& region : regions) {
+    const std::vector<Edge> own = region.edges();
+    edges.insert(edges.end(), own.begin(), own.end());
+  }
+  return edges;
+}
+
 std::size_t edge_count(const Regions& regions) {
   std::size_t count = 0;
   for (const Region& region : regions) count += region.edges().size();

@@ -56,6 +56,8 @@ class Region {
 /// Regions with disjoint interiors.
 using Regions = std::vector<Region>;
 double area(const Regions& regions);
+/// Of all regions, one after the other.
+std::vector<Edge> edges_of(const Regions& regions);
 std::size_t edge_count(const Regions& regions);
 Box box(const Regions& regions);
 bool contains(const Regions& regions, Vec2 p);

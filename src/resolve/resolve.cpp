@@ -138,6 +138,21 @@ void take_style(ResolvedStep& step, const Tool& tool, const PlanOptions& options
   step.aimed_engagement_deg = base::acos(1 - 2 * kMachinistStepover) * 180 / kPi;
 }
 
+/// Where neither a style nor a material is stated, that mills plunge and cut as wide as they are is a choice that has to be known.
+void tell_of_style(ResolvedPlan& plan, const PlanOptions& options) {
+  if (options.shop.style || options.shop.material) return;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const ResolvedStep& step = plan.steps[i];
+    const bool is_by_default = step.entry == EntryKind::kPlunge && !step.is_plunge_asked;
+    if (!is_by_default || !clears_floors(tool_of(plan.part, plan.part.workplan[i]))) continue;
+    plan.part.diagnostics.note(
+        "default",
+        "style fastest: end mills plunge straight and may cut as wide as they are; "
+        "--style machinist, or a metal as --material, has a helix, 45 % stepover and climb");
+    return;
+  }
+}
+
 void resolve_published(ResolvedStep& step, const Workingstep& planned, const PlanOptions& options) {
   const auto own = options.step_published.find(step_key(planned));
   PublishedChoices choices = own == options.step_published.end() ? PublishedChoices{} : own->second;
@@ -234,6 +249,7 @@ ResolvedPlan resolve(const Part& part, const PlanOptions& options, const Strateg
     plan.steps.push_back(std::move(step));
     list_step(plan, static_cast<int>(i), own, options);
   }
+  tell_of_style(plan, options);
   list_plan(plan, options);
   return plan;
 }

@@ -20,13 +20,12 @@ constexpr double kTaper = 4;
 /// mm. Areas whose edges are this near are one to polygon booleans already.
 constexpr double kSame = 5e-10;
 
-std::vector<Edge> edges_of(const Regions& regions) {
-  std::vector<Edge> edges;
-  for (const Region& region : regions) {
-    const std::vector<Edge> own = region.edges();
-    edges.insert(edges.end(), own.begin(), own.end());
-  }
-  return edges;
+/// The edge moved to its left, or with a negative distance to its right.
+Edge beside(Edge edge, double distance) {
+  const Vec2 first = left_of(edge.tangent_at(0)), last = left_of(edge.tangent_at(1));
+  edge.from = edge.from + first * distance;
+  edge.to = edge.to + last * distance;
+  return edge;
 }
 
 /// The outline of all that is no farther than `gap` from an edge, in pieces.
@@ -38,9 +37,7 @@ std::vector<Edge> outline_around(const Edge& edge, double gap) {
     outline.push_back(Edge::arc(end - aside, end + aside, end, Turn::kCounterClockwise));
   }
   for (const double side : {gap, -gap}) {
-    Edge shifted = edge;
-    shifted.from = edge.from + left_of(edge.tangent_at(0)) * side;
-    shifted.to = edge.to + left_of(edge.tangent_at(1)) * side;
+    const Edge shifted = beside(edge, side);
     if (shifted.from != shifted.to) outline.push_back(shifted);
   }
   return outline;
@@ -72,9 +69,7 @@ std::vector<double> places_along(const Edge& edge, const Edge& other, double gap
 void append_bulged(const Edge& edge, double aside, Loop& loop) {
   const double slope = kTaper * aside / edge.length();
   const double first = std::min(slope, 0.3), last = 1 - first;
-  Edge middle = edge.part(first, last);
-  middle.from = middle.from + left_of(edge.tangent_at(first)) * aside;
-  middle.to = middle.to + left_of(edge.tangent_at(last)) * aside;
+  const Edge middle = beside(edge.part(first, last), aside);
   loop.push_back(Edge::line(edge.to, middle.to));
   loop.push_back(middle.reversed());
   loop.push_back(Edge::line(middle.from, edge.from));

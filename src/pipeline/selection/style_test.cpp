@@ -76,6 +76,27 @@ TEST(Style, ASlotThatTheCutterJustFitsIsCut) {
   EXPECT_GT(result.findings.all.feed_mm, 50);
 }
 
+/// How often the plan's diagnostics name the other style.
+int times_told(const Part& part, const resolve::PlanOptions& options) {
+  int count = 0;
+  const PlanResult result = plan_part(part, options);
+  for (const Diagnostic& said : result.part.diagnostics.items())
+    count += said.what.find("--style machinist") != std::string::npos;
+  return count;
+}
+
+/// Nobody asked for plunges and full width: that they are chosen is said, and how to have what a machinist would do.
+TEST(Style, ThatItIsTheFastestIsSaidWhereNobodyChose) {
+  const Part part = drawn(kPocket);
+  EXPECT_EQ(times_told(part, asked("", "")), 1);
+  EXPECT_EQ(times_told(part, asked("", "fastest")), 0);
+  EXPECT_EQ(times_told(part, asked("mdf", "")), 0);
+  EXPECT_EQ(times_told(part, asked("steel", "")), 0);
+  resolve::PlanOptions ramped = asked("", "");
+  ramped.entry = EntryKind::kRamp;
+  EXPECT_EQ(times_told(part, ramped), 0);
+}
+
 TEST(Style, OneThatIsNoneIsRefused) {
   EXPECT_THROW(resolve::check(asked("", "sloppy")), InputError);
 }

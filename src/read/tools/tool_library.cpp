@@ -133,6 +133,13 @@ void read_edges(DataSection& section, Tool& tool) {
   tool.coated = section.flag("coated").value_or(false);
 }
 
+/// How a tool is called in what is said of it; `place` in the file, from 0.
+std::string called(const Tool& tool, std::size_t place) {
+  if (!tool.name.empty()) return "tool '" + printable(tool.name) + "'";
+  if (tool.number > 0) return "tool T" + std::to_string(tool.number);
+  return "tool " + std::to_string(place + 1) + " of the list";
+}
+
 }  // namespace
 
 std::optional<Coolant> coolant_in(DataSection& section) {
@@ -187,16 +194,17 @@ void settle(ToolLibrary& library, const std::string& where) {
   std::vector<LibraryTool> kept;
   int highest = 0;
   for (const LibraryTool& entry : library.tools) highest = std::max(highest, entry.tool.number);
-  for (LibraryTool& entry : library.tools) {
+  for (std::size_t i = 0; i < library.tools.size(); ++i) {
+    LibraryTool& entry = library.tools[i];
     Tool& tool = entry.tool;
-    const std::string name = tool.name.empty() ? "T" + std::to_string(tool.number) : printable(tool.name);
+    const std::string name = called(tool, i);
     if (!(tool.diameter > 0) || tool.diameter > kWidest) {
-      library.diagnostics.skip(where, "tool '" + name + "' has no usable diameter and was dropped");
+      library.diagnostics.skip(where, name + " has no usable diameter and was dropped");
       continue;
     }
     if (tool.number <= 0 || !taken.insert(tool.number).second) {
       const int number = ++highest;
-      library.diagnostics.note(where, "tool '" + name + "' got the number " + std::to_string(number) +
+      library.diagnostics.note(where, name + " got the number " + std::to_string(number) +
                                           (tool.number > 0 ? ": its own is taken" : ": it had none"));
       tool.number = number;
       taken.insert(number);

@@ -74,6 +74,7 @@ diameter = 3
   EXPECT_EQ(library.tools[1].tool.number, 5);  // had none
   EXPECT_EQ(library.tools[2].tool.number, 6);  // its own was taken
   EXPECT_EQ(said(library, Severity::kNote, "got the number"), 2);
+  EXPECT_EQ(said(library, Severity::kNote, "tool 2 of the list got the number 5: it had none"), 1);
 }
 
 TEST(Tools, LinuxcncTable) {

@@ -1,18 +1,6 @@
 #include "verify/part/edge_tree.h"
 
 namespace clearcut::verify {
-namespace {
-
-std::vector<Edge> edges_of(const Regions& regions) {
-  std::vector<Edge> edges;
-  for (const Region& region : regions) {
-    const std::vector<Edge> own = region.edges();
-    edges.insert(edges.end(), own.begin(), own.end());
-  }
-  return edges;
-}
-
-}  // namespace
 
 EdgeTree::EdgeTree(const Regions& regions) : EdgeTree(edges_of(regions)) {}
 
