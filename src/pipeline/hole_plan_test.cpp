@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+#include <string>
+
 #include "base/random.h"
 #include "pipeline/test_drawings.h"
 #include "post/post.h"
@@ -27,12 +30,13 @@ void expect_clean(const PlanResult& result) {
 
 /// The verdict on a program of a part in which one text is replaced.
 Findings changed(const Part& part, const PlanResult& planned, const std::string& what, const std::string& by,
-                 const resolve::PlanOptions& options) {
+                 const resolve::PlanOptions& options,
+                 read::gcode::Dialect dialect = read::gcode::Dialect::kLinuxCnc) {
   std::string program = planned.program;
   const auto at = program.find(what);
   EXPECT_NE(at, std::string::npos) << what << "\n" << program;
   if (at != std::string::npos) program.replace(at, what.size(), by);
-  return check_program(part, program, "changed", options, read::gcode::Dialect::kLinuxCnc).findings;
+  return check_program(part, program, "changed", options, dialect).findings;
 }
 
 std::string warnings_of(const Part& part) {
@@ -198,17 +202,42 @@ TEST(HolePlan, EachControlTapsInItsWordsOrSaysWhyNot) {
     if (dialect == "marlin") options.accept = {"tool-by-hand"};
     expect_clean(plan_part(part, options));
     options.tools[1].floating = false;
-    const bool rigid = dialect == "linuxcnc" || dialect == "fanuc" || dialect == "haas";
-    if (rigid) {
+    const std::map<std::string, std::string> rigid{{"linuxcnc", "G33.1 Z-9.5 K1"},
+                                                   {"fanuc", "M29 S424\nG98 G84 "},
+                                                   {"haas", "G98 G84 "},
+                                                   {"heidenhain", "CYCL DEF 207 RIGID TAPPING NEW ~\n"}};
+    if (rigid.count(dialect)) {
       const PlanResult result = plan_part(part, options);
       expect_clean(result);
-      EXPECT_THAT(result.program, HasSubstr(dialect == "linuxcnc" ? "G33.1 Z-9.5 K1"
-                                            : dialect == "fanuc"  ? "M29 S424\nG98 G84 "
-                                                                  : "G98 G84 "));
+      EXPECT_THAT(result.program, HasSubstr(rigid.at(dialect)));
     } else {
       EXPECT_THROW(plan_part(part, options), InputError);
     }
   }
+}
+
+/// The cycle's depth, pitch, hand and place are what is checked, wherever its words stand.
+TEST(HolePlan, RigidTapsOfHeidenhainAreCheckedByTheirPitch) {
+  const Part part = with_circle("TAP_M6_D7", 6);
+  auto options = with({"drill:5", "tap:M6"});
+  options.post.dialect = "heidenhain";
+  const PlanResult result = plan_part(part, options);
+  expect_clean(result);
+  const auto faulty = [&](const std::string& what, const std::string& by, FaultKind kind) {
+    const Findings found = changed(part, result, what, by, options, read::gcode::Dialect::kHeidenhain);
+    EXPECT_TRUE(has(found, kind)) << what << " -> " << by << "\n" << faults_of(found);
+  };
+  faulty("Q239=+1 ", "Q239=+1.25 ", FaultKind::kTapping);
+  faulty("Q239=+1 ", "Q239=-1 ", FaultKind::kTapping);
+  faulty("207 RIGID TAPPING NEW ~\n  Q200=+3 ;SET-UP CLEARANCE ~\n  Q201=-9.5 ",
+         "207 RIGID TAPPING NEW ~\n  Q200=+3 ;SET-UP CLEARANCE ~\n  Q201=-9 ", FaultKind::kUncut);
+  // The pitch of M4 x 0.7 is no four digits of an inch.
+  options = with({"drill:3.3", "tap:M4"});
+  options.post.dialect = "heidenhain";
+  const Part small = with_circle("TAP_M4_D5", 4);
+  expect_clean(plan_part(small, options));
+  options.post.inch = true;
+  EXPECT_THROW(plan_part(small, options), InputError);
 }
 
 TEST(HolePlan, TapsAskForTheirDrill) {

@@ -7,7 +7,7 @@
 #include "base/text/format.h"
 #include "post/control_words.h"
 #include "post/iso_writer.h"
-#include "post/klartext_writer.h"
+#include "post/klartext/klartext_writer.h"
 #include "post/print_grid.h"
 #include "post/steps.h"
 

@@ -5,7 +5,8 @@
 
 #include "base/error.h"
 #include "read/gcode/interpreter.h"
-#include "read/gcode/klartext.h"
+#include "read/gcode/klartext/klartext.h"
+#include "read/gcode/klartext/words.h"
 #include "read/gcode/marker.h"
 #include "read/gcode/no_program.h"
 #include "read/gcode/recognise.h"

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "read/common/file_kind.h"
 #include "read/common/foreign_files.h"
-#include "read/gcode/klartext.h"
+#include "read/gcode/klartext/words.h"
 #include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {

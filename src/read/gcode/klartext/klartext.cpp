@@ -1,7 +1,6 @@
-#include "read/gcode/klartext.h"
+#include "read/gcode/klartext/klartext.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -10,6 +9,9 @@
 #include "base/error.h"
 #include "base/inch.h"
 #include "base/text/format.h"
+#include "read/gcode/klartext/hole_cycle.h"
+#include "read/gcode/klartext/path_words.h"
+#include "read/gcode/klartext/words.h"
 #include "read/gcode/marker.h"
 #include "read/gcode/motion/arc.h"
 #include "read/gcode/words/lines.h"
@@ -20,47 +22,11 @@ namespace {
 
 constexpr double kLargestNumber = 1e6;
 constexpr double kMostTurns = 10000;
+constexpr int kFirstOfCycles = 200;  // Q parameters below it are the programmer's own
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
-
-/// A block without its number: upper-case words and the comment.
-struct Words {
-  std::vector<std::string> words;
-  std::string_view comment;
-};
-
-Words words_of(std::string_view line) {
-  Words found;
-  const std::size_t mark = line.find(';');
-  if (mark != std::string_view::npos) found.comment = line.substr(mark + 1);
-  std::string word;
-  for (const char c : line.substr(0, mark)) {
-    if (!is_blank(c)) {
-      word += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    } else if (!word.empty()) {
-      found.words.push_back(std::move(word));
-      word.clear();
-    }
-  }
-  if (!word.empty()) found.words.push_back(std::move(word));
-  const bool numbered =
-      !found.words.empty() && std::all_of(found.words[0].begin(), found.words[0].end(), is_digit);
-  if (numbered) found.words.erase(found.words.begin());
-  return found;
-}
-
-/// What the words of a path block say. mm and degrees.
-struct PathWords {
-  Target absolute;
-  Target incremental;
-  std::optional<double> polar_angle, polar_step, polar_radius, radius, feed;
-  std::optional<Turn> turn;
-  bool rapid = false;
-  bool machine_frame = false;
-  std::vector<int> m;
-};
 
 class Reader {
  public:
@@ -75,6 +41,8 @@ class Reader {
   void path_word(const std::string& word, PathWords& found);
   void tool_call(const std::vector<std::string>& words);
   void cycle(const std::vector<std::string>& words);
+  void define_hole(const std::vector<std::string>& words, std::size_t first);
+  void call_hole();
   void switch_coolant(int m);
   void m_word(int m);
   void set_drive();
@@ -96,6 +64,10 @@ class Reader {
 
   double number(std::string_view text) const;
   [[noreturn]] void refuse(const std::string& what) const { throw InputError(place(), what); }
+  [[noreturn]] void refuse_block(const std::string& first) const {
+    refuse("block '" + first.substr(0, 20) +
+           "' is not read; post the program with L, C, CR and CP blocks only");
+  }
 
   ToolpathBuilder& builder_;
   int line_ = 0;
@@ -105,6 +77,7 @@ class Reader {
   int spindle_ = 5;
   double longer_ = 0;  ///< DL, mm: every height is that much off
   std::optional<Vec2> pole_;
+  std::optional<HoleCycle> hole_;  ///< as last defined; CYCL CALL and M99 make it
   bool ended_ = false;
 };
 
@@ -129,8 +102,13 @@ void Reader::block(const Words& found) {
     unit_ = words.back() == "INCH" ? kMmPerInch : 1;
   } else if (first == "TOOL" && second == "CALL") {
     tool_call(words);
+  } else if (first == "CYCL" && second == "CALL") {
+    for (std::size_t k = 2; k < words.size(); ++k) m_word(static_cast<int>(number(words[k].substr(1))));
+    call_hole();
   } else if (first == "CYCL") {
     cycle(words);
+  } else if (first[0] == 'Q' && hole_) {
+    define_hole(words, 0);
   } else if (first == "BLK" || first == "TOOL" || first == "LBL" || first == "STOP" || first == "FUNCTION") {
     if (first == "FUNCTION" && second != "MODE")
       refuse("FUNCTION " + second + " is not read; post without it");
@@ -140,8 +118,7 @@ void Reader::block(const Words& found) {
   } else if (first[0] == 'M' && first.size() > 1 && is_digit(first[1])) {
     for (const std::string& word : words) m_word(static_cast<int>(number(word.substr(1))));
   } else {
-    refuse("block '" + first.substr(0, 20) +
-           "' is not read; post the program with L, C, CR and CP blocks only");
+    refuse_block(first);
   }
 }
 
@@ -181,11 +158,38 @@ void Reader::set_length(double longer) {
       "the tool is as long as its table says, so that DL" + trimmed(longer, 4) + " moves its tip by as much");
 }
 
+/// The parameters of a hole's cycle, "Q200=+2", from the word `first` on.
+void Reader::define_hole(const std::vector<std::string>& words, std::size_t first) {
+  for (std::size_t k = first; k < words.size(); ++k) {
+    const std::size_t equals = words[k].find('=');
+    if (words[k][0] != 'Q' || equals == std::string::npos) continue;
+    const int parameter = static_cast<int>(number(words[k].substr(1, equals - 1)));
+    if (parameter < kFirstOfCycles) refuse_block(words[k]);
+    hole_->parameters[parameter] = number(std::string_view(words[k]).substr(equals + 1));
+  }
+}
+
+/// Rigid tapping turns the spindle by itself, as the sign of its pitch says, and leaves it stopped.
+void Reader::call_hole() {
+  if (!hole_) refuse("a cycle is called before one is defined; correct it");
+  check_blending();
+  const int turns = turning_of(*hole_);
+  if (turns != 0) m_word(turns);
+  make_hole(*hole_, unit_, builder_, line_);
+  if (turns != 0) m_word(5);
+}
+
 /// Dwell, tolerance and the choice of a datum; cycle 247 takes the work's zero from the preset table.
 void Reader::cycle(const std::vector<std::string>& words) {
   const std::string number_word = words.size() > 2 ? words[2] : "";
   const std::string cycle = number_word.substr(0, number_word.find('.'));
   const std::string& last = words.back();
+  const int hole =
+      !cycle.empty() && cycle.size() < 5 && is_digit(cycle[0]) ? static_cast<int>(number(cycle)) : 0;
+  if (words.size() > 2 && words[1] == "DEF" && is_hole_cycle(hole)) {
+    hole_ = HoleCycle{hole, {}};
+    return define_hole(words, 3);
+  }
   if (words.size() < 3 || words[1] != "DEF" || (cycle != "9" && cycle != "32" && cycle != "247")) {
     refuse("cycle " + cycle.substr(0, 20) + " is not read; post its moves one by one");
   }
@@ -224,8 +228,8 @@ void Reader::m_word(int m) {
   switch_coolant(m);
   if (m == 0 || m == 1) builder_.add_event(ControlEventKind::kPause, line_);
   if (m == 2 || m == 30) ended_ = true;
-  if (m == 97 || m == 98 || m == 99)
-    refuse("M" + std::to_string(m) + " is not read; post the program without it");
+  if (m == 99) return call_hole();
+  if (m == 97 || m == 98) refuse("M" + std::to_string(m) + " is not read; post the program without it");
   if (std::find(std::begin(kStill), std::end(kStill), m) == std::end(kStill)) {
     builder_.condition("m" + std::to_string(m), line_,
                        "M" + std::to_string(m) + " is unknown here and moves nothing");
@@ -294,12 +298,12 @@ void Reader::path_word(const std::string& word, PathWords& found) {
   }
 }
 
-/// M words of a block act before its motion, except the stops.
+/// M words of a block act before its motion, except the stops and the call of a cycle.
 void Reader::path_block(const std::string& kind, const std::vector<std::string>& block_words) {
   const PathWords words = path_words(block_words);
   if (words.feed) feed_ = *words.feed;
   for (const int m : words.m) {
-    if (m != 2 && m != 30) m_word(m);
+    if (m != 2 && m != 30 && m != 99) m_word(m);
   }
   if (!words.rapid && !words.machine_frame && kind != "CC") check_blending();
   if (words.machine_frame) {
@@ -315,6 +319,7 @@ void Reader::path_block(const std::string& kind, const std::vector<std::string>&
   } else {
     polar_circle(words);
   }
+  if (std::count(words.m.begin(), words.m.end(), 99) > 0) call_hole();
   ended_ = std::any_of(words.m.begin(), words.m.end(), [](int m) { return m == 2 || m == 30; });
 }
 
@@ -430,17 +435,6 @@ void Reader::arc(const ArcShape& shape, double z_to) {
 }
 
 }  // namespace
-
-bool is_klartext(std::string_view text) {
-  Lines lines(text);
-  std::string_view line;
-  while (lines.next(line)) {
-    const Words found = words_of(line);
-    if (!found.words.empty())
-      return found.words.size() > 1 && found.words[0] == "BEGIN" && found.words[1] == "PGM";
-  }
-  return false;
-}
 
 bool read_klartext(std::string_view text, ToolpathBuilder& builder) {
   return Reader(builder).read(text);

@@ -7,9 +7,6 @@
 
 namespace clearcut::read::gcode {
 
-/// Whether the text's first line that says anything is "BEGIN PGM".
-bool is_klartext(std::string_view text);
-
 /// Returns whether END PGM or M30 was seen. Throws InputError for blocks that would move the tool in ways
 /// that are not understood.
 bool read_klartext(std::string_view text, ToolpathBuilder& builder);

@@ -1,6 +1,6 @@
 // Blocks are numbered from 0 without gaps; the centre of an arc is absolute and modal (CC); a helix is polar
 // (CP).
-#include "post/klartext_writer.h"
+#include "post/klartext/klartext_writer.h"
 
 #include <fmt/format.h>
 
@@ -8,6 +8,8 @@
 #include <cctype>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "base/elementary.h"
 #include "base/inch.h"
@@ -16,6 +18,7 @@
 #include "post/control_words.h"
 #include "post/drill_cycle.h"
 #include "post/heights.h"
+#include "post/klartext/hole_cycles.h"
 #include "post/steps.h"
 
 namespace clearcut::post {
@@ -29,7 +32,8 @@ constexpr std::size_t kLineLength = 80;
 constexpr double kWidestHelix = 200;
 constexpr double kLargestRadius = 10000;   // mm
 constexpr double kFinestTolerance = 1e-5;  // mm or inch, of cycle 32
-constexpr std::size_t kNameLength = 24;    // what TNCs show of a file's name
+constexpr double kAboveSurface = 1;      // mm, from where feeding begins down to a surface that is not known
+constexpr std::size_t kNameLength = 24;  // what TNCs show of a file's name
 
 std::string program_name(const std::string& wanted) {
   std::string name;
@@ -57,6 +61,7 @@ struct ControlState {
   double rpm = 0;
   int spindle = 5;  ///< 3, 4, 5 as in M3, M4, M5
   Coolant coolant = Coolant::kOff;
+  std::string cycle;  ///< as it was last defined for the tool
 };
 
 Vec2 in_steps(const Ticks& at) {
@@ -93,6 +98,9 @@ class KlartextWriter {
   void retract();
   void rapid_to_plan(const Ticks& to);
   void rapid_to_height(long long z);
+  bool write_hole(const DrillBlock& hole, const Tool* tap, const Section& section);
+  double surface_over(const DrillBlock& hole, const Section& section) const;
+  void write_tap_move(const Move& move, const Section& section);
   void write_move(const Move& move);
   void write_line(const Ticks& to, bool rapid, MmPerMin feed);
   void write_arc(const Step& step, MmPerMin feed);
@@ -168,16 +176,53 @@ void KlartextWriter::write_section(const Section& section) {
   set_coolant(section.coolant);
   approach(section.moves.front());
   const Tool* tap = tap_of(section, part_);
-  if (tap) refuse_tap(*tap, Tapping::kByWords, "heidenhain");
-  for (const Move& move : with_lines_joined(section.moves, rules_.grid)) {
-    // With a floating holder the spindle turns back at the bottom, and forward again once the tap is out.
-    const bool out = tap && !is_rapid(move.kind) && move.z_to > move.z_from;
-    if (out) block(section.spindle_clockwise ? "M4" : "M3");
-    write_move(move);
-    if (!out) continue;
-    held_.spindle = section.spindle_clockwise ? 4 : 3;
-    set_spindle(section.spindle_clockwise ? 3 : 4);
+  if (tap)
+    refuse_tap(*tap, taps_rigidly(*tap, options_.inch) ? Tapping::kRigid : Tapping::kByWords, "heidenhain");
+  const std::vector<Move> joined = with_lines_joined(section.moves, rules_.grid);
+  const std::span<const Move> moves(joined);
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const auto hole = drill_block(moves.subspan(i), rules_.grid);
+    if (hole && write_hole(*hole, tap, section)) {
+      i += hole->moves - 1;
+    } else if (tap) {
+      write_tap_move(moves[i], section);
+    } else {
+      write_move(moves[i]);
+    }
   }
+}
+
+/// The top of what is drilled; where its feature does not say, 1 mm under where feeding begins. Between bottom and clearance.
+double KlartextWriter::surface_over(const DrillBlock& hole, const Section& section) const {
+  const double clear = rules_.grid.mm(hole.clear), bottom = rules_.grid.mm(hole.bottom.z);
+  const auto step = static_cast<std::size_t>(std::max(section.workingstep, 0));
+  const bool known = section.workingstep >= 0 && step < part_.workplan.size();
+  const double top = known ? feature_of(part_, part_.workplan[step]).top_z : clear;
+  return top > bottom && top < clear ? top : std::max(clear - kAboveSurface, (clear + bottom) / 2);
+}
+
+/// Holes that are alike share one definition. Returns whether a cycle makes it from where the tool stands.
+bool KlartextWriter::write_hole(const DrillBlock& hole, const Tool* tap, const Section& section) {
+  const bool over = held_.height && held_.at.z == hole.above && held_.at.same_plan(hole.bottom);
+  if (!over || held_.off_grid != Vec2{}) return false;
+  const std::string cycle = hole_cycle(hole, surface_over(hole, section), tap, rules_.grid, options_.inch);
+  if (cycle.empty()) return false;
+  if (cycle != held_.cycle) block(cycle);
+  held_.cycle = cycle;
+  block("CYCL CALL");
+  if (tap && !tap->floating) held_.spindle = 5;  // rigid tapping leaves it stopped
+  held_.feed = -1;
+  return true;
+}
+
+/// With a floating holder the spindle turns back at the bottom, and forward again once the tap is out.
+void KlartextWriter::write_tap_move(const Move& move, const Section& section) {
+  const bool out = !is_rapid(move.kind) && move.z_to > move.z_from;
+  if (out) block(section.spindle_clockwise ? "M4" : "M3");
+  write_move(move);
+  if (!out) return;
+  held_.spindle = section.spindle_clockwise ? 4 : 3;
+  set_spindle(section.spindle_clockwise ? 3 : 4);
 }
 
 void KlartextWriter::end_program() {
@@ -213,6 +258,7 @@ void KlartextWriter::call_tool(const Section& section) {
   held_.tool = section.tool_number;
   held_.plan = held_.height = false;
   held_.center.reset();
+  held_.cycle.clear();
   held_.feed = -1;
 }
 

@@ -1,0 +1,19 @@
+// Heidenhain's cycles that make one hole.
+#pragma once
+
+#include <string>
+
+#include "post/drill_cycle.h"
+
+namespace clearcut::post {
+
+/// The definition of the cycle that makes exactly the moves of this hole: a block of several lines; CYCL CALL makes it where the
+/// tool stands. "" where no cycle does, or what its words would mean is not certain: the moves are written then. `surface`: Z of the
+/// material's top there, mm, between the bottom and where feeding begins.
+std::string hole_cycle(const DrillBlock& hole, double surface, const Tool* tap, const PrintGrid& grid,
+                       bool inch);
+
+/// Whether the control can tie this tap's feed to its spindle: its pitch can be printed.
+bool taps_rigidly(const Tool& tap, bool inch);
+
+}  // namespace clearcut::post

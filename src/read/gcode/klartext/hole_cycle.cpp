@@ -1,0 +1,154 @@
+// Q200 set-up clearance over the surface Q203; Q201 depth below it, negative; Q202 peck; Q204 second clearance over the surface, to which the
+// tool goes back; Q206 feed down, Q208 feed up; Q210, Q211 dwells at the top and at the bottom; Q239 pitch, negative for left-hand
+// threads; Q395 what the depth counts to. (TNC manuals, cycle programming.)
+#include "read/gcode/klartext/hole_cycle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+
+namespace clearcut::read::gcode {
+namespace {
+
+constexpr double kMostPecks = 10000;
+
+struct Form {
+  int number;
+  std::vector<int> needed, allowed;
+};
+
+const std::vector<Form>& forms() {
+  static const std::vector<Form> all{{200, {200, 201, 202, 203, 204, 206}, {210, 211, 395}},
+                                     {201, {200, 201, 203, 204, 206}, {208, 211}},
+                                     {206, {200, 201, 203, 204, 206}, {211}},
+                                     {207, {200, 201, 203, 204, 239}, {}}};
+  return all;
+}
+
+const Form* form_of(int number) {
+  const auto found =
+      std::find_if(forms().begin(), forms().end(), [&](const Form& one) { return one.number == number; });
+  return found == forms().end() ? nullptr : &*found;
+}
+
+bool has(const std::vector<int>& numbers, int one) {
+  return std::find(numbers.begin(), numbers.end(), one) != numbers.end();
+}
+
+class Maker {
+ public:
+  Maker(const HoleCycle& cycle, double unit, ToolpathBuilder& builder, int line)
+      : cycle_(cycle), unit_(unit), builder_(builder), line_(line) {}
+
+  void make() {
+    check();
+    builder_.rapid(height(clear_), line_);
+    if (cycle_.number == 200) {
+      drill();
+    } else {
+      feed_down_and_up();
+    }
+    builder_.rapid(height(above_), line_);
+  }
+
+ private:
+  void check() {
+    const Form& form = *form_of(cycle_.number);
+    for (const int one : form.needed) {
+      if (!cycle_.parameters.count(one)) refuse("lacks Q" + std::to_string(one) + "; add it");
+    }
+    for (const auto& [one, value] : cycle_.parameters) {
+      if (!has(form.needed, one) && !has(form.allowed, one))
+        refuse("has no parameter Q" + std::to_string(one) + " that is read; post its moves one by one");
+    }
+    if (value(395) != 0) refuse("counts its depth to the full diameter (Q395); post it to the tip");
+    if (value(201) >= 0) refuse("goes down by a negative depth Q201; correct it");
+    if (value(200) < 0 || value(204) < 0) refuse("has a clearance below 0; correct Q200 or Q204");
+    const double surface = value(203) * unit_;
+    clear_ = surface + value(200) * unit_;
+    above_ = std::max(clear_, surface + value(204) * unit_);
+    bottom_ = surface + value(201) * unit_;
+    peck_ = value(202) * unit_;
+  }
+
+  /// Each peck counts from the surface, and begins the set-up clearance above the last depth.
+  void drill() {
+    const double surface = value(203) * unit_, depth = surface - bottom_;
+    if (!(peck_ > 0) || depth / peck_ > kMostPecks)
+      refuse("needs a plunging depth Q202 of a sensible size; correct it");
+    for (double at = surface - peck_; at > bottom_; at -= peck_) {
+      feed(at, feed_in());
+      builder_.rapid(height(clear_), line_);
+      builder_.rapid(height(std::min(clear_, at + value(200) * unit_)), line_);
+    }
+    feed(bottom_, feed_in());
+    dwell();
+  }
+
+  void feed_down_and_up() {
+    const MmPerMin down = cycle_.number == 207 ? feed_of_pitch() : feed_in();
+    feed(bottom_, down);
+    dwell();
+    if (cycle_.number != 201) builder_.add_event(ControlEventKind::kTapTurnsBack, line_);
+    const bool is_own = cycle_.number == 201 && value(208) > 0;
+    feed(clear_, is_own ? feed_of(value(208)) : down);
+  }
+
+  void feed(double z, MmPerMin speed) { builder_.feed(height(z), speed, line_); }
+
+  void dwell() {
+    if (value(211) > 0) builder_.add_event(ControlEventKind::kDwell, line_, value(211));
+  }
+
+  MmPerMin feed_in() const { return feed_of(value(206)); }
+
+  /// In inch programs in tenths of an inch, as F.
+  MmPerMin feed_of(double words) const { return MmPerMin::of(words * (unit_ == 1 ? 1 : unit_ / 10)); }
+
+  MmPerMin feed_of_pitch() const {
+    if (!(std::abs(value(239)) > 0)) refuse("taps with a pitch Q239 of 0; correct it");
+    return MmPerMin::of(std::abs(value(239)) * unit_ * builder_.speed);
+  }
+
+  double value(int parameter) const {
+    const auto found = cycle_.parameters.find(parameter);
+    return found == cycle_.parameters.end() ? 0 : found->second;
+  }
+
+  static Target height(double z) {
+    Target target;
+    target[2] = z;
+    return target;
+  }
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw InputError(builder_.place(line_), "cycle " + std::to_string(cycle_.number) + " " + what);
+  }
+
+  const HoleCycle& cycle_;
+  double unit_;
+  ToolpathBuilder& builder_;
+  int line_;
+  double clear_ = 0, above_ = 0, bottom_ = 0, peck_ = 0;  // mm
+};
+
+}  // namespace
+
+bool is_hole_cycle(int number) {
+  return form_of(number) != nullptr;
+}
+
+int turning_of(const HoleCycle& cycle) {
+  if (cycle.number != 207) return 0;
+  const auto pitch = cycle.parameters.find(239);
+  return pitch != cycle.parameters.end() && pitch->second < 0 ? 4 : 3;
+}
+
+void make_hole(const HoleCycle& cycle, double unit, ToolpathBuilder& builder, int line) {
+  Maker(cycle, unit, builder, line).make();
+}
+
+}  // namespace clearcut::read::gcode

@@ -1,0 +1,24 @@
+// Heidenhain's cycles 200 (drilling), 201 (reaming), 206 (tapping in a floating holder) and 207 (rigid tapping), made into moves.
+#pragma once
+
+#include <map>
+
+#include "read/gcode/motion/builder.h"
+
+namespace clearcut::read::gcode {
+
+struct HoleCycle {
+  int number = 0;
+  std::map<int, double> parameters;  ///< Q200 to Q395, as they are written
+};
+
+bool is_hole_cycle(int number);
+
+/// 3 or 4 as in M3, M4 for rigid tapping, which turns the spindle by itself and leaves it stopped; else 0.
+int turning_of(const HoleCycle& cycle);
+
+/// Makes the hole where the tool stands: at the rapid to the set-up clearance, down, and up again. `unit`: mm in the program's unit.
+/// Throws InputError where a parameter is missing, is none of this cycle's, or asks for what no control does.
+void make_hole(const HoleCycle& cycle, double unit, ToolpathBuilder& builder, int line);
+
+}  // namespace clearcut::read::gcode

@@ -1,0 +1,96 @@
+// What Heidenhain's drilling cycles do, move by move.
+#include "read/gcode/klartext/hole_cycle.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "read/gcode/told_program.h"
+
+namespace clearcut::read::gcode {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// At X10 Y20 Z50, with a spindle of 400 rpm.
+std::string program(const std::string& blocks) {
+  return "0 BEGIN PGM A MM\n1 CYCL DEF 32.0 TOLERANCE\n2 CYCL DEF 32.1 T0.001\n3 TOOL CALL 1 Z S400\n4 M3\n"
+         "5 L X+10 Y+20 R0 FMAX\n6 L Z+50 R0 FMAX\n" +
+         blocks + "90 M30\n91 END PGM A MM\n";
+}
+
+std::string drilling(const std::string& peck) {
+  return "7 CYCL DEF 200 DRILLING ~\n  Q200=+2 ;SET-UP CLEARANCE ~\n  Q201=-10 ;DEPTH ~\n"
+         "  Q206=+150 ;FEED RATE FOR PLNGNG ~\n  Q202=" +
+         peck +
+         " ;PLUNGING DEPTH ~\n  Q210=+0 ;DWELL TIME AT TOP ~\n  Q203=-3 ;SURFACE COORDINATE ~\n"
+         "  Q204=+30 ;2ND SET-UP CLEARANCE ~\n  Q211=+0 ;DWELL TIME AT DEPTH\n";
+}
+
+const std::string kTap = "Q200=+2 Q201=-12 Q203=+0 Q204=+20";
+
+/// The moves after the one to Z50.
+std::string after_start(const std::string& blocks) {
+  const std::string all = moves_of(program(blocks)), start = "rapid to 10 20 50";
+  const std::size_t at = all.find(start);
+  return at == std::string::npos ? all : all.substr(at + start.size());
+}
+
+TEST(HoleCycle, DrillsFromTheSurfaceDownAndGoesBackToTheSecondClearance) {
+  EXPECT_EQ(after_start(drilling("+10") + "8 CYCL CALL\n"),
+            "\nrapid to 10 20 -1\nplunge to 10 20 -13 F150\nrapid to 10 20 27");
+}
+
+TEST(HoleCycle, PecksCountFromTheSurfaceAndBeginTheClearanceAboveTheLastDepth) {
+  EXPECT_EQ(after_start(drilling("+4") + "8 CYCL CALL M8\n"),
+            "\nrapid to 10 20 -1\nplunge to 10 20 -7 F150\nrapid to 10 20 -1\nrapid to 10 20 -5\nplunge to "
+            "10 20 -11 F150"
+            "\nrapid to 10 20 -1\nrapid to 10 20 -9\nplunge to 10 20 -13 F150\nrapid to 10 20 27");
+}
+
+TEST(HoleCycle, M99CallsItWhereItsBlockEnds) {
+  EXPECT_EQ(after_start(drilling("+10") + "8 L X+30 R0 FMAX M99\n"),
+            "\nrapid to 30 20 50\nrapid to 30 20 -1\nplunge to 30 20 -13 F150\nrapid to 30 20 27");
+}
+
+TEST(HoleCycle, AReamerComesOutAtItsFeed) {
+  const std::string at_own =
+      "7 CYCL DEF 201 REAMING Q200=1 Q201=-9 Q206=120 Q211=0 Q208=0 Q203=0 Q204=20\n8 CYCL CALL\n";
+  EXPECT_THAT(after_start(at_own), HasSubstr("to 10 20 -9 F120\nretract to 10 20 1 F120\nrapid to 10 20 20"));
+  const std::string faster =
+      "7 CYCL DEF 201 REAMING Q200=1 Q201=-9 Q206=120 Q208=600 Q203=0 Q204=20\n8 CYCL CALL\n";
+  EXPECT_THAT(after_start(faster), HasSubstr("retract to 10 20 1 F600"));
+}
+
+/// The feed follows from speed and pitch; the cycle turns the spindle and leaves it stopped.
+TEST(HoleCycle, RigidTapsAreTiedToTheSpindle) {
+  const std::string text = program("7 CYCL DEF 207 RIGID TAPPING NEW " + kTap + " Q239=-1.5\n8 CYCL CALL\n");
+  EXPECT_THAT(moves_of(text), HasSubstr("to 10 20 -12 F600\nretract to 10 20 2 F600\nrapid to 10 20 20"));
+  const Program read = read_gcode(text, "test.ngc");
+  ASSERT_FALSE(read.control.events.empty());
+  EXPECT_EQ(read.control.events.back().kind, ControlEventKind::kSpindleStop);
+  bool turns_left = false;
+  for (const ControlSpan& span : read.control.spans)
+    turns_left |= span.state.spindle == SpindleState::kCounterClockwise;
+  EXPECT_TRUE(turns_left);
+}
+
+TEST(HoleCycle, WhatCannotBeIsRefusedInOneLine) {
+  const auto refusal = [](const std::string& blocks) { return message_of(program(blocks)); };
+  EXPECT_THAT(refusal("7 CYCL CALL\n"), HasSubstr("called before one is defined"));
+  EXPECT_THAT(refusal("7 CYCL DEF 207 RIGID TAPPING NEW " + kTap + "\n8 CYCL CALL\n"),
+              HasSubstr("207 lacks Q239"));
+  EXPECT_THAT(refusal("7 CYCL DEF 207 RIGID TAPPING NEW " + kTap + " Q239=0\n8 CYCL CALL\n"),
+              HasSubstr("pitch Q239 of 0"));
+  EXPECT_THAT(refusal("7 CYCL DEF 206 TAPPING NEW " + kTap + " Q206=400 Q336=9\n8 CYCL CALL\n"),
+              HasSubstr("no parameter Q336"));
+  EXPECT_THAT(refusal(drilling("+0") + "8 CYCL CALL\n"), HasSubstr("plunging depth Q202"));
+  EXPECT_THAT(refusal(drilling("+Q5") + "8 CYCL CALL\n"), HasSubstr("no plain number"));
+  EXPECT_THAT(refusal(drilling("+3") + "8 Q1=+5\n"), HasSubstr("block 'Q1=+5' is not read"));
+  EXPECT_THAT(refusal("7 CYCL DEF 201 REAMING Q200=1 Q201=+9 Q206=120 Q203=0 Q204=20\n8 CYCL CALL\n"),
+              HasSubstr("negative depth"));
+  EXPECT_THAT(refusal("7 CYCL DEF 203 UNIVERSAL DRILLING Q200=1\n8 CYCL CALL\n"),
+              HasSubstr("cycle 203 is not read"));
+}
+
+}  // namespace
+}  // namespace clearcut::read::gcode

@@ -1,0 +1,22 @@
+// Klartext, cut into words.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace clearcut::read::gcode {
+
+/// A block without its number: upper-case words and the comment.
+struct Words {
+  std::vector<std::string> words;
+  std::string_view comment;
+};
+
+/// The mark ~ of a block that goes on in the next line is no word.
+Words words_of(std::string_view line);
+
+/// Whether the text's first line that says anything is "BEGIN PGM".
+bool is_klartext(std::string_view text);
+
+}  // namespace clearcut::read::gcode
