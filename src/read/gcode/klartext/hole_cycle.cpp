@@ -1,6 +1,7 @@
 // Q200 set-up clearance over the surface Q203; Q201 depth below it, negative; Q202 peck; Q204 second clearance over the surface, to which the
-// tool goes back; Q206 feed down, Q208 feed up; Q210, Q211 dwells at the top and at the bottom; Q239 pitch, negative for left-hand
-// threads; Q395 what the depth counts to. (TNC manuals, cycle programming.)
+// tool goes back; Q206 feed down, Q208 feed up; Q210, Q211 dwells at the top and at the bottom; Q212 by how much each peck is less than the
+// one before, down to Q205; Q213 how often a chip is broken, by Q256, before the drill comes out; Q239 pitch, negative for left-hand threads;
+// Q395 what the depth counts to. (TNC manuals, cycle programming.)
 #include "read/gcode/klartext/hole_cycle.h"
 
 #include <algorithm>
@@ -21,10 +22,12 @@ struct Form {
 };
 
 const std::vector<Form>& forms() {
-  static const std::vector<Form> all{{200, {200, 201, 202, 203, 204, 206}, {210, 211, 395}},
-                                     {201, {200, 201, 203, 204, 206}, {208, 211}},
-                                     {206, {200, 201, 203, 204, 206}, {211}},
-                                     {207, {200, 201, 203, 204, 239}, {}}};
+  static const std::vector<Form> all{
+      {200, {200, 201, 202, 203, 204, 206}, {210, 211, 395}},
+      {201, {200, 201, 203, 204, 206}, {208, 211}},
+      {203, {200, 201, 202, 203, 204, 206}, {205, 208, 210, 211, 212, 213, 256, 395}},
+      {206, {200, 201, 203, 204, 206}, {211}},
+      {207, {200, 201, 203, 204, 239}, {}}};
   return all;
 }
 
@@ -46,7 +49,7 @@ class Maker {
   void make() {
     check();
     builder_.rapid(height(clear_), line_);
-    if (cycle_.number == 200) {
+    if (cycle_.number == 200 || cycle_.number == 203) {
       drill();
     } else {
       feed_down_and_up();
@@ -66,26 +69,44 @@ class Maker {
     }
     if (value(395) != 0) refuse("counts its depth to the full diameter (Q395); post it to the tip");
     if (value(201) >= 0) refuse("goes down by a negative depth Q201; correct it");
+    if (value(212) < 0 || value(205) < 0 || value(213) < 0 || value(256) < 0)
+      refuse("has pecks below 0; correct it");
+    if (value(212) > 0 && !(value(205) > 0))
+      refuse("makes pecks smaller and smaller (Q212) without a least one (Q205); correct it");
     if (value(200) < 0 || value(204) < 0) refuse("has a clearance below 0; correct Q200 or Q204");
     const double surface = value(203) * unit_;
     clear_ = surface + value(200) * unit_;
     above_ = std::max(clear_, surface + value(204) * unit_);
     bottom_ = surface + value(201) * unit_;
-    peck_ = value(202) * unit_;
   }
 
-  /// Each peck counts from the surface, and begins the set-up clearance above the last depth.
+  /// The pecks count from the surface; each begins the set-up clearance above the last depth, or where the chip was broken.
   void drill() {
-    const double surface = value(203) * unit_, depth = surface - bottom_;
-    if (!(peck_ > 0) || depth / peck_ > kMostPecks)
+    const double surface = value(203) * unit_;
+    double peck = value(202) * unit_;
+    if (!(peck > 0) || (surface - bottom_) / least_peck(peck) > kMostPecks)
       refuse("needs a plunging depth Q202 of a sensible size; correct it");
-    for (double at = surface - peck_; at > bottom_; at -= peck_) {
+    int broken = 0;
+    for (double at = surface - peck; at > bottom_; at -= peck) {
       feed(at, feed_in());
-      builder_.rapid(height(clear_), line_);
-      builder_.rapid(height(std::min(clear_, at + value(200) * unit_)), line_);
+      if (broken < value(213)) {
+        ++broken;
+        builder_.rapid(height(std::min(clear_, at + value(256) * unit_)), line_);
+      } else {
+        broken = 0;
+        builder_.rapid(height(clear_), line_);
+        builder_.rapid(height(std::min(clear_, at + value(200) * unit_)), line_);
+      }
+      peck = std::max(least_peck(peck), peck - value(212) * unit_);
     }
     feed(bottom_, feed_in());
     dwell();
+    if (cycle_.number == 203 && std::isfinite(value(208))) feed(clear_, feed_out());
+  }
+
+  double least_peck(double peck) const {
+    const double least = value(205) * unit_;
+    return value(212) > 0 && least > 0 ? std::min(peck, least) : peck;
   }
 
   void feed_down_and_up() {
@@ -93,8 +114,8 @@ class Maker {
     feed(bottom_, down);
     dwell();
     if (cycle_.number != 201) builder_.add_event(ControlEventKind::kTapTurnsBack, line_);
-    const bool is_own = cycle_.number == 201 && value(208) > 0;
-    feed(clear_, is_own ? feed_of(value(208)) : down);
+    if (cycle_.number != 201) return feed(clear_, down);
+    if (std::isfinite(value(208))) feed(clear_, feed_out());
   }
 
   void feed(double z, MmPerMin speed) { builder_.feed(height(z), speed, line_); }
@@ -104,6 +125,9 @@ class Maker {
   }
 
   MmPerMin feed_in() const { return feed_of(value(206)); }
+
+  /// Where none is given, out at the feed in.
+  MmPerMin feed_out() const { return value(208) > 0 ? feed_of(value(208)) : feed_in(); }
 
   /// In inch programs in tenths of an inch, as F.
   MmPerMin feed_of(double words) const { return MmPerMin::of(words * (unit_ == 1 ? 1 : unit_ / 10)); }
@@ -132,7 +156,7 @@ class Maker {
   double unit_;
   ToolpathBuilder& builder_;
   int line_;
-  double clear_ = 0, above_ = 0, bottom_ = 0, peck_ = 0;  // mm
+  double clear_ = 0, above_ = 0, bottom_ = 0;  // mm
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Heidenhain's cycles 200 (drilling), 201 (reaming), 206 (tapping in a floating holder) and 207 (rigid tapping), made into moves.
+// Heidenhain's cycles 200 (drilling), 201 (reaming), 203 (universal drilling), 206 (tapping in a floating holder) and 207 (rigid tapping), made into moves.
 #pragma once
 
 #include <map>
@@ -9,7 +9,7 @@ namespace clearcut::read::gcode {
 
 struct HoleCycle {
   int number = 0;
-  std::map<int, double> parameters;  ///< Q200 to Q395, as they are written
+  std::map<int, double> parameters;  ///< Q200 to Q395, as they are written; infinite for MAX
 };
 
 bool is_hole_cycle(int number);

@@ -47,6 +47,21 @@ TEST(HoleCycle, PecksCountFromTheSurfaceAndBeginTheClearanceAboveTheLastDepth) {
             "\nrapid to 10 20 -1\nrapid to 10 20 -9\nplunge to 10 20 -13 F150\nrapid to 10 20 27");
 }
 
+TEST(HoleCycle, UniversalDrillingBreaksChipsBeforeItComesOut) {
+  const std::string cycle =
+      "7 CYCL DEF 203 UNIVERSAL DRILLING ~\n Q200=+5 ~\n Q201=-10 ~\n Q206=FAUTO ~\n Q202=+4 ~\n Q210=+0 ~\n "
+      "Q203=+0 ~\n Q204=+13 ~\n"
+      " Q212=+1 ~\n Q213=+1 ~\n Q205=+2 ~\n Q211=+0 ~\n Q208= MAX ~\n Q256=+0.2\n";
+  EXPECT_EQ(after_start("6 L F90\n" + cycle + "8 L FMAX M99\n"),
+            "\nrapid to 10 20 5\nplunge to 10 20 -4 F90\nrapid to 10 20 -3.8\nplunge to 10 20 -7 F90\nrapid "
+            "to 10 20 5"
+            "\nrapid to 10 20 -2\nplunge to 10 20 -9 F90\nrapid to 10 20 -8.8\nplunge to 10 20 -10 "
+            "F90\nrapid to 10 20 13");
+  EXPECT_THAT(message_of(program(
+                  "7 CYCL DEF 203 A Q200=1 Q201=-9 Q206=9 Q202=4 Q203=0 Q204=9 Q212=1\n8 CYCL CALL\n")),
+              HasSubstr("Q205"));
+}
+
 TEST(HoleCycle, M99CallsItWhereItsBlockEnds) {
   EXPECT_EQ(after_start(drilling("+10") + "8 L X+30 R0 FMAX M99\n"),
             "\nrapid to 30 20 50\nrapid to 30 20 -1\nplunge to 30 20 -13 F150\nrapid to 30 20 27");
@@ -88,8 +103,8 @@ TEST(HoleCycle, WhatCannotBeIsRefusedInOneLine) {
   EXPECT_THAT(refusal(drilling("+3") + "8 Q1=+5\n"), HasSubstr("block 'Q1=+5' is not read"));
   EXPECT_THAT(refusal("7 CYCL DEF 201 REAMING Q200=1 Q201=+9 Q206=120 Q203=0 Q204=20\n8 CYCL CALL\n"),
               HasSubstr("negative depth"));
-  EXPECT_THAT(refusal("7 CYCL DEF 203 UNIVERSAL DRILLING Q200=1\n8 CYCL CALL\n"),
-              HasSubstr("cycle 203 is not read"));
+  EXPECT_THAT(refusal("7 CYCL DEF 205 UNIVERSAL PECKING Q200=1\n8 CYCL CALL\n"),
+              HasSubstr("cycle 205 is not read"));
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "read/gcode/klartext/klartext.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -20,13 +19,8 @@ namespace clearcut::read::gcode {
 
 namespace {
 
-constexpr double kLargestNumber = 1e6;
 constexpr double kMostTurns = 10000;
 constexpr int kFirstOfCycles = 200;  // Q parameters below it are the programmer's own
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 class Reader {
  public:
@@ -37,16 +31,16 @@ class Reader {
  private:
   void block(const Words& block);
   void path_block(const std::string& kind, const std::vector<std::string>& words);
-  PathWords path_words(const std::vector<std::string>& words);
-  void path_word(const std::string& word, PathWords& found);
   void tool_call(const std::vector<std::string>& words);
   void cycle(const std::vector<std::string>& words);
   void define_hole(const std::vector<std::string>& words, std::size_t first);
+  double cycle_value(const std::string& text) const;
   void call_hole();
   void switch_coolant(int m);
   void m_word(int m);
   void set_drive();
   void set_length(double longer);
+  void retract(double up);
   void check_blending();
   void machine_frame(const PathWords& words);
 
@@ -62,7 +56,7 @@ class Reader {
   RadiusRule radius_rule() const;
   std::string place() const { return builder_.place(line_); }
 
-  double number(std::string_view text) const;
+  double number(std::string_view text) const { return number_in(text, builder_, line_); }
   [[noreturn]] void refuse(const std::string& what) const { throw InputError(place(), what); }
   [[noreturn]] void refuse_block(const std::string& first) const {
     refuse("block '" + first.substr(0, 20) +
@@ -97,6 +91,7 @@ void Reader::block(const Words& found) {
   const auto& words = found.words;
   const std::string& first = words[0];
   const std::string second = words.size() > 1 ? words[1] : "";
+  if (first[0] == '*') return;  // a heading of the program's structure
   if (first == "BEGIN" || first == "END") {
     ended_ = first == "END";
     unit_ = words.back() == "INCH" ? kMmPerInch : 1;
@@ -165,8 +160,15 @@ void Reader::define_hole(const std::vector<std::string>& words, std::size_t firs
     if (words[k][0] != 'Q' || equals == std::string::npos) continue;
     const int parameter = static_cast<int>(number(words[k].substr(1, equals - 1)));
     if (parameter < kFirstOfCycles) refuse_block(words[k]);
-    hole_->parameters[parameter] = number(std::string_view(words[k]).substr(equals + 1));
+    const bool parted = equals + 1 == words[k].size() && k + 1 < words.size();
+    hole_->parameters[parameter] = cycle_value(parted ? words[k + 1] : words[k].substr(equals + 1));
   }
+}
+
+/// MAX and FMAX are the rapid, FAUTO is the feed in force.
+double Reader::cycle_value(const std::string& text) const {
+  if (text == "MAX" || text == "FMAX") return HUGE_VAL;
+  return text == "FAUTO" ? feed_ / (unit_ == 1 ? 1 : unit_ / 10) : number(text);
 }
 
 /// Rigid tapping turns the spindle by itself, as the sign of its pitch says, and leaves it stopped.
@@ -242,72 +244,19 @@ void Reader::set_drive() {
   builder_.speed = speed_;
 }
 
-double Reader::number(std::string_view text) const {
-  std::string_view digits = text;
-  if (!digits.empty() && digits.front() == '+') digits.remove_prefix(1);
-  const bool plain = !digits.empty() && (is_digit(digits.back()) || digits.back() == '.') &&
-                     (is_digit(digits.front()) || digits.front() == '-' || digits.front() == '.');
-  double value = 0;
-  const auto [end, error] =
-      std::from_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed);
-  if (!plain || error != std::errc{} || end != digits.data() + digits.size()) {
-    refuse("'" + std::string(text.substr(0, 20)) +
-           "' is no plain number (Q parameters are not read); correct it");
-  }
-  if (!(std::abs(value) <= kLargestNumber)) refuse("number no machine takes; correct it");
-  return value;
-}
-
-PathWords Reader::path_words(const std::vector<std::string>& words) {
-  PathWords found;
-  for (std::size_t k = 1; k < words.size(); ++k) path_word(words[k], found);
-  return found;
-}
-
-void Reader::path_word(const std::string& word, PathWords& found) {
-  const auto rest = [&](std::size_t skip) { return number(std::string_view(word).substr(skip)); };
-  if (word == "R0") return;
-  if (word == "RL" || word == "RR")
-    refuse(word + " radius compensation is not read; post the tool's centre (R0)");
-  if (word == "FMAX") {
-    found.rapid = true;
-  } else if (word == "DR+" || word == "DR-") {
-    found.turn = word == "DR+" ? Turn::kCounterClockwise : Turn::kClockwise;
-  } else if (word.rfind("IPA", 0) == 0) {
-    found.polar_step = rest(3);
-  } else if (word.rfind("PA", 0) == 0) {
-    found.polar_angle = rest(2);
-  } else if (word.rfind("PR", 0) == 0) {
-    found.polar_radius = rest(2) * unit_;
-  } else if (word[0] >= 'X' && word[0] <= 'Z') {
-    found.absolute[static_cast<std::size_t>(word[0] - 'X')] =
-        rest(1) * unit_ + (word[0] == 'Z' ? longer_ : 0);
-  } else if (word.size() > 1 && word[0] == 'I' && word[1] >= 'X' && word[1] <= 'Z') {
-    found.incremental[static_cast<std::size_t>(word[1] - 'X')] = rest(2) * unit_;
-  } else if (word[0] == 'R') {
-    found.radius = rest(1) * unit_;
-  } else if (word[0] == 'F') {
-    found.feed = rest(1) * (unit_ == 1 ? 1 : unit_ / 10);
-  } else if (word[0] == 'M') {
-    const int m = static_cast<int>(rest(1));
-    found.machine_frame = found.machine_frame || m == 91 || m == 92 || m == 140;
-    if (m == 140) refuse("M140 is not read; post the retract as a move");
-    found.m.push_back(m);
-  } else {
-    refuse("word '" + word.substr(0, 20) + "' is not read; post the program without it");
-  }
-}
-
 /// M words of a block act before its motion, except the stops and the call of a cycle.
 void Reader::path_block(const std::string& kind, const std::vector<std::string>& block_words) {
-  const PathWords words = path_words(block_words);
+  const PathWords words = path_words(block_words, {unit_, longer_}, builder_, line_);
   if (words.feed) feed_ = *words.feed;
   for (const int m : words.m) {
     if (m != 2 && m != 30 && m != 99) m_word(m);
   }
-  if (!words.rapid && !words.machine_frame && kind != "CC") check_blending();
+  if (words.retract) retract(*words.retract);
+  if (!words.rapid && !words.machine_frame && !words.retract && kind != "CC") check_blending();
   if (words.machine_frame) {
     machine_frame(words);
+  } else if (words.retract && !words.absolute[0] && !words.absolute[1] && !words.absolute[2]) {
+    // M140 alone moves up, and nothing else.
   } else if (kind == "L" || kind == "LP") {
     line(words, kind == "LP");
   } else if (kind == "CC") {
@@ -333,6 +282,14 @@ void Reader::machine_frame(const PathWords& words) {
           trimmed(builder_.home_z(), 3) + " mm");
   if (words.absolute[2]) builder_.lift_home(line_);
   if (plan) builder_.leave_plan("m91");
+}
+
+/// M140: up along the tool by so much, or to the end of the travel.
+void Reader::retract(double up) {
+  if (std::isinf(up)) return builder_.lift_home(line_);
+  Target target;
+  target[2] = builder_.known(2, line_) + up;
+  builder_.rapid(target, line_);
 }
 
 void Reader::check_blending() {

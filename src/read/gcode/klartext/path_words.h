@@ -2,6 +2,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "geometry/edge.h"
@@ -17,7 +19,20 @@ struct PathWords {
   std::optional<Turn> turn;
   bool rapid = false;
   bool machine_frame = false;
+  std::optional<double> retract;  ///< M140: mm up along the tool; infinite: to the end of the travel
   std::vector<int> m;
 };
+
+struct KlartextScale {
+  double unit = 1;    ///< mm in the program's unit
+  double longer = 0;  ///< mm, added to every absolute height (DL)
+};
+
+/// The words of a path block after the first. Throws InputError at the line for one that is not understood.
+PathWords path_words(const std::vector<std::string>& words, const KlartextScale& scale,
+                     const ToolpathBuilder& builder, int line);
+
+/// A plain number with or without a sign. Throws InputError at the line for anything else.
+double number_in(std::string_view text, const ToolpathBuilder& builder, int line);
 
 }  // namespace clearcut::read::gcode

@@ -10,7 +10,7 @@ namespace clearcut::read::gcode {
 namespace {
 
 bool is_number(const std::string& word) {
-  return std::all_of(word.begin(), word.end(), [](char c) { return c >= '0' && c <= '9'; });
+  return std::all_of(word.begin(), word.end(), is_digit);
 }
 
 }  // namespace

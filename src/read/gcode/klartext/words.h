@@ -7,6 +7,10 @@
 
 namespace clearcut::read::gcode {
 
+inline bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
 /// A block without its number: upper-case words and the comment.
 struct Words {
   std::vector<std::string> words;
