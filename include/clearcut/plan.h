@@ -16,6 +16,7 @@
 #include "pipeline/selection/strategies.h"
 #include "pipeline/selection/tool_sets.h"
 #include "pipeline/setups/carried_stock.h"
+#include "pipeline/setups/solid_stock.h"
 #include "resolve/names.h"
 #include "resolve/plan_options.h"
 #include "resolve/prepare.h"
@@ -28,6 +29,7 @@ using pipeline::carried_stock;
 using pipeline::CarriedStock;
 using pipeline::cutting_of_tools;
 using pipeline::MachinedSetup;
+using pipeline::missing_of;
 using pipeline::options_of_job;
 using pipeline::plan_part;
 using pipeline::PlanResult;

@@ -45,6 +45,8 @@ struct Section {
   /// Cuts that an earlier set-up made, seen in a later one: mm, the height below which nothing of it is left. They count for features
   /// that begin no higher; infinite where nothing is left at any height. Absent for all other cuts; not part of the program.
   std::optional<double> carried_below{};
+  bool is_of_stock =
+      false;  ///< with carried_below: nobody cut it, a stock that is stated as a solid lacks it
   /// mm from the walls, ascending: where contours of offset outlines run; not part of the program.
   std::vector<double> contours{};
 

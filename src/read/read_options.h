@@ -10,6 +10,7 @@
 #include "geometry/box.h"
 #include "geometry/region.h"
 #include "model/hole.h"
+#include "model/part.h"
 
 namespace clearcut::read {
 
@@ -104,6 +105,8 @@ struct SolidOptions {
   std::vector<double>
       drills;  ///< mm; diameters at hand: through holes of theirs go deeper by the drill's point
   std::optional<StockRequest> stock;  ///< absent: the solid's bounding box
+  bool is_stock =
+      false;  ///< it is what something is made of: how it lies and that it may be a full block are no questions
 };
 
 struct ReadOptions {
@@ -126,6 +129,7 @@ struct ReadOptions {
   DrawingOverview* overview = nullptr;
   std::optional<bool> find_arcs;  ///< find arcs again in runs of short lines; default: drawings yes, JSON no
   SolidOptions solid;
+  std::optional<Stock> block;  ///< what the part is made of; a file that states another is refused
   Tolerances tol;
 };
 

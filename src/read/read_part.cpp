@@ -6,10 +6,12 @@
 
 #include "base/error.h"
 #include "base/files/file.h"
+#include "base/text/format.h"
 #include "read/board/drill/excellon_reader.h"
 #include "read/board/gerber_reader.h"
 #include "read/common/file_kind.h"
 #include "read/common/foreign_files.h"
+#include "read/common/stock_edge.h"
 #include "read/common/text.h"
 #include "read/dxf/dxf_reader.h"
 #include "read/edges/edges_reader.h"
@@ -152,12 +154,45 @@ Part read_text(std::string_view text, const std::string& file_name, const ReadOp
       "file (.drl), outline JSON, lengths and angles (.edges) or a job (.toml)");
 }
 
+StockRequest requested(const Stock& block) {
+  return {{{block.plan.min.x, block.plan.max.x}},
+          {{block.plan.min.y, block.plan.max.y}},
+          0,
+          {block.z_bottom, block.z_top}};
+}
+
+std::string size_of(const Stock& block) {
+  const auto span = [](double low, double high) { return trimmed(low, 3) + " to " + trimmed(high, 3); };
+  return "x " + span(block.plan.min.x, block.plan.max.x) + ", y " + span(block.plan.min.y, block.plan.max.y) +
+         ", z " + span(block.z_bottom, block.z_top) + " mm";
+}
+
+/// Gives the part of a drawing the block that it is made of. What a file states itself has to be that.
+void lay_on_block(Part& part, const Stock& block, const ReadOptions& options, const std::string& file_name) {
+  constexpr double kSame = 1e-3;
+  const auto apart = [](double a, double b) { return std::abs(a - b) > kSame; };
+  if (!part.stock) {
+    part.stock = block;
+    return open_at_stock_edge(part, options.tol);
+  }
+  const Stock& own = *part.stock;
+  if (apart(own.plan.min.x, block.plan.min.x) || apart(own.plan.max.x, block.plan.max.x) ||
+      apart(own.plan.min.y, block.plan.min.y) || apart(own.plan.max.y, block.plan.max.y) ||
+      apart(own.z_bottom, block.z_bottom) || apart(own.z_top, block.z_top))
+    throw InputError(file_name, "states a block of " + size_of(own) +
+                                    ", and the stock that is given as a solid takes " + size_of(block) +
+                                    "; correct one of them");
+}
+
 }  // namespace
 
 Part read_part_text(std::string_view text, const std::string& file_name, const ReadOptions& options) {
   ReadOptions own = options;
   if (own.join_gap) own.tol.join_gap = *own.join_gap;
-  return snapped(read_text(text, file_name, own));
+  if (own.block) own.solid.stock = requested(*own.block);
+  Part part = snapped(read_text(text, file_name, own));
+  if (own.block && !part.is_solid) lay_on_block(part, *own.block, own, file_name);
+  return part;
 }
 
 Part read_part(const std::filesystem::path& file, const ReadOptions& options) {

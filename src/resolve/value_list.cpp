@@ -192,6 +192,14 @@ void list_search(PlanList& list, const ResolvedPlan& plan, const PlanOptions& op
            options.threads != 0, "all cores; the result is the same");
 }
 
+/// What the stock is that a plan begins with.
+std::string what_went_before(const std::optional<Toolpath>& earlier) {
+  if (!earlier) return "none";
+  const bool is_solid = std::any_of(earlier->sections.begin(), earlier->sections.end(),
+                                    [](const Section& section) { return section.is_of_stock; });
+  return is_solid ? "a solid" : "a program";
+}
+
 void list_shop(PlanList& list, const ResolvedPlan& plan, const ShopOptions& shop) {
   list.add("lead-overlap", trimmed(plan.lead_overlap, 6), "mm", shop.lead_overlap.has_value(), "0 mm");
   list.add("overrun", trimmed(plan.overrun, 6), "mm", shop.overrun.has_value(), "0 mm");
@@ -207,7 +215,7 @@ void list_shop(PlanList& list, const ResolvedPlan& plan, const ShopOptions& shop
   list.add("material", shop.material.value_or("none"), "", shop.material.has_value(), "none: no forces");
   list.add("style", shop.is_machinist() ? "machinist" : "fastest", "", shop.style.has_value(),
            shop.is_machinist() ? "machinist: the work is a metal" : "fastest");
-  list.add("after", plan.earlier ? "a program" : "none", "", plan.earlier.has_value(), "none");
+  list.add("after", what_went_before(plan.earlier), "", plan.earlier.has_value(), "none");
 }
 
 void list_machine(PlanList& list, const Machine& machine) {

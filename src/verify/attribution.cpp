@@ -51,7 +51,8 @@ std::optional<double> Attribution::stepdown_at(const CheckedMove& checked) const
     of_any = std::max(of_any.value_or(0), *stepdown);
     if (has_tool(checked, i)) of_tool = std::max(of_tool.value_or(0), *stepdown);
   }
-  return of_tool ? of_tool : of_any;
+  // What is asked of other tools does not bind one of a program that ran before.
+  return of_tool || checked.earlier ? of_tool : of_any;
 }
 
 bool Attribution::has_tool(const CheckedMove& checked, int workingstep) const {

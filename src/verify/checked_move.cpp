@@ -167,6 +167,7 @@ void append_moves(const Part& part, const Toolpath& toolpath, const Machine& mac
       checked.tool_number = section.tool_number;
       checked.clockwise = section.spindle_clockwise;
       checked.carried_below = section.carried_below;
+      checked.is_of_stock = section.is_of_stock;
       checked.rpm = section.spindle_rpm;
       if (control) {
         checked.control = control->at(first + i);

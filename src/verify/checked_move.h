@@ -79,6 +79,7 @@ struct CheckedMove {
   /// Belongs to a program that ran before: it removes material, but is not in the figures.
   bool earlier = false;
   std::optional<double> carried_below = {};  ///< of cuts that an earlier set-up made, see Section
+  bool is_of_stock = false;                  ///< what the stock lacks, see Section
   int workingstep = -1;                      ///< the one that it belongs to; -1: none. Used for grouping only
   int layer = -1;                            ///< index among the workingstep's layers
   const ControlState* control = nullptr;     ///< what the control held at this move; null: unknown

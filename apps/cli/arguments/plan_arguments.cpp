@@ -56,6 +56,19 @@ void add_places(const std::vector<std::string>& keep_outs, const std::vector<std
   for (const std::string& text : predrilled) options.predrilled.push_back(parse_predrilled(text));
 }
 
+/// As the part is turned, by the options or its job.
+SolidOptions lies(const std::optional<JobFile>& from_job, const ChosenSetup& setup,
+                  const SolidOptions& typed) {
+  if (setup.number > 0 || (from_job && !from_job->setups.empty()))
+    throw InputError("--stock-from",
+                     "the first set-up of a job states its block, and later ones know what the ones before "
+                     "leave; leave it out");
+  SolidOptions how = from_job ? from_job->read.solid : SolidOptions{};
+  if (!typed.up.empty()) how.up = typed.up;
+  if (typed.turn_deg != 0) how.turn_deg = typed.turn_deg;
+  return how;
+}
+
 }  // namespace
 
 ShopOptions PlanArguments::shop(const ShopOptions& of_job) const {
@@ -86,6 +99,7 @@ ReadOptions PlanArguments::read_options() const {
   options.solid = solid_;
   for (const Tool& tool : tools())
     if (tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.diameter);
+  if (stock_.has_solid()) options.block = stock_.solid(lies(job(), setup_, solid_)).stock;
   return options;
 }
 
@@ -118,6 +132,8 @@ Part PlanArguments::read(Block block) const {
     }
   }
   if (clearance_z_) part.clearance_z = clearance_z_;
+  if (stock_.has_solid())
+    stock_.find_missing(part, lies(job(), setup_, solid_), tools().empty() ? part.tools : tools());
   part.diagnostics.append(library().diagnostics);
   return part;
 }
@@ -197,8 +213,8 @@ std::vector<CertificateFileName> PlanArguments::input_files() const {
   if (machine_file_) files.push_back({"machine", *machine_file_});
   if (job && !machine_file_ && job->machine_file) files.push_back({"machine", job->machine_file->string()});
   for (const std::string& program : setup_.earlier_programs) files.push_back({"earlier program", program});
-  if (after_) files.push_back({"earlier program", *after_});
-  if (job && !after_ && job->after) files.push_back({"earlier program", job->after->string()});
+  if (stock_.has_solid()) files.push_back({"stock", *stock_.from});
+  if (const auto earlier = stock_.program(job)) files.push_back({"earlier program", *earlier});
   return files;
 }
 
@@ -274,9 +290,18 @@ PlanOptions PlanArguments::options() const {
   cutting_.take(options);
   tabs_.take(options.tabs);
   options.shop = shop(options.shop);
-  const auto earlier = after_ || !from_job || !from_job->after ? after_ : from_job->after->string();
   // The height that the program calls home is the machine's, which may be another than the job's.
-  if (earlier && (after_ || machine_file_)) options.earlier = read_earlier_program(*earlier, options.machine);
+  const auto earlier = stock_.program(from_job);
+  if (earlier && (stock_.after || stock_.from || machine_file_))
+    options.earlier = read_earlier_program(*earlier, options.machine);
+  if (stock_.has_solid()) {
+    if (options.earlier)
+      throw InputError(
+          "--stock-from",
+          "a solid states what is left, and so does the program that has run before; leave one of them out");
+    if (!stock_.missing()) read();
+    options.earlier = stock_.missing();
+  }
   if (setup_.number > 1 && !setup_.carried) read();
   if (setup_.carried && options.earlier)
     throw InputError("--after", "the set-ups of a job know what the ones before leave; leave it out");

@@ -14,6 +14,7 @@
 #include "arguments/certificate_info.h"
 #include "arguments/post_arguments.h"
 #include "arguments/solver_arguments.h"
+#include "arguments/stock_arguments.h"
 
 namespace clearcut::cli {
 
@@ -148,7 +149,7 @@ class PlanArguments {
   std::vector<std::string> keep_outs_;
   std::optional<double> lead_feed_;
   std::optional<double> link_feed_;
-  std::optional<std::string> after_;
+  StockArguments stock_;
   bool rest_ = false;
   ShopOptions shop_;
   std::optional<std::string> passage_;

@@ -34,6 +34,11 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
       ->transform(as_length());
   command.add_option("--depth", depth_, "Depth of every outline of a drawing, mm")->transform(as_length());
   add_drawing_options(command);
+  command
+      .add_option(
+          "--stock-from", stock_.from,
+          "What it is made of: a solid (.step) in the same coordinates, or the program that has run before")
+      ->type_name("FILE");
   command.add_flag("--mirror", mirror_, "Mirror a drawing left to right, as it looks from below");
   command.option_defaults()->group("Solids");
   command.add_option(
@@ -287,7 +292,7 @@ void PlanArguments::add_lead_options(CLI::App& command) {
 void PlanArguments::add_stage_options(CLI::App& command) {
   command.option_defaults()->group("Rest and finishing");
   command.add_flag("--rest", rest_, "Use all mills given, larger first, each on what is left");
-  command.add_option("--after", after_, "Program that has run before: cut only what it left")
+  command.add_option("--after", stock_.after, "Program that has run before: cut only what it left")
       ->type_name("FILE");
   command
       .add_option("--finish", shop_.finish,

@@ -35,6 +35,7 @@ ReadOptions merged(ReadOptions options, const ReadOptions& over) {
   if (over.scale_is_right) options.scale = over.scale;
   options.scale_is_right = options.scale_is_right || over.scale_is_right;
   options.mirror = options.mirror || over.mirror;
+  options.block = over.block;
   if (over.find_arcs) options.find_arcs = over.find_arcs;
   if (!over.solid.up.empty()) options.solid.up = over.solid.up;
   if (over.solid.turn_deg != 0) options.solid.turn_deg = over.solid.turn_deg;
@@ -342,6 +343,10 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
                                    " set-ups; say which, for example with --setup 1");
   ReadOptions options = merged(job.read, over);
   // What stands around a solid belongs to its features: its reader sets the stock itself.
+  if (job.stock && options.block)
+    throw InputError(
+        job.file,
+        "[stock] states a block, and so does the stock that is given as a solid; leave one of them out");
   if (job.stock) options.solid.stock = requested(*job.stock);
   for (const LibraryTool& tool : tools_of(job).tools)
     if (tool.tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.tool.diameter);

@@ -78,7 +78,7 @@ Stock stock_around(const SolidModel& solid, const std::optional<StockRequest>& r
   throw InputError(file_name, "the stock does not hold the solid, which takes x " +
                                   span(solid.plan.min.x, solid.plan.max.x) + ", y " +
                                   span(solid.plan.min.y, solid.plan.max.y) + ", z " +
-                                  span(solid.z_bottom, solid.z_top) + "; correct [stock]");
+                                  span(solid.z_bottom, solid.z_top) + "; correct the stock");
 }
 
 /// A question, for the file's unit may be wrong.
@@ -421,12 +421,13 @@ Part read_step_solid(std::string_view text, const std::string& file_name, const 
     const SolidModel other = load_solid(text, file_name, {side, how.turn_deg, how.body});
     return Finder(other, file_name, turned).find();
   };
-  if (how.up.empty()) {
+  if (how.up.empty() && !how.is_stock) {
     refuse_sheet_on_edge(solid, file_name, offers);
     refuse_askew(solid, file_name);
   }
   Finder finder(solid, file_name, options);
-  if (!finder.find()) refuse_without_floor(solid, file_name, how.up, finder.why_nothing(), offers);
+  if (!finder.find() && !how.is_stock)
+    refuse_without_floor(solid, file_name, how.up, finder.why_nothing(), offers);
   Part part = finder.part(how.stock.has_value());
   part.is_solid = true;
   if (options.unit || options.depth || options.top || !options.layers.empty()) {

@@ -18,7 +18,7 @@ namespace clearcut::report {
 
 /// A file that the findings rest on.
 struct CertificateFile {
-  std::string role;  ///< "part", "job", "tools", "machine", "earlier program", "program"
+  std::string role;  ///< "part", "job", "tools", "machine", "earlier program", "stock", "program"
   std::string name;  ///< as it was given
   std::string sha256;
 };

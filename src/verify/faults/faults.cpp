@@ -171,6 +171,18 @@ class FaultRun {
   int length_ = 0, first_line_ = 0, last_line_ = 0;
 };
 
+/// Of what an earlier set-up cut nothing is asked: it was checked there.
+MoveCheck but_carried(const MoveCheck& check) {
+  return [check](const CheckedMove& checked) { return checked.is_carried() ? std::nullopt : check(checked); };
+}
+
+/// Of what the stock lacks it is asked whether the part has it.
+MoveCheck but_carried_cuts(const MoveCheck& check) {
+  return [check](const CheckedMove& checked) {
+    return checked.is_carried() && !checked.is_of_stock ? std::nullopt : check(checked);
+  };
+}
+
 /// Adds one fault for each run of successive moves of one workingstep with that fault.
 void collect(const std::vector<CheckedMove>& moves, const MoveCheck& check, std::vector<Fault>& out) {
   FaultRun run;
@@ -179,7 +191,7 @@ void collect(const std::vector<CheckedMove>& moves, const MoveCheck& check, std:
     if (std::optional<Fault> fault = run.take()) out.push_back(*std::move(fault));
   };
   for (const CheckedMove& checked : moves) {
-    std::optional<Fault> found = checked.is_carried() ? std::nullopt : check(checked);
+    std::optional<Fault> found = check(checked);
     if (!found || checked.workingstep != workingstep) finish();
     workingstep = checked.workingstep;
     if (found) run.add(*std::move(found));
@@ -230,17 +242,17 @@ std::ptrdiff_t severity(FaultKind kind) {
 Fault fault_of(const Part& part, FaultKind kind, const CheckedMove& checked, const Place& place, double size,
                const std::string& what) {
   const std::string feature = name_of_work(part, checked.workingstep);
-  const std::string whose = checked.earlier   ? "in the program before: "
-                            : feature.empty() ? ""
-                                              : feature + ": ";
+  const std::string whose = checked.is_of_stock ? "in the stock, which lacks material of the part: "
+                            : checked.earlier   ? "in the program before: "
+                            : feature.empty()   ? ""
+                                                : feature + ": ";
   return {kind, feature, place, size, whose + what + at(place) + "."};
 }
 
 std::vector<Fault> faults_of_moves(const Part& part, const CheckedProgram& program,
                                    const VerifyOptions& options) {
   const FaultFinder finder(part, options);
-  std::vector<MoveCheck> checks{[&](const CheckedMove& m) { return finder.gouge(m); },
-                                [&](const CheckedMove& m) { return finder.rapid(m); },
+  std::vector<MoveCheck> checks{[&](const CheckedMove& m) { return finder.rapid(m); },
                                 [&](const CheckedMove& m) { return finder.holder(m); },
                                 [&](const CheckedMove& m) { return keep_out_fault(part, m); },
                                 [&](const CheckedMove& m) { return finder.depth(m); },
@@ -249,7 +261,8 @@ std::vector<Fault> faults_of_moves(const Part& part, const CheckedProgram& progr
                                 [&](const CheckedMove& m) { return finder.tool(m); }};
   for (MoveCheck& check : state_checks(part, program, options)) checks.push_back(std::move(check));
   std::vector<Fault> faults;
-  for (const MoveCheck& check : checks) collect(program.moves, check, faults);
+  collect(program.moves, but_carried_cuts([&](const CheckedMove& m) { return finder.gouge(m); }), faults);
+  for (const MoveCheck& check : checks) collect(program.moves, but_carried(check), faults);
   return faults;
 }
 
