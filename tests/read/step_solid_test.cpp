@@ -15,7 +15,6 @@
 #include "post/part/stepnc_writer.h"
 #include "read/common/curve_fit.h"
 #include "read/read_part.h"
-#include "read/step_solid/apart.h"
 #include "read/step_solid/floor_sweep.h"
 #include "read/step_solid/height_map.h"
 #include "read/step_solid/solid_model.h"
@@ -341,18 +340,6 @@ TEST(FloorSweep, OverlaidFloorsWhoseEdgesAllButCoincideAreFound) {
     ASSERT_EQ(free.size(), 2u) << i;
     EXPECT_NEAR(std::min(free[0].area(), free[1].area()), circle_area(60), 0.1) << i;
   }
-}
-
-TEST(DoneApart, HandsOverMoreThanAPipeHolds) {
-  const std::string long_text(1 << 20, 'x');
-  EXPECT_EQ(read::done_apart({"/bin/cat"}, long_text, 10), long_text);
-}
-
-TEST(DoneApart, CrashesErrorsAndEndlessWorkAreNothing) {
-  EXPECT_EQ(read::done_apart({"/bin/sh", "-c", "echo half; kill -SEGV $$"}, "", 10), std::nullopt);
-  EXPECT_EQ(read::done_apart({"/bin/sh", "-c", "echo half; exit 3"}, "", 10), std::nullopt);
-  EXPECT_EQ(read::done_apart({"/bin/sh", "-c", "while :; do :; done"}, "", 1), std::nullopt);
-  EXPECT_EQ(read::done_apart({"/nonexistent/program"}, "", 10), std::nullopt);
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
 #include "read/step_solid/solid_model.h"
 
-#include <filesystem>
-
 #include "base/error.h"
+#include "base/programs/apart.h"
+#include "base/programs/companion.h"
 #include "read/part21/part21.h"
-#include "read/step_solid/apart.h"
 #include "read/step_solid/model_bytes.h"
 
 namespace clearcut::read {
@@ -16,13 +15,7 @@ constexpr int kLongestRead = 120;
 /// The program that knows the CAD kernel: beside this one, where it was built, or where it is installed. Empty where there is
 /// none.
 std::string reader_of_solids() {
-  std::error_code none;
-  const auto beside =
-      std::filesystem::read_symlink("/proc/self/exe", none).replace_filename("clearcut-solids");
-  for (const std::filesystem::path& place :
-       {beside, std::filesystem::path(CLEARCUT_SOLIDS), std::filesystem::path(CLEARCUT_SOLIDS_INSTALLED)})
-    if (!place.empty() && std::filesystem::exists(place, none)) return place.string();
-  return {};
+  return companion("clearcut-solids", CLEARCUT_SOLIDS, CLEARCUT_SOLIDS_INSTALLED);
 }
 
 }  // namespace

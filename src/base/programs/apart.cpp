@@ -1,4 +1,4 @@
-#include "read/step_solid/apart.h"
+#include "base/programs/apart.h"
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -10,7 +10,7 @@
 #include <cerrno>
 #include <system_error>
 
-namespace clearcut::read {
+namespace clearcut::inline base {
 namespace {
 
 [[noreturn]] void give_up(const char* what) {
@@ -98,4 +98,4 @@ std::optional<std::string> done_apart(const std::vector<std::string>& command, s
   return text;
 }
 
-}  // namespace clearcut::read
+}  // namespace clearcut::inline base

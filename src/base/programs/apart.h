@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace clearcut::read {
+namespace clearcut::inline base {
 
 /// What the program `command` (its path, then its arguments) writes when it is given `input`; nothing where it crashed,
 /// failed, or took more than `seconds` of processor time. What it says on standard error is dropped.
@@ -16,4 +16,4 @@ namespace clearcut::read {
 std::optional<std::string> done_apart(const std::vector<std::string>& command, std::string_view input,
                                       int seconds);
 
-}  // namespace clearcut::read
+}  // namespace clearcut::inline base
