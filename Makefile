@@ -47,7 +47,7 @@ python:
 
 # Debian packages, a tarball and what they consist of, in build/packages/out; then they are tried in a fresh root.
 packages:
-	@scripts/setup.sh build server python solids letters mpi packages
+	@scripts/setup.sh build server python solids letters sheets mpi packages
 	@scripts/packaging/make.sh
 	@scripts/packaging/try.sh build/packages/out
 

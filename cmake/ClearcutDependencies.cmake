@@ -23,6 +23,11 @@ else()
   if(CLEARCUT_LETTERS)
     pkg_check_modules(fonts QUIET IMPORTED_TARGET fontconfig freetype2)
   endif()
+  # Optional: without them set-up sheets are HTML alone; PDF is refused with a message that names them.
+  option(CLEARCUT_PDF "Write set-up sheets as PDF, where librsvg, pango and cairo are found" ON)
+  if(CLEARCUT_PDF)
+    pkg_check_modules(paper QUIET IMPORTED_TARGET librsvg-2.0 pangocairo cairo-pdf)
+  endif()
   # Optional: without it `clearcut serve` says which package is missing.
   pkg_check_modules(httplib QUIET IMPORTED_TARGET cpp-httplib)
   # Optional: without it `--mpi` says which package is missing.

@@ -1,4 +1,4 @@
-// Plans and checks as text: certificate (JSON), table, picture (SVG), page that plays the machining (HTML).
+// Plans and checks as text: certificate (JSON), table, picture (SVG), page that plays the machining (HTML), set-up sheet (HTML, PDF).
 #pragma once
 
 #include "clearcut/plan.h"
@@ -7,11 +7,13 @@
 #include "model/results/not_machined.h"
 #include "pipeline/texts.h"
 #include "report/picture/svg_path.h"
-#include "report/sheet/setup_sheet.h"
+#include "report/sheet/sheet_html.h"
+#include "report/sheet/sheet_pdf.h"
 
 namespace clearcut {
 
 using pipeline::CertificateBasis;
+using pipeline::setup_sheet_of;
 using pipeline::write_certificate;
 using pipeline::write_page;
 using pipeline::write_picture;
@@ -22,6 +24,10 @@ using pipeline::write_table;
 using pipeline::write_values;
 using report::CertificateFile;
 using report::joined_setup_sheets;
+using report::require_pdf;
+using report::setup_sheet_html;
+using report::setup_sheets_pdf;
+using report::SetupSheet;
 using report::svg_path;
 
 }  // namespace clearcut

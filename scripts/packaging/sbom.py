@@ -23,12 +23,18 @@ SPDX = {
     "bsd-3-clause": "BSD-3-Clause", "expat": "MIT", "expat with embedded exception": "MIT", "mit": "MIT", "zlib": "Zlib",
     "lgpl-2.1 with opencascade exception": "LGPL-2.1-only WITH OCCT-exception-1.0", "ftl or gpl-2+": "FTL OR GPL-2.0-or-later",
     "bsd-3-clause+cla": "BSD-3-Clause", "gpl-2+": "GPL-2.0-or-later", "lgpl-2.1+": "LGPL-2.1-or-later", "bsd-3-clause or gpl-2+": "BSD-3-Clause OR GPL-2.0-or-later",
+    "lgpl-2+": "LGPL-2.0-or-later", "lgpl-2+ and lgpl-2.1+": "LGPL-2.0-or-later AND LGPL-2.1-or-later", "mit-1": "MIT",
+    "lgpl-2+ and lgpl-2.1+ and cc0-1.0": "LGPL-2.0-or-later AND LGPL-2.1-or-later AND CC0-1.0",
+    "lgpl-2.1+ or mpl-1.1 or gpl-2+": "LGPL-2.1-or-later OR MPL-1.1 OR GPL-2.0-or-later",
 }
 # Those whose copyright files are prose.
 IN_PROSE = {"libc6": "LGPL-2.1-or-later", "libstdc++6": "GPL-3.0-or-later WITH GCC-exception-3.1",
             "libgcc-s1": "GPL-3.0-or-later WITH GCC-exception-3.1", "g++-12": "GPL-3.0-or-later",
             "libhwloc15": "BSD-3-Clause", "libopenmpi3": "BSD-3-Clause-Open-MPI", "zlib1g": "Zlib",
-            "libfreetype6": "FTL OR GPL-2.0-or-later", "libfontconfig1": "HPND-sell-variant", "libpng16-16": "libpng-2.0"}
+            "libfreetype6": "FTL OR GPL-2.0-or-later", "libfontconfig1": "HPND-sell-variant", "libpng16-16": "libpng-2.0",
+            "libcairo2": "LGPL-2.1-only OR MPL-1.1", "libcairo-gobject2": "LGPL-2.1-only OR MPL-1.1", "libpixman-1-0": "MIT",
+            "libselinux1": "libselinux-1.0", "libxau6": "MIT-open-group", "libxdmcp6": "MIT-open-group", "libxext6": "MIT-open-group",
+            "libxrender1": "HPND-sell-variant", "libx11-6": "MIT"}
 
 
 def said(*command):

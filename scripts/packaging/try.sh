@@ -40,6 +40,9 @@ inside "'/opt/a folder/bin/clearcut' $plan tarball.ngc"
   cp "$source/examples/bracket.step" "$root/try/"
   inside "'/opt/a folder/bin/clearcut' info bracket.step > /dev/null"
 }
+# A bare Debian has no font to draw a sheet with, and is told so.
+[ ! -x "$root/opt/a folder/bin/clearcut-sheet" ] ||
+  inside "! '/opt/a folder/bin/clearcut' $plan sheet.ngc --setup-sheet sheet.pdf 2> refusal && grep -q fonts-dejavu-core refusal && [ ! -e sheet.pdf ]"
 step tarball "plans, reads a solid, on a bare Debian, in '/opt/a folder'"
 
 # A stranger's path: what the README prints, for a drawing of one's own.
@@ -56,6 +59,7 @@ step README "an own drawing, planned and proven as printed, in $((SECONDS - bega
 rm -r "$root/try/own"
 install "python3-minimal"
 inside "clearcut $plan package.ngc && cmp package.ngc tarball.ngc && clearcut info bracket.json > /dev/null && clearcut serve --help > /dev/null"
+[ ! -x "$root/usr/bin/clearcut-sheet" ] || inside "clearcut $plan package.ngc --setup-sheet sheet.pdf && head -c 4 sheet.pdf | grep -q %PDF"
 step clearcut "plans; the same bytes as the tarball's"
 [ ! -e "$(echo "$packages"/clearcut-mpi_*.deb)" ] || {
   study='clearcut study spread --side 6 --runs 40 --generations 50 --quiet'

@@ -8,7 +8,8 @@
 #include "report/picture/svg.h"
 #include "report/result.h"
 #include "report/selection_table.h"
-#include "report/sheet/setup_sheet.h"
+#include "report/sheet/compose_sheet.h"
+#include "report/sheet/sheet_html.h"
 #include "report/table.h"
 #include "report/value_table.h"
 #include "report/viewer/html.h"
@@ -133,16 +134,26 @@ std::string write_page(const CheckResult& result, const resolve::PlanOptions& op
   return page_of(result, options, program);
 }
 
+report::SetupSheet setup_sheet_of(const PlanResult& result, const resolve::PlanOptions& options,
+                                  const std::string& program_name) {
+  return report::compose_sheet(result.part, result.toolpath, result.findings,
+                               sheet_info(options, program_name, options.post.dialect));
+}
+
+report::SetupSheet setup_sheet_of(const CheckResult& result, const resolve::PlanOptions& options,
+                                  const std::string& program_name) {
+  return report::compose_sheet(result.part, result.toolpath, result.findings,
+                               sheet_info(options, program_name, std::string(name_of(result.dialect))));
+}
+
 std::string write_setup_sheet(const PlanResult& result, const resolve::PlanOptions& options,
                               const std::string& program_name) {
-  return report::setup_sheet(result.part, result.toolpath, result.findings,
-                             sheet_info(options, program_name, options.post.dialect));
+  return report::setup_sheet_html(setup_sheet_of(result, options, program_name));
 }
 
 std::string write_setup_sheet(const CheckResult& result, const resolve::PlanOptions& options,
                               const std::string& program_name) {
-  return report::setup_sheet(result.part, result.toolpath, result.findings,
-                             sheet_info(options, program_name, std::string(name_of(result.dialect))));
+  return report::setup_sheet_html(setup_sheet_of(result, options, program_name));
 }
 
 std::string write_segments(const PlanResult& result) {

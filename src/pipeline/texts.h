@@ -7,6 +7,7 @@
 #include "pipeline/check.h"
 #include "pipeline/run.h"
 #include "report/certificate/certificate.h"
+#include "report/sheet/setup_sheet.h"
 
 namespace clearcut::pipeline {
 
@@ -51,7 +52,12 @@ std::string write_page(const PlanResult& result, const resolve::PlanOptions& opt
 std::string write_page(const CheckResult& result, const resolve::PlanOptions& options,
                        const std::string& program);
 
-/// The page for the machine: zero, stock, tools, operations, notes, as HTML. `program_name`: as it was written or read.
+/// What the page for the machine states: zero, stock, tools, operations, notes. `program_name`: as it was written or read.
+report::SetupSheet setup_sheet_of(const PlanResult& result, const resolve::PlanOptions& options,
+                                  const std::string& program_name);
+report::SetupSheet setup_sheet_of(const CheckResult& result, const resolve::PlanOptions& options,
+                                  const std::string& program_name);
+/// The same as HTML.
 std::string write_setup_sheet(const PlanResult& result, const resolve::PlanOptions& options,
                               const std::string& program_name);
 std::string write_setup_sheet(const CheckResult& result, const resolve::PlanOptions& options,

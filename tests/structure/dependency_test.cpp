@@ -60,15 +60,16 @@ std::vector<fs::directory_entry> sources_of_programs() {
   return all;
 }
 
-/// The command and the Python module are users of the library like any other: <clearcut/...>, and its own files by their bare names. The program
-/// that knows the CAD kernel stands behind the reader of solids and speaks its language.
+/// The command and the Python module are users of the library like any other: <clearcut/...>, and its own files by their bare names. The programs
+/// that know the CAD kernel and that draw pages stand behind the reader of solids and the writer of sheets and speak their languages.
 TEST(Dependencies, ProgramsIncludeTheLibraryAlone) {
   const std::regex include("^\\s*#include [<\"]([a-z0-9_]+)/([a-z_0-9/]+\\.h)[>\"]");
   int checked = 0;
   for (const auto& entry : sources_of_programs()) {
     const auto extension = entry.path().extension();
     if (extension != ".h" && extension != ".cpp") continue;
-    const bool solids = entry.path().parent_path().filename() == "solids";
+    const fs::path folder = entry.path().parent_path().filename();
+    const bool solids = folder == "solids", sheet = folder == "sheet";
     std::ifstream file(entry.path());
     int number = 0;
     for (std::string line; std::getline(file, line);) {
@@ -78,7 +79,8 @@ TEST(Dependencies, ProgramsIncludeTheLibraryAlone) {
       const bool header_of_system = !fs::exists(kSource / match[1].str()) && match[1] != "studies";
       if (header_of_system && match[1] != "clearcut") continue;
       ++checked;
-      EXPECT_TRUE(match[1] == "clearcut" || (solids && (match[1] == "base" || match[1] == "read")))
+      EXPECT_TRUE(match[1] == "clearcut" || (solids && (match[1] == "base" || match[1] == "read")) ||
+                  (sheet && match[1] == "report"))
           << entry.path() << ":" << number << ": include <clearcut/...> instead of " << match[1] << "/"
           << match[2];
     }

@@ -12,6 +12,7 @@
 #include "arguments/certificate_info.h"
 #include "arguments/plan_arguments.h"
 #include "commands/commands.h"
+#include "commands/setup_sheet_file.h"
 #include "terminal/output.h"
 #include "terminal/progress.h"
 #include "terminal/terminal.h"
@@ -44,7 +45,9 @@ std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptio
   add(command.certificate, [&] { return write_certificate(result, options, basis_of(command)); });
   add(command.svg, [&] { return write_picture(result); });
   add(command.html, [&] { return write_page(result, options); });
-  add(command.sheet, [&] { return write_setup_sheet(result, options, file_name(command.output)); });
+  add(command.sheet, [&] {
+    return setup_sheet_file(command.sheet, setup_sheet_of(result, options, file_name(command.output)));
+  });
   add(command.result, [&] { return write_segments(result); });
   return files;
 }
@@ -211,15 +214,15 @@ std::vector<std::string> output_names_of_setups(PlanCommand command, int count) 
 
 std::vector<OutputFile> files_of_setups(const std::vector<PlannedSetup>& setups, const std::string& sheet) {
   std::vector<OutputFile> files;
-  std::vector<std::string> sheets;
+  std::vector<SetupSheet> sheets;
   for (const PlannedSetup& one : setups) {
     PlanCommand others = one.command;
     others.sheet.clear();
     for (OutputFile& file : output_files(others, one.options, one.result)) files.push_back(std::move(file));
     if (!sheet.empty())
-      sheets.push_back(write_setup_sheet(one.result, one.options, file_name(one.command.output)));
+      sheets.push_back(setup_sheet_of(one.result, one.options, file_name(one.command.output)));
   }
-  if (!sheet.empty()) files.push_back({sheet, joined_setup_sheets(sheets)});
+  if (!sheet.empty()) files.push_back({sheet, setup_sheets_file(sheet, sheets)});
   return files;
 }
 
@@ -270,6 +273,7 @@ Part read_with_progress(const PlanCommand& command) {
 
 int run(PlanCommand command) {
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
+  check_setup_sheet_name(command.sheet);
   if (const int setups = setup_count_of(command.arguments.input())) return run_setups(command, setups);
   const Part part = read_with_progress(command);
   const PlanOptions options = command.arguments.options();
@@ -294,7 +298,9 @@ std::shared_ptr<PlanCommand> declare(CLI::App& command) {
   command.add_option("--certificate", state->certificate, "Certificate to write (JSON)")->type_name("FILE");
   command.add_option("--svg", state->svg, "Picture to write")->type_name("FILE");
   command.add_option("--report", state->html, "Animated report to write (HTML)")->type_name("FILE");
-  command.add_option("--setup-sheet", state->sheet, "Set-up sheet to write (HTML, prints on one page)")
+  command
+      .add_option("--setup-sheet", state->sheet,
+                  "Set-up sheet to write, for one printed page: HTML, or PDF for FILE.pdf")
       ->type_name("FILE");
   command.add_option("--result", state->result, "Segments to write: x y to x y per line")->type_name("FILE");
   command.add_flag("--explain", state->explain, "Print every value of the plan and where it comes from");

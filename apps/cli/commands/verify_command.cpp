@@ -9,6 +9,7 @@
 #include "arguments/plan_arguments.h"
 #include "arguments/suggest.h"
 #include "commands/commands.h"
+#include "commands/setup_sheet_file.h"
 #include "terminal/output.h"
 #include "terminal/progress.h"
 #include "terminal/terminal.h"
@@ -79,6 +80,7 @@ Checked checked(const VerifyCommand& command) {
 }
 
 int run(const VerifyCommand& command) {
+  check_setup_sheet_name(command.sheet);
   const Checked found = checked(command);
   const CheckResult& result = found.result;
   std::vector<OutputFile> files;
@@ -88,7 +90,8 @@ int run(const VerifyCommand& command) {
     files.push_back({command.html, write_page(result, command.arguments.options(), found.program)});
   if (!command.sheet.empty())
     files.push_back(
-        {command.sheet, write_setup_sheet(result, command.arguments.options(), file_name(command.program))});
+        {command.sheet, setup_sheet_file(command.sheet, setup_sheet_of(result, command.arguments.options(),
+                                                                       file_name(command.program)))});
   std::vector<std::string> inputs = paths_of(command.arguments.input_files());
   inputs.push_back(command.program);
   write_outputs(files, inputs);
@@ -144,7 +147,9 @@ std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
       ->type_name("FILE");
   command.add_option("--svg", state->svg, "Picture to write")->type_name("FILE");
   command.add_option("--report", state->html, "Page to write that plays the machining")->type_name("FILE");
-  command.add_option("--setup-sheet", state->sheet, "Set-up sheet to write (HTML, prints on one page)")
+  command
+      .add_option("--setup-sheet", state->sheet,
+                  "Set-up sheet to write, for one printed page: HTML, or PDF for FILE.pdf")
       ->type_name("FILE");
   command.add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
   return state;
@@ -165,7 +170,9 @@ void add_setup_sheet_command(CLI::App& app, int& exit_code) {
   command->group("Planning");
   auto state = declare_question(*command);
   command->option_defaults()->group("Output");
-  command->add_option("-o,--output", state->sheet, "Set-up sheet to write (HTML, prints on one page)")
+  command
+      ->add_option("-o,--output", state->sheet,
+                   "Set-up sheet to write, for one printed page: HTML, or PDF for FILE.pdf")
       ->required()
       ->type_name("FILE");
   command->add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");

@@ -213,7 +213,7 @@ const char* const kRest = R"(
 # certificate = "out.json"
 # svg = "out.svg"
 # report = "out.html"
-# setup_sheet = "setup.html"
+# setup_sheet = "setup.html"  # or setup.pdf
 # result = "out.edges"     # the cuts as segments, x y to x y in each line
 )";
 

@@ -1,32 +1,36 @@
-// The page that a machinist takes to the machine.
+// What the page that a machinist takes to the machine states.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "model/move.h"
-#include "model/part.h"
-#include "model/results/findings.h"
-
 namespace clearcut::report {
 
-struct SetupSheetInfo {
-  std::string program_name;
-  std::string dialect;
-  std::string work_offset = "G54";
-  bool inch = false;  ///< lengths and feeds as the program has them
+struct SheetFact {
+  std::string name, value;
 };
 
-/// Shape   a well-formed HTML page for one printed sheet: verdict, where the zero lies on the stock, stock and extents of
-///         motion, tools with the stickout they need, operations in order with their feeds and times, a picture, what must hold
-///         at the machine, and lines to fill in by hand.
-/// Units   mm and mm/min, or in and in/min; times as h:mm:ss of the kinematic model, tool changes included.
-/// Text    names are escaped. The same job gives the same bytes: no date.
-/// Cost    O(moves), and that of the picture.
-std::string setup_sheet(const Part& part, const Toolpath& toolpath, const Findings& findings,
-                        const SetupSheetInfo& info);
+struct SheetColumn {
+  std::string name;
+  bool is_number = false;
+};
 
-/// Sheets of one job as one page that prints each on a sheet of its own.
-std::string joined_setup_sheets(const std::vector<std::string>& sheets);
+struct SheetTable {
+  std::string title;
+  std::vector<SheetColumn> columns;
+  std::vector<std::vector<std::string>> rows;  ///< a cell for each column
+};
+
+/// A sheet as texts in UTF-8, in the order in which it is read; how they are laid out is its writers' (sheet_html.h, sheet_pdf.h).
+struct SetupSheet {
+  std::string part;
+  std::string verdict;   ///< CLEAN, CONDITIONAL, FAULTY
+  std::string headline;  ///< program, control, whole time
+  std::vector<SheetFact> facts;
+  std::string picture;  ///< the part from above with its zero: one element <svg>
+  SheetTable tools, operations;
+  std::vector<std::string> notes;    ///< faults, what must hold at the machine, warnings
+  std::vector<std::string> by_hand;  ///< what is filled in at the machine
+};
 
 }  // namespace clearcut::report

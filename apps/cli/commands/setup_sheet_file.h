@@ -1,0 +1,19 @@
+// Set-up sheets as files: which kind is written is what their names end in.
+#pragma once
+
+#include <clearcut/report.h>
+
+#include <string>
+#include <vector>
+
+namespace clearcut::cli {
+
+/// Throws InputError before anything is planned where the name asks for a PDF that this build cannot write.
+void check_setup_sheet_name(const std::string& path);
+
+/// PDF for names in .pdf, else HTML.
+std::string setup_sheet_file(const std::string& path, const SetupSheet& sheet);
+/// Those of a job of several set-ups, each on a sheet of its own.
+std::string setup_sheets_file(const std::string& path, const std::vector<SetupSheet>& sheets);
+
+}  // namespace clearcut::cli

@@ -1,0 +1,67 @@
+// Pages of A4 in a PDF, with text, lines and pictures at places of theirs. Points (1/72 inch), y down.
+#pragma once
+
+#include <cairo.h>
+#include <pango/pango.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "picture.h"
+
+namespace clearcut::sheet {
+
+inline constexpr double kPaperWidth = 210 / 25.4 * 72, kPaperHeight = 297 / 25.4 * 72;
+
+struct Style {
+  double size = 0;
+  std::uint32_t colour = 0x1c2733;  ///< red, green, blue
+  bool is_bold = false;
+  PangoAlignment side = PANGO_ALIGN_LEFT;
+};
+
+/// Where text is put: as wide as that, and no more lines than those.
+struct Column {
+  double x = 0, width = 0;
+  int most_lines = 60;  ///< of a page; what is more ends in dots
+};
+
+class Paper {
+ public:
+  /// `title`: of the document. A trial measures and draws nothing.
+  explicit Paper(const std::string& title, bool is_trial = false);
+  ~Paper();
+  Paper(const Paper&) = delete;
+  Paper& operator=(const Paper&) = delete;
+
+  /// Of one line of text.
+  double width(const std::string& text, const Style& style);
+  /// Of the widest piece that no line end parts.
+  double widest_word(const std::string& text, const Style& style);
+  double height(const std::string& text, double width, const Style& style);
+
+  /// Wrapped to the column's width with its top at `y`; the height that it takes.
+  double text(const std::string& text, const Column& column, double y, const Style& style);
+  void line(double x, double to_x, double y, double thickness, std::uint32_t colour);
+  void picture(const Picture& picture, double x, double y, double width, double height);
+  void end_page();
+
+  /// The document; nothing can be drawn any more.
+  std::string finish();
+
+ private:
+  void set(const std::string& text, const Style& style, double width, int most_lines = 60);
+  void set_colour(std::uint32_t colour);
+
+  bool is_trial_;
+  std::string bytes_;
+  cairo_surface_t* surface_;
+  cairo_t* cairo_;
+  PangoLayout* layout_;
+};
+
+/// Whether any font is installed.
+bool has_fonts();
+
+}  // namespace clearcut::sheet

@@ -1,0 +1,15 @@
+// Set-up sheets laid out on paper.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "report/sheet/setup_sheet.h"
+
+namespace clearcut::sheet {
+
+/// A PDF with each sheet on one page where it fits, from a page of its own on.
+/// Throws std::runtime_error with one line where no font is installed, or a picture cannot be drawn.
+std::string pages_of(const std::vector<report::SetupSheet>& sheets);
+
+}  // namespace clearcut::sheet

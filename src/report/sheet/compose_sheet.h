@@ -1,0 +1,28 @@
+// What a set-up sheet says of a job.
+#pragma once
+
+#include <string>
+
+#include "model/move.h"
+#include "model/part.h"
+#include "model/results/findings.h"
+#include "report/sheet/setup_sheet.h"
+
+namespace clearcut::report {
+
+struct SetupSheetInfo {
+  std::string program_name;
+  std::string dialect;
+  std::string work_offset = "G54";
+  bool inch = false;  ///< lengths and feeds as the program has them
+};
+
+/// Shape   verdict, where the zero lies on the stock, stock and extents of motion, tools with the stickout they need, operations in
+///         order with their feeds and times, a picture, what must hold at the machine, and lines to fill in by hand.
+/// Units   mm and mm/min, or in and in/min; times as h:mm:ss of the kinematic model, tool changes included.
+/// Text    the same job gives the same: no date.
+/// Cost    O(moves), and that of the picture.
+SetupSheet compose_sheet(const Part& part, const Toolpath& toolpath, const Findings& findings,
+                         const SetupSheetInfo& info);
+
+}  // namespace clearcut::report
