@@ -86,7 +86,7 @@ void refuse_missing_words(const PostOptions& options, const IsoDialect* dialect)
     if (!(std::abs(value) <= PrintGrid::kLargest))
       throw InputError("--end-position", "lies where no machine reaches; give X,Y in mm");
   }
-  if (options.optional_stop && !(dialect && dialect->optional_stop))
+  if (options.optional_stop && dialect && !dialect->optional_stop)
     refuse("--optional-stop", "M1 that stops only where the operator wants it");
   if (options.spindle_wait && !(options.spindle_wait->seconds() <= kLongestWait))
     throw InputError("--spindle-wait", "must be at most " + trimmed(kLongestWait, 0) + " s");

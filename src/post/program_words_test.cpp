@@ -4,6 +4,7 @@
 
 #include <sstream>
 #include <string>
+#include <tuple>
 
 #include "base/error.h"
 #include "post/post.h"
@@ -89,6 +90,26 @@ TEST(ProgramWords, KlartextNamesKeepTheirWordsApart) {
   EXPECT_THAT(program(options), HasSubstr("BEGIN PGM A_NAME_THAT_IS_LONGER_TH MM"));
 }
 
+/// The end of a helix lies beside the grid by less than a step, which is no reason to leave a thread askew.
+TEST(ProgramWords, KlartextGoesStraightUpFromTheEndOfAHelix) {
+  Toolpath toolpath;
+  Section section;
+  section.tool_number = 1;
+  section.spindle_rpm = 1000;
+  const MmPerMin feed = MmPerMin::of(100);
+  section.moves = {
+      {Edge::line({2, 0}, {2, 0}), 5, 0, MoveKind::kPlunge, feed, 0},
+      {Edge::arc({2, 0}, {-1.2, 1.6}, {0, 0}, Turn::kCounterClockwise), 0, -1, MoveKind::kCut, feed, 0},
+      {Edge::line({-1.2, 1.6}, {-1.2, 1.6}), -1, 5, MoveKind::kRapid, {}, 0},
+      {Edge::line({-1.2, 1.6}, {7, 1.6}), 5, 5, MoveKind::kRapid, {}, 0},
+  };
+  toolpath.sections.push_back(section);
+  const std::string text = write_program(toolpath, Part{}, post_for("heidenhain"));
+  EXPECT_THAT(text, HasSubstr("CP IPA+126.8699 IZ-1 DR+"));
+  EXPECT_THAT(text, HasSubstr(" L Z+5 R0 FMAX\n"));
+  EXPECT_THAT(text, HasSubstr(" L X+7 Y+1.6 R0 FMAX\n")) << "the next move in plan says both";
+}
+
 TEST(ProgramWords, BlocksAreNumberedInTens) {
   PostOptions options = post_for("haas");
   const std::string plain = program(options);
@@ -117,15 +138,19 @@ TEST(ProgramWords, ToolsPutInByHandAreTouchedOffBeforeTheProgramGoesOn) {
 }
 
 TEST(ProgramWords, OptionalStopComesBeforeEveryToolButTheFirst) {
-  PostOptions options = post_for("linuxcnc");
-  EXPECT_THAT(program(options), Not(HasSubstr("\nM1\n")));
-  options.optional_stop = true;
-  const std::string text = program(options);
-  const auto stop = text.find("\nM1\n");
-  ASSERT_NE(stop, std::string::npos);
-  EXPECT_EQ(text.find("\nM1\n", stop + 1), std::string::npos);
-  EXPECT_LT(text.find("T1 M6"), stop);
-  EXPECT_LT(stop, text.find("T2 M6"));
+  for (const auto& [dialect, first, second] :
+       {std::tuple{"linuxcnc", "T1 M6", "T2 M6"}, std::tuple{"heidenhain", "TOOL CALL 1 ", "TOOL CALL 2 "}}) {
+    SCOPED_TRACE(dialect);
+    PostOptions options = post_for(dialect);
+    EXPECT_THAT(program(options), Not(HasSubstr("M1\n")));
+    options.optional_stop = true;
+    const std::string text = program(options);
+    const auto stop = text.find("M1\n");
+    ASSERT_NE(stop, std::string::npos);
+    EXPECT_EQ(text.find("M1\n", stop + 1), std::string::npos);
+    EXPECT_LT(text.find(first), stop);
+    EXPECT_LT(stop, text.find(second));
+  }
 }
 
 TEST(ProgramWords, ControlsWithoutThemRefuseThem) {
@@ -137,11 +162,13 @@ TEST(ProgramWords, ControlsWithoutThemRefuseThem) {
     options.block_numbers = true;
     EXPECT_THAT(refusal(options), HasSubstr("--block-numbers")) << dialect;
   }
-  for (const char* dialect : {"heidenhain", "marlin", "grbl"}) {
+  for (const char* dialect : {"marlin", "grbl"}) {
     PostOptions options = post_for(dialect);
     options.optional_stop = true;
     EXPECT_THAT(refusal(options), HasSubstr("--optional-stop")) << dialect;
-    options = post_for(dialect);
+  }
+  for (const char* dialect : {"heidenhain", "marlin", "grbl"}) {
+    PostOptions options = post_for(dialect);
     options.program_number = 7;
     EXPECT_THAT(refusal(options), HasSubstr("--program-number")) << dialect;
   }

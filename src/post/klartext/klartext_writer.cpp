@@ -169,6 +169,7 @@ void KlartextWriter::write_section(const Section& section) {
   if (new_tool) {
     set_coolant(Coolant::kOff);
     set_spindle(5);
+    if (options_.optional_stop && held_.tool != 0) block("M1");
     comment(tool_change_comment(part_, section.tool_number, options_.inch));
   }
   call_tool(section);
@@ -325,12 +326,15 @@ void KlartextWriter::write_move(const Move& move) {
   }
 }
 
+/// Beside the grid after a helix, a line in plan takes the difference back; straight up or down it stays.
 void KlartextWriter::write_line(const Ticks& to, bool rapid, MmPerMin feed) {
   std::string text = "L";
-  const bool off_grid = held_.off_grid != Vec2{};
-  if (off_grid || to.x != held_.at.x) text += coordinate(" X", to.x);
-  if (off_grid || to.y != held_.at.y) text += coordinate(" Y", to.y);
-  held_.off_grid = {};
+  if (!to.same_plan(held_.at)) {
+    const bool off_grid = held_.off_grid != Vec2{};
+    if (off_grid || to.x != held_.at.x) text += coordinate(" X", to.x);
+    if (off_grid || to.y != held_.at.y) text += coordinate(" Y", to.y);
+    held_.off_grid = {};
+  }
   if (to.z != held_.at.z) text += coordinate(" Z", to.z);
   held_.at = to;
   if (rapid) held_.feed = -1;
