@@ -137,6 +137,7 @@ bool same_moves(const Toolpath& a, const Toolpath& b) {
 /// What the machine needs, where nobody has asked for something else.
 PostOptions post_options_of(const ResolvedPlan& plan) {
   PostOptions post = plan.post;
+  post.rapid = plan.machine.rapid;
   if (!post.spindle_wait && plan.machine.spindle_wait_s > 0)
     post.spindle_wait = Seconds::of(plan.machine.spindle_wait_s);
   const auto& accepted = plan.accept;

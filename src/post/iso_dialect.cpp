@@ -79,6 +79,7 @@ constexpr std::array kDialects{
                .knows_exact_stop = false,
                .changer = false,
                .tool_word = false,
+               .pause_says_tool = true,
                .home = HomeForm::kSwitches,
                .dwell = DwellForm::kSSeconds,
                .spindle_wait = 2,

@@ -68,6 +68,7 @@ struct IsoDialect {
   bool knows_exact_stop = true;  ///< G61
   bool changer = true;           ///< M6; else a pause
   bool tool_word = true;         ///< T
+  bool pause_says_tool = false;  ///< M0 shows the text behind it
   LengthOffset length_offset = LengthOffset::kNone;
   HomeForm home = HomeForm::kSafeHeight;
   DwellForm dwell = DwellForm::kPSeconds;

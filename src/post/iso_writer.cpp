@@ -268,7 +268,8 @@ void IsoWriter::load_by_hand(int number) {
   if (dialect_.tool_word) out_.line(fmt::format("T{}", number));
   if (held_.tool == 0) return;
   out_.comment("TOUCH OFF Z WITH THIS TOOL");
-  out_.line("M0");
+  // No P or S with a number may stand in the text: it would be how long to wait.
+  out_.line(dialect_.pause_says_tool ? fmt::format("M0 INSERT T{}, TOUCH OFF Z", number) : "M0");
 }
 
 void IsoWriter::home() {

@@ -133,7 +133,8 @@ TEST(ProgramWords, BlocksAreNumberedInTens) {
 
 TEST(ProgramWords, ToolsPutInByHandAreTouchedOffBeforeTheProgramGoesOn) {
   EXPECT_THAT(program(post_for("grbl")), HasSubstr("T2\n(TOUCH OFF Z WITH THIS TOOL)\nM0\n"));
-  EXPECT_THAT(program(post_for("marlin")), HasSubstr("; TOUCH OFF Z WITH THIS TOOL\nM0\n"));
+  EXPECT_THAT(program(post_for("marlin")),
+              HasSubstr("; TOUCH OFF Z WITH THIS TOOL\nM0 INSERT T2, TOUCH OFF Z\n"));
   EXPECT_THAT(program(post_for("linuxcnc")), Not(HasSubstr("TOUCH OFF")));
 }
 

@@ -296,6 +296,14 @@ TEST(Rest, AfterAProgramOfTheSameCutterNothingIsCut) {
   EXPECT_GT(programs, 6);
 }
 
+TEST(Shop, RapidsThatNeedAFeedHaveTheMachines) {
+  resolve::PlanOptions options = test_support::plan_options_with({"endmill:6"});
+  options.post.dialect = "marlin";
+  options.machine.rapid = MmPerMin::of(1800);
+  const std::string program = pipeline::plan_part(part_of({rectangle(20, 15)}, 2), options).program;
+  EXPECT_THAT(program, ::testing::ContainsRegex("G0 Z[0-9.]+ F1800\n"));
+}
+
 TEST(Shop, ImpossibleOptionsAreRefusedByName) {
   const auto refused = [](auto&& change) {
     resolve::PlanOptions options;

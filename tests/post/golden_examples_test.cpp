@@ -89,7 +89,8 @@ resolve::PlanOptions options_of(const Case& c, bool inch) {
   options.stepdown = c.example.stepdown;
   options.post.dialect = c.dialect;
   options.post.inch = inch;
-  if (c.dialect == "marlin") options.accept = {"tool-by-hand"};  // its programs cannot name their tools
+  // Its programs cannot name their tools, and its firmware need not have inches.
+  if (c.dialect == "marlin") options.accept = {"tool-by-hand", "g20"};
   return options;
 }
 

@@ -30,8 +30,9 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// A block's words, comments left out.
+/// A block's words, comments left out, and what Marlin shows at a pause.
 std::string words_of(const std::string& line) {
+  if (line.starts_with("M0 ")) return "M0";
   return line.substr(0, line.find_first_of("(;"));
 }
 

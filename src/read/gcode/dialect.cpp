@@ -79,6 +79,9 @@ constexpr std::array kRules{
                  .always_mm = true,
                  .dwell_in_ms = true,
                  .dwell_by_s = true,
+                 .inch_needs = "G20 is a word of firmware that was built with INCH_MODE_SUPPORT; this one "
+                               "was, and does not take inches for mm",
+                 .pause_says_text = true,
                  .mist_needs = "M7 is a word of firmware that was built with COOLANT_MIST; this one was"},
 };
 

@@ -41,6 +41,8 @@ struct DialectRules {
   int numbered_offsets = 0;          ///< most P of G54.1, G154, G59
   int mist_on = 70;                  ///< M word in tenths
   int mist_off = 90;                 ///< where it is not M9, that ends flood alone
+  std::string_view inch_needs = {};  ///< what must hold for G20; empty: nothing
+  bool pause_says_text = false;      ///< M0 and M1 show the text behind them
   std::string_view mist_needs = {};  ///< what must hold for them; empty: every such control has them
 };
 

@@ -48,6 +48,13 @@ TEST(GcodeConditions, WhatTheMachineHoldsIsNamed) {
   EXPECT_THAT(message_of(start + "M99 P3\n"), HasSubstr("test.ngc:2: M99 P jumps"));
 }
 
+TEST(GcodeConditions, InchesOfMarlinNeedFirmwareThatHasThem) {
+  const std::string start = "G90 G0 X0 Y0 Z1\n";
+  EXPECT_EQ(conditions_as(Dialect::kMarlin, "G20\n" + start), "g20@1");
+  EXPECT_EQ(conditions_as(Dialect::kMarlin, "G21\n" + start), "");
+  EXPECT_EQ(conditions_as(Dialect::kGrbl, "G20\n" + start), "");
+}
+
 TEST(GcodeConditions, HomeIsNoneWhereItIsTheTopOfTheTravel) {
   const std::string start = "G21 G61 G17 G90 G0 X0. Y0. Z5.\nG1 X5. F9.\n";
   EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G91 G28 Z0.\nG90\nM30"), "");
@@ -149,6 +156,15 @@ TEST(GcodeDialects, WordsOfOthersAreRefused) {
   EXPECT_THAT(refusal(Dialect::kLinuxCnc, "G54.1 P2"), HasSubstr("G54.1 is no word of linuxcnc"));
   EXPECT_THAT(refusal(Dialect::kHeidenhain, "G0 X1"), HasSubstr("no Klartext"));
   EXPECT_THAT(refusal(Dialect::kGrbl, "BEGIN PGM A MM\n"), HasSubstr("heidenhain"));
+}
+
+TEST(GcodeDialects, TextBehindAPauseIsMarlins) {
+  const std::string start = "G90\nG0 X0 Y0 Z5\n", rest = "\nG1 X5 F9\nM2";
+  for (const char* pause : {"M0 INSERT T3, TOUCH OFF Z", "M1 change the tool"})
+    EXPECT_EQ(read_as(Dialect::kMarlin, start + pause + rest).toolpath.sections.back().moves.back().path.to,
+              (Vec2{5, 0}));
+  EXPECT_THAT(refusal(Dialect::kLinuxCnc, start + "M0 INSERT T3" + rest),
+              HasSubstr("test.ngc:3: text behind a pause"));
 }
 
 TEST(GcodeState, IsKeptForEachMove) {

@@ -32,6 +32,8 @@ void ModeWords::use_units(double unit) {
   }
   control_.modes.unit = unit;
   control_.units_said = true;
+  if (unit != 1 && !control_.rules.inch_needs.empty())
+    control_.condition("g20", std::string(control_.rules.inch_needs));
 }
 
 void ModeWords::set_mode(int code, const Block& block) {
@@ -182,7 +184,10 @@ void ModeWords::load_tool() {
 }
 
 /// A pause is where tools are changed by hand.
-void ModeWords::pause() {
+void ModeWords::pause(const Block& block) {
+  if (block.has_text && !control_.rules.pause_says_text)
+    control_.refuse("text behind a pause, which " + std::string(name_of(control_.rules.dialect)) +
+                    " reads as words; make it a comment");
   control_.tool_put_in = true;
   control_.builder.add_event(ControlEventKind::kPause, control_.line);
   if (control_.changer) return;
@@ -219,7 +224,7 @@ void ModeWords::set_drive(int m, const Block& block) {
   if (m == 30 || m == 40 || m == 50) return control_.turn_spindle(m / 10);
   if (m == 190) return control_.turn_spindle(5);
   if (m == 130 || m == 140) return control_.turn_spindle(m / 10 - 10);
-  if (m == 0 || m == 10) return pause();
+  if (m == 0 || m == 10) return pause(block);
   if (m == 960 || m == 970 || (m == 980 && block.has('P'))) {
     control_.refuse("subprogram calls are not read; post the program without them");
   }

@@ -29,7 +29,7 @@ class ModeWords {
   void set_drive(int m, const Block& block);
   void select_tool(const Block& block);
   void load_tool();
-  void pause();
+  void pause(const Block& block);
 
   Control& control_;
   std::optional<Modes> saved_;  ///< by M70

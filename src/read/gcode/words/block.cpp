@@ -25,6 +25,11 @@ bool has_exponent(std::string_view line, std::size_t at) {
   return is_number_part(line[at + 1]);
 }
 
+/// Two letters are no word.
+bool is_text(std::string_view rest) {
+  return rest.size() > 1 && is_letter(rest[0]) && is_letter(rest[1]);
+}
+
 std::string shown(char c) {
   const auto byte = static_cast<unsigned char>(c);
   if (std::isprint(byte)) return std::string("'") + c + "'";
@@ -43,7 +48,7 @@ int tenths(double value, char letter, const std::string& place) {
 
 void Block::clear() {
   line = 0;
-  optional = percent = false;
+  optional = percent = has_text = false;
   g.clear();
   m.clear();
   comments.clear();
@@ -126,6 +131,10 @@ void BlockReader::parse_word(std::string_view line, std::size_t& at, Block& bloc
   } else if (letter == 'M') {
     block.m.push_back(tenths(number, letter, place(block.line)));
     if (block.m.back() == 1170 || block.m.back() == 1180) at = line.size();  // Marlin's messages
+    if ((block.m.back() == 0 || block.m.back() == 10) && is_text(line.substr(at))) {
+      block.has_text = true;
+      at = line.size();
+    }
   } else {
     if (block.has(letter)) {
       throw InputError(place(block.line), std::string("two ") + letter + " words in one block; split it");

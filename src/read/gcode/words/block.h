@@ -15,6 +15,7 @@ struct Block {
   int line = 0;
   bool optional = false;  ///< begins with '/'
   bool percent = false;   ///< a lone '%'
+  bool has_text = false;  ///< behind M0 or M1, as Marlin shows it
   std::vector<int> g;     ///< G words in tenths: 911 is G91.1
   std::vector<int> m;     ///< M words in tenths
   std::vector<std::string_view> comments;
