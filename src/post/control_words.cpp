@@ -40,6 +40,24 @@ std::string work_offsets_of(const IsoDialect& dialect) {
   return text;
 }
 
+std::vector<std::string> mode_blocks(const IsoDialect& dialect, const WorkOffset& offset) {
+  const std::string_view first = "G54 ";
+  std::string words(dialect.safe_start);
+  const bool numbered = offset.number > 0;
+  if (const std::size_t at = words.find(first); at != std::string::npos)
+    words.replace(at, first.size(), numbered ? "" : words_of(offset) + " ");
+  if (!numbered) return {words};
+  return {words, words_of(offset)};
+}
+
+std::vector<std::string> later_mode_blocks(const IsoDialect& dialect, const WorkOffset& offset) {
+  const std::string_view no_length = "G49 ";
+  std::vector<std::string> blocks = mode_blocks(dialect, offset);
+  if (const std::size_t at = blocks.front().find(no_length); at != std::string::npos)
+    blocks.front().erase(at, no_length.size());
+  return blocks;
+}
+
 std::vector<std::string> home_blocks(const IsoDialect& dialect) {
   const std::string zero = dialect.always_point ? "0." : "0";
   if (dialect.home == HomeForm::kMachineZero) return {"G53 G0 Z" + zero, "G53 G0 X" + zero + " Y" + zero};

@@ -78,6 +78,7 @@ struct IsoDialect {
   MistWords mist = {};
   Tapping tapping = Tapping::kByWords;
   bool drill_cycles = false;      ///< G81 and G83
+  bool entered_at_tools = false;  ///< shops begin at a tool after a reset, which ends the modes of the start
   bool optional_stop = true;      ///< M1, which stops where the operator has asked for it
   bool block_numbers = true;      ///< N words are numbers alone
   bool dogleg_rapids = false;     ///< G0 need not be straight: z and plan move one after the other

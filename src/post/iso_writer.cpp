@@ -32,16 +32,6 @@ struct Held {
   bool length_due = false;  ///< the tool's length comes with the next approach
 };
 
-/// With the work offset that is asked for in place of the first; one with a P word has a block of its own.
-std::string safe_start(const IsoDialect& dialect, const PostOptions& options) {
-  const std::string_view first = "G54 ";
-  std::string words(dialect.safe_start);
-  const std::size_t at = words.find(first);
-  if (at == std::string::npos) return words;
-  const bool numbered = options.work_offset.number > 0;
-  return words.replace(at, first.size(), numbered ? "" : words_of(options.work_offset) + " ");
-}
-
 class IsoWriter {
  public:
   IsoWriter(const Part& part, const PostOptions& options, const IsoDialect& dialect, double safe_z)
@@ -59,7 +49,7 @@ class IsoWriter {
   static StepRules rules_for(const PostOptions& options, const IsoDialect& dialect);
 
   void begin_program();
-  void set_path_control();
+  void set_path_control(bool first);
   void write_section(const Section& section);
   void end_program();
 
@@ -129,13 +119,12 @@ void IsoWriter::begin_program() {
   out_.comment(options_.inch ? "UNITS: INCH" : "UNITS: MM");
   const std::string_view units = options_.inch ? "G20" : dialect_.metric;
   if (!units.empty()) out_.line(units);
-  out_.line(safe_start(dialect_, options_));
-  if (options_.work_offset.number > 0) out_.line(words_of(options_.work_offset));
-  set_path_control();
+  for (const std::string& block : mode_blocks(dialect_, options_.work_offset)) out_.line(block);
+  set_path_control(true);
 }
 
 /// Blending may use half of the gouge tolerance; rounding the words needs less than the rest. Q0: no merging.
-void IsoWriter::set_path_control() {
+void IsoWriter::set_path_control(bool first) {
   if (options_.exact_stop) {
     if (dialect_.knows_exact_stop) out_.line("G61");
     return;
@@ -146,7 +135,8 @@ void IsoWriter::set_path_control() {
   if (dialect_.path_control == PathControl::kCornerRounding) out_.line("G187 E" + trimmed(blend, 6));
   if (dialect_.path_control != PathControl::kExactStop) return;
   // Said in the program, because a shop asks why the machine stops at every corner.
-  if (!options_.continuous) out_.comment("EXACT STOP: G64 ROUNDS CORNERS BY NO STATED BOUND, SEE BLENDING");
+  if (first && !options_.continuous)
+    out_.comment("EXACT STOP: G64 ROUNDS CORNERS BY NO STATED BOUND, SEE BLENDING");
   out_.line(options_.continuous ? "G64" : "G61");
 }
 
@@ -249,6 +239,10 @@ void IsoWriter::change_tool(int number) {
     load_by_changer(number);
   } else {
     load_by_hand(number);
+  }
+  if (dialect_.entered_at_tools && held_.tool != 0) {
+    for (const std::string& block : later_mode_blocks(dialect_, options_.work_offset)) out_.line(block);
+    set_path_control(false);
   }
   held_.tool = number;
   held_.plan = held_.height = false;

@@ -138,6 +138,27 @@ TEST(ProgramWords, ToolsPutInByHandAreTouchedOffBeforeTheProgramGoesOn) {
   EXPECT_THAT(program(post_for("linuxcnc")), Not(HasSubstr("TOUCH OFF")));
 }
 
+/// What stands between the call of the second tool and its first cut.
+std::string at_second_tool(const PostOptions& options) {
+  const std::string text = program(options);
+  const std::size_t begin = text.find("T2 M6\n");
+  return text.substr(begin, text.find("G1 ", begin) - begin);
+}
+
+TEST(ProgramWords, FanucAndHaasCanBeEnteredAtEveryToolAfterAReset) {
+  PostOptions options = post_for("fanuc");
+  options.work_offset = {550};
+  EXPECT_THAT(at_second_tool(options),
+              HasSubstr("T2 M6\nG17 G40 G55 G80 G90 G94\nG61\nM3 S8000\nG0 X0. Y0.\nG43 H2"));
+  options.work_offset = {541, 7};
+  EXPECT_THAT(at_second_tool(options), HasSubstr("T2 M6\nG17 G40 G80 G90 G94\nG54.1 P7\nG61\n"));
+  options = post_for("haas");
+  EXPECT_THAT(at_second_tool(options), HasSubstr("T2 M6\nG17 G40 G54 G80 G90 G94\nG187 E0.0005\n"));
+  // The others begin in modes of their own, or run through what comes before.
+  EXPECT_THAT(at_second_tool(post_for("mach3")), Not(HasSubstr("G54")));
+  EXPECT_THAT(at_second_tool(post_for("linuxcnc")), Not(HasSubstr("G54")));
+}
+
 TEST(ProgramWords, OptionalStopComesBeforeEveryToolButTheFirst) {
   for (const auto& [dialect, first, second] :
        {std::tuple{"linuxcnc", "T1 M6", "T2 M6"}, std::tuple{"heidenhain", "TOOL CALL 1 ", "TOOL CALL 2 "}}) {
