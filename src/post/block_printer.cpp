@@ -45,6 +45,13 @@ int BlockPrinter::next_number() {
   return number_;
 }
 
+void BlockPrinter::title(const std::string& number, std::string_view name) {
+  const std::string both = number + " (" + plain_comment(name) + ")";
+  if (!number.empty() && !name.empty() && both.size() <= dialect_.line_length) return line(both);
+  if (!number.empty()) line(number);
+  if (!name.empty()) comment(name);
+}
+
 void BlockPrinter::comment(std::string_view text) {
   const std::string plain = plain_comment(text);
   const std::size_t room = dialect_.line_length - 2;

@@ -23,6 +23,8 @@ class BlockPrinter {
   void end_block();
   /// A whole line as it is, after its number.
   void line(std::string_view text);
+  /// The program's number, or "", and its name, or "": in one block where there is room, as controls list them together.
+  void title(const std::string& number, std::string_view name);
   /// One comment, on as many lines as its length needs.
   void comment(std::string_view text);
 

@@ -110,11 +110,12 @@ std::string IsoWriter::program(const Toolpath& toolpath) {
 
 void IsoWriter::begin_program() {
   if (dialect_.tape) out_.line("%");
+  std::string number;
   if (dialect_.program_digits > 0) {
     const int first = options_.program_number.value_or(program_number(options_.program_name));
-    out_.line(fmt::format("O{:0{}}", first + options_.programs_before, dialect_.program_digits));
+    number = fmt::format("O{:0{}}", first + options_.programs_before, dialect_.program_digits);
   }
-  if (!options_.program_name.empty()) out_.comment(options_.program_name);
+  out_.title(number, options_.program_name);
   for (const std::string& text : options_.header) out_.comment(text);
   out_.comment(options_.inch ? "UNITS: INCH" : "UNITS: MM");
   const std::string_view units = options_.inch ? "G20" : dialect_.metric;

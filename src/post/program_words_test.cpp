@@ -73,9 +73,11 @@ TEST(ProgramWords, WorkOffsetStandsInTheSafeStart) {
 TEST(ProgramWords, ProgramNumberIsTheOWord) {
   PostOptions options = post_for("fanuc");
   options.program_name = "bracket";
-  EXPECT_THAT(program(options), HasSubstr("%\nO0001\n(BRACKET)"));
+  EXPECT_THAT(program(options), HasSubstr("%\nO0001 (BRACKET)\n"));
   options.program_number = 1234;
-  EXPECT_THAT(program(options), HasSubstr("%\nO1234\n(BRACKET)"));
+  EXPECT_THAT(program(options), HasSubstr("%\nO1234 (BRACKET)\n"));
+  options.program_name = std::string(100, 'a');
+  EXPECT_THAT(program(options), HasSubstr("%\nO1234\n(AAA")) << "too long for the block";
   options.program_number = 12345;
   EXPECT_THAT(refusal(options), HasSubstr("--program-number"));
   options.dialect = "haas";
