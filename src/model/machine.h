@@ -35,6 +35,9 @@ struct Machine {
   std::optional<std::array<std::array<double, 2>, 3>> travel;
 };
 
+/// rpm; no spindle is asked for more by itself where its greatest speed is not stated.
+inline constexpr double kUsualTopRpm = 24000;
+
 /// mm, in workpiece coordinates; taken for the machine's own Z zero where its travel is not known.
 inline constexpr double kUsualHomeZ = 100;
 

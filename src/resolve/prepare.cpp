@@ -97,7 +97,8 @@ double most_rpm(const Tool& tool, const Machine& machine) {
 double default_spindle(const Tool& tool, const Machine& machine) {
   const double rpm =
       std::max(10.0, std::round(kDefaultCuttingSpeed * 1000 / (kPi * 2 * widest_radius(tool)) / 10) * 10);
-  return std::min(std::max(rpm, machine.min_spindle_rpm.value_or(0)), most_rpm(tool, machine));
+  const double usual = machine.max_spindle_rpm ? rpm : std::min(rpm, kUsualTopRpm);
+  return std::min(std::max(usual, machine.min_spindle_rpm.value_or(0)), most_rpm(tool, machine));
 }
 
 /// Puts the values that options set into an operation, with their sources.

@@ -12,7 +12,7 @@ constexpr double kDefaultCuttingSpeed = 100;
 ///   tool       from the options, else from the file; none at all is an InputError that names the largest
 ///   that fits stepdown   option, operation, else half the diameter (face mills: 2 mm) feed       option,
 ///   operation, else 1000 mm/min; plunge 30 % of it, ramp 50 % spindle    option, operation, else 100 m/min
-///   at the circumference, rounded to 10 rpm direction  climb
+///   at the circumference, rounded to 10 rpm, no more than 24 000 where no machine is stated direction  climb
 /// What was defaulted is noted in the diagnostics, once per value.
 Part prepare(Part part, const PlanOptions& options);
 

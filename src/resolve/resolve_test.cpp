@@ -68,6 +68,17 @@ TEST(Resolve, DecidesEveryDefaultAndSaysSo) {
   expect_value(plan, "tool", "T1 endmill 8", Origin::kPart, "bracket.p21 #123");
 }
 
+TEST(Resolve, NoSpindleIsAskedForMoreThanIsUsualOrStated) {
+  Part part = pocket();
+  part.tools = {parse_tool("endmill:0.2:T1")};
+  PlanOptions options;
+  EXPECT_EQ(resolve(part, options, table()).steps[0].spindle_rpm, 24000) << "100 m/min are 159 150 rpm";
+  options.machine.max_spindle_rpm = 60000;
+  EXPECT_EQ(resolve(part, options, table()).steps[0].spindle_rpm, 60000);
+  part.tools = {parse_tool("endmill:8:T1")};
+  EXPECT_EQ(resolve(part, options, table()).steps[0].spindle_rpm, 3980);
+}
+
 TEST(Resolve, WhatOnlyPlungesNeedsNoOtherFeed) {
   Part part = pocket();
   part.tools = {parse_tool("spotdrill:8:90deg:T1")};

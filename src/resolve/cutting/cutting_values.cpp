@@ -29,8 +29,6 @@ constexpr double kThreadShare =
     0.25;  // of a mill's feed: small teeth, and the programmed circle is the smaller one
 constexpr double kMostTapping = 15;  // m/min
 constexpr double kPlungeShare = 0.3;
-/// rpm that no spindle without a stated limit is asked for.
-constexpr double kUsualTop = 24000;
 /// Of the stated power and torque.
 constexpr double kPowerShare = 0.8;
 constexpr double kMostThinning = 2;
@@ -128,9 +126,9 @@ class Filler {
   };
 
   Limit most_rpm() const {
-    Limit limit{options_.machine.max_spindle_rpm.value_or(kUsualTop), options_.machine.max_spindle_rpm
-                                                                          ? "the machine's max_spindle"
-                                                                          : "where no machine is stated"};
+    Limit limit{options_.machine.max_spindle_rpm.value_or(kUsualTopRpm), options_.machine.max_spindle_rpm
+                                                                             ? "the machine's max_spindle"
+                                                                             : "where no machine is stated"};
     if (tool_.max_spindle_rpm && *tool_.max_spindle_rpm < limit.most)
       limit = {*tool_.max_spindle_rpm, "the tool's max_spindle"};
     return limit;
