@@ -146,6 +146,7 @@ void IsoWriter::write_section(const Section& section) {
   // Without a tool length in force a height means nothing: the first tool change comes before any motion.
   if (new_tool && held_.height) retract();
   out_.comment(operation_comment(section.workingstep >= 0 ? ++sections_ : 0, section.label));
+  held_.motion = -1;  // said again, so that the program can be entered here
   if (new_tool) change_tool(section.tool_number);
   set_spindle(section);
   set_coolant(section.coolant);

@@ -92,6 +92,35 @@ TEST(ProgramWords, KlartextNamesKeepTheirWordsApart) {
   EXPECT_THAT(program(options), HasSubstr("BEGIN PGM A_NAME_THAT_IS_LONGER_TH MM"));
 }
 
+/// One tool that turns about one centre in two operations.
+std::string two_turns(const char* dialect) {
+  Toolpath toolpath;
+  Section section;
+  section.tool_number = 1;
+  section.spindle_rpm = 1000;
+  section.workingstep = 0;
+  const MmPerMin feed = MmPerMin::of(100);
+  section.moves = {
+      {Edge::line({2, 0}, {2, 0}), 5, 0, MoveKind::kPlunge, feed, 0},
+      {Edge::arc({2, 0}, {0, 2}, {0, 0}, Turn::kCounterClockwise), 0, 0, MoveKind::kCut, feed, 0},
+      {Edge::line({0, 2}, {0, 2}), 0, 5, MoveKind::kRapid, {}, 0},
+  };
+  toolpath.sections = {section, section};
+  return write_program(toolpath, Part{}, post_for(dialect));
+}
+
+TEST(ProgramWords, OperationsSayAgainWhatIsModalInThePath) {
+  std::string text = two_turns("heidenhain");
+  text.erase(0, text.find("OPERATION 2"));
+  EXPECT_THAT(text, HasSubstr(" CC X+0 Y+0\n"));
+  for (const char* dialect : {"linuxcnc", "grbl", "haas", "mach4"}) {
+    text = two_turns(dialect);
+    text.erase(0, text.find("OPERATION 2"));
+    text.erase(0, text.find('\n') + 1);
+    EXPECT_THAT(text, ::testing::StartsWith("G0 Z10")) << dialect;
+  }
+}
+
 /// The end of a helix lies beside the grid by less than a step, which is no reason to leave a thread askew.
 TEST(ProgramWords, KlartextGoesStraightUpFromTheEndOfAHelix) {
   Toolpath toolpath;

@@ -101,6 +101,7 @@ class KlartextWriter {
   bool write_hole(const DrillBlock& hole, const Tool* tap, const Section& section);
   double surface_over(const DrillBlock& hole, const Section& section) const;
   void write_tap_move(const Move& move, const Section& section);
+  void end_rapid();
   void write_move(const Move& move);
   void write_line(const Ticks& to, bool rapid, MmPerMin feed);
   void write_arc(const Step& step, MmPerMin feed);
@@ -258,9 +259,8 @@ void KlartextWriter::call_tool(const Section& section) {
   if (!new_tool) return;
   held_.tool = section.tool_number;
   held_.plan = held_.height = false;
-  held_.center.reset();
   held_.cycle.clear();
-  held_.feed = -1;
+  end_rapid();
 }
 
 void KlartextWriter::set_spindle(int m) {
@@ -299,7 +299,7 @@ void KlartextWriter::rapid_to_plan(const Ticks& to) {
   held_.at.y = to.y;
   held_.off_grid = {};
   held_.plan = true;
-  held_.feed = -1;
+  end_rapid();
 }
 
 void KlartextWriter::rapid_to_height(long long z) {
@@ -307,7 +307,13 @@ void KlartextWriter::rapid_to_height(long long z) {
   block("L" + coordinate(" Z", z) + " R0 FMAX");
   held_.at.z = z;
   held_.height = true;
+  end_rapid();
+}
+
+/// What is cut next says its feed and its centre again, so that the program can be entered there.
+void KlartextWriter::end_rapid() {
   held_.feed = -1;
+  held_.center.reset();
 }
 
 void KlartextWriter::write_move(const Move& move) {
@@ -337,7 +343,7 @@ void KlartextWriter::write_line(const Ticks& to, bool rapid, MmPerMin feed) {
   }
   if (to.z != held_.at.z) text += coordinate(" Z", to.z);
   held_.at = to;
-  if (rapid) held_.feed = -1;
+  if (rapid) end_rapid();
   block(text + (rapid ? " R0 FMAX" : feed_text(feed)));
 }
 
