@@ -213,7 +213,7 @@ bool KlartextWriter::write_hole(const DrillBlock& hole, const Tool* tap, const S
   held_.cycle = cycle;
   block("CYCL CALL");
   if (tap && !tap->floating) held_.spindle = 5;  // rigid tapping leaves it stopped
-  held_.feed = -1;
+  end_rapid();
   return true;
 }
 
