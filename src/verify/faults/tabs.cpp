@@ -15,6 +15,8 @@ namespace {
 /// mm, square to the side of a tab. Places that are looked at lie so close to each other that no error between them is greater by
 /// more.
 constexpr double kBetweenPlaces = 0.0025;
+/// mm. Places are looked at as far beside a tab.
+constexpr double kBesideBody = 0.5;
 /// Lines along the kerf on which places lie; one of them is its middle.
 constexpr int kLines = 9;
 
@@ -38,7 +40,7 @@ Lowest lowest_over(Vec2 at, const std::vector<const CheckedMove*>& moves) {
 
 /// The moves that come near a tab with a cutter.
 std::vector<const CheckedMove*> moves_near(const Tab& tab, const CheckedProgram& program) {
-  Box around = box(tab.body);
+  Box around = box(tab.body).grown(kBesideBody);
   around.add(tab.center);
   std::vector<const CheckedMove*> near;
   for (const CheckedMove& checked : program.moves) {
@@ -54,6 +56,30 @@ std::string place_of(Vec2 at, int line) {
   std::string text = " at x " + trimmed(at.x, 3) + " y " + trimmed(at.y, 3);
   if (line > 0) text += ", line " + std::to_string(line);
   return text + ".";
+}
+
+/// mm from the edge that the tab stands on to the middle of the kerf.
+double to_middle(const Tab& tab) {
+  return distance(tab.foot, tab.center);
+}
+
+/// mm along the foot: in the middle of a curved kerf the cutter touches less of a tab than beside it.
+double excess_of(const Tab& tab) {
+  if (!tab.foot.is_arc()) return 0;
+  const double around = distance(tab.foot.center, tab.center), r = to_middle(tab);
+  return tab.foot.radius() *
+         (base::asin(std::min(1.0, r / around)) - 2 * base::asin(std::min(1.0, r / (2 * around))));
+}
+
+/// The middle of the kerf `out` mm along the foot beyond one of its ends.
+Vec2 beyond_foot(const Tab& tab, bool ahead, double out) {
+  const Edge& foot = tab.foot;
+  const Vec2 end = ahead ? foot.to : foot.from, along = foot.tangent_at(ahead ? 1 : 0);
+  const double way = ahead ? out : -out;
+  if (!foot.is_arc()) return end + along * way + left_of(along) * (to_middle(tab) * (tab.aside < 0 ? -1 : 1));
+  const double angle = way / foot.radius(), around = distance(foot.center, tab.center);
+  const Vec2 outwards = (end - foot.center) / foot.radius();
+  return foot.center + (outwards * base::cos(angle) + along * base::sin(angle)) * around;
 }
 
 /// How far what stands on one side of a triangular tab is from that side.
@@ -86,27 +112,16 @@ class SideCheck {
   }
 
  private:
-  /// mm from the outline to the middle of the kerf.
-  double to_middle() const { return distance(tab_.foot, tab_.center); }
-
-  /// mm along the outline: in the middle of a curved kerf the cutter touches less of a tab than beside it.
-  double excess() const {
-    if (!tab_.foot.is_arc()) return 0;
-    const double around = distance(tab_.foot.center, tab_.center), r = to_middle();
-    return tab_.foot.radius() *
-           (base::asin(std::min(1.0, r / around)) - 2 * base::asin(std::min(1.0, r / (2 * around))));
-  }
-
   /// `along`: of the foot, from 0 to 1.
   SideError error_at(double along, int line) const {
     constexpr int kMiddle = kLines / 2;
     const double side = tab_.aside < 0 ? -1 : 1;
-    const double aside = side * to_middle() * line / kMiddle;
+    const double aside = side * to_middle(tab_) * line / kMiddle;
     const Vec2 at = tab_.foot.at(along) + left_of(tab_.foot.tangent_at(along)) * aside;
     const Lowest lowest = lowest_over(at, moves_);
     const double from_ridge = std::abs(2 * along - 1) * half_;
     const double least = tab_.top_z - steepness_ * from_ridge;
-    const double most = tab_.top_z - steepness_ * std::max(0.0, from_ridge - std::max(0.0, excess()));
+    const double most = tab_.top_z - steepness_ * std::max(0.0, from_ridge - std::max(0.0, excess_of(tab_)));
     SideError error{0, at, lowest};
     if (lowest.z < least) error.off = lowest.z - least;
     if (line == kMiddle && lowest.z > most) error.off = std::min(lowest.z, tab_.top_z + 1) - most;
@@ -134,6 +149,27 @@ std::optional<Fault> fault_of_sides(const Feature& feature, const Tab& tab,
                feature.name + ": " + what + place_of(worst.at, worst.lowest.line)};
 }
 
+/// Square tabs that reach farther along the middle of the kerf than they should.
+std::optional<Fault> fault_of_width(const Feature& feature, const Tab& tab,
+                                    const std::vector<const CheckedMove*>& moves, const Tolerances& tol) {
+  if (tab.shape != TabShape::kSquare) return std::nullopt;
+  const double may_stand = std::max(0.0, excess_of(tab)) + tol.uncut;
+  const auto is_cut = [&](Vec2 at) { return lowest_over(at, moves).z <= tab.bottom_z + tol.uncut; };
+  for (const bool ahead : {false, true}) {
+    if (is_cut(beyond_foot(tab, ahead, may_stand))) continue;
+    double out = may_stand;
+    while (out < kBesideBody && !is_cut(beyond_foot(tab, ahead, out + tol.uncut))) out += tol.uncut;
+    const Vec2 at = beyond_foot(tab, ahead, out);
+    return Fault{
+        FaultKind::kUncut,
+        feature.name,
+        {at, tab.bottom_z, 0},
+        out,
+        feature.name + ": the tab stands " + trimmed(out, 2) + " mm too wide on one side" + place_of(at, 0)};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Fault> faults_of_tabs(const Part& part, const CheckedProgram& program, const Tolerances& tol) {
@@ -145,6 +181,7 @@ std::vector<Fault> faults_of_tabs(const Part& part, const CheckedProgram& progra
       const Lowest lowest = lowest_over(tab.center, near);
       if (std::abs(lowest.z - tab.top_z) <= tol.uncut) {
         if (const auto fault = fault_of_sides(feature, tab, near, tol)) faults.push_back(*fault);
+        if (const auto fault = fault_of_width(feature, tab, near, tol)) faults.push_back(*fault);
         continue;
       }
       const double under = tab.bottom_z + feature.profile->beyond;

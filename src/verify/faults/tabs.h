@@ -9,8 +9,9 @@
 namespace clearcut::verify {
 
 /// One fault for each tab that is cut away, whose middle is lower or higher than asked for by more than tol.uncut, or, of
-/// triangular tabs, whose sides are lower anywhere or higher in the middle of the kerf by as much, square to the side. What is
-/// cut from the sides of square tabs is a gouge and what stands beside tabs is uncut, which other checks find.
+/// triangular tabs, whose sides are lower anywhere or higher in the middle of the kerf by as much, square to the side, or, of square
+/// tabs, that reach farther along it by as much. What is cut from the sides of square tabs is a gouge and what stands beside tabs
+/// is uncut, which other checks find.
 ///
 /// Method  Of every move that covers a place with its cutter, the lowest height of the tip while it does so; exact for lines and
 ///         arcs. Sides are looked at on nine lines along the kerf, at places whose heights differ by 0.0025 mm.
