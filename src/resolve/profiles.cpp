@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
 
 #include "base/error.h"
 #include "base/text/format.h"
@@ -27,6 +30,8 @@ constexpr double kBeyondKerf = 0.02;
 constexpr double kBand = 3;
 /// mm. How far the cutter's rim may stray from an engraved line's.
 constexpr double kBesideLine = 0.005;
+/// mm. What ends no farther above the underside goes through.
+constexpr double kAtUnderside = 1e-6;
 
 Regions within(const ProfileCut& cut) {
   return {Region::from_valid_loops(cut.line, {})};
@@ -55,21 +60,19 @@ Regions solid_around(const Part& part, const ProfileCut& cut, double reach, cons
   return solid;
 }
 
-/// mm across the kerf of a profile: what its cutter may take, with stock left for finishing on both sides.
-double allowed_width(double radius, double stock) {
+/// mm across the kerf of a profile: what its cutter may take, with stock left for finishing on both sides. Along a line that is
+/// followed there is none.
+double allowed_width(ProfileSide side, double radius, double stock) {
+  if (side == ProfileSide::kOn) return 2 * (radius + kBesideLine);
   return (2 + kBeyondKerf) * radius + kToolSpare + 2 * stock;
 }
 
 void shape(Feature& feature, const Part& part, double radius, double stock, const Tolerances& tol) {
   const ProfileCut& cut = *feature.profile;
-  if (cut.side == ProfileSide::kOn) {
-    feature.target = stock::kerf_of(cut, 2 * radius, tol);
-    feature.allowed = stock::kerf_of(cut, 2 * (radius + kBesideLine), tol);
-    return;
-  }
-  const Regions solid = solid_around(part, cut, kBand * radius, tol);
   feature.target = stock::kerf_of(cut, 2 * radius, tol);
-  feature.allowed = stock::kerf_of(cut, allowed_width(radius, stock), tol);
+  feature.allowed = stock::kerf_of(cut, allowed_width(cut.side, radius, stock), tol);
+  if (cut.side == ProfileSide::kOn) return;
+  const Regions solid = solid_around(part, cut, kBand * radius, tol);
   // Without others in the way it stays exact as it is.
   if (solid.empty() || area(intersect(feature.allowed, solid, tol)) < kSpeck) return;
   feature.target = subtract(feature.target, solid, tol);
@@ -85,52 +88,119 @@ void leave_skin(Feature& feature, double skin, Diagnostics& diagnostics) {
   feature.floor_z = floor;
   feature.profile->beyond = 0;
   feature.through = false;
-  diagnostics.note(feature.name,
-                   "a skin of " + trimmed(skin, 3) + " mm is left under it, which holds what it surrounds");
+  diagnostics.note(feature.name, "a skin of " + trimmed(skin, 3) + " mm is left under it" +
+                                     (feature.profile->closed ? ", which holds what it surrounds" : ""));
 }
 
-/// Whether an outer profile surrounds the line, so that what the line cuts free is no part of its own.
-bool lies_in_a_part(const ProfileCut& cut, const Part& part) {
-  return std::any_of(part.features.begin(), part.features.end(), [&cut](const Feature& feature) {
-    return feature.profile && feature.profile->side == ProfileSide::kOutside &&
-           contains(feature.profile->line, cut.line.front().from);
-  });
+/// Says of lines that are engraved into the material that nothing is left under them to hold anything.
+void tell_of_engraved_lines(Part& part, const TabOptions& tabs, const std::set<int>& through) {
+  std::string first;
+  int count = 0;
+  for (const Workingstep& step : part.workplan) {
+    if (!feature_of(part, step).profile || through.contains(step.feature)) continue;
+    if (count++ == 0) first = feature_of(part, step).name;
+  }
+  if (count == 0) return;
+  const std::string others = count > 1 ? "and of " + std::to_string(count - 1) + " other lines " : "";
+  part.diagnostics.note(first, others + "the depth ends within the material, so nothing comes free: " +
+                                   (tabs.skin ? "no skin is left" : "no tabs are left"));
 }
 
-/// Tabs that are asked for and cannot be left: a line that is followed is engraved all along. Throws where the line frees the
-/// part itself.
-void tell_of_missing_tabs(const Feature& feature, const TabOptions& tabs, Part& part) {
-  if (!tabs.any() || feature.profile->side != ProfileSide::kOn) return;
+/// Whether tabs can be left in the profile by its tool; if not, says so, or throws where the line frees the part itself.
+bool can_leave_tabs(const Feature& feature, const Tool& tool, Part& part) {
+  if (!is_carved(feature, tool)) return true;
   const std::string what =
-      "tabs are left in profiles alone, not along lines that the cutter's centre follows";
-  const bool through = part.stock && feature.floor_z <= part.stock->z_bottom;
-  if (!through || !feature.profile->closed) return part.diagnostics.warn(feature.name, what);
-  const std::string loose = what + "; it goes through the material, and what it surrounds comes loose";
-  if (lies_in_a_part(*feature.profile, part)) return part.diagnostics.warn(feature.name, loose);
-  throw InputError(feature.name, loose +
-                                     ": cut it beside the line (--op profile, drawn larger by half the "
-                                     "cutter), or leave a skin (less depth)");
+      "tabs are left by end mills, not by the pointed or round tip of T" + std::to_string(tool.number);
+  if (part.stock && frees_part(feature, part))
+    throw InputError(feature.name,
+                     what +
+                         "; it goes through the material, and what it surrounds comes loose: give "
+                         "an end mill (--tool), or leave a skin (--skin)");
+  part.diagnostics.warn(feature.name, what + "; none are left in it");
+  return false;
+}
+
+/// What each step leaves under its profile or in its kerf to hold what that cuts free.
+class Holds {
+ public:
+  Holds(Part& part, const PlanOptions& options)
+      : part_(part), options_(options), through_(profiles_through(part)) {
+    if (options.tabs.any() || options.tabs.skin) tell_of_engraved_lines(part, options.tabs, through_);
+    if (!options.tabs.any()) return;
+    places_ = places_of_tabs(part, options.tabs, through_);
+    for (const Workingstep& step : part.workplan) {
+      const Feature& feature = feature_of(part, step);
+      if (feature.profile && feature.profile->side == ProfileSide::kOn)
+        lines_.push_back(
+            {step.feature, feature.profile->line, feature.floor_z, tool_of(part, step).radius()});
+    }
+  }
+
+  /// Ends the profile of `step` above the underside where a skin is asked for.
+  void leave_skin(const Workingstep& step) const {
+    if (options_.tabs.skin && through_.contains(step.feature))
+      resolve::leave_skin(part_.features[static_cast<std::size_t>(step.feature)], *options_.tabs.skin,
+                          part_.diagnostics);
+  }
+
+  /// The layers between tabs, where any are left.
+  std::optional<Feature> split(const Workingstep& step, const Kerf& kerf) const {
+    if (!options_.tabs.any() || !through_.contains(step.feature)) return std::nullopt;
+    if (!can_leave_tabs(feature_of(part_, step), tool_of(part_, step), part_)) return std::nullopt;
+    return split_at_tabs(part_, step.feature, kerf, {options_.tabs, places_, lines_, options_.tol});
+  }
+
+ private:
+  Part& part_;
+  const PlanOptions& options_;
+  std::set<int> through_;
+  PlacesByFeature places_;
+  std::vector<OtherLine> lines_;
+};
+
+/// z of the material's underside: that of the stock, or where none is stated the lowest of profiles on one side of their outline, which
+/// go through, or the lowest floor of all.
+double underside_of(const Part& part) {
+  if (part.stock) return part.stock->z_bottom;
+  double of_profiles = part.top_z(), of_all = of_profiles;
+  for (const Feature& feature : part.features) {
+    const double floor = feature.floor_z + (feature.profile ? feature.profile->beyond : 0);
+    of_all = std::min(of_all, floor);
+    if (feature.profile && feature.profile->side != ProfileSide::kOn)
+      of_profiles = std::min(of_profiles, floor);
+  }
+  return of_profiles < part.top_z() ? of_profiles : of_all;
 }
 
 }  // namespace
 
+std::set<int> profiles_through(const Part& part) {
+  const double underside = underside_of(part);
+  std::set<int> through;
+  for (std::size_t i = 0; i < part.features.size(); ++i) {
+    const Feature& feature = part.features[i];
+    if (!feature.profile) continue;
+    const bool follows = feature.profile->side == ProfileSide::kOn;
+    if (!follows || feature.floor_z + feature.profile->beyond <= underside + kAtUnderside)
+      through.insert(static_cast<int>(i));
+  }
+  return through;
+}
+
 void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources) {
-  const PlacesByFeature places = places_of_tabs(part, options.tabs);
+  const Holds holds(part, options);
   std::vector<Workingstep> workplan;
   for (const Workingstep& step : part.workplan) {
     workplan.push_back(step);
     Feature& feature = part.features[static_cast<std::size_t>(step.feature)];
     if (!feature.profile) continue;
-    tell_of_missing_tabs(feature, options.tabs, part);
-    if (options.tabs.skin && feature.profile->side != ProfileSide::kOn)
-      leave_skin(feature, *options.tabs.skin, part.diagnostics);
+    holds.leave_skin(step);
     const double radius = tool_of(part, step).radius();
     // What is left for finishing counts on both sides of the kerf.
     const double finish = options.shop.finish ? options.shop.finish_stock.value_or(kFinishStock) : 0;
     const double stock = step.operation.allowance_side + finish;
     shape(feature, part, radius, stock, options.tol);
-    const Kerf kerf{radius, allowed_width(radius, stock)};
-    auto below = split_at_tabs(part, step.feature, kerf, {options.tabs, places, options.tol});
+    auto below = holds.split(step, {radius, allowed_width(feature.profile->side, radius, stock)});
     if (!below) continue;
     Workingstep lower = step;
     lower.name = below->name;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/elementary.h"
 #include "base/error.h"
@@ -34,8 +35,23 @@ struct Stretch {
   double to = 0;
 };
 
-bool cuts_free(const Feature& feature) {
-  return feature.profile && feature.profile->side != ProfileSide::kOn;
+/// mm to the left of the outline.
+struct Across {
+  double from = 0;
+  double to = 0;
+};
+
+/// Where the kerf lies, which is `width` wide: outer profiles have it on the right of their counter-clockwise outline.
+Across across_kerf(ProfileSide side, double width) {
+  switch (side) {
+    case ProfileSide::kOutside:
+      return {-width, 0};
+    case ProfileSide::kInside:
+      return {0, width};
+    case ProfileSide::kOn:
+      return {-width / 2, width / 2};
+  }
+  return {};
 }
 
 /// mm; on how much of the outline a tab stands at the profile's floor, where it is `height` high over the material's underside.
@@ -47,8 +63,17 @@ double foot_of(const TabOptions& options, double height, double beyond) {
 class TabPlacer {
  public:
   /// `foot`: mm along the outline on which a tab stands.
-  TabPlacer(const ProfileCut& cut, const Kerf& kerf, double foot)
-      : cut_(cut), radius_(kerf.radius), kerf_(kerf.width), foot_(foot) {
+  /// `others`: lines of other features that tabs have to keep clear of.
+  TabPlacer(const ProfileCut& cut, const Kerf& kerf, double foot, std::vector<OtherLine> others)
+      : cut_(cut),
+        radius_(kerf.radius),
+        kerf_(kerf.width),
+        across_(across_kerf(cut.side, kerf.width)),
+        middle_(cut.side == ProfileSide::kOutside  ? -kerf.radius
+                : cut.side == ProfileSide::kInside ? kerf.radius
+                                                   : 0),
+        foot_(foot),
+        others_(std::move(others)) {
     double at = 0;
     for (const Edge& edge : cut.line) {
       starts_.push_back(at);
@@ -81,11 +106,12 @@ class TabPlacer {
     return best;
   }
 
-  /// mm along the outline between tabs that follow each other, at most.
+  /// mm along the outline between tabs that follow each other, at most; of open lines to their ends, too.
   double widest_gap(std::vector<double> places) const {
     if (places.empty()) return std::numeric_limits<double>::infinity();
     std::sort(places.begin(), places.end());
-    double widest = places.front() + around_ - places.back();
+    const double before = places.front(), behind = around_ - places.back();
+    double widest = cut_.closed ? before + behind : std::max(before, behind);
     for (std::size_t i = 1; i < places.size(); ++i) widest = std::max(widest, places[i] - places[i - 1]);
     return widest;
   }
@@ -99,15 +125,16 @@ class TabPlacer {
       least = near.distance;
       at = starts_[i] + near.t * cut_.line[i].length();
     }
-    return std::fmod(at, around_);
+    return cut_.closed ? std::fmod(at, around_) : at;
   }
 
   /// The place nearest to `wanted`, mm along the outline, where a tab fits beside those that were chosen.
   std::optional<double> nearest_fit(double wanted, const std::vector<double>& chosen) const {
-    for (double away = 0; away <= around_ / 2; away += kTabSearch) {
-      const double ahead = std::fmod(wanted + away, around_);
+    const double most = cut_.closed ? around_ / 2 : std::max(wanted, around_ - wanted);
+    for (double away = 0; away <= most; away += kTabSearch) {
+      const double ahead = cut_.closed ? std::fmod(wanted + away, around_) : wanted + away;
       if (fits(ahead, chosen)) return ahead;
-      const double back = std::fmod(wanted - away + around_, around_);
+      const double back = cut_.closed ? std::fmod(wanted - away + around_, around_) : wanted - away;
       if (fits(back, chosen)) return back;
     }
     return std::nullopt;
@@ -120,8 +147,10 @@ class TabPlacer {
 
   Tab tab(double middle) const {
     Tab tab;
-    tab.foot = piece(middle, foot_ / 2);
-    tab.aside = free_side() * kerf_;
+    // Seen from the foot a kerf lies on one side: beside a line that is followed the foot is on the kerf's right rim.
+    const bool on = cut_.side == ProfileSide::kOn;
+    tab.foot = moved(piece(middle, foot_ / 2), on ? -radius_ : 0);
+    tab.aside = on ? radius_ + across_.to : across_.from + across_.to;
     tab.center = middle_of_kerf(middle);
     tab.body = across(middle, foot_ / 2);
     return tab;
@@ -132,6 +161,7 @@ class TabPlacer {
 
   /// On one line, or an arc much wider than the tab, away from corners and other tabs.
   bool fits(double middle, const std::vector<double>& chosen) const {
+    if (middle < 0 || middle > around_) return false;
     const double half = half_gap(middle) + kBeforeTab;
     const Stretch on = stretch(middle, half);
     const Edge& edge = cut_.line[on.edge];
@@ -141,7 +171,7 @@ class TabPlacer {
     if (edge.is_arc() && edge.radius() < std::max(2 * half, kNarrowArc * kerf_)) return false;
     const bool apart_from_others = std::all_of(chosen.begin(), chosen.end(), [&](double other) {
       const double apart = std::abs(other - middle);
-      return std::min(apart, around_ - apart) > 2 * half + radius_;
+      return (cut_.closed ? std::min(apart, around_ - apart) : apart) > 2 * half + radius_;
     });
     return apart_from_others && is_free(on);
   }
@@ -175,17 +205,17 @@ class TabPlacer {
   Regions across(double middle, double half) const {
     const Edge own = piece(middle, half);
     // A little of the part goes along, so that no sliver stays between.
-    const double side = free_side();
-    const Edge near = moved(own, -side * kOverlap), far = moved(own, side * (kerf_ + kOverlap)).reversed();
+    const Edge right = moved(own, across_.from - kOverlap),
+               left = moved(own, across_.to + kOverlap).reversed();
     return {Region::from_valid_loops(
-        {near, Edge::line(near.to, far.from), far, Edge::line(far.to, near.from)}, {})};
+        {right, Edge::line(right.to, left.from), left, Edge::line(left.to, right.from)}, {})};
   }
 
   Vec2 middle_of_kerf(double middle) const {
     const Stretch on = stretch(middle, 0);
     const Edge& edge = cut_.line[on.edge];
     const double t = std::clamp(on.from / edge.length(), 0.0, 1.0);
-    return edge.at(t) + left_of(edge.tangent_at(t)) * (free_side() * radius_);
+    return edge.at(t) + left_of(edge.tangent_at(t)) * middle_;
   }
 
   /// mm along the outline, to both sides of the middle, over which the cutter's widest place cannot be at depth.
@@ -193,8 +223,8 @@ class TabPlacer {
     const Edge& edge = cut_.line[stretch(middle, 0).edge];
     if (!edge.is_arc()) return foot_ / 2 + radius_;
     // The tab's sides run to the arc's centre; the cutter touches them from a circle about it.
-    const bool hollow = (edge.turn == Turn::kCounterClockwise) == (cut_.side == ProfileSide::kInside);
-    const double around = edge.radius() + (hollow ? -kerf_ / 2 : radius_);
+    const double inwards = edge.turn == Turn::kCounterClockwise ? middle_ : -middle_;
+    const double around = edge.radius() - (inwards > 0 ? kerf_ / 2 : inwards);
     return foot_ / 2 + edge.radius() * base::asin(std::min(1.0, radius_ / std::max(around, radius_)));
   }
 
@@ -203,7 +233,9 @@ class TabPlacer {
   bool is_free(const Stretch& on) const {
     const Edge& own = cut_.line[on.edge];
     const double kerf = kerf_ + kOverlap;
-    const Edge far = moved(own.part(on.from / own.length(), on.to / own.length()), free_side() * kerf);
+    const Edge stretch = own.part(on.from / own.length(), on.to / own.length());
+    if (!is_clear_of_others(stretch)) return false;
+    const Edge far = moved(stretch, middle_ == 0 ? 0 : std::copysign(kerf, middle_));
     const Box reached = far.box().grown(kerf);
     for (std::size_t i = 0; i < cut_.line.size(); ++i) {
       const Edge& other = cut_.line[i];
@@ -213,13 +245,25 @@ class TabPlacer {
     return true;
   }
 
-  /// Of which side of the outline the free side is: right of a counter-clockwise one for outer profiles.
-  double free_side() const { return cut_.side == ProfileSide::kOutside ? -1 : 1; }
+  /// Whether no line that another feature follows crosses the stretch's kerf.
+  bool is_clear_of_others(const Edge& stretch) const {
+    const Edge middle = moved(stretch, (across_.from + across_.to) / 2);
+    return std::all_of(others_.begin(), others_.end(), [&](const OtherLine& other) {
+      const double apart = kerf_ / 2 + kOverlap + other.reach;
+      const Box near = middle.box().grown(apart);
+      return std::all_of(other.line.begin(), other.line.end(), [&](const Edge& edge) {
+        return !edge.box().overlaps(near) || distance(edge, middle) >= apart;
+      });
+    });
+  }
 
   const ProfileCut& cut_;
   double radius_;
   double kerf_;
+  Across across_;
+  double middle_;  ///< mm to the left of the outline: where the cutter's centre runs
   double foot_;
+  std::vector<OtherLine> others_;
   std::vector<double> starts_;
   double around_ = 0;
 };
@@ -249,14 +293,15 @@ std::vector<double> chosen_places(const Feature& feature, const TabPlacer& place
 
 /// Says, or throws where the profile frees the part itself, that not all that was asked for is possible.
 void refuse_or_warn(const Feature& feature, const char* option, const std::string& what,
-                    const std::string& instead, Diagnostics& diagnostics) {
-  if (feature.profile->side == ProfileSide::kOutside) throw InputError(option, what + instead);
-  diagnostics.warn(feature.name, what + "; what it cuts free is held by no more");
+                    const std::string& instead, Part& part) {
+  if (frees_part(feature, part)) throw InputError(option, what + instead);
+  part.diagnostics.warn(feature.name,
+                        what + (feature.profile->closed ? "; what it cuts free is held by no more" : ""));
 }
 
 /// Middles of all tabs of a profile, mm along its outline.
 std::vector<double> places_on(const Feature& feature, const TabPlacer& placer, const std::vector<Vec2>& asked,
-                              const TabOptions& options, Diagnostics& diagnostics) {
+                              const TabOptions& options, Part& part) {
   if (!options.at.empty()) return chosen_places(feature, placer, asked, options.width);
   const std::string width = trimmed(options.width, 2) + " mm";
   const int wanted = options.spacing ? kLeastOfSpacing : options.count;
@@ -265,26 +310,35 @@ std::vector<double> places_on(const Feature& feature, const TabPlacer& placer, c
     refuse_or_warn(feature, options.spacing ? "--tab-spacing" : "--tabs",
                    "only " + std::to_string(count) + " of " + std::to_string(wanted) + " tabs of " + width +
                        " fit on straight stretches and wide arcs of " + feature.name,
-                   "; ask for fewer or narrower ones (--tab-width)", diagnostics);
+                   "; ask for fewer or narrower ones (--tab-width)", part);
   } else if (options.spacing && placer.widest_gap(places) > *options.spacing + kRounding) {
     refuse_or_warn(feature, "--tab-spacing",
                    "tabs of " + width + " on straight stretches and wide arcs of " + feature.name + " are " +
                        trimmed(std::ceil(100 * placer.widest_gap(places)) / 100, 2) + " mm apart at best",
-                   "; ask for a wider spacing or narrower ones (--tab-width)", diagnostics);
+                   "; ask for a wider spacing or narrower ones (--tab-width)", part);
   }
   return places;
 }
 
 }  // namespace
 
-PlacesByFeature places_of_tabs(const Part& part, const TabOptions& options) {
+bool frees_part(const Feature& feature, const Part& part) {
+  const ProfileCut& cut = *feature.profile;
+  if (cut.side != ProfileSide::kOn) return cut.side == ProfileSide::kOutside;
+  return cut.closed && std::none_of(part.features.begin(), part.features.end(), [&cut](const Feature& other) {
+           return other.profile && other.profile->side == ProfileSide::kOutside &&
+                  contains(other.profile->line, cut.line.front().from);
+         });
+}
+
+PlacesByFeature places_of_tabs(const Part& part, const TabOptions& options, const std::set<int>& through) {
   PlacesByFeature places;
   for (const Vec2 p : options.at) {
     int nearest = -1;
     double least = std::numeric_limits<double>::infinity();
     for (const Workingstep& step : part.workplan) {
       const Feature& feature = feature_of(part, step);
-      if (!cuts_free(feature)) continue;
+      if (!through.contains(step.feature) || is_carved(feature, tool_of(part, step))) continue;
       for (const Edge& edge : feature.profile->line) {
         const double apart = distance(edge, p);
         if (apart >= least) continue;
@@ -293,7 +347,9 @@ PlacesByFeature places_of_tabs(const Part& part, const TabOptions& options) {
       }
     }
     if (nearest < 0)
-      throw InputError("--tab-at", "there is no profile that cuts anything free; leave it out");
+      throw InputError(
+          "--tab-at",
+          "there is no profile, and no line through the material, that an end mill cuts; leave it out");
     if (least > kBesideOutline)
       throw InputError("--tab-at", text_of(p) + " is " + trimmed(least, 1) +
                                        " mm from the nearest profile, " +
@@ -307,7 +363,6 @@ PlacesByFeature places_of_tabs(const Part& part, const TabOptions& options) {
 std::optional<Feature> split_at_tabs(Part& part, int index, const Kerf& kerf, const TabWish& wish) {
   Feature& feature = part.features[static_cast<std::size_t>(index)];
   const TabOptions& options = wish.options;
-  if (!options.any() || !cuts_free(feature)) return std::nullopt;
   const double under = feature.floor_z + feature.profile->beyond;
   const double height = options.height.value_or(std::min(kTabHeight, kTabShare * (feature.top_z - under)));
   const double top = under + height;
@@ -315,11 +370,14 @@ std::optional<Feature> split_at_tabs(Part& part, int index, const Kerf& kerf, co
     throw InputError("--tab-height", trimmed(height, 3) + " mm is as high as the profile " + feature.name +
                                          " is deep; make it lower");
   }
-  const TabPlacer placer(*feature.profile, kerf, foot_of(options, height, feature.profile->beyond));
+  std::vector<OtherLine> others;
+  for (const OtherLine& line : wish.lines)
+    if (line.feature != index && line.floor_z < top - kRounding) others.push_back(line);
+  const TabPlacer placer(*feature.profile, kerf, foot_of(options, height, feature.profile->beyond),
+                         std::move(others));
   const auto asked = wish.places.find(index);
-  const std::vector<double> places =
-      places_on(feature, placer, asked == wish.places.end() ? std::vector<Vec2>{} : asked->second, options,
-                part.diagnostics);
+  const std::vector<double> places = places_on(
+      feature, placer, asked == wish.places.end() ? std::vector<Vec2>{} : asked->second, options, part);
   if (places.empty()) return std::nullopt;
   Feature below = feature;
   below.name = feature.name + "_tabs";

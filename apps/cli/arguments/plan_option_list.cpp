@@ -63,8 +63,9 @@ void PlanArguments::add_drawing_options(CLI::App& command) {
       "colour, outer "
       "or numbers of `info` (repeatable)");
   command
-      .add_option("--tabs", tabs_.count,
-                  "Tabs that hold what a profile cuts free, of each profile (default none)")
+      .add_option(
+          "--tabs", tabs_.count,
+          "Tabs that hold what a profile, or a line through the material, cuts free, of each (default none)")
       ->check(CLI::Range(0, 100));
   command
       .add_option("--tab-spacing", tabs_.spacing,

@@ -230,26 +230,6 @@ TEST(TabPlaces, ThatCannotBeAreRefused) {
   EXPECT_THAT(refusal_at(drawn(box("POCKET_D6", 0, 0, 80, 50)), {{30, 0}}), HasSubstr("no profile"));
 }
 
-TEST(TabPlaces, AlongLinesThatTheCentreFollowsTheLackOfThemIsTold) {
-  auto options = with({"endmill:3"});
-  options.tabs.count = 3;
-  const auto told = [&](const std::string& entities) {
-    std::string text;
-    const PlanResult result = plan_part(drawn(entities), options);
-    for (const Diagnostic& one : result.part.diagnostics.items())
-      if (one.severity == Severity::kWarning) text += one.what;
-    return text;
-  };
-  const std::string stock = box("STOCK_D4", 0, 0, 60, 50), through = box("ON_D4", 20, 20, 40, 30);
-  // Within a part it frees waste; alone it frees the part, as an outer profile would.
-  EXPECT_THAT(told(stock + box("PROFILE_D4", 10, 10, 50, 40) + through), HasSubstr("surrounds comes loose"));
-  EXPECT_THROW(told(stock + through), InputError);
-  EXPECT_THAT(
-      told(box("STOCK_D4", 0, 0, 60, 50) + box("ON_D2", 10, 10, 50, 40)),
-      ::testing::AllOf(HasSubstr("tabs are left in profiles alone"), ::testing::Not(HasSubstr("loose"))));
-  EXPECT_EQ(told(box("STOCK_D4", 0, 0, 60, 50) + box("PROFILE_D4", 10, 10, 50, 40)), "");
-}
-
 TEST(TabSpacing, IsKeptOrRefused) {
   const Part part = drawn(box("PROFILE_D6", 0, 0, 80, 50));
   auto options = triangular("endmill:4");

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/elementary.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "plan/common/rings.h"
@@ -18,6 +19,8 @@ constexpr double kOnContour = 1e-3;
 /// the kerf.
 constexpr double kBesideContour = 0.02;
 constexpr double kBesideSpare = 0.02;
+/// mm. Passes along a line end this much before the cutter touches a square tab.
+constexpr double kBesideTab = 0.002;
 /// mm2. What a boolean leaves of areas that only touch.
 constexpr double kSpeck = 0.01;
 
@@ -74,6 +77,64 @@ Regions along_contour(const Region& inside, const ProfileCut& cut, double reach,
   return intersect({inside}, beside, tol);
 }
 
+/// A stretch of one edge, as parameters of it, where a tab stands in the way of the cutter's centre.
+struct Gap {
+  std::size_t edge = 0;
+  double from = 0;
+  double to = 0;
+};
+
+/// Where the centre, on the line, comes nearer to one of the square tabs than its radius, in the line's order.
+std::vector<Gap> gaps_at_tabs(const ProfileCut& cut, double radius) {
+  std::vector<Gap> gaps;
+  for (const Tab& tab : cut.tabs) {
+    if (tab.shape != TabShape::kSquare) continue;
+    std::size_t on = 0;
+    for (std::size_t i = 1; i < cut.line.size(); ++i)
+      if (distance(cut.line[i], tab.center) < distance(cut.line[on], tab.center)) on = i;
+    const Edge& edge = cut.line[on];
+    // The sides of tabs on arcs run to the arc's centre.
+    const double half =
+        edge.is_arc() ? edge.radius() * (std::abs(tab.foot.sweep()) / 2 + base::asin(radius / edge.radius()))
+                      : tab.foot.length() / 2 + radius;
+    const double middle = nearest(edge, tab.center).t, away = (half + kBesideTab) / edge.length();
+    gaps.push_back({on, middle - away, middle + away});
+  }
+  std::sort(gaps.begin(), gaps.end(),
+            [](const Gap& a, const Gap& b) { return a.edge != b.edge ? a.edge < b.edge : a.from < b.from; });
+  return gaps;
+}
+
+/// The parts of the line between the gaps, of which there is one at least. Of a closed line the first begins behind the first gap.
+std::vector<Path> runs_between(const std::vector<Gap>& gaps, const ProfileCut& cut) {
+  std::vector<Path> runs{{}};
+  auto gap = gaps.begin();
+  for (std::size_t i = 0; i < cut.line.size(); ++i) {
+    double from = 0;
+    for (; gap != gaps.end() && gap->edge == i; ++gap) {
+      runs.back().push_back(cut.line[i].part(from, gap->from));
+      runs.emplace_back();
+      from = gap->to;
+    }
+    runs.back().push_back(from == 0 ? cut.line[i] : cut.line[i].part(from, 1));
+  }
+  if (cut.closed) {
+    runs.back().insert(runs.back().end(), runs.front().begin(), runs.front().end());
+    runs.erase(runs.begin());
+  }
+  return runs;
+}
+
+/// Along the line itself, between square tabs where there are any.
+void add_line(const ProfileCut& cut, double radius, LayerPasses& result) {
+  const std::vector<Gap> gaps = gaps_at_tabs(cut, radius);
+  const std::vector<Path> runs = gaps.empty() ? std::vector<Path>{cut.line} : runs_between(gaps, cut);
+  for (const Path& run : runs) {
+    result.fit_lines.push_back(run);
+    add(run, gaps.empty() && cut.closed, 0, result);
+  }
+}
+
 }  // namespace
 
 LayerPasses plan_profile(const Layer& layer, const ProfileCut& cut, const Tolerances& tol) {
@@ -83,8 +144,7 @@ LayerPasses plan_profile(const Layer& layer, const ProfileCut& cut, const Tolera
   result.target = layer.target;
   result.strategy = "profile";
   if (cut.side == ProfileSide::kOn) {
-    result.fit_lines.push_back(cut.line);
-    add(cut.line, cut.closed, 0, result);
+    add_line(cut, layer.tool_radius, result);
     return result;
   }
   const double reach = layer.tool_radius + layer.wall_stock;

@@ -29,16 +29,22 @@ double left_in_corners(const ProfileCut& cut, double radius, const Tolerances& t
   return area(inner) - (legal.empty() ? 0 : area(dilate(legal, radius, tol)));
 }
 
-/// Largest mill that reaches all but kCorners of the profile's corners, else the smallest.
-int profile_tool(const ProfileCut& cut, const std::vector<Tool>& tools, const Tolerances& tol) {
+/// The mills with upright sides, from large to small.
+std::vector<int> mills_by_size(const std::vector<Tool>& tools) {
   std::vector<int> mills;
   for (std::size_t i = 0; i < tools.size(); ++i) {
     if (mills_upright(tools[i]) && tools[i].kind != ToolKind::kFaceMill) mills.push_back(static_cast<int>(i));
   }
-  if (mills.empty()) return 0;
   std::stable_sort(mills.begin(), mills.end(), [&](int a, int b) {
     return tools[static_cast<std::size_t>(a)].diameter > tools[static_cast<std::size_t>(b)].diameter;
   });
+  return mills;
+}
+
+/// Largest mill that reaches all but kCorners of the profile's corners, else the smallest.
+int profile_tool(const ProfileCut& cut, const std::vector<Tool>& tools, const Tolerances& tol) {
+  const std::vector<int> mills = mills_by_size(tools);
+  if (mills.empty()) return 0;
   if (cut.side == ProfileSide::kOn) return mills.back();
   for (const int mill : mills) {
     if (left_in_corners(cut, tools[static_cast<std::size_t>(mill)].radius(), tol) <= kCorners) return mill;
@@ -61,6 +67,11 @@ int carving_tool(const Feature& feature, const std::vector<Tool>& tools) {
 bool keeps_walls(const Tool& tool, const Feature& feature) {
   if (tool.kind != ToolKind::kTapered) return true;
   return tool.tip_angle.value_or(Radians{}).radians() / 2 <= feature.wall_slope.radians() + kSameSlope;
+}
+
+int smallest_mill(const std::vector<Tool>& tools) {
+  const std::vector<int> mills = mills_by_size(tools);
+  return mills.empty() ? -1 : mills.back();
 }
 
 int chamfer_tool(const std::vector<Tool>& tools) {
