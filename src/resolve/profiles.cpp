@@ -79,6 +79,16 @@ void shape(Feature& feature, const Part& part, double radius, double stock, cons
   feature.allowed = subtract(feature.allowed, solid, tol);
 }
 
+/// Drawings may go deeper than the stock: what is below it is no material.
+void measure_beyond(Part& part) {
+  if (!part.stock) return;
+  for (Feature& feature : part.features) {
+    if (!feature.profile) continue;
+    const double below = part.stock->z_bottom - feature.floor_z;
+    if (below > feature.profile->beyond + kAtUnderside) feature.profile->beyond = below;
+  }
+}
+
 /// Ends a profile above the underside of the material.
 void leave_skin(Feature& feature, double skin, Diagnostics& diagnostics) {
   const double floor = feature.floor_z + feature.profile->beyond + skin;
@@ -188,6 +198,7 @@ std::set<int> profiles_through(const Part& part) {
 }
 
 void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources) {
+  measure_beyond(part);
   const Holds holds(part, options);
   std::vector<Workingstep> workplan;
   for (const Workingstep& step : part.workplan) {

@@ -57,7 +57,8 @@ void expect_hills(const std::vector<Hill>& hills, const resolve::PlanOptions& op
     EXPECT_NEAR(hills[k].foot, options.tabs.width, square ? 0.11 : 0.2 + 0.03 / steepness) << i;
     EXPECT_NEAR(hills[k].top, *options.tabs.height, 0.03 * steepness + 0.002) << i;
     EXPECT_LT(hills[k].error, square ? 0.002 : 0.08 * steepness + 0.015) << i;
-    const double gap = k > 0 ? hills[k].middle - hills[k - 1].middle : hills[k].middle + round - hills.back().middle;
+    const double gap =
+        k > 0 ? hills[k].middle - hills[k - 1].middle : hills[k].middle + round - hills.back().middle;
     EXPECT_LT(gap, options.tabs.spacing.value_or(round) + 0.1) << i;
   }
 }
@@ -102,8 +103,9 @@ TEST(FollowedLineTabs, StandAsAskedForInHeightsOfTheirOwn) {
 
 TEST(FollowedLineTabs, OnOpenLinesAndArcsAreClean) {
   const std::string lines[] = {
-      open_line("ON_D4", {{{-40, -30}}, {{20, -30}}, {{20, 10}, 0.5}, {{-30, 10}}}), circle("ON_D4", {3, 4}, 30),
-      rounded_box("ON_D4", -40, -30, 40, 30, 12), open_line("ON_D4", {{{-40, 0}}, {{40, 0}}}),
+      open_line("ON_D4", {{{-40, -30}}, {{20, -30}}, {{20, 10}, 0.5}, {{-30, 10}}}),
+      circle("ON_D4", {3, 4}, 30), rounded_box("ON_D4", -40, -30, 40, 30, 12),
+      open_line("ON_D4", {{{-40, 0}}, {{40, 0}}}),
       outline("ON_D4", {{{-40, -30}}, {{-40, 30}, 0.3}, {{40, 30}, -0.2}, {{40, -30}}})};
   for (const std::string& line : lines) {
     for (const TabShape shape : {TabShape::kSquare, TabShape::kTriangular}) {
@@ -174,7 +176,8 @@ TEST(FollowedLineTabs, AreThoseAskedForByTheirPlace) {
 
 /// Where another line crosses a tab would be cut.
 TEST(FollowedLineTabs, KeepClearOfLinesThatCross) {
-  const std::string across = open_line("ON_D4", {{{-40, 0}}, {{40, 0}}}) + open_line("ON_D4", {{{0, -40}}, {{0, 40}}});
+  const std::string across =
+      open_line("ON_D4", {{{-40, 0}}, {{40, 0}}}) + open_line("ON_D4", {{{0, -40}}, {{0, 40}}});
   const auto result = plan_part(drawn(kStock + across), tabbed("endmill:3", 3));
   EXPECT_EQ(faults_of(result.findings), "");
   int count = 0;
@@ -185,7 +188,8 @@ TEST(FollowedLineTabs, KeepClearOfLinesThatCross) {
 
 /// What ends within the material frees nothing: it is engraved all along, and said.
 TEST(FollowedLineTabs, AreLeftWhereTheLineGoesThroughAlone) {
-  const std::string frame = box("PROFILE_D4", -40, -40, 40, 40), engraved = circle("ENGRAVE_D0.5", {0, 0}, 20);
+  const std::string frame = box("PROFILE_D4", -40, -40, 40, 40),
+                    engraved = circle("ENGRAVE_D0.5", {0, 0}, 20);
   const auto shallow = plan_part(drawn(kStock + frame + engraved), tabbed("endmill:3", 3));
   EXPECT_EQ(faults_of(shallow.findings), "");
   EXPECT_THAT(told(shallow), HasSubstr("ENGRAVE_D0.5: the depth ends within the material"));
@@ -193,7 +197,8 @@ TEST(FollowedLineTabs, AreLeftWhereTheLineGoesThroughAlone) {
   // Without a stock the deepest cut tells where the material ends.
   const auto stockless = plan_part(drawn(frame + engraved), tabbed("endmill:3", 3));
   EXPECT_EQ(stockless.part.features.size(), 3u);
-  EXPECT_EQ(plan_part(drawn(engraved + box("ON_D4", -40, -40, 40, 40)), tabbed("endmill:3", 3)).part.features.size(),
+  EXPECT_EQ(plan_part(drawn(engraved + box("ON_D4", -40, -40, 40, 40)), tabbed("endmill:3", 3))
+                .part.features.size(),
             3u);
   const auto none = plan_part(drawn(kStock + frame), tabbed("endmill:3", 3));
   EXPECT_THAT(told(none), Not(HasSubstr("within the material")));
@@ -210,7 +215,8 @@ TEST(FollowedLineTabs, ThatDoNotFitAreSaid) {
 
 TEST(FollowedLineTabs, PointedAndRoundTipsLeaveNone) {
   for (const char* tool : {"vbit:90deg:12", "ball:4"}) {
-    EXPECT_THROW(plan_part(drawn(kStock + box("ON_D4", -40, -40, 40, 40)), tabbed(tool, 3)), InputError) << tool;
+    EXPECT_THROW(plan_part(drawn(kStock + box("ON_D4", -40, -40, 40, 40)), tabbed(tool, 3)), InputError)
+        << tool;
     const auto open = plan_part(drawn(kStock + open_line("ON_D4", {{{-30, 0}}, {{30, 0}}})), tabbed(tool, 3));
     EXPECT_THAT(told(open), HasSubstr("tabs are left by end mills")) << tool;
   }
@@ -240,7 +246,8 @@ TEST(FollowedLineSkin, IsLeftUnderLinesThatGoThroughAlone) {
   EXPECT_THAT(floors, ::testing::UnorderedElementsAre(::testing::DoubleNear(-3.6, 1e-9),
                                                       ::testing::DoubleNear(-0.5, 1e-9)));
   EXPECT_THAT(told(result), HasSubstr("no skin is left"));
-  EXPECT_THAT(faults_of(check_program(part, through.program, "through.ngc", options).findings), HasSubstr("gouge: "));
+  EXPECT_THAT(faults_of(check_program(part, through.program, "through.ngc", options).findings),
+              HasSubstr("gouge: "));
 }
 
 }  // namespace

@@ -39,8 +39,8 @@ inline void add_arc(const Words& from, const Words& to, std::vector<Stroke>& str
   for (int k = 0; k < count; ++k) {
     const auto at = [&](int n) { return a0 + turn * n / count; };
     const auto z = [&](int n) { return from.z + (to.z - from.z) * n / count; };
-    strokes.push_back({cx + r * base::cos(at(k)), cy + r * base::sin(at(k)), z(k), cx + r * base::cos(at(k + 1)),
-                       cy + r * base::sin(at(k + 1)), z(k + 1), false});
+    strokes.push_back({cx + r * base::cos(at(k)), cy + r * base::sin(at(k)), z(k),
+                       cx + r * base::cos(at(k + 1)), cy + r * base::sin(at(k + 1)), z(k + 1), false});
   }
 }
 
@@ -173,8 +173,7 @@ inline std::vector<Hill> hills_around(const std::vector<Vec2>& points, const Mid
   std::vector<Hill> hills;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vec2 to = points[(i + 1) % points.size()];
-    for (const Hill& hill : hills_beside(points[i], to, starts[i], middle, strokes))
-      hills.push_back(hill);
+    for (const Hill& hill : hills_beside(points[i], to, starts[i], middle, strokes)) hills.push_back(hill);
   }
   return hills;
 }

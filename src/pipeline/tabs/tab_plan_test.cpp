@@ -230,6 +230,22 @@ TEST(TabPlaces, ThatCannotBeAreRefused) {
   EXPECT_THAT(refusal_at(drawn(box("POCKET_D6", 0, 0, 80, 50)), {{30, 0}}), HasSubstr("no profile"));
 }
 
+/// Profiles may be drawn deeper than the stock is thick: tabs and skins stand on its underside nevertheless.
+TEST(TabHeights, AreMeasuredFromTheUndersideOfTheStock) {
+  const Part part = drawn(box("STOCK_D4", -20, -20, 100, 70) + box("PROFILE_D4.3", 0, 0, 80, 50));
+  for (const TabShape shape : {TabShape::kSquare, TabShape::kTriangular}) {
+    auto options = triangular("endmill:4", 2);
+    options.tabs.shape = shape;
+    options.tabs.height = 1.5;
+    const auto result = plan_part(part, options);
+    EXPECT_EQ(faults_of(result.findings), "");
+    for (const Tab& tab : result.part.features.back().profile->tabs) EXPECT_NEAR(tab.top_z, -2.5, 1e-9);
+  }
+  auto options = triangular("endmill:4");
+  options.tabs.skin = 0.3;
+  EXPECT_NEAR(plan_part(part, options).part.features.back().floor_z, -3.7, 1e-9);
+}
+
 TEST(TabSpacing, IsKeptOrRefused) {
   const Part part = drawn(box("PROFILE_D6", 0, 0, 80, 50));
   auto options = triangular("endmill:4");
