@@ -44,6 +44,25 @@ TEST(OutOfReach, IsAConditionOfTheVerdictWhereItIsMuch) {
   EXPECT_EQ(verdict_of(plan_part(square, by_contour("endmill:10")).findings), Verdict::kClean);
 }
 
+/// Tabs change nothing about the corners of a profile.
+TEST(OutOfReach, IsTheSameOfProfilesWithTabsAndWithout) {
+  const auto conditions = [](const std::string& layer, const std::string& tool, int tabs, TabShape shape) {
+    resolve::PlanOptions options = by_contour(tool);
+    options.tabs.count = tabs;
+    options.tabs.shape = shape;
+    const auto result = plan_part(drawn(box(layer, 0, 0, 60, 40)), options);
+    std::string text = std::string(name_of(verdict_of(result.findings))) + "\n";
+    for (const Condition& one : result.findings.conditions) text += one.text + " " + one.met_by + "\n";
+    return text;
+  };
+  for (const char* tool : {"endmill:3", "endmill:6", "endmill:12"}) {
+    const std::string without = conditions("INSIDE_D4", tool, 0, TabShape::kSquare);
+    EXPECT_THAT(without, HasSubstr("CLEAN"));
+    EXPECT_EQ(conditions("INSIDE_D4", tool, 2, TabShape::kSquare), without);
+    EXPECT_EQ(conditions("INSIDE_D4", tool, 2, TabShape::kTriangular), without);
+  }
+}
+
 /// A frame with rounded corners outside and sharp ones inside, as a pen of that width draws it about a box.
 Regions frame(double x, double y, double width) {
   const double inner = 10, outer = inner + width;

@@ -17,7 +17,8 @@ constexpr double kCorners = 1.0;  // mm2
 /// Of the feature's area: where no more is reached, it is not what was asked for, however small it is.
 constexpr double kMost = 0.5;
 constexpr double kSameArea = 1e-9;
-constexpr int kHalvings = 10;  // of the range of diameters that is searched
+constexpr double kSaid = 0.005;  ///< mm2. Areas that differ by less read the same.
+constexpr int kHalvings = 10;    // of the range of diameters that is searched
 /// mm. Smaller cutters are not proposed.
 constexpr double kSmallest = 0.1;
 /// mm within a piece's edge: where it is looked for.
@@ -126,6 +127,26 @@ const Feature& feature_of(const Part& part, const FeatureFindings& found) {
       .features[static_cast<std::size_t>(part.workplan[static_cast<std::size_t>(found.workingstep)].feature)];
 }
 
+/// The layers of a profile above its tabs, of those between them; null of all others.
+const Feature* above_tabs(const Feature& feature, const Part& part) {
+  if (!feature.profile || feature.profile->tabs.empty()) return nullptr;
+  for (const Feature& other : part.features)
+    if (other.profile && other.profile->tabs.empty() && other.profile->line == feature.profile->line &&
+        other.profile->side == feature.profile->side)
+      return &other;
+  return nullptr;
+}
+
+/// Whether as much is out of reach in the layers above the tabs: what stays in corners does so in all layers and is said once.
+bool is_said_above_tabs(const FeatureFindings& found, const Part& part, const Findings& findings) {
+  const Feature* above = above_tabs(feature_of(part, found), part);
+  return above &&
+         std::any_of(findings.features.begin(), findings.features.end(), [&](const FeatureFindings& other) {
+           return &feature_of(part, other) == above && other.tool_number == found.tool_number &&
+                  other.figures.unreachable_mm2 >= found.figures.unreachable_mm2 - kSaid;
+         });
+}
+
 /// What its reader doubts.
 std::vector<Condition> doubts(const Part& part) {
   std::vector<Condition> conditions;
@@ -143,8 +164,10 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
     if (feature.kind == FeatureKind::kIsolation) {
       if (auto joined = not_parted(feature, found, tol)) conditions.push_back(std::move(*joined));
     }
-    const double whole = area(feature.target), left = found.figures.unreachable_mm2;
-    if (left <= allowed_to_stay(whole)) continue;
+    // Tabs are no part of what a share is taken of.
+    const Feature* above = above_tabs(feature, part);
+    const double whole = area(above ? above->target : feature.target), left = found.figures.unreachable_mm2;
+    if (left <= allowed_to_stay(whole) || is_said_above_tabs(found, part, findings)) continue;
     std::string text = feature.name + ": " + trimmed(left, 2) + " of " + trimmed(whole, 2) +
                        " mm2 are out of the reach of T" + std::to_string(found.tool_number) + " (" +
                        trimmed(found.tool_diameter, 3) + " mm)";
