@@ -24,6 +24,9 @@ constexpr double kAbove = 0.2;
 /// mm. Ends of passes on both sides of a tab lie on one contour, and as far from its middle, to within this.
 constexpr double kSameContour = 1e-3;
 constexpr double kSymmetric = 0.1;
+/// mm. Programs of four decimals of an inch round both ends of a move to 0.0013 mm; arcs they may divide into so many pieces.
+constexpr double kRounded = 0.0026;
+constexpr double kPiecesOfArc = 8;
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
 
 /// A place seen from a tab, mm.
@@ -176,10 +179,12 @@ bool is_raised(const Move& move, const std::vector<Raised>& places) {
                      [&](const Raised& place) { return place.z > z_at(move, place.t) + kSameHeight; });
 }
 
+/// The feed at which the tip goes down no faster than at `plunge_feed`, also where the program rounds both ends of a short move.
 MmPerMin slowed(const Move& move, MmPerMin plunge_feed) {
-  const double down = move.z_from - move.z_to, length = move.length();
-  if (is_rapid(move.kind) || down <= 0 || move.feed.mm_per_min() * down <= plunge_feed.mm_per_min() * length)
-    return move.feed;
+  if (is_rapid(move.kind) || move.z_from <= move.z_to) return move.feed;
+  const double rounded = kRounded * (move.path.is_arc() ? kPiecesOfArc : 1);
+  const double down = move.z_from - move.z_to + rounded, length = std::max(down, move.length() - rounded);
+  if (move.feed.mm_per_min() * down <= plunge_feed.mm_per_min() * length) return move.feed;
   return MmPerMin::of(plunge_feed.mm_per_min() * length / down);
 }
 

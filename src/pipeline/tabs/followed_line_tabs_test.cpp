@@ -159,6 +159,23 @@ TEST(FollowedLineTabs, TriangularOnesAreRisenOverWithoutAStop) {
   EXPECT_GE(risen, 4);
 }
 
+/// Their coordinates have three decimals, or four of an inch: that alone may not make a short move down a side too steep for its feed.
+TEST(TriangularTabs, AreGoneDownAtThePlungeFeedWhereCoordinatesAreCoarse) {
+  for (const std::string dialect : {"fanuc", "heidenhain"}) {
+    for (const bool inch : {false, true}) {
+      for (int i = 0; i < 12; ++i) {
+        auto options = tabbed("endmill:3", 3, TabShape::kTriangular);
+        options.post.dialect = dialect;
+        options.post.inch = inch;
+        const std::string layer = i % 3 == 0 ? "ON_D4" : i % 3 == 1 ? "PROFILE_D4" : "INSIDE_D4";
+        const auto result =
+            plan_part(drawn(kStock + circle(layer, {0.37 * i, 0.11 * i}, 21 + 0.73 * i)), options);
+        EXPECT_EQ(faults_of(result.findings), "") << dialect << i;
+      }
+    }
+  }
+}
+
 TEST(FollowedLineTabs, AreThoseAskedForByTheirPlace) {
   const Part part = drawn(kStock + box("ON_D4", -40, -25, 40, 25));
   for (const TabShape shape : {TabShape::kSquare, TabShape::kTriangular}) {
