@@ -23,6 +23,7 @@
 #include "resolve/tool_cutting.h"
 #include "resolve/work_plan.h"
 #include "stock/at_depth.h"
+#include "stock/kerf.h"
 #include "stock/round_hole.h"
 #include "stock/tools/fitting.h"
 #include "stock/tools/tool_choice.h"
@@ -73,14 +74,11 @@ void choose_tools(Part& part, const PlanOptions& options, StepSources& sources) 
     part.tools = options.tools;
     number_tools(part.tools);
     const auto used = used_before(part.tools, options);
-    const auto through = profiles_through(part);
+    const auto through = stock::profiles_through(part);
     for (auto& step : part.workplan) {
       step.operation.tool = stock::tool_for(feature_of(part, step), part.tools, used, options.tol);
-      // Pointed and round tips, which engrave, leave no tabs.
-      const bool needs_mill = options.tabs.any() && through.contains(step.feature) &&
-                              is_carved(feature_of(part, step), tool_of(part, step));
-      if (const int mill = stock::smallest_mill(part.tools); needs_mill && mill >= 0)
-        step.operation.tool = mill;
+      if (options.tabs.any() && through.contains(step.feature))
+        step.operation.tool = stock::tool_for_tabs(feature_of(part, step), step.operation.tool, part.tools);
       step.operation.is_tool_chosen = true;
       sources[step_key(step)].set("tool", source_of(options, "tool"));
       take_tool_cutting(step.operation, options);

@@ -30,7 +30,7 @@ constexpr double kBeyondKerf = 0.02;
 constexpr double kBand = 3;
 /// mm. How far the cutter's rim may stray from an engraved line's.
 constexpr double kBesideLine = 0.005;
-/// mm. What ends no farther above the underside goes through.
+/// mm. What ends no farther below the underside ends at it.
 constexpr double kAtUnderside = 1e-6;
 
 Regions within(const ProfileCut& cut) {
@@ -134,7 +134,7 @@ bool can_leave_tabs(const Feature& feature, const Tool& tool, Part& part) {
 class Holds {
  public:
   Holds(Part& part, const PlanOptions& options)
-      : part_(part), options_(options), through_(profiles_through(part)) {
+      : part_(part), options_(options), through_(stock::profiles_through(part)) {
     if (options.tabs.any() || options.tabs.skin) tell_of_engraved_lines(part, options.tabs, through_);
     if (!options.tabs.any()) return;
     places_ = places_of_tabs(part, options.tabs, through_);
@@ -168,34 +168,7 @@ class Holds {
   std::vector<OtherLine> lines_;
 };
 
-/// z of the material's underside: that of the stock, or where none is stated the lowest of profiles on one side of their outline, which
-/// go through, or the lowest floor of all.
-double underside_of(const Part& part) {
-  if (part.stock) return part.stock->z_bottom;
-  double of_profiles = part.top_z(), of_all = of_profiles;
-  for (const Feature& feature : part.features) {
-    const double floor = feature.floor_z + (feature.profile ? feature.profile->beyond : 0);
-    of_all = std::min(of_all, floor);
-    if (feature.profile && feature.profile->side != ProfileSide::kOn)
-      of_profiles = std::min(of_profiles, floor);
-  }
-  return of_profiles < part.top_z() ? of_profiles : of_all;
-}
-
 }  // namespace
-
-std::set<int> profiles_through(const Part& part) {
-  const double underside = underside_of(part);
-  std::set<int> through;
-  for (std::size_t i = 0; i < part.features.size(); ++i) {
-    const Feature& feature = part.features[i];
-    if (!feature.profile) continue;
-    const bool follows = feature.profile->side == ProfileSide::kOn;
-    if (!follows || feature.floor_z + feature.profile->beyond <= underside + kAtUnderside)
-      through.insert(static_cast<int>(i));
-  }
-  return through;
-}
 
 void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources) {
   measure_beyond(part);

@@ -1,16 +1,10 @@
 // Profiles for the cutters that were chosen: kerfs, and the tabs in them.
 #pragma once
 
-#include <set>
-
 #include "model/part.h"
 #include "resolve/plan_options.h"
 
 namespace clearcut::resolve {
-
-/// The profiles of the part, as indices of features, that go through the material. A line that the cutter's centre follows does where
-/// it reaches the underside of the stock; where no stock is stated that of the other profiles, else the lowest floor.
-std::set<int> profiles_through(const Part& part);
 
 /// Sets target (the kerf) and allowed (a band wide enough for leads) of every profile of the workplan for its cutter; other
 /// parts on the same drawing stay out of both. Where tabs are asked for, the layers below their tops become a feature of

@@ -1,5 +1,6 @@
 #include "stock/kerf.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +12,9 @@ namespace {
 
 /// mm. Arcs narrower than the cutter are replaced by chords this near to them.
 constexpr double kChord = 0.0005;
+
+/// mm. What ends no farther above the underside goes through.
+constexpr double kThrough = 1e-6;
 
 /// mm. Until a cutter is chosen the kerf is taken to be this wide.
 constexpr double kSomeKerf = 0.1;
@@ -56,6 +60,20 @@ std::vector<Loop> capsules(const Path& line, double r) {
   return loops;
 }
 
+/// z of the material's underside: that of the stock, or where none is stated the lowest of profiles on one side of their outline, which
+/// go through, or the lowest floor of all.
+double underside_of(const Part& part) {
+  if (part.stock) return part.stock->z_bottom;
+  double of_profiles = part.top_z(), of_all = of_profiles;
+  for (const Feature& feature : part.features) {
+    const double floor = feature.floor_z + (feature.profile ? feature.profile->beyond : 0);
+    of_all = std::min(of_all, floor);
+    if (feature.profile && feature.profile->side != ProfileSide::kOn)
+      of_profiles = std::min(of_profiles, floor);
+  }
+  return of_profiles < part.top_z() ? of_profiles : of_all;
+}
+
 }  // namespace
 
 Regions kerf_of(const ProfileCut& cut, double width, const Tolerances& tol) {
@@ -64,6 +82,19 @@ Regions kerf_of(const ProfileCut& cut, double width, const Tolerances& tol) {
   if (cut.side == ProfileSide::kOutside) return subtract(dilate(within, width, tol), within, tol);
   const Regions rest = inset(within.front(), width, tol);
   return rest.empty() ? within : subtract(within, rest, tol);
+}
+
+std::set<int> profiles_through(const Part& part) {
+  const double underside = underside_of(part);
+  std::set<int> through;
+  for (std::size_t i = 0; i < part.features.size(); ++i) {
+    const Feature& feature = part.features[i];
+    if (!feature.profile) continue;
+    const bool follows = feature.profile->side == ProfileSide::kOn;
+    if (!follows || feature.floor_z + feature.profile->beyond <= underside + kThrough)
+      through.insert(static_cast<int>(i));
+  }
+  return through;
 }
 
 void follow(Feature& feature, ProfileCut cut, const Tolerances& tol) {

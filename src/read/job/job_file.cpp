@@ -238,6 +238,8 @@ OperationRule operation_rule(DataSection section) {
   rule.feature = section.text("feature").value_or("*");
   rule.skip = section.flag("skip").value_or(false);
   rule.settings = settings_of(section);
+  for (const char* key : {"tabs", "tab_spacing", "tab_at", "tab_shape", "tab_width", "tab_height", "skin"})
+    if (section.has(key)) section.fail_at(key, "holds for all profiles and belongs in [plan]");
   section.refuse_unknown();
   return rule;
 }

@@ -170,12 +170,33 @@ TEST_F(Job, MistakesGiveOneLineWithFileAndLine) {
   EXPECT_THAT(refusal(kPart + "[[operation]]\nfeature = \"c\"\n"),
               StartsWith("job.toml:3: no feature is called 'c'"));
   EXPECT_THAT(refusal(kPart + "[[operation]]\ntool = 9\n"), StartsWith("job.toml:3: tool 9 is unknown"));
+  EXPECT_THAT(refusal(kPart + "[[operation]]\nfeature = \"a\"\ntabs = 3\n"),
+              StartsWith("job.toml:5: tabs holds for all profiles and belongs in [plan]"));
   EXPECT_THAT(refusal(kPart + kTools + "[plan]\nstepover = \"wide\"\n"),
               HasSubstr("stepover 'wide' is unknown"));
   EXPECT_THAT(refusal(kPart + "[stock]\nx = [1, 2]\n"), HasSubstr("z is missing"));
   EXPECT_THAT(refusal(kPart + "[stock]\nz = [2, 1]\n"), StartsWith("job.toml:4: z must be [low, high]"));
   EXPECT_THAT(refusal(kPart + "[[operation]]\nskip = true\n"), HasSubstr("nothing is left to machine"));
   EXPECT_THAT(refusal(kPart + "made = 2020-01-01\n"), HasSubstr("job.toml:3: dates"));
+}
+
+/// A pointed tip, which engraves where nobody chooses, leaves no tabs in a line through the material.
+TEST_F(Job, LinesThroughTheMaterialAreCutByAMillWhereTabsAreAskedFor) {
+  write("lines.json",
+        R"({"units": "mm", "stock": {"x": [0, 60], "y": [0, 40], "z": [-4, 0]}, "pockets": [
+          {"name": "cut", "kind": "engraving", "line": [[5,5],[55,5],[55,35],[5,35]], "depth": 4},
+          {"name": "mark", "kind": "engraving", "line": [[15,15],[45,15],[45,25]], "closed": false, "depth": 0.5}]})");
+  const std::string text =
+      "[part]\nfile = \"lines.json\"\n[[tool]]\nnumber = 1\nkind = \"vbit\"\ndiameter = 6\ntip_angle = 60\n"
+      "[[tool]]\nnumber = 2\ndiameter = 3\n";
+  const auto tools = [&](const std::string& plan) {
+    const Part read = part(text + plan);
+    std::vector<int> numbers;
+    for (const Workingstep& step : read.workplan) numbers.push_back(tool_of(read, step).number);
+    return numbers;
+  };
+  EXPECT_EQ(tools(""), (std::vector<int>{1, 1}));
+  EXPECT_EQ(tools("[plan]\ntabs = 2\n"), (std::vector<int>{2, 1}));
 }
 
 TEST_F(Job, TheWrittenJobIsReadAsItStands) {

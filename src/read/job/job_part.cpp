@@ -13,6 +13,7 @@
 #include "read/job/job_file.h"
 #include "read/read_part.h"
 #include "read/step_solid/step_solid.h"
+#include "stock/kerf.h"
 #include "stock/tools/tool_choice.h"
 
 namespace clearcut::read {
@@ -294,7 +295,10 @@ class Dresser {
       operation.tool = *index;
     }
     if (operation.tool == kOpenTool) {
-      operation.tool = stock::tool_for(feature_of(part_, planned.step), part_.tools, {}, tol_);
+      const Feature& feature = feature_of(part_, planned.step);
+      operation.tool = stock::tool_for(feature, part_.tools, {}, tol_);
+      if (job_.tabs.any() && stock::profiles_through(part_).contains(planned.step.feature))
+        operation.tool = stock::tool_for_tabs(feature, operation.tool, part_.tools);
       operation.is_tool_chosen = true;
       sources.set("tool", {Origin::kDerived, "the job's largest that fits"});
     }

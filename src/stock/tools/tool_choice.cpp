@@ -69,9 +69,10 @@ bool keeps_walls(const Tool& tool, const Feature& feature) {
   return tool.tip_angle.value_or(Radians{}).radians() / 2 <= feature.wall_slope.radians() + kSameSlope;
 }
 
-int smallest_mill(const std::vector<Tool>& tools) {
+int tool_for_tabs(const Feature& feature, int chosen, const std::vector<Tool>& tools) {
+  if (!is_carved(feature, tools[static_cast<std::size_t>(chosen)])) return chosen;
   const std::vector<int> mills = mills_by_size(tools);
-  return mills.empty() ? -1 : mills.back();
+  return mills.empty() ? chosen : mills.back();
 }
 
 int chamfer_tool(const std::vector<Tool>& tools) {

@@ -11,8 +11,9 @@ namespace clearcut::stock {
 /// Index of the tool that breaks edges: a chamfer mill, else a V-bit; -1: none is at hand.
 int chamfer_tool(const std::vector<Tool>& tools);
 
-/// Index of the smallest mill with upright sides, which cuts a line through the material; -1: none is at hand.
-int smallest_mill(const std::vector<Tool>& tools);
+/// Index of the tool that leaves tabs in a profile: the one that was chosen, or in place of a pointed or round tip, which leaves none, the
+/// smallest mill with upright sides where there is one.
+int tool_for_tabs(const Feature& feature, int chosen, const std::vector<Tool>& tools);
 
 /// Whether the tool leaves the feature's walls as they are drawn: a tapered end mill those alone that lean as much as its flanks.
 bool keeps_walls(const Tool& tool, const Feature& feature);
