@@ -89,6 +89,25 @@ void measure_beyond(Part& part) {
   }
 }
 
+/// Lines that are followed are drawn to be engraved, before what frees the part; those that go through may free it themselves. Then
+/// all that may free anything comes last, what surrounds less before what surrounds more.
+void put_what_frees_last(Part& part) {
+  const auto frees = [&part](const Workingstep& step) {
+    return stock::may_free(feature_of(part, step), part);
+  };
+  const bool any_line = std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
+    return frees(step) && feature_of(part, step).profile->side == ProfileSide::kOn;
+  });
+  if (!part.order_free || !any_line) return;
+  const auto last = std::stable_partition(part.workplan.begin(), part.workplan.end(),
+                                          [&](const Workingstep& step) { return !frees(step); });
+  const auto within = [&part](const Workingstep& step) {
+    return std::abs(signed_area(feature_of(part, step).profile->line));
+  };
+  std::stable_sort(last, part.workplan.end(),
+                   [&](const Workingstep& a, const Workingstep& b) { return within(a) < within(b); });
+}
+
 /// Ends a profile above the underside of the material.
 void leave_skin(Feature& feature, double skin, Diagnostics& diagnostics) {
   const double floor = feature.floor_z + feature.profile->beyond + skin;
@@ -171,6 +190,7 @@ class Holds {
 }  // namespace
 
 void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources) {
+  put_what_frees_last(part);
   measure_beyond(part);
   const Holds holds(part, options);
   std::vector<Workingstep> workplan;

@@ -325,10 +325,15 @@ std::vector<double> places_on(const Feature& feature, const TabPlacer& placer, c
 bool frees_part(const Feature& feature, const Part& part) {
   const ProfileCut& cut = *feature.profile;
   if (cut.side != ProfileSide::kOn) return cut.side == ProfileSide::kOutside;
-  return cut.closed && std::none_of(part.features.begin(), part.features.end(), [&cut](const Feature& other) {
-           return other.profile && other.profile->side == ProfileSide::kOutside &&
-                  contains(other.profile->line, cut.line.front().from);
-         });
+  const double underside = feature.floor_z + cut.beyond + kRounding;
+  const auto surrounds = [&](const Feature& other) {
+    if (!other.profile || !other.profile->closed || other.profile->line == cut.line) return false;
+    const bool frees =
+        other.profile->side == ProfileSide::kOutside ||
+        (other.profile->side == ProfileSide::kOn && other.floor_z + other.profile->beyond <= underside);
+    return frees && contains(other.profile->line, cut.line.front().from);
+  };
+  return cut.closed && std::none_of(part.features.begin(), part.features.end(), surrounds);
 }
 
 PlacesByFeature places_of_tabs(const Part& part, const TabOptions& options, const std::set<int>& through) {

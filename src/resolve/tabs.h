@@ -15,7 +15,7 @@ namespace clearcut::resolve {
 using PlacesByFeature = std::map<int, std::vector<Vec2>>;
 
 /// Whether the profile, which goes through the material, cuts the part itself free, and no waste within it: an outer profile, or
-/// a closed line that is followed and lies in none.
+/// a closed line that is followed and lies in none, nor in another such line.
 bool frees_part(const Feature& feature, const Part& part);
 
 /// Gives each of options.at to the nearest profile of those that go `through` the material and can have tabs. Throws InputError for

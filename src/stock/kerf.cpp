@@ -97,6 +97,12 @@ std::set<int> profiles_through(const Part& part) {
   return through;
 }
 
+bool may_free(const Feature& feature, const Part& part) {
+  if (!feature.profile) return false;
+  if (feature.profile->side != ProfileSide::kOn) return true;
+  return feature.profile->closed && part.stock && feature.floor_z <= part.stock->z_bottom + kThrough;
+}
+
 void follow(Feature& feature, ProfileCut cut, const Tolerances& tol) {
   feature.target = kerf_of(cut, kSomeKerf, tol);
   feature.allowed = feature.target;

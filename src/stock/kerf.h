@@ -16,6 +16,10 @@ Regions kerf_of(const ProfileCut& cut, double width, const Tolerances& tol);
 /// it reaches the underside of the stock; where no stock is stated that of the other profiles, else the lowest floor.
 std::set<int> profiles_through(const Part& part);
 
+/// Whether what the feature surrounds may come free: of profiles on one side of their outline; of closed lines that are followed where
+/// they go down to the underside of the stated stock.
+bool may_free(const Feature& feature, const Part& part);
+
 /// Makes `feature` a profile along `cut`. Until a cutter is chosen its areas are those of a kerf 0.1 mm wide.
 void follow(Feature& feature, ProfileCut cut, const Tolerances& tol);
 

@@ -82,6 +82,36 @@ TEST(LooseParts, WhatIsHeldMayBeCut) {
             "");
 }
 
+/// A line that is followed frees what it surrounds as a profile does, once it goes through the stock.
+TEST(LooseParts, LinesThroughTheStockFreeWhatTheySurround) {
+  const std::string stock = box("STOCK_D6", -10, -10, 90, 60);
+  const Part part = drawn(stock + box("ON_D6", 0, 0, 80, 50) + box("POCKET_D3", 20, 15, 60, 35) +
+                          circle("INSIDE_D6", {8, 8}, 4) + circle("ON_D6", {72, 42}, 4) +
+                          circle("ENGRAVE_D1", {40, 25}, 5));
+  const auto right = plan_part(part, asked());
+  EXPECT_EQ(faults_of(right.findings), "");
+  std::string outer;
+  for (const Feature& feature : right.part.features)
+    if (feature.profile && box(feature.profile->line).width() > 70) outer = feature.name;
+  const auto& last =
+      right.part.workplan[static_cast<std::size_t>(right.toolpath.sections.back().workingstep)];
+  EXPECT_EQ(feature_of(right.part, last).name, outer);
+  const auto faults = [&](const Part& of, const std::string& program) {
+    return faults_of(check_program(of, with_first(program, outer), "wrong.ngc", asked()).findings);
+  };
+  EXPECT_THAT(faults(part, right.program), HasSubstr("Cuts in the piece that " + outer + " has cut free"));
+  // Neither an open line nor one that ends within the material frees anything.
+  Part thick = part;
+  thick.stock->z_bottom = -8;
+  EXPECT_THAT(faults(thick, plan_part(thick, asked()).program), ::testing::Not(HasSubstr("loose part")));
+  auto held = asked(3);
+  held.tabs.width = 2;
+  const std::string program = plan_part(part, held).program;
+  EXPECT_THAT(
+      faults_of(check_program(part, with_first(program, outer + "_TABS"), "early.ngc", held).findings),
+      ::testing::Not(HasSubstr("loose part")));
+}
+
 TEST(LooseParts, WorkBesideAPieceIsNone) {
   // The holes' waste comes free first; of two parts one does before the other is begun.
   const Part part = drawn(plate() + box("PROFILE_D6", 100, 0, 140, 50) + circle("INSIDE_D6", {120, 25}, 6));

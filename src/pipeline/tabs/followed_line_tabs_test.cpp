@@ -228,6 +228,10 @@ TEST(FollowedLineTabs, ThatDoNotFitAreSaid) {
   const std::string within = box("PROFILE_D4", -40, -40, 40, 40) + narrow;
   EXPECT_THAT(told(plan_part(drawn(kStock + within), tabbed("endmill:3", 3))),
               HasSubstr("ON_D4: only 0 of 3 tabs of 4 mm fit"));
+  const auto both =
+      plan_part(drawn(kStock + box("ON_D4", -40, -40, 40, 40) + narrow), tabbed("endmill:3", 3));
+  EXPECT_THAT(told(both), HasSubstr("only 0 of 3 tabs of 4 mm fit"));
+  EXPECT_EQ(tabs_of(both).size(), 3u);
 }
 
 TEST(FollowedLineTabs, PointedAndRoundTipsLeaveNone) {

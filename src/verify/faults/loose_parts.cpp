@@ -21,8 +21,11 @@ using Moves = std::vector<CheckedMove>;
 
 /// Whether the profile parts what it surrounds from the rest.
 bool frees(const Part& part, const Feature& feature, const Tolerances& tol) {
-  if (!feature.profile || feature.profile->side == ProfileSide::kOn || !feature.profile->closed) return false;
-  const bool is_held = !feature.through || !feature.profile->tabs.empty();
+  if (!feature.profile || !feature.profile->closed) return false;
+  // Lines that are followed are engraved, unless they go down to the underside of a stock.
+  const bool is_through =
+      feature.profile->side == ProfileSide::kOn ? part.stock.has_value() : feature.through;
+  const bool is_held = !is_through || !feature.profile->tabs.empty();
   const double underside = feature.floor_z + feature.profile->beyond;
   return !is_held && (!part.stock || underside <= part.stock->z_bottom + tol.uncut);
 }
@@ -60,7 +63,7 @@ class Piece {
       const int count = 1 + static_cast<int>(std::ceil(edge.length() / (kAlongKerf * radius_)));
       for (int i = 0; i < count; ++i) {
         const Vec2 p = beside(edge, (i + 0.5) / count);
-        if (outline.distance_to(p) < radius_ - kOnContour) continue;
+        if (outline.distance_to(p) < std::abs(to_middle()) - kOnContour) continue;
         const auto cut = first_over(p, moves, last);
         if (!cut) return std::nullopt;
         freed = std::max(freed.value_or(0), *cut);
@@ -77,8 +80,13 @@ class Piece {
 
   /// The middle of the kerf; the outline is counter-clockwise.
   Vec2 beside(const Edge& edge, double t) const {
-    const double side = cut_.side == ProfileSide::kOutside ? -1 : 1;
-    return edge.at(t) + left_of(edge.tangent_at(t)) * (side * radius_);
+    return edge.at(t) + left_of(edge.tangent_at(t)) * to_middle();
+  }
+
+  /// mm to the left of the outline.
+  double to_middle() const {
+    if (cut_.side == ProfileSide::kOn) return 0;
+    return cut_.side == ProfileSide::kOutside ? -radius_ : radius_;
   }
 
   /// Index of the first move that takes its tip to the underside over p.
