@@ -159,9 +159,10 @@ class Holds {
     places_ = places_of_tabs(part, options.tabs, through_);
     for (const Workingstep& step : part.workplan) {
       const Feature& feature = feature_of(part, step);
-      if (feature.profile && feature.profile->side == ProfileSide::kOn)
-        lines_.push_back(
-            {step.feature, feature.profile->line, feature.floor_z, tool_of(part, step).radius()});
+      if (!feature.profile) continue;
+      const double radius = tool_of(part, step).radius();
+      const bool on = feature.profile->side == ProfileSide::kOn;
+      lines_.push_back({step.feature, feature.profile->line, feature.floor_z, on ? radius : 2 * radius, on});
     }
   }
 

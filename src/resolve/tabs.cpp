@@ -245,7 +245,7 @@ class TabPlacer {
     return true;
   }
 
-  /// Whether no line that another feature follows crosses the stretch's kerf.
+  /// Whether the kerf of no other line comes into the stretch's own.
   bool is_clear_of_others(const Edge& stretch) const {
     const Edge middle = moved(stretch, (across_.from + across_.to) / 2);
     return std::all_of(others_.begin(), others_.end(), [&](const OtherLine& other) {
@@ -377,7 +377,9 @@ std::optional<Feature> split_at_tabs(Part& part, int index, const Kerf& kerf, co
   }
   std::vector<OtherLine> others;
   for (const OtherLine& line : wish.lines)
-    if (line.feature != index && line.floor_z < top - kRounding) others.push_back(line);
+    if (line.feature != index && line.floor_z < top - kRounding &&
+        (line.is_followed || feature.profile->side == ProfileSide::kOn))
+      others.push_back(line);
   const TabPlacer placer(*feature.profile, kerf, foot_of(options, height, feature.profile->beyond),
                          std::move(others));
   const auto asked = wish.places.find(index);

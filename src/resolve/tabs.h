@@ -28,12 +28,13 @@ struct Kerf {
   double width = 0;   ///< mm, of what it may take
 };
 
-/// A line that a cutter's centre follows.
+/// The line of a profile, which may cross that of another.
 struct OtherLine {
   int feature = 0;
   Path line;
   double floor_z = 0;
-  double reach = 0;  ///< mm to both sides that are cut
+  double reach = 0;          ///< mm; no farther beside it anything is cut
+  bool is_followed = false;  ///< by the cutter's centre
 };
 
 /// What is asked of tabs.

@@ -56,6 +56,7 @@ MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Toleranc
   const Workingstep& step = part.workplan[static_cast<std::size_t>(workingstep)];
   const Feature& pocket = feature_of(part, step);
   const bool is_hole = pocket.kind == FeatureKind::kRoundHole && !is_formed(pocket);
+  if (pocket.profile) return;
   const bool leaves_stock = (is_hole || !closed_all_round(pocket)) && step.operation.allowance_side > 0;
   if (pocket.kind != FeatureKind::kClosedPocket && !leaves_stock) return;
   const Box here = box(pocket.target).grown(kTouching);

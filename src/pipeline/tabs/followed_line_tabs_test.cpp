@@ -203,6 +203,28 @@ TEST(FollowedLineTabs, KeepClearOfLinesThatCross) {
   EXPECT_EQ(count, 6);
 }
 
+/// A profile's kerf, too; and what stays for finishing where kerfs cross is no part of either.
+TEST(FollowedLineTabs, KeepClearOfProfilesThatCross) {
+  const std::string frame = box("PROFILE_D4", -40, -40, 40, 40);
+  const std::string lines[] = {
+      open_line("ON_D4", {{{-40, -48}}, {{-40, 48}}}), open_line("ON_D4", {{{-48, 3}}, {{48, 3}}}),
+      outline("ON_D4", {{{-46, -20}}, {{20, -20}, 0.3}, {{30, 46}, -0.1}, {{-20, 20}}})};
+  for (const std::string& line : lines) {
+    for (const TabShape shape : {TabShape::kSquare, TabShape::kTriangular}) {
+      for (const bool finished : {false, true}) {
+        auto options = tabbed("endmill:3", 2, shape);
+        options.tabs.width = 2;
+        if (finished) options.shop.finish = "walls";
+        try {
+          EXPECT_EQ(faults_of(plan_part(drawn(kStock + frame + line), options).findings), "") << line;
+        } catch (const InputError& error) {
+          EXPECT_THAT(error.what(), HasSubstr("tabs of 2 mm fit"));
+        }
+      }
+    }
+  }
+}
+
 /// What ends within the material frees nothing: it is engraved all along, and said.
 TEST(FollowedLineTabs, AreLeftWhereTheLineGoesThroughAlone) {
   const std::string frame = box("PROFILE_D4", -40, -40, 40, 40),
