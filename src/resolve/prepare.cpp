@@ -353,7 +353,10 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   shape_carvings(part, options, sources);
   lean_walls(part);
   add_rest_steps(part, options, sources);
-  if (finish_of(options.shop) != Finish::kNone) add_finishing_steps(part, options, sources);
+  if (finish_of(options.shop) != Finish::kNone) {
+    add_finishing_steps(part, options, sources);
+    put_what_frees_last(part);
+  }
   shape_chamfers(part, options.tol);
   std::vector<std::string> noted;
   for (auto& step : part.workplan) {

@@ -91,7 +91,7 @@ void measure_beyond(Part& part) {
 
 /// Lines that are followed are drawn to be engraved, before what frees the part; those that go through may free it themselves. Then
 /// all that may free anything comes last, what surrounds less before what surrounds more.
-void put_what_frees_last(Part& part) {
+void put_lines_among_cut_outs(Part& part) {
   const auto frees = [&part](const Workingstep& step) {
     return stock::may_free(feature_of(part, step), part);
   };
@@ -191,7 +191,7 @@ class Holds {
 }  // namespace
 
 void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources) {
-  put_what_frees_last(part);
+  put_lines_among_cut_outs(part);
   measure_beyond(part);
   const Holds holds(part, options);
   std::vector<Workingstep> workplan;
@@ -216,6 +216,20 @@ void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources
     workplan.push_back(std::move(lower));
   }
   part.workplan = std::move(workplan);
+}
+
+void put_what_frees_last(Part& part) {
+  const auto line_of = [&part](const Workingstep& step) -> const Path& {
+    return feature_of(part, step).profile->line;
+  };
+  const auto last = std::stable_partition(
+      part.workplan.begin(), part.workplan.end(),
+      [&part](const Workingstep& step) { return !stock::may_free(feature_of(part, step), part); });
+  for (auto first = last; first != part.workplan.end();) {
+    const Path line = line_of(*first);
+    first = std::stable_partition(first, part.workplan.end(),
+                                  [&](const Workingstep& step) { return line_of(step) == line; });
+  }
 }
 
 }  // namespace clearcut::resolve

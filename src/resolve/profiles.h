@@ -12,4 +12,8 @@ namespace clearcut::resolve {
 /// place is left for a tab of a profile that frees the part.
 void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources);
 
+/// Puts the steps of all that may free a piece behind all others, those along one outline together: no other step may come in between
+/// once the first has gone through. Otherwise the order stays.
+void put_what_frees_last(Part& part);
+
 }  // namespace clearcut::resolve

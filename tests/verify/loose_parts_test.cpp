@@ -112,6 +112,18 @@ TEST(LooseParts, LinesThroughTheStockFreeWhatTheySurround) {
       ::testing::Not(HasSubstr("loose part")));
 }
 
+/// All of a part is finished before the cut-out goes through, also where the two run into each other; a cut-out within it, too.
+TEST(LooseParts, FinishingComesBeforeWhatFreesThePart) {
+  const std::string edge = box("PROFILE_D6", 0, 0, 80, 50), window = circle("INSIDE_D6", {14, 14}, 7);
+  for (const std::string& pocket : {box("POCKET_D3", 30, 15, 60, 35), box("POCKET_D3", 30, 35, 60, 58)}) {
+    for (const char* finish : {"walls", "all"}) {
+      auto options = asked();
+      options.shop.finish = finish;
+      EXPECT_EQ(faults_of(plan_part(drawn(edge + window + pocket), options).findings), "") << finish;
+    }
+  }
+}
+
 TEST(LooseParts, WorkBesideAPieceIsNone) {
   // The holes' waste comes free first; of two parts one does before the other is begun.
   const Part part = drawn(plate() + box("PROFILE_D6", 100, 0, 140, 50) + circle("INSIDE_D6", {120, 25}, 6));

@@ -13,7 +13,7 @@ namespace clearcut::pipeline {
 /// cut before or begin no higher. Over others more may stand than the pocket's layers are deep: of them counts what cutters
 /// have cleared before down to where the pocket begins. Round holes and open
 /// features have none, because they are bounded by themselves, unless stock is to stay on their walls: no finished wall stands
-/// where others take it away, and there is nothing for stock to stay on.
+/// where others take it away, and there is nothing for stock to stay on. Profiles keep to their kerf.
 class MeetingPockets {
  public:
   MeetingPockets(const Part& part, int workingstep, const Tolerances& tol);
