@@ -72,6 +72,22 @@ TEST(HolePlan, APlaceThatTheDigitsMissIsAFaultAndSaidWithWhatHelps) {
   EXPECT_THAT(warnings_of(fine.part), Not(HasSubstr("--decimals")));
 }
 
+/// A mill as wide as its slot has no more room than a drill: its middle, 25 mm, is missed by 1.2 um.
+TEST(HolePlan, ASlotAsWideAsTheCutterThatTheDigitsMissIsSaidLikewise) {
+  const Part part = drawn(box("STOCK_D12", -30, 0, 30, 50) +
+                          outline("SLOT_D3", {{{-10, 22}}, {{10, 22}, 1}, {{10, 28}}, {{-10, 28}, 1}}));
+  auto options = with({"endmill:6"});
+  options.post.dialect = "haas";
+  options.post.inch = true;
+  const PlanResult coarse = plan_part(part, options);
+  EXPECT_TRUE(has(coarse.findings, FaultKind::kGouge)) << coarse.program;
+  EXPECT_THAT(warnings_of(coarse.part), HasSubstr("add --decimals 5"));
+  options.post.decimals = 5;
+  const PlanResult fine = plan_part(part, options);
+  expect_clean(fine);
+  EXPECT_THAT(warnings_of(fine.part), Not(HasSubstr("--decimals")));
+}
+
 TEST(HolePlan, ABlindHoleHasItsWidthToItsDepthWhereThePointIsKnown) {
   EXPECT_THAT(plan_part(with_circle("DRILL_D6", 6), with({"drill:6:90deg"})).program, HasSubstr("Z-9 R1 "));
   EXPECT_THAT(plan_part(with_circle("DRILL_D6", 6), with({"drill:6"})).program, HasSubstr("Z-6 R1 "));

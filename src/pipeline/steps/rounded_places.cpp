@@ -17,18 +17,19 @@ constexpr double kMicrometres = 1000;  // per mm
 }  // namespace
 
 void explain_rounded_places(PlanResult& result, const ResolvedPlan& plan) {
-  const double beside = post::rounding_of_lines(plan.post);
   for (const FeatureFindings& found : result.findings.features) {
     if (found.figures.clean || found.workingstep < 0) continue;
     const Workingstep& step = result.part.workplan[static_cast<std::size_t>(found.workingstep)];
-    if (!stock::only_plunges(tool_of(result.part, step))) continue;
+    const bool plunges = stock::only_plunges(tool_of(result.part, step));
+    const double beside = plunges ? post::rounding_of_lines(plan.post) : post::rounding_of(plan.post);
     const double gouge = found.figures.gouge_mm;
     if (gouge <= plan.tol.gouge || gouge > beside + kSlack) continue;
     result.part.diagnostics.warn(
         found.name,
-        fmt::format("the program's digits put holes up to {} um beside their places, this one {}: add "
-                    "--decimals {} if the control reads as many",
-                    trimmed(beside * kMicrometres, 2), trimmed(gouge * kMicrometres, 2),
+        fmt::format("the program's digits put {} up to {} um beside {} {}: add --decimals {} if the control "
+                    "reads as many",
+                    plunges ? "holes" : "a cutter that has no room", trimmed(beside * kMicrometres, 2),
+                    plunges ? "their places, this one" : "its path, here", trimmed(gouge * kMicrometres, 2),
                     post::decimals_of(plan.post) + 1));
   }
 }
