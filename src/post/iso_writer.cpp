@@ -137,7 +137,7 @@ void IsoWriter::set_path_control(bool first) {
   if (dialect_.path_control != PathControl::kExactStop) return;
   // Said in the program, because a shop asks why the machine stops at every corner.
   if (first && !options_.continuous)
-    out_.comment("EXACT STOP: G64 ROUNDS CORNERS BY NO STATED BOUND, SEE BLENDING");
+    out_.comment("EXACT STOP: G64 ROUNDS CORNERS BY NO STATED BOUND, --ACCEPT BLENDING GIVES IT");
   out_.line(options_.continuous ? "G64" : "G61");
 }
 
