@@ -53,14 +53,8 @@ void BlockPrinter::title(const std::string& number, std::string_view name) {
 }
 
 void BlockPrinter::comment(std::string_view text) {
-  const std::string plain = plain_comment(text);
-  const std::size_t room = dialect_.line_length - 2;
-  std::size_t begin = 0;
-  do {
-    const std::string piece = plain.substr(begin, room);
+  for (const std::string& piece : comment_pieces(text, dialect_.line_length - 2))
     line(dialect_.comments == CommentForm::kParentheses ? "(" + piece + ")" : "; " + piece);
-    begin += room;
-  } while (begin < plain.size());
 }
 
 }  // namespace clearcut::post

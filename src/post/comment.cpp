@@ -46,6 +46,19 @@ std::string plain_comment(std::string_view text) {
   return plain;
 }
 
+std::vector<std::string> comment_pieces(std::string_view text, std::size_t room) {
+  std::vector<std::string> pieces;
+  std::string rest = plain_comment(text);
+  while (rest.size() > room) {
+    const std::size_t blank = rest.rfind(' ', room);
+    const bool between = blank != std::string::npos && blank > 0;
+    pieces.push_back(rest.substr(0, between ? blank : room));
+    rest = plain_comment(rest.substr(between ? blank + 1 : room));  // its first word stands first now
+  }
+  pieces.push_back(rest);
+  return pieces;
+}
+
 std::string operation_comment(int place, std::string_view label) {
   const std::string number = place > 0 ? " " + std::to_string(place) : "";
   return "OPERATION" + number + ": " + plain_comment(label);

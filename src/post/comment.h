@@ -1,8 +1,10 @@
 // Comments every control can take.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "model/part.h"
 
@@ -16,6 +18,9 @@ inline constexpr std::string_view kEndComment = "END OF PROGRAM";
 /// '!', '?', '~' (Grbl acts on them even inside comments), no leading word LinuxCNC would execute ("MSG,"), and one blank between
 /// words.
 std::string plain_comment(std::string_view text);
+
+/// The same in pieces of at most `room` characters, broken between words where there is a blank; one empty piece of "".
+std::vector<std::string> comment_pieces(std::string_view text, std::size_t room);
 
 /// The comment that opens a section: "OPERATION 3: POCKET1", without the number where `place`, its place in the program,
 /// is 0.

@@ -92,6 +92,15 @@ TEST(ProgramWords, KlartextNamesKeepTheirWordsApart) {
   EXPECT_THAT(program(options), HasSubstr("BEGIN PGM A_NAME_THAT_IS_LONGER_TH MM"));
 }
 
+TEST(ProgramWords, LongCommentsGoOnBehindAWord) {
+  PostOptions options = post_for("heidenhain");
+  options.header = {"TOOL CHANGE T8: TAP D0.2362 IN = 6 MM PITCH 0.0394 IN = 1 MM FLOATING HOLDER"};
+  EXPECT_THAT(program(options), HasSubstr(" = 1 MM\n2 ; FLOATING HOLDER\n"));
+  options = post_for("grbl");
+  options.header = {std::string(70, 'A') + " BBBB CCCC " + std::string(100, 'D')};
+  EXPECT_THAT(program(options), HasSubstr("A BBBB)\n(CCCC)\n(DDD"));
+}
+
 /// One tool that turns about one centre in two operations.
 std::string two_turns(const char* dialect) {
   Toolpath toolpath;

@@ -388,11 +388,8 @@ void KlartextWriter::write_helix(const Step& step, const Ticks& center, MmPerMin
 
 /// Comments that are too long go on in a block of their own.
 void KlartextWriter::comment(std::string_view text) {
-  const std::string plain = plain_comment(text);
   constexpr std::size_t kRoom = kLineLength - 12;
-  for (std::size_t begin = 0; begin == 0 || begin < plain.size(); begin += kRoom) {
-    block("; " + plain.substr(begin, kRoom));
-  }
+  for (const std::string& piece : comment_pieces(text, kRoom)) block("; " + piece);
 }
 
 std::string KlartextWriter::coordinate(std::string_view name, long long ticks) const {
