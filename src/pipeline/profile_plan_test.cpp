@@ -271,6 +271,16 @@ TEST(DrawingRoles, OpenLinesAloneMayBeFollowed) {
   EXPECT_EQ(read::read_part_text(open, "plate.dxf", options).features.size(), 2u);
 }
 
+/// What lies beyond the stock is not asked for; where a line crosses its side at an angle places beside the kerf counted as left.
+TEST(Profiles, LinesThatLeaveTheStockAtAnAngleAreEngravedClean) {
+  for (const double y : {18.377777, 25.3, 38.377777}) {
+    const std::string text =
+        dxf(rectangle("STOCK_D20", 0, 0, 100, 60) + line("ENGRAVE_D5", -12.3333, y, 60, 33.712345));
+    const auto result = plan_part(read::read_part_text(text, "plate.dxf", asking()), with_mill("endmill:6"));
+    EXPECT_TRUE(result.findings.all.clean) << y << faults_of(result.findings);
+  }
+}
+
 TEST(DrawingRoles, OddSizesAndOpenLinesAreQuestioned) {
   EXPECT_THAT(refusal(dxf(rectangle("0", 0, 0, 3700, 2000)), asking(6)), HasSubstr("larger than 2 m"));
   EXPECT_THAT(refusal(dxf(rectangle("0", 0, 0, 0.5, 0.4)), asking(0.1)), HasSubstr("smaller than 1 mm"));

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
+#include <utility>
 
 #include "verify/part/finished_part.h"
 
@@ -11,8 +14,16 @@ namespace {
 /// mm2; a loop that encloses less lay wholly beyond the stock.
 constexpr double kNoArea = 1e-9;
 
+/// mm. Crossings with a side that are computed lie on it but for this.
+constexpr double kAtSide = 1e-9;
+
+double nearest_between(double low, double high, double value) {
+  if (value < low + kAtSide) return low;
+  return value > high - kAtSide ? high : value;
+}
+
 Vec2 nearest_in(const Box& box, Vec2 p) {
-  return {std::clamp(p.x, box.min.x, box.max.x), std::clamp(p.y, box.min.y, box.max.y)};
+  return {nearest_between(box.min.x, box.max.x, p.x), nearest_between(box.min.y, box.max.y, p.y)};
 }
 
 /// Parameters at which the edge meets the lines through the sides of the box, with 0 and 1, ascending.
@@ -47,6 +58,78 @@ Loop moved_into(const Box& box, const Loop& loop) {
   return moved;
 }
 
+/// Number of the side of the box that the edge runs along: 0 left, 1 right, 2 lower, 3 upper; -1: none.
+int side_of(const Edge& edge, const Box& box) {
+  if (edge.is_arc()) return -1;
+  const double sides[] = {box.min.x, box.max.x, box.min.y, box.max.y};
+  for (int side = 0; side < 4; ++side) {
+    const double from = side < 2 ? edge.from.x : edge.from.y, to = side < 2 ? edge.to.x : edge.to.y;
+    if (from == sides[side] && to == sides[side]) return side;
+  }
+  return -1;
+}
+
+/// Of edges along one side (`upright`: in y) what is left where those that run to and fro are taken away.
+void append_without_returns(const std::vector<Edge>& edges, bool upright, std::vector<Edge>& out) {
+  const auto along = [upright](Vec2 p) { return upright ? p.y : p.x; };
+  std::map<double, std::pair<Vec2, int>> turns;  // by place: there so many more go on upwards than came
+  for (const Edge& edge : edges) {
+    turns.try_emplace(along(edge.from), edge.from, 0).first->second.second += 1;
+    turns.try_emplace(along(edge.to), edge.to, 0).first->second.second -= 1;
+  }
+  int going = 0;
+  for (auto at = turns.begin(); at != turns.end() && std::next(at) != turns.end(); ++at) {
+    going += at->second.second;
+    const Vec2 here = at->second.first, there = std::next(at)->second.first;
+    for (int i = 0; i < std::abs(going); ++i)
+      out.push_back(going > 0 ? Edge::line(here, there) : Edge::line(there, here));
+  }
+}
+
+/// The loops that edges form whose ends meet exactly.
+std::vector<Loop> chained(const std::vector<Edge>& edges) {
+  const auto key = [](Vec2 p) { return std::make_pair(p.x, p.y); };
+  std::multimap<std::pair<double, double>, Edge> from;
+  for (const Edge& edge : edges) from.emplace(key(edge.from), edge);
+  std::vector<Loop> loops;
+  while (!from.empty()) {
+    Loop loop;
+    for (auto next = from.begin(); next != from.end(); next = from.find(key(loop.back().to))) {
+      loop.push_back(next->second);
+      from.erase(next);
+      if (loop.back().to == loop.front().from) break;
+    }
+    loops.push_back(std::move(loop));
+  }
+  return loops;
+}
+
+/// Loops that do not cross, with both ways along the sides of the box taken away where they lie on each other: what was joined
+/// beyond the box falls apart.
+Regions parted(const std::vector<Loop>& loops, const Box& box) {
+  std::vector<Edge> edges, along[4];
+  for (const Loop& loop : loops) {
+    for (const Edge& edge : loop) {
+      const int side = side_of(edge, box);
+      (side < 0 ? edges : along[side]).push_back(edge);
+    }
+  }
+  for (int side = 0; side < 4; ++side) append_without_returns(along[side], side < 2, edges);
+  std::vector<Loop> outers, islands;
+  for (Loop& loop : chained(edges)) {
+    const double enclosed = signed_area(loop);
+    if (std::abs(enclosed) > kNoArea) (enclosed > 0 ? outers : islands).push_back(std::move(loop));
+  }
+  Regions regions;
+  for (const Loop& outer : outers) {
+    std::vector<Loop> own;
+    std::copy_if(islands.begin(), islands.end(), std::back_inserter(own),
+                 [&](const Loop& island) { return contains(outer, island.front().at(0.5)); });
+    regions.push_back(Region::from_valid_loops(outer, std::move(own)));
+  }
+  return regions;
+}
+
 }  // namespace
 
 Regions within_stock(const Regions& target, const std::optional<Box>& stock) {
@@ -54,17 +137,11 @@ Regions within_stock(const Regions& target, const std::optional<Box>& stock) {
   if (!stock || reach.empty()) return target;
   const Box whole = stock->grown(FinishedPart::kProbe);
   if (whole.contains(reach.min) && whole.contains(reach.max)) return target;
-  const auto encloses = [](const Loop& loop) { return std::abs(signed_area(loop)) > kNoArea; };
   Regions within;
   for (const Region& region : target) {
-    Loop outer = moved_into(*stock, region.outer());
-    if (!encloses(outer)) continue;
-    std::vector<Loop> islands;
-    for (const Loop& island : region.islands()) {
-      Loop moved = moved_into(*stock, island);
-      if (encloses(moved)) islands.push_back(std::move(moved));
-    }
-    within.push_back(Region::from_valid_loops(std::move(outer), std::move(islands)));
+    std::vector<Loop> moved{moved_into(*stock, region.outer())};
+    for (const Loop& island : region.islands()) moved.push_back(moved_into(*stock, island));
+    for (Region& one : parted(moved, *stock)) within.push_back(std::move(one));
   }
   return within;
 }
