@@ -38,6 +38,8 @@ const char* name_of(FeatureKind kind) {
       return "external_thread";
     case FeatureKind::kIsolation:
       return "isolation";
+    case FeatureKind::kTSlot:
+      return "t_slot";
   }
   return "feature";
 }

@@ -31,10 +31,11 @@ enum class FeatureKind {
   kOutsideProfile,
   kInsideProfile,
   kEngraving,
-  kVCarving,       ///< as deep as a cone's width at the top allows
-  kChamfer,        ///< the edge of a wall broken by a cone
-  kIsolation,      ///< a band about pieces that stay and are to be parted from each other
-  kExternalThread  ///< about a boss
+  kVCarving,        ///< as deep as a cone's width at the top allows
+  kChamfer,         ///< the edge of a wall broken by a cone
+  kIsolation,       ///< a band about pieces that stay and are to be parted from each other
+  kExternalThread,  ///< about a boss
+  kTSlot  ///< what the disc of a T-slot cutter removes along a line, under what stands; the slot above it is a feature of its own
 };
 const char* name_of(FeatureKind kind);
 
@@ -77,6 +78,11 @@ struct Chamfer {
   double reach = 0;        ///< mm; radius of the round corners that mills left in the free space beside it
 };
 
+/// The undercut of a T-slot; its line begins where the disc can go down and come up.
+struct TSlot {
+  bool leaves_at_end = false;  ///< it can do so at the line's end, too; else it comes back the way it went
+};
+
 /// A prismatic volume to remove: every point of `target` down to `floor_z`.
 ///
 /// `target` is the plan view of the material to remove at the top. `allowed` is where the cutter may be: everything
@@ -97,12 +103,14 @@ struct Feature {
   /// Round holes only.
   std::optional<double> hole_diameter;
   bool through = false;
-  /// Profiles and engraving: what the cutter's centre follows. Their target and allowed depend on the cutter: the kerf.
+  /// Profiles, engraving and T-slots: what the cutter's centre follows. Their target and allowed depend on the cutter: the kerf.
   std::optional<ProfileCut> profile = {};
   /// V-carving only; its wall_slope and floor_z are those of the cutter.
   std::optional<VCarving> carving = {};
   /// Chamfers only: their target is the strip that they take of the top, and only its side away from the line leans.
   std::optional<Chamfer> chamfer = {};
+  /// T-slots, once their tool is known. Then top_z is that of the disc; what they remove reaches no higher.
+  std::optional<TSlot> t_slot = {};
   /// Round holes of which more is asked than a cylinder down to floor_z.
   std::optional<HoleForm> hole = {};
 };

@@ -101,6 +101,10 @@ bool makes_holes(const Tool& tool) {
          tool.kind == ToolKind::kCounterbore || tool.kind == ToolKind::kBoringBar;
 }
 
+bool may_plunge(const Tool& tool) {
+  return tool.center_cutting && tool.kind != ToolKind::kTSlot;
+}
+
 bool clears_floors(const Tool& tool) {
   return !makes_holes(tool) && tool.kind != ToolKind::kSpotDrill && tool.kind != ToolKind::kVBit &&
          tool.kind != ToolKind::kChamferMill && tool.kind != ToolKind::kTap &&

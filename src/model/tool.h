@@ -80,6 +80,8 @@ double point_length(const Tool& tool);
 /// Whether it only goes straight down along its axis and makes a hole of its own diameter: drills, reamers, counterbores,
 /// boring bars.
 bool makes_holes(const Tool& tool);
+/// Whether it may go straight down in material.
+bool may_plunge(const Tool& tool);
 /// Whether it clears areas down to a flat floor: not what only goes straight down, nor cones, nor what cuts undercuts.
 bool clears_floors(const Tool& tool);
 /// Whether it clears floors and leaves walls upright: not tapered end mills.

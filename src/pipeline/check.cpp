@@ -98,13 +98,13 @@ void keep_stated_limits(Workingstep& step, Operation stated, const Part& prepare
 /// A program of another CAM is held to the stepdown and the plunge feed that somebody stated, not to our defaults.
 void keep_stated_limits(Part& prepared, const Part& part, const resolve::PlanOptions& options) {
   for (std::size_t i = 0; i < prepared.workplan.size(); ++i) {
-    // Tabs put steps of their own in between, which are named after those above them.
+    // Tabs and T-slots put steps of their own in between, which are named after those above or after them.
     const std::string& name = prepared.workplan[i].name;
     const bool same = i < part.workplan.size() && part.workplan[i].name == name;
     const auto stated =
         same ? part.workplan.begin() + static_cast<std::ptrdiff_t>(i)
              : std::find_if(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
-                 return name == step.name || name == step.name + "_tabs";
+                 return name == step.name || name == step.name + "_tabs" || name == step.name + "_neck";
                });
     if (stated != part.workplan.end())
       keep_stated_limits(prepared.workplan[i], stated->operation, prepared, part, options);

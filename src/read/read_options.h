@@ -34,7 +34,8 @@ enum class LayerRole {
   kStock,    ///< the block that it is made of
   kVCarve,   ///< carved with a V-bit between the outlines
   kIsolate,  ///< what is drawn stays, and a band about every piece of it is milled: copper of a circuit board
-  kStep      ///< a pocket whose floor stays where deeper pockets reach over it
+  kStep,     ///< a pocket whose floor stays where deeper pockets reach over it
+  kTSlot     ///< a slot with an undercut along the line; lines may be open
 };
 
 /// What the user says about the layers (DXF) or colours (SVG, "#ff0000") that match a pattern; goes before

@@ -62,7 +62,7 @@ Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, dou
   std::vector<Loop> loops;
   for (const Section& section : toolpath.sections) {
     const Tool* const tool = tool_numbered(part.tools, section.tool_number);
-    if (tool == nullptr || !section.counts_below(top)) continue;
+    if (tool == nullptr || tool->kind == ToolKind::kTSlot || !section.counts_below(top)) continue;
     for (const Move& move : section.moves) {
       const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
       if (path.grown(tool->radius()).overlaps(where)) add_swept(move, tool->radius() + kResidual, z, loops);

@@ -17,6 +17,7 @@
 #include "resolve/features/corner_relief.h"
 #include "resolve/features/facing.h"
 #include "resolve/features/holes.h"
+#include "resolve/features/t_slots.h"
 #include "resolve/features/tapered_walls.h"
 #include "resolve/left_over.h"
 #include "resolve/profiles.h"
@@ -43,7 +44,7 @@ constexpr double kTappingSpeed = 8;       // m/min at the circumference
 
 /// Whether the tool makes its work at once whatever stepdown is asked for.
 bool is_one_pass(const Tool& tool) {
-  return tool.kind == ToolKind::kTap || tool.kind == ToolKind::kThreadMill;
+  return tool.kind == ToolKind::kTap || tool.kind == ToolKind::kThreadMill || tool.kind == ToolKind::kTSlot;
 }
 
 double largest_fitting_diameter_of(const Part& part, const Tolerances& tol) {
@@ -149,6 +150,10 @@ void apply_options(Operation& operation, const Tool& tool, const PlanOptions& op
   if (stock::only_plunges(tool) && operation.allowance_side != 0) {
     operation.allowance_side = 0;
     sources.set("allowance", {Origin::kDerived, "holes are made to size"});
+  }
+  if (tool.kind == ToolKind::kTSlot && (operation.allowance_side != 0 || operation.allowance_floor != 0)) {
+    operation.allowance_side = operation.allowance_floor = 0;
+    sources.set("allowance", {Origin::kDerived, "undercuts are as large as their disc"});
   }
 }
 
@@ -316,6 +321,7 @@ Part with_tools(Part part, const PlanOptions& options) {
 }
 
 bool is_made_at_once(const Feature& feature, const Tool& tool) {
+  if (feature.kind == FeatureKind::kTSlot) return true;
   return feature.hole && tool.kind != ToolKind::kDrill && !clears_floors(tool);
 }
 
@@ -337,6 +343,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   add_facing(part, options);
   choose_tools(part, options, sources);
   shape_holes(part, options, sources);
+  shape_t_slots(part, options, sources);
   part.keep_outs.insert(part.keep_outs.end(), options.keep_outs.begin(), options.keep_outs.end());
   part.predrilled.insert(part.predrilled.end(), options.predrilled.begin(), options.predrilled.end());
   for (auto& step : part.workplan)

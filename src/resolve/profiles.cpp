@@ -188,6 +188,13 @@ class Holds {
   std::vector<OtherLine> lines_;
 };
 
+/// The slot of a line that is followed is as wide as its cutter.
+void leave_nothing_beside_lines(const Feature& feature, Workingstep& step, StepSources& sources) {
+  if (feature.profile->side != ProfileSide::kOn || step.operation.allowance_side == 0) return;
+  step.operation.allowance_side = 0;
+  sources[step_key(step)].set("allowance", {Origin::kDerived, "the slot of a line is as wide as its cutter"});
+}
+
 }  // namespace
 
 void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources) {
@@ -199,15 +206,16 @@ void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources
     workplan.push_back(step);
     Feature& feature = part.features[static_cast<std::size_t>(step.feature)];
     if (!feature.profile) continue;
+    leave_nothing_beside_lines(feature, workplan.back(), sources);
     holds.leave_skin(step);
     const double radius = tool_of(part, step).radius();
     // What is left for finishing counts on both sides of the kerf.
     const double finish = options.shop.finish ? options.shop.finish_stock.value_or(kFinishStock) : 0;
-    const double stock = step.operation.allowance_side + finish;
+    const double stock = workplan.back().operation.allowance_side + finish;
     shape(feature, part, radius, stock, options.tol);
     auto below = holds.split(step, {radius, allowed_width(feature.profile->side, radius, stock)});
     if (!below) continue;
-    Workingstep lower = step;
+    Workingstep lower = workplan.back();
     lower.name = below->name;
     lower.operation.name = below->name;
     lower.feature = static_cast<int>(part.features.size());

@@ -56,14 +56,16 @@ void refuse_beside_stock(const Part& part, const Feature& feature) {
 void refuse_wrong_kind(const Part& part, const Workingstep& step) {
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);
-  if (clears_floors(tool) || stock::only_plunges(tool) || is_carved(feature, tool) || is_formed(feature))
+  if (clears_floors(tool) || stock::only_plunges(tool) || is_carved(feature, tool) || is_formed(feature) ||
+      feature.kind == FeatureKind::kTSlot)
     return;
   if (tool.kind == ToolKind::kTSlot)
     throw InputError(
         feature.name,
-        fmt::format("T{} ({} {} mm) cuts undercuts, for which no paths are planned: a program that "
-                    "uses it can be verified; give an end mill, for example --tool endmill:6",
-                    tool.number, name_of(tool.kind), trimmed(tool.diameter, 4)));
+        fmt::format(
+            "T{} ({} {} mm) cuts undercuts alone, along lines that say so (a layer named like TSLOT_D12, "
+            "--op tslot_d12:SELECTION); give an end mill, for example --tool endmill:6",
+            tool.number, name_of(tool.kind), trimmed(tool.diameter, 4)));
   throw InputError(feature.name,
                    fmt::format("T{} ({} {} mm) clears no floors; give an end mill for it, for example --tool "
                                "endmill:6",
@@ -89,7 +91,7 @@ void refuse_beyond_flutes(const Part& part, const Workingstep& step) {
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);
   // Rows of teeth cut a thread in several passes; their shank is narrower.
-  if (tool.kind == ToolKind::kThreadMill) return;
+  if (tool.kind == ToolKind::kThreadMill || tool.kind == ToolKind::kTSlot) return;
   if (tool.flute_length) {
     if (depth_below_top(part, step) <= *tool.flute_length + kLevel) return;
     throw InputError(

@@ -38,8 +38,8 @@ std::vector<double> stacked_tops(const Part& part, const Tolerances& tol) {
     const double over = top_over(feature.target, deepest_first, start, tol);
     const double top = feature.chamfer ? over : std::max(over, feature.floor_z);
     tops[static_cast<std::size_t>(index)] = top;
-    // What a chamfer, a countersink or a thread removes does not lower the material for other features.
-    if (feature.chamfer || is_formed(feature)) continue;
+    // What a chamfer, a countersink, a thread or an undercut removes does not lower the material for other features.
+    if (feature.chamfer || is_formed(feature) || feature.kind == FeatureKind::kTSlot) continue;
     const auto place = std::upper_bound(deepest_first.begin(), deepest_first.end(), feature.floor_z,
                                         [](double floor, const Cleared& c) { return floor < c.floor_z; });
     deepest_first.insert(place, cleared_by(feature, top, tol));

@@ -18,6 +18,7 @@
 #include "verify/faults/loose_parts.h"
 #include "verify/faults/shaped_cutter.h"
 #include "verify/faults/tabs.h"
+#include "verify/faults/undercut.h"
 #include "verify/figures.h"
 #include "verify/part/finished_parts.h"
 #include "verify/without_part.h"
@@ -57,6 +58,16 @@ std::optional<Gouge> least_gouge(const FinishedParts& finished, const CheckedMov
   return least;
 }
 
+/// The gouge of a cutter without flanks that may be `aside` mm off its path.
+std::optional<Gouge> upright_gouge(const FinishedParts& finished, const CheckedMove& checked,
+                                   const Move& move, double aside, double slack, bool joined) {
+  if (checked.tool->kind == ToolKind::kTSlot)
+    return undercut_gouge_of(finished, move, *checked.tool, aside, slack);
+  return least_gouge(finished, checked, [&](const FinishedPart& part) {
+    return gouge_of_mill(part, move, *checked.tool, aside, slack, joined);
+  });
+}
+
 void check_gouges(const FinishedParts& finished, std::span<CheckedMove> moves, const Tolerances& tol) {
   const CheckedMove* before = nullptr;  // the last move, if it is known to end outside the part
   for (CheckedMove& checked : moves) {
@@ -73,9 +84,7 @@ void check_gouges(const FinishedParts& finished, std::span<CheckedMove> moves, c
     }
     const bool joined = before && before->move->path.to == checked.move->path.from &&
                         before->move->z_to == checked.move->z_from && before->radius() == checked.radius();
-    checked.gouge = least_gouge(finished, checked, [&](const FinishedPart& part) {
-      return gouge_of_mill(part, *checked.move, *checked.tool, 0, tol.gouge, joined);
-    });
+    checked.gouge = upright_gouge(finished, checked, *checked.move, 0, tol.gouge, joined);
     const bool spared = !checked.gouge || checked.gouge->depth < checked.radius() / 2;
     before = spared && !checked.gouge.value_or(Gouge{}).floor ? &checked : nullptr;
   }
@@ -112,9 +121,7 @@ void check_liberties(const FinishedParts& finished, const std::vector<CheckedMov
       continue;
     }
     const auto keep = [&](const Move& move, double aside) {
-      keep_deeper(checked.gouge, least_gouge(finished, checked, [&](const FinishedPart& part) {
-                    return gouge_of_mill(part, move, *checked.tool, aside, tol.gouge, false);
-                  }));
+      keep_deeper(checked.gouge, upright_gouge(finished, checked, move, aside, tol.gouge, false));
     };
     if (checked.doubt > 0) keep(*checked.move, checked.doubt);
     if (&checked == all.data()) continue;
@@ -298,7 +305,7 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   }
   for (CarvingWork& work : carvings)
     tasks.push_back([&part, &program, &options, &work] { check_carving(part, program, options.tol, work); });
-  check_works(part, finished.plain(), program, options, works, std::move(tasks));
+  check_works(part, finished, program, options, works, std::move(tasks));
   meter.finish();
   if (!part.is_shape_stated) return findings_without_part(part, program, options);
   Findings findings = FindingsBuilder(part, program, works, carvings, options).build();

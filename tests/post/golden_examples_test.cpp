@@ -55,6 +55,7 @@ constexpr Example kExamples[] = {
     {"inlay_hole.dxf", "inlay_hole", "vbit:60deg:10 endmill:3", 4, false, 3.3},
     {"inlay_plug.dxf", "inlay_plug", "vbit:60deg:10 endmill:3", 4, false, 3.3},
     {"plate.dxf", "plate", "endmill:5 chamfer:90deg:8:tip=0.4", 3},
+    {"table.dxf", "table", "endmill:12:length=30 tslot:20:length=8:shank=10", 7},
     {"flange.toml", "flange", std::nullopt, std::nullopt, true},
     {"gland.toml", "gland", std::nullopt, std::nullopt, true},
     {"inch_plate.dxf", "inch_plate", "endmill:0.25in drill:0.201in", std::nullopt, true}};

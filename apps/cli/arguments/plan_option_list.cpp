@@ -58,7 +58,8 @@ void PlanArguments::add_drawing_options(CLI::App& command) {
   command.add_option(
       "--op", operations_,
       "KIND:SELECTION, what outlines of a drawing are for: pocket, step, profile, inside, drill, engrave, "
-      "vcarve, isolate, chamfer, face, island or ignore, with a depth as in profile_d6; the selection is a "
+      "tslot, vcarve, isolate, chamfer, face, island or ignore, with a depth as in profile_d6; the selection "
+      "is a "
       "layer, a "
       "colour, outer "
       "or numbers of `info` (repeatable)");

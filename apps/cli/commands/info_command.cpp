@@ -74,7 +74,7 @@ void print_overview(const std::string& file, const DrawingOverview& overview) {
   Box all;
   for (const auto& one : overview.outlines) all.add(one.box);
   print_line(fmt::format(
-      "{}: {} outlines, {} lines to engrave{}", file, overview.outlines.size(), overview.lines,
+      "{}: {} outlines, {} lines to follow{}", file, overview.outlines.size(), overview.lines,
       all.empty() ? "" : ", " + trimmed(all.width(), 3) + " x " + trimmed(all.height(), 3) + " mm"));
   for (std::size_t i = 0; i < std::min(kMost, overview.outlines.size()); ++i) {
     const auto& one = overview.outlines[i];

@@ -2,7 +2,7 @@
 
 /** `isAsked`: which reading is meant is still to be said; `given`: the answers so far. @type {{ asked: number, outlines: OutlineInfo[], isAsked: boolean, given: DrawingAnswer[] }} */
 const part = { asked: 0, outlines: [], isAsked: false, given: [] };
-const outlineKinds = ['pocket', 'step', 'profile', 'inside', 'drill', 'engrave', 'vcarve', 'isolate', 'chamfer', 'face', 'island', 'ignore'];
+const outlineKinds = ['pocket', 'step', 'profile', 'inside', 'drill', 'engrave', 'tslot', 'vcarve', 'isolate', 'chamfer', 'face', 'island', 'ignore'];
 const mostOutlines = 300;  // that are listed
 /** @type {(value: number, digits: number) => number} */
 const round = (value, digits) => Number(value.toFixed(digits));

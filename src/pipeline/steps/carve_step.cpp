@@ -60,7 +60,7 @@ std::vector<plan::carve::StandingUpTo> standing_above(const Feature& feature, co
       free = {frame_around(block, kOpenReach)};
     }
     for (const Feature& other : part.features) {
-      if (other.floor_z < z && !other.allowed.empty())
+      if (other.floor_z < z && other.kind != FeatureKind::kTSlot && !other.allowed.empty())
         free = free.empty() ? other.allowed : unite(free, other.allowed, plan.tol);
     }
     out.push_back({z, std::move(free)});

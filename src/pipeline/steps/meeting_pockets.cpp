@@ -63,7 +63,9 @@ MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Toleranc
   std::optional<Regions> around;  // made for the first that asks: most pockets lie alone
   for (int i = 0; i < static_cast<int>(part.workplan.size()); ++i) {
     const Feature* other = &feature_of(part, part.workplan[static_cast<std::size_t>(i)]);
-    if (other == &pocket || other->floor_z >= pocket.top_z || !box(other->allowed).overlaps(here)) continue;
+    if (other == &pocket || other->kind == FeatureKind::kTSlot || other->floor_z >= pocket.top_z ||
+        !box(other->allowed).overlaps(here))
+      continue;
     if (std::find(met_.begin(), met_.end(), other) != met_.end()) continue;
     if (!around) around = dilate(pocket.target, kTouching, tol);
     if (!runs_into(*other, *around, tol)) continue;

@@ -21,7 +21,7 @@ Regions reached_by(const Part& part, const Workingstep& step, double z, const To
   const Tool& tool = tool_of(part, step);
   const bool reaches = feature.floor_z + step.operation.allowance_floor <= z + tol.coincident &&
                        step.operation.kind != OperationKind::kSideFinishing && !feature.chamfer &&
-                       !is_formed(feature);
+                       feature.kind != FeatureKind::kTSlot && !is_formed(feature);
   if (!reaches) return {};
   if (stock::only_plunges(tool)) return feature.target;
   return resolve::swept(feature.allowed, tool.radius(), step.operation.allowance_side, -kSpare, tol);

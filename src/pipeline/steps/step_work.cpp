@@ -14,6 +14,7 @@
 #include "pipeline/steps/holes.h"
 #include "pipeline/steps/meeting_pockets.h"
 #include "pipeline/steps/missed_by_others.h"
+#include "pipeline/steps/t_slots/t_slot_step.h"
 #include "plan/common/layers.h"
 #include "post/post.h"
 #include "resolve/left_over.h"
@@ -204,6 +205,7 @@ StepWork step_work(int index, const ResolvedPlan& plan) {
   work.wall_top = top_of_flush_walls(part, feature, plan.tol);
   work.hole = carve_step(index, plan);
   if (!work.hole) work.hole = formed_hole_step(index, plan);
+  if (!work.hole) work.hole = t_slot_step(index, plan);
   if (work.hole) return work;
   const auto standing = standing_layers(index, plan);
   work.hole = hole_step(standing, index, plan);

@@ -188,6 +188,7 @@ class FeatureWriter {
       case FeatureKind::kOutsideProfile:
       case FeatureKind::kInsideProfile:
       case FeatureKind::kEngraving:
+      case FeatureKind::kTSlot:
         return outside_profile();
       case FeatureKind::kOpenPocket:
       case FeatureKind::kIsolation:

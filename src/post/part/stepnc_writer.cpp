@@ -361,7 +361,7 @@ void refuse_profiles(const Part& part) {
     std::string kind = name_of(feature.kind);
     std::replace(kind.begin(), kind.end(), '_', ' ');
     throw InputError(part.source_file,
-                     feature.name + " is an " + kind +
+                     feature.name + (feature.kind == FeatureKind::kTSlot ? " is a " : " is an ") + kind +
                          ", a line to follow, and STEP-NC has none; write outline JSON, which "
                          "holds it (-o NAME.json)");
   }

@@ -138,6 +138,13 @@ void add_group_features(ShapedGroup& shaped, const ReadOptions& options, Diagnos
       for (const Path& line : shaped.lines)
         out.push_back(profile_of(shaped.group, line, ProfileSide::kOn, depth, options));
       return;
+    case LayerRole::kTSlot:
+      for (Loop& loop : loops_of(shaped.regions)) shaped.lines.push_back(std::move(loop));
+      for (const Path& line : shaped.lines) {
+        out.push_back(profile_of(shaped.group, line, ProfileSide::kOn, depth, options));
+        out.back().kind = FeatureKind::kTSlot;
+      }
+      return;
     case LayerRole::kIsolate:
       return out.push_back(isolation_of(shaped, depth, options, diagnostics));
     case LayerRole::kFace:
@@ -166,6 +173,10 @@ bool goes_before(const Feature& a, const Feature& b) {
   return turn_of(a) == 3 ? area_within(a) < area_within(b) : a.floor_z > b.floor_z;
 }
 
+bool follows_lines(LayerRole role) {
+  return role == LayerRole::kEngrave || role == LayerRole::kTSlot;
+}
+
 /// Areas of all groups but islands and what is ignored.
 std::vector<ShapedGroup> shaped_groups(std::vector<DrawnGroup>& groups, const ReadOptions& options,
                                        Diagnostics& diagnostics) {
@@ -176,7 +187,7 @@ std::vector<ShapedGroup> shaped_groups(std::vector<DrawnGroup>& groups, const Re
     ShapedGroup shaped;
     std::vector<RawCurve> curves = std::move(group.curves);
     shaped.group = std::move(group);
-    if (shaped.group.role == LayerRole::kEngrave) {
+    if (follows_lines(shaped.group.role)) {
       shaped.lines = chained_lines(curves, options.tol.join_gap);
     } else {
       shaped.regions = repair(std::move(curves), repair_options(shaped.group, options), diagnostics);

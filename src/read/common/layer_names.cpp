@@ -106,6 +106,7 @@ std::optional<LayerRole> role_of_word(std::string_view word) {
   if (word == "VCARVE" || word == "CARVE") return LayerRole::kVCarve;
   if (word == "ISOLATE" || word == "ISOLATION") return LayerRole::kIsolate;
   if (word == "ENGRAVE") return LayerRole::kEngrave;
+  if (word == "TSLOT" || word == "TSLOTS") return LayerRole::kTSlot;
   if (word == "CHAMFER" || word == "CHAMFERS" || word == "DEBURR") return LayerRole::kChamfer;
   if (word == "FACE") return LayerRole::kFace;
   if (word == "STOCK") return LayerRole::kStock;

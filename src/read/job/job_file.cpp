@@ -189,7 +189,7 @@ LayerRule layer_rule(DataSection section) {
   rule.pattern = *name;
   const auto role =
       section.choice("role", {"pocket", "island", "hole", "ignore", "profile", "inside", "engrave", "chamfer",
-                              "face", "stock", "vcarve", "isolate", "step"});
+                              "face", "stock", "vcarve", "isolate", "step", "tslot"});
   if (role) rule.role = static_cast<LayerRole>(*role);
   if (const auto hole = section.text("hole")) {
     // In the words of layers: "tap_m6_thru".

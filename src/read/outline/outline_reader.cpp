@@ -166,13 +166,13 @@ FeatureKind kind_of(const Context& context, const DataValue& outline) {
   for (const FeatureKind kind :
        {FeatureKind::kClosedPocket, FeatureKind::kOpenPocket, FeatureKind::kPlanarFace, FeatureKind::kSlot,
         FeatureKind::kStep, FeatureKind::kRoundHole, FeatureKind::kOutsideProfile,
-        FeatureKind::kInsideProfile, FeatureKind::kEngraving, FeatureKind::kIsolation}) {
+        FeatureKind::kInsideProfile, FeatureKind::kEngraving, FeatureKind::kTSlot, FeatureKind::kIsolation}) {
     if (name == name_of(kind)) return kind;
   }
   context.fail(*outline.find("kind"),
                "unknown kind '" + printable(name) +
                    "'; use closed_pocket, open_pocket, planar_face, slot, step, round_hole, "
-                   "outside_profile, inside_profile, engraving or isolation");
+                   "outside_profile, inside_profile, engraving, t_slot or isolation");
 }
 
 Regions regions_of(const Context& context, const DataValue& outline, double unit) {
@@ -234,7 +234,8 @@ ProfileCut profile_of(const Context& context, const DataValue& outline, double u
 }
 
 bool follows_line(FeatureKind kind) {
-  return kind == FeatureKind::kInsideProfile || kind == FeatureKind::kEngraving;
+  return kind == FeatureKind::kInsideProfile || kind == FeatureKind::kEngraving ||
+         kind == FeatureKind::kTSlot;
 }
 
 void set_areas(const Context& context, const DataValue& outline, double unit, Feature& feature) {

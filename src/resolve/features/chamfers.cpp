@@ -93,7 +93,9 @@ class WallFinder {
     const Box near = box(feature_.chamfer->line).grown(kBeside);
     for (std::size_t i = 0; i < part_.features.size(); ++i) {
       const Feature& other = part_.features[i];
-      if (static_cast<int>(i) == index_ || other.chamfer || other.carving || other.target.empty()) continue;
+      if (static_cast<int>(i) == index_ || other.chamfer || other.carving ||
+          other.kind == FeatureKind::kTSlot || other.target.empty())
+        continue;
       if (other.floor_z < foot_ - kLeastWall && other.top_z > foot_ && box(other.target).overlaps(near))
         open_.push_back(static_cast<int>(i));
     }
@@ -199,7 +201,9 @@ void refuse_thin_top(const Part& part, int index, const Tolerances& tol) {
   const Feature& feature = part.features[static_cast<std::size_t>(index)];
   for (std::size_t i = 0; i < part.features.size(); ++i) {
     const Feature& other = part.features[i];
-    if (static_cast<int>(i) == index || other.floor_z >= feature.top_z - kLeastWall) continue;
+    if (static_cast<int>(i) == index || other.kind == FeatureKind::kTSlot ||
+        other.floor_z >= feature.top_z - kLeastWall)
+      continue;
     if (!box(other.target).overlaps(box(feature.target))) continue;
     const Regions met = inset(intersect(feature.target, other.target, tol), kSeam, tol);
     if (met.empty()) continue;

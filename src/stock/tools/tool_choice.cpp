@@ -84,11 +84,18 @@ int chamfer_tool(const std::vector<Tool>& tools) {
   return -1;
 }
 
+int t_slot_tool(const std::vector<Tool>& tools) {
+  const auto found = std::find_if(tools.begin(), tools.end(),
+                                  [](const Tool& tool) { return tool.kind == ToolKind::kTSlot; });
+  return found == tools.end() ? -1 : static_cast<int>(found - tools.begin());
+}
+
 int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::vector<char>& passed_over,
              const Tolerances& tol) {
   if (tools.size() == 1) return 0;
   if (feature.chamfer) return std::max(0, chamfer_tool(tools));
   if (const int carver = carving_tool(feature, tools); carver >= 0) return carver;
+  if (feature.kind == FeatureKind::kTSlot) return std::max(0, t_slot_tool(tools));
   if (feature.profile) return profile_tool(*feature.profile, tools, tol);
   const double fits = largest_fitting_diameter(feature, tol) + tol.fit;
   const auto hole = round_hole_of(feature, tol);

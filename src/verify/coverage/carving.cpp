@@ -57,7 +57,8 @@ class CarvingCheck {
       work_.any_cut = true;
       const bool cone = is_conical(*checked.tool) || checked.tool->kind == ToolKind::kBallEndMill;
       if (cone) shaped_.add(move, *checked.tool);
-      if (!cone && std::max(move.z_from, move.z_to) <= feature_.floor_z + tol_.uncut)
+      if (!cone && checked.tool->kind != ToolKind::kTSlot &&
+          std::max(move.z_from, move.z_to) <= feature_.floor_z + tol_.uncut)
         floor_mills_.push_back(move.path), floor_radii_.push_back(flat_radius_of(*checked.tool));
     }
     mill_tree_ = EdgeTree(floor_mills_);

@@ -67,10 +67,17 @@ struct Around {
   double top_z;
 };
 
+/// Whether the cutter has cleared all above its tip up to the feature's top: over the disc of a T-slot cutter material may stand.
+bool reaches_up(const CheckedMove& checked, double top_z, const Tolerances& tol) {
+  if (checked.tool->kind != ToolKind::kTSlot) return true;
+  return checked.low_z() + checked.tool->flute_length.value_or(HUGE_VAL) >= top_z - tol.uncut;
+}
+
 /// Whether a feed move comes near the target with its tip at or below z.
 bool counts_at(const CheckedMove& checked, double z, const Around& target, const Tolerances& tol) {
   if (!checked.feeds() || !checked.tool || checked.low_z() > z || !checked.counts_below(target.top_z))
     return false;
+  if (!reaches_up(checked, target.top_z, tol)) return false;
   const Move& move = *checked.move;
   const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
   return path.grown(widest_radius(*checked.tool) + 2 * tol.uncut).overlaps(target.box);
@@ -194,7 +201,7 @@ Coverage both(const Coverage& a, const Coverage& b) {
 
 class WorkCheck {
  public:
-  WorkCheck(const Part& part, const FinishedPart& finished, const CheckedProgram& program,
+  WorkCheck(const Part& part, const FinishedParts& finished, const CheckedProgram& program,
             const VerifyOptions& options)
       : part_(part),
         finished_(finished),
@@ -209,7 +216,7 @@ class WorkCheck {
     const Regions in_stock =
         within_stock(feature.target, part_.stock ? std::optional(part_.stock->plan) : std::nullopt);
     CoverageQuestion question;
-    question.part = &finished_;
+    question.part = &finished_.for_feature(feature);
     question.target = &in_stock;
     question.z = level.z + tol.gouge;
     const Around target(feature);
@@ -254,6 +261,7 @@ class WorkCheck {
     for (const std::size_t i : moves_.near(Around(feature))) {
       const CheckedMove& checked = moves_.all()[i];
       const Move& move = *checked.move;
+      if (checked.tool && !reaches_up(checked, feature.top_z, options_.tol)) continue;
       if (checked.earlier || move.z_to >= std::min(feature.top_z, deepest ? deepest->z : feature.top_z))
         continue;
       if (contains(feature.target, move.path.to)) deepest = Place{move.path.to, move.z_to, move.line};
@@ -265,7 +273,7 @@ class WorkCheck {
 
  private:
   const Part& part_;
-  const FinishedPart& finished_;
+  const FinishedParts& finished_;
   const CheckedProgram& program_;
   const VerifyOptions& options_;
   const MovesByPlace moves_;
@@ -335,7 +343,7 @@ std::vector<FeatureWork> works_of(const Part& part) {
   return works;
 }
 
-void check_works(const Part& part, const FinishedPart& finished, const CheckedProgram& program,
+void check_works(const Part& part, const FinishedParts& finished, const CheckedProgram& program,
                  const VerifyOptions& options, std::vector<FeatureWork>& works, Tasks beside) {
   const WorkCheck check(part, finished, program, options);
   const auto add_layer_tasks = [&](FeatureWork& work, Tasks& tasks) {

@@ -6,6 +6,7 @@
 
 #include "verify/checked_move.h"
 #include "verify/coverage/coverage.h"
+#include "verify/part/finished_parts.h"
 #include "verify/verify.h"
 
 namespace clearcut::verify {
@@ -46,7 +47,7 @@ std::vector<FeatureWork> works_of(const Part& part);
 
 /// Checks all features on up to options.threads threads, together with `beside`, independent tasks for the
 /// same threads. The result does not depend on the number of threads.
-void check_works(const Part& part, const FinishedPart& finished, const CheckedProgram& program,
+void check_works(const Part& part, const FinishedParts& finished, const CheckedProgram& program,
                  const VerifyOptions& options, std::vector<FeatureWork>& works,
                  std::vector<std::function<void()>> beside);
 

@@ -60,6 +60,11 @@ std::vector<Cylinder> cylinders_within(const Tool& tool) {
   return cylinders;
 }
 
+/// mm above the tip up to which a cutter takes material away: over the disc of a T-slot cutter runs its neck alone.
+double height_of_edges(const Tool& tool) {
+  return tool.kind == ToolKind::kTSlot ? tool.flute_length.value_or(HUGE_VAL) : HUGE_VAL;
+}
+
 Move raised(Move move, double by) {
   move.z_from += by;
   move.z_to += by;
@@ -225,7 +230,8 @@ class LoadMeter {
         const double angle = heading + item.from + part * item.width();
         const Vec2 p = center + direction_of(angle) * inside;
         measure_axial_at(checked, p, center, z);
-        if (options_.material) here = std::max(here, material_.height(p) - z);
+        if (options_.material)
+          here = std::max(here, std::min(material_.height(p) - z, height_of_edges(*checked.tool)));
       }
     }
     return here;
@@ -234,7 +240,7 @@ class LoadMeter {
   void measure_axial_at(CheckedMove& checked, Vec2 p, Vec2 center, double z) {
     MoveLoad& load = checked.load;
     if (material_.is_removed(p, z + load.axial_mm + kResidual)) return;
-    const double axial = material_.height(p) - z;
+    const double axial = std::min(material_.height(p) - z, height_of_edges(*checked.tool));
     if (axial <= load.axial_mm) return;
     load.axial_mm = axial;
     load.axial_at = {center, z, checked.move->line};
@@ -257,7 +263,7 @@ class LoadMeter {
   }
 
   void find_plunge_contact(CheckedMove& checked, Vec2 center) const {
-    if (checked.tool->center_cutting) return;
+    if (may_plunge(*checked.tool)) return;
     const double z = checked.move->z_to;
     if (touches(center, checked.radius() - kResidual, z))
       checked.load.plunge_contact = Place{center, z, checked.move->line};
@@ -299,7 +305,7 @@ class LoadMeter {
     const Tool& tool = *checked.tool;
     if (tool.stickout && tool.holder_diameter > 0)
       measure_above(checked, *tool.stickout, tool.holder_diameter / 2, false);
-    if (tool.flute_length && tool.shank_diameter > 2 * widest_radius(tool))
+    if (tool.flute_length && (tool.shank_diameter > 2 * widest_radius(tool) || tool.kind == ToolKind::kTSlot))
       measure_above(checked, *tool.flute_length, tool.shank_diameter / 2, true);
   }
 

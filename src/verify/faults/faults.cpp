@@ -49,6 +49,7 @@ class FaultFinder {
     const Place place{gouge.point, gouge.z, checked.move->line};
     const std::string owner =
         gouge.feature >= 0 ? "the wall of " + part_.features[gouge.feature].name : "the part";
+    if (gouge.by != CutterPart::kEnd) return gouge_of_t_slot(checked, place);
     const std::string what = gouge.floor ? "goes " + mm(gouge.depth) + " below where the part begins"
                                          : "goes " + mm(gouge.depth) + " into " + owner;
     return fault(FaultKind::kGouge, checked, place, gouge.depth,
@@ -64,8 +65,9 @@ class FaultFinder {
   std::optional<Fault> holder(const CheckedMove& checked) const {
     if (!checked.load.holder_contact) return std::nullopt;
     return fault(FaultKind::kHolder, checked, *checked.load.holder_contact, checked.move->length(),
-                 checked.load.is_shank ? "The shank above the flutes runs into material"
-                                       : "The holder runs into material");
+                 !checked.load.is_shank                   ? "The holder runs into material"
+                 : checked.tool->kind == ToolKind::kTSlot ? "The neck above the disc runs into material"
+                                                          : "The shank above the flutes runs into material");
   }
 
   std::optional<Fault> depth(const CheckedMove& checked) const {
@@ -116,6 +118,19 @@ class FaultFinder {
   }
 
  private:
+  /// Of the neck, or of the upper side of the disc.
+  Fault gouge_of_t_slot(const CheckedMove& checked, const Place& place) const {
+    const Gouge& gouge = *checked.gouge;
+    const std::string depth = mm(gouge.depth);
+    const std::string what = gouge.by == CutterPart::kNeck
+                                 ? "The neck of the T-slot cutter goes " + depth + " into the part"
+                                 : "The disc of the T-slot cutter goes " + depth +
+                                       " into what stands over the undercut of " +
+                                       part_.features[static_cast<std::size_t>(gouge.feature)].name;
+    return fault(FaultKind::kGouge, checked, place, gouge.depth,
+                 what + (checked.feeds() ? "" : ", in a rapid"));
+  }
+
   /// Whether the tool works along its axis, where no layers are.
   static bool goes_down_alone(const CheckedMove& checked) {
     return checked.tool && (makes_holes(*checked.tool) || checked.tool->kind == ToolKind::kTap);

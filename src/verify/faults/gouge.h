@@ -9,12 +9,20 @@
 
 namespace clearcut::verify {
 
+/// What of a cutter goes into the part.
+enum class CutterPart {
+  kEnd,
+  kNeck,  ///< of a T-slot cutter
+  kDisc   ///< of a T-slot cutter: its upper side
+};
+
 struct Gouge {
   double depth = 0;    ///< mm; the smallest shift, sideways or upwards, that would have avoided it
   Vec2 point;          ///< of the tool's centre
   double z = 0;        ///< of its tip
   bool floor = false;  ///< a floor was cut too deep, not a wall
   int feature = -1;    ///< whose outline was cut; -1: a floor or the top of the stock
+  CutterPart by = CutterPart::kEnd;
 };
 
 /// The deepest cut of a flat-ended cutter of `radius` mm into the part along `move`.

@@ -120,7 +120,7 @@ class StateCheck {
       return fault_of(part_, FaultKind::kPlungeTooFast, checked, *load.plunge_contact, checked.move->length(),
                       "A cutter that may not plunge goes straight down into material");
     if (!checked.cuts() || !checked.tool || checked.slope() <= 0) return std::nullopt;
-    if (!checked.tool->center_cutting && checked.slope() > steepest_of(checked) * (1 + kSpeedRounding)) {
+    if (!may_plunge(*checked.tool) && checked.slope() > steepest_of(checked) * (1 + kSpeedRounding)) {
       return fault(FaultKind::kPlungeTooFast, checked, checked.move->length(),
                    "A cutter that may not plunge enters material at " +
                        trimmed(base::atan(checked.slope()) * 180 / kPi, 2) + " degrees");
@@ -130,8 +130,9 @@ class StateCheck {
 
   std::optional<Fault> flutes(const CheckedMove& checked) const {
     if (!checked.cuts() || !checked.tool || !checked.tool->flute_length) return std::nullopt;
-    if (checked.tool->kind == ToolKind::kThreadMill)
-      return std::nullopt;  // its neck is narrower than its teeth
+    // Their necks are narrower than what cuts; whether that of a T-slot cutter touches anything is asked by itself.
+    if (checked.tool->kind == ToolKind::kThreadMill || checked.tool->kind == ToolKind::kTSlot)
+      return std::nullopt;
     const double depth = std::max(checked.load.axial_mm, part_.top_z() - checked.low_z());
     if (depth <= *checked.tool->flute_length + kHeightSlack) return std::nullopt;
     return fault(FaultKind::kBeyondFlutes, checked, depth,

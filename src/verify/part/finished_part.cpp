@@ -42,6 +42,8 @@ EdgeTree drafted_edges(const Feature& feature) {
 
 bool is_cut(const Feature& feature, int number, const CutFeatures& cut) {
   if (feature.kind == FeatureKind::kExternalThread && !cut.threads) return false;
+  if (feature.kind == FeatureKind::kTSlot && (!cut.undercuts_up_to || feature.top_z < *cut.undercuts_up_to))
+    return false;
   return !cut.only_draft || *cut.only_draft == number || feature.wall_slope.radians() <= 0;
 }
 

@@ -33,7 +33,9 @@ struct Wall {
 /// Which features are taken as cut.
 struct CutFeatures {
   bool threads = false;  ///< external threads, as their own mills may; all others must leave the boss whole
-  std::optional<int> only_draft;  ///< of the features with draft only this one
+  std::optional<int> only_draft = {};  ///< of the features with draft only this one
+  /// Those of T-slots whose roof is at this height or higher, mm, with all that stands over them.
+  std::optional<double> undercuts_up_to = {};
 };
 
 /// Height of the part over the plan view: the lowest floor of the features that allow the cutter at a place,

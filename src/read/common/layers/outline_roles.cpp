@@ -15,12 +15,13 @@
 namespace clearcut::read {
 namespace {
 
-constexpr std::array<std::pair<const char*, LayerRole>, 13> kRoleNames{{{"pocket", LayerRole::kPocket},
+constexpr std::array<std::pair<const char*, LayerRole>, 14> kRoleNames{{{"pocket", LayerRole::kPocket},
                                                                         {"step", LayerRole::kStep},
                                                                         {"profile", LayerRole::kProfile},
                                                                         {"inside", LayerRole::kInside},
                                                                         {"drill", LayerRole::kHole},
                                                                         {"engrave", LayerRole::kEngrave},
+                                                                        {"tslot", LayerRole::kTSlot},
                                                                         {"vcarve", LayerRole::kVCarve},
                                                                         {"isolate", LayerRole::kIsolate},
                                                                         {"chamfer", LayerRole::kChamfer},

@@ -148,8 +148,9 @@ CrossSection cross_section(const Node& profile, Context& context) {
   } else {
     profile.fail(
         profile.is("TEE_PROFILE")
-            ? "the undercut of a T slot needs a T-slot cutter, which is not planned; write its neck as a "
-              "slot with SQUARE_U_PROFILE"
+            ? "the undercut of a T slot is planned along lines of drawings (a layer named like TSLOT_D12); "
+              "draw "
+              "it there, or write its neck alone as a slot with SQUARE_U_PROFILE"
             : "a slot of this cross-section has no flat floor and cannot be machined yet; write its upright "
               "part as a slot with SQUARE_U_PROFILE");
   }

@@ -1,0 +1,15 @@
+// The undercuts of T-slots.
+#pragma once
+
+#include <optional>
+
+#include "model/move.h"
+#include "model/options/resolved_plan.h"
+
+namespace clearcut::pipeline {
+
+/// The disc goes down where its line begins, runs along it at one height, and comes up where it can: at the end, or back at the
+/// beginning. Nothing for steps on other features.
+std::optional<Section> t_slot_step(int workingstep, const ResolvedPlan& plan);
+
+}  // namespace clearcut::pipeline

@@ -1,0 +1,213 @@
+#include "resolve/features/t_slots.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/text/format.h"
+#include "geometry/boolean.h"
+#include "geometry/rectangle.h"
+#include "resolve/tool_cutting.h"
+#include "stock/kerf.h"
+#include "stock/tools/tool_choice.h"
+
+namespace clearcut::resolve {
+namespace {
+
+/// mm on each side between the neck and the walls of its slot, at least.
+constexpr double kBesideNeck = 0.1;
+/// mm between a cutter and the stock, or the walls of a pocket, where it goes down.
+constexpr double kClearOfStock = 1;
+constexpr double kBesideWall = 0.1;
+/// mm. Heights, and places at the side of the stock, nearer than this are one.
+constexpr double kSameHeight = 0.01;
+/// mm. How far apart places are looked at beyond the side of the stock.
+constexpr double kLookStep = 0.25;
+/// mm2. What booleans leave of areas that only touch.
+constexpr double kRemnant = 1e-3;
+
+Region cutter_disc(Vec2 center, double radius) {
+  const Vec2 a = center + Vec2{radius, 0}, b = center - Vec2{radius, 0};
+  return Region::from_valid_loops(
+      {Edge::arc(a, b, center, Turn::kCounterClockwise), Edge::arc(b, a, center, Turn::kCounterClockwise)},
+      {});
+}
+
+double distance_to(const Box& box, Vec2 p) {
+  return base::hypot(std::max({box.min.x - p.x, 0.0, p.x - box.max.x}),
+                     std::max({box.min.y - p.y, 0.0, p.y - box.max.y}));
+}
+
+/// How far the line has to go on from its end for a cutter of `radius` to be beside the stock; nothing where it ends in the stock,
+/// or leads back into it.
+std::optional<double> way_out(const Path& line, double radius, const Box& stock) {
+  const Vec2 end = line.back().to, ahead = line.back().tangent_at(1);
+  const double needed = radius + kClearOfStock;
+  const Box inner = stock.grown(-kSameHeight);
+  for (double way = 0; way <= 10 * needed; way += kLookStep) {
+    const Vec2 at = end + ahead * way;
+    if (inner.contains(at)) return std::nullopt;
+    if (distance_to(stock, at) >= needed) return way;
+  }
+  return std::nullopt;
+}
+
+/// The line drawn on beyond its end for a cutter of `radius`, where that leads out of the stock.
+Path drawn_on(Path line, double radius, const std::optional<Stock>& stock) {
+  const auto way = stock ? way_out(line, radius, stock->plan) : std::nullopt;
+  if (!way || *way <= 0) return line;
+  const Vec2 end = line.back().to, out = end + line.back().tangent_at(1) * *way;
+  if (line.back().is_arc()) {
+    line.push_back(Edge::line(end, out));
+  } else {
+    line.back().to = out;
+  }
+  return line;
+}
+
+/// At both ends.
+Path drawn_out(const Path& line, double radius, const std::optional<Stock>& stock) {
+  return reversed(drawn_on(reversed(drawn_on(line, radius, stock)), radius, stock));
+}
+
+class TSlotShaper {
+ public:
+  TSlotShaper(Part& part, const PlanOptions& options, StepSources& sources)
+      : part_(part), options_(options), sources_(sources) {}
+
+  void run() {
+    std::vector<Workingstep> workplan;
+    for (const Workingstep& step : part_.workplan) {
+      if (feature_of(part_, step).kind == FeatureKind::kTSlot) workplan.push_back(shape(step));
+      workplan.push_back(step);
+    }
+    part_.workplan = std::move(workplan);
+  }
+
+ private:
+  /// The step that mills the slot for the neck.
+  Workingstep shape(const Workingstep& step) {
+    const Tool& cutter = cutter_of(step);
+    const int mill = neck_mill(feature_of(part_, step), cutter);
+    Feature neck = feature_of(part_, step);
+    Feature& feature = part_.features[static_cast<std::size_t>(step.feature)];
+    find_ends(feature, cutter);
+    sources_[step_key(step)].set("stepdown", {Origin::kDerived, "the height of the disc"});
+    feature.top_z = feature.floor_z + *cutter.flute_length;
+    neck.name += "_neck";
+    neck.kind = FeatureKind::kEngraving;
+    ProfileCut cut = *neck.profile;
+    cut.line = drawn_out(cut.line, part_.tools[static_cast<std::size_t>(mill)].radius(), part_.stock);
+    stock::follow(neck, std::move(cut), options_.tol);
+    return step_on(std::move(neck), step, mill);
+  }
+
+  const Tool& cutter_of(const Workingstep& step) const {
+    const Tool& cutter = tool_of(part_, step);
+    const Feature& feature = feature_of(part_, step);
+    if (cutter.kind != ToolKind::kTSlot)
+      throw InputError(
+          feature.name,
+          "it is a T-slot and needs a T-slot cutter, with an end mill for the slot above; give both, for "
+          "example --tool endmill:12 --tool tslot:20:length=8:shank=10");
+    const double depth = feature.top_z - feature.floor_z;
+    if (depth <= *cutter.flute_length + kSameHeight)
+      throw InputError(
+          feature.name,
+          fmt::format(
+              "it is {} mm deep and the disc of T{} {} mm high: nothing would stand over it; give more "
+              "depth, or mill a slot",
+              trimmed(depth, 3), cutter.number, trimmed(*cutter.flute_length, 3)));
+    return cutter;
+  }
+
+  /// Index of the narrowest end mill that the neck passes through after.
+  int neck_mill(const Feature& feature, const Tool& cutter) const {
+    const double least = cutter.shank_diameter + 2 * kBesideNeck, depth = part_.top_z() - feature.floor_z;
+    int best = -1;
+    for (std::size_t i = 0; i < part_.tools.size(); ++i) {
+      const Tool& tool = part_.tools[i];
+      const bool fits = mills_upright(tool) && tool.kind != ToolKind::kFaceMill && tool.corner_radius == 0 &&
+                        tool.kind != ToolKind::kBallEndMill && tool.diameter >= least &&
+                        tool.diameter < cutter.diameter - kSameHeight &&
+                        tool.flute_length.value_or(depth) >= depth - kSameHeight;
+      if (!fits) continue;
+      if (best < 0 || tool.diameter < part_.tools[static_cast<std::size_t>(best)].diameter)
+        best = static_cast<int>(i);
+    }
+    if (best >= 0) return best;
+    throw InputError(
+        feature.name,
+        fmt::format(
+            "the slot above it comes first, for the neck of T{} ({} mm): give an end mill with a flat end of "
+            "{} mm or more, under {} mm, whose flutes reach {} mm, for example --tool endmill:{}:length={}",
+            cutter.number, trimmed(cutter.shank_diameter, 3), trimmed(least, 3), trimmed(cutter.diameter, 3),
+            trimmed(depth, 3), trimmed(example_width(cutter), 1), trimmed(std::ceil(depth), 0)));
+  }
+
+  static double example_width(const Tool& cutter) {
+    const double whole = std::ceil(cutter.shank_diameter + 2 * kBesideNeck);
+    return whole < cutter.diameter ? whole : (cutter.shank_diameter + cutter.diameter) / 2;
+  }
+
+  /// Draws the line on to where the disc goes down, which becomes its beginning.
+  void find_ends(Feature& feature, const Tool& cutter) const {
+    ProfileCut& cut = *feature.profile;
+    if (cut.closed)
+      throw InputError(feature.name, "a T-slot runs along an open line; open it where the disc can go down");
+    cut.line = drawn_out(cut.line, cutter.radius(), part_.stock);
+    const bool at_end = is_free(feature, cut.line.back().to, cutter);
+    const bool at_begin = is_free(feature, cut.line.front().from, cutter);
+    if (!at_begin && !at_end)
+      throw InputError(
+          feature.name,
+          fmt::format(
+              "at neither end of its line the disc of T{} can go down: draw the line to the side of the "
+              "material (STOCK), or end it in a pocket or hole at least {} mm wide and down to z {}",
+              cutter.number, trimmed(cutter.diameter + 2 * kBesideWall, 3), trimmed(feature.floor_z, 3)));
+    if (!at_begin) cut.line = reversed(cut.line);
+    feature.t_slot = TSlot{at_begin && at_end};
+  }
+
+  /// Whether nothing stands where the disc goes down: pockets, holes and nothing of the stock. Such features are cut before.
+  bool is_free(const Feature& slot, Vec2 end, const Tool& cutter) const {
+    Regions missing{cutter_disc(end, cutter.radius() + kBesideWall)};
+    for (const Feature& other : part_.features) {
+      const bool open = !other.profile && !other.chamfer && !other.carving && !is_formed(other) &&
+                        other.wall_slope.radians() == 0 && other.floor_z <= slot.floor_z + kSameHeight;
+      if (open && !missing.empty()) missing = subtract(missing, other.allowed, options_.tol);
+    }
+    if (part_.stock && !missing.empty())
+      missing = intersect(missing, {rectangular_region(part_.stock->plan)}, options_.tol);
+    return area(missing) < kRemnant;
+  }
+
+  Workingstep step_on(Feature neck, const Workingstep& like, int mill) {
+    Workingstep step = like;
+    step.name = neck.name;
+    step.feature = static_cast<int>(part_.features.size());
+    step.operation.name = neck.name;
+    step.operation.is_tool_chosen = true;
+    change_tool(step.operation, mill, part_, options_);
+    sources_[step_key(step)] = sources_[step_key(like)];
+    sources_[step_key(step)].set("tool", {Origin::kDerived, "the slot for the neck of the T-slot cutter"});
+    part_.features.push_back(std::move(neck));
+    return step;
+  }
+
+  Part& part_;
+  const PlanOptions& options_;
+  StepSources& sources_;
+};
+
+}  // namespace
+
+void shape_t_slots(Part& part, const PlanOptions& options, StepSources& sources) {
+  TSlotShaper(part, options, sources).run();
+}
+
+}  // namespace clearcut::resolve
