@@ -14,6 +14,7 @@
 #include "link/sections/over_tabs.h"
 #include "model/results/not_machined.h"
 #include "model/section_names.h"
+#include "pipeline/alone/far_moves.h"
 #include "post/comment.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
@@ -288,14 +289,17 @@ void name_blending_bound(Findings& findings, const ResolvedPlan& plan) {
 
 Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& control,
                const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
-               const ResolvedPlan& plan, std::map<int, verify::ToolLimits> limits) {
+               const ResolvedPlan& plan, StatedOfTools stated) {
   verify::VerifyOptions verify = verify_options(plan);
-  verify.tool_limits = std::move(limits);
+  verify.tool_limits = std::move(stated.limits);
+  verify.stated = std::move(stated.drives);
   verify.control = &control;
   verify.accepted = plan.accept;
+  verify.speed_may_be_power = dialect == read::gcode::Dialect::kMarlin;
   verify.needs_tool_length = has_tool_lengths(dialect) && plan.post.length_offset;
   Findings findings = verify::verify_program(part, toolpath, verify);
-  findings.conditions = conditions;
+  findings.conditions.insert(findings.conditions.begin(), conditions.begin(), conditions.end());
+  if (auto far = far_move(part, toolpath)) findings.conditions.push_back(*std::move(far));
   name_blending_bound(findings, plan);
   accept_conditions(findings, plan.accept);
   return findings;

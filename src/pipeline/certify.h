@@ -31,11 +31,17 @@ std::vector<int> tools_by_hand(std::vector<int> in_order);
 /// Keeps the address of plan.earlier.
 verify::VerifyOptions verify_options(const ResolvedPlan& plan);
 
+/// What somebody stated for tools, by number.
+struct StatedOfTools {
+  std::map<int, verify::ToolLimits> limits = {};   ///< of those that no workingstep is made with
+  std::map<int, verify::StatedDrive> drives = {};  ///< of all
+};
+
 /// Checks what a control reads: its moves, what it holds meanwhile, and the conditions of both. Marks the conditions that
-/// the machine file or plan.accept answer. `limits`: of tools that no workingstep is made with.
+/// the machine file or plan.accept answer. `stated` binds programs of others.
 Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& control,
                const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
-               const ResolvedPlan& plan, std::map<int, verify::ToolLimits> limits = {});
+               const ResolvedPlan& plan, StatedOfTools stated = {});
 
 /// Posts `planned` for result.part, reads it back, and checks what was read.
 void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan);

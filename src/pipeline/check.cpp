@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "base/error.h"
 #include "base/text/format.h"
@@ -79,8 +80,9 @@ ResolvedPlan resolved_for(const Toolpath& toolpath, const Part& part, resolve::P
 /// What is stated for the tool that a workingstep of `prepared` is made with goes before what `stated`, the step as it was
 /// read in `part`, says; what was asked for everything goes before both. Our own defaults bind nobody, and what
 /// makes its hole at once may go as deep as the hole.
-void keep_stated_limits(Workingstep& step, Operation stated, const Part& prepared, const Part& part,
-                        const resolve::PlanOptions& options) {
+/// Returns what is stated about the step.
+CuttingData keep_stated_limits(Workingstep& step, Operation stated, const Part& prepared, const Part& part,
+                               const resolve::PlanOptions& options) {
   if (!options.tools.empty()) {
     stated.tool = step.operation.tool;
     resolve::take_tool_cutting(stated, options);
@@ -93,10 +95,44 @@ void keep_stated_limits(Workingstep& step, Operation stated, const Part& prepare
     step.operation.stepdown = options.stepdown && mills ? options.stepdown : stated.stepdown;
   const auto& plunge = options.cutting.plunge_feed;
   step.operation.cutting.plunge_feed = plunge ? plunge : stated.cutting.plunge_feed;
+  return stated.cutting;
+}
+
+/// Of a step that follows from others, such as the drilling before a thread.
+CuttingData stated_for_tool(int tool, const resolve::PlanOptions& options) {
+  Operation stated;
+  stated.tool = tool;
+  if (!options.tools.empty()) resolve::take_tool_cutting(stated, options);
+  return stated.cutting;
+}
+
+double mm_per_min(const std::optional<MmPerMin>& feed) {
+  return feed ? feed->mm_per_min() : 0;
+}
+
+/// One operation with a tool more. What was asked for everything goes before what is stated for it.
+void add_drive(std::map<int, verify::StatedDrive>& drives, int tool, const CuttingData& stated,
+               const resolve::PlanOptions& options) {
+  const CuttingData& asked = options.cutting;
+  const double feed = mm_per_min(asked.feed ? asked.feed : stated.feed);
+  const double most = std::max({feed, mm_per_min(asked.plunge_feed ? asked.plunge_feed : stated.plunge_feed),
+                                mm_per_min(asked.ramp_feed ? asked.ramp_feed : stated.ramp_feed),
+                                mm_per_min(asked.slot_feed ? asked.slot_feed : stated.slot_feed)});
+  const double rpm = (asked.spindle_rpm ? asked.spindle_rpm : stated.spindle_rpm).value_or(0);
+  const verify::StatedDrive one{feed > 0 ? most : 0, rpm, rpm};
+  const auto [known, is_new] = drives.try_emplace(tool, one);
+  if (is_new) return;
+  verify::StatedDrive& all = known->second;
+  all.most_feed = all.most_feed > 0 && one.most_feed > 0 ? std::max(all.most_feed, one.most_feed) : 0;
+  all.most_rpm = all.most_rpm > 0 && rpm > 0 ? std::max(all.most_rpm, rpm) : 0;
+  all.least_rpm = std::min(all.least_rpm, rpm);
 }
 
 /// A program of another CAM is held to the stepdown and the plunge feed that somebody stated, not to our defaults.
-void keep_stated_limits(Part& prepared, const Part& part, const resolve::PlanOptions& options) {
+/// Returns how the tools are stated to be driven.
+std::map<int, verify::StatedDrive> keep_stated_limits(Part& prepared, const Part& part,
+                                                      const resolve::PlanOptions& options) {
+  std::map<int, verify::StatedDrive> drives;
   for (std::size_t i = 0; i < prepared.workplan.size(); ++i) {
     // Tabs and T-slots put steps of their own in between, which are named after those above or after them.
     const std::string& name = prepared.workplan[i].name;
@@ -106,15 +142,20 @@ void keep_stated_limits(Part& prepared, const Part& part, const resolve::PlanOpt
              : std::find_if(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
                  return name == step.name || name == step.name + "_tabs" || name == step.name + "_neck";
                });
-    if (stated != part.workplan.end())
-      keep_stated_limits(prepared.workplan[i], stated->operation, prepared, part, options);
+    const int tool = tool_of(prepared, prepared.workplan[i]).number;
+    const CuttingData cutting =
+        stated == part.workplan.end()
+            ? stated_for_tool(prepared.workplan[i].operation.tool, options)
+            : keep_stated_limits(prepared.workplan[i], stated->operation, prepared, part, options);
+    add_drive(drives, tool, cutting, options);
   }
+  return drives;
 }
 
 /// What is stated for tools that no workingstep is made with: a program may use them all the same.
-std::map<int, verify::ToolLimits> limits_of_other_tools(const Part& prepared,
-                                                        const resolve::PlanOptions& options) {
-  std::map<int, verify::ToolLimits> limits;
+/// Adds them to `all`.
+void add_other_tools(const Part& prepared, const resolve::PlanOptions& options, StatedOfTools& all) {
+  auto& limits = all.limits;
   const std::size_t stating = std::min(options.tool_cutting.size(), prepared.tools.size());
   for (std::size_t i = 0; i < (prepared.is_shape_stated ? stating : prepared.tools.size()); ++i) {
     Operation stated;
@@ -124,9 +165,10 @@ std::map<int, verify::ToolLimits> limits_of_other_tools(const Part& prepared,
         options.stepdown ? options.stepdown : stated.stepdown,
         options.cutting.plunge_feed ? options.cutting.plunge_feed : stated.cutting.plunge_feed,
         stated.cutting.spindle_clockwise != prepared.tools[i].left_hand};
+    const int number = prepared.tools[i].number;
+    if (all.drives.count(number) == 0) add_drive(all.drives, number, stated.cutting, options);
   }
   for (const Workingstep& step : prepared.workplan) limits.erase(tool_of(prepared, step).number);
-  return limits;
 }
 
 void require_tools(const resolve::PlanOptions& options, const Toolpath& toolpath,
@@ -224,7 +266,8 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   const ResolvedPlan& plan = *resolved;
   result.part = plan.part;
   result.earlier = plan.earlier;
-  keep_stated_limits(result.part, part, asked);
+  StatedOfTools stated{{}, keep_stated_limits(result.part, part, asked)};
+  add_other_tools(result.part, asked, stated);
   result.part.diagnostics.append(read.diagnostics);
   result.control = std::move(read.control);
   result.dialect = read.dialect;
@@ -232,7 +275,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   number_sections(result.toolpath, result.part);
   SectionNames(result.part).settle(result.toolpath);
   result.findings = check(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan,
-                          limits_of_other_tools(result.part, asked));
+                          std::move(stated));
   add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   return result;
@@ -261,8 +304,10 @@ CheckResult check_program_alone(const std::optional<Stock>& stock, const std::st
   for (const auto& open : {below_stock(result.toolpath, *result.part.stock),
                            doubtful_arcs(result.toolpath, result.control, asked.tol)})
     if (open) conditions.push_back(*open);
+  StatedOfTools stated;
+  add_other_tools(result.part, asked, stated);
   result.findings = check(result.part, result.toolpath, result.control, conditions, result.dialect, plan,
-                          limits_of_other_tools(result.part, asked));
+                          std::move(stated));
   if (const auto open = cuts_nothing(result.findings)) result.findings.conditions.push_back(*open);
   accept_conditions(result.findings, plan.accept);
   return result;

@@ -58,6 +58,7 @@ struct MoveLoad {
   Rare<Place> plunge_contact;  ///< a place where a cutter that must not plunge does so
   Rare<Place>
       holder_contact;        ///< a place where the holder, or a shank wider than the cutter, touches material
+  bool by_flank = false;     ///< a cone cuts beside its tip alone
   bool is_shank = false;     ///< which of them: the shank
   Rare<CuttingLoad> forces;  ///< only if the work's material is known
   double force_mm_n = 0;     ///< N mm; integral of the force over the length
@@ -103,6 +104,8 @@ struct CheckedMove {
   bool cuts() const {
     return feeds() && (load.axial_mm > 0 || load.cutting_mm > 0 || load.plunge_contact.has_value());
   }
+  /// The same, also where only the flank of a cone is in material.
+  bool works() const { return cuts() || (feeds() && load.by_flank); }
   /// mm that the tip goes down for each mm of advance in plan view; infinite straight down.
   double slope() const {
     const double down = move->z_from - move->z_to;

@@ -12,6 +12,7 @@
 #include "verify/coverage/feature_work.h"
 #include "verify/engagement/forces.h"
 #include "verify/engagement/load.h"
+#include "verify/faults/cutting_data.h"
 #include "verify/faults/faults.h"
 #include "verify/faults/gouge.h"
 #include "verify/faults/holes.h"
@@ -309,6 +310,7 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   meter.finish();
   if (!part.is_shape_stated) return findings_without_part(part, program, options);
   Findings findings = FindingsBuilder(part, program, works, carvings, options).build();
+  findings.conditions = doubtful_cutting_data(program, options);
   if (findings.all.load)
     findings.all.thin_wall =
         thinnest_wall(finished.plain(), findings.all.load->max_force_n, *options.material);

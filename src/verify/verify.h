@@ -27,6 +27,12 @@ struct ToolLimits {
   bool is_clockwise = true;  ///< which way it cuts
 };
 
+/// How somebody stated that a tool is driven, over all operations with it; 0: at least one says nothing.
+struct StatedDrive {
+  double most_feed = 0;  ///< mm/min
+  double least_rpm = 0, most_rpm = 0;
+};
+
 struct VerifyOptions {
   Tolerances tol;
   Machine machine;
@@ -37,10 +43,12 @@ struct VerifyOptions {
   const Toolpath* earlier = nullptr;
   /// What the control held at each move; absent: it is unknown, and nothing about it is checked.
   const ControlTable* control = nullptr;
+  bool speed_may_be_power = false;  ///< small S words say how strongly the spindle is driven, not its turns
   bool needs_tool_length = false;  ///< without the tool's length (G43) the control would cut at wrong heights
   std::vector<std::string> accepted;  ///< conditions that somebody has stated to hold: they give no faults
   /// For tools that no workingstep uses, by number. Other tools have to keep to what their operations state.
   std::map<int, ToolLimits> tool_limits;
+  std::map<int, StatedDrive> stated;     ///< by number of the tool
   std::optional<WorkMaterial> material;  ///< absent: no forces and no wear are computed
   std::stop_token cancel;                ///< asked between moves and layers
   ProgressCallback progress;             ///< told how far it is, as Stage::kCertifying; may be empty

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "verify/engagement/forces.h"
+#include "verify/faults/cutting_data.h"
 #include "verify/faults/faults.h"
 #include "verify/figures.h"
 
@@ -63,6 +64,7 @@ Findings findings_without_part(const Part& part, const CheckedProgram& program,
     if (own.empty()) order.push_back(checked.tool_number);
     own.push_back(&checked);
   }
+  findings.conditions = doubtful_cutting_data(program, options);
   findings.faults = faults_of_moves(part, program, options);
   sort_worst_first(findings.faults);
   findings.all = figures_not_asked(figures_of(all, part.top_z()));

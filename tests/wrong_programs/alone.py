@@ -132,7 +132,20 @@ def open_questions(c):
     def cut_short(p):
         p.after, p.retract, p.stop, p.home, p.tail = [], [], [], [], []
     c.add("cut-short", ["linuxcnc", "mach3", "mach4"], cut_short, "CONDITIONAL", "program-end", "ends in the middle",
-          accepted=["program-end"], **STOCK)
+          accepted=["program-end", "ends-low"], **STOCK)
+
+    def stays(p):
+        p.after, p.retract, p.home = [], [], []
+    c.add("ends-low", [d for d in ALL if d not in ("fanuc", "haas")], stays, "CONDITIONAL", "ends-low",
+          "ends with its cutter in the pocket", accepted=["ends-low"], **STOCK)
+
+    def far(where):
+        def change(p):
+            p.after = [p.t.feed(x=17, y=17), p.t.feed(x=17, y=where)]
+        return change
+    c.add("far", ALL, far(1705), "CONDITIONAL", "far-move", "lost a point: leaves the block by more than a metre",
+          accepted=["far-move"], **STOCK)
+    c.right("right-beside", ALL, far(70), "goes out of the block by the cutter's width", **STOCK)
 
     c.add("no-stock", ALL, nothing, "CONDITIONAL", "stock", "says nothing of its block: the box of its cuts is taken",
           accepted=["stock"], part="")
@@ -172,7 +185,7 @@ def idle(c):
         p.cut = [p.t.feed(120, z=1), p.t.feed(x=17, y=17)]
     c.add("above", ALL, above, "CONDITIONAL", "cuts-nothing", "feeds above the block alone", accepted=["cuts-nothing"], **STOCK)
     c.add("beside", ALL, nothing, "CONDITIONAL", "cuts-nothing", "cuts beside the block, whose zero is another",
-          accepted=["cuts-nothing"], **asked(stock="100:160,100:160,-10:0"))
+          accepted=["cuts-nothing", "far-move"], **asked(stock="100:160,100:160,-10:0"))
 
     def still(p):
         p.approach, p.cut, p.after, p.retract, p.home = [], [], [], [], []

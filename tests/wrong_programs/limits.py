@@ -20,6 +20,13 @@ PAIRS = {
     "deep-small.toml": "stepdown = 2\n",
 }
 
+DRIVES = {
+    "hasty.toml": "spindle = 8000\nfeed = 200\n",
+    "calm.toml": "spindle = 8000\nfeed = 400\n",
+    "slow-turning.toml": "spindle = 4000\nfeed = 400\n",
+    "fast-turning.toml": "spindle = 18000\nfeed = 400\n",
+}
+
 MACHINES = {
     "slow.toml": "max_spindle = 6000\n",
     "fast.toml": "max_spindle = 24000\n",
@@ -30,7 +37,7 @@ MACHINES = {
 
 def write_limits():
     """Libraries and machine files, beside the parts."""
-    for name, line in TOOLS.items():
+    for name, line in {**TOOLS, **DRIVES}.items():
         (HERE / "parts" / name).write_text('[[tool]]\nkind = "endmill"\nnumber = 1\ndiameter = 6\n' + line)
     for name, line in PAIRS.items():
         larger = '[[tool]]\nkind = "endmill"\nnumber = 2\ndiameter = 6.1\nstepdown = 5\n'
@@ -109,6 +116,12 @@ def limits():
          "asks for more than the cutter may turn", "asks for what the cutter may turn")
     both("wait", "spindle-off", "machine", "patient.toml", "prompt.toml", "cuts 2 s after the start of a spindle that needs 5",
          "waits until the spindle turns")
+
+    for name, reason, library, does in [("stated-feed", "stated-feed", "hasty.toml", "feeds twice as fast as is stated for the tool"),
+                                        ("stated-speed", "stated-speed", "slow-turning.toml", "turns twice as fast as is stated"),
+                                        ("stated-more", "stated-speed", "fast-turning.toml", "turns less than half as fast")]:
+        c.add(name, ALL, nothing, "CONDITIONAL", reason, does, accepted=[reason], asked={"library": library})
+    c.right("right-stated", ALL, nothing, "is driven as is stated", asked={"library": "calm.toml"})
 
     def wave(p):
         heights = [-1.9995, -2]

@@ -242,6 +242,30 @@ def conditions():
     c.add("no-word-of-grbl", ["grbl"], clamps, "CONDITIONAL", "m10", "stops at a word that it does not have",
           accepted=["m10"])
 
+    c.add("no-word-of-linuxcnc", ["linuxcnc"], clamps, "CONDITIONAL", "m10", "stops at a word that it does not have",
+          accepted=["m10"])
+
+    def long_dwell(p):
+        p.dwell = ["G4 P5000"]
+    c.add("long-dwell", ["linuxcnc", "grbl", "mach3", "mach4"], long_dwell, "CONDITIONAL", "dwell",
+          "waits for 83 minutes: P is in seconds", accepted=["dwell"])
+    c.right("right-long-dwell", ["fanuc", "haas", "marlin"], long_dwell, "waits for 5 s: P is in milliseconds")
+
+    def short_dwell(p):
+        p.dwell = ["G4 P2"]
+    c.add("short-dwell", ["fanuc", "haas", "marlin"], short_dwell, "CONDITIONAL", "dwell",
+          "waits for 2 ms: P is in milliseconds", accepted=["dwell"])
+
+    def no_time(p):
+        p.dwell = ["G4 X2"]
+    c.add("dwell-without-time", ["linuxcnc", "grbl", "mach3", "mach4"], no_time, "REFUSED", "",
+          "stops, as the time of the dwell is missing")
+
+    def lost(p):
+        p.cut = [block.replace("G1 X3 Y17", "X3 Y17") + (" J0" if "X3 Y17" in block else "") for block in p.cut]
+    c.add("stray-word", ["linuxcnc", "grbl"], lost, "CONDITIONAL", "stray-word", "keeps the J of an arc that lost its G word",
+          accepted=["stray-word"])
+
     def mode(p):
         p.modes = [block.replace(" G90 ", " ") for block in p.modes]
         p.home = [block for block in p.home if block != "G90" and "G91" not in block]
@@ -269,6 +293,14 @@ def state():
         p.approach = [block.replace("G43 H1", "G0") for block in p.approach]
     c.add("no-length", ["fanuc", "haas", "mach3", "mach4"], none, "FAULTY", "tool-length",
           "goes down by the tool's length")
+
+    def unnumbered(p):
+        p.approach = ["G0 G43 H5 Z50."] + [block.replace("G43 H1", "G43") for block in p.approach]
+    c.add("length-by-number", ["fanuc", "haas"], unnumbered, "FAULTY", "tool-length", "takes the length of H5, the last that it said")
+
+    def again(p):
+        p.approach = p.approach + ["G43 Z5."]
+    c.right("right-length-by-number", ["fanuc", "haas"], again, "takes the length of H1 once more")
 
     def off(p):
         p.cut.insert(6, "G49")
@@ -303,6 +335,29 @@ def state():
         p.spindle = [block.replace(" S8000", "") for block in p.spindle]
         p.tool = [block.replace(" S8000", "") for block in p.tool]
     c.add("no-speed", ALL, slow, "FAULTY", "spindle-off", "starts the spindle without a speed")
+
+    def at(spindle, feed=400):
+        def change(p):
+            p.spindle = [block.replace("S8000", f"S{spindle}") for block in p.spindle]
+            p.tool = [block.replace("S8000", f"S{spindle}") for block in p.tool]
+            p.cut = p.cut[:2] + [block.replace("F400", f"F{feed}") for block in p.cut[2:]]
+        return change
+    turned = [d for d in ALL if d != "marlin"]
+    c.add("slow-spindle", turned, at(50), "CONDITIONAL", "chip-load", "takes 4 mm with each tooth", accepted=["chip-load"])
+    c.add("fast-spindle", ALL, at(500000), "CONDITIONAL", "cutting-speed", "turns faster than any spindle",
+          accepted=["cutting-speed"])
+    c.add("fast-feed", ALL, at(8000, 60000), "CONDITIONAL", "chip-load", "takes 3.75 mm with each tooth",
+          accepted=["chip-load"])
+    c.add("slow-feed", ALL, at(8000, 1), "CONDITIONAL", "chip-load", "rubs and does not cut", accepted=["chip-load"])
+    c.right("right-router", ALL, at(24000, 6000), "cuts wood at 0.125 mm a tooth")
+    c.right("right-power", ["marlin"], at(200), "says with S how strongly its spindle is driven")
+
+    def flood_too(p):
+        p.spindle = [block.replace("M3", "M13") for block in p.spindle]
+    c.add("spindle-and-flood", ["linuxcnc", "grbl", "haas", "mach3", "mach4", "marlin"], flood_too, "FAULTY", "spindle-off",
+          "starts its spindle by a word that the control does not have")
+    c.add("spindle-and-flood-of-builder", ["fanuc"], flood_too, "CONDITIONAL", "m13", "starts its spindle by a builder's word",
+          accepted=["m13"])
 
     def steep(p):
         p.cut[1] = p.t.feed(120, x=10.0015, z=-2)

@@ -51,6 +51,7 @@ constexpr std::array kRules{
                  .resets_modes = true,
                  .mist_needs = "M7 is a word of firmware that was built with ENABLE_M7; this one was"},
     DialectRules{.dialect = Dialect::kFanuc,
+                 .lengths_by_number = true,
                  .radius_beats_center = true,
                  .home_is_top = true,
                  .points_matter = true,
@@ -59,6 +60,7 @@ constexpr std::array kRules{
                  .numbered_offsets = 300,
                  .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on"},
     DialectRules{.dialect = Dialect::kHaas,
+                 .lengths_by_number = true,
                  .radius_beats_center = true,
                  .home_is_top = true,
                  .resets_modes = true,
@@ -91,6 +93,13 @@ constexpr int kGrblWords[] = {0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 
                               570, 580, 590, 610, 800, 900, 910, 911, 920, 921, 930, 940};
 
 constexpr int kGrblMiscellaneous[] = {0, 10, 20, 30, 40, 50, 70, 80, 90, 300, 560, 990};
+
+// LinuxCNC, "M-Codes" of its manual; those from M100 to M199 are programs of the user's.
+constexpr int kLinuxCncMiscellaneous[] = {0,   10,  20,  30,  40,  50,  60,  70,  80,  90,  190,
+                                          300, 480, 490, 500, 510, 520, 530, 600, 610, 620, 630,
+                                          640, 650, 660, 670, 680, 700, 710, 720, 730, 980, 990};
+constexpr int kSpindleAndFlood = 130, kSpindleBackAndFlood = 140, kMarlinProbeTest = 480;
+constexpr int kFirstOfUser = 1000, kLastOfUser = 1990;
 
 bool among(const auto& list, int code) {
   return std::find(std::begin(list), std::end(list), code) != std::end(list);
@@ -130,7 +139,18 @@ bool knows_g(const DialectRules& rules, int code) {
 }
 
 bool knows_m(const DialectRules& rules, int code) {
-  return rules.dialect != Dialect::kGrbl || among(kGrblMiscellaneous, code);
+  switch (rules.dialect) {
+    case Dialect::kGrbl:
+      return among(kGrblMiscellaneous, code);
+    case Dialect::kLinuxCnc:
+      return among(kLinuxCncMiscellaneous, code) || (code >= kFirstOfUser && code <= kLastOfUser);
+    case Dialect::kMarlin:
+      return code != kSpindleAndFlood && code != kSpindleBackAndFlood && code != kMarlinProbeTest;
+    case Dialect::kFanuc:
+      return true;
+    default:
+      return code != kSpindleAndFlood && code != kSpindleBackAndFlood;
+  }
 }
 
 }  // namespace clearcut::read::gcode

@@ -18,9 +18,10 @@ struct DialectRules {
   Dialect dialect = Dialect::kLinuxCnc;
   bool cycles = true;  ///< G73, G81 and so on exist
   bool tool_lengths = true;
-  bool changer = true;        ///< M6 and T exist
-  bool path_words = true;     ///< G61, G64; without them the control keeps to the path
-  bool returns_to_r = false;  ///< cycles return to R until a G98 is seen
+  bool lengths_by_number = false;  ///< G43 without H takes the H word before it, not the tool's own
+  bool changer = true;             ///< M6 and T exist
+  bool path_words = true;          ///< G61, G64; without them the control keeps to the path
+  bool returns_to_r = false;       ///< cycles return to R until a G98 is seen
   bool cycle_rises_over =
       false;  ///< the way over the next hole goes up to the height before the cycles at once
   bool feeds_out_to_clear = false;  ///< G89, G74, G84 feed up to the clear height, not to R
@@ -51,7 +52,7 @@ const DialectRules& rules_of(Dialect dialect);
 std::vector<Dialect> word_address_dialects();
 /// Whether the control has the G word; codes in tenths. True for words that are nobody's business here.
 bool knows_g(const DialectRules& rules, int code);
-/// The same of M words.
+/// The same of M words. Where it is false a control stops, does nothing or something that is no business of milling.
 bool knows_m(const DialectRules& rules, int code);
 
 }  // namespace clearcut::read::gcode

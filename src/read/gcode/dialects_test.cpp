@@ -24,6 +24,77 @@ TEST(GcodeConditions, UnknownWordsAreOnesByName) {
   EXPECT_EQ(conditions("G21 M55\nM55\nG64\nG0 X0 Y0 Z1\nG1 X5 F9\nM2"), "m55@1 blending@5");
 }
 
+TEST(GcodeConditions, WordsThatTheControlStopsAt) {
+  const std::string start = "G21 G61 G17 G90 G0 X0. Y0. Z5.\n";
+  EXPECT_EQ(conditions(start + "M10\nM9\nM11\nM2"), "m10@2 m11@4");
+  EXPECT_EQ(conditions(start + "M150\nM2"), "m150@2") << "one of the user's own";
+  EXPECT_EQ(conditions(start + "M48\nM50 P1\nM62 P0\nM2"), "");
+  EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "M10\nM30"), "");
+  EXPECT_EQ(conditions_as(Dialect::kMarlin, start + "M48\n"), "m48@2");
+}
+
+TEST(GcodeConditions, SpindleAndFloodAtOnceIsAWordOfFewControls) {
+  const std::string program = "G21 G61 G17 G90 S9000 M13\nG0 X0. Y0. Z5.\nG1 X5. F9.\nM30";
+  const auto spindle = [&](Dialect dialect) {
+    return read_as(dialect, program).control.spans.back().state.spindle;
+  };
+  EXPECT_EQ(spindle(Dialect::kFanuc), SpindleState::kClockwise);
+  EXPECT_EQ(conditions_as(Dialect::kFanuc, program), "m13@1");
+  for (const Dialect dialect : {Dialect::kLinuxCnc, Dialect::kGrbl, Dialect::kHaas, Dialect::kMach3,
+                                Dialect::kMach4, Dialect::kMarlin}) {
+    EXPECT_EQ(spindle(dialect), SpindleState::kOff) << name_of(dialect);
+    EXPECT_THAT(conditions_as(dialect, program), HasSubstr("m13@1")) << name_of(dialect);
+  }
+}
+
+TEST(GcodeConditions, DwellsThatNobodyMeans) {
+  const std::string start = "G21 G61 G17 G90 G0 X0. Y0. Z5.\n";
+  EXPECT_EQ(conditions(start + "G4 P5000\nM2"), "dwell@2") << "seconds";
+  EXPECT_EQ(conditions(start + "G4 P0\nG4 P0.01\nG4 P2\nG4 P60\nM2"), "");
+  EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G4 P0.5\nM30"), "dwell@2") << "milliseconds";
+  EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G4 P5000\nG4 X2.\nG4 P0\nM30"), "");
+  EXPECT_EQ(conditions_as(Dialect::kHaas, start + "G4 P2\nM30"), "dwell@2");
+  EXPECT_EQ(conditions_as(Dialect::kHaas, start + "G4 P2.\nG4 P2000\nM30"), "");
+  EXPECT_EQ(conditions_as(Dialect::kHaas, start + "G4 P2000.\nM30"), "dwell@2");
+  EXPECT_EQ(conditions_as(Dialect::kMarlin, start + "G4 S2\nG4 P2000\n"), "");
+  EXPECT_EQ(conditions(start + "F9\nG98 G82 X1 Y1 R1 Z-1 P500\nG80\nM2"), "dwell@3");
+  EXPECT_EQ(conditions(start + "F9\nG98 G82 X1 Y1 R1 Z-1 P0.5\nG80\nM2"), "");
+}
+
+TEST(GcodeConditions, WordsThatLostWhatUsesThem) {
+  const std::string start = "G21 G61 G17 G90 G0 X0 Y0 Z5 F9 S100\n";
+  EXPECT_EQ(conditions(start + "G1 X5 J2\nM2"), "stray-word@2");
+  EXPECT_EQ(conditions(start + "G98 G81 X1 Y1 R1 Z-1 K3\nG80\nM2"), "stray-word@2");
+  EXPECT_EQ(conditions(start + "G98 G81 X1 Y1 R1 Z-1\nG84\nG80\nM2"), "stray-word@3");
+  EXPECT_EQ(conditions(start + "M7 M8\nM2"), "stray-word@2");
+  EXPECT_EQ(
+      conditions(start + "G2 X2 Y2 I1 J1 K0\nX0 Y0 R3\nG64 P0.01 Q0\nG4 P1\nG10 L2 P0 R0\nM62 P1\nM3 M8\nM2"),
+      "g10@6");
+  EXPECT_EQ(conditions(start + "G98 G83 X1 Y1 R1 Z-1 Q1\nX2 L2\nG82 X1 Y1 R1 Z-1 P1\nG80\nM2"), "");
+  EXPECT_EQ(conditions_as(Dialect::kGrbl, start + "G1 X5 P2\n"), "stray-word@2");
+  EXPECT_EQ(conditions_as(Dialect::kGrbl, start + "G4 P2\nG10 L2 P1 X0\nG2 X2 Y2 I1 J1\n"), "g10@3");
+  EXPECT_EQ(conditions_as(Dialect::kHaas, "G21 G61 G17 G90 G0 X0. Y0. Z5. F9.\nG1 X5. J2.\nM30"), "")
+      << "takes no notice";
+}
+
+TEST(GcodeConditions, ACutterThatStaysInTheWork) {
+  const std::string start = "G21 G61 G17 G90 G0 X0. Y0. Z5. F9.\nG1 Z-1.\n";
+  EXPECT_EQ(conditions(start + "M2"), "ends-low@3");
+  EXPECT_EQ(conditions(start + "G0 Z5\nM2"), "");
+  EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G91 G28 Z0.\nM30"), "");
+}
+
+TEST(GcodeState, LengthsWithoutANumberAreThoseBeforeOnFanucAndHaas) {
+  const std::string program = "G21 G61 G17 G90 T2 M6\nG0 X0. Y0.\nG43 H1 Z5.\nG49\nG43 Z5.\nG1 X1. F9.\nM30";
+  const auto length = [&](Dialect dialect) {
+    const ToolLength& last = read_as(dialect, program).control.spans.back().state.length;
+    return last.kind == LengthKind::kOff ? 0 : last.h;
+  };
+  EXPECT_EQ(length(Dialect::kFanuc), 1);
+  EXPECT_EQ(length(Dialect::kHaas), 1);
+  EXPECT_EQ(length(Dialect::kLinuxCnc), 2) << "that of the tool";
+}
+
 TEST(GcodeConditions, WhatTheMachineHoldsIsNamed) {
   const std::string start = "G21 G61 G90 G0 X0 Y0 Z5\n";
   EXPECT_EQ(conditions(start + "M2"), "");
@@ -165,6 +236,12 @@ TEST(GcodeDialects, TextBehindAPauseIsMarlins) {
               (Vec2{5, 0}));
   EXPECT_THAT(refusal(Dialect::kLinuxCnc, start + "M0 INSERT T3" + rest),
               HasSubstr("test.ngc:3: text behind a pause"));
+}
+
+TEST(GcodeDialects, DwellsWithoutATimeAreRefused) {
+  for (const Dialect dialect : {Dialect::kLinuxCnc, Dialect::kGrbl, Dialect::kMach3, Dialect::kMach4})
+    EXPECT_THAT(refusal(dialect, "G21 G4 X2\n"), HasSubstr("G4 without its P word")) << name_of(dialect);
+  EXPECT_EQ(refusal(Dialect::kMarlin, "G21\nG4 S2\n"), "");
 }
 
 TEST(GcodeState, IsKeptForEachMove) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/text/format.h"
 #include "read/gcode/interpreter.h"
 #include "read/gcode/klartext/klartext.h"
 #include "read/gcode/klartext/words.h"
@@ -75,6 +76,15 @@ int last_line(std::string_view text) {
   return static_cast<int>(ends) + (text.empty() || text.back() == '\n' ? 0 : 1);
 }
 
+/// Where the cutter stays at the end of the program.
+void note_low_end(read::gcode::ToolpathBuilder& builder, int line) {
+  const auto& z = builder.position()[2];
+  if (!z || *z >= builder.safe_z()) return;
+  builder.condition("ends-low", line,
+                    "the program ends with the cutter at Z " + trimmed(*z, 3) +
+                        " mm, below the top of the work; it is taken out before anything else moves");
+}
+
 struct Reading {
   Program program;
   bool depends_on_dialect = false;
@@ -103,6 +113,7 @@ Reading read_as(Dialect dialect, std::string_view text, const std::string& file_
                                     "the program has no end word and is whole; it may have been cut short",
                                     last_line(text)});
   }
+  note_low_end(builder, last_line(text));
   program.toolpath = builder.take();
   program.control = builder.take_control();
   return reading;

@@ -23,21 +23,21 @@ TEST(GcodeStart, FirstMoveBeginsAtItsOwnCoordinatesAndHigh) {
 }
 
 TEST(GcodeStart, CuttingFromAnUnknownPlaceIsACondition) {
-  EXPECT_EQ(conditions("G21 G61 G0 Z5\nG1 Z-1 F50\nX5\nM2"), "start-position@2");
+  EXPECT_EQ(conditions("G21 G61 G0 Z5\nG1 Z-1 F50\nX5\nG0 Z5\nM2"), "start-position@2");
   EXPECT_EQ(conditions("G21 G61 G91 G0 X5 Y5\nM2"), "start-position@1");
-  EXPECT_EQ(conditions("G21 G61 G0 Z5\nX1 Y1\nG1 Z-1 F50\nM2"), "");
+  EXPECT_EQ(conditions("G21 G61 G0 Z5\nX1 Y1\nG1 Z-1 F50\nG0 Z5\nM2"), "");
 }
 
 TEST(GcodeStart, RapidsDownBeforeTheFirstPlaceAreKept) {
   EXPECT_EQ(moves_of("G21 G0 Z-2\nX3 Y4\nG1 X5 F50\nM2"), "from 3 4 100\nrapid to 3 4 -2\ncut to 5 4 -2 F50");
-  EXPECT_EQ(conditions("G21 G61 G0 Z-2\nX3 Y4\nG1 X5 F50\nM2"), "start-position@2");
+  EXPECT_EQ(conditions("G21 G61 G0 Z-2\nX3 Y4\nG1 X5 F50\nG0 Z5\nM2"), "start-position@2");
 }
 
 TEST(GcodeComments, ChangeNothing) {
-  const std::string plain = "G21 G61 T3 M6\nG0 X0 Y0 Z5\nG1 Z-1 F50\nX20\nM2\n";
+  const std::string plain = "G21 G61 T3 M6\nG0 X0 Y0 Z5\nG1 Z-1 F50\nX20\nG0 Z5\nM2\n";
   const std::string told =
       "G21 G61 T3 (TOOL CHANGE T1: ENDMILL) M6\n;TOOL CHANGE T2: X\nG0 X0 Y0 Z5\n(END OF PROGRAM)\n"
-      "(M2) (OPERATION 2: B)\nG1 Z-1 F50\n;END OF PROGRAM\nX20\nM2\n";
+      "(M2) (OPERATION 2: B)\nG1 Z-1 F50\n;END OF PROGRAM\nX20\nG0 Z5\nM2\n";
   EXPECT_EQ(moves_of(told), moves_of(plain));
   const Program program = read_gcode(told, "t");
   for (const Section& section : program.toolpath.sections) EXPECT_EQ(section.tool_number, 3);
@@ -343,7 +343,7 @@ TEST(Klartext, LengthsAndDatumsAreConditions) {
       "BEGIN PGM A MM\nCYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.01\nTOOL CALL 1 Z S100 DL-1.0\n"
       "L X+0 Y+0 R0 FMAX\nL Z+5 R0 FMAX\nL Z-1 F9\nEND PGM A MM";
   EXPECT_EQ(moves_of(program), "from 0 0 100\nrapid to 0 0 4\nplunge to 0 0 -2 F9");
-  EXPECT_EQ(conditions(program), "tool-length-dl@4");
+  EXPECT_EQ(conditions(program), "tool-length-dl@4 ends-low@8");
   EXPECT_EQ(conditions("BEGIN PGM A MM\nCYCL DEF 247 DATUM SETTING Q339=+2\nEND PGM A MM"), "datum-247@2");
   EXPECT_EQ(conditions("BEGIN PGM A MM\nL Z+0 R0 FMAX M91\nEND PGM A MM"), "m91@2");
   EXPECT_EQ(conditions(klartext("4 L X+1 F9 M107")), "m107@5 blending@5");

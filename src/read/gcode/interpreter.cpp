@@ -3,6 +3,7 @@
 #include "read/gcode/interpreter.h"
 
 #include "read/gcode/control/motion_words.h"
+#include "read/gcode/control/stray_words.h"
 #include "read/gcode/words/g_words.h"
 
 namespace clearcut::read::gcode {
@@ -12,6 +13,7 @@ void Interpreter::execute(const Block& block) {
   if (block.optional)
     control_.condition("block-delete", "blocks marked '/' are executed; block delete is off");
   check(block);
+  note_stray_words(control_, block);
   for (const int m : block.m) {
     if (m >= 700 && m <= 730) mode_words_.save_or_restore(m);
   }

@@ -123,6 +123,7 @@ class LoadMeter {
           move.is_vertical() ? 1 : std::max(1, static_cast<int>(std::ceil(length / kLongestStep)));
       for (int i = 0; i <= steps; ++i) measure_tip(checked, static_cast<double>(i) / steps);
       (checked.load.axial_mm > 0 ? checked.load.cutting_mm : checked.load.air_mm) += length;
+      if (checked.load.axial_mm <= 0) checked.load.by_flank = cuts_by_flank(checked);
     }
     cones_.add(move, *checked.tool);
   }
@@ -135,6 +136,16 @@ class LoadMeter {
     if (axial <= std::max(kResidual, checked.load.axial_mm)) return;
     checked.load.axial_mm = axial;
     checked.load.axial_at = {p, z, move.line};
+  }
+
+  /// Whether a cone whose tip is in the open touches material at some height of its flank.
+  bool cuts_by_flank(const CheckedMove& checked) const {
+    const double high = std::min(flank_height(*checked.tool), material_.z_top() - checked.low_z());
+    for (const double share : {0.95, 0.6, 0.3}) {
+      const double radius = std::max(radius_at(*checked.tool, share * high) - kSliver, 2 * kResidual);
+      if (touched_above(checked, share * high, radius)) return true;
+    }
+    return false;
   }
 
   static int steps_of(double length, double radius) {
@@ -340,13 +351,9 @@ class LoadMeter {
       const Edge way = is_one && !move.is_vertical() ? move.path : Edge::line(at, at);
       const auto hit = material_.in_reach(way, radius - kResidual, z + above + kResidual);
       if (!hit) continue;
-      return Place{is_one ? nearest_on(way, *hit) : at, z, move.line};
+      return Place{way.from == way.to ? at : nearest(way, *hit).point, z, move.line};
     }
     return std::nullopt;
-  }
-
-  static Vec2 nearest_on(const Edge& way, Vec2 p) {
-    return way.from == way.to ? way.from : nearest(way, p).point;
   }
 
   static void report_rapid(CheckedMove& checked, Vec2 center, double z) {

@@ -37,7 +37,7 @@ class StateCheck {
   }
 
   std::optional<Fault> length(const CheckedMove& checked) const {
-    if (!checked.control || !checked.cuts()) return std::nullopt;
+    if (!checked.control || !checked.works()) return std::nullopt;
     const ToolLength& length = checked.control->length;
     const std::string tool = "T" + std::to_string(checked.tool_number);
     const bool numbered = length.kind == LengthKind::kNumbered || length.kind == LengthKind::kOfTool;
@@ -56,7 +56,7 @@ class StateCheck {
   }
 
   std::optional<Fault> spindle(const CheckedMove& checked) const {
-    if (!checked.control || !checked.cuts()) return std::nullopt;
+    if (!checked.control || !checked.works()) return std::nullopt;
     if (checked.control->spindle == SpindleState::kOff)
       return fault(FaultKind::kSpindleOff, checked, 0,
                    "The spindle stands while the cutter feeds into material");
@@ -70,7 +70,7 @@ class StateCheck {
   }
 
   std::optional<Fault> direction(const CheckedMove& checked) const {
-    if (!checked.control || !checked.cuts() || checked.control->spindle == SpindleState::kOff)
+    if (!checked.control || !checked.works() || checked.control->spindle == SpindleState::kOff)
       return std::nullopt;
     const bool clockwise = checked.control->spindle == SpindleState::kClockwise;
     if (may_turn(checked, clockwise)) return std::nullopt;
@@ -80,7 +80,7 @@ class StateCheck {
   }
 
   std::optional<Fault> speed(const CheckedMove& checked) const {
-    if (!checked.control || !checked.cuts()) return std::nullopt;
+    if (!checked.control || !checked.works()) return std::nullopt;
     const auto& of_machine = options_.machine.max_spindle_rpm;
     if (of_machine && is_beyond(checked, *of_machine))
       return too_fast(checked, "the machine has", *of_machine);
@@ -233,8 +233,8 @@ class StateCheck {
       if (events[i].kind != ControlEventKind::kSpindleStart) continue;
       if (static_cast<std::ptrdiff_t>(events[i].before_move) >= program.moves.end() - own) continue;
       const auto begin = own + static_cast<std::ptrdiff_t>(events[i].before_move);
-      const auto cut =
-          std::find_if(begin, program.moves.end(), [](const CheckedMove& checked) { return checked.cuts(); });
+      const auto cut = std::find_if(begin, program.moves.end(),
+                                    [](const CheckedMove& checked) { return checked.works(); });
       if (cut == program.moves.end()) continue;
       double waited = 0;
       for (std::size_t k = i + 1; k < events.size(); ++k) {

@@ -74,6 +74,36 @@ TEST(StateFaults, SpindleOffWithoutSpeedOrTheWrongWay) {
   EXPECT_FALSE(has(checked(part, pocketing(), table(left)), FaultKind::kSpindleDirection));
 }
 
+TEST(StateFaults, ChamferMillsWhoseTipRunsInTheOpenAreChecked) {
+  Part part = pocket();
+  Tool chamfer;
+  chamfer.number = 2;
+  chamfer.kind = ToolKind::kChamferMill;
+  chamfer.diameter = 8;
+  chamfer.tip_diameter = 0.4;
+  chamfer.tip_angle = Radians::of(kPi / 2);
+  part.tools.push_back(chamfer);
+  Writer writer;
+  cut_square_rings(writer, {0, 0}, kRings, 0, -2);
+  writer.leave().tool_change(2).rapid({9, 0}, 10).feed({9, 0}, -1.5).feed({9, 5}).leave();
+  const Toolpath toolpath = writer.done();
+  const std::size_t before = toolpath.sections[0].moves.size();
+  const auto with = [&](const std::function<void(ControlState&)>& change) {
+    ControlTable control = table();
+    ControlState state = control.spans[0].state;
+    state.tool = 2;
+    change(state);
+    control.spans.push_back({before, 1, state});
+    return checked(part, toolpath, control);
+  };
+  EXPECT_FALSE(has(with([](ControlState&) {}), FaultKind::kSpindleOff));
+  EXPECT_TRUE(has(with([](ControlState& s) { s.spindle = SpindleState::kOff; }), FaultKind::kSpindleOff));
+  EXPECT_TRUE(has(with([](ControlState& s) {
+                    s.length = {LengthKind::kNumbered, 1, 0};
+                  }),
+                  FaultKind::kToolLength));
+}
+
 TEST(StateFaults, ATappingCycleWithAnotherToolThanATap) {
   const auto turned_back_before = [](std::size_t move) {
     ControlTable control = table();

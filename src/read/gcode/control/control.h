@@ -73,6 +73,7 @@ struct Control {
   bool changer = false;      ///< an M6 was seen: pauses no longer change tools
   bool tool_put_in = false;  ///< an M6 or a pause was seen
   int in_spindle_since = 0;  ///< line of the first cut with a tool that was selected and not put in; 0: none
+  int last_length = 0;       ///< the last H word, 0 before any
   bool length_used = false;  ///< a tool length was in force
   bool units_said = false, distance_said = false, plane_said = false, centers_said = false;
   bool return_said = false;

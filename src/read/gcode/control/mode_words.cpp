@@ -6,6 +6,7 @@
 #include "base/inch.h"
 #include "base/text/format.h"
 #include "read/gcode/control/place_words.h"
+#include "read/gcode/motion/dwell.h"
 #include "read/gcode/words/g_words.h"
 
 namespace clearcut::read::gcode {
@@ -17,6 +18,11 @@ namespace {
 constexpr int kStillWords[] = {0,   10,  20,  30,  40,  50,  60,  70,  80,  90,  100,  110, 130,
                                140, 190, 290, 300, 310, 330, 480, 490, 500, 510, 520,  530, 620,
                                630, 640, 650, 830, 840, 880, 890, 970, 980, 990, 1170, 1180};
+
+/// "M10"
+std::string m_word(int tenths) {
+  return "M" + trimmed(tenths / 10.0, 1);
+}
 
 }  // namespace
 
@@ -152,8 +158,9 @@ void ModeWords::set_feed_and_drive(const Block& block, double feed_unit) {
     control_.modes.feed =
         block.value('F') * (control_.modes.feed_mode == FeedMode::kInverseTime ? 1 : feed_unit);
   }
+  if (block.has('S') && block.value('S') < 0) control_.refuse("S word below zero; correct it");
   const bool seconds = has_g(block, 40) && control_.rules.dwell_by_s;
-  if (block.has('S') && !seconds) control_.modes.speed = std::abs(block.value('S'));
+  if (block.has('S') && !seconds) control_.modes.speed = block.value('S');
   if (block.has('T')) select_tool(block);
   if (std::find(block.m.begin(), block.m.end(), 60) != block.m.end()) load_tool();
   for (const int m : block.m) set_drive(m, block);
@@ -210,7 +217,7 @@ void ModeWords::switch_coolant(int m) {
   if (m == rules.mist_on) {
     mist = true;
     if (!rules.mist_needs.empty())
-      control_.condition("m" + trimmed(m / 10.0, 1), std::string(rules.mist_needs));
+      control_.condition("m" + m_word(m).substr(1), std::string(rules.mist_needs));
   } else if (m == 70 || m == 80 || m == 130 || m == 140 || m == 880) {
     flood = true;
   }
@@ -220,10 +227,11 @@ void ModeWords::switch_coolant(int m) {
 }
 
 void ModeWords::set_drive(int m, const Block& block) {
+  if (m != 60 && !knows_m(control_.rules, m)) return note_unknown(m);
   switch_coolant(m);
   if (m == 30 || m == 40 || m == 50) return control_.turn_spindle(m / 10);
   if (m == 190) return control_.turn_spindle(5);
-  if (m == 130 || m == 140) return control_.turn_spindle(m / 10 - 10);
+  if (m == 130 || m == 140) return turn_spindle_and_flood(m);
   if (m == 0 || m == 10) return pause(block);
   if (m == 960 || m == 970 || (m == 980 && block.has('P'))) {
     control_.refuse("subprogram calls are not read; post the program without them");
@@ -231,15 +239,31 @@ void ModeWords::set_drive(int m, const Block& block) {
   if (m == 990 && block.has('P'))
     control_.refuse("M99 P jumps to another block; post the program without it");
   if (control_.rules.saves_modes && m >= 700 && m <= 730) return;
-  if (m != 60 && !knows_m(control_.rules, m)) {
-    return control_.condition("m" + trimmed(m / 10.0, 1),
-                              "M" + trimmed(m / 10.0, 1) +
-                                  " is no word of the control, which stops there; "
-                                  "what sends the program leaves it out");
-  }
   if (std::find(std::begin(kStillWords), std::end(kStillWords), m) != std::end(kStillWords)) return;
-  control_.condition("m" + trimmed(m / 10.0, 1),
-                     "M" + trimmed(m / 10.0, 1) + " is unknown here and moves nothing");
+  const std::string word = m_word(m);
+  control_.condition("m" + word.substr(1), word + " is unknown here and moves nothing");
+}
+
+/// A word that the control does not have.
+void ModeWords::note_unknown(int m) {
+  const std::string word = m_word(m);
+  const Dialect dialect = control_.rules.dialect;
+  const std::string what = dialect == Dialect::kGrbl
+                               ? ", which stops there; what sends the program leaves it out"
+                           : dialect == Dialect::kLinuxCnc
+                               ? ", which stops there; its set-up has a REMAP for it that moves nothing"
+                               : " that milling needs; it does nothing there";
+  control_.condition("m" + word.substr(1), word + " is no word of the control" + what);
+}
+
+/// Not a word of Fanuc's own, but what most builders give it.
+void ModeWords::turn_spindle_and_flood(int m) {
+  const std::string word = m_word(m);
+  control_.condition("m" + word.substr(1),
+                     "what " + word +
+                         " does is the machine builder's choice; it turns the spindle and "
+                         "switches the coolant on");
+  control_.turn_spindle(m / 10 - 10);
 }
 
 void ModeWords::end(int m) {
@@ -250,18 +274,21 @@ void ModeWords::end(int m) {
 }
 
 void ModeWords::dwell(const Block& block) {
-  double seconds = 0;
+  double written = 0;
+  bool in_ms = false;
+  const DialectRules& rules = control_.rules;
   if (block.has('P')) {
-    const bool ms =
-        control_.rules.dwell_in_ms && (control_.rules.dialect != Dialect::kHaas || block.is_whole('P'));
-    seconds = block.value('P') * (ms ? 0.001 : 1);
-  } else if (control_.rules.dwell_by_x && block.has('X')) {
-    seconds = block.value('X');
-  } else if (control_.rules.dwell_by_s && block.has('S')) {
-    seconds = block.value('S');
+    written = block.value('P');
+    in_ms = rules.dwell_in_ms && (rules.dialect != Dialect::kHaas || block.is_whole('P'));
+  } else if (rules.dwell_by_x && block.has('X')) {
+    written = block.value('X');
+  } else if (rules.dwell_by_s && block.has('S')) {
+    written = block.value('S');
+  } else if (!rules.dwell_in_ms) {
+    control_.refuse("G4 without its P word, which the control asks for; add the seconds of the dwell");
   }
   if (block.has_axis()) control_.depends_on_dialect = true;
-  control_.builder.add_event(ControlEventKind::kDwell, control_.line, seconds);
+  add_dwell(control_.builder, control_.line, written, in_ms);
 }
 
 }  // namespace clearcut::read::gcode

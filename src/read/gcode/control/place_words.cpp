@@ -249,7 +249,10 @@ void PlaceWords::set_length(int code, const Block& block) {
     length.kind = block.value('H') == 0 && control_.rules.dialect != Dialect::kLinuxCnc
                       ? LengthKind::kOff
                       : LengthKind::kNumbered;
-    length.h = static_cast<int>(block.value('H'));
+    length.h = control_.last_length = static_cast<int>(block.value('H'));
+  } else if (control_.rules.lengths_by_number) {
+    length.kind = control_.last_length > 0 ? LengthKind::kNumbered : LengthKind::kOff;
+    length.h = control_.last_length;
   } else {
     length.kind = LengthKind::kOfTool;
     length.h = control_.tool_said && control_.changer ? control_.builder.drive.tool : control_.next_tool;

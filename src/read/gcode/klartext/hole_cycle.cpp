@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "read/gcode/motion/dwell.h"
 
 namespace clearcut::read::gcode {
 namespace {
@@ -121,7 +122,7 @@ class Maker {
   void feed(double z, MmPerMin speed) { builder_.feed(height(z), speed, line_); }
 
   void dwell() {
-    if (value(211) > 0) builder_.add_event(ControlEventKind::kDwell, line_, value(211));
+    if (value(211) > 0) add_dwell_in_hole(builder_, line_, value(211));
   }
 
   MmPerMin feed_in() const { return feed_of(value(206)); }

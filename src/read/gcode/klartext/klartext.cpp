@@ -13,6 +13,7 @@
 #include "read/gcode/klartext/words.h"
 #include "read/gcode/marker.h"
 #include "read/gcode/motion/arc.h"
+#include "read/gcode/motion/dwell.h"
 #include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {
@@ -199,7 +200,7 @@ void Reader::cycle(const std::vector<std::string>& words) {
     const std::size_t digits =
         last.find_first_of("+-.0123456789", last.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ."));
     const double seconds = digits == std::string::npos ? 0 : number(last.substr(digits));
-    builder_.add_event(ControlEventKind::kDwell, line_, seconds);
+    add_dwell(builder_, line_, seconds, false);
   } else if (number_word == "32.0") {
     builder_.path_control = {};
   } else if (number_word == "32.1" && words.size() > 3 && words[3][0] == 'T') {

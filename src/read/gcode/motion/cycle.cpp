@@ -1,6 +1,7 @@
 #include "read/gcode/motion/cycle.h"
 
 #include "base/error.h"
+#include "read/gcode/motion/dwell.h"
 
 namespace clearcut::read::gcode {
 
@@ -45,7 +46,7 @@ void drill(ToolpathBuilder& builder, const Hole& hole, MmPerMin feed, int line) 
   } else {
     builder.feed(place_along(hole, hole.bottom), feed, line);
   }
-  if (hole.dwell > 0) builder.add_event(ControlEventKind::kDwell, line, hole.dwell);
+  if (hole.dwell > 0) add_dwell_in_hole(builder, line, hole.dwell);
   if (hole.code == 740 || hole.code == 840) builder.add_event(ControlEventKind::kTapTurnsBack, line);
   const bool feeds_out = hole.code == 740 || hole.code == 840 || hole.code == 890;
   if (feeds_out || hole.code == 850) {
