@@ -98,11 +98,15 @@ CuttingData keep_stated_limits(Workingstep& step, Operation stated, const Part& 
   return stated.cutting;
 }
 
-/// Of a step that follows from others, such as the drilling before a thread.
-CuttingData stated_for_tool(int tool, const resolve::PlanOptions& options) {
+/// Of the tool of a step that follows from others, such as the drilling before a thread.
+CuttingData stated_for_tool(int number, const Part& part, const resolve::PlanOptions& options) {
+  const std::vector<Tool>& tools = options.tools.empty() ? part.tools : options.tools;
+  const auto tool =
+      std::find_if(tools.begin(), tools.end(), [&](const Tool& one) { return one.number == number; });
+  if (tool == tools.end()) return {};
   Operation stated;
-  stated.tool = tool;
-  if (!options.tools.empty()) resolve::take_tool_cutting(stated, options);
+  stated.tool = static_cast<int>(tool - tools.begin());
+  resolve::take_tool_cutting(stated, options);
   return stated.cutting;
 }
 
@@ -145,7 +149,7 @@ std::map<int, verify::StatedDrive> keep_stated_limits(Part& prepared, const Part
     const int tool = tool_of(prepared, prepared.workplan[i]).number;
     const CuttingData cutting =
         stated == part.workplan.end()
-            ? stated_for_tool(prepared.workplan[i].operation.tool, options)
+            ? stated_for_tool(tool, part, options)
             : keep_stated_limits(prepared.workplan[i], stated->operation, prepared, part, options);
     add_drive(drives, tool, cutting, options);
   }

@@ -195,6 +195,35 @@ TEST(OtherFormsOfTheBracket, GiveItsGoldenProgram) {
   }
 }
 
+/// The verdict on a golden program in mm with `from` replaced by `to` wherever it stands.
+std::string verdict_with(const Case& c, const std::string& from, const std::string& to) {
+  std::string program =
+      read_file((fs::path(CLEARCUT_SOURCE_DIR) / "tests/golden/examples" / c.example.folder /
+                 (c.dialect + "-mm" + post::file_extension_of(c.dialect)))
+                    .string());
+  EXPECT_NE(program.find(from), std::string::npos) << from;
+  for (std::size_t at = 0; (at = program.find(from, at)) != std::string::npos; at += to.size())
+    program.replace(at, from.size(), to);
+  const Part part = read::read_part(file_of(c.example), {});
+  const auto found = pipeline::check_program(part, program, "changed", options_of(c, false),
+                                             read::gcode::dialect_named(c.dialect));
+  return verdict_and_reasons(found.findings);
+}
+
+TEST(ChangedExamples, ToolsThatAreDrivenOtherwiseThanIsStated) {
+  const Case gland{{"gland.toml", "gland", std::nullopt, std::nullopt, true}, "linuxcnc"};
+  EXPECT_NE(verdict_with(gland, "M3 S1200", "M3").find("condition stated-speed: T4 turns at 3500 rpm"),
+            std::string::npos);
+  EXPECT_NE(verdict_with(gland, "F150", "F950").find("condition stated-feed: T"), std::string::npos);
+  EXPECT_EQ(verdict_with(gland, "M3 S1200", "M3 S1300"), "CLEAN\n");
+}
+
+TEST(ChangedExamples, ChamferMillsThatStandOrHaveAnotherLength) {
+  const Case plate{{"plate.dxf", "plate", "endmill:5 chamfer:90deg:8:tip=0.4", 3}, "haas"};
+  EXPECT_NE(verdict_with(plate, "M3 S3980\n", "").find("spindle off: CHAMFER"), std::string::npos);
+  EXPECT_NE(verdict_with(plate, "G43 H2", "G43 H1").find("tool length: CHAMFER"), std::string::npos);
+}
+
 /// The grid's own reduction leaves corners uncut; all else is as for any other program.
 Toolpath checked_elements(const std::string& dialect, bool inch) {
   const Case c{kFivePockets, dialect};

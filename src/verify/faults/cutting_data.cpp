@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/elementary.h"
 #include "base/text/format.h"
 #include "base/units.h"
 
@@ -24,6 +25,13 @@ constexpr double kFullPower = 255;
 
 double teeth_of(const Tool& tool) {
   return std::max(1, tool.teeth);
+}
+
+/// Share of the feed per tooth that is the thickest part of the chip: less where the cutter is engaged by less than a quarter turn,
+/// as on ways from pass to pass that touch what a pass has left.
+double thickest_part(const CheckedMove& checked) {
+  const double angle = checked.load.max_deg;
+  return angle > 0 && angle < 90 ? base::sin(angle * kPi / 180) : 1;
 }
 
 /// The worst move of one kind.
@@ -53,7 +61,7 @@ class CuttingData {
     const Tool& tool = *checked.tool;
     const double rpm = checked.control->spindle_rpm, width = 2 * widest_radius(tool);
     const double chip = checked.move->feed.mm_per_min() / (rpm * teeth_of(tool));
-    thick_.take(checked, chip / thickest(width));
+    thick_.take(checked, chip * thickest_part(checked) / thickest(width));
     // What goes straight down or up is slow for other reasons.
     if (!checked.move->is_vertical() && chip > 0) thin_.take(checked, kThinnest / chip);
     fast_.take(checked, std::max(edge_speed(width, rpm) / kFastestEdge, rpm / kFastestSpindle));
@@ -78,7 +86,8 @@ class CuttingData {
     const StatedDrive& stated = found->second;
     const double rpm = checked.control->spindle_rpm;
     if (stated.most_feed > 0)
-      over_feed_.take(checked, checked.move->feed.mm_per_min() / (kBeyondStated * stated.most_feed));
+      over_feed_.take(checked, checked.move->feed.mm_per_min() * thickest_part(checked) /
+                                   (kBeyondStated * stated.most_feed));
     if (stated.most_rpm > 0) other_speed_.take(checked, rpm / (kBeyondStated * stated.most_rpm));
     if (stated.least_rpm > 0) other_speed_.take(checked, kBelowStated * stated.least_rpm / rpm);
   }
