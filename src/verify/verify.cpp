@@ -12,7 +12,7 @@
 #include "verify/coverage/feature_work.h"
 #include "verify/engagement/forces.h"
 #include "verify/engagement/load.h"
-#include "verify/faults/cutting_data.h"
+#include "verify/faults/driving/cutting_data.h"
 #include "verify/faults/faults.h"
 #include "verify/faults/gouge.h"
 #include "verify/faults/holes.h"

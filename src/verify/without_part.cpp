@@ -5,7 +5,7 @@
 #include <map>
 
 #include "verify/engagement/forces.h"
-#include "verify/faults/cutting_data.h"
+#include "verify/faults/driving/cutting_data.h"
 #include "verify/faults/faults.h"
 #include "verify/figures.h"
 

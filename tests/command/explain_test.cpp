@@ -94,9 +94,10 @@ TEST(JobStrategy, ThatIsNoneIsRefusedInOneLine) {
 }
 
 /// What a command or a reading is told, not a plan; and lists, which are tables of a job.
-const std::set<std::string> kNotOfJobs{
-    "--earlier-setup", "--explain", "--help", "--layer", "--machine", "--op",     "--quiet",       "--setup",
-    "--threads",       "--tools",   "--up",   "--turn",  "--body",    "--mirror", "--breakthrough"};
+const std::set<std::string> kNotOfJobs{"--earlier-setup", "--stock-from", "--explain", "--help",
+                                       "--layer",         "--machine",    "--op",      "--quiet",
+                                       "--setup",         "--threads",    "--tools",   "--up",
+                                       "--turn",          "--body",       "--mirror",  "--breakthrough"};
 
 TEST(JobKeys, AreThereForEveryOptionOfPlan) {
   const ScratchFolder folder;

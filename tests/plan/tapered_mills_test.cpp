@@ -148,7 +148,7 @@ TEST(TaperedMills, RapidsOfTheirFlanksInMaterialAreFound) {
 TEST(TSlotCutters, AreRefusedInPlansAndVerifiedInPrograms) {
   const std::string cutter = "tslot:10:length=4:shank=5";
   const Part part = drawn(box("STOCK_D20", -10, -10, 60, 30) + box("POCKET_D4", 0, 0, 50, 20));
-  EXPECT_THAT(refusal(part, {cutter}), HasSubstr("cuts undercuts, for which no paths are planned"));
+  EXPECT_THAT(refusal(part, {cutter}), HasSubstr("cuts undercuts alone, along lines that say so"));
   const PlanResult milled = plan_part(part, with({"endmill:10"}));
   ASSERT_NE(verdict_of(milled.findings), Verdict::kFaulty);
   const auto checked = [&](const std::string& program) {

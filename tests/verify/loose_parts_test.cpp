@@ -31,7 +31,7 @@ std::string with_first(const std::string& program, const std::string& name) {
   for (const std::string& block : blocks) {
     const bool is_asked = block.find(": " + name + ")") != std::string::npos;
     (is_asked ? head : rest) +=
-        "G0 Z10\nG0 " + block.substr(block.find(kOperation) == 0 ? block.find('\n') + 1 : 0);
+        "G0 Z10\n" + block.substr(block.find(kOperation) == 0 ? block.find('\n') + 1 : 0);
   }
   return head + rest + program.substr(end);
 }

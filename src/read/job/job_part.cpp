@@ -46,6 +46,13 @@ ReadOptions merged(ReadOptions options, const ReadOptions& over) {
   return options;
 }
 
+void refuse_two_stocks(const JobFile& job, const ReadOptions& over) {
+  if (job.stock && over.block)
+    throw InputError(
+        job.file,
+        "[stock] states a block, and so does the stock that is given as a solid; leave one of them out");
+}
+
 StockRequest requested(const JobStock& stock) {
   return {stock.x, stock.y, stock.margin.value_or(0), *stock.z};
 }
@@ -345,12 +352,9 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
   if (!job.setups.empty())
     throw InputError(job.file, "it has " + std::to_string(job.setups.size()) +
                                    " set-ups; say which, for example with --setup 1");
+  refuse_two_stocks(job, over);
   ReadOptions options = merged(job.read, over);
   // What stands around a solid belongs to its features: its reader sets the stock itself.
-  if (job.stock && options.block)
-    throw InputError(
-        job.file,
-        "[stock] states a block, and so does the stock that is given as a solid; leave one of them out");
   if (job.stock) options.solid.stock = requested(*job.stock);
   for (const LibraryTool& tool : tools_of(job).tools)
     if (tool.tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.tool.diameter);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "stock/material.h"
+#include "verify/engagement/cylinders.h"
 #include "verify/engagement/forces.h"
 #include "verify/faults/shaped_cutter.h"
 
@@ -27,9 +28,6 @@ constexpr double kAsPlunge = 1;
 constexpr double kOverRamp = 0.01;
 /// Cosine of 6 degrees: with a smaller change of direction two moves join smoothly.
 constexpr double kSmooth = 0.995;
-/// mm sideways, and how many of them at most.
-constexpr double kFlankStep = 0.05;
-constexpr int kMostFlankSteps = 40;
 
 double degrees(double radians) {
   return radians * 180 / kPi;
@@ -37,32 +35,6 @@ double degrees(double radians) {
 
 Vec2 direction_at(const Move& move, double t) {
   return move.path.tangent_at(t);
-}
-
-/// A cylinder within a cutter, from `above` its tip up, mm.
-struct Cylinder {
-  double above = 0;
-  double radius = 0;
-};
-
-/// What a cutter removes for certain with all that stands above it: within the flanks of a tapered end mill cylinders that miss
-/// them by kFlankStep at most; nothing for a T-slot cutter, over which material stays.
-std::vector<Cylinder> cylinders_within(const Tool& tool) {
-  if (tool.kind == ToolKind::kTSlot) return {};
-  std::vector<Cylinder> cylinders{{0, tool.radius()}};
-  if (tool.kind != ToolKind::kTapered || !has_flanks(tool)) return cylinders;
-  const double wider = widest_radius(tool) - tool.radius();
-  const int steps = std::clamp(static_cast<int>(std::ceil(wider / kFlankStep)), 1, kMostFlankSteps);
-  for (int i = 1; i <= steps; ++i) {
-    const double above = flank_height(tool) * i / steps;
-    cylinders.push_back({above, radius_at(tool, above)});
-  }
-  return cylinders;
-}
-
-/// mm above the tip up to which a cutter takes material away: over the disc of a T-slot cutter runs its neck alone.
-double height_of_edges(const Tool& tool) {
-  return tool.kind == ToolKind::kTSlot ? tool.flute_length.value_or(HUGE_VAL) : HUGE_VAL;
 }
 
 Move raised(Move move, double by) {

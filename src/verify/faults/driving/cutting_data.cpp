@@ -1,4 +1,4 @@
-#include "verify/faults/cutting_data.h"
+#include "verify/faults/driving/cutting_data.h"
 
 #include <algorithm>
 #include <string>

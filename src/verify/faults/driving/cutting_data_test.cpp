@@ -1,5 +1,5 @@
 // Feeds and speeds that no cutter bears.
-#include "verify/faults/cutting_data.h"
+#include "verify/faults/driving/cutting_data.h"
 
 #include <gtest/gtest.h>
 
