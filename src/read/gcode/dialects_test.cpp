@@ -87,7 +87,7 @@ TEST(GcodeConditions, ACutterThatStaysInTheWork) {
 TEST(GcodeState, LengthsWithoutANumberAreThoseBeforeOnFanucAndHaas) {
   const std::string program = "G21 G61 G17 G90 T2 M6\nG0 X0. Y0.\nG43 H1 Z5.\nG49\nG43 Z5.\nG1 X1. F9.\nM30";
   const auto length = [&](Dialect dialect) {
-    const ToolLength& last = read_as(dialect, program).control.spans.back().state.length;
+    const ToolLength last = read_as(dialect, program).control.spans.back().state.length;
     return last.kind == LengthKind::kOff ? 0 : last.h;
   };
   EXPECT_EQ(length(Dialect::kFanuc), 1);
