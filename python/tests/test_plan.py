@@ -61,6 +61,7 @@ class Plans(unittest.TestCase):
             "machine-kind",  # machine=Machine(kind)
             "clearance",  # Part.clearance_z
             "setup", "earlier-setup",  # read_job(), plan_setups()
+            "stock-from",  # after= for programs; solids as stock are the command's alone
             "output", "certificate", "svg", "report", "setup-sheet", "result",  # Plan.write() and others
             "explain",  # explain()
             "quiet", "help",
