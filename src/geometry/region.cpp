@@ -145,6 +145,13 @@ double area(const Regions& regions) {
   return sum;
 }
 
+Region disc_about(Vec2 center, double radius) {
+  const Vec2 a = center + Vec2{radius, 0}, b = center - Vec2{radius, 0};
+  return Region::from_valid_loops(
+      {Edge::arc(a, b, center, Turn::kCounterClockwise), Edge::arc(b, a, center, Turn::kCounterClockwise)},
+      {});
+}
+
 std::vector<Edge> edges_of(const Regions& regions) {
   std::vector<Edge> edges;
   for (const Region& region : regions) {

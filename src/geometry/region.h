@@ -53,6 +53,8 @@ class Region {
   std::vector<Loop> islands_;
 };
 
+Region disc_about(Vec2 center, double radius);
+
 /// Regions with disjoint interiors.
 using Regions = std::vector<Region>;
 double area(const Regions& regions);

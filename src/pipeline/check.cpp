@@ -101,11 +101,10 @@ CuttingData keep_stated_limits(Workingstep& step, Operation stated, const Part& 
 /// Of the tool of a step that follows from others, such as the drilling before a thread.
 CuttingData stated_for_tool(int number, const Part& part, const resolve::PlanOptions& options) {
   const std::vector<Tool>& tools = options.tools.empty() ? part.tools : options.tools;
-  const auto tool =
-      std::find_if(tools.begin(), tools.end(), [&](const Tool& one) { return one.number == number; });
-  if (tool == tools.end()) return {};
+  const Tool* const tool = tool_numbered(tools, number);
+  if (!tool) return {};
   Operation stated;
-  stated.tool = static_cast<int>(tool - tools.begin());
+  stated.tool = static_cast<int>(tool - tools.data());
   resolve::take_tool_cutting(stated, options);
   return stated.cutting;
 }

@@ -44,4 +44,10 @@ void append_number(std::string& out, long long ticks, int decimals, bool always_
   out.erase(out.find_last_not_of('0') + 1);
 }
 
+std::string signed_number(long long ticks, int decimals) {
+  std::string text = ticks >= 0 ? "+" : "";
+  append_number(text, ticks, decimals, false);
+  return text;
+}
+
 }  // namespace clearcut::post

@@ -40,5 +40,7 @@ class PrintGrid {
 /// Appends `ticks` in units of 10^-decimals without trailing zeros and never as "-0".
 /// `always_point`: "10." where a bare "10" would mean ten steps of the control.
 void append_number(std::string& out, long long ticks, int decimals, bool always_point);
+/// The same with its sign, "+" for 0, too.
+std::string signed_number(long long ticks, int decimals);
 
 }  // namespace clearcut::post

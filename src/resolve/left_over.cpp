@@ -64,7 +64,7 @@ Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, dou
     const Tool* const tool = tool_numbered(part.tools, section.tool_number);
     if (tool == nullptr || tool->kind == ToolKind::kTSlot || !section.counts_below(top)) continue;
     for (const Move& move : section.moves) {
-      const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+      const Box path = move.path.box();
       if (path.grown(tool->radius()).overlaps(where)) add_swept(move, tool->radius() + kResidual, z, loops);
     }
   }
@@ -137,7 +137,7 @@ bool meets_earlier(const Part& part, int workingstep, const std::optional<Toolpa
     const Tool* const tool = tool_numbered(part.tools, section.tool_number);
     return section.counts_below(feature.top_z) && tool != nullptr &&
            std::any_of(section.moves.begin(), section.moves.end(), [&](const Move& move) {
-             const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+             const Box path = move.path.box();
              return path.grown(tool->radius()).overlaps(here);
            });
   });

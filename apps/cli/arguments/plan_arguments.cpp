@@ -132,8 +132,7 @@ Part PlanArguments::read(Block block) const {
     }
   }
   if (clearance_z_) part.clearance_z = clearance_z_;
-  if (stock_.has_solid())
-    stock_.find_missing(part, lies(job(), setup_, solid_), tools().empty() ? part.tools : tools());
+  if (stock_.has_solid()) stock_.lay_out(part);
   part.diagnostics.append(library().diagnostics);
   return part;
 }
@@ -299,8 +298,8 @@ PlanOptions PlanArguments::options() const {
       throw InputError(
           "--stock-from",
           "a solid states what is left, and so does the program that has run before; leave one of them out");
-    if (!stock_.missing()) read();
-    options.earlier = stock_.missing();
+    if (!stock_.is_laid_out()) read();
+    options.earlier = stock_.missing(options.tools);
   }
   if (setup_.number > 1 && !setup_.carried) read();
   if (setup_.carried && options.earlier)

@@ -59,10 +59,7 @@ void PlanArguments::add_drawing_options(CLI::App& command) {
       "--op", operations_,
       "KIND:SELECTION, what outlines of a drawing are for: pocket, step, profile, inside, drill, engrave, "
       "tslot, vcarve, isolate, chamfer, face, island or ignore, with a depth as in profile_d6; the selection "
-      "is a "
-      "layer, a "
-      "colour, outer "
-      "or numbers of `info` (repeatable)");
+      "is a layer, a colour, outer or numbers of `info` (repeatable)");
   command
       .add_option(
           "--tabs", tabs_.count,

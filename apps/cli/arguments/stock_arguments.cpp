@@ -27,14 +27,19 @@ const Part& StockArguments::solid(const SolidOptions& lies) const {
   return *solid_;
 }
 
-void StockArguments::find_missing(Part& part, const SolidOptions& lies, std::vector<Tool> tools) const {
-  resolve::number_tools(tools);
-  missing_ = missing_of(solid(lies), part, tools);
+void StockArguments::lay_out(Part& part) const {
+  block_ = part.stock;
+  tools_ = part.tools;
   part.diagnostics.note(
-      *from,
-      missing_->sections.empty()
-          ? "the stock is a full block, as far as the narrowest mill can tell"
-          : "what the stock lacks of its block counts as cut, as far as the narrowest mill reaches into it");
+      *from, "what the stock lacks of its block counts as cut, as far as the narrowest mill reaches into it");
+}
+
+const Toolpath& StockArguments::missing(std::vector<Tool> tools) const {
+  if (missing_) return *missing_;
+  if (tools.empty()) tools = tools_;
+  resolve::number_tools(tools);
+  missing_ = missing_of(*solid_, *block_, tools);
+  return *missing_;
 }
 
 std::optional<std::string> StockArguments::program(const std::optional<JobFile>& job) const {

@@ -67,7 +67,7 @@ class Ridge {
   double steepness() const { return steepness_; }
 
   bool is_near(const Move& move) const {
-    const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+    const Box path = move.path.box();
     return std::min(move.z_from, move.z_to) < tab_.top_z && path.overlaps(around_);
   }
 

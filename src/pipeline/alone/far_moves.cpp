@@ -42,7 +42,7 @@ std::optional<Condition> far_move(const Part& part, const Toolpath& toolpath) {
     const Tool* const tool = tool_numbered(part.tools, section.tool_number);
     const double width = tool ? 2 * widest_radius(*tool) : 0;
     for (const Move& move : section.moves) {
-      const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+      const Box path = move.path.box();
       const double away = beyond(work, path);
       const bool is_low = std::min(move.z_from, move.z_to) < low;
       if (away <= (is_low ? kFarLow + width : kFarHigh) || away <= most) continue;

@@ -38,7 +38,7 @@ std::optional<Stock> box_of_cuts(const Toolpath& toolpath, const std::vector<Too
     const double radius = radius_of(section, tools);
     for (const Move& move : section.moves) {
       if (is_rapid(move.kind) || low_z(move) >= top) continue;
-      const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+      const Box path = move.path.box();
       stock.plan.add(path.grown(radius));
       stock.z_bottom = std::min(stock.z_bottom, low_z(move));
     }

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "pipeline/setups/meeting_floors.h"
+#include "pipeline/setups/sweeps.h"
 #include "stock/material.h"
 
 namespace clearcut::pipeline {
@@ -38,32 +39,16 @@ double end_of(const Tool& tool) {
   return tool.kind == ToolKind::kBallEndMill ? tool.radius() : tool.corner_radius;
 }
 
-/// Collects moves; those that do not follow each other are sections of their own.
-class Sweeps {
- public:
-  void add(const Section& like, const Move& move, double carried_below) {
-    const bool follows = !out_.sections.empty() && out_.sections.back().tool_number == like.tool_number &&
-                         out_.sections.back().carried_below == carried_below &&
-                         out_.sections.back().moves.back().path.to == move.path.from &&
-                         out_.sections.back().moves.back().z_to == move.z_from;
-    if (!follows) {
-      Section& section = out_.sections.emplace_back();
-      section.label = "earlier set-up";
-      section.tool_number = like.tool_number;
-      section.spindle_rpm = like.spindle_rpm;
-      section.spindle_clockwise = like.spindle_clockwise;
-      section.carried_below = carried_below;
-    }
-    out_.sections.back().moves.push_back(move);
-  }
-  void append(Toolpath other) {
-    for (Section& section : other.sections) out_.sections.push_back(std::move(section));
-  }
-  Toolpath take() { return std::move(out_); }
-
- private:
-  Toolpath out_;
-};
+/// What is said of the cuts of an earlier set-up by the tool of `section`.
+Section carried(const Section& section, double below) {
+  Section like;
+  like.label = "earlier set-up";
+  like.tool_number = section.tool_number;
+  like.spindle_rpm = section.spindle_rpm;
+  like.spindle_clockwise = section.spindle_clockwise;
+  like.carried_below = below;
+  return like;
+}
 
 template <typename Visit>
 void for_cuts(const MachinedSetup& setup, Visit visit) {
@@ -84,7 +69,7 @@ Toolpath as_it_was(const MachinedSetup& setup, const SetupPlace& to) {
     move.path = moved(move.path, to);
     move.z_from = moved_z(move.z_from + end, to);
     move.z_to = moved_z(move.z_to + end, to);
-    sweeps.add(section, move, std::numeric_limits<double>::infinity());
+    sweeps.add(carried(section, std::numeric_limits<double>::infinity()), move);
   });
   return sweeps.take();
 }
@@ -105,7 +90,7 @@ Toolpath hollows_of(const MachinedSetup& setup, const SetupPlace& to, const Part
     if (ceiling < lowest_top) return;
     move.path = moved(move.path, to);
     move.z_from = move.z_to = low - kBelowAll;
-    sweeps.add(section, move, ceiling);
+    sweeps.add(carried(section, ceiling), move);
   });
   return sweeps.take();
 }

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "pipeline/run.h"
+#include "pipeline/setups/sweeps.h"
 #include "read/moved_part.h"
 #include "stock/tools/fitting.h"
 
@@ -53,49 +54,47 @@ void keep_reachable(Part& stock, const Tool& mill, const Tolerances& tol) {
   });
 }
 
-Section carried(const Section& section, const Move& move) {
-  Section one;
-  one.label = "stock";
-  one.tool_number = section.tool_number;
-  one.spindle_rpm = section.spindle_rpm;
-  one.carried_below = std::numeric_limits<double>::infinity();
-  one.is_of_stock = true;
-  one.moves.push_back(move);
-  return one;
+Section lacking(const Section& section, bool is_of_stock) {
+  Section like;
+  like.label = "stock";
+  like.tool_number = section.tool_number;
+  like.spindle_rpm = section.spindle_rpm;
+  like.carried_below = std::numeric_limits<double>::infinity();
+  like.is_of_stock = is_of_stock;
+  return like;
 }
 
-/// The cuts of a section; those through the block once more, below it.
-void append_cuts(const Section& section, double bottom, Toolpath& out) {
-  for (const Move& move : section.moves) {
-    if (is_rapid(move.kind)) continue;
-    Section own = carried(section, move);
-    if (move.z_to <= bottom + kAtUnderside) {
-      Section below = own;
-      below.is_of_stock = false;
-      below.moves.front().z_from -= kBelowBlock;
-      below.moves.front().z_to -= kBelowBlock;
-      out.sections.push_back(std::move(below));
-    }
-    out.sections.push_back(std::move(own));
-  }
+Move lowered(Move move, double by) {
+  move.z_from -= by;
+  move.z_to -= by;
+  return move;
+}
+
+/// The cuts of a section; those that end at the underside of the block once more, below it.
+void append_cuts(const Section& section, double bottom, Sweeps& out) {
+  const auto cuts = [](const Move& move) { return !is_rapid(move.kind); };
+  for (const Move& move : section.moves)
+    if (cuts(move)) out.add(lacking(section, true), move);
+  for (const Move& move : section.moves)
+    if (cuts(move) && move.z_to <= bottom + kAtUnderside)
+      out.add(lacking(section, false), lowered(move, kBelowBlock));
 }
 
 }  // namespace
 
-Toolpath missing_of(Part stock, const Part& part, const std::vector<Tool>& tools) {
+Toolpath missing_of(Part stock, const Stock& block, const std::vector<Tool>& tools) {
   resolve::PlanOptions options;
   const Tool mill = narrowest_mill(tools);
-  stock = moved_onto(std::move(stock), *part.stock);
-  const Stock block = *stock.stock;
+  stock = moved_onto(std::move(stock), block);
   keep_reachable(stock, mill, options.tol);
-  Toolpath missing;
-  if (stock.workplan.empty()) return missing;
+  if (stock.workplan.empty()) return {};
   options.tools = {mill};
   options.strategy = "contour";
   options.stepdown = block.z_top - block.z_bottom + kBelowBlock;
   const PlanResult plan = plan_part(stock, options);
+  Sweeps missing;
   for (const Section& section : plan.toolpath.sections) append_cuts(section, block.z_bottom, missing);
-  return missing;
+  return missing.take();
 }
 
 }  // namespace clearcut::pipeline

@@ -18,7 +18,7 @@ const std::string kPocket = box("POCKET_D10", 10, 10, 40, 30);
 
 PlanResult planned(const Part& part, const Part& stock, resolve::PlanOptions options = with({"endmill:6"})) {
   resolve::number_tools(options.tools);
-  options.earlier = missing_of(stock, part, options.tools);
+  options.earlier = missing_of(stock, *part.stock, options.tools);
   return plan_part(part, options);
 }
 
@@ -75,10 +75,11 @@ TEST(SolidStock, AFullBlockLacksNothingAndNarrowPlacesCountAsThere) {
   const Part part = drawn(kBlock + kPocket);
   std::vector<Tool> tools{resolve::parse_tool("endmill:6")};
   resolve::number_tools(tools);
-  EXPECT_TRUE(missing_of(drawn(kBlock + box("POCKET_D2", 10, 10, 15, 30)), part, tools).sections.empty());
+  EXPECT_TRUE(
+      missing_of(drawn(kBlock + box("POCKET_D2", 10, 10, 15, 30)), *part.stock, tools).sections.empty());
   tools = {resolve::parse_tool("drill:6")};
   resolve::number_tools(tools);
-  EXPECT_THROW(missing_of(part, part, tools), InputError);
+  EXPECT_THROW(missing_of(part, *part.stock, tools), InputError);
 }
 
 }  // namespace

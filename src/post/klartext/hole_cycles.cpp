@@ -5,7 +5,7 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "base/inch.h"
+#include "post/klartext/klartext_writer.h"
 
 namespace clearcut::post {
 namespace {
@@ -27,12 +27,6 @@ std::string definition(const std::string& cycle, std::initializer_list<Parameter
   return text;
 }
 
-std::string printed(long long ticks, int decimals) {
-  std::string text = ticks >= 0 ? "+" : "";
-  append_number(text, ticks, decimals, false);
-  return text;
-}
-
 PrintGrid pitch_grid(bool inch) {
   return {inch, kPitchDecimals};
 }
@@ -43,7 +37,7 @@ struct Heights {
 };
 
 Heights heights_of(const DrillBlock& hole, long long surface, const PrintGrid& grid) {
-  const auto text = [&](long long ticks) { return printed(ticks, grid.decimals()); };
+  const auto text = [&](long long ticks) { return signed_number(ticks, grid.decimals()); };
   return {text(hole.clear - surface), text(hole.bottom.z - surface), text(surface),
           text(hole.above - surface)};
 }
@@ -85,7 +79,7 @@ std::string rigid_tapping(const Heights& at, const Tool& tap, bool inch) {
   return definition("207 RIGID TAPPING NEW",
                     {{200, at.above_surface, "SET-UP CLEARANCE"},
                      {201, at.depth, "DEPTH OF THREAD"},
-                     {239, printed(tap.left_hand ? -pitch : pitch, kPitchDecimals), "THREAD PITCH"},
+                     {239, signed_number(tap.left_hand ? -pitch : pitch, kPitchDecimals), "THREAD PITCH"},
                      {203, at.surface, "SURFACE COORDINATE"},
                      {204, at.above, "2ND SET-UP CLEARANCE"}});
 }
@@ -96,8 +90,7 @@ std::string hole_cycle(const DrillBlock& hole, double surface, const Tool* tap, 
                        bool inch) {
   const Heights at = heights_of(hole, grid.ticks(surface), grid);
   if (tap && !tap->floating) return taps_rigidly(*tap, inch) ? rigid_tapping(at, *tap, inch) : "";
-  const double unit = inch ? kMmPerInch / 10 : 1;  // tenths of an inch, as F
-  const std::string feed = printed(std::llround(hole.feed.mm_per_min() / unit * 100), 2);
+  const std::string feed = signed_number(klartext_feed(hole.feed, inch), kKlartextFeedDecimals);
   if (tap) return floating_tapping(at, feed);
   if (hole.form == DrillForm::kAtOnce) return drilling(at, feed);
   return hole.form == DrillForm::kFeedsOut ? reaming(at, feed) : "";

@@ -393,24 +393,23 @@ void KlartextWriter::comment(std::string_view text) {
 }
 
 std::string KlartextWriter::coordinate(std::string_view name, long long ticks) const {
-  std::string text(name);
-  if (ticks >= 0) text += '+';
-  append_number(text, ticks, rules_.grid.decimals(), false);
-  return text;
+  return std::string(name) + signed_number(ticks, rules_.grid.decimals());
 }
 
-/// F counts tenths of an inch in inch programs.
 std::string KlartextWriter::feed_text(MmPerMin feed) {
-  const double units = feed.mm_per_min() * (options_.inch ? 10 / kMmPerInch : 1);
-  const long long hundredths = std::max(1LL, std::llround(units * 100));
-  if (hundredths == held_.feed) return "";
-  held_.feed = hundredths;
+  const long long steps = klartext_feed(feed, options_.inch);
+  if (steps == held_.feed) return "";
+  held_.feed = steps;
   std::string text = " F";
-  append_number(text, hundredths, 2, false);
+  append_number(text, steps, kKlartextFeedDecimals, false);
   return text;
 }
 
 }  // namespace
+
+long long klartext_feed(MmPerMin feed, bool inch) {
+  return std::max(1LL, std::llround(feed.mm_per_min() * (inch ? 10 / kMmPerInch : 1) * 100));
+}
 
 std::string write_klartext(const Toolpath& toolpath, const Part& part, const PostOptions& options) {
   return KlartextWriter(part, options, safe_height(toolpath, part)).program(toolpath);

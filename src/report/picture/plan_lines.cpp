@@ -73,10 +73,6 @@ void draw_vertical(SvgWriter& svg, const PlanView& view, const Move& move) {
                       {"stroke-width", svg_number(view.mm(1))}});
 }
 
-Box box_of(const Move& move) {
-  return move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
-}
-
 /// The height down to which all of the move's strip is cut: a drill's depth, the high end of a ramp.
 double height_cut(const Move& move) {
   return move.is_vertical() ? std::min(move.z_from, move.z_to) : std::max(move.z_from, move.z_to);
@@ -136,7 +132,7 @@ void add_sweeps(const Job& job, const Section& section, double z, const Box& see
   const Box reach = seen.grown(tool->radius());
   for (const Move& move : section.moves) {
     const bool counts = !is_rapid(move.kind) && height_cut(move) <= z + kSameDepth;
-    if (!counts || !drawable(move.path) || !box_of(move).overlaps(reach)) continue;
+    if (!counts || !drawable(move.path) || !move.path.box().overlaps(reach)) continue;
     const double width = width_at(job, section, *tool, move, z);
     if (width <= 0) continue;
     if (move.is_vertical()) {

@@ -33,7 +33,7 @@ Extents extents_of(const Toolpath& toolpath, bool with_rapids) {
   for (const Section& section : toolpath.sections) {
     for (const Move& move : section.moves) {
       if (is_rapid(move.kind) && !with_rapids) continue;
-      extents.plan.add(move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box());
+      extents.plan.add(move.path.box());
       extents.low = std::min({extents.low, move.z_from, move.z_to});
       extents.high = std::max({extents.high, move.z_from, move.z_to});
     }

@@ -31,13 +31,6 @@ constexpr double kUnderTap = 0.5;
 /// Pitches that a thread mill begins below the thread: one, and a quarter for its way in.
 constexpr double kUnderThread = 1.25;
 
-Region disc_about(Vec2 center, double radius) {
-  const Vec2 a = center + Vec2{radius, 0}, b = center - Vec2{radius, 0};
-  return Region::from_valid_loops(
-      {Edge::arc(a, b, center, Turn::kCounterClockwise), Edge::arc(b, a, center, Turn::kCounterClockwise)},
-      {});
-}
-
 class HoleShaper {
  public:
   HoleShaper(Part& part, const PlanOptions& options, StepSources& sources)

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
 #include "geometry/boolean.h"
@@ -30,18 +29,6 @@ constexpr double kLookStep = 0.25;
 /// mm2. What booleans leave of areas that only touch.
 constexpr double kRemnant = 1e-3;
 
-Region cutter_disc(Vec2 center, double radius) {
-  const Vec2 a = center + Vec2{radius, 0}, b = center - Vec2{radius, 0};
-  return Region::from_valid_loops(
-      {Edge::arc(a, b, center, Turn::kCounterClockwise), Edge::arc(b, a, center, Turn::kCounterClockwise)},
-      {});
-}
-
-double distance_to(const Box& box, Vec2 p) {
-  return base::hypot(std::max({box.min.x - p.x, 0.0, p.x - box.max.x}),
-                     std::max({box.min.y - p.y, 0.0, p.y - box.max.y}));
-}
-
 /// How far the line has to go on from its end for a cutter of `radius` to be beside the stock; nothing where it ends in the stock,
 /// or leads back into it.
 std::optional<double> way_out(const Path& line, double radius, const Box& stock) {
@@ -51,7 +38,7 @@ std::optional<double> way_out(const Path& line, double radius, const Box& stock)
   for (double way = 0; way <= 10 * needed; way += kLookStep) {
     const Vec2 at = end + ahead * way;
     if (inner.contains(at)) return std::nullopt;
-    if (distance_to(stock, at) >= needed) return way;
+    if (stock.distance_to(at) >= needed) return way;
   }
   return std::nullopt;
 }
@@ -175,7 +162,7 @@ class TSlotShaper {
 
   /// Whether nothing stands where the disc goes down: pockets, holes and nothing of the stock. Such features are cut before.
   bool is_free(const Feature& slot, Vec2 end, const Tool& cutter) const {
-    Regions missing{cutter_disc(end, cutter.radius() + kBesideWall)};
+    Regions missing{disc_about(end, cutter.radius() + kBesideWall)};
     for (const Feature& other : part_.features) {
       const bool open = !other.profile && !other.chamfer && !other.carving && !is_formed(other) &&
                         other.wall_slope.radians() == 0 && other.floor_z <= slot.floor_z + kSameHeight;

@@ -32,7 +32,7 @@ class ChamferCheck {
       if (!checked.feeds() || !checked.tool || checked.radius() <= 0 || checked.low_z() >= feature_.top_z)
         continue;
       const Move& move = *checked.move;
-      const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+      const Box path = move.path.box();
       if (!path.grown(checked.radius() + width()).overlaps(here)) continue;
       if (is_conical(*checked.tool)) {
         work_.any_cut = true;

@@ -79,7 +79,7 @@ bool counts_at(const CheckedMove& checked, double z, const Around& target, const
     return false;
   if (!reaches_up(checked, target.top_z, tol)) return false;
   const Move& move = *checked.move;
-  const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+  const Box path = move.path.box();
   return path.grown(widest_radius(*checked.tool) + 2 * tol.uncut).overlaps(target.box);
 }
 
@@ -89,10 +89,9 @@ class MovesByPlace {
   MovesByPlace(const std::vector<CheckedMove>& moves, const Tolerances& tol) : moves_(moves) {
     tree_.build(static_cast<std::uint32_t>(moves.size()), [&](std::uint32_t i) {
       const CheckedMove& checked = moves[i];
-      const Edge& path = checked.move->path;
-      const Box box = checked.move->is_vertical() ? Box{path.from, path.from} : path.box();
-      return checked.feeds() && checked.tool ? box.grown(widest_radius(*checked.tool) + 2 * tol.uncut)
-                                             : Box{};
+      return checked.feeds() && checked.tool
+                 ? checked.move->path.box().grown(widest_radius(*checked.tool) + 2 * tol.uncut)
+                 : Box{};
     });
   }
 

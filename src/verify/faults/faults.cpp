@@ -84,7 +84,7 @@ class FaultFinder {
     if (!options_.machine.travel) return std::nullopt;
     const auto& limits = *options_.machine.travel;
     const Move& move = *checked.move;
-    Box box = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+    Box box = move.path.box();
     const double low[] = {box.min.x, box.min.y, std::min(move.z_from, move.z_to)};
     const double high[] = {box.max.x, box.max.y, std::max(move.z_from, move.z_to)};
     double most = 0;
@@ -186,27 +186,23 @@ class FaultRun {
   int length_ = 0, first_line_ = 0, last_line_ = 0;
 };
 
-/// Of what an earlier set-up cut nothing is asked: it was checked there.
-MoveCheck but_carried(const MoveCheck& check) {
-  return [check](const CheckedMove& checked) { return checked.is_carried() ? std::nullopt : check(checked); };
-}
-
-/// Of what the stock lacks it is asked whether the part has it.
-MoveCheck but_carried_cuts(const MoveCheck& check) {
-  return [check](const CheckedMove& checked) {
-    return checked.is_carried() && !checked.is_of_stock ? std::nullopt : check(checked);
-  };
-}
+/// Which cuts of before a check asks about.
+enum class Before {
+  kNone,    ///< what an earlier set-up cut was checked there
+  kMissing  ///< what the stock lacks: whether the part has it
+};
 
 /// Adds one fault for each run of successive moves of one workingstep with that fault.
-void collect(const std::vector<CheckedMove>& moves, const MoveCheck& check, std::vector<Fault>& out) {
+void collect(const std::vector<CheckedMove>& moves, const MoveCheck& check, Before before,
+             std::vector<Fault>& out) {
   FaultRun run;
   int workingstep = -1;
   const auto finish = [&] {
     if (std::optional<Fault> fault = run.take()) out.push_back(*std::move(fault));
   };
   for (const CheckedMove& checked : moves) {
-    std::optional<Fault> found = check(checked);
+    const bool is_asked = !checked.is_carried() || (before == Before::kMissing && checked.is_of_stock);
+    std::optional<Fault> found = is_asked ? check(checked) : std::nullopt;
     if (!found || checked.workingstep != workingstep) finish();
     workingstep = checked.workingstep;
     if (found) run.add(*std::move(found));
@@ -276,8 +272,9 @@ std::vector<Fault> faults_of_moves(const Part& part, const CheckedProgram& progr
                                 [&](const CheckedMove& m) { return finder.tool(m); }};
   for (MoveCheck& check : state_checks(part, program, options)) checks.push_back(std::move(check));
   std::vector<Fault> faults;
-  collect(program.moves, but_carried_cuts([&](const CheckedMove& m) { return finder.gouge(m); }), faults);
-  for (const MoveCheck& check : checks) collect(program.moves, but_carried(check), faults);
+  collect(
+      program.moves, [&](const CheckedMove& m) { return finder.gouge(m); }, Before::kMissing, faults);
+  for (const MoveCheck& check : checks) collect(program.moves, check, Before::kNone, faults);
   return faults;
 }
 

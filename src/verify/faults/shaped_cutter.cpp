@@ -178,7 +178,7 @@ std::optional<double> height_at(const Tool& tool, double distance) {
 }
 
 void CutHeights::add(const Move& move, const Tool& tool) {
-  const Box path = move.is_vertical() ? Box{move.path.from, move.path.from} : move.path.box();
+  const Box path = move.path.box();
   index_.add(path.grown(widest_radius(tool)), static_cast<std::uint32_t>(entries_.size()));
   entries_.push_back({&move, &tool, has_flanks(tool) ? flank_slope(tool) : 0, path});
 }

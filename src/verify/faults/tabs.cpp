@@ -45,9 +45,7 @@ std::vector<const CheckedMove*> moves_near(const Tab& tab, const CheckedProgram&
   std::vector<const CheckedMove*> near;
   for (const CheckedMove& checked : program.moves) {
     if (checked.radius() <= 0) continue;
-    const Edge& path = checked.move->path;
-    const Box run = checked.move->is_vertical() ? Box{path.from, path.from} : path.box();
-    if (run.grown(checked.radius()).overlaps(around)) near.push_back(&checked);
+    if (checked.move->path.box().grown(checked.radius()).overlaps(around)) near.push_back(&checked);
   }
   return near;
 }

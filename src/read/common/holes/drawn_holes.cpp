@@ -10,13 +10,6 @@
 namespace clearcut::read {
 namespace {
 
-Region disc_about(Vec2 center, double radius) {
-  const Vec2 a = center + Vec2{radius, 0}, b = center - Vec2{radius, 0};
-  return Region::from_valid_loops(
-      {Edge::arc(a, b, center, Turn::kCounterClockwise), Edge::arc(b, a, center, Turn::kCounterClockwise)},
-      {});
-}
-
 /// A thread about a boss: what it cuts is the ring between the root and the drawn circle.
 void form_external_thread(Feature& feature, const HoleRequest& request, const std::string& place) {
   const Thread& thread = *request.thread;

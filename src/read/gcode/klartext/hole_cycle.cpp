@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "read/gcode/klartext/words.h"
 #include "read/gcode/motion/dwell.h"
 
 namespace clearcut::read::gcode {
@@ -102,7 +103,7 @@ class Maker {
     }
     feed(bottom_, feed_in());
     dwell();
-    if (cycle_.number == 203 && std::isfinite(value(208))) feed(clear_, feed_out());
+    if (cycle_.number == 203) feed_out_of_hole();
   }
 
   double least_peck(double peck) const {
@@ -114,8 +115,13 @@ class Maker {
     const MmPerMin down = cycle_.number == 207 ? feed_of_pitch() : feed_in();
     feed(bottom_, down);
     dwell();
-    if (cycle_.number != 201) builder_.add_event(ControlEventKind::kTapTurnsBack, line_);
-    if (cycle_.number != 201) return feed(clear_, down);
+    if (cycle_.number == 201) return feed_out_of_hole();
+    builder_.add_event(ControlEventKind::kTapTurnsBack, line_);
+    feed(clear_, down);
+  }
+
+  /// Where MAX is asked for it goes up at the rapid alone.
+  void feed_out_of_hole() {
     if (std::isfinite(value(208))) feed(clear_, feed_out());
   }
 
@@ -131,7 +137,7 @@ class Maker {
   MmPerMin feed_out() const { return value(208) > 0 ? feed_of(value(208)) : feed_in(); }
 
   /// In inch programs in tenths of an inch, as F.
-  MmPerMin feed_of(double words) const { return MmPerMin::of(words * (unit_ == 1 ? 1 : unit_ / 10)); }
+  MmPerMin feed_of(double words) const { return MmPerMin::of(words * feed_unit(unit_)); }
 
   MmPerMin feed_of_pitch() const {
     if (!(std::abs(value(239)) > 0)) refuse("taps with a pitch Q239 of 0; correct it");

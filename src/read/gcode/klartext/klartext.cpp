@@ -137,7 +137,7 @@ void Reader::tool_call(const std::vector<std::string>& words) {
     } else if (word.rfind("DL", 0) == 0) {
       longer = number(word.substr(2)) * unit_;
     } else if (word[0] == 'F') {
-      feed_ = number(word.substr(1)) * (unit_ == 1 ? 1 : unit_ / 10);
+      feed_ = number(word.substr(1)) * feed_unit(unit_);
     }
   }
   if (changed || longer != 0) set_length(longer);
@@ -169,7 +169,7 @@ void Reader::define_hole(const std::vector<std::string>& words, std::size_t firs
 /// MAX and FMAX are the rapid, FAUTO is the feed in force.
 double Reader::cycle_value(const std::string& text) const {
   if (text == "MAX" || text == "FMAX") return HUGE_VAL;
-  return text == "FAUTO" ? feed_ / (unit_ == 1 ? 1 : unit_ / 10) : number(text);
+  return text == "FAUTO" ? feed_ / feed_unit(unit_) : number(text);
 }
 
 /// Rigid tapping turns the spindle by itself, as the sign of its pitch says, and leaves it stopped.

@@ -41,7 +41,7 @@ class Collector {
     } else if (word[0] == 'R') {
       found_.radius = rest(1) * scale_.unit;
     } else if (word[0] == 'F') {
-      found_.feed = rest(1) * (scale_.unit == 1 ? 1 : scale_.unit / 10);
+      found_.feed = rest(1) * feed_unit(scale_.unit);
     } else if (found_.retract && (word.rfind("MB", 0) == 0 || word == "MAX")) {
       if (word.size() > 2 && word.find("MAX") == std::string::npos) found_.retract = rest(2) * scale_.unit;
     } else if (word[0] == 'M') {

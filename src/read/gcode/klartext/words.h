@@ -11,6 +11,11 @@ inline bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+/// mm/min in the unit of F: millimetres, or in inch programs tenths of an inch. `unit`: mm in the program's unit of length.
+inline double feed_unit(double unit) {
+  return unit == 1 ? 1 : unit / 10;
+}
+
 /// A block without its number: upper-case words and the comment.
 struct Words {
   std::vector<std::string> words;
