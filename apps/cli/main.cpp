@@ -35,11 +35,18 @@ std::string about(const CLI::ParseError& error, const CLI::App& app,
   return text + " (see clearcut " + commands.front()->get_name() + " --help)";
 }
 
+/// Whether `--help all` was typed.
+bool asks_for_all(int argc, char** argv) {
+  for (int i = 1; i + 1 < argc; ++i)
+    if (std::string_view(argv[i]) == "--help" && std::string_view(argv[i + 1]) == "all") return true;
+  return false;
+}
+
 int parse_and_run(int argc, char** argv) {
   int exit_code = kClean;
   if (argc > 2) remember_arguments({argv + 2, argv + argc});
   CLI::App app("Plans 2.5-D pocket-milling toolpaths and proves them.", "clearcut");
-  app.formatter(std::make_shared<HelpText>());
+  app.formatter(std::make_shared<HelpText>(asks_for_all(argc, argv)));
   app.footer("clearcut COMMAND --help says all about a command; man clearcut says it of every one.");
   app.set_version_flag("--version", std::string("clearcut ") + clearcut::kVersion, "Print the version");
   app.require_subcommand(1);

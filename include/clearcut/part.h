@@ -41,6 +41,7 @@ using read::part_of_job;
 using read::part_of_setup;
 using read::read_job;
 using read::read_job_text;
+using read::StatedOptions;
 using read::tools_of_job;
 using read::with_zero_at;
 using read::zero_of;

@@ -14,29 +14,11 @@ namespace {
 void check_strategies(const read::JobFile& job) {
   const auto check = [](const read::CutSettings& settings) {
     const Source* source = settings.sources.find("strategy");
-    if (settings.strategy && source)
-      resolve::strategy_named(*settings.strategy, built_in_strategies(), source->text);
+    if (settings.asked.strategy && source)
+      resolve::strategy_named(*settings.asked.strategy, built_in_strategies(), source->text);
   };
   check(job.plan);
   for (const read::OperationRule& rule : job.operations) check(rule.settings);
-}
-
-PostOptions post_of(const read::JobOutput& output) {
-  PostOptions post;
-  post.dialect = output.post.value_or("linuxcnc");
-  post.inch = output.inch.value_or(false);
-  post.work_offset = output.work_offset.value_or(WorkOffset{});
-  post.end = output.end_position.value_or(EndPosition{});
-  post.decimals = output.decimals;
-  post.arcs = output.arcs.value_or(true);
-  post.tool_changer = output.tool_change.value_or(true);
-  post.length_offset = output.length_offset.value_or(true);
-  post.exact_stop = output.exact_stop.value_or(false);
-  post.program_number = output.program_number;
-  post.block_numbers = output.block_numbers.value_or(false);
-  post.optional_stop = output.optional_stop.value_or(false);
-  if (output.spindle_wait) post.spindle_wait = Seconds::of(*output.spindle_wait);
-  return post;
 }
 
 }  // namespace
@@ -58,26 +40,21 @@ Toolpath read_earlier_program(const std::string& file, const Machine& machine) {
 
 resolve::PlanOptions options_of_job(const read::JobFile& job) {
   check_strategies(job);
-  resolve::PlanOptions options;
+  resolve::PlanOptions options = job.whole;
   options.tool_cutting = cutting_of_tools(tools_of_job(job), job.preset);
   options.machine = job.machine;
-  options.accept = job.accept;
   // Where the job says which offset the zero is at, that is no open question.
-  if (job.output.work_offset) options.accept.push_back(condition_of(*job.output.work_offset));
+  if (job.sources.find("work-offset")) options.accept.push_back(condition_of(options.post.work_offset));
   options.sources = job.sources;
-  options.stepover = job.plan.stepover;
-  options.engagement_deg = job.engagement_deg;
-  options.shop = job.shop;
-  options.tabs = job.tabs;
+  for (const std::string& text : job.stated_keep_outs)
+    options.keep_outs.push_back(resolve::parse_keep_out(text));
+  for (const std::string& text : job.stated_predrilled)
+    options.predrilled.push_back(resolve::parse_predrilled(text));
+  options.stepover = job.plan.asked.stepover;
   if (job.after) options.earlier = read_earlier_program(job.after->string(), job.machine);
-  options.post = post_of(job.output);
   options.post.programs_before = std::max(0, job.setup_number - 1);
-  options.angle_deg = job.angle_deg;
-  options.outside_in = job.order == ContourOrder::kOutsideIn;
-  options.start = job.start;
-  options.objective = job.objective.value_or("time");
-  options.time_s = job.time_s;
-  options.seed = job.seed.value_or(1);
+  // What is said for all set-ups need not mean something to each.
+  options.refuse_idle = job.setup_number == 0;
   return options;
 }
 

@@ -17,6 +17,7 @@
 #include "model/section_names.h"
 #include "pipeline/certify.h"
 #include "pipeline/contour_results.h"
+#include "pipeline/idle_options.h"
 #include "pipeline/selection/rapids_over_rests.h"
 #include "pipeline/selection/selection.h"
 #include "pipeline/selection/strategies.h"
@@ -443,6 +444,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   result.contours = contours_of(toolpath, plan);
   report_rho(result.contours, plan, result.part);
   result.selections = selection.selections();
+  refuse_idle_options(result, toolpath, plan, options);
   return result;
 }
 

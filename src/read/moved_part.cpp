@@ -1,8 +1,8 @@
 #include "read/moved_part.h"
 
-#include <cstdio>
-
 #include "base/error.h"
+#include "base/text/format.h"
+#include "base/text/quantity.h"
 
 namespace clearcut::read {
 namespace {
@@ -72,16 +72,20 @@ class Mover {
 
 }  // namespace
 
-ZeroPoint parse_zero_point(const std::string& text) {
+ZeroPoint parse_zero_point(const std::string& text, const std::string& place) {
   ZeroPoint zero;
   if (text == "corner" || text == "centre") {
     zero.place = text;
     return zero;
   }
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &zero.point[0], &zero.point[1], &zero.point[2], &rest) != 3)
-    throw InputError("--origin", "'" + text + "' is unknown; use corner, centre, or X,Y,Z in mm");
-  return zero;
+  const auto words = split(text, ',');
+  for (std::size_t i = 0; words.size() == zero.point.size() && i < words.size(); ++i) {
+    const auto coordinate = length_in_mm(words[i]);
+    if (!coordinate) break;
+    zero.point[i] = *coordinate;
+    if (i + 1 == words.size()) return zero;
+  }
+  throw InputError(place, "'" + text + "' is unknown; use corner, centre, or X,Y,Z in mm");
 }
 
 std::array<double, 3> zero_of(const Part& part, const ZeroPoint& zero) {

@@ -14,8 +14,8 @@ struct ZeroPoint {
   std::array<double, 3> point{};  ///< mm, in the coordinates of the file
 };
 
-/// "corner", "centre", or "X,Y,Z" in mm. Throws InputError at "--origin".
-ZeroPoint parse_zero_point(const std::string& text);
+/// "corner", "centre", or "X,Y,Z" in mm or with units. Throws InputError at `place`.
+ZeroPoint parse_zero_point(const std::string& text, const std::string& place = "--origin");
 
 /// The zero in the coordinates of the part, mm: the corner with the lowest x and y, or the middle, at the top of its block; of its
 /// outlines where no block is stated.

@@ -11,6 +11,7 @@
 #include "geometry/region.h"
 #include "model/hole.h"
 #include "model/part.h"
+#include "options/input_options.h"
 
 namespace clearcut::read {
 
@@ -133,5 +134,8 @@ struct ReadOptions {
   std::optional<Stock> block;  ///< what the part is made of; a file that states another is refused
   Tolerances tol;
 };
+
+/// What is said of the file, as its readers take it. Throws InputError at "--op" for operations that mean nothing.
+ReadOptions read_options_of(const InputOptions& input);
 
 }  // namespace clearcut::read

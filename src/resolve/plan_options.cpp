@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "base/text/quantity.h"
+#include "options/row.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -203,14 +204,6 @@ void require(bool good, const char* option, const char* what) {
   if (!good) throw InputError(option, what);
 }
 
-bool absent_or_positive(const std::optional<double>& value) {
-  return !value || (std::isfinite(*value) && *value > 0);
-}
-
-bool absent_or_not_negative(const std::optional<double>& value) {
-  return !value || (std::isfinite(*value) && *value >= 0);
-}
-
 }  // namespace
 
 Tool parse_tool(const std::string& text) {
@@ -316,10 +309,8 @@ void check(const VisitSolver& solver, const std::string& place) {
 }
 
 void check(const TabOptions& tabs) {
-  require(absent_or_positive(tabs.skin), "--skin", "must be above 0 mm");
   require(!tabs.skin || !tabs.any(), "--skin",
           "holds what tabs would hold; leave out --skin, or --tabs, --tab-spacing and --tab-at");
-  require(absent_or_positive(tabs.spacing), "--tab-spacing", "must be above 0 mm");
   require(!tabs.spacing || tabs.count == 0, "--tab-spacing",
           "says how many tabs there are; leave out --tabs");
   require(tabs.at.empty() || (tabs.count == 0 && !tabs.spacing), "--tab-at",
@@ -327,41 +318,15 @@ void check(const TabOptions& tabs) {
   require(std::all_of(tabs.at.begin(), tabs.at.end(),
                       [](Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }),
           "--tab-at", "must be numbers of mm");
-  require(tabs.width > 0 && std::isfinite(tabs.width), "--tab-width", "must be above 0 mm");
-  require(absent_or_positive(tabs.height), "--tab-height", "must be above 0 mm");
 }
 
 void check(const PlanOptions& options) {
-  require(absent_or_positive(options.stepdown), "--stepdown", "must be above 0 mm");
-  require(absent_or_not_negative(options.allowance), "--allowance", "must be 0 mm or more");
-  require(absent_or_not_negative(options.allowance_floor), "--allowance-floor", "must be 0 mm or more");
-  require(!options.angle_deg || std::isfinite(*options.angle_deg), "--angle", "must be a number of degrees");
-  require(!options.engagement_deg || (*options.engagement_deg >= 10 && *options.engagement_deg <= 180),
-          "--engagement", "must lie between 10 and 180 degrees");
-  require(!options.cutting.feed || options.cutting.feed->mm_per_min() > 0, "--feed",
-          "must be above 0 mm/min");
-  require(!options.cutting.plunge_feed || options.cutting.plunge_feed->mm_per_min() > 0, "--plunge-feed",
-          "must be above 0 mm/min");
-  require(absent_or_positive(options.cutting.spindle_rpm), "--spindle", "must be above 0 rpm");
+  check_values(Asked{options, {}}, "--");
   check(options.tabs);
   if (options.published.solver) check(*options.published.solver, "--solver");
-  require(!options.entry_angle || (options.entry_angle->degrees() > 0 && options.entry_angle->degrees() < 90),
-          "--entry-angle", "must lie between 0 and 90 degrees");
-  require(absent_or_not_negative(options.lead), "--lead", "must be 0 mm or more");
-  require(!options.lead_angle || (options.lead_angle->degrees() >= 0 && options.lead_angle->degrees() <= 90),
-          "--lead-angle", "must lie between 0 and 90 degrees");
-  require(absent_or_positive(options.scallop), "--scallop", "must be above 0 mm");
-  require(!options.cutting.ramp_feed || options.cutting.ramp_feed->mm_per_min() > 0, "--ramp-feed",
-          "must be above 0 mm/min");
-  require(!options.cutting.slot_feed || options.cutting.slot_feed->mm_per_min() > 0, "--slot-feed",
-          "must be above 0 mm/min");
   require(
       !options.post.inch || options.post.decimals.value_or(4) >= 4, "--decimals",
       "three decimals of an inch are steps of 0.025 mm, coarser than what is certified; use --decimals 4");
-  check(options.shop, "--");
-  require(absent_or_positive(options.time_s), "--time", "must be above 0 s");
-  require(options.threads >= 0 && options.threads <= 1024, "--threads",
-          "must lie between 1 and 1024; 0: all cores");
 }
 
 Source source_of(const PlanOptions& options, const std::string& name) {

@@ -4,12 +4,8 @@
 #include <clearcut/file.h>
 #include <clearcut/part.h>
 
-#include <array>
-#include <cmath>
-#include <cstdio>
+#include <algorithm>
 #include <filesystem>
-
-#include "arguments/quantities.h"
 
 namespace clearcut::cli {
 namespace {
@@ -20,33 +16,10 @@ void name_kind_as_source(Sources& sources) {
     if (!sources.find(limit)) sources.set(limit, {Origin::kUser, "--machine-kind"});
 }
 
-std::optional<MmPerMin> feed_of(const std::optional<double>& mm_per_min) {
-  if (!mm_per_min) return std::nullopt;
-  return MmPerMin::of(*mm_per_min);
-}
-
-Vec2 point_of(const std::string& text, const char* option) {
-  Vec2 point;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%lf,%lf%c", &point.x, &point.y, &rest) != 2 || !std::isfinite(point.x) ||
-      !std::isfinite(point.y)) {
-    throw InputError(option, "'" + text + "' is not a point; write X,Y in mm");
-  }
-  return point;
-}
-
 /// A tool library and the files that its tools lie in.
 void add_library(const std::filesystem::path& library, std::vector<CertificateFileName>& files) {
   files.push_back({"tools", library.string()});
   for (const std::string& tool : read_tool_library(library, {}).files) files.push_back({"tools", tool});
-}
-
-/// For cutting, plunging, ramps and slots, mm/min.
-void take_feeds(const std::array<std::optional<double>, 4>& feeds, CuttingData& cutting) {
-  cutting.feed = feed_of(feeds[0]);
-  cutting.plunge_feed = feed_of(feeds[1]);
-  cutting.ramp_feed = feed_of(feeds[2]);
-  cutting.slot_feed = feed_of(feeds[3]);
 }
 
 /// Clamps, and holes that are there before the work begins.
@@ -71,35 +44,71 @@ SolidOptions lies(const std::optional<JobFile>& from_job, const ChosenSetup& set
 
 }  // namespace
 
-ShopOptions PlanArguments::shop(const ShopOptions& of_job) const {
-  ShopOptions own = shop_;
-  own.lead_feed = feed_of(lead_feed_);
-  own.link_feed = feed_of(link_feed_);
-  if (rest_) own.rest = true;
-  return own.or_else(of_job);
+void PlanArguments::add_part_options(CLI::App& command, const std::string& input_name) {
+  command.option_defaults()->group("Input");
+  const bool is_input = input_name == "INPUT";
+  command
+      .add_option(
+          input_name, input_,
+          is_input ? "Part: .p21 .stp .step .stpnc .dxf .svg .json .edges .toml" : "Part the program is for")
+      ->required()
+      ->type_name("FILE");
+  values_.add(command, [](const Row& row) {
+    return row.group == Group::kInput || row.group == Group::kSolids || row.group == Group::kDrawings;
+  });
+  command.parse_complete_callback([this] { take_values(); });
+}
+
+void PlanArguments::add_tool_list_options(CLI::App& command) {
+  values_.add(command, [](const Row& row) { return row.group == Group::kTools; });
+}
+
+namespace {
+
+/// Of the machine and what a program is checked by.
+bool is_of_question(const Row& row) {
+  return row.group == Group::kMachine || row.group == Group::kLimits || row.name == "threads";
+}
+
+}  // namespace
+
+void PlanArguments::add_tool_options(CLI::App& command) {
+  add_tool_list_options(command);
+  values_.add(command, is_of_question);
+}
+
+void PlanArguments::add_cutting_options(CLI::App& command) {
+  values_.add(command, [](const Row& row) { return row.group >= Group::kStrategy && !is_of_question(row); });
+}
+
+void PlanArguments::take_values() {
+  typed_ = values_.asked();
+  setup_.number = typed_.input.setup.value_or(0);
+  setup_.earlier_programs = typed_.input.earlier_setups;
+  stock_.from = typed_.input.stock_from;
+  stock_.after = typed_.input.after;
+  const auto from_job = stock_.from || input_.empty() ? std::nullopt : job();
+  if (from_job && from_job->stock_from) stock_.from = from_job->stock_from->string();
+}
+
+Part PlanArguments::with_typed_tools(Part part) const {
+  if (typed_.input.tools.empty()) return part;
+  part.tools.clear();
+  for (const std::string& text : typed_.input.tools) part.tools.push_back(parse_tool(text));
+  resolve::number_tools(part.tools);
+  return part;
+}
+
+SolidOptions PlanArguments::solid() const {
+  return read::read_options_of(typed_.input).solid;
 }
 
 ReadOptions PlanArguments::read_options() const {
-  ReadOptions options;
+  ReadOptions options = read::read_options_of(typed_.input);
   options.ask_if_unclear = true;
-  for (const auto& text : operations_) options.layer_rules.push_back(rule_of_option(text, "--op"));
-  if (scale_) options.scale = *scale_;
-  options.scale_is_right = scale_.has_value();
-  options.mirror = mirror_;
-  if (join_gap_) options.join_gap = join_gap_;
-  if (open_curves_) {
-    options.open_curves = *open_curves_ == "skip" ? OpenCurves::kSkip : OpenCurves::kRefuse;
-  }
-  if (text_) options.text_outlines = *text_ == "outlines";
-  if (strokes_) options.stroke_areas = *strokes_ == "areas";
-  options.unit = unit_;
-  options.layers = layers_;
-  options.top = top_;
-  options.depth = depth_;
-  options.solid = solid_;
   for (const Tool& tool : tools())
     if (tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.diameter);
-  if (stock_.has_solid()) options.block = stock_.solid(lies(job(), setup_, solid_)).stock;
+  if (stock_.has_solid()) options.block = stock_.solid(lies(job(), setup_, solid())).stock;
   return options;
 }
 
@@ -115,7 +124,8 @@ Part PlanArguments::read_overview(DrawingOverview& overview) const {
 
 Part PlanArguments::read(Block block) const {
   auto from_job = job();
-  const auto zero = zero_ ? std::optional(parse_zero_point(*zero_)) : std::nullopt;
+  const auto& origin = typed_.input.origin;
+  const auto zero = origin ? std::optional(parse_zero_point(*origin)) : std::nullopt;
   if (from_job && zero) from_job->zero = zero;
   Part part;
   if (setup_.number > 0) {
@@ -131,10 +141,27 @@ Part PlanArguments::read(Block block) const {
       part = with_zero_at(std::move(part), at);
     }
   }
-  if (clearance_z_) part.clearance_z = clearance_z_;
+  if (typed_.input.clearance_z) part.clearance_z = typed_.input.clearance_z;
   if (stock_.has_solid()) stock_.lay_out(part);
   part.diagnostics.append(library().diagnostics);
+  refuse_what_serves_other_inputs(part, from_job);
   return part;
+}
+
+void PlanArguments::refuse_what_serves_other_inputs(const Part& part,
+                                                    const std::optional<JobFile>& from_job) const {
+  if (!refuses_idle_) return;
+  const InputKinds kind = input_kind_of(part);
+  for (const Row& row : rows()) {
+    const std::string reason = idle_on_input(row, kind);
+    if (reason.empty()) continue;
+    if (values_.has(row.name)) throw InputError("--" + row.name, reason);
+    if (!from_job || row.table != JobTable::kPart) continue;
+    std::string key = row.job_key();
+    std::replace(key.begin(), key.end(), '_', '-');
+    if (const Source* source = from_job->part_sources.find(key))
+      throw InputError(source->text + ": " + row.job_key(), reason);
+  }
 }
 
 std::optional<JobFile> PlanArguments::job() const {
@@ -189,10 +216,10 @@ std::vector<MachinedSetup> PlanArguments::machined_before(const JobFile& whole) 
 
 std::vector<Tool> PlanArguments::tools() const {
   std::vector<Tool> tools;
-  if (tool_library_) {
+  if (typed_.input.tool_library) {
     for (const auto& entry : library().tools) tools.push_back(entry.tool);
   }
-  for (const auto& text : tools_) tools.push_back(parse_tool(text));
+  for (const auto& text : typed_.input.tools) tools.push_back(parse_tool(text));
   return tools;
 }
 
@@ -207,10 +234,11 @@ std::vector<CertificateFileName> PlanArguments::input_files() const {
   const auto job = this->job();
   if (!input_.empty()) files.push_back({job ? "job" : "part", input_});
   if (job && !job->part_file.empty()) files.push_back({"part", job->part_file.string()});
-  if (tool_library_) add_library(*tool_library_, files);
-  if (job && !tool_library_ && job->tool_library) add_library(*job->tool_library, files);
-  if (machine_file_) files.push_back({"machine", *machine_file_});
-  if (job && !machine_file_ && job->machine_file) files.push_back({"machine", job->machine_file->string()});
+  if (typed_.input.tool_library) add_library(*typed_.input.tool_library, files);
+  if (job && !typed_.input.tool_library && job->tool_library) add_library(*job->tool_library, files);
+  if (typed_.input.machine_file) files.push_back({"machine", *typed_.input.machine_file});
+  if (job && !typed_.input.machine_file && job->machine_file)
+    files.push_back({"machine", job->machine_file->string()});
   for (const std::string& program : setup_.earlier_programs) files.push_back({"earlier program", program});
   if (stock_.has_solid()) files.push_back({"stock", *stock_.from});
   if (const auto earlier = stock_.program(job)) files.push_back({"earlier program", *earlier});
@@ -218,15 +246,15 @@ std::vector<CertificateFileName> PlanArguments::input_files() const {
 }
 
 ToolLibrary PlanArguments::library() const {
-  return tool_library_ ? read_tool_library(*tool_library_, {}) : ToolLibrary{};
+  return typed_.input.tool_library ? read_tool_library(*typed_.input.tool_library, {}) : ToolLibrary{};
 }
 
 Machine PlanArguments::machine(const Machine& of_job) const {
-  Machine machine = machine_file_ ? read_machine(*machine_file_) : of_job;
-  if (machine_kind_) read::fill_machine_kind(machine, *machine_kind_);
-  if (acceleration_) machine.acceleration = *acceleration_;
-  if (junction_deviation_) machine.junction_deviation = *junction_deviation_;
-  if (rapid_feed_) machine.rapid = MmPerMin::of(*rapid_feed_);
+  Machine machine = typed_.input.machine_file ? read_machine(*typed_.input.machine_file) : of_job;
+  if (typed_.input.machine_kind) read::fill_machine_kind(machine, *typed_.input.machine_kind);
+  if (values_.has("acceleration")) machine.acceleration = typed_.plan.machine.acceleration;
+  if (values_.has("junction-deviation")) machine.junction_deviation = typed_.plan.machine.junction_deviation;
+  if (values_.has("rapid")) machine.rapid = typed_.plan.machine.rapid;
   return machine;
 }
 
@@ -234,64 +262,56 @@ void PlanArguments::take_sources(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0 || option->get_lnames().empty()) continue;
     const std::string name = option->get_lnames().front();
-    typed_.set(name.starts_with("no-") ? name.substr(3) : name, {Origin::kUser, "--" + name});
+    sources_.set(name.starts_with("no-") ? name.substr(3) : name, {Origin::kUser, "--" + name});
   }
 }
 
-void CuttingArguments::take(PlanOptions& options) const {
-  options.strategy = strategy;
-  if (stepover) options.stepover = stepover;
-  if (angle) options.angle_deg = angle;
-  options.stepdown = stepdown;
-  options.allowance = allowance;
-  options.allowance_floor = allowance_floor;
-  if (engagement) options.engagement_deg = engagement;
-  if (entry) options.entry = entry_named(*entry, "--entry");
-  if (entry_angle) options.entry_angle = Radians::of_degrees(*entry_angle);
-  options.lead = lead;
-  if (lead_angle) options.lead_angle = Radians::of_degrees(*lead_angle);
-  options.scallop = scallop;
-  if (direction) options.direction = direction_named(*direction, "--direction");
-  if (order) options.outside_in = order_named(*order, "--order") == ContourOrder::kOutsideIn;
-  if (start) options.start = point_of(*start, "--start");
-  take_feeds({feed, plunge_feed, ramp_feed, slot_feed}, options.cutting);
-  options.cutting.spindle_rpm = spindle;
-  if (coolant) options.cutting.coolant = coolant_named(*coolant);
-  if (objective) options.objective = *objective;
+/// Settings that were typed without a solver's name refine the published solvers of a job's operations.
+void PlanArguments::take_solver(PlanOptions& options, bool has_job) const {
+  auto& solver = options.published.solver;
+  if (!solver) return;
+  if (!has_job || values_.has("solver")) return check_solver(*solver);
+  bool is_used = false;
+  for (auto& [step, choices] : options.step_published) {
+    if (!choices.solver || !choices.solver->is_published) continue;
+    choices.solver->published.merge(solver->published);
+    is_used = true;
+  }
+  if (!is_used) check_solver(*solver);
+  solver.reset();
 }
 
-void TabArguments::take(TabOptions& tabs) const {
-  // Whatever is typed of how many there are goes before all that the job says of it.
-  if (count || spacing || !at.empty()) {
-    tabs.count = count.value_or(0);
-    tabs.spacing = spacing;
-    tabs.at.clear();
-    for (const std::string& place : at) tabs.at.push_back(point_of(place, "--tab-at"));
-  }
-  if (shape) tabs.shape = tab_shape_named(*shape, "--tab-shape");
-  if (width) tabs.width = *width;
-  if (height) tabs.height = height;
-  if (skin) tabs.skin = skin;
+namespace {
+
+/// Whatever is typed of how many tabs there are goes before all that the job says of it.
+void forget_tabs_of_job(const OptionValues& values, TabOptions& tabs) {
+  if (!values.has("tabs") && !values.has("tab-spacing") && !values.has("tab-at")) return;
+  tabs.count = 0;
+  tabs.spacing.reset();
+  tabs.at.clear();
 }
+
+}  // namespace
 
 /// The command line goes before the job, the job before the defaults.
 PlanOptions PlanArguments::options() const {
   const auto from_job = job();
   PlanOptions options = from_job ? options_of_job(*from_job) : PlanOptions{};
+  forget_tabs_of_job(values_, options.tabs);
+  Asked asked{std::move(options), {}};
+  values_.put_into(asked);
+  options = std::move(asked.plan);
   options.tools = tools();
-  if (tool_library_ || !tools_.empty()) options.tool_cutting = cutting_of_tools(library().tools, "");
-  options.machine = machine(options.machine);
-  options.accept.insert(options.accept.end(), accept_.begin(), accept_.end());
-  if (machine_file_) options.sources.merge(machine_sources(*machine_file_));
-  if (machine_kind_) name_kind_as_source(options.sources);
+  if (typed_.input.tool_library || !typed_.input.tools.empty())
+    options.tool_cutting = cutting_of_tools(library().tools, "");
+  options.machine = machine(from_job ? from_job->machine : Machine{});
+  if (typed_.input.machine_file) options.sources.merge(machine_sources(*typed_.input.machine_file));
+  if (typed_.input.machine_kind) name_kind_as_source(options.sources);
   options.step_sources = step_sources_;
-  options.sources.merge(typed_);
-  cutting_.take(options);
-  tabs_.take(options.tabs);
-  options.shop = shop(options.shop);
+  options.sources.merge(sources_);
   // The height that the program calls home is the machine's, which may be another than the job's.
   const auto earlier = stock_.program(from_job);
-  if (earlier && (stock_.after || stock_.from || machine_file_))
+  if (earlier && (stock_.after || stock_.from || typed_.input.machine_file))
     options.earlier = read_earlier_program(*earlier, options.machine);
   if (stock_.has_solid()) {
     if (options.earlier)
@@ -308,18 +328,10 @@ PlanOptions PlanArguments::options() const {
     options.earlier = setup_.carried->sweeps;
     options.conditions = setup_.carried->conditions;
   }
-  add_places(keep_outs_, predrilled_, options);
-  options.post = post_.options(options.post);
+  add_places(typed_.input.keep_outs, typed_.input.predrilled, options);
   options.step_published = step_published_;
-  if (passage_) options.published.bisector_passages = is_bisector_passage(*passage_, "--passage");
-  if (grid_) options.published.published_grid = is_published_grid(*grid_, "--grid");
-  if (from_job && solver_.has_settings_alone())
-    solver_.refine(options.step_published);
-  else
-    options.published.solver = solver_.solver();
-  if (time_) options.time_s = time_;
-  if (seed_) options.seed = *seed_;
-  options.threads = threads_;
+  take_solver(options, from_job.has_value());
+  options.refuse_idle = options.refuse_idle && refuses_idle_;
   check_options(options);
   return options;
 }

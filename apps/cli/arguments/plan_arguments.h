@@ -5,15 +5,13 @@
 #include <clearcut/plan.h>
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "arguments/certificate_info.h"
-#include "arguments/post_arguments.h"
-#include "arguments/solver_arguments.h"
+#include "arguments/option_values.h"
 #include "arguments/stock_arguments.h"
 
 namespace clearcut::cli {
@@ -36,45 +34,6 @@ enum class Block : unsigned char {
 /// How many [[setup]] a job file has; 0 for other files and jobs of one set-up.
 int setup_count_of(const std::string& input);
 
-/// What is typed of that which holds what profiles cut free.
-struct TabArguments {
-  std::optional<int> count;
-  std::optional<double> spacing, width, height, skin;
-  std::optional<std::string> shape;
-  std::vector<std::string> at;
-
-  void take(TabOptions& tabs) const;
-};
-
-/// What is typed of strategies, passes and feeds.
-struct CuttingArguments {
-  std::optional<std::string> strategy;
-  std::optional<std::string> stepover;
-  std::optional<double> angle;
-  std::optional<double> stepdown;
-  std::optional<double> allowance;
-  std::optional<double> allowance_floor;
-  std::optional<double> engagement;
-  std::optional<std::string> entry;
-  std::optional<double> entry_angle;
-  std::optional<double> lead;
-  std::optional<double> lead_angle;
-  std::optional<double> scallop;
-  std::optional<std::string> direction;
-  std::optional<std::string> order;
-  std::optional<std::string> start;
-  std::optional<double> feed;
-  std::optional<double> plunge_feed;
-  std::optional<double> ramp_feed;
-  std::optional<double> slot_feed;
-  std::optional<double> spindle;
-  std::optional<std::string> coolant;
-  std::optional<std::string> objective;
-
-  /// Puts what was typed into `options`.
-  void take(PlanOptions& options) const;
-};
-
 /// Raw option values; `options()` turns them into PlanOptions or throws InputError.
 class PlanArguments {
  public:
@@ -91,12 +50,19 @@ class PlanArguments {
   /// Of a drawing, without asking for depth or roles.
   Part read_overview(DrawingOverview& overview) const;
   PlanOptions options() const;
+  /// The options are for many parts: one that has no effect on this part is none the worse.
+  void let_options_be_idle() { refuses_idle_ = false; }
+  /// What was typed of the options' table.
+  StatedOptions stated() const { return {typed_, values_.names()}; }
+  /// The part with the tools that were typed one by one in place of its own.
+  Part with_typed_tools(Part part) const;
   const std::string& input() const { return input_; }
   /// mm; of the material, where it was typed.
-  std::optional<double> top() const { return top_; }
+  std::optional<double> top() const { return typed_.input.top; }
   /// Every file that the options rest on, by its role, those that a job names included.
   std::vector<CertificateFileName> input_files() const;
-  const SolidOptions& solid() const { return solid_; }
+  /// How a solid lies, as typed.
+  SolidOptions solid() const;
   /// The job file, when the input is one; of several set-ups the chosen one.
   std::optional<JobFile> job() const;
 
@@ -108,61 +74,23 @@ class PlanArguments {
   Part read_setup(const JobFile& whole, Block block) const;
   std::vector<MachinedSetup> machined_before(const JobFile& whole) const;
   ReadOptions read_options() const;
-  void add_drawing_options(CLI::App& command);
   std::vector<Tool> tools() const;
   ToolLibrary library() const;
-  void add_strategy_options(CLI::App& command);
-  void add_shop_options(CLI::App& command);
-  void add_entry_options(CLI::App& command);
-  void add_lead_options(CLI::App& command);
-  void add_feed_options(CLI::App& command);
-  void add_stage_options(CLI::App& command);
-  void add_search_options(CLI::App& command);
   Machine machine(const Machine& of_job) const;
-  ShopOptions shop(const ShopOptions& of_job) const;
+  /// What was typed, once the command line has been parsed.
+  void take_values();
+  void take_solver(PlanOptions& options, bool has_job) const;
+  void refuse_what_serves_other_inputs(const Part& part, const std::optional<JobFile>& from_job) const;
 
   std::string input_;
-  std::optional<std::string> zero_;
+  bool refuses_idle_ = true;
+  OptionValues values_;
+  Asked typed_;  ///< what the values say by themselves
   mutable ChosenSetup setup_;
-  Sources typed_;
+  StockArguments stock_;
+  Sources sources_;
   mutable StepChoices step_published_;  ///< likewise
   mutable StepSources step_sources_;    ///< of the part that was read
-  std::vector<std::string> tools_;
-  std::optional<std::string> unit_;
-  std::vector<std::string> layers_;
-  std::vector<std::string> operations_;
-  std::optional<double> scale_;
-  bool mirror_ = false;
-  std::optional<double> join_gap_;
-  std::optional<std::string> open_curves_;
-  std::optional<std::string> strokes_;
-  std::optional<std::string> text_;
-  CuttingArguments cutting_;
-  TabArguments tabs_;
-  std::optional<double> top_;
-  std::optional<double> depth_;
-  SolidOptions solid_;
-  std::optional<std::string> tool_library_;
-  std::optional<std::string> machine_file_, machine_kind_;
-  std::vector<std::string> accept_;
-  std::vector<std::string> predrilled_;
-  std::vector<std::string> keep_outs_;
-  std::optional<double> lead_feed_;
-  std::optional<double> link_feed_;
-  StockArguments stock_;
-  bool rest_ = false;
-  ShopOptions shop_;
-  std::optional<std::string> passage_;
-  std::optional<std::string> grid_;
-  SolverArguments solver_;
-  std::optional<double> acceleration_;
-  std::optional<double> junction_deviation_;
-  std::optional<double> rapid_feed_;
-  PostArguments post_;
-  std::optional<double> clearance_z_;
-  std::optional<double> time_;
-  std::optional<std::uint64_t> seed_;
-  int threads_ = 0;
 };
 
 /// The paths alone.

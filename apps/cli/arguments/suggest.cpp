@@ -1,46 +1,11 @@
 #include "arguments/suggest.h"
 
+#include <clearcut/options.h>
+
 #include <algorithm>
 
 namespace clearcut::cli {
 namespace {
-
-/// Letters to insert, remove, change or swap with the next.
-std::size_t steps_between(const std::string& a, const std::string& b) {
-  std::vector<std::vector<std::size_t>> steps(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-  for (std::size_t i = 0; i <= a.size(); ++i) {
-    for (std::size_t k = 0; k <= b.size(); ++k) {
-      if (i == 0 || k == 0) {
-        steps[i][k] = i + k;
-        continue;
-      }
-      const std::size_t change = steps[i - 1][k - 1] + (a[i - 1] == b[k - 1] ? 0 : 1);
-      steps[i][k] = std::min({steps[i - 1][k] + 1, steps[i][k - 1] + 1, change});
-      if (i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1])
-        steps[i][k] = std::min(steps[i][k], steps[i - 2][k - 2] + 1);
-    }
-  }
-  return steps.back().back();
-}
-
-/// The nearest of the names, "" where none is near: a third of the letters may differ; or the only one that begins so.
-std::string nearest(const std::string& word, const std::vector<std::string>& names) {
-  constexpr std::size_t kLongest = 40;
-  const std::string asked = word.substr(0, kLongest);
-  std::string best;
-  std::size_t least = asked.size() / 3 + 2;
-  for (const auto& name : names) {
-    const std::size_t steps = steps_between(asked, name);
-    if (steps >= least) continue;
-    least = steps;
-    best = name;
-  }
-  if (!best.empty()) return best;
-  for (const auto& name : names) {
-    if (asked.size() > 3 && name.starts_with(asked)) return name;
-  }
-  return "";
-}
 
 std::vector<std::string> option_names(const CLI::App& command) {
   std::vector<std::string> names;
@@ -108,7 +73,7 @@ std::string meant_by(const std::string& word, const std::vector<std::string>& na
 
 std::string advice(const std::string& word, const std::vector<std::string>& names, const std::string& help) {
   const std::string synonym = meant_by(word, names);
-  const std::string meant = synonym.empty() ? nearest(word, names) : synonym;
+  const std::string meant = synonym.empty() ? nearest_name(word, names) : synonym;
   return meant.empty() ? "see " + help : "did you mean '" + meant + "'?";
 }
 
@@ -121,7 +86,7 @@ CLI::Validator for_example(const std::vector<std::string>& names) {
 CLI::Validator one_of(const std::vector<std::string>& names) {
   return {[names](std::string& text) {
             if (std::find(names.begin(), names.end(), text) != names.end()) return std::string();
-            const std::string meant = nearest(text, names);
+            const std::string meant = nearest_name(text, names);
             return "'" + text + "' is unknown; " + (meant.empty() ? "" : "did you mean '" + meant + "'? ") +
                    "use one of " + CLI::detail::join(names, ", ");
           },
@@ -135,7 +100,7 @@ std::string about_unexpected(const CLI::App& app, const std::vector<std::string>
       return !one.empty() && one.front() != '-';
     });
     if (!arguments.empty() && arguments.front().starts_with("-") &&
-        !nearest(arguments.front(), option_names(app)).empty())
+        !nearest_name(arguments.front(), option_names(app)).empty())
       return "'" + arguments.front() + "' is no option; " +
              advice(arguments.front(), option_names(app), "clearcut --help");
     if (first != arguments.end() && *first == "help")

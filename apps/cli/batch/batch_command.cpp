@@ -234,7 +234,8 @@ class Batch {
 
   BatchRow planned(const BatchPart& part, const std::string& key, const std::atomic<bool>* stop) const {
     for (const char* ending : {".ngc", ".json", ".svg", ".done"}) fs::remove(place(part, ending));
-    std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "plan", part.file};
+    std::vector<std::string> words{fs::read_symlink("/proc/self/exe").string(), "plan", part.file,
+                                   "--for-many"};
     const bool says_threads =
         std::find(plan_options_.begin(), plan_options_.end(), "--threads") != plan_options_.end();
     if (!says_threads) words.insert(words.end(), {"--threads", "1"});

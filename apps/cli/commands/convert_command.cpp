@@ -56,18 +56,38 @@ void add_convert_command(CLI::App& app, int& exit_code) {
   });
 }
 
+namespace {
+
+/// The job of what was typed; the files that it names are found from its folder.
+std::string job_of(const PlanArguments& arguments, const std::string& output) {
+  const auto folder = std::filesystem::absolute(output == "-" ? "." : output).parent_path();
+  const auto beside = [&](const std::string& file) {
+    const auto path = std::filesystem::absolute(file);
+    const auto relative = output == "-" ? std::filesystem::path(file) : path.lexically_relative(folder);
+    return relative.empty() ? path.string() : relative.string();
+  };
+  StatedOptions stated = arguments.stated();
+  for (auto* file : {&stated.asked.input.stock_from, &stated.asked.input.after,
+                     &stated.asked.input.tool_library, &stated.asked.input.machine_file})
+    if (*file) *file = beside(**file);
+  return job_text(arguments.with_typed_tools(arguments.read()), beside(arguments.input()), stated);
+}
+
+}  // namespace
+
 void add_init_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("init", "Write a commented job file for a part");
   command->group("Reading");
   auto state = std::make_shared<PlanArguments>();
   auto output = std::make_shared<std::string>();
   state->add_part_options(*command, "INPUT");
+  state->add_tool_options(*command);
+  state->add_cutting_options(*command);
   command->option_defaults()->group("Output");
   command->add_option("-o,--output", *output, "Job to write (default: standard output)")->type_name("FILE");
   command->callback([state, output, &exit_code] {
     const std::string path = output->empty() ? "-" : *output;
-    write_outputs({{path, job_text(state->read(), state->input(), state->solid())}},
-                  paths_of(state->input_files()));
+    write_outputs({{path, job_of(*state, path)}}, paths_of(state->input_files()));
     exit_code = kClean;
   });
 }

@@ -44,7 +44,7 @@ struct ElementsCommand {
   std::string html;
   std::string points;
   bool print_points = false;
-  SolverArguments solver;
+  OptionValues solver;
   bool table = false;
   void (*print_reductions)() = nullptr;
   bool quiet = false;
@@ -177,14 +177,16 @@ void add_elements_command(CLI::App& app, int& exit_code, void (*print_reductions
       ->check(one_of({"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"}));
   command->option_defaults()->group("Search");
   command->add_option("--seed", state->options.seed, "Seed of the search (default 1)")->check(is_seed());
-  state->solver.add_options(*command);
+  state->solver.add(
+      *command, [](const Row& row) { return row.name == "solver" || row.group == Group::kPublishedSolver; });
   command->option_defaults()->group("Output");
   state->print_reductions = print_reductions;
   if (print_reductions != nullptr)
     command->add_flag("--table", state->table, "Print the published table of reductions beside our figures");
   command->add_flag("--quiet", state->quiet, "Print nothing but errors");
   command->callback([state, command, &exit_code] {
-    state->options.published.solver = state->solver.solver();
+    state->options.published.solver = state->solver.asked().plan.published.solver;
+    if (state->options.published.solver) check_solver(*state->options.published.solver);
     state->elements = in_typed_order(*command, *state);
     exit_code = run(*state);
   });

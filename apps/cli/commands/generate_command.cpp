@@ -5,6 +5,7 @@
 #include "commands/commands.h"
 #include "terminal/json_tables.h"
 #include "terminal/man_page.h"
+#include "terminal/option_page.h"
 #include "terminal/output.h"
 
 namespace clearcut::cli {
@@ -16,15 +17,16 @@ void add_generate_command(CLI::App& app, int& exit_code) {
   auto what = std::make_shared<std::string>();
   command->add_option("WHAT", *what, "What to print")
       ->required()
-      ->check(one_of({"man", "bash", "zsh", "fish", "options"}));
+      ->check(one_of({"man", "bash", "zsh", "fish", "options", "table"}));
   command->callback([&app, what, &exit_code] {
+    exit_code = kClean;
+    if (*what == "table") return print_line(options_page());
     const auto print_whole = *what == "man"    ? man_page
                              : *what == "bash" ? bash_completion
                              : *what == "zsh"  ? zsh_completion
                              : *what == "fish" ? fish_completion
                                                : options_json;
     print_line(print_whole(app));
-    exit_code = kClean;
   });
 }
 

@@ -30,6 +30,7 @@ struct PlanCommand {
   std::string result;
   bool quiet = false;
   bool explain = false;
+  bool for_many = false;
 };
 
 CertificateBasis basis_of(const PlanCommand& command) {
@@ -272,6 +273,7 @@ Part read_with_progress(const PlanCommand& command) {
 }
 
 int run(PlanCommand command) {
+  if (command.for_many) command.arguments.let_options_be_idle();
   if (const auto job = command.arguments.job()) take_outputs_from(*job, command);
   check_setup_sheet_name(command.sheet);
   if (const int setups = setup_count_of(command.arguments.input())) return run_setups(command, setups);
@@ -304,6 +306,10 @@ std::shared_ptr<PlanCommand> declare(CLI::App& command) {
       ->type_name("FILE");
   command.add_option("--result", state->result, "Segments to write: x y to x y per line")->type_name("FILE");
   command.add_flag("--explain", state->explain, "Print every value of the plan and where it comes from");
+  command
+      .add_flag("--for-many", state->for_many,
+                "The options are for many parts: what means nothing to one is none the worse")
+      ->group("");
   command.add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
   return state;
 }

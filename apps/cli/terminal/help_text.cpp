@@ -1,6 +1,8 @@
 #include "terminal/help_text.h"
 
+#include <clearcut/options.h>
 #include <clearcut/text.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -51,6 +53,19 @@ std::string help_of_option(const OptionText& option) {
   return text;
 }
 
+/// Whether an option is one of a first program, or none of the table's.
+bool is_for_beginners(const OptionText& option) {
+  const Row* row = row_named(option.names.back().substr(option.positional ? 0 : 2));
+  return !row || row->level == Level::kFirst;
+}
+
+/// Takes the rarer options out of a command that has many; their number.
+std::size_t hide_rare(CommandText& command) {
+  constexpr std::size_t kMany = 60;
+  if (command.options.size() < kMany) return 0;
+  return std::erase_if(command.options, [](const OptionText& option) { return !is_for_beginners(option); });
+}
+
 std::string options_of(const CommandText& command, std::size_t width) {
   std::string text;
   for (const OptionText& option : command.options) {
@@ -58,6 +73,10 @@ std::string options_of(const CommandText& command, std::size_t width) {
       text += (text.empty() ? "\n" : "") + help_entry(option.names.front(), help_of_option(option), width);
   }
   for (const auto& group : command.groups) {
+    const bool any =
+        std::any_of(command.options.begin(), command.options.end(),
+                    [&](const OptionText& option) { return !option.positional && option.group == group; });
+    if (!any) continue;
     text += "\n" + group + ":\n";
     for (const OptionText& option : command.options) {
       if (!option.positional && option.group == group)
@@ -83,10 +102,17 @@ std::string commands_text(const CLI::App& app, std::size_t width) {
 std::string HelpText::make_help(const CLI::App* app, std::string /*name*/,
                                 CLI::AppFormatMode /*mode*/) const {
   const std::size_t width = std::min(text_width(), kWidest);
-  const CommandText command = text_of(*app);
+  CommandText command = text_of(*app);
+  const std::size_t hidden = shows_all_ ? 0 : hide_rare(command);
   std::string text;
   for (const auto& line : wrapped(app->get_description(), width)) text += line + "\n";
-  if (app->get_parent() != nullptr) return text + "\n" + usage(command) + options_of(command, width);
+  if (app->get_parent() != nullptr) {
+    text += "\n" + usage(command) + options_of(command, width);
+    if (hidden > 0)
+      text += fmt::format("\nclearcut {} --help all lists {} more options, those of research last.\n",
+                          command.name, hidden);
+    return text;
+  }
   text += "\nUsage: clearcut COMMAND [OPTIONS]\n" + commands_text(*app, width) + options_of(command, width);
   text += "\n";
   for (const auto& line : wrapped(app->get_footer(), width)) text += line + "\n";

@@ -1,6 +1,7 @@
 #include "terminal/json_tables.h"
 
 #include <clearcut/error.h>
+#include <clearcut/options.h>
 #include <clearcut/report.h>
 
 #include <cmath>
@@ -184,6 +185,22 @@ std::string infos_json(const std::vector<PartInfo>& infos) {
   return printed(json);
 }
 
+namespace {
+
+/// Where a job says the same: its table and key, whether the key means the opposite, and whether the value is a number. Null where a
+/// job has no key for it.
+Json job_key_json(const OptionText& option) {
+  static constexpr const char* kTables[] = {"", "part", "tools", "plan", "machine", "output"};
+  const Row* row = option.positional ? nullptr : row_named(option.names.back().substr(2));
+  if (!row || row->table == JobTable::kNone) return nullptr;
+  return {{"table", kTables[static_cast<std::size_t>(row->table)]},
+          {"key", row->job_key()},
+          {"opposite", row->key_is_opposite},
+          {"number", is_number(row->kind) || row->kind == ValueKind::kSeed}};
+}
+
+}  // namespace
+
 std::string options_json(const CLI::App& app) {
   Json all = Json::object();
   for (const CommandText& command : commands_of(app)) {
@@ -196,7 +213,8 @@ std::string options_json(const CLI::App& app) {
                          {"values", option.values},
                          {"many", option.many},
                          {"file", option.file},
-                         {"positional", option.positional}});
+                         {"positional", option.positional},
+                         {"job", job_key_json(option)}});
     all[command.name] = options;
   }
   return all.dump(1);

@@ -32,11 +32,6 @@ struct ShopOptions {
   std::optional<double> widest_helix(std::optional<double> operation_radius) const;
   /// Whether cuts are those that a machinist would choose: said, or else where the work is a metal.
   bool is_machinist() const;
-  /// These, and where one is absent that of `other`.
-  ShopOptions or_else(const ShopOptions& other) const;
 };
-
-/// Throws InputError naming the first option that is out of its range; `prefix` goes before its name ("--").
-void check(const ShopOptions& options, const std::string& prefix);
 
 }  // namespace clearcut::inline model

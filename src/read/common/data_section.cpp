@@ -58,6 +58,11 @@ const DataValue* DataSection::ask(const std::string& key) {
   return table_->find(key);
 }
 
+std::string DataSection::place_of(const std::string& key) {
+  const DataValue* value = ask(key);
+  return file_ + ":" + std::to_string(value ? value->line : table_->line) + ": " + key;
+}
+
 std::optional<double> DataSection::number(const std::string& key) {
   const DataValue* value = ask(key);
   if (!value) return std::nullopt;

@@ -53,6 +53,10 @@ class DataSection {
   DataSection(const DataValue& table, std::string file, std::string name);
 
   bool has(const std::string& key) { return ask(key) != nullptr; }
+  /// The value as it stands, null where there is none.
+  const DataValue* value(const std::string& key) { return ask(key); }
+  /// "file:line: key", where the key has a value.
+  std::string place_of(const std::string& key);
   std::optional<double> number(const std::string& key);
   /// A number above zero.
   std::optional<double> positive(const std::string& key);

@@ -8,8 +8,10 @@
 #include "read/common/drawing.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
+#include "read/job/job_options_table.h"
 #include "read/job/job_setups.h"
 #include "read/job/machine_file.h"
+#include "read/read_part.h"
 #include "read/repair/repair.h"
 
 namespace clearcut::read {
@@ -20,11 +22,6 @@ constexpr std::size_t kLargestJob = std::size_t{16} << 20;
 
 fs::path beside(const std::string& job_file, const std::string& name) {
   return fs::path(job_file).parent_path() / name;
-}
-
-std::optional<MmPerMin> feed_of(DataSection& section, const std::string& key) {
-  const auto value = section.positive(key);
-  return value ? std::optional(MmPerMin::of(*value)) : std::nullopt;
 }
 
 /// A length that is a coordinate: within a kilometre.
@@ -42,143 +39,34 @@ std::optional<int> count(DataSection& section, const std::string& key, double mo
   return static_cast<int>(*value);
 }
 
-/// 0.4, "0.4", "3.5mm", "lom", "rho".
-std::optional<std::string> stepover_of(DataSection& section) {
-  if (!section.has("stepover")) return std::nullopt;
-  if (section.is_number("stepover")) return trimmed(*section.positive("stepover"), 6);
-  return section.text("stepover");
-}
-
-/// The Tour text's algorithm and its settings, which mean nothing to ours.
-std::optional<VisitSolver> solver_of(DataSection& section) {
-  const auto name = section.choice("solver", {"modern", "published"});
-  VisitSolver solver;
-  PublishedSolver& own = solver.published;
-  if (const auto generations = count(section, "generations", 2e9)) own.generations = *generations;
-  own.population = count(section, "population", 1e6);
-  own.selection = section.text("selection");
-  own.crossover = section.text("crossover");
-  own.mutation = section.text("mutation");
-  own.crossover_rate = section.not_negative("crossover_rate");
-  own.mutation_rate = section.not_negative("mutation_rate");
-  own.most_shared = section.not_negative("most_shared");
-  solver.is_published = name == std::size_t{1};
-  if (!solver.is_published && own.is_set())
-    section.fail("sets the published solver; add solver = \"published\"");
-  return name ? std::optional(solver) : std::nullopt;
-}
-
-PublishedChoices published_of(DataSection& section) {
-  PublishedChoices choices;
-  if (const auto passage = section.choice("passage", {"shortest", "bisector"}))
-    choices.bisector_passages = *passage == 1;
-  if (const auto grid = section.choice("grid", {"ours", "published"})) choices.published_grid = *grid == 1;
-  choices.solver = solver_of(section);
-  return choices;
-}
-
+/// What [plan] or an [[operation]] says of the options that operations may have.
 CutSettings settings_of(DataSection& section) {
-  static const std::vector<std::string> entries{"helix", "ramp", "zigzag", "plunge"};
-  static const std::vector<std::string> directions{"climb", "conventional"};
   static const std::vector<std::string> kinds{"roughing",       "finishing", "bottom_finishing",
                                               "side_finishing", "drilling",  "reaming"};
   CutSettings out;
-  out.strategy = section.text("strategy");
-  out.stepover = stepover_of(section);
-  out.stepdown = section.positive("stepdown");
-  out.allowance = section.number("allowance");
-  out.allowance_floor = section.not_negative("allowance_floor");
-  out.scallop = section.positive("scallop");
-  out.lead = section.not_negative("lead");
-  if (const auto angle = section.not_negative("lead_angle")) {
-    if (*angle > 90) section.fail_at("lead_angle", "must be at most 90 degrees");
-    out.lead_angle = Radians::of_degrees(*angle);
-  }
-  if (const auto entry = section.choice("entry", entries)) out.entry = static_cast<EntryKind>(*entry);
-  if (const auto angle = section.positive("entry_angle")) {
-    if (*angle > 90) section.fail_at("entry_angle", "must be at most 90 degrees");
-    out.entry_angle = Radians::of_degrees(*angle);
-  }
-  if (const auto direction = section.choice("direction", directions)) {
-    out.direction = static_cast<CutDirection>(*direction);
-  }
+  Asked asked;
+  take_options(section, JobTable::kPlan, OptionsOf::kOperations, asked);
+  const auto& solver = asked.plan.published.solver;
+  if (solver && !solver->is_published && solver->published.is_set())
+    section.fail("sets the published solver; add solver = \"published\"");
   if (const auto kind = section.choice("kind", kinds)) out.kind = static_cast<OperationKind>(*kind);
   out.tool = count(section, "tool", 1e6);
-  out.feed = feed_of(section, "feed");
-  out.plunge_feed = feed_of(section, "plunge_feed");
-  out.ramp_feed = feed_of(section, "ramp_feed");
-  out.slot_feed = feed_of(section, "slot_feed");
-  out.spindle_rpm = section.positive("spindle");
-  out.coolant = coolant_in(section);
-  out.published = published_of(section);
+  out.asked = std::move(asked.plan);
   return out;
-}
-
-void read_solid_options(DataSection& section, SolidOptions& solid) {
-  solid.up = section.text("up").value_or("");
-  solid.turn_deg = coordinate(section, "turn").value_or(0);
-  solid.body = section.text("body").value_or("");
-  solid.breakthrough = section.not_negative("breakthrough");
-}
-
-/// "corner", "centre", or [x, y, z].
-std::optional<ZeroPoint> zero_point(DataSection& section) {
-  if (!section.has("origin")) return std::nullopt;
-  const std::vector<double> point =
-      section.is_list("origin") ? section.numbers("origin") : std::vector<double>{};
-  if (point.size() == 3) return ZeroPoint{"", {point[0], point[1], point[2]}};
-  if (section.is_list("origin")) section.fail_at("origin", "needs three numbers, [x, y, z]");
-  static const std::vector<std::string> places{"corner", "centre"};
-  return ZeroPoint{places[*section.choice("origin", places)], {}};
-}
-
-std::optional<WorkOffset> work_offset_of(DataSection& section) {
-  const auto text = section.text("work_offset");
-  const auto offset = text ? work_offset_named(*text) : std::nullopt;
-  if (text && !offset)
-    section.fail_at("work_offset",
-                    "'" + printable(*text) + "' is unknown; use one of " + std::string(kKnownWorkOffsets));
-  return offset;
-}
-
-/// "home", "none", [x, y] or "x,y".
-std::optional<EndPosition> end_position_of(DataSection& section) {
-  const std::string key = "end_position";
-  if (section.is_list(key)) {
-    const auto place = *section.pair(key);
-    return EndPosition{EndPosition::Kind::kPlace, {place[0], place[1]}};
-  }
-  const auto text = section.text(key);
-  const auto end = text ? end_position_named(*text) : std::nullopt;
-  if (text && !end) section.fail_at(key, "must be \"home\", \"none\" or [x, y]");
-  return end;
 }
 
 void read_part_section(DataSection section, JobFile& job) {
   const auto file = section.text("file");
   if (!file || file->empty()) section.fail("file is missing; add file = \"part.dxf\"");
   job.part_file = beside(job.file, *file);
-  ReadOptions& read = job.read;
-  read.unit = section.text("unit");
-  if (read.unit && !mm_per_unit(*read.unit))
+  Asked asked;
+  take_options(section, JobTable::kPart, OptionsOf::kWhole, asked);
+  if (asked.input.unit && !mm_per_unit(*asked.input.unit))
     section.fail_at("unit", "is unknown; use one of " + known_units());
-  read.depth = section.positive("depth");
-  read.top = coordinate(section, "top");
-  read.layers = section.texts("layers");
-  read.find_arcs = section.flag("find_arcs");
-  if (const auto gap = section.not_negative("join_gap")) read.tol.join_gap = *gap;
-  read.mirror = section.flag("mirror").value_or(false);
-  if (const auto scale = section.positive("scale")) read.scale = *scale, read.scale_is_right = true;
-  if (read.tol.join_gap > 10 || read.tol.join_gap < 1e-6)
-    section.fail_at("join_gap", "must lie between 1e-6 and 10 mm");
-  const auto strokes = section.choice("strokes", {"lines", "areas"});
-  if (strokes) read.stroke_areas = *strokes == 1;
-  const auto text = section.choice("text", {"skip", "outlines"});
-  if (text) read.text_outlines = *text == 1;
-  const auto open = section.choice("open_curves", {"refuse", "skip"});
-  if (open && *open == 1) read.open_curves = OpenCurves::kSkip;
-  read_solid_options(section, read.solid);
-  job.zero = zero_point(section);
+  asked.input.find_arcs = section.flag("find_arcs");
+  job.read = read_options_of(asked.input);
+  if (asked.input.stock_from) job.stock_from = beside(job.file, *asked.input.stock_from);
+  if (asked.input.origin) job.zero = parse_zero_point(*asked.input.origin, section.place_of("origin"));
   section.refuse_unknown();
 }
 
@@ -244,29 +132,12 @@ OperationRule operation_rule(DataSection section) {
   return rule;
 }
 
-int decimals_of(const DataSection& section, double value) {
-  if (value < 3 || value > 6 || value != std::floor(value))
-    section.fail("decimals is a whole number from 3 to 6; correct it");
-  return static_cast<int>(value);
-}
-
-JobOutput output_of(DataSection section) {
+JobOutput output_of(DataSection section, PlanOptions& whole) {
+  Asked asked{whole, {}};
+  take_options(section, JobTable::kOutput, OptionsOf::kWhole, asked);
+  whole = std::move(asked.plan);
   JobOutput out;
   out.program = section.text("program");
-  out.post = section.text("post");
-  out.inch = section.flag("inch");
-  out.work_offset = work_offset_of(section);
-  out.end_position = end_position_of(section);
-  if (const auto decimals = section.positive("decimals")) out.decimals = decimals_of(section, *decimals);
-  out.arcs = section.flag("arcs");
-  out.tool_change = section.flag("tool_change");
-  out.length_offset = section.flag("length_offset");
-  out.exact_stop = section.flag("exact_stop");
-  out.spindle_wait = section.not_negative("spindle_wait");
-  out.program_number = count(section, "program_number", 99999);
-  if (out.program_number == 0) section.fail_at("program_number", "must be 1 or more");
-  out.block_numbers = section.flag("block_numbers");
-  out.optional_stop = section.flag("optional_stop");
   out.certificate = section.text("certificate");
   out.svg = section.text("svg");
   out.report = section.text("report");
@@ -274,41 +145,6 @@ JobOutput output_of(DataSection section) {
   out.result = section.text("result");
   section.refuse_unknown();
   return out;
-}
-
-ShopOptions shop_of(DataSection& section) {
-  ShopOptions shop;
-  shop.helix_widest = section.positive("helix_diameter");
-  shop.helix_narrowest = section.positive("helix_min");
-  shop.lead_feed = feed_of(section, "lead_feed");
-  shop.lead_overlap = section.not_negative("lead_overlap");
-  shop.link_feed = feed_of(section, "link_feed");
-  shop.overrun = section.not_negative("overrun");
-  shop.link_lift = section.not_negative("link_lift");
-  shop.slot_angle_deg = section.positive("slot_angle");
-  shop.rest = section.flag("rest");
-  shop.finish = section.text("finish");
-  shop.finish_stock = section.not_negative("finish_stock");
-  shop.finish_stock_floor = section.not_negative("finish_stock_floor");
-  shop.finish_depths = section.positive("finish_depths");
-  shop.material = section.text("material");
-  shop.style = section.text("style");
-  shop.dogbones = section.text("dogbones");
-  return shop;
-}
-
-TabOptions tabs_of(DataSection& section) {
-  constexpr double kMost = 1000;
-  TabOptions tabs;
-  tabs.count = count(section, "tabs", kMost).value_or(0);
-  tabs.spacing = section.positive("tab_spacing");
-  tabs.at = section.points("tab_at");
-  if (section.choice("tab_shape", {"square", "triangular"}) == std::size_t{1})
-    tabs.shape = TabShape::kTriangular;
-  tabs.width = section.positive("tab_width").value_or(tabs.width);
-  tabs.height = section.positive("tab_height");
-  tabs.skin = section.positive("skin");
-  return tabs;
 }
 
 KeepOut keep_out_of(DataSection section) {
@@ -329,28 +165,15 @@ PredrilledHole predrilled_of(DataSection section) {
   return hole;
 }
 
-/// Of contours and zigzag lines: where they begin and how they run.
-void read_path_keys(DataSection& section, JobFile& job) {
-  static const std::vector<std::string> orders{"inside-out", "outside-in"};
-  job.angle_deg = section.number("angle");
-  if (const auto order = section.choice("order", orders)) job.order = static_cast<ContourOrder>(*order);
-  if (const auto start = section.pair("start")) job.start = Vec2{(*start)[0], (*start)[1]};
-}
-
 void read_plan_section(DataSection section, JobFile& job) {
   job.plan = settings_of(section);
-  job.shop = shop_of(section);
-  job.tabs = tabs_of(section);
-  if (const auto after = section.text("after")) job.after = beside(job.file, *after);
-  job.clearance_z = coordinate(section, "clearance");
-  read_path_keys(section, job);
-  job.engagement_deg = section.positive("engagement");
-  if (job.engagement_deg && *job.engagement_deg > 360)
-    section.fail_at("engagement", "must be at most 360 degrees");
-  job.objective = section.text("objective");
-  job.time_s = section.positive("time");
-  job.accept = section.texts("accept");
-  if (const auto seed = count(section, "seed", 2e9)) job.seed = static_cast<std::uint64_t>(*seed);
+  Asked asked{job.whole, {}};
+  take_options(section, JobTable::kPlan, OptionsOf::kWhole, asked);
+  job.whole = std::move(asked.plan);
+  if (asked.input.after) job.after = beside(job.file, *asked.input.after);
+  job.stated_keep_outs = asked.input.keep_outs;
+  job.stated_predrilled = asked.input.predrilled;
+  job.clearance_z = asked.input.clearance_z;
   section.refuse_unknown();
 }
 
@@ -373,6 +196,7 @@ void note_sources(const DataValue& root, JobFile& job) {
   job.plan.sources = of("plan");
   job.sources.merge(job.plan.sources);
   job.sources.merge(of("output"));
+  job.part_sources = of("part");
   const DataValue* operations = root.find("operation");
   for (std::size_t i = 0; operations && i < operations->items.size() && i < job.operations.size(); ++i)
     job.operations[i].settings.sources = key_sources(operations->items[i], job.file, Origin::kJobFile);
@@ -403,7 +227,7 @@ JobFile read_one_setup(const DataValue& root, const std::string& file_name) {
     job.keep_outs.push_back(keep_out_of(std::move(clamp)));
   for (DataSection& one : section.sections("operation"))
     job.operations.push_back(operation_rule(std::move(one)));
-  if (const auto output = section.section("output")) job.output = output_of(*output);
+  if (const auto output = section.section("output")) job.output = output_of(*output, job.whole);
   section.refuse_unknown();
   note_sources(root, job);
   return job;

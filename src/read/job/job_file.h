@@ -4,19 +4,16 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "model/machine.h"
-#include "model/options/end_position.h"
 #include "model/options/origin.h"
-#include "model/options/published_solver.h"
-#include "model/options/resolved_plan.h"
-#include "model/options/shop_options.h"
-#include "model/options/tab_options.h"
-#include "model/options/work_offset.h"
 #include "model/part.h"
+#include "options/plan_options.h"
+#include "options/row.h"
 #include "read/moved_part.h"
 #include "read/read_options.h"
 #include "read/tools/tool_library.h"
@@ -26,23 +23,9 @@ namespace clearcut::read {
 /// How to cut, for all operations ([plan]) or those of some features ([[operation]]). Absent values are
 /// left to what stands above them: operation, plan, the part's file, the planner's defaults.
 struct CutSettings {
-  std::optional<std::string> strategy;  ///< name
-  std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "3.5mm", "lom", "rho"
-  std::optional<double> stepdown;       ///< mm
-  std::optional<double> allowance;      ///< mm, on walls
-  std::optional<double> allowance_floor;
-  std::optional<double> scallop;      ///< mm
-  std::optional<double> lead;         ///< mm, radius or length; 0: none
-  std::optional<Radians> lead_angle;  ///< of straight leads
-  std::optional<EntryKind> entry;
-  std::optional<Radians> entry_angle;
-  std::optional<CutDirection> direction;
+  PlanOptions asked;        ///< of the options that operations may have
   std::optional<int> tool;  ///< number
   std::optional<OperationKind> kind;
-  std::optional<MmPerMin> feed, plunge_feed, ramp_feed, slot_feed;
-  std::optional<double> spindle_rpm;
-  std::optional<Coolant> coolant;
-  PublishedChoices published;
   Sources sources;  ///< "job.toml:12" of each key
 };
 
@@ -54,18 +37,9 @@ struct OperationRule {
   int line = 0;
 };
 
-/// What is to be written, as given; relative to the job's folder.
+/// Files to be written, as given; relative to the job's folder.
 struct JobOutput {
-  std::optional<std::string> program, post, certificate, svg, report, setup_sheet, result;
-  std::optional<bool> inch;
-  std::optional<WorkOffset> work_offset;
-  std::optional<EndPosition> end_position;
-  // Switches of the post.
-  std::optional<int> decimals;
-  std::optional<bool> arcs, tool_change, length_offset, exact_stop;
-  std::optional<double> spindle_wait;  ///< s
-  std::optional<int> program_number;
-  std::optional<bool> block_numbers, optional_stop;
+  std::optional<std::string> program, certificate, svg, report, setup_sheet, result;
 };
 
 struct JobStock {
@@ -90,27 +64,21 @@ struct JobFile {
   CutSettings plan;
   std::vector<OperationRule> operations;
   JobOutput output;
-  // For the planner as a whole.
-  ShopOptions shop;
-  TabOptions tabs;
+  PlanOptions whole;  ///< what [plan], [machine] and [output] ask of the plan as a whole
   std::optional<std::filesystem::path> after;  ///< program that has run before, found from the job's folder
-  std::vector<KeepOut> keep_outs;              ///< [[keep_out]]
-  std::vector<PredrilledHole> predrilled;      ///< [[predrilled]]
-  std::optional<double> engagement_deg;
-  std::optional<double> angle_deg;  ///< of zigzag lines against x
-  std::optional<ContourOrder> order;
-  std::optional<Vec2> start;
-  std::optional<std::string> objective;
-  std::optional<double> time_s;
-  std::optional<std::uint64_t> seed;
-  std::optional<ZeroPoint> zero;  ///< absent: that of the part's file
-  std::string setup_name;         ///< of one of several set-ups
-  int setup_number = 0;           ///< from 1; 0: the job is one set-up
-  bool has_own_stock = false;     ///< the set-up states where its block lies
+  std::optional<std::filesystem::path> stock_from;  ///< what the part is made of, likewise
+  std::vector<std::string> stated_keep_outs,
+      stated_predrilled;                   ///< of [plan], in the words of the command line
+  std::vector<KeepOut> keep_outs;          ///< [[keep_out]]
+  std::vector<PredrilledHole> predrilled;  ///< [[predrilled]]
+  std::optional<ZeroPoint> zero;           ///< absent: that of the part's file
+  std::string setup_name;                  ///< of one of several set-ups
+  int setup_number = 0;                    ///< from 1; 0: the job is one set-up
+  bool has_own_stock = false;              ///< the set-up states where its block lies
   std::vector<JobFile>
-      setups;  ///< [[setup]]: each a job of its own; the job itself is then as the first of them
-  std::vector<std::string> accept;  ///< conditions that hold at the machine, by name
-  Sources sources;  ///< of the keys of [plan], [machine] and [output], and of its machine file
+      setups;            ///< [[setup]]: each a job of its own; the job itself is then as the first of them
+  Sources sources;       ///< of the keys of [plan], [machine] and [output], and of its machine file
+  Sources part_sources;  ///< of the keys of [part]
 };
 
 /// Throws  InputError "file:line: ..." for bad TOML, unknown keys (with the nearest known one) and
@@ -130,8 +98,14 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
 /// The job's own tools, then those of its library that it uses: the tools of its part, in their order.
 std::vector<LibraryTool> tools_of_job(const JobFile& job);
 
-/// A commented job for `part`, read from `part_file`: valid as it stands, with every key and its default. `solid`: how the
-/// part was read.
-std::string job_text(const Part& part, const std::string& part_file, const SolidOptions& solid = {});
+/// Options that somebody has stated, by the names of their rows.
+struct StatedOptions {
+  Asked asked;
+  std::set<std::string> names;
+};
+
+/// A commented job for `part`, read from `part_file`: valid as it stands, with every key and its default; what is `stated` stands in
+/// it as keys, so that a plan of the job is the plan by those options.
+std::string job_text(const Part& part, const std::string& part_file, const StatedOptions& stated = {});
 
 }  // namespace clearcut::read

@@ -154,27 +154,27 @@ std::optional<double> stepover_fraction(const std::string& text, double diameter
   return unit.empty() ? value : value / diameter;
 }
 
-void apply_settings(const CutSettings& settings, const Part& part, const std::string& place,
+void apply_settings(const PlanOptions& asked, const Part& part, const std::string& place,
                     Operation& operation) {
-  set_if(operation.stepdown, settings.stepdown);
-  if (settings.allowance) operation.allowance_side = *settings.allowance;
-  if (settings.allowance_floor) operation.allowance_floor = *settings.allowance_floor;
-  set_if(operation.scallop, settings.scallop);
-  set_if(operation.lead, settings.lead);
-  set_if(operation.lead_angle, settings.lead_angle);
-  set_if(operation.entry, settings.entry);
-  set_if(operation.entry_angle, settings.entry_angle);
-  set_if(operation.direction, settings.direction);
-  set_if(operation.cutting.feed, settings.feed);
-  set_if(operation.cutting.plunge_feed, settings.plunge_feed);
-  set_if(operation.cutting.ramp_feed, settings.ramp_feed);
-  set_if(operation.cutting.slot_feed, settings.slot_feed);
-  set_if(operation.cutting.spindle_rpm, settings.spindle_rpm);
-  set_if(operation.cutting.coolant, settings.coolant);
-  if (settings.strategy) operation.strategy_hint = *settings.strategy;
-  if (settings.stepover && !part.tools.empty()) {
+  set_if(operation.stepdown, asked.stepdown);
+  if (asked.allowance) operation.allowance_side = *asked.allowance;
+  if (asked.allowance_floor) operation.allowance_floor = *asked.allowance_floor;
+  set_if(operation.scallop, asked.scallop);
+  set_if(operation.lead, asked.lead);
+  set_if(operation.lead_angle, asked.lead_angle);
+  set_if(operation.entry, asked.entry);
+  set_if(operation.entry_angle, asked.entry_angle);
+  set_if(operation.direction, asked.direction);
+  set_if(operation.cutting.feed, asked.cutting.feed);
+  set_if(operation.cutting.plunge_feed, asked.cutting.plunge_feed);
+  set_if(operation.cutting.ramp_feed, asked.cutting.ramp_feed);
+  set_if(operation.cutting.slot_feed, asked.cutting.slot_feed);
+  set_if(operation.cutting.spindle_rpm, asked.cutting.spindle_rpm);
+  set_if(operation.cutting.coolant, asked.cutting.coolant);
+  if (asked.strategy) operation.strategy_hint = *asked.strategy;
+  if (asked.stepover && !part.tools.empty()) {
     const double diameter = part.tools[static_cast<std::size_t>(operation.tool)].diameter;
-    set_if(operation.stepover, stepover_fraction(*settings.stepover, diameter, place));
+    set_if(operation.stepover, stepover_fraction(*asked.stepover, diameter, place));
   }
 }
 
@@ -304,7 +304,7 @@ class Dresser {
     if (operation.tool == kOpenTool) {
       const Feature& feature = feature_of(part_, planned.step);
       operation.tool = stock::tool_for(feature, part_.tools, {}, tol_);
-      if (job_.tabs.any() && stock::profiles_through(part_).contains(planned.step.feature))
+      if (job_.whole.tabs.any() && stock::profiles_through(part_).contains(planned.step.feature))
         operation.tool = stock::tool_for_tabs(feature, operation.tool, part_.tools);
       operation.is_tool_chosen = true;
       sources.set("tool", {Origin::kDerived, "the job's largest that fits"});
@@ -317,8 +317,8 @@ class Dresser {
     for (const SettingsSource& source : planned.sources) {
       // What roughing leaves on the walls is not left by finishing, unless its own rule says so.
       if (is_finishing(*source.settings)) leave_nothing(operation, source.place, sources);
-      apply_settings(*source.settings, part_, source.place, operation);
-      published_[step_key(planned.step)].merge(source.settings->published);
+      apply_settings(source.settings->asked, part_, source.place, operation);
+      published_[step_key(planned.step)].merge(source.settings->asked.published);
       sources.merge(source.settings->sources);
     }
     return std::move(planned.step);

@@ -1,7 +1,10 @@
 // The commented job that `init` writes.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/text/format.h"
+#include "options/row.h"
 #include "read/job/job_file.h"
 
 namespace clearcut::read {
@@ -28,31 +31,65 @@ std::string feature_line(const Feature& feature) {
                      trimmed(feature.top_z, 3), trimmed(feature.floor_z, 3));
 }
 
-/// What was said of a solid; the rest stays as the file has it.
-std::string solid_lines(const SolidOptions& solid) {
+/// As TOML: a number, true, "text", [x, y], ["a", "b"].
+std::string toml_of(const Row& row, const Value& value) {
+  const auto point = [](Vec2 at) { return fmt::format("[{}, {}]", at.x, at.y); };
+  if (const bool* flag = std::get_if<bool>(&value)) return *flag != row.key_is_opposite ? "true" : "false";
+  if (const double* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+  if (const Vec2* at = std::get_if<Vec2>(&value)) return point(*at);
+  std::string items;
+  if (const auto* points = std::get_if<std::vector<Vec2>>(&value)) {
+    for (const Vec2 at : *points) items += (items.empty() ? "" : ", ") + point(at);
+    return "[" + items + "]";
+  }
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) {
+    for (const std::string& text : *texts) items += (items.empty() ? "" : ", ") + quoted(text);
+    return "[" + items + "]";
+  }
+  return quoted(std::get<std::string>(value));
+}
+
+/// An example of a value that nobody has stated.
+std::string example_of(const Row& row) {
+  if (row.kind == ValueKind::kFlag) return row.key_is_opposite ? "false" : "true";
+  if (row.kind == ValueKind::kPoint) return "[10, 5]";
+  if (row.kind == ValueKind::kPoints) return "[[10, 0], [50, 40]]";
+  if (takes_several(row.kind)) return fmt::format("[{}]", quoted(row.shown_example()));
+  return is_number(row.kind) || row.kind == ValueKind::kSeed ? row.shown_example()
+                                                             : quoted(row.shown_example());
+}
+
+std::string comment_of(const Row& row) {
+  std::string text = row.sentence;
+  if (row.kind == ValueKind::kLength) text += ", mm";
+  if (row.kind == ValueKind::kFeed) text += ", mm/min";
+  if (!row.unit.empty()) text += ", " + row.unit;
+  return row.fallback.empty() ? text : text + " (default " + row.fallback + ")";
+}
+
+/// The lines of a table's options: those that were stated as keys, the others as comments that show how.
+std::string option_lines(JobTable table, const StatedOptions& stated) {
   std::string out;
-  if (!solid.up.empty()) out += "up = " + quoted(solid.up) + "\n";
-  if (solid.turn_deg != 0) out += "turn = " + trimmed(solid.turn_deg, 6) + "\n";
-  if (!solid.body.empty()) out += "body = " + quoted(solid.body) + "\n";
-  if (solid.breakthrough) out += "breakthrough = " + trimmed(*solid.breakthrough, 6) + "\n";
+  for (const Row& row : rows()) {
+    if (row.table != table) continue;
+    const auto value =
+        stated.names.contains(row.name) ? row.field.get(stated.asked, row.names) : std::nullopt;
+    out += value ? row.job_key() + " = " + toml_of(row, *value)
+                 : fmt::format("# {} = {}", row.job_key(), example_of(row));
+    out += "   # " + comment_of(row) + "\n";
+  }
   return out;
 }
 
-std::string part_section(const Part& part, const std::string& part_file, const SolidOptions& solid) {
-  std::string out =
-      "[part]\nfile = " + quoted(part_file) + "   # beside this job\n" + solid_lines(solid) +
-      "# unit = \"mm\"              # of a drawing that names none: mm, cm, m, in, px\n"
-      "# depth = 5                # mm, of every feature, before what the drawing says\n"
-      "# top = 0                  # mm, z of the drawing's plane\n"
-      "# layers = [\"POCKET*\"]     # only these layers\n"
-      "# scale = 1                # of a drawing\n"
-      "# origin = \"corner\"        # the program's zero: corner or centre of the block's top, or [x, y, z]\n"
-      "# join_gap = 0.01          # mm, gaps up to this are closed and reported\n"
-      "# open_curves = \"refuse\"   # or skip\n"
-      "# strokes = \"lines\"        # of an SVG; or areas, as wide as they are drawn\n"
-      "# text = \"skip\"            # of a drawing; or outlines, its letters by the machine's fonts\n"
-      "# find_arcs = true         # arcs found again in runs of short lines\n";
-  out += "# Features found:\n";
+bool states_any(JobTable table, const StatedOptions& stated) {
+  return std::any_of(rows().begin(), rows().end(),
+                     [&](const Row& row) { return row.table == table && stated.names.contains(row.name); });
+}
+
+std::string part_section(const Part& part, const std::string& part_file, const StatedOptions& stated) {
+  std::string out = "[part]\nfile = " + quoted(part_file) + "   # beside this job\n" +
+                    option_lines(JobTable::kPart, stated) +
+                    "# find_arcs = true   # arcs found again in runs of short lines\n# Features found:\n";
   for (const Feature& feature : part.features) out += feature_line(feature);
   return out +
          "\n# [[layer]]                # what the names of layers (or colours like \"#ff0000\") do not say\n"
@@ -100,9 +137,10 @@ std::string tool_section(const Tool& tool) {
   return out;
 }
 
-std::string tool_sections(const Part& part) {
-  std::string out =
-      "\n# [tools]\n# library = \"tools.toml\"    # or FreeCAD .fctl/.fctb, LinuxCNC .tbl, Fusion .json\n"
+std::string tool_sections(const Part& part, const StatedOptions& stated) {
+  std::string out = states_any(JobTable::kTools, stated) ? "\n[tools]\n" : "\n# [tools]\n";
+  out += option_lines(JobTable::kTools, stated);
+  out +=
       "# use = [1, 2]             # numbers; absent: all\n# preset = \"Aluminium\"     # of the library; "
       "absent: the first\n"
       "# Kinds: endmill, facemill, ball, bullnose, drill, reamer, vbit, chamfer, spotdrill (these with "
@@ -112,62 +150,15 @@ std::string tool_sections(const Part& part) {
       "# ramp_feed, slot_feed (mm/min), spindle (rpm), coolant, stepdown (mm), stepover (fraction).\n";
   bool any = false;
   for (const Tool& tool : part.tools) {
-    if (tool.kind == ToolKind::kOther) continue;
+    if (tool.kind == ToolKind::kOther || states_any(JobTable::kTools, stated)) continue;
     out += tool_section(tool);
     any = true;
   }
-  return any ? out : out + "\n[[tool]]\nnumber = 1\nkind = \"endmill\"\ndiameter = 6\nteeth = 2\n";
+  if (any || states_any(JobTable::kTools, stated)) return out;
+  return out + "\n[[tool]]\nnumber = 1\nkind = \"endmill\"\ndiameter = 6\nteeth = 2\n";
 }
 
-const char* const kRest = R"(
-[plan]                     # for all operations; absent values: the part's file, then the defaults
-# strategy = "auto"        # auto, contour, adaptive, lom, rho, second, fixed
-# stepover = 0.4           # fraction of the diameter, or "3.5mm", "lom", "rho"
-# stepdown = 2             # mm
-# allowance = 0            # mm left on walls
-# allowance_floor = 0      # mm left on floors
-# entry = "helix"          # helix, ramp, zigzag, plunge
-# entry_angle = 3          # degrees
-# helix_diameter = 5       # mm, widest helix; helix_min: narrowest
-# lead = 0                 # mm, radius of the arcs into and out of passes along walls
-# lead_angle = 45          # degrees: lines of that length at this angle instead
-# lead_overlap = 0         # mm that passes along walls run on over their start
-# direction = "climb"      # climb, conventional
-# angle = 0                # degrees, of zigzag lines against x; absent: the fastest
-# order = "inside-out"     # of contours; or outside-in
-# start = [10, 5]          # where contours begin, or adaptive clearing goes down
-# feed = 1000              # mm/min; also plunge_feed, ramp_feed, slot_feed
-# lead_feed = 1000         # mm/min; link_feed: between passes
-# overrun = 0              # mm that open sides are cut beyond their edge
-# link_lift = 0            # mm, ways between passes are run this much higher
-# slot_angle = 150         # degrees of engagement above which slot_feed rules
-# spindle = 12000          # rpm
-# coolant = "off"          # flood, mist, both
-# scallop = 0.5            # mm, steps that layers may leave on drafted walls
-# passage = "shortest"     # of contours: bisector (of a corner; the published methods' own), shortest
-# grid = "ours"            # of the strategy tour: ours, published
-# solver = "modern"        # of the strategy tour: modern, published (also generations, population, selection, crossover,
-                           # mutation, crossover_rate, mutation_rate, most_shared)
-# rest = false             # true: all tools given, larger ones first, each on what is left
-# after = "before.ngc"     # a program that has run before: only what it left is cut
-# finish = "walls"         # walls, floor, all: finishing after everything else
-# finish_stock = 0.3       # mm left on walls for it; finish_stock_floor = 0.2
-# finish_depths = 1        # in how many depths walls are finished
-# tabs = 0                 # that hold what each profile cuts free; tab_width = 4, tab_height = 2
-# tab_spacing = 100        # mm from one tab to the next, at most, instead of a number; or tab_at = [[10, 0], [50, 40]]
-# tab_shape = "triangular" # risen over without a stop; or square
-# skin = 0.3               # mm left under profiles instead
-# dogbones = "corner"      # or t-bone: relief in inside corners
-# style = "machinist"      # in metals; or fastest: what is chosen where nobody says how
-# material = "steel"       # for feeds, speeds and forces: aluminium, brass, steel, alloy-steel, stainless, cast-iron, titanium,
-                           # plastic, softwood, hardwood, mdf
-# clearance = 10           # z of rapid travel, mm
-# engagement = 90          # largest engagement angle, degrees
-# objective = "time"       # length, turns, angle, engagement, time
-# time = 10                # longest search, s
-# seed = 1
-# accept = ["g55"]         # conditions of the verdict that hold at the machine, by name
-
+const char* const kAfterPlan = R"(
 # [[operation]]            # what differs for some features; the same keys as [plan], and:
 # feature = "POCKET*"      # name, * for anything
 # tool = 1                 # number
@@ -183,33 +174,16 @@ const char* const kRest = R"(
 # x = [0, 20]
 # y = [0, 10]
 # z = [-5, 25]
+)";
 
-# [machine]
-# file = "mill.toml"       # the same keys
-# rapid = 5000             # mm/min
-# acceleration = 500       # mm/s2
-# junction_deviation = 0.01  # mm
-# max_feed = 3000          # mm/min
+const char* const kOfMachine =
+    R"(# max_feed = 3000          # mm/min
 # max_spindle = 24000      # rpm; min_spindle likewise
 # spindle_power = 800      # W, at the cutter; spindle_torque in Nm: for feeds by material
-# kind = "router"          # or "mill": usual speeds and power where none are stated
 # travel = {x = [0, 300], y = [0, 200], z = [-80, 20]}   # mm
+)";
 
-[output]
-# program = "out.ngc"
-# post = "linuxcnc"        # grbl, fanuc, haas, heidenhain, mach3, mach4, marlin
-# work_offset = "G54"      # to G59, and what the controller has besides: "G59.1", "G54.1 P12", "G154 P7"
-# end_position = "home"    # or [x, y] at the safe height, or "none"; absent: as the controller is used
-# inch = false
-# decimals = 4             # of coordinates; default: what the controller resolves
-# arcs = true              # false: lines only
-# tool_change = true       # false: a pause (M0) instead of M6
-# length_offset = true     # false: no G43
-# exact_stop = false       # G61 instead of blending
-# program_number = 100     # O word of Fanuc and Haas programs; later set-ups count on
-# block_numbers = false    # N words
-# optional_stop = false    # M1 before every tool but the first
-# spindle_wait = 2         # s after the spindle starts
+const char* const kFiles = R"(# program = "out.ngc"
 # certificate = "out.json"
 # svg = "out.svg"
 # report = "out.html"
@@ -217,13 +191,22 @@ const char* const kRest = R"(
 # result = "out.edges"     # the cuts as segments, x y to x y in each line
 )";
 
+/// All of it as comments where nothing is stated in it.
+std::string machine_section(const StatedOptions& stated) {
+  return std::string(states_any(JobTable::kMachine, stated) ? "\n[machine]\n" : "\n# [machine]\n") +
+         option_lines(JobTable::kMachine, stated) + kOfMachine;
+}
+
 }  // namespace
 
-std::string job_text(const Part& part, const std::string& part_file, const SolidOptions& solid) {
+std::string job_text(const Part& part, const std::string& part_file, const StatedOptions& stated) {
   return "# A job for clearcut. Lengths in mm, feeds in mm/min, angles in degrees. Lines after # show what "
          "may be said,\n"
          "# with its default or an example.\n\n" +
-         part_section(part, part_file, solid) + stock_section(part) + tool_sections(part) + kRest;
+         part_section(part, part_file, stated) + stock_section(part) + tool_sections(part, stated) +
+         "\n[plan]   # for all operations; absent values: the part's file, then the defaults\n" +
+         option_lines(JobTable::kPlan, stated) + kAfterPlan + machine_section(stated) + "\n[output]\n" +
+         option_lines(JobTable::kOutput, stated) + kFiles;
 }
 
 }  // namespace clearcut::read

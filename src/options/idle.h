@@ -1,0 +1,56 @@
+// Why an option has no effect in a plan that was made: the rows of the options' table name these.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/move.h"
+#include "model/options/resolved_plan.h"
+#include "model/results/strategy_selection.h"
+#include "options/plan_options.h"
+#include "options/row.h"
+
+namespace clearcut::inline options {
+
+/// A plan that was made, and what was asked for it.
+struct Situation {
+  const ResolvedPlan& plan;
+  const PlanOptions& asked;
+  const Toolpath& toolpath;
+  const std::vector<StrategySelection>& selections;
+};
+
+/// The kind of input that a part was read from.
+InputKinds input_kind_of(const Part& part);
+
+/// Why a row serves no input of that kind: "has no effect on a STEP solid; it serves ..."; "" where it does.
+std::string idle_on_input(const Row& row, InputKinds input);
+
+// Each gives the reason in words that follow "has no effect: ", or "" where the option has one.
+std::string cuts_through_nothing(const Situation& at);
+std::string frees_nothing(const Situation& at);
+std::string without_tabs(const Situation& at);
+std::string mills_nothing(const Situation& at);
+std::string clears_nothing(const Situation& at);
+std::string without_zigzag(const Situation& at);
+std::string without_contours(const Situation& at);
+std::string without_start(const Situation& at);
+std::string without_tour(const Situation& at);
+std::string without_ramps(const Situation& at);
+std::string without_helix(const Situation& at);
+std::string enters_no_hole(const Situation& at);
+std::string without_leads(const Situation& at);
+std::string without_open_sides(const Situation& at);
+std::string without_links(const Situation& at);
+std::string plunges_nowhere(const Situation& at);
+std::string ramps_nowhere(const Situation& at);
+std::string without_slot_feed(const Situation& at);
+std::string has_one_mill(const Situation& at);
+std::string finishes_no_walls(const Situation& at);
+std::string finishes_no_floor(const Situation& at);
+std::string has_no_corners(const Situation& at);
+std::string bears_on_no_feeds(const Situation& at);
+std::string changes_no_feeds(const Situation& at);
+std::string without_leaning_walls(const Situation& at);
+
+}  // namespace clearcut::inline options

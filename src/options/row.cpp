@@ -1,0 +1,168 @@
+#include "options/row.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <map>
+
+#include "base/error.h"
+#include "base/text/format.h"
+#include "base/text/quantity.h"
+
+namespace clearcut::inline options {
+namespace {
+
+constexpr int kDigits = 9;
+
+[[noreturn]] void refuse(const std::string& place, const std::string& text, const std::string& expected) {
+  throw InputError(place, "'" + text + "' is not " + expected);
+}
+
+double number_of_text(const Row& row, const std::string& text, const std::string& place) {
+  if (row.kind == ValueKind::kLength) {
+    if (const auto mm = length_in_mm(text)) return *mm;
+    refuse(place, text, "a length; write 6, 6mm or 0.25in");
+  }
+  if (row.kind == ValueKind::kFeed) {
+    if (const auto feed = feed_in_mm_per_min(text)) return *feed;
+    refuse(place, text, "a feed; write 800, 800mm/min or 40in/min");
+  }
+  if (const auto number = plain_number(text)) return *number;
+  refuse(place, text, row.kind == ValueKind::kWhole ? "a whole number" : "a number");
+}
+
+Vec2 point_of_text(const std::string& text, const std::string& place) {
+  const auto words = split(text, ',');
+  if (words.size() == 2) {
+    const auto x = length_in_mm(words[0]), y = length_in_mm(words[1]);
+    if (x && y && std::abs(*x) <= kLongestLength && std::abs(*y) <= kLongestLength) return {*x, *y};
+  }
+  refuse(place, text, "a point; write X,Y in mm");
+}
+
+/// One distance of passes: a fraction, a percentage, a length in mm or inches, or a name.
+std::string stepover_of_text(const std::string& text) {
+  if (!text.empty() && text.back() == '%') {
+    const auto percent = plain_number(text.substr(0, text.size() - 1));
+    if (percent) return trimmed(*percent / 100, kDigits);
+  }
+  if (text.ends_with("in") || text.ends_with("\"")) {
+    const auto mm = length_in_mm(text);
+    if (mm) return trimmed(*mm, kDigits) + "mm";
+  }
+  return text;
+}
+
+std::string stepovers_of_text(const std::string& text) {
+  std::string all;
+  for (const auto& one : split(text, ',')) all += (all.empty() ? "" : ",") + stepover_of_text(one);
+  return all;
+}
+
+std::string seed_of_text(const std::string& text, const std::string& place) {
+  std::uint64_t seed = 0;
+  const char* end = text.data() + text.size();
+  const auto [next, error] = std::from_chars(text.data(), end, seed);
+  if (error == std::errc{} && next == end) return text;
+  refuse(place, text, "a seed; write a whole number from 0 to 18446744073709551615");
+}
+
+std::string unit_of(const Row& row) {
+  if (row.kind == ValueKind::kLength) return "mm";
+  return row.kind == ValueKind::kFeed ? "mm/min" : row.unit;
+}
+
+void check_number(const Row& row, double value, const std::string& place) {
+  if (!std::isfinite(value)) throw InputError(place, "must be a finite number");
+  if (row.kind == ValueKind::kWhole && value != std::floor(value))
+    throw InputError(place, "must be a whole number; it is " + trimmed(value, kDigits));
+  const std::string reason = beyond_range(value, row.range, unit_of(row));
+  if (!reason.empty()) throw InputError(place, reason + "; it is " + trimmed(value, kDigits));
+}
+
+void check_name(const Row& row, const std::string& name, const std::string& place) {
+  if (std::find(row.names.begin(), row.names.end(), name) != row.names.end()) return;
+  const std::string meant = nearest_name(name, row.names);
+  throw InputError(
+      place, fmt::format("'{}' is unknown; {}use one of {}", name,
+                         meant.empty() ? "" : "did you mean '" + meant + "'? ", fmt::join(row.names, ", ")));
+}
+
+}  // namespace
+
+const char* name_of(Group group) {
+  static constexpr const char* kNames[] = {
+      "Input",           "Solids",           "Drawings",           "Tools",
+      "Machine",         "Limits",           "Strategy",           "Entry",
+      "Leads and links", "Feeds and speeds", "Rest and finishing", "Controller",
+      "Search",          "Published solver"};
+  return kNames[static_cast<std::size_t>(group)];
+}
+
+std::string Row::job_key() const {
+  if (!key.empty()) return key;
+  std::string out = name;
+  std::replace(out.begin(), out.end(), '-', '_');
+  return out;
+}
+
+std::string Row::shown_example() const {
+  if (!example.empty()) return example;
+  if (!names.empty()) return names.front();
+  if (is_number(kind)) return trimmed(std::max(range.least, 1.0), kDigits);
+  return kind == ValueKind::kSeed ? "1" : "";
+}
+
+const Row* row_named(const std::string& name) {
+  static const std::map<std::string, const Row*> kByName = [] {
+    std::map<std::string, const Row*> all;
+    for (const Row& row : rows()) all[row.name] = &row;
+    return all;
+  }();
+  const auto found = kByName.find(name);
+  return found == kByName.end() ? nullptr : found->second;
+}
+
+Value value_of_text(const Row& row, const std::string& text, const std::string& place) {
+  Value value;
+  if (is_number(row.kind)) {
+    value = number_of_text(row, text, place);
+  } else if (row.kind == ValueKind::kPoint) {
+    value = point_of_text(text, place);
+  } else if (row.kind == ValueKind::kSeed) {
+    value = seed_of_text(text, place);
+  } else {
+    value = row.kind == ValueKind::kStepover ? stepovers_of_text(text) : text;
+  }
+  check_value(row, value, place);
+  return value;
+}
+
+Value value_of_texts(const Row& row, const std::vector<std::string>& texts, const std::string& place) {
+  if (row.kind != ValueKind::kPoints) return texts;
+  std::vector<Vec2> points;
+  for (const std::string& text : texts) points.push_back(point_of_text(text, place));
+  return points;
+}
+
+void check_value(const Row& row, const Value& value, const std::string& place) {
+  if (const double* number = std::get_if<double>(&value)) check_number(row, *number, place);
+  if (row.kind == ValueKind::kChoice) check_name(row, std::get<std::string>(value), place);
+  if (!row.is_known) return;
+  const auto& text = std::get<std::string>(value);
+  if (!row.is_known(text)) throw InputError(place, "'" + text + "' is unknown; use " + row.known);
+}
+
+void check_values(const Asked& asked, const std::string& prefix) {
+  for (const Row& row : rows()) {
+    if (!row.field.get) continue;
+    const auto value = row.field.get(asked, row.names);
+    if (value) check_value(row, *value, prefix + row.name);
+  }
+}
+
+}  // namespace clearcut::inline options

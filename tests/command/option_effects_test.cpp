@@ -1,0 +1,203 @@
+// No option is without an effect: each row of the table, with each kind of input, changes the program or what the certificate finds,
+// or is refused with a line that says where it serves. What may stay quiet is listed here with its reason.
+#include <clearcut/options.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/files/file.h"
+#include "support/command.h"
+
+namespace clearcut {
+namespace {
+
+using test_support::run_clearcut;
+using test_support::ScratchFolder;
+using Json = nlohmann::json;
+
+/// Policies for what is unclear in a drawing, for how long is searched and on how many threads, and for which conditions are accepted:
+/// where nothing is unclear, the search ends before, and the condition does not arise, they do nothing and are none the worse. A tool
+/// more is an offer.
+const std::set<std::string> kQuiet{"join-gap", "open-curves", "text", "strokes",
+                                   "threads",  "seed",        "time", "accept"};
+
+/// Values that differ from what holds without the option; for other rows the last name or the shown example does.
+const std::map<std::string, std::string> kValues{{"origin", "centre"},
+                                                 {"unit", "inch"},
+                                                 {"layer", "NONE"},
+                                                 {"top", "1"},
+                                                 {"depth", "3"},
+                                                 {"up", "-Z"},
+                                                 {"turn", "90"},
+                                                 {"body", "1"},
+                                                 {"breakthrough", "0.7"},
+                                                 {"op", "ignore:1"},
+                                                 {"tabs", "2"},
+                                                 {"tab-spacing", "20"},
+                                                 {"tab-at", "0,0"},
+                                                 {"tab-shape", "triangular"},
+                                                 {"tab-width", "3"},
+                                                 {"tab-height", "1"},
+                                                 {"skin", "0.3"},
+                                                 {"scale", "2"},
+                                                 {"tool", "endmill:5"},
+                                                 {"keep-out", "-20:40,-20:40,-5:50"},
+                                                 {"acceleration", "300"},
+                                                 {"junction-deviation", "0.02"},
+                                                 {"rapid", "4000"},
+                                                 {"stepdown", "0.7"},
+                                                 {"allowance", "0.2"},
+                                                 {"allowance-floor", "0.2"},
+                                                 {"engagement", "120"},
+                                                 {"material", "softwood"},
+                                                 {"strategy", "zigzag"},
+                                                 {"style", "machinist"},
+                                                 {"stepover", "0.3"},
+                                                 {"angle", "30"},
+                                                 {"direction", "conventional"},
+                                                 {"start", "5,5"},
+                                                 {"entry", "helix"},
+                                                 {"entry-angle", "2"},
+                                                 {"helix-diameter", "2"},
+                                                 {"helix-min", "1"},
+                                                 {"predrilled", "10,10:8"},
+                                                 {"clearance", "17"},
+                                                 {"lead", "1"},
+                                                 {"lead-angle", "45"},
+                                                 {"lead-overlap", "1"},
+                                                 {"overrun", "1"},
+                                                 {"link-lift", "0.5"},
+                                                 {"feed", "900"},
+                                                 {"plunge-feed", "111"},
+                                                 {"ramp-feed", "222"},
+                                                 {"slot-feed", "333"},
+                                                 {"slot-angle", "140"},
+                                                 {"lead-feed", "444"},
+                                                 {"link-feed", "555"},
+                                                 {"spindle", "7000"},
+                                                 {"coolant", "flood"},
+                                                 {"finish", "walls"},
+                                                 {"finish-stock", "0.2"},
+                                                 {"finish-stock-floor", "0.1"},
+                                                 {"finish-depths", "2"},
+                                                 {"dogbones", "corner"},
+                                                 {"scallop", "0.3"},
+                                                 {"post", "grbl"},
+                                                 {"decimals", "3"},
+                                                 {"work-offset", "G55"},
+                                                 {"end-position", "home"},
+                                                 {"program-number", "7"},
+                                                 {"spindle-wait", "3"},
+                                                 {"objective", "turns"},
+                                                 {"generations", "10"},
+                                                 {"population", "9"},
+                                                 {"crossover-rate", "0.5"},
+                                                 {"mutation-rate", "0.5"},
+                                                 {"most-shared", "0.3"}};
+
+/// Rows whose values are files, or that need a job with set-ups: they have tests of their own.
+const std::set<std::string> kElsewhere{"setup", "earlier-setup", "stock-from", "tools", "machine", "after"};
+
+std::string value_for(const Row& row) {
+  const auto found = kValues.find(row.name);
+  if (found != kValues.end()) return found->second;
+  return row.names.empty() ? row.shown_example() : row.names.back();
+}
+
+/// What a plan comes to: its program without comments, and what the certificate finds.
+struct Outcome {
+  int exit_code = 0;
+  std::string program, findings, message;
+  friend bool operator==(const Outcome&, const Outcome&) = default;
+};
+
+/// Without what only repeats the question.
+std::string findings_in(const std::string& certificate) {
+  Json json = Json::parse(certificate);
+  for (const char* key : {"seal", "question", "values", "input", "inputs", "arguments", "command",
+                          "program_sha256", "version", "sha256", "input_hash", "program", "certificate"})
+    json.erase(key);
+  return json.dump();
+}
+
+std::string motion_of(const std::string& program) {
+  std::string out;
+  for (std::size_t at = 0; at < program.size();) {
+    const std::size_t end = std::min(program.find('\n', at), program.size());
+    std::string line = program.substr(at, end - at);
+    line.erase(std::min(line.find('('), line.size()));
+    line.erase(std::min(line.find(';'), line.size()));
+    if (!line.empty()) out += line + "\n";
+    at = end + 1;
+  }
+  return out;
+}
+
+Outcome outcome_of(const ScratchFolder& folder, std::vector<std::string> words) {
+  const std::string program = folder.path("out.ngc"), certificate = folder.path("out.json");
+  words.insert(words.begin(), "plan");
+  words.insert(words.end(), {"-o", program, "--certificate", certificate, "--quiet"});
+  const auto run = run_clearcut(words);
+  Outcome out{run.exit_code, "", "", run.err};
+  if (run.exit_code > 1) return out;
+  out.program = motion_of(read_file(program));
+  out.findings = findings_in(read_file(certificate));
+  out.message.clear();
+  return out;
+}
+
+constexpr const char* kDxf =
+    "0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n8\nPOCKET_"
+    "D2\n90\n4\n70\n1\n10\n0\n20\n0\n10\n30\n20\n0\n10\n30\n20\n20\n10\n0\n20\n"
+    "20\n0\nENDSEC\n0\nEOF\n";
+constexpr const char* kSvg =
+    "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"30mm\" height=\"20mm\" viewBox=\"0 0 30 20\"><g "
+    "id=\"POCKET_D2\"><rect "
+    "x=\"0\" y=\"0\" width=\"30\" height=\"20\" fill=\"#000000\"/></g></svg>\n";
+constexpr const char* kOutline =
+    R"({"name":"p","units":"mm","outer":[[0,0,0],[30,0,0],[30,20,0],[0,20,0]],"top":0,"depth":2})";
+
+/// The input of a kind and what a plan of it needs.
+std::vector<std::string> words_for(const std::string& kind, const ScratchFolder& folder) {
+  const std::string examples = std::string(CLEARCUT_SOURCE_DIR) + "/examples/";
+  if (kind == "dxf") return {folder.file("p.dxf", kDxf), "--tool", "endmill:6"};
+  if (kind == "svg") return {folder.file("p.svg", kSvg), "--depth", "2", "--tool", "endmill:6"};
+  if (kind == "outline") return {folder.file("p.json", kOutline), "--tool", "endmill:6"};
+  if (kind == "board") return {examples + "board-PTH.drl", "--depth", "1.6", "--tool", "endmill:0.5"};
+  if (kind == "solid") return {examples + "bracket.step", "--tool", "endmill:4", "--strategy", "contour"};
+  return {examples + "strategies.p21"};
+}
+
+class OptionEffects : public testing::TestWithParam<const char*> {};
+
+TEST_P(OptionEffects, NoOptionIsSilent) {
+  const ScratchFolder folder;
+  const auto words = words_for(GetParam(), folder);
+  const Outcome plain = outcome_of(folder, words);
+  ASSERT_LE(plain.exit_code, 1) << plain.message;
+  int pairs = 0;
+  for (const Row& row : rows()) {
+    if (kQuiet.contains(row.name) || kElsewhere.contains(row.name)) continue;
+    if (std::find(words.begin(), words.end(), "--" + row.name) != words.end() && row.name != "tool") continue;
+    auto with = words;
+    with.push_back("--" + row.name);
+    if (row.kind != ValueKind::kFlag) with.back() += "=" + value_for(row);
+    const Outcome outcome = outcome_of(folder, with);
+    ++pairs;
+    if (outcome.exit_code == 2)
+      EXPECT_NE(outcome.message.find("--"), std::string::npos) << outcome.message;
+    else
+      EXPECT_NE(outcome, plain) << "--" << row.name << " changes nothing of a " << GetParam();
+  }
+  EXPECT_GT(pairs, 70);
+}
+
+INSTANTIATE_TEST_SUITE_P(Inputs, OptionEffects,
+                         testing::Values("dxf", "svg", "outline", "board", "solid", "stepnc"));
+
+}  // namespace
+}  // namespace clearcut
