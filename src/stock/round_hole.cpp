@@ -24,6 +24,10 @@ bool only_plunges(const Tool& tool) {
   return makes_holes(tool);
 }
 
+double full_depth(const Part& part, const Workingstep& step) {
+  return feature_of(part, step).floor_z + step.operation.allowance_floor + point_length(tool_of(part, step));
+}
+
 bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol) {
   const double spare = 2 * hole.radius - tool.diameter;
   return spare >= -tol.fit && spare <= tol.uncut;
@@ -31,17 +35,14 @@ bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol) 
 
 std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, const Tolerances& tol) {
   std::vector<PredrilledHole> holes = part.predrilled;
-  const auto lowest = [&](const Workingstep& step) {
-    return feature_of(part, step).floor_z + step.operation.allowance_floor;
-  };
   const Workingstep& own = part.workplan.at(static_cast<std::size_t>(workingstep));
-  const double deep = lowest(own);
+  const double deep = feature_of(part, own).floor_z + own.operation.allowance_floor;
   const Box here =
       box(feature_of(part, own).allowed);  // most holes lie beside it, which is cheap to find out
   for (int i = 0; i < workingstep; ++i) {
     const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
     const Feature& feature = feature_of(part, step);
-    if (lowest(step) > deep || !box(feature.target).overlaps(here)) continue;
+    if (full_depth(part, step) > deep || !box(feature.target).overlaps(here)) continue;
     if (is_formed(feature)) continue;  // narrower than its outline, or no deeper than its cone
     const Tool& tool = tool_of(part, step);
     const auto hole = round_hole_of(feature, tol);

@@ -7,6 +7,7 @@
 #include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "geometry/rectangle.h"
+#include "model/cutter_profile.h"
 #include "resolve/left_over.h"
 
 namespace clearcut::pipeline {
@@ -147,6 +148,13 @@ bool is_said_above_tabs(const FeatureFindings& found, const Part& part, const Fi
          });
 }
 
+/// Of a tool without a flat end what it ends in; "" of others.
+std::string end_that_leaves(const Part& part, const FeatureFindings& found) {
+  const Tool& tool = tool_of(part, part.workplan[static_cast<std::size_t>(found.workingstep)]);
+  if (flat_end(tool) > 0) return "";
+  return outer_profile(tool).round > 0 ? "ends in a ball" : "ends in a point";
+}
+
 /// What its reader doubts.
 std::vector<Condition> doubts(const Part& part) {
   std::vector<Condition> conditions;
@@ -171,8 +179,12 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
     std::string text = feature.name + ": " + trimmed(left, 2) + " of " + trimmed(whole, 2) +
                        " mm2 are out of the reach of T" + std::to_string(found.tool_number) + " (" +
                        trimmed(found.tool_diameter, 3) + " mm)";
+    const std::string end = end_that_leaves(part, found);
     // The area of a profile depends on its cutter, that of drafted walls on the depth; of pieces it matters whether they are parted.
-    if (!feature.profile && feature.kind != FeatureKind::kIsolation && feature.wall_slope.radians() == 0) {
+    if (!end.empty()) {
+      text += ", which " + end + "; a flat end mill leaves its floor flat";
+    } else if (!feature.profile && feature.kind != FeatureKind::kIsolation &&
+               feature.wall_slope.radians() == 0) {
       const double fits = largest_that_reaches(feature, found.tool_diameter, tol);
       text += fits > 0 ? "; the largest cutter that reaches all but " + trimmed(allowed_to_stay(whole), 2) +
                              " mm2 has " + trimmed(fits, 2) + " mm"

@@ -77,7 +77,9 @@ class LoadMeter {
  private:
   /// Under which number the material knows the cutter of a move.
   int number_of(const CheckedMove& checked) {
-    return checked.tool ? add_to(material_, removal_of(checked)) : stock::Material::kCylinder;
+    if (!checked.tool) return stock::Material::kCylinder;
+    const stock::Removal removal = removal_of(checked);
+    return material_.add_cutter(removal.profile, removal.circle);
   }
 
   void take_away(const CheckedMove& checked) {

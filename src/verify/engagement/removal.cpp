@@ -4,15 +4,10 @@
 
 namespace clearcut::verify {
 
-Removal removal_of(const CheckedMove& checked) {
-  const Tool& tool = *checked.tool;
-  if (checked.is_carried()) return {CutterProfile::cylinder(tool.radius()), tool.radius()};
-  const bool asks = !is_conical(tool) && tool.kind != ToolKind::kTSlot;
-  return {inner_profile(tool), asks ? tool.radius() : 0};
-}
-
-int add_to(stock::Material& material, const Removal& removal) {
-  return material.add_cutter(removal.profile, removal.circle);
+stock::Removal removal_of(const CheckedMove& checked) {
+  const double radius = checked.tool->radius();
+  if (checked.is_carried()) return {CutterProfile::cylinder(radius), radius};
+  return stock::removal_by(*checked.tool);
 }
 
 double height_of_edges(const Tool& tool) {
