@@ -148,11 +148,18 @@ bool is_said_above_tabs(const FeatureFindings& found, const Part& part, const Fi
          });
 }
 
-/// Of a tool without a flat end what it ends in; "" of others.
-std::string end_that_leaves(const Part& part, const FeatureFindings& found) {
+/// What the end of a tool leaves along walls or on the floor that a flat end mill as wide reaches; "" where it is flat itself.
+std::string end_that_leaves(const Part& part, const Feature& feature, const FeatureFindings& found,
+                            const Tolerances& tol) {
   const Tool& tool = tool_of(part, part.workplan[static_cast<std::size_t>(found.workingstep)]);
-  if (flat_end(tool) > 0) return "";
-  return outer_profile(tool).round > 0 ? "ends in a ball" : "ends in a point";
+  const double flat = flat_end(tool);
+  if (flat >= tool.radius()) return "";
+  const std::string end = flat > 0 ? "rounds off " + trimmed(tool.radius() - flat, 3) + " mm"
+                          : outer_profile(tool).round > 0 ? "ends in a ball"
+                                                          : "ends in a point";
+  const double left = left_by(feature, tool.diameter, tol);
+  return ", which " + end + "; a flat end mill as wide leaves " +
+         (left <= allowed_to_stay(area(feature.target)) ? "none" : trimmed(left, 2) + " mm2");
 }
 
 /// What its reader doubts.
@@ -179,16 +186,14 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
     std::string text = feature.name + ": " + trimmed(left, 2) + " of " + trimmed(whole, 2) +
                        " mm2 are out of the reach of T" + std::to_string(found.tool_number) + " (" +
                        trimmed(found.tool_diameter, 3) + " mm)";
-    const std::string end = end_that_leaves(part, found);
     // The area of a profile depends on its cutter, that of drafted walls on the depth; of pieces it matters whether they are parted.
-    if (!end.empty()) {
-      text += ", which " + end + "; a flat end mill leaves its floor flat";
-    } else if (!feature.profile && feature.kind != FeatureKind::kIsolation &&
-               feature.wall_slope.radians() == 0) {
+    if (!feature.profile && feature.kind != FeatureKind::kIsolation && feature.wall_slope.radians() == 0) {
+      const std::string end = end_that_leaves(part, feature, found, tol);
       const double fits = largest_that_reaches(feature, found.tool_diameter, tol);
-      text += fits > 0 ? "; the largest cutter that reaches all but " + trimmed(allowed_to_stay(whole), 2) +
-                             " mm2 has " + trimmed(fits, 2) + " mm"
-                       : "; no cutter of 0.1 mm or more reaches it";
+      text += !end.empty() ? end
+              : fits > 0 ? "; the largest cutter that reaches all but " + trimmed(allowed_to_stay(whole), 2) +
+                               " mm2 has " + trimmed(fits, 2) + " mm"
+                         : "; no cutter of 0.1 mm or more reaches it";
     }
     const bool little = left <= std::max(kShare * whole, kCorners) && left <= kMost * whole;
     conditions.push_back({"out-of-reach", text, 0, little ? "at most 2 percent or 1 mm2" : ""});
