@@ -184,12 +184,13 @@ bool covers(const FinestWork& a, const FinestWork& b) {
          a.radius - a.flat <= b.radius - b.flat + kSameSize;
 }
 
-/// Where a drill makes a hole, its width counts from the top of its point; pockets are flat down to their floor.
-FinestWork work_of(const Feature& feature, const Tool& tool, double allowance_side) {
+/// Where a drill makes a hole, its width counts from the top of its point, give or take what may be left on floors; pockets are
+/// flat down to their floor.
+FinestWork work_of(const Feature& feature, const Tool& tool, double allowance_side, const Tolerances& tol) {
   const bool is_hole = feature.kind == FeatureKind::kRoundHole || feature.hole;
   const CutterProfile profile = outer_profile(tool);
   if (is_hole && tool.kind == ToolKind::kDrill)
-    return {tool.radius(), tool.radius(), allowance_side, profile.full_height()};
+    return {tool.radius(), tool.radius(), allowance_side, profile.full_height() + tol.uncut};
   return {tool.radius(), std::min(tool.radius(), profile.flat), allowance_side, 0};
 }
 
@@ -203,7 +204,7 @@ std::vector<FinestWork> finest_works(const Part& part, const FeatureWork& work, 
     const bool known = operation.tool >= 0 && operation.tool < static_cast<int>(part.tools.size());
     if (step.feature != work.feature || lowest > z + tol.gouge) continue;
     const Tool tool = known ? part.tools[operation.tool] : Tool{};
-    const FinestWork own = work_of(part.features[work.feature], tool, operation.allowance_side);
+    const FinestWork own = work_of(part.features[work.feature], tool, operation.allowance_side, tol);
     if (std::any_of(finest.begin(), finest.end(),
                     [&](const FinestWork& other) { return covers(other, own); }))
       continue;

@@ -13,7 +13,11 @@ constexpr double kStep = 0.5;
 
 }  // namespace
 
-double TurnedBody::surface(double distance) const {
+double TurnedBody::steepness() const {
+  return end == End::kCone ? 1 / std::tan(angle * kDegree / 2) : 0;
+}
+
+double TurnedBody::surface(double distance, double steep) const {
   const double radius = diameter / 2;
   if (distance > radius) return std::numeric_limits<double>::infinity();
   switch (end) {
@@ -25,7 +29,7 @@ double TurnedBody::surface(double distance) const {
       return round - std::sqrt(std::max(0.0, round * round - out * out));
     }
     case End::kCone:
-      return std::max(0.0, distance - tip / 2) / std::tan(angle * kDegree / 2);
+      return std::max(0.0, distance - tip / 2) * steep;
   }
   return 0;
 }
@@ -58,9 +62,10 @@ void ProfileField::along(const TurnedBody& body, const BodyWay& way, Visit visit
     };
     for (int r = row(y - reach); r <= row(y + reach); ++r) {
       for (int c = column(x - reach); c <= column(x + reach); ++c) {
-        const double apart = std::hypot(x0_ + (c + 0.5) * cell_ - x, y0_ + (r + 0.5) * cell_ - y);
-        if (apart > reach) continue;
-        visit(static_cast<std::size_t>(r * columns_ + c), apart, z, length / steps / 2,
+        const double ax = x0_ + (c + 0.5) * cell_ - x, ay = y0_ + (r + 0.5) * cell_ - y;
+        const double squared = ax * ax + ay * ay;
+        if (squared > reach * reach) continue;
+        visit(static_cast<std::size_t>(r * columns_ + c), std::sqrt(squared), z, length / steps / 2,
               length > 0 ? std::abs(dz) / steps / 2 : 0);
       }
     }
@@ -69,22 +74,24 @@ void ProfileField::along(const TurnedBody& body, const BodyWay& way, Visit visit
 
 void ProfileField::cut(const TurnedBody& body, const BodyWay& way) {
   std::vector<Cell>& cells = cells_;
+  const double steep = body.steepness();
   along(body, way, [&](std::size_t i, double apart, double z, double aside, double dz) {
     Cell& cell = cells[i];
     const double least = std::max(0.0, apart - half_ - aside);
-    cell.certain = std::min(cell.certain, z - dz + body.surface(least));
+    cell.certain = std::min(cell.certain, z - dz + body.surface(least, steep));
     if (body.removes && body.end != TurnedBody::End::kDisc)
-      cell.possible = std::min(cell.possible, z + body.surface(apart + half_));
+      cell.possible = std::min(cell.possible, z + body.surface(apart + half_, steep));
   });
 }
 
 ProfileField::Hit ProfileField::hit(const TurnedBody& body, const BodyWay& way) const {
   Hit hit;
+  const double steep = body.steepness();
   along(body, way, [&](std::size_t i, double apart, double z, double aside, double dz) {
     const Cell& cell = cells_[i];
-    hit.certain = std::max(hit.certain, cell.certain - (z + body.surface(apart + half_)));
-    hit.possible =
-        std::max(hit.possible, cell.possible - (z - dz + body.surface(std::max(0.0, apart - half_ - aside))));
+    hit.certain = std::max(hit.certain, cell.certain - (z + body.surface(apart + half_, steep)));
+    hit.possible = std::max(
+        hit.possible, cell.possible - (z - dz + body.surface(std::max(0.0, apart - half_ - aside), steep)));
   });
   return hit;
 }

@@ -15,8 +15,10 @@ struct TurnedBody {
   double tip = 0;       ///< kCone: diameter of the flat at its tip
   bool removes = true;  ///< kDisc and tools that cut threads leave material within
 
-  /// Height of the surface over the tip at this distance from the axis; infinite beyond.
-  double surface(double distance) const;
+  /// Of a cone: mm up for each mm outwards.
+  double steepness() const;
+  /// Height of the surface over the tip at this distance from the axis; infinite beyond. `steep`: its steepness.
+  double surface(double distance, double steep) const;
 };
 
 /// A straight way of the tip, or no way at all where it stands.
