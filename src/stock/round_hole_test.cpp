@@ -38,6 +38,15 @@ TEST(HolesBefore, AreAsWideAsWhatWasCut) {
   EXPECT_EQ(hole_before_second(pocket_cut_by(ToolKind::kEndMill, 12, 0)), 12);
 }
 
+TEST(HolesBefore, OfBullNosesAreNarrowerWhereTheyRoundOff) {
+  Part part = pocket_cut_by(ToolKind::kBullNoseEndMill, 8, 0);
+  part.tools[0].corner_radius = 1;
+  EXPECT_EQ(hole_before_second(part), 10);
+  part.tools[0].corner_radius = 4;
+  part.tools[0].kind = ToolKind::kBallEndMill;
+  EXPECT_EQ(hole_before_second(part), 0);
+}
+
 TEST(HolesBefore, OfDrillsEndWhereTheirPointBegins) {
   Part part = pocket_cut_by(ToolKind::kDrill, 10, 0);
   EXPECT_EQ(hole_before_second(part), 0) << "its cone stands over the floor of the second step";

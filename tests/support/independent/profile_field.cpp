@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kDegree = 0.017453292519943295;
 /// Steps along a way, of a cell.
-constexpr double kStep = 0.5;
+constexpr double kStep = 0.8;
 
 }  // namespace
 
@@ -50,7 +50,7 @@ void ProfileField::along(const TurnedBody& body, const BodyWay& way, Visit visit
   const double length = std::hypot(dx, dy);
   const int steps = 1 + static_cast<int>(std::max(length / (kStep * cell_),
                                                   length > 0 ? std::abs(dz) / (kStep * cell_) : 0));
-  const double reach = body.diameter / 2 + cell_;
+  const double reach = body.diameter / 2 + 1.25 * cell_;
   for (int i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps, x = way.x0 + dx * t, y = way.y0 + dy * t;
     const double z = length > 0 ? way.z0 + dz * t : std::min(way.z0, way.z1);
