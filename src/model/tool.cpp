@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/elementary.h"
+#include "model/cutter_profile.h"
 
 namespace clearcut::inline model {
 
@@ -81,14 +82,9 @@ double widest_radius(const Tool& tool) {
 }
 
 double radius_at(const Tool& tool, double height) {
-  if (has_flanks(tool))
-    return std::min(widest_radius(tool), tip_radius(tool) + std::max(0.0, height) * flank_slope(tool));
   if (tool.kind == ToolKind::kTSlot && height > tool.flute_length.value_or(HUGE_VAL))
     return tool.shank_diameter / 2;
-  const double round = tool.kind == ToolKind::kBallEndMill ? tool.radius() : tool.corner_radius;
-  const double flat = std::max(0.0, tool.radius() - round);
-  const double below = std::clamp(round - height, 0.0, round);  // the middle of the round
-  return flat + std::sqrt(round * round - below * below);
+  return outer_profile(tool).radius_at(std::max(0.0, height));
 }
 
 double point_length(const Tool& tool) {

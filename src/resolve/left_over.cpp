@@ -5,6 +5,7 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "model/cutter_profile.h"
 #include "stock/round_hole.h"
 
 namespace clearcut::resolve {
@@ -39,8 +40,7 @@ Loop capsule(Vec2 a, Vec2 b, double radius) {
 }
 
 /// Outlines that make up the area which `radius` mm round a move cover.
-void add_swept(const Move& move, double radius, double z, std::vector<Loop>& out) {
-  if (is_rapid(move.kind) || std::max(move.z_from, move.z_to) > z + kSameHeight) return;
+void add_swept(const Move& move, double radius, std::vector<Loop>& out) {
   if (move.is_vertical()) return out.push_back(capsule(move.path.from, move.path.from, radius));
   std::vector<Vec2> points{move.path.from};
   append_flattened(move.path, kChord, points);
@@ -55,6 +55,11 @@ Regions union_of(std::span<const Loop> loops, const Tolerances& tol) {
   return unite(union_of(loops.first(half), tol), union_of(loops.subspan(half), tol), tol);
 }
 
+/// mm; height of the highest tip of a move, of plunges of the lowest.
+double tip_of(const Move& move) {
+  return move.is_vertical() ? std::min(move.z_from, move.z_to) : std::max(move.z_from, move.z_to);
+}
+
 /// What the earlier program has cut down to z near `where`, for a feature that begins at `top`, and residuals beside it.
 Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, double top, const Box& where,
                        Tolerances tol) {
@@ -63,38 +68,55 @@ Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, dou
   for (const Section& section : toolpath.sections) {
     const Tool* const tool = tool_numbered(part.tools, section.tool_number);
     if (tool == nullptr || tool->kind == ToolKind::kTSlot || !section.counts_below(top)) continue;
+    // Cuts of earlier set-ups were made narrower, by the ends of their cutters, when they were carried over.
+    const CutterProfile removes =
+        section.carried_below ? CutterProfile::cylinder(tool->radius()) : inner_profile(*tool);
     for (const Move& move : section.moves) {
+      if (is_rapid(move.kind) || tip_of(move) > z + kSameHeight) continue;
+      const double radius = removes.radius_at(std::max(0.0, z - tip_of(move)));
       const Box path = move.path.box();
-      if (path.grown(tool->radius()).overlaps(where)) add_swept(move, tool->radius() + kResidual, z, loops);
+      if (radius > 0 && path.grown(radius).overlaps(where)) add_swept(move, radius + kResidual, loops);
     }
   }
   return loops.empty() ? Regions{} : union_of(loops, tol);
 }
 
-/// What the cutter of a step can reach of a layer, lines on which it just fits included.
-Regions within_reach(const Layer& layer, double radius, double stock, const Tolerances& tol) {
-  Regions reached = swept(layer.allowed, radius, stock, 0, tol);
+/// What the cutter of a step can reach of a layer with the flat of its end, lines on which it just fits included. Ball ends are planned
+/// as flat.
+Regions within_reach(const Layer& layer, const Tool& tool, double stock, const Tolerances& tol) {
+  const double radius = tool.radius(), flat = flat_end(tool) > 0 ? std::min(radius, flat_end(tool)) : radius;
+  Regions reached = swept(layer.allowed, radius, stock, flat - radius, tol);
   std::vector<Loop> fitting;
   for (const Region& region : layer.allowed) {
     for (const Path& line : Clearance(region, tol).fit_lines(radius + stock, layer.reserve)) {
-      for (const Edge& edge : line) add_swept({edge, 0, 0, MoveKind::kCut, {}, 0}, radius, 0, fitting);
+      for (const Edge& edge : line) add_swept({edge, 0, 0, MoveKind::kCut, {}, 0}, flat, fitting);
     }
   }
   return fitting.empty() ? reached : unite(reached, union_of(fitting, tol), tol);
 }
 
+/// z of the lowest tip of a step.
+double lowest_tip(const Part& part, const Workingstep& step) {
+  return feature_of(part, step).floor_z + step.operation.allowance_floor;
+}
+
 bool reaches(const Part& part, const Workingstep& step, double z) {
-  const Operation& operation = step.operation;
-  if (operation.kind == OperationKind::kSideFinishing) return false;  // along the walls alone
-  const double floor = feature_of(part, step).floor_z + operation.allowance_floor;
-  return floor <= z + kSameHeight && !stock::only_plunges(tool_of(part, step));
+  if (step.operation.kind == OperationKind::kSideFinishing) return false;  // along the walls alone
+  return lowest_tip(part, step) <= z + kSameHeight && !stock::only_plunges(tool_of(part, step));
+}
+
+/// mm; by how much less than its full radius the cutter of a step has cleared at z, where its lowest passes run deeper.
+double narrower_at(const Part& part, const Workingstep& step, double z) {
+  const Tool& tool = tool_of(part, step);
+  const double cleared = inner_profile(tool).radius_at(std::max(0.0, z - lowest_tip(part, step)));
+  return std::max(0.0, tool.radius() - cleared);
 }
 
 }  // namespace
 
 Regions swept(const Regions& allowed, double radius, double stock, double more, const Tolerances& tol) {
   const Regions legal = inset(allowed, radius + stock, tol);
-  return legal.empty() ? legal : dilate(legal, radius + more, tol);
+  return legal.empty() || radius + more <= 0 ? Regions{} : dilate(legal, radius + more, tol);
 }
 
 Regions left_over(const Part& part, int workingstep, const Layer& layer,
@@ -107,17 +129,17 @@ Regions left_over(const Part& part, int workingstep, const Layer& layer,
     if (step.feature != own.feature || !reaches(part, step, layer.z)) continue;
     const double stock = step.operation.allowance_side + layer.reserve;
     const std::optional<Regions> bounded = room ? room(i) : std::nullopt;
-    left = subtract(
-        left, swept(bounded ? *bounded : layer.allowed, tool_of(part, step).radius(), stock, -kSpare, tol),
-        tol);
+    left = subtract(left,
+                    swept(bounded ? *bounded : layer.allowed, tool_of(part, step).radius(), stock,
+                          -kSpare - narrower_at(part, step, layer.z), tol),
+                    tol);
   }
   const double own_stock = own.operation.allowance_side;
   if (earlier && !left.empty()) {
     left = subtract(
         left, cut_by_program(*earlier, part, layer.z, feature_of(part, own).top_z, box(left), tol), tol);
-    const double radius = tool_of(part, own).radius();
     if (!left.empty())
-      left = intersect(left, within_reach(layer, radius, own_stock + layer.reserve, tol), tol);
+      left = intersect(left, within_reach(layer, tool_of(part, own), own_stock + layer.reserve, tol), tol);
   }
   if (own_stock > 0 && !left.empty()) left = intersect(left, inset(layer.allowed, own_stock, tol), tol);
   const double sliver = earlier ? kResidualSliver : kSliver;

@@ -10,6 +10,7 @@
 #include "base/text/format.h"
 #include "base/units.h"
 #include "geometry/boolean.h"
+#include "model/cutter_profile.h"
 #include "resolve/prepare.h"
 #include "resolve/tool_cutting.h"
 #include "stock/round_hole.h"
@@ -25,19 +26,29 @@ constexpr const char* kForFinishing = "stock for the finishing steps on top";
 /// Of the cutter's radius.
 constexpr double kLead = 0.5;
 
-/// Indices of the mills, widest first, of each diameter the first.
+/// mm by which the flat of a mill's end stays off the walls: where it rounds off, something stands on floors along them.
+double rounded_off(const Tool& tool) {
+  return std::max(0.0, tool.radius() - flat_end(tool));
+}
+
+/// Whether `tool` reaches what `other` leaves: in corners, being narrower, or along floors, being less rounded off.
+bool reaches_more(const Tool& tool, const Tool& other) {
+  if (tool.diameter != other.diameter) return tool.diameter < other.diameter;
+  return rounded_off(tool) < rounded_off(other);
+}
+
+/// Indices of the mills, those that reach least first, of each shape the first.
 std::vector<int> mills_of(const std::vector<Tool>& tools) {
   std::vector<int> mills;
+  const auto at = [&](int i) -> const Tool& { return tools[static_cast<std::size_t>(i)]; };
   for (std::size_t i = 0; i < tools.size(); ++i) {
-    const auto as_wide = [&](int other) {
-      return tools[static_cast<std::size_t>(other)].diameter == tools[i].diameter;
+    const auto is_alike = [&](int other) {
+      return !reaches_more(tools[i], at(other)) && !reaches_more(at(other), tools[i]);
     };
-    if (clears_floors(tools[i]) && std::none_of(mills.begin(), mills.end(), as_wide))
+    if (clears_floors(tools[i]) && std::none_of(mills.begin(), mills.end(), is_alike))
       mills.push_back(static_cast<int>(i));
   }
-  std::stable_sort(mills.begin(), mills.end(), [&](int a, int b) {
-    return tools[static_cast<std::size_t>(a)].diameter > tools[static_cast<std::size_t>(b)].diameter;
-  });
+  std::stable_sort(mills.begin(), mills.end(), [&](int a, int b) { return reaches_more(at(b), at(a)); });
   return mills;
 }
 
@@ -63,11 +74,11 @@ bool has_rest_steps(const Part& part, const Workingstep& step, bool is_over_anot
   return is_over_another && step.operation.is_tool_chosen && feature.wall_slope.radians() == 0;
 }
 
-/// Whether a cutter wider than `tool` works on the feature of `step`.
-bool is_preceded_by_wider(const Part& part, const Workingstep& step, const Tool& tool) {
+/// Whether `tool` reaches more than some cutter that works on the feature of `step`.
+bool reaches_more_than_before(const Part& part, const Workingstep& step, const Tool& tool) {
   return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& other) {
     return other.feature == step.feature && clears_floors(tool_of(part, other)) &&
-           tool_of(part, other).diameter > tool.diameter;
+           reaches_more(tool, tool_of(part, other));
   });
 }
 
@@ -114,16 +125,15 @@ Workingstep floor_step(const Workingstep& roughing, bool rest, const ShopOptions
   return step;
 }
 
-/// The floor of a feature with its first mill, then with every narrower one.
+/// The floor of a feature with its first mill, then with every one that reaches more.
 void add_floor_steps(const Part& part, int feature, const ShopOptions& shop, std::vector<Workingstep>& floors,
                      StepSources& sources) {
-  std::optional<double> narrowest;
+  const Tool* before = nullptr;
   for (const Workingstep& step : part.workplan) {
     const Tool& tool = tool_of(part, step);
-    if (step.feature != feature || !clears_floors(tool) || (narrowest && tool.diameter >= *narrowest))
-      continue;
-    floors.push_back(floor_step(step, narrowest.has_value(), shop, sources));
-    narrowest = tool.diameter;
+    if (step.feature != feature || !clears_floors(tool) || (before && !reaches_more(tool, *before))) continue;
+    floors.push_back(floor_step(step, before != nullptr, shop, sources));
+    before = &tool;
   }
 }
 
@@ -226,7 +236,7 @@ void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources
     for (std::size_t i = 0; i < mills.size(); ++i) {
       const Tool& tool = part.tools[static_cast<std::size_t>(mills[i])];
       if (tool.diameter > fits || !stock::keeps_walls(tool, feature_of(part, step)) ||
-          !is_preceded_by_wider(part, step, tool))
+          !reaches_more_than_before(part, step, tool))
         continue;
       if (under) {
         before[*under].push_back(rest_step(step, mills[i], part, options, sources));

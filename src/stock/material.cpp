@@ -16,6 +16,11 @@ constexpr double kPieceSweep = 2.0;
 constexpr double kBend = 1e-12;
 /// mm. Sweeps up to this length do not cover the round ends of sweeps before or after.
 constexpr double kShort = 1e-6;
+/// Number of stretches of a ramp, each of which counts with the profile over its highest tip where circles are asked.
+constexpr int kStretches = 4;
+/// Number of steps in which the place of a ramp is found that comes lowest over a point: to 1e-6 of its length.
+constexpr int kSections = 30;
+constexpr double kGolden = 0.6180339887498949;
 
 double length_of(Vec2 a) {
   return std::sqrt(norm_squared(a));
@@ -135,7 +140,8 @@ Material::Sweep Material::make_sweep(const Edge& path, double z_from, double z_t
 /// If `next` continues `last`, each covers the other's round end there, unless the path bends.
 void Material::join(Sweep& last, Sweep& next) {
   const bool goes_on = last.path.to == next.path.from && next.shape.kind != Swept::Kind::kDisc &&
-                       last.shape.radius == next.shape.radius && last.z_high <= next.z_low;
+                       last.cutter == next.cutter && last.shape.radius == next.shape.radius &&
+                       last.z_high <= next.z_low;
   if (!goes_on) return;
   next.shape.round_start = false;
   last.shape.round_end = !(last.shape.kind != Swept::Kind::kDisc && next.z_high <= last.z_low &&
@@ -143,14 +149,34 @@ void Material::join(Sweep& last, Sweep& next) {
                            std::min(last.path.length(), next.path.length()) > kShort);
 }
 
+int Material::add_cutter(const CutterProfile& removes, double circle) {
+  if (removes.is_cylinder() && removes.widest == circle && circle > 0) return kCylinder;
+  for (std::size_t i = 0; i < cutters_.size(); ++i)
+    if (cutters_[i].removes == removes && cutters_[i].circle == circle) return static_cast<int>(i);
+  cutters_.push_back({removes, circle});
+  return static_cast<int>(cutters_.size()) - 1;
+}
+
 void Material::add(const Move& move, double radius) {
+  add_pieces(move, radius, kCylinder);
+}
+
+void Material::add_sweep(const Move& move, int cutter) {
+  const Cutter& shape = cutters_.at(static_cast<std::size_t>(cutter));
+  const double high = z_top_ - std::min(move.z_from, move.z_to);
+  if (high <= 0) return;
+  const double radius = std::max(shape.removes.radius_at(high), shape.circle);
+  if (radius > 0) add_pieces(move, radius, cutter);
+}
+
+void Material::add_pieces(const Move& move, double radius, int cutter) {
   const double sweep = std::abs(move.path.sweep());
   const int pieces = std::max(1, static_cast<int>(std::ceil(sweep / kPieceSweep)));
   for (int i = 0; i < pieces; ++i) {
     const double t0 = static_cast<double>(i) / pieces, t1 = static_cast<double>(i + 1) / pieces;
     const double dz = move.z_to - move.z_from;
     add_piece(pieces == 1 ? move.path : move.path.part(t0, t1), move.z_from + dz * t0, move.z_from + dz * t1,
-              radius);
+              radius, cutter);
   }
 }
 
@@ -162,8 +188,9 @@ void Material::forget_beyond(std::size_t sweeps) {
   }
 }
 
-void Material::add_piece(const Edge& path, double z_from, double z_to, double radius) {
+void Material::add_piece(const Edge& path, double z_from, double z_to, double radius, int cutter) {
   Sweep sweep = make_sweep(path, z_from, z_to, radius);
+  sweep.cutter = cutter;
   if (sweep.z_low >= z_top_) return;
   if (path.from == path.to)
     sweep.z_high = sweep.z_from = sweep.z_to = sweep.z_low;  // a plunge: only its end counts
@@ -194,7 +221,66 @@ std::optional<Material::Sweep> Material::below(const Sweep& sweep, double z) {
   return make_sweep(part, sweep.z_low, sweep.z_low, sweep.shape.radius);
 }
 
-bool Material::is_removed(Vec2 p, double z) const {
+/// mm; radius that counts as removed `above` mm over the tip; below 0: none.
+double Material::radius_over(const Cutter& cutter, double above, bool is_own) const {
+  const double radius = cutter.removes.radius_at(above);
+  return is_own && above >= 0 ? std::max(radius, cutter.circle) : radius;
+}
+
+/// Calls f with the path and the shape of what a sweep has removed at height z: of ramps of cutters with a profile with several,
+/// which together are no more than that.
+template <typename F>
+void Material::for_parts_at(const Sweep& sweep, double z, int own, F&& f) const {
+  if (sweep.z_low > z) return;
+  if (sweep.cutter == kCylinder) {
+    if (sweep.z_high <= z) return f(sweep.path, sweep.shape);
+    const Sweep part = *below(sweep, z);
+    return f(part.path, part.shape);
+  }
+  const Cutter& cutter = cutters_[static_cast<std::size_t>(sweep.cutter)];
+  const auto with_profile = [&](const Edge& path, Swept shape, double tip) {
+    shape.radius = radius_over(cutter, z - tip, sweep.cutter == own);
+    if (shape.radius > 0) f(path, shape);
+  };
+  const double top = std::min(z, sweep.z_high);
+  const int stretches = sweep.z_low < top ? kStretches : 1;
+  for (int i = 0; i < stretches; ++i) {
+    const double tip = top - (top - sweep.z_low) * i / stretches;
+    if (tip >= sweep.z_high) {
+      with_profile(sweep.path, sweep.shape, tip);
+    } else {
+      const Sweep part = *below(sweep, tip);
+      with_profile(part.path, part.shape, tip);
+    }
+  }
+}
+
+/// mm; lowest height at which the surface of a sweep's cutter, moved `aside` mm away, passed over p; infinite where that is
+/// not below `below`.
+double Material::surface_over(const Sweep& sweep, Vec2 p, double aside, double below) const {
+  const CutterProfile profile = sweep.cutter == kCylinder
+                                    ? CutterProfile::cylinder(sweep.shape.radius)
+                                    : cutters_[static_cast<std::size_t>(sweep.cutter)].removes;
+  const double least = sweep.z_low + profile.height_at(distance(sweep.path, p) + aside);
+  if (least >= below) return std::numeric_limits<double>::infinity();
+  if (sweep.z_low == sweep.z_high) return least;
+  const auto height = [&](double t) {
+    return sweep.z_from + (sweep.z_to - sweep.z_from) * t +
+           profile.height_at(distance(sweep.path.at(t), p) + aside);
+  };
+  // Uphill of the nearest place both the tip and the surface over p rise.
+  double near = nearest(sweep.path, p).t, far = sweep.z_to < sweep.z_from ? 1 : 0;
+  double lowest = std::min(height(near), height(far));
+  for (int i = 0; i < kSections; ++i) {
+    const double a = near + (far - near) * (1 - kGolden), b = near + (far - near) * kGolden;
+    const double at_a = height(a), at_b = height(b);
+    lowest = std::min({lowest, at_a, at_b});
+    (at_b < at_a ? near : far) = at_b < at_a ? a : b;
+  }
+  return lowest;
+}
+
+bool Material::is_removed(Vec2 p, double z, int own) const {
   if (z >= z_top_ || (plan_ && !plan_->contains(p))) return true;
   const List* near = grids_.front().at(p);
   if (!near) return false;
@@ -203,29 +289,47 @@ bool Material::is_removed(Vec2 p, double z) const {
     const Disc& disc = discs_[*i];
     if (disc.z_low > z || norm_squared(disc.middle - p) > disc.reach * disc.reach) continue;
     const Sweep& sweep = sweeps_[*i];
+    if (sweep.cutter != kCylinder) {
+      if (height_of(sweep, p, own, z_top_) <= z) return true;
+      continue;
+    }
     if (sweep.z_high <= z ? sweep.shape.covers(p) : below(sweep, z)->shape.covers(p)) return true;
   }
   return false;
 }
 
-double Material::height(Vec2 p) const {
+/// mm; height down to which a sweep has removed what stood over p, if its cutter is a cylinder; infinite where it has not.
+double Material::height_of_cylinder(const Sweep& sweep, Vec2 p) const {
+  if (!sweep.shape.covers(p)) return std::numeric_limits<double>::infinity();
+  double low = sweep.z_low,
+         high = sweep.z_high;  // p is covered down to `high`, and perhaps not down to `low`
+  if (below(sweep, low)->shape.covers(p)) high = low;
+  while (high - low > 1e-6) {
+    const double middle = (low + high) / 2;
+    (below(sweep, middle)->shape.covers(p) ? high : low) = middle;
+  }
+  return high;
+}
+
+/// mm; height that a sweep has left over p, `own` being the cutter that asks; infinite where that is not below `below`.
+double Material::height_of(const Sweep& sweep, Vec2 p, int own, double below) const {
+  if (sweep.cutter == kCylinder) return height_of_cylinder(sweep, p);
+  const double surface = surface_over(sweep, p, 0, below);
+  if (sweep.cutter != own) return surface;
+  Sweep upright = sweep;
+  upright.shape.radius = cutters_[static_cast<std::size_t>(own)].circle;
+  return std::min(surface, height_of_cylinder(upright, p));
+}
+
+double Material::height(Vec2 p, int own) const {
   if (plan_ && !plan_->contains(p)) return -std::numeric_limits<double>::infinity();
   double height = z_top_;
   const List* near = grids_.front().at(p);
   if (!near) return height;
   for (const std::uint32_t i : *near) {
     const Disc& disc = discs_[i];
-    const Sweep& sweep = sweeps_[i];
     if (disc.z_low >= height || norm_squared(disc.middle - p) > disc.reach * disc.reach) continue;
-    if (!sweep.shape.covers(p)) continue;
-    double low = sweep.z_low,
-           high = sweep.z_high;  // p is covered down to `high`, and perhaps not down to `low`
-    if (below(sweep, low)->shape.covers(p)) high = low;
-    while (high - low > 1e-6) {
-      const double middle = (low + high) / 2;
-      (below(sweep, middle)->shape.covers(p) ? high : low) = middle;
-    }
-    height = std::min(height, high);
+    height = std::min(height, height_of(sweeps_[i], p, own, height));
   }
   return height;
 }
@@ -238,7 +342,7 @@ void Material::remove_outside(EngagementArcs& arcs, Vec2 center, double radius) 
   arcs.remove_beyond({0, -1}, (center.y - plan_->min.y) / radius);
 }
 
-void Material::remove_everything(EngagementArcs& arcs, Vec2 center, double radius, double z) const {
+void Material::remove_everything(EngagementArcs& arcs, Vec2 center, double radius, double z, int own) const {
   if (z >= z_top_) return arcs.clear();
   remove_outside(arcs, center, radius);
   const List* near = grid_for(radius).at(center);
@@ -248,7 +352,13 @@ void Material::remove_everything(EngagementArcs& arcs, Vec2 center, double radiu
     const Disc& disc = discs_[*i];
     if (disc.z_low > z || !arcs.may_meet(disc.middle, disc.reach)) continue;
     const Sweep& sweep = sweeps_[*i];
-    arcs.remove(sweep.z_high <= z ? sweep.shape : below(sweep, z)->shape);
+    if (sweep.cutter == kCylinder) {
+      arcs.remove(sweep.z_high <= z ? sweep.shape : below(sweep, z)->shape);
+    } else {
+      for_parts_at(sweep, z, own, [&](const Edge&, const Swept& shape) {
+        if (!arcs.empty()) arcs.remove(shape);
+      });
+    }
   }
 }
 
@@ -272,11 +382,11 @@ CutterEngagement Material::engagement(Vec2 center, Vec2 direction, double radius
   return engagement_of(arcs);
 }
 
-CutterEngagement Material::engagement(const Move& move, double t, double radius) const {
+CutterEngagement Material::engagement(const Move& move, double t, double radius, int own) const {
   const double z = move.z_from + (move.z_to - move.z_from) * t;
   const Vec2 center = move.path.at(t), direction = move.path.tangent_at(t);
   EngagementArcs arcs(center, radius, direction, EngagementArcs::Part::kFront);
-  remove_everything(arcs, center, radius, z);
+  remove_everything(arcs, center, radius, z, own);
   // A straight move never meets its own beginning with its front half; an arc may. What a descending move has
   // passed stands higher than its tip is now, so it does not count.
   const bool counts = move.path.is_arc() && move.z_to >= move.z_from;

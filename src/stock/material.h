@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/box.h"
+#include "model/cutter_profile.h"
 #include "model/move.h"
 #include "stock/angle_set.h"
 #include "stock/engagement_arcs.h"
@@ -41,11 +42,15 @@ struct CircleTouch {
   Vec2 toward;       ///< unit vector to the middle of the widest part
 };
 
-/// The remaining stock: a block, or material without end, minus the volumes that flat-ended cutters have
-/// swept so far.
+/// The remaining stock: a block, or material without end, minus the volumes that cutters have swept so far.
 ///
 /// Exact, without a raster: sweeps are kept as lines and arcs with a radius, and queries intersect circles
-/// with their outlines. A cutter whose tip passes at or below a height removes everything above it.
+/// with their outlines. A cutter whose tip passes at or below a height removes everything above it that lies
+/// within its radius; one with a profile of its own as wide as that is at this height over its tip.
+///
+/// Own cutter: queries of engagement and depth take a cutter's circle at its tip. Of the sweeps of the cutter that asks (`own`, as
+/// add_cutter numbered it) the same circle counts, because where the shape is the same it leaves nothing between the two circles
+/// that it would not have left before.
 ///
 /// Cost    add: O(length / radius + 1). A query but in_reach: O(moves within two radii) in programs of any length.
 class Material {
@@ -55,8 +60,16 @@ class Material {
   /// too.
   Material(std::optional<Box> plan, double z_top, const std::vector<double>& radii);
 
+  /// Stands for all cutters that are cylinders.
+  static constexpr int kCylinder = -1;
+  /// Makes a cutter known that removes what lies in `removes`, and whose engagement is asked with a circle of `circle` mm; 0: it is
+  /// not asked. Returns its number, the same for the same cutter.
+  int add_cutter(const CutterProfile& removes, double circle);
+
   /// Removes what a cutter of `radius` mm sweeps along `move`.
   void add(const Move& move, double radius);
+  /// Removes what a cutter that add_cutter numbered sweeps along `move`.
+  void add_sweep(const Move& move, int cutter);
 
   /// How many pieces of moves have been added.
   std::size_t sweeps() const { return sweeps_.size(); }
@@ -64,16 +77,16 @@ class Material {
   void forget_beyond(std::size_t sweeps);
 
   /// Whether no material reaches above z at p.
-  bool is_removed(Vec2 p, double z) const;
+  bool is_removed(Vec2 p, double z, int own = kCylinder) const;
   /// mm; height of the material at p: z_top, or the lowest tip that passed over p, on ramps to 1e-6 mm;
   /// -infinity beside the block.
-  double height(Vec2 p) const;
+  double height(Vec2 p, int own = kCylinder) const;
 
   /// Engagement of a cutter at `center` that moves along `direction` (of any length > 0) with its tip at z.
   CutterEngagement engagement(Vec2 center, Vec2 direction, double radius, double z) const;
   /// The engagement at parameter t of `move`, if the cutter has swept the move up to t; nothing of the move
   /// may have been added.
-  CutterEngagement engagement(const Move& move, double t, double radius) const;
+  CutterEngagement engagement(const Move& move, double t, double radius, int own = kCylinder) const;
   /// The total angle and the number of parts alone; cheaper.
   EngagementSize engagement_size(Vec2 center, Vec2 direction, double radius, double z) const;
   EngagementTrend engagement_trend(Vec2 center, Vec2 direction, double radius, double z) const;
@@ -88,7 +101,10 @@ class Material {
   ///
   /// Cost    O((sweeps near + length of their outlines / 0.02 mm) log); for paths that are long, or wider than the cutters
   ///         announced, O(all sweeps) for their boxes as well.
-  std::optional<Vec2> in_reach(const Edge& path, double radius, double z) const;
+  std::optional<Vec2> in_reach(const Edge& path, double radius, double z, int own = kCylinder) const;
+  /// The same for a cutter of any profile with its tip at z: a point where material reaches into it. Finds every piece of material
+  /// that holds a square 0.04 mm wide.
+  std::optional<Vec2> in_reach(const Edge& path, const CutterProfile& cutter, double z) const;
 
   double z_top() const { return z_top_; }
   const std::optional<Box>& plan() const { return plan_; }
@@ -101,6 +117,12 @@ class Material {
     double z_to = 0;
     double z_low = 0;
     double z_high = 0;
+    int cutter = kCylinder;
+  };
+  /// A cutter with a profile of its own.
+  struct Cutter {
+    CutterProfile removes;
+    double circle;  ///< mm; with which it asks for engagement
   };
   /// The disc around a sweep, which rules most sweeps out quickly. Kept apart from the cells' lists: a sweep is in twenty
   /// and more of them, and they are what takes the memory.
@@ -142,12 +164,22 @@ class Material {
   };
 
   List sweeps_about(const Edge& path, double radius) const;
-  void add_piece(const Edge& path, double z_from, double z_to, double radius);
+  friend class ProfileSearch;
+  std::optional<Vec2> in_reach_of_profile(const Edge& path, const CutterProfile& cutter, double z) const;
+  void add_pieces(const Move& move, double radius, int cutter);
+  void add_piece(const Edge& path, double z_from, double z_to, double radius, int cutter);
+  double radius_over(const Cutter& cutter, double above, bool is_own) const;
+  template <typename F>
+  void for_parts_at(const Sweep& sweep, double z, int own, F&& f) const;
+  double surface_over(const Sweep& sweep, Vec2 p, double aside, double below) const;
+  double height_of_cylinder(const Sweep& sweep, Vec2 p) const;
+  double height_of(const Sweep& sweep, Vec2 p, int own, double below) const;
   const Grid& grid_for(double radius) const;
   static Sweep make_sweep(const Edge& path, double z_from, double z_to, double radius);
   static std::optional<Sweep> below(const Sweep& sweep, double z);
   static void join(Sweep& last, Sweep& next);
-  void remove_everything(EngagementArcs& arcs, Vec2 center, double radius, double z) const;
+  void remove_everything(EngagementArcs& arcs, Vec2 center, double radius, double z,
+                         int own = kCylinder) const;
   void remove_outside(EngagementArcs& arcs, Vec2 center, double radius) const;
 
   std::optional<Box> plan_;
@@ -155,6 +187,7 @@ class Material {
   std::vector<Grid> grids_;  ///< by ascending reach
   std::vector<Sweep> sweeps_;
   std::vector<Disc> discs_;  ///< of the sweeps
+  std::vector<Cutter> cutters_;
 };
 
 }  // namespace clearcut::stock

@@ -114,7 +114,7 @@ Material::List Material::sweeps_about(const Edge& path, double radius) const {
   return found;
 }
 
-std::optional<Vec2> Material::in_reach(const Edge& path, double radius, double z) const {
+std::optional<Vec2> Material::in_reach(const Edge& path, double radius, double z, int own) const {
   if (z >= z_top_ || radius <= 0) return std::nullopt;
   const Box box = (path.from == path.to ? Box{path.from, path.from} : path.box()).grown(radius);
   std::vector<Cover> covers;
@@ -125,10 +125,117 @@ std::optional<Vec2> Material::in_reach(const Edge& path, double radius, double z
         (sweep.path.from == sweep.path.to ? Box{sweep.path.from, sweep.path.from} : sweep.path.box())
             .grown(sweep.shape.radius);
     if (!swept.overlaps(box)) continue;
-    const auto part = below(sweep, z);
-    if (part) covers.push_back({part->path, part->shape.radius});
+    // What ramps with a profile have taken at one height is no strip of one width.
+    if (sweep.cutter != kCylinder && sweep.cutter != own && sweep.z_low < sweep.z_high)
+      return in_reach_of_profile(path, CutterProfile::cylinder(radius), z);
+    for_parts_at(sweep, z, own, [&](const Edge& part, const Swept& shape) {
+      covers.push_back({part, shape.radius});
+    });
   }
   return AreaSearch(path, radius, plan_, std::move(covers)).run();
+}
+
+/// Searches for a place where material reaches into a cutter with a profile, in cells as above: both surfaces are bounded in each.
+class ProfileSearch {
+ public:
+  ProfileSearch(const Material& material, const Edge& path, const CutterProfile& cutter, double z,
+                std::vector<const Material::Sweep*> sweeps)
+      : material_(material),
+        path_(path),
+        cutter_(cutter),
+        z_(z),
+        radius_(cutter.radius_at(material.z_top_ - z)),
+        near_(std::move(sweeps)) {}
+
+  std::optional<Vec2> run() {
+    const Box box = (path_.from == path_.to ? Box{path_.from, path_.from} : path_.box()).grown(radius_);
+    return visit(box.center(), std::max(box.width(), box.height()) / 2, 0, near_.size());
+  }
+
+ private:
+  /// mm; half the side of the smallest cells.
+  static constexpr double kSmallestHalf = 0.02;
+
+  /// mm; the cutter's surface over a place at this distance from its path.
+  double surface(double apart) const { return z_ + cutter_.height_at(std::max(0.0, apart)); }
+  bool is_in_block(Vec2 p) const { return !material_.plan_ || material_.plan_->contains(p); }
+
+  /// Whether uncut material at p reaches into the cutter.
+  bool meets_top(Vec2 p) const { return is_in_block(p) && surface(distance(path_, p)) < material_.z_top_; }
+
+  /// A point of the cell that is in the cutter's way where nothing was cut: its middle, or its point nearest to the path.
+  std::optional<Vec2> place_in(Vec2 center, double half) const {
+    if (meets_top(center)) return center;
+    const Vec2 on = nearest(path_, center).point;
+    const Vec2 p{std::clamp(on.x, center.x - half, center.x + half),
+                 std::clamp(on.y, center.y - half, center.y + half)};
+    return meets_top(p) ? std::optional(p) : std::nullopt;
+  }
+
+  std::optional<Vec2> visit(Vec2 center, double half, std::size_t begin, std::size_t end) {
+    const double reach = half * kDiagonal, apart = distance(path_, center);
+    if (apart - reach >= radius_) return std::nullopt;
+    const Box cell{{center.x - half, center.y - half}, {center.x + half, center.y + half}};
+    if (material_.plan_ && !cell.overlaps(*material_.plan_)) return std::nullopt;
+    const double low = surface(apart - reach), here = surface(apart);
+    if (low >= material_.z_top_) return std::nullopt;
+    const std::size_t mark = near_.size();
+    bool middle_free = false;
+    for (std::size_t k = begin; k < end; ++k) {
+      const Material::Sweep& sweep = *near_[k];
+      if (material_.surface_over(sweep, center, reach, material_.z_top_) <= low) {
+        near_.resize(mark);
+        return std::nullopt;
+      }
+      middle_free = middle_free || material_.surface_over(sweep, center, 0, material_.z_top_) <= here;
+      if (distance(sweep.path, center) - reach < sweep.shape.radius) near_.push_back(near_[k]);
+    }
+    const auto found = search(center, half, mark, middle_free);
+    near_.resize(mark);
+    return found;
+  }
+
+  std::optional<Vec2> search(Vec2 center, double half, std::size_t mark, bool middle_free) {
+    if (!middle_free && meets_top(center)) return center;
+    if (near_.size() == mark) {
+      if (const auto place = place_in(center, half)) return place;
+    }
+    if (half <= kSmallestHalf) return std::nullopt;
+    const std::size_t end = near_.size();
+    for (int i = 0; i < 4; ++i) {
+      const double h = half / 2;
+      const Vec2 quarter{center.x + ((i & 1) != 0 ? h : -h), center.y + ((i & 2) != 0 ? h : -h)};
+      if (const auto found = visit(quarter, h, mark, end)) return found;
+    }
+    return std::nullopt;
+  }
+
+  const Material& material_;
+  const Edge& path_;
+  const CutterProfile cutter_;
+  const double z_;
+  const double radius_;                       ///< mm; of the cutter where the material's top is
+  std::vector<const Material::Sweep*> near_;  ///< stack as of AreaSearch
+};
+
+std::optional<Vec2> Material::in_reach(const Edge& path, const CutterProfile& cutter, double z) const {
+  return cutter.is_cylinder() ? in_reach(path, cutter.widest, z) : in_reach_of_profile(path, cutter, z);
+}
+
+std::optional<Vec2> Material::in_reach_of_profile(const Edge& path, const CutterProfile& cutter,
+                                                  double z) const {
+  const double radius = cutter.radius_at(z_top_ - z);
+  if (z >= z_top_ || radius <= 0) return std::nullopt;
+  const Box box = (path.from == path.to ? Box{path.from, path.from} : path.box()).grown(radius);
+  std::vector<const Sweep*> near;
+  for (const std::uint32_t i : sweeps_about(path, radius)) {
+    const Sweep& sweep = sweeps_[i];
+    const Box swept =
+        (sweep.path.from == sweep.path.to ? Box{sweep.path.from, sweep.path.from} : sweep.path.box())
+            .grown(sweep.shape.radius);
+    if (swept.overlaps(box)) near.push_back(&sweep);
+  }
+  return ProfileSearch(*this, path, cutter, z, std::move(near)).run();
 }
 
 }  // namespace clearcut::stock

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "model/cutter_profile.h"
+
 namespace clearcut::stock {
 
 std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances& tol) {
@@ -24,6 +26,10 @@ bool only_plunges(const Tool& tool) {
   return makes_holes(tool);
 }
 
+double full_depth(const Part& part, const Workingstep& step) {
+  return feature_of(part, step).floor_z + step.operation.allowance_floor + point_length(tool_of(part, step));
+}
+
 bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol) {
   const double spare = 2 * hole.radius - tool.diameter;
   return spare >= -tol.fit && spare <= tol.uncut;
@@ -31,24 +37,26 @@ bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol) 
 
 std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, const Tolerances& tol) {
   std::vector<PredrilledHole> holes = part.predrilled;
-  const auto lowest = [&](const Workingstep& step) {
-    return feature_of(part, step).floor_z + step.operation.allowance_floor;
-  };
   const Workingstep& own = part.workplan.at(static_cast<std::size_t>(workingstep));
-  const double deep = lowest(own);
+  const double deep = feature_of(part, own).floor_z + own.operation.allowance_floor;
   const Box here =
       box(feature_of(part, own).allowed);  // most holes lie beside it, which is cheap to find out
   for (int i = 0; i < workingstep; ++i) {
     const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
     const Feature& feature = feature_of(part, step);
-    if (lowest(step) > deep || !box(feature.target).overlaps(here)) continue;
+    const double floor = feature.floor_z + step.operation.allowance_floor;
+    if (floor > deep || !box(feature.target).overlaps(here)) continue;
     if (is_formed(feature)) continue;  // narrower than its outline, or no deeper than its cone
     const Tool& tool = tool_of(part, step);
     const auto hole = round_hole_of(feature, tol);
     if (!hole) continue;
     const double milled = hole->radius - step.operation.allowance_side;
     if (tool.radius() > (only_plunges(tool) ? hole->radius : milled) + tol.fit) continue;
-    holes.push_back({hole->center, only_plunges(tool) ? tool.diameter : 2 * milled});
+    // Where the tool's end is rounded or pointed the hole is narrower at this depth than higher up.
+    const double cleared = inner_profile(tool).radius_at(deep - floor);
+    const double narrower = std::max(0.0, tool.radius() - cleared);
+    const double width = (only_plunges(tool) ? tool.diameter : 2 * milled) - 2 * narrower;
+    if (cleared > 0 && width > 0) holes.push_back({hole->center, width});
   }
   return holes;
 }

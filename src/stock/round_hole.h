@@ -22,6 +22,9 @@ std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances&
 /// Whether the tool only goes straight down: drills, reamers, boring bars, counterbores.
 bool only_plunges(const Tool& tool);
 
+/// z down to which a step clears its feature as wide as its tool is: a drill ends in a point.
+double full_depth(const Part& part, const Workingstep& step);
+
 /// Whether a plunge of `tool` at its centre makes the whole hole: its diameter is greater than the hole's by at
 /// most tol.fit, or smaller by at most tol.uncut.
 bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol);

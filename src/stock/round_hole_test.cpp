@@ -34,8 +34,26 @@ double hole_before_second(const Part& part) {
 TEST(HolesBefore, AreAsWideAsWhatWasCut) {
   EXPECT_EQ(hole_before_second(pocket_cut_by(ToolKind::kEndMill, 8, 0)), 12);
   EXPECT_EQ(hole_before_second(pocket_cut_by(ToolKind::kEndMill, 8, 0.5)), 11);
-  EXPECT_EQ(hole_before_second(pocket_cut_by(ToolKind::kDrill, 10, 0)), 10);
+  EXPECT_EQ(hole_before_second(pocket_cut_by(ToolKind::kReamer, 10, 0)), 10);
   EXPECT_EQ(hole_before_second(pocket_cut_by(ToolKind::kEndMill, 12, 0)), 12);
+}
+
+TEST(HolesBefore, OfBullNosesAreNarrowerWhereTheyRoundOff) {
+  Part part = pocket_cut_by(ToolKind::kBullNoseEndMill, 8, 0);
+  part.tools[0].corner_radius = 1;
+  EXPECT_EQ(hole_before_second(part), 10);
+  part.tools[0].corner_radius = 4;
+  part.tools[0].kind = ToolKind::kBallEndMill;
+  EXPECT_EQ(hole_before_second(part), 0);
+}
+
+TEST(HolesBefore, OfDrillsEndWhereTheirPointBegins) {
+  Part part = pocket_cut_by(ToolKind::kDrill, 10, 0);
+  EXPECT_EQ(hole_before_second(part), 0) << "its cone stands over the floor of the second step";
+  part.features.push_back(part.features.front());
+  part.workplan[1].feature = 1;
+  part.features[0].floor_z -= point_length(part.tools[0]) + 1e-9;
+  EXPECT_EQ(hole_before_second(part), 10);
 }
 
 /// What just fits into the hole does not fit within the stock that it has to leave: the next tool finds it solid.

@@ -1,6 +1,7 @@
 #include "stock/stacking.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/text/format.h"
 #include "stock/at_depth.h"
@@ -22,8 +23,22 @@ std::vector<int> cutting_order(const Part& part) {
   return order;
 }
 
-Cleared cleared_by(const Feature& feature, double top, const Tolerances& tol) {
-  return {feature.floor_z, at_depth(feature.target, feature.wall_slope, top - feature.floor_z, tol)};
+/// mm over its floor down to which a feature is cleared as wide as it is: where drills alone make it, the length of their points.
+double left_over_floor(const Part& part, int feature) {
+  std::optional<double> left;
+  for (const Workingstep& step : part.workplan) {
+    const int tool = step.operation.tool;
+    const bool is_known =
+        tool >= 0 && tool < static_cast<int>(part.tools.size());  // readers ask before tools are chosen
+    if (step.feature != feature) continue;
+    const double point = is_known ? point_length(part.tools[static_cast<std::size_t>(tool)]) : 0;
+    left = std::min(left.value_or(point), point);
+  }
+  return left.value_or(0);
+}
+
+Cleared cleared_by(const Feature& feature, double floor, double top, const Tolerances& tol) {
+  return {floor, at_depth(feature.target, feature.wall_slope, top - feature.floor_z, tol)};
 }
 
 }  // namespace
@@ -40,9 +55,10 @@ std::vector<double> stacked_tops(const Part& part, const Tolerances& tol) {
     tops[static_cast<std::size_t>(index)] = top;
     // What a chamfer, a countersink, a thread or an undercut removes does not lower the material for other features.
     if (feature.chamfer || is_formed(feature) || feature.kind == FeatureKind::kTSlot) continue;
-    const auto place = std::upper_bound(deepest_first.begin(), deepest_first.end(), feature.floor_z,
+    const double full = feature.floor_z + left_over_floor(part, index);
+    const auto place = std::upper_bound(deepest_first.begin(), deepest_first.end(), full,
                                         [](double floor, const Cleared& c) { return floor < c.floor_z; });
-    deepest_first.insert(place, cleared_by(feature, top, tol));
+    deepest_first.insert(place, cleared_by(feature, full, top, tol));
   }
   return tops;
 }

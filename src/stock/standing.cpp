@@ -21,11 +21,13 @@ struct StockLeft {
   std::optional<double> side;
   std::optional<double> floor;
 
-  void add(const Operation& operation) {
+  void add(const Operation& operation, const Tool& tool) {
     side = std::min(side.value_or(operation.allowance_side), operation.allowance_side);
     // If something was cleared before, finishing of walls does not reach the floor.
     if (operation.kind == OperationKind::kSideFinishing && floor) return;
-    floor = std::min(floor.value_or(operation.allowance_floor), operation.allowance_floor);
+    const double left =
+        operation.allowance_floor + point_length(tool);  // a drill leaves the cone of its point
+    floor = std::min(floor.value_or(left), left);
   }
 };
 
@@ -72,7 +74,8 @@ Standing::Standing(const Part& part, int workingstep, const Tolerances& tol)
   std::vector<StockLeft> stock(part.features.size());
   for (int i = 0; i < workingstep; ++i) {
     const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
-    if (clears(part, step, tol)) stock[static_cast<std::size_t>(step.feature)].add(step.operation);
+    if (clears(part, step, tol))
+      stock[static_cast<std::size_t>(step.feature)].add(step.operation, tool_of(part, step));
   }
   const Box here = box(feature_.target);
   for (std::size_t i = 0; i < part.features.size(); ++i) {

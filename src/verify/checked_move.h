@@ -64,12 +64,6 @@ struct MoveLoad {
   double force_mm_n = 0;     ///< N mm; integral of the force over the length
 };
 
-/// mm; radius of the flat part of a cutter's end, with which floors are cut without cusps.
-inline double flat_radius_of(const Tool& tool) {
-  if (tool.kind == ToolKind::kBallEndMill) return 0;
-  return std::max(0.0, tool.radius() - tool.corner_radius);
-}
-
 /// A move of the program, with what is known about it and what checking found.
 struct CheckedMove {
   const Move* move = nullptr;

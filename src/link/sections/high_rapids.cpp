@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "stock/cutter_sweep.h"
+
 namespace clearcut::link {
 namespace {
 
@@ -11,9 +13,10 @@ constexpr double kRounding = 1e-3;
 constexpr double kHigher = 0.05;
 
 /// mm; the lowest height, `z` or above, at which a cutter meets nothing along `path`.
-double clear_height(const Edge& path, double radius, double z, const stock::Material& material) {
+double clear_height(const Edge& path, const CutterProfile& cutter, double z,
+                    const stock::Material& material) {
   while (z < material.z_top()) {
-    const auto met = material.in_reach(path, radius - kRounding, z + kRounding);
+    const auto met = material.in_reach(path, cutter, z + kRounding);
     if (!met) return z;
     z = std::max(material.height(*met), z + kHigher);
   }
@@ -23,8 +26,11 @@ double clear_height(const Edge& path, double radius, double z, const stock::Mate
 /// The moves of a section, written anew one by one.
 class Rewriter {
  public:
-  Rewriter(double radius, const HighRapids& options, stock::Material& material)
-      : radius_(radius), options_(options), material_(material) {}
+  Rewriter(const Tool& tool, const HighRapids& options, stock::Material& material)
+      : tool_(tool),
+        cutter_(outer_profile(tool).narrowed(kRounding)),
+        options_(options),
+        material_(material) {}
 
   void add(const Move& move) {
     if (moves_.empty()) z_ = move.z_from;
@@ -55,20 +61,20 @@ class Rewriter {
   void add_feed(const Move& move) {
     return_to(move);
     append(move);
-    if (options_.removes) material_.add(move, radius_);
+    stock::remove_cut(material_, move, tool_);
   }
 
   void go_to_height(Vec2 at, double z) {
     if (z >= z_) return vertical(at, z, MoveKind::kRapid, {});
-    const double met = clear_height(Edge::line(at, at), radius_, z, material_);
+    const double met = clear_height(Edge::line(at, at), cutter_, z, material_);
     if (met <= z) return vertical(at, z, MoveKind::kRapid, {});
     vertical(at, std::min(z_, met + options_.above_material), MoveKind::kRapid, {});
     vertical(at, z, MoveKind::kPlunge, options_.plunge_feed);
-    if (options_.removes && moves_.back().kind == MoveKind::kPlunge) material_.add(moves_.back(), radius_);
+    if (moves_.back().kind == MoveKind::kPlunge) stock::remove_cut(material_, moves_.back(), tool_);
   }
 
   void cross(Move move) {
-    const double met = clear_height(move.path, radius_, move.z_from, material_);
+    const double met = clear_height(move.path, cutter_, move.z_from, material_);
     if (met <= move.z_from) {
       return_to(move);
       return append(move);
@@ -82,7 +88,8 @@ class Rewriter {
     append(move);
   }
 
-  double radius_;
+  const Tool& tool_;
+  const CutterProfile cutter_;
   const HighRapids& options_;
   stock::Material& material_;
   std::vector<Move> moves_;
@@ -91,8 +98,9 @@ class Rewriter {
 
 }  // namespace
 
-void keep_rapids_high(Section& section, double radius, const HighRapids& options, stock::Material& material) {
-  Rewriter rewriter(radius, options, material);
+void keep_rapids_high(Section& section, const Tool& tool, const HighRapids& options,
+                      stock::Material& material) {
+  Rewriter rewriter(tool, options, material);
   for (const Move& move : section.moves) rewriter.add(move);
   section.moves = rewriter.take();
 }

@@ -3,6 +3,7 @@
 
 #include "base/units.h"
 #include "model/move.h"
+#include "model/tool.h"
 #include "stock/material.h"
 
 namespace clearcut::link {
@@ -10,16 +11,15 @@ namespace clearcut::link {
 struct HighRapids {
   double above_material = 1;  ///< mm over what stands where a rapid down ends and the plunge begins
   MmPerMin plunge_feed;
-  bool removes =
-      true;  ///< whether what the section's moves sweep is gone: not of cones, which are narrower below
 };
 
 /// Ends the rapids down of `section` above the material in their way and goes on at the plunge feed; lifts level rapids over
 /// what stands in theirs. All other moves stay, and so do rapids that meet nothing. Removes from `material` what the section
 /// sweeps.
 ///
-/// Places  A rapid meets what reaches into a circle 0.001 mm narrower than the cutter, more than 0.001 mm above its tip.
+/// Places  A rapid meets what reaches into a cutter 0.001 mm narrower than `tool`, with its tip 0.001 mm higher.
 /// Cost    O(heights of material in the way) queries Material::in_reach a rapid.
-void keep_rapids_high(Section& section, double radius, const HighRapids& options, stock::Material& material);
+void keep_rapids_high(Section& section, const Tool& tool, const HighRapids& options,
+                      stock::Material& material);
 
 }  // namespace clearcut::link

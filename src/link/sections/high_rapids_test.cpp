@@ -7,6 +7,12 @@ namespace {
 
 constexpr double kRadius = 3;
 
+Tool mill() {
+  Tool tool;
+  tool.diameter = 2 * kRadius;
+  return tool;
+}
+
 stock::Material block() {
   return stock::Material(Box{{-50, -50}, {50, 50}}, 0, {kRadius});
 }
@@ -30,7 +36,7 @@ void expect_joined(const Section& section) {
 std::vector<Move> kept_high(std::vector<Move> moves, stock::Material& material) {
   Section section;
   section.moves = std::move(moves);
-  keep_rapids_high(section, kRadius, {1, MmPerMin::of(100)}, material);
+  keep_rapids_high(section, mill(), {1, MmPerMin::of(100)}, material);
   expect_joined(section);
   return section.moves;
 }
@@ -81,12 +87,33 @@ TEST(HighRapids, AcrossRiseOverWhatStandsInTheirWay) {
   EXPECT_EQ(moves[2].z_to, -3);
 }
 
-TEST(HighRapids, ConesRemoveNothing) {
+TEST(HighRapids, ConesRemoveTheirGroove) {
   auto material = block();
+  Tool cone = mill();
+  cone.kind = ToolKind::kVBit;
+  cone.tip_angle = Radians::of_degrees(90);
   Section section;
   section.moves = {level({0, 0}, {20, 0}, -4, MoveKind::kCut)};
-  keep_rapids_high(section, kRadius, {1, MmPerMin::of(100), false}, material);
-  EXPECT_FALSE(material.is_removed({10, 0}, -1));
+  keep_rapids_high(section, cone, {1, MmPerMin::of(100)}, material);
+  EXPECT_TRUE(material.is_removed({10, 0.5}, -3.4));
+  EXPECT_FALSE(material.is_removed({10, 0.5}, -3.6));
+}
+
+TEST(HighRapids, DownOverTheConeOfADrillEndAboveIt) {
+  auto material = block();
+  Tool drill = mill();
+  drill.kind = ToolKind::kDrill;
+  drill.tip_angle = Radians::of_degrees(90);
+  Section section;
+  section.moves = {vertical({5, 0}, 10, 1), vertical({5, 0}, 1, -6, MoveKind::kPlunge)};
+  keep_rapids_high(section, drill, {1, MmPerMin::of(100)}, material);
+  // Of its full width the hole is down to -6 + 3.
+  const auto moves =
+      kept_high({vertical({5, 0}, 10, -5), vertical({5, 0}, -5, -6, MoveKind::kPlunge)}, material);
+  ASSERT_EQ(moves.size(), 3u);
+  EXPECT_GT(moves[0].z_to, -3);
+  EXPECT_LT(moves[0].z_to, 0);
+  EXPECT_EQ(moves[1].kind, MoveKind::kPlunge);
 }
 
 }  // namespace

@@ -4,14 +4,14 @@
 
 #include "link/link.h"
 #include "link/sections/high_rapids.h"
-#include "stock/material.h"
+#include "stock/cutter_sweep.h"
 
 namespace clearcut::pipeline {
 namespace {
 
 stock::Material block_of(const Part& part) {
   std::vector<double> radii;
-  for (const Tool& tool : part.tools) radii.push_back(tool.radius());
+  for (const Tool& tool : part.tools) radii.push_back(widest_radius(tool));
   return {part.stock ? std::optional(part.stock->plan) : std::nullopt, part.top_z(), radii};
 }
 
@@ -20,9 +20,9 @@ void remove_earlier(const ResolvedPlan& plan, stock::Material& material) {
   if (!plan.earlier) return;
   for (const Section& section : plan.earlier->sections) {
     const Tool* const tool = tool_numbered(plan.part.tools, section.tool_number);
-    if (section.carried_below || tool == nullptr || is_conical(*tool)) continue;
+    if (section.carried_below || tool == nullptr) continue;
     for (const Move& move : section.moves) {
-      if (!is_rapid(move.kind)) material.add(move, tool->radius());
+      if (!is_rapid(move.kind)) stock::remove_cut(material, move, *tool);
     }
   }
 }
@@ -30,6 +30,8 @@ void remove_earlier(const ResolvedPlan& plan, stock::Material& material) {
 }  // namespace
 
 bool may_leave_material(const Selection& selection, const ResolvedPlan& plan) {
+  const auto leaves_more = [](const Tool& tool) { return !inner_profile(tool).is_cylinder(); };
+  if (std::any_of(plan.part.tools.begin(), plan.part.tools.end(), leaves_more)) return true;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const bool promises =
         selection.candidate(i).strategy->in_auto != AutoUse::kNever && !plan.steps[i].published_grid;
@@ -46,8 +48,7 @@ void keep_rapids_high(Toolpath& toolpath, const ResolvedPlan& plan) {
     const auto& step = plan.part.workplan[static_cast<std::size_t>(section.workingstep)];
     const Tool& tool = tool_of(plan.part, step);
     const MmPerMin plunge_feed = plan.steps[static_cast<std::size_t>(section.workingstep)].plunge_feed;
-    link::keep_rapids_high(section, tool.radius(), {defaults.above_material, plunge_feed, !is_conical(tool)},
-                           material);
+    link::keep_rapids_high(section, tool, {defaults.above_material, plunge_feed}, material);
   }
 }
 

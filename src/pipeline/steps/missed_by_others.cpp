@@ -2,6 +2,7 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "model/cutter_profile.h"
 #include "resolve/left_over.h"
 #include "stock/round_hole.h"
 
@@ -15,16 +16,20 @@ constexpr double kSliver = 0.004;
 /// mm. How far what is planned for a rest reaches over what is cut already.
 constexpr double kOverlap = 0.05;
 
-/// What a step's cutter sweeps of its own feature down to z: all of a hole that is made at once.
+/// What a step's cutter clears of its own feature down to z: all of a hole that is made at once.
 Regions reached_by(const Part& part, const Workingstep& step, double z, const Tolerances& tol) {
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);
-  const bool reaches = feature.floor_z + step.operation.allowance_floor <= z + tol.coincident &&
-                       step.operation.kind != OperationKind::kSideFinishing && !feature.chamfer &&
-                       feature.kind != FeatureKind::kTSlot && !is_formed(feature);
+  const double tip = feature.floor_z + step.operation.allowance_floor;
+  const bool reaches = tip <= z + tol.coincident && step.operation.kind != OperationKind::kSideFinishing &&
+                       !feature.chamfer && feature.kind != FeatureKind::kTSlot && !is_formed(feature);
   if (!reaches) return {};
-  if (stock::only_plunges(tool)) return feature.target;
-  return resolve::swept(feature.allowed, tool.radius(), step.operation.allowance_side, -kSpare, tol);
+  if (stock::only_plunges(tool))
+    return stock::full_depth(part, step) <= z + tol.coincident ? feature.target : Regions{};
+  const double narrower =
+      std::max(0.0, tool.radius() - inner_profile(tool).radius_at(std::max(0.0, z - tip)));
+  return resolve::swept(feature.allowed, tool.radius(), step.operation.allowance_side, -kSpare - narrower,
+                        tol);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "geometry/rectangle.h"
+#include "model/cutter_profile.h"
 #include "resolve/left_over.h"
 
 namespace clearcut::pipeline {
@@ -147,6 +148,20 @@ bool is_said_above_tabs(const FeatureFindings& found, const Part& part, const Fi
          });
 }
 
+/// What the end of a tool leaves along walls or on the floor that a flat end mill as wide reaches; "" where it is flat itself.
+std::string end_that_leaves(const Part& part, const Feature& feature, const FeatureFindings& found,
+                            const Tolerances& tol) {
+  const Tool& tool = tool_of(part, part.workplan[static_cast<std::size_t>(found.workingstep)]);
+  const double flat = flat_end(tool);
+  if (flat >= tool.radius()) return "";
+  const std::string end = flat > 0 ? "rounds off " + trimmed(tool.radius() - flat, 3) + " mm"
+                          : outer_profile(tool).round > 0 ? "ends in a ball"
+                                                          : "ends in a point";
+  const double left = left_by(feature, tool.diameter, tol);
+  return ", which " + end + "; a flat end mill as wide leaves " +
+         (left <= allowed_to_stay(area(feature.target)) ? "none" : trimmed(left, 2) + " mm2");
+}
+
 /// What its reader doubts.
 std::vector<Condition> doubts(const Part& part) {
   std::vector<Condition> conditions;
@@ -173,10 +188,12 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
                        trimmed(found.tool_diameter, 3) + " mm)";
     // The area of a profile depends on its cutter, that of drafted walls on the depth; of pieces it matters whether they are parted.
     if (!feature.profile && feature.kind != FeatureKind::kIsolation && feature.wall_slope.radians() == 0) {
+      const std::string end = end_that_leaves(part, feature, found, tol);
       const double fits = largest_that_reaches(feature, found.tool_diameter, tol);
-      text += fits > 0 ? "; the largest cutter that reaches all but " + trimmed(allowed_to_stay(whole), 2) +
-                             " mm2 has " + trimmed(fits, 2) + " mm"
-                       : "; no cutter of 0.1 mm or more reaches it";
+      text += !end.empty() ? end
+              : fits > 0 ? "; the largest cutter that reaches all but " + trimmed(allowed_to_stay(whole), 2) +
+                               " mm2 has " + trimmed(fits, 2) + " mm"
+                         : "; no cutter of 0.1 mm or more reaches it";
     }
     const bool little = left <= std::max(kShare * whole, kCorners) && left <= kMost * whole;
     conditions.push_back({"out-of-reach", text, 0, little ? "at most 2 percent or 1 mm2" : ""});

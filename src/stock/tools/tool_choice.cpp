@@ -98,7 +98,8 @@ int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::
   if (feature.kind == FeatureKind::kTSlot) return std::max(0, t_slot_tool(tools));
   if (feature.profile) return profile_tool(*feature.profile, tools, tol);
   const double fits = largest_fitting_diameter(feature, tol) + tol.fit;
-  const auto hole = round_hole_of(feature, tol);
+  // A drill leaves its cone on the floor: pockets are flat down to theirs, and only holes may end so.
+  const auto hole = feature.kind == FeatureKind::kRoundHole ? round_hole_of(feature, tol) : std::nullopt;
   int best = 0;
   const auto drills = [&](const Tool& tool) {
     return hole && tool.kind == ToolKind::kDrill && makes_hole(tool, *hole, tol);

@@ -6,6 +6,7 @@
 
 #include "base/elementary.h"
 #include "base/text/format.h"
+#include "model/cutter_profile.h"
 #include "verify/coverage/chamfered_wall.h"
 #include "verify/faults/shaped_cutter.h"
 #include "verify/part/edge_tree.h"
@@ -59,7 +60,8 @@ class CarvingCheck {
       if (cone) shaped_.add(move, *checked.tool);
       if (!cone && checked.tool->kind != ToolKind::kTSlot &&
           std::max(move.z_from, move.z_to) <= feature_.floor_z + tol_.uncut)
-        floor_mills_.push_back(move.path), floor_radii_.push_back(flat_radius_of(*checked.tool));
+        floor_mills_.push_back(move.path),
+            floor_radii_.push_back(std::max(0.0, inner_profile(*checked.tool).flat));
     }
     mill_tree_ = EdgeTree(floor_mills_);
     for (const double radius : floor_radii_) widest_mill_ = std::max(widest_mill_, radius);

@@ -10,8 +10,10 @@
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "geometry/spatial/box_tree.h"
+#include "model/cutter_profile.h"
 #include "verify/blend.h"
 #include "verify/coverage/within_stock.h"
+#include "verify/engagement/removal.h"
 
 namespace clearcut::verify {
 namespace {
@@ -40,11 +42,17 @@ void run_all(const Tasks& tasks, int threads, const std::stop_token& cancel) {
   throw_if_cancelled(cancel);
 }
 
+/// mm; radius within which all is gone `above` mm over the tip. That of T-slot cutters holds up to their upper side alone.
+double cleared_radius(const CheckedMove& checked, double above) {
+  if (checked.tool->kind == ToolKind::kTSlot) return radius_at(*checked.tool, above);
+  return removal_of(checked).profile.radius_at(std::max(0.0, above));
+}
+
 /// Adds the parts of a feed move whose tip is at or below z, with the cutter's radius at `level`.
 void append_swaths(const CheckedMove& checked, double z, double level, std::vector<Swath>& out) {
   const Move& move = *checked.move;
   const double tip = move.is_vertical() ? checked.low_z() : std::max(move.z_from, move.z_to);
-  const double radius = radius_at(*checked.tool, level - tip);
+  const double radius = cleared_radius(checked, level - tip);
   if (radius <= 0) return;
   if (move.is_vertical()) return out.push_back({move.path, radius});
   double t0 = 0, t1 = 1;
@@ -158,15 +166,32 @@ double height_above(double level, const Around& target, const MovesByPlace& move
   return most;
 }
 
-/// What one step has to clear. No other step goes as deep with a cutter no larger and leaves as little on the walls.
+/// What one step has to clear. No other step goes as deep with a cutter no larger and leaves as little on the walls and in corners.
 struct FinestWork {
   double radius = 0;
   double flat = 0;  ///< radius of its flat end
   double allowance_side = 0;
+  double above = 0;  ///< mm over the floor down to which it clears: holes end in the cone of a drill
 };
 
+/// mm. Sizes that differ by less are rounded.
+constexpr double kSameSize = 1e-9;
+
+/// Whether all that `b` reaches is reached by `a`, which goes down as far: it comes as near to walls and leaves no more between
+/// walls and floors.
 bool covers(const FinestWork& a, const FinestWork& b) {
-  return a.radius <= b.radius && a.allowance_side <= b.allowance_side;
+  return a.radius <= b.radius && a.allowance_side <= b.allowance_side && a.above <= b.above &&
+         a.radius - a.flat <= b.radius - b.flat + kSameSize;
+}
+
+/// Where a drill makes a hole, its width counts from the top of its point, give or take what may be left on floors; pockets are
+/// flat down to their floor.
+FinestWork work_of(const Feature& feature, const Tool& tool, double allowance_side, const Tolerances& tol) {
+  const bool is_hole = feature.kind == FeatureKind::kRoundHole || feature.hole;
+  const CutterProfile profile = outer_profile(tool);
+  if (is_hole && tool.kind == ToolKind::kDrill)
+    return {tool.radius(), tool.radius(), allowance_side, profile.full_height() + tol.uncut};
+  return {tool.radius(), std::min(tool.radius(), profile.flat), allowance_side, 0};
 }
 
 /// The finest of the steps whose floor, with the stock they leave on it, is at z or below; mostly one, the last.
@@ -179,7 +204,7 @@ std::vector<FinestWork> finest_works(const Part& part, const FeatureWork& work, 
     const bool known = operation.tool >= 0 && operation.tool < static_cast<int>(part.tools.size());
     if (step.feature != work.feature || lowest > z + tol.gouge) continue;
     const Tool tool = known ? part.tools[operation.tool] : Tool{};
-    const FinestWork own{tool.radius(), flat_radius_of(tool), operation.allowance_side};
+    const FinestWork own = work_of(part.features[work.feature], tool, operation.allowance_side, tol);
     if (std::any_of(finest.begin(), finest.end(),
                     [&](const FinestWork& other) { return covers(other, own); }))
       continue;
@@ -214,21 +239,22 @@ class WorkCheck {
     const Feature& feature = part_.features[work.feature];
     const Regions in_stock =
         within_stock(feature.target, part_.stock ? std::optional(part_.stock->plan) : std::nullopt);
-    CoverageQuestion question;
-    question.part = &finished_.for_feature(feature);
-    question.target = &in_stock;
-    question.z = level.z + tol.gouge;
     const Around target(feature);
     const std::vector<std::size_t> near = moves_.near(target);
-    question.swaths = swaths_at(level.z, target, moves_, near, tol);
-    question.path_tolerance = liberty_at(highest_counted(level.z, tol), target, moves_, near, tol);
-    question.above = height_above(level.z, target, moves_, near, tol);
-    level.any_cut = !question.swaths.empty();
     bool first = true;
     for (const FinestWork& finest : finest_works(part_, work, level.z, tol)) {
+      const double z = level.z + finest.above;
+      CoverageQuestion question;
+      question.part = &finished_.for_feature(feature);
+      question.target = &in_stock;
+      question.z = z + tol.gouge;
+      question.swaths = swaths_at(z, target, moves_, near, tol);
+      question.path_tolerance = liberty_at(highest_counted(z, tol), target, moves_, near, tol);
+      question.above = height_above(z, target, moves_, near, tol);
       question.radius = finest.radius;
       question.flat = finest.flat;
       question.allowance = finest.allowance_side;
+      level.any_cut = level.any_cut || !question.swaths.empty();
       const Coverage one = coverage_of(question, tol);
       level.coverage = first ? one : both(level.coverage, one);
       first = false;
@@ -279,12 +305,13 @@ class WorkCheck {
 };
 
 void refine(FeatureWork& work, const Operation& operation, const Tool& tool) {
-  const double radius = tool.radius(), flat = flat_radius_of(tool);
+  const double radius = tool.radius(), flat = flat_end(tool);
   const double flank = has_flanks(tool) ? flank_slope(tool) : 0;
   work.steepest_flank = std::min(work.steepest_flank, flank);
-  if (radius < work.smallest_radius) {
+  if (radius < work.smallest_radius || (radius == work.smallest_radius && flat > work.smallest_flat)) {
     work.smallest_radius = radius;
     work.smallest_flat = flat;
+    work.ends_in_point = flat <= 0 && outer_profile(tool).round <= 0;
   }
   work.greatest_radius = std::max(work.greatest_radius, radius);
   work.allowance_side = std::min(work.allowance_side, operation.allowance_side);
@@ -329,7 +356,7 @@ std::vector<FeatureWork> works_of(const Part& part) {
       FeatureWork first;
       first.feature = step.feature;
       first.smallest_radius = first.greatest_radius = tool.radius();
-      first.smallest_flat = flat_radius_of(tool);
+      first.smallest_flat = -1;
       first.allowance_side = operation.allowance_side;
       first.allowance_floor = operation.allowance_floor;
       works.push_back(first);

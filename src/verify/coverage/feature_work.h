@@ -24,6 +24,7 @@ struct FeatureWork {
   int last_workingstep = 0;
   double smallest_radius = 0;  ///< mm; of its smallest cutter
   double smallest_flat = 0;    ///< mm; of the flat end of that cutter
+  bool ends_in_point = false;  ///< that cutter, where it has no flat end
   double greatest_radius = 0;
   double steepest_flank =
       HUGE_VAL;  ///< mm sideways for each mm of height, of the cutter that widens least upwards; 0: upright

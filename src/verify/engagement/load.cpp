@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/cutter_profile.h"
 #include "stock/material.h"
-#include "verify/engagement/cylinders.h"
 #include "verify/engagement/forces.h"
-#include "verify/faults/shaped_cutter.h"
+#include "verify/engagement/removal.h"
 
 namespace clearcut::verify {
 namespace {
@@ -50,11 +50,12 @@ class LoadMeter {
   void measure(CheckedMove& checked) {
     const Move& move = *checked.move;
     const double radius = checked.radius();
+    own_ = number_of(checked);
     follow_entry(checked);
     measure_holder(checked);
-    measure_flanks(checked);
-    if (checked.feeds() && checked.tool && is_conical(*checked.tool)) return measure_cone(checked);
-    if (checked.low_z() < material_.z_top() - kResidual && radius > kResidual) {
+    if (checked.feeds() && checked.tool && is_conical(*checked.tool)) {
+      measure_cone(checked);
+    } else if (checked.low_z() < material_.z_top() - kResidual && radius > kResidual) {
       if (!checked.feeds()) {
         measure_rapid(checked);
       } else if (move.is_vertical()) {
@@ -68,43 +69,48 @@ class LoadMeter {
 
   /// Runs a move that is measured elsewhere: the same state as after measuring it.
   void pass_over(const CheckedMove& checked) {
+    own_ = number_of(checked);
     follow_entry(checked);
-    if (checked.feeds() && checked.tool && is_conical(*checked.tool)) {
-      before_ = checked.move;
-      return cones_.add(*checked.move, *checked.tool);
-    }
     take_away(checked);
   }
 
  private:
-  void take_away(const CheckedMove& checked) {
-    if (checked.radius() > 0 && checked.feeds()) {
-      for (const Cylinder& one : cylinders_within(*checked.tool))
-        material_.add(raised(*checked.move, one.above), one.radius);
-    }
-    before_ = checked.feeds() ? checked.move : nullptr;
+  /// Under which number the material knows the cutter of a move.
+  int number_of(const CheckedMove& checked) {
+    if (!checked.tool) return stock::Material::kCylinder;
+    const stock::Removal removal = removal_of(checked);
+    return material_.add_cutter(removal.profile, removal.circle);
   }
 
-  /// Measures how deep the tip of a cone is in material. What cones remove counts as removed for later cones only.
+  void take_away(const CheckedMove& checked) {
+    if (checked.radius() > 0 && checked.feeds()) {
+      if (own_ == stock::Material::kCylinder) {
+        material_.add(*checked.move, checked.radius());
+      } else {
+        material_.add_sweep(*checked.move, own_);
+      }
+    }
+    before_ = checked.feeds() ? checked.move : nullptr;
+    last_ = &checked;
+  }
+
+  /// Measures how deep the tip of a cone is in material.
   void measure_cone(CheckedMove& checked) {
     const Move& move = *checked.move;
-    before_ = &move;
-    if (checked.low_z() < material_.z_top() - kResidual) {
-      const double length = move.length();
-      const int steps =
-          move.is_vertical() ? 1 : std::max(1, static_cast<int>(std::ceil(length / kLongestStep)));
-      for (int i = 0; i <= steps; ++i) measure_tip(checked, static_cast<double>(i) / steps);
-      (checked.load.axial_mm > 0 ? checked.load.cutting_mm : checked.load.air_mm) += length;
-      if (checked.load.axial_mm <= 0) checked.load.by_flank = cuts_by_flank(checked);
-    }
-    cones_.add(move, *checked.tool);
+    if (checked.low_z() >= material_.z_top() - kResidual) return;
+    const double length = move.length();
+    const int steps =
+        move.is_vertical() ? 1 : std::max(1, static_cast<int>(std::ceil(length / kLongestStep)));
+    for (int i = 0; i <= steps; ++i) measure_tip(checked, static_cast<double>(i) / steps);
+    (checked.load.axial_mm > 0 ? checked.load.cutting_mm : checked.load.air_mm) += length;
+    if (checked.load.axial_mm <= 0) checked.load.by_flank = cuts_by_flank(checked);
   }
 
   void measure_tip(CheckedMove& checked, double t) {
     const Move& move = *checked.move;
     const Vec2 p = move.is_vertical() ? move.path.from : move.path.at(t);
     const double z = move.is_vertical() ? checked.low_z() : move.z_from + (move.z_to - move.z_from) * t;
-    const double axial = std::min(material_.height(p), cones_.at(p)) - z;
+    const double axial = material_.height(p) - z;
     if (axial <= std::max(kResidual, checked.load.axial_mm)) return;
     checked.load.axial_mm = axial;
     checked.load.axial_at = {p, z, move.line};
@@ -167,7 +173,7 @@ class LoadMeter {
     const double z = move.z_from + (move.z_to - move.z_from) * t;
     if (z >= material_.z_top() - kResidual) return;
     const stock::CutterEngagement contact =
-        material_.engagement(raised(move, kResidual), t, checked.radius() - kResidual);
+        material_.engagement(raised(move, kResidual), t, checked.radius() - kResidual, own_);
     MoveLoad& load = checked.load;
     const double axial = contact.angle > 0 ? measure_axial(checked, move.path.at(t),
                                                            angle_of(direction_at(move, t)), z, contact.angles)
@@ -214,7 +220,7 @@ class LoadMeter {
         const Vec2 p = center + direction_of(angle) * inside;
         measure_axial_at(checked, p, center, z);
         if (options_.material)
-          here = std::max(here, std::min(material_.height(p) - z, height_of_edges(*checked.tool)));
+          here = std::max(here, std::min(material_.height(p, own_) - z, height_of_edges(*checked.tool)));
       }
     }
     return here;
@@ -222,8 +228,8 @@ class LoadMeter {
 
   void measure_axial_at(CheckedMove& checked, Vec2 p, Vec2 center, double z) {
     MoveLoad& load = checked.load;
-    if (material_.is_removed(p, z + load.axial_mm + kResidual)) return;
-    const double axial = std::min(material_.height(p) - z, height_of_edges(*checked.tool));
+    if (material_.is_removed(p, z + load.axial_mm + kResidual, own_)) return;
+    const double axial = std::min(material_.height(p, own_) - z, height_of_edges(*checked.tool));
     if (axial <= load.axial_mm) return;
     load.axial_mm = axial;
     load.axial_at = {center, z, checked.move->line};
@@ -240,7 +246,7 @@ class LoadMeter {
         measure_axial_at(checked, p, center, z);
       }
     }
-    const auto hit = material_.in_reach(move.path, radius - kSliver, z + kResidual);
+    const auto hit = material_.in_reach(move.path, radius - kSliver, z + kResidual, own_);
     if (hit) measure_axial_at(checked, *hit, center, z);
     find_plunge_contact(checked, center);
   }
@@ -248,28 +254,40 @@ class LoadMeter {
   void find_plunge_contact(CheckedMove& checked, Vec2 center) const {
     if (may_plunge(*checked.tool)) return;
     const double z = checked.move->z_to;
-    if (touches(center, checked.radius() - kResidual, z))
-      checked.load.plunge_contact = Place{center, z, checked.move->line};
+    if (touches(*checked.tool, center, z)) checked.load.plunge_contact = Place{center, z, checked.move->line};
   }
 
-  /// Whether material above z lies anywhere in the disc.
-  bool touches(Vec2 center, double radius, double z) const {
-    return material_.in_reach(Edge::line(center, center), radius, z + kResidual).has_value();
+  /// Whether material reaches into the cutter anywhere with its tip at z.
+  bool touches(const Tool& tool, Vec2 center, double z) const {
+    return hit_on(tool, Edge::line(center, center), z).has_value();
+  }
+
+  /// A place at which material reaches into a cutter that runs level with its tip at z.
+  std::optional<Vec2> hit_on(const Tool& tool, const Edge& path, double z) const {
+    return material_.in_reach(path, outer_profile(tool).narrowed(kResidual), z + kResidual);
+  }
+
+  /// Whether the cutter goes up from where it came to be with the same tool: as it never narrows upwards it meets nothing new there.
+  bool comes_out(const CheckedMove& checked) const {
+    const Move& move = *checked.move;
+    const Tool& tool = *checked.tool;
+    return move.is_vertical() && move.z_to >= move.z_from && last_ != nullptr &&
+           last_->tool == checked.tool && last_->move->path.to == move.path.from &&
+           last_->move->z_to == move.z_from && inner_profile(tool) == outer_profile(tool) &&
+           !outer_profile(tool).is_cylinder();
   }
 
   void measure_rapid(CheckedMove& checked) {
     const Move& move = *checked.move;
-    const double radius = checked.radius() - kResidual;
-    // A cone that goes straight up in its groove touches nothing.
-    if (checked.tool && is_conical(*checked.tool) && move.is_vertical() && move.z_to >= move.z_from) return;
+    if (comes_out(checked)) return;
     // A vertical rapid touches most where it is lowest.
     if (move.is_vertical()) {
-      if (touches(move.path.from, radius, checked.low_z()))
+      if (touches(*checked.tool, move.path.from, checked.low_z()))
         report_rapid(checked, move.path.from, checked.low_z());
       return;
     }
     if (move.z_from == move.z_to) {
-      const auto hit = material_.in_reach(move.path, radius, move.z_to + kResidual);
+      const auto hit = hit_on(*checked.tool, move.path, move.z_to);
       if (hit) report_rapid(checked, move.path.at(nearest(move.path, *hit).t), move.z_to);
       return;
     }
@@ -278,7 +296,7 @@ class LoadMeter {
       const double t = static_cast<double>(i) / steps;
       const double z = move.z_from + (move.z_to - move.z_from) * t;
       if (z >= material_.z_top() - kResidual) continue;
-      if (touches(move.path.at(t), radius, z)) return report_rapid(checked, move.path.at(t), z);
+      if (touches(*checked.tool, move.path.at(t), z)) return report_rapid(checked, move.path.at(t), z);
     }
   }
 
@@ -298,16 +316,6 @@ class LoadMeter {
     if (!touched) return;
     checked.load.holder_contact = *touched;
     checked.load.is_shank = is_shank;
-  }
-
-  /// The flanks of a tapered end mill on a rapid; where they cut they were told to.
-  void measure_flanks(CheckedMove& checked) {
-    if (checked.feeds() || !checked.tool || checked.tool->kind != ToolKind::kTapered) return;
-    const auto cylinders = cylinders_within(*checked.tool);
-    for (std::size_t i = 1; i < cylinders.size() && !checked.load.rapid_contact; ++i) {
-      if (const auto touched = touched_above(checked, cylinders[i].above, cylinders[i - 1].radius))
-        checked.load.rapid_contact = *touched;
-    }
   }
 
   /// The first place at which a cylinder that begins `above` the tip touches material.
@@ -334,9 +342,10 @@ class LoadMeter {
 
   stock::Material& material_;
   const LoadOptions& options_;
-  CutHeights cones_;                ///< what cones have cut
-  const Move* before_ = nullptr;    ///< the last feed move before the current one
-  std::vector<const Move*> ramps_;  ///< of the entry that is being run
+  const CheckedMove* last_ = nullptr;     ///< the move before the current one
+  int own_ = stock::Material::kCylinder;  ///< number of the current cutter
+  const Move* before_ = nullptr;          ///< the last feed move before the current one
+  std::vector<const Move*> ramps_;        ///< of the entry that is being run
   bool in_entry_ = false;
 };
 

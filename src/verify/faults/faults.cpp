@@ -225,6 +225,8 @@ std::vector<Fault> faults_of_steps(const Feature& feature, const FeatureWork& wo
 }
 
 std::string why_nothing_is_cut(const FeatureWork& work, bool unreachable) {
+  if (work.ends_in_point)
+    return "its cutter ends in a point, which leaves a cone on the floor: use a flat end";
   if (work.smallest_flat <= 0)
     return "its cutter ends in a ball, which leaves cusps on every floor: use a flat end";
   if (unreachable) return "no cutter of its work fits into it with its flat end";

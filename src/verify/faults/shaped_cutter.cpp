@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/elementary.h"
+#include "model/cutter_profile.h"
 
 namespace clearcut::verify {
 namespace {
@@ -170,11 +171,8 @@ std::optional<Gouge> shaped_gouge_of(const FinishedPart& part, const Move& move,
 }
 
 std::optional<double> height_at(const Tool& tool, double distance) {
-  if (distance > widest_radius(tool)) return std::nullopt;
-  if (has_flanks(tool)) return std::max(0.0, distance - tip_radius(tool)) / flank_slope(tool);
-  const double round = tool.kind == ToolKind::kBallEndMill ? tool.radius() : tool.corner_radius;
-  const double out = std::max(0.0, distance - (tool.radius() - round));
-  return round - std::sqrt(std::max(0.0, round * round - out * out));
+  const double height = outer_profile(tool).height_at(distance);
+  return std::isinf(height) ? std::nullopt : std::optional(height);
 }
 
 void CutHeights::add(const Move& move, const Tool& tool) {

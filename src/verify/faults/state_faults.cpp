@@ -144,10 +144,12 @@ class StateCheck {
     if (!part_.stock) return std::nullopt;
     if (!part_.is_shape_stated) return beyond_any_way_through(checked, part_.stock->z_bottom);
     double lowest = part_.stock->z_bottom;
+    bool any_through = false;
     for (const Feature& feature : part_.features) {
-      if (feature.through) lowest = std::min(lowest, feature.floor_z);
+      if (feature.through) lowest = std::min(lowest, feature.floor_z), any_through = true;
     }
     if (!checked.cuts()) return beyond_any_way_through(checked, lowest);
+    if (any_through) lowest = std::min(lowest, part_.stock->z_bottom - breakthrough(checked));
     const double below = lowest - checked.low_z();
     if (below <= kHeightSlack) return std::nullopt;
     return beyond_stock(checked, below);
@@ -185,10 +187,14 @@ class StateCheck {
     const bool rises = !checked.feeds() && checked.move->z_to > checked.move->z_from;
     if (rises) return std::nullopt;
     const double below = lowest - checked.low_z();
-    const double allowed =
-        !checked.feeds() ? 0 : kUsualBreakthrough + (checked.tool ? point_length(*checked.tool) : 0);
+    const double allowed = checked.feeds() ? breakthrough(checked) : 0;
     if (below <= allowed + kHeightSlack) return std::nullopt;
     return beyond_stock(checked, below);
+  }
+
+  /// mm; how far a tool's tip goes below the stock on a way through.
+  static double breakthrough(const CheckedMove& checked) {
+    return kUsualBreakthrough + (checked.tool ? point_length(*checked.tool) : 0);
   }
 
   Fault beyond_stock(const CheckedMove& checked, double below) const {

@@ -15,6 +15,10 @@ namespace {
 /// mm. The height on both sides of an edge is asked this far beside it: more than outlines that coincide differ by rounding.
 constexpr double kBeside = 1e-8;
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
+/// mm under the stock that nothing of the part lies in: deeper than any way through. How far a cutter may go is asked of the stock.
+constexpr double kUnderStock = 1000;
+/// mm. A floor no higher over the stock's underside goes through it.
+constexpr double kThrough = 1e-6;
 
 double top_of(const Part& part) {
   if (part.stock) return part.stock->z_top;
@@ -45,6 +49,12 @@ bool is_cut(const Feature& feature, int number, const CutFeatures& cut) {
   if (feature.kind == FeatureKind::kTSlot && (!cut.undercuts_up_to || feature.top_z < *cut.undercuts_up_to))
     return false;
   return !cut.only_draft || *cut.only_draft == number || feature.wall_slope.radians() <= 0;
+}
+
+/// Whether nothing of the part stands under the feature.
+bool goes_through(const Feature& feature, const std::optional<Stock>& stock) {
+  return stock && feature.through && feature.wall_slope.radians() == 0 &&
+         feature.floor_z <= stock->z_bottom + kThrough;
 }
 
 /// Walls without those upright ones that another feature with the same outline has given before: operations on one outline, such
@@ -82,7 +92,9 @@ FinishedPart::FinishedPart(const Part& part, const CutFeatures& cut) : top_z_(to
   if (part.stock) add_stock(*part.stock);
   for (std::size_t i = 0; i < part.features.size(); ++i) {
     const int number = static_cast<int>(i);
-    if (is_cut(part.features[i], number, cut)) add_feature(part.features[i], number);
+    if (!is_cut(part.features[i], number, cut)) continue;
+    add_feature(part.features[i], number);
+    if (goes_through(part.features[i], part.stock)) shapes_.back().floor = part.stock->z_bottom - kUnderStock;
   }
   find_walls();
   for (const Shape& shape : shapes_) {

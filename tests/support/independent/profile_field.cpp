@@ -1,0 +1,113 @@
+#include "support/independent/profile_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace clearcut::test_support {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+/// Steps along a way, of a cell.
+constexpr double kStep = 0.8;
+
+}  // namespace
+
+double TurnedBody::steepness() const {
+  return end == End::kCone ? 1 / std::tan(angle * kDegree / 2) : 0;
+}
+
+double TurnedBody::surface(double distance, double steep) const {
+  const double radius = diameter / 2;
+  if (distance > radius) return std::numeric_limits<double>::infinity();
+  switch (end) {
+    case End::kFlat:
+    case End::kDisc:
+      return 0;
+    case End::kRounded: {
+      const double out = std::max(0.0, distance - (radius - round));
+      return round - std::sqrt(std::max(0.0, round * round - out * out));
+    }
+    case End::kCone:
+      return std::max(0.0, distance - tip / 2) * steep;
+  }
+  return 0;
+}
+
+ProfileField::ProfileField(double x0, double y0, double x1, double y1, double cell)
+    : x0_(x0),
+      y0_(y0),
+      cell_(cell),
+      half_(cell * std::sqrt(0.5)),
+      columns_(static_cast<int>(std::lround((x1 - x0) / cell))),
+      rows_(static_cast<int>(std::lround((y1 - y0) / cell))),
+      cells_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)) {}
+
+/// Calls visit(cell, distance from the axis, height of the tip, how far the tip is from there at most, and how much its height differs).
+template <typename Visit>
+void ProfileField::along(const TurnedBody& body, const BodyWay& way, Visit visit) const {
+  const double dx = way.x1 - way.x0, dy = way.y1 - way.y0, dz = way.z1 - way.z0;
+  const double length = std::hypot(dx, dy);
+  const int steps = 1 + static_cast<int>(std::max(length / (kStep * cell_),
+                                                  length > 0 ? std::abs(dz) / (kStep * cell_) : 0));
+  const double reach = body.diameter / 2 + 1.25 * cell_;
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps, x = way.x0 + dx * t, y = way.y0 + dy * t;
+    const double z = length > 0 ? way.z0 + dz * t : std::min(way.z0, way.z1);
+    const auto column = [&](double v) {
+      return std::clamp(static_cast<int>(std::floor((v - x0_) / cell_)), 0, columns_ - 1);
+    };
+    const auto row = [&](double v) {
+      return std::clamp(static_cast<int>(std::floor((v - y0_) / cell_)), 0, rows_ - 1);
+    };
+    for (int r = row(y - reach); r <= row(y + reach); ++r) {
+      for (int c = column(x - reach); c <= column(x + reach); ++c) {
+        const double ax = x0_ + (c + 0.5) * cell_ - x, ay = y0_ + (r + 0.5) * cell_ - y;
+        const double squared = ax * ax + ay * ay;
+        if (squared > reach * reach) continue;
+        visit(static_cast<std::size_t>(r * columns_ + c), std::sqrt(squared), z, length / steps / 2,
+              length > 0 ? std::abs(dz) / steps / 2 : 0);
+      }
+    }
+  }
+}
+
+void ProfileField::cut(const TurnedBody& body, const BodyWay& way) {
+  std::vector<Cell>& cells = cells_;
+  const double steep = body.steepness();
+  along(body, way, [&](std::size_t i, double apart, double z, double aside, double dz) {
+    Cell& cell = cells[i];
+    const double least = std::max(0.0, apart - half_ - aside);
+    cell.certain = std::min(cell.certain, z - dz + body.surface(least, steep));
+    if (body.removes && body.end != TurnedBody::End::kDisc)
+      cell.possible = std::min(cell.possible, z + body.surface(apart + half_, steep));
+  });
+}
+
+ProfileField::Hit ProfileField::hit(const TurnedBody& body, const BodyWay& way) const {
+  Hit hit;
+  const double steep = body.steepness();
+  along(body, way, [&](std::size_t i, double apart, double z, double aside, double dz) {
+    const Cell& cell = cells_[i];
+    hit.certain = std::max(hit.certain, cell.certain - (z + body.surface(apart + half_, steep)));
+    hit.possible = std::max(
+        hit.possible, cell.possible - (z - dz + body.surface(std::max(0.0, apart - half_ - aside), steep)));
+  });
+  return hit;
+}
+
+std::size_t ProfileField::index_of(double x, double y) const {
+  const int c = std::clamp(static_cast<int>((x - x0_) / cell_), 0, columns_ - 1);
+  const int r = std::clamp(static_cast<int>((y - y0_) / cell_), 0, rows_ - 1);
+  return static_cast<std::size_t>(r * columns_ + c);
+}
+
+double ProfileField::certain_at(double x, double y) const {
+  return cells_[index_of(x, y)].certain;
+}
+
+double ProfileField::possible_at(double x, double y) const {
+  return cells_[index_of(x, y)].possible;
+}
+
+}  // namespace clearcut::test_support
