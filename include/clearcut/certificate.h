@@ -6,6 +6,7 @@
 
 namespace clearcut {
 
+using report::certificate_contradictions;
 using report::certificate_differences;
 using report::certificate_faults;
 using report::seal_holds;

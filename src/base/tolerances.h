@@ -19,6 +19,9 @@ struct Tolerances {
   double uncut = 0.01;
   /// mm. Gouges shallower than this are not a fault.
   double gouge = 0.001;
+  /// mm, square to the wall. What layers may leave on walls with draft where nobody asks for a scallop: as much as is left for a
+  /// finishing cut of floors.
+  double scallop = 0.2;
 };
 
 }  // namespace clearcut::inline base

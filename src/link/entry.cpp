@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/elementary.h"
+#include "link/sinking_feed.h"
 
 namespace clearcut::link {
 namespace {
@@ -44,6 +45,13 @@ std::optional<Circle> helix_circle(const EntryPlace& place, const Regions& legal
   return std::nullopt;
 }
 
+/// At the ramp feed, or as much slower as the plunge feed asks for on steep ramps.
+Move ramp_move(const Edge& path, double z_from, double z_to, const LinkOptions& options) {
+  const MmPerMin feed =
+      sinking_feed(options.ramp_feed, options.plunge_feed, path.length(), z_from - z_to);
+  return {path, z_from, z_to, MoveKind::kRamp, feed, 0};
+}
+
 /// Adds arcs counter-clockwise round the circle, as few as posts can write, from the end of `moves` (or from
 /// `turned` radians before `end`) to `end`.
 void append_turns(const Circle& circle, Vec2 end, double turned, double z_from, double z_to,
@@ -55,8 +63,8 @@ void append_turns(const Circle& circle, Vec2 end, double turned, double z_from, 
     const double share = static_cast<double>(left) / arcs;
     const Vec2 next = left == 0 ? end : circle.center + rotated(end - circle.center, -turned * share);
     const double low = z_to + (z_from - z_to) * share;
-    moves.push_back({Edge::arc(at, next, circle.center, Turn::kCounterClockwise), z, low, MoveKind::kRamp,
-                     options.ramp_feed, 0});
+    moves.push_back(
+        ramp_move(Edge::arc(at, next, circle.center, Turn::kCounterClockwise), z, low, options));
     at = next;
     z = low;
   }
@@ -86,7 +94,7 @@ std::optional<Entry> ramp_along(const EntryPlace& place, const LinkOptions& opti
     const bool last = left <= size;
     const Edge piece = last && left < size ? edge.part(0, left / size) : edge;
     const double low = last ? place.z : z - size * slope;
-    entry.moves.push_back({piece, z, low, MoveKind::kRamp, options.ramp_feed, 0});
+    entry.moves.push_back(ramp_move(piece, z, low, options));
     z = low;
     left -= size;
   }
@@ -130,7 +138,7 @@ std::vector<Move> ramp(const EntryPlace& place, const Path& stroke, const LinkOp
     for (std::size_t i = 0; i < path.size(); ++i) {
       along += path[i].length();
       const double next = i + 1 == path.size() ? z_to : z_from + (z_to - z_from) * along / around;
-      moves.push_back({path[i], z, next, MoveKind::kRamp, options.ramp_feed, 0});
+      moves.push_back(ramp_move(path[i], z, next, options));
       z = next;
     }
   };

@@ -5,6 +5,7 @@
 
 #include "base/elementary.h"
 #include "link/moves.h"
+#include "link/sinking_feed.h"
 
 namespace clearcut::link {
 namespace {
@@ -85,7 +86,8 @@ Section bore_hole(const HoleWork& hole, double stepdown, const LinkOptions& opti
   list.vertical(top, MoveKind::kPlunge, options.plunge_feed);
   for (int i = 1; i <= turns; ++i) {
     const double z = i == turns ? hole.z : top - (top - hole.z) * i / turns;
-    list.circle(hole.center, turn, z, MoveKind::kRamp, options.feed);
+    const MmPerMin feed = sinking_feed(options.feed, options.plunge_feed, 2 * kPi * radius, list.z() - z);
+    list.circle(hole.center, turn, z, MoveKind::kRamp, feed);
   }
   list.circle(hole.center, turn, hole.z, MoveKind::kCut, options.feed);
   list.line(hole.center, MoveKind::kLeadOut, options.feed);

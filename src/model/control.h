@@ -81,6 +81,13 @@ enum class ControlEventKind : unsigned char {
   kTapTurnsBack  ///< at the bottom of a tapping cycle: the spindle turns the other way until the tap is out
 };
 
+/// What a tapping cycle takes its tap for, and who ties the feed to the spindle.
+struct TapCycle {
+  std::optional<bool> left_hand;  ///< absent: the cycle cuts as the spindle turns
+  bool is_tied = true;            ///< the feed follows the spindle, whatever the holder
+  bool turns_by_itself = false;   ///< the control turns the spindle as the cycle asks, whatever M3 or M4 said
+};
+
 /// Happens before the move with that number begins.
 struct ControlEvent {
   ControlEventKind kind = ControlEventKind::kDwell;
@@ -88,6 +95,7 @@ struct ControlEvent {
   int line = 0;
   double seconds = 0;
   int tool = 0;
+  TapCycle tap = {};  ///< of kTapTurnsBack
 };
 
 /// An arc whose words give two radii: controls differ in what they make of it.

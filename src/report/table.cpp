@@ -107,6 +107,11 @@ std::string load_lines(const Figures& all) {
   const double sided = engagement.climb_mm + engagement.conventional_mm;
   if (sided > 0)
     text += fmt::format("climb {} % of the cutting length\n", fixed(100 * engagement.climb_mm / sided, 0));
+  if (all.entries.count > 0)
+    text += fmt::format("{}: {} mm in material, up to {}\u00b0 and {} mm deep\n",
+                        all.entries.count == 1 ? "1 entry" : fmt::format("{} entries", all.entries.count),
+                        fixed(all.entries.length_mm, 1), fixed(all.entries.max_deg, 0),
+                        fixed(all.entries.max_axial_mm, 2));
   if (all.load) {
     text += fmt::format("force up to {} N, power {} W, energy {} kJ, {} % of a cutter's life\n",
                         fixed(all.load->max_force_n, 0), fixed(all.load->max_power_w, 0),
@@ -129,7 +134,7 @@ std::string scallop_lines(const Findings& findings) {
     text += fmt::format("scallop: {} mm at most on the drafted walls of {}",
                         fixed(feature.scallop->height_mm, 3), ascii(feature.name));
     if (feature.scallop->asked_mm)
-      text += fmt::format(", {} mm asked for", fixed(*feature.scallop->asked_mm, 3));
+      text += fmt::format(", {} mm may stand", fixed(*feature.scallop->asked_mm, 3));
     text += "\n";
   }
   return text;

@@ -256,6 +256,14 @@ void apply_material(Part& part, Workingstep& step, const PlanOptions& options, S
     if (is_new(text)) part.diagnostics.warn("material", text), noted.push_back(text);
 }
 
+/// Whether the layers of that tool leave steps on the feature's walls: on those that lean more than its own flanks do.
+bool leaves_steps(const Feature& feature, const Tool& tool) {
+  if (feature.wall_slope.radians() <= 0 || !clears_floors(tool) || feature.chamfer || feature.carving)
+    return false;
+  const double flank = has_flanks(tool) ? flank_slope(tool) : 0;
+  return base::tan(feature.wall_slope.radians()) > flank * (1 + 1e-9);
+}
+
 /// Fills what is still absent; returns the names of the values that were defaulted.
 std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, const Feature& feature,
                                         const Machine& machine, Sources& sources) {
@@ -266,6 +274,11 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
                 stock::only_plunges(tool) || is_one_pass(tool) || is_formed(feature)
                     ? ""
                     : "stepdown " + trimmed(stepdown, 3) + " mm");
+  if (leaves_steps(feature, tool)) {
+    const double scallop = Tolerances{}.scallop;
+    defaults.fill(operation.scallop, scallop, "scallop",
+                  {Origin::kDefault, "default: " + trimmed(scallop, 3) + " mm"});
+  }
   const std::string feed = trimmed(kDefaultFeed, 0) + " mm/min";
   if ((stock::only_plunges(tool) || tool.kind == ToolKind::kSpotDrill) && cutting.plunge_feed) {
     defaults.fill(cutting.feed, *cutting.plunge_feed, "feed",

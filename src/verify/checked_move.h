@@ -41,6 +41,22 @@ class AngleClasses {
   std::vector<Share> shares_;
 };
 
+/// What an entry takes on one move: its engagement counts apart.
+struct EntryLoad {
+  bool begins = false;     ///< the first move of its entry that meets material
+  double length_mm = 0;    ///< in material
+  double max_deg = 0;      ///< the angle of the circle in material, where it is greatest
+  double max_axial_mm = 0;
+  Place max_at;
+};
+
+/// What a tool takes that its kind cannot.
+struct Overcut {
+  Place at;
+  double taken_mm = 0;    ///< sideways square to its way, down the radius of what stands below it
+  bool sideways = false;
+};
+
 /// What the cutter engages on one move.
 struct MoveLoad {
   double cutting_mm = 0;  ///< mm on which the cutter engages
@@ -58,6 +74,8 @@ struct MoveLoad {
   Rare<Place> plunge_contact;  ///< a place where a cutter that must not plunge does so
   Rare<Place>
       holder_contact;        ///< a place where the holder, or a shank wider than the cutter, touches material
+  Rare<EntryLoad> entry;
+  Rare<Overcut> overcut;
   bool by_flank = false;     ///< a cone cuts beside its tip alone
   bool is_shank = false;     ///< which of them: the shank
   Rare<CuttingLoad> forces;  ///< only if the work's material is known
@@ -84,6 +102,7 @@ struct CheckedMove {
   double waits_s = 0;
   double time_naive_s = 0;
   std::optional<Gouge> gouge;
+  Rare<Gouge> into_stock_to_leave;  ///< how deep it cuts into what was to be left
   MoveLoad load;
 
   bool feeds() const { return !is_rapid(move->kind); }

@@ -29,6 +29,7 @@ Part drafted_slot() {
   Feature& slot = part.features[0];
   slot.kind = FeatureKind::kSlot;
   slot.wall_slope = Radians::of(std::atan(0.25));
+  part.workplan[0].operation.scallop = 1;
   slot.allowed = {Region::from_valid_loops(
       around.outer(), {rectangle(0, 0, 60, 15)[0].outer(), rectangle(0, 25, 60, 40)[0].outer()})};
   return part;
@@ -87,6 +88,7 @@ TEST(Verify, APocketUnderAPocketOpensItsFloor) {
 TEST(Verify, LeaningWallsStandNearerBelow) {
   Part part = square_part();
   part.features[0].wall_slope = Radians::of_degrees(45);
+  part.workplan[0].operation.scallop = 1.5;
   std::vector<double> rings = kRings;
   rings.back() = 20;
   rings[4] = 18;
@@ -209,6 +211,77 @@ TEST(Verify, WhatIsLeftIsSaidLayerByLayer) {
   EXPECT_GT(floor, 200);
   EXPECT_NEAR(findings.features[0].layers[0].figures.uncut_mm2, floor, 1);
   EXPECT_NEAR(findings.all.uncut_mm2, floor, 1);
+}
+
+/// The square pocket with walls of 45 degrees, in layers at these heights; `descends`: each but the first is reached along its last ring.
+Toolpath drafted_rings(const std::vector<double>& heights) {
+  Writer writer;
+  double above = 0;
+  for (const double z : heights) {
+    const double widest = 22 + z;
+    std::vector<double> rings{2, 6.5, 11, 15.5};
+    for (const double ring : {18.0, widest - 1, widest})
+      if (ring <= widest && ring > rings.back()) rings.push_back(ring);
+    testing::cut_square_rings(writer, {25, 25}, rings, above, z);
+    writer.leave();
+    above = z;
+  }
+  return writer.done();
+}
+
+TEST(Verify, WhatLayersLeaveOnLeaningWallsIsUncut) {
+  Part part = square_part();
+  part.features[0].wall_slope = Radians::of_degrees(45);
+  const std::vector<double> fine{-0.25, -0.5, -0.75, -1, -1.25, -1.5, -1.75, -2};
+  const Findings right = verify_program(part, drafted_rings(fine), {});
+  EXPECT_TRUE(right.all.clean) << report_of(right);
+  ASSERT_TRUE(right.features[0].scallop);
+  EXPECT_NEAR(right.features[0].scallop->height_mm, 0.25 * std::sqrt(0.5), 1e-9);
+  EXPECT_NEAR(*right.features[0].scallop->asked_mm, 0.2, 1e-12) << "what may stand where nobody asks";
+  // One layer is left out.
+  const Findings missing = verify_program(part, drafted_rings({-0.25, -0.5, -0.75, -1.25, -1.5, -1.75, -2}), {});
+  ASSERT_TRUE(has(missing, FaultKind::kUncut)) << report_of(missing);
+  EXPECT_NEAR(missing.all.uncut_thickness_mm, 0.5 * std::sqrt(0.5), 1e-9);
+  part.workplan[0].operation.scallop = 0.4;
+  EXPECT_TRUE(verify_program(part, drafted_rings({-0.5, -1, -1.5, -2}), {}).all.clean);
+  part.workplan[0].operation.scallop = 0.3;
+  EXPECT_TRUE(has(verify_program(part, drafted_rings({-0.5, -1, -1.5, -2}), {}), FaultKind::kUncut));
+}
+
+TEST(Verify, LeaningWallsMayBeCutBetweenLayers) {
+  // Roughed in two layers; then square turns go down along the walls, 0.25 mm a turn.
+  Part part = square_part();
+  part.features[0].wall_slope = Radians::of_degrees(45);
+  const auto turns_down = [](double pitch) {
+    Writer writer;
+    testing::cut_square_rings(writer, {25, 25}, {2, 6.5, 11, 15.5, 18, 20}, 0, -2);
+    writer.leave().rapid({3, 3}, 10).rapid({3, 3}, 1).feed({3, 3}, 0);
+    double z = 0;
+    const auto turn = [&](double drop) {
+      for (int corner = 0; corner < 4; ++corner) {
+        z -= drop / 4;
+        const double half = 22 + z, x = corner == 0 || corner == 1 ? half : -half, y = corner < 1 || corner > 2 ? -half : half;
+        writer.feed({25 + x, 25 + y}, z);
+      }
+    };
+    while (z > -2 + 1e-9) turn(std::min(pitch, z + 2));
+    turn(0);
+    return writer.done();
+  };
+  const Findings fine = verify_program(part, turns_down(0.2), {});
+  EXPECT_FALSE(has(fine, FaultKind::kUncut)) << report_of(fine);
+  EXPECT_TRUE(has(verify_program(part, turns_down(0.8), {}), FaultKind::kUncut));
+}
+
+TEST(Verify, RoundedEndsLeaveMoreOnLeaningWallsThanFlatOnes) {
+  Part part = square_part();
+  part.features[0].wall_slope = Radians::of_degrees(45);
+  part.workplan[0].operation.scallop = 0.5;
+  part.tools[0].corner_radius = 1;
+  const Findings rounded = verify_program(part, drafted_rings({-0.5, -1, -1.5, -2}), {});
+  ASSERT_TRUE(rounded.features[0].scallop);
+  // The rounding passes the wall at 45 degrees at sqrt(2) - 1 of its radius, and goes on to the next layer's.
+  EXPECT_GT(rounded.features[0].scallop->height_mm, std::sqrt(2.0) - 1);
 }
 
 }  // namespace

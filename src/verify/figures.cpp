@@ -69,7 +69,17 @@ void add_forces(Figures& figures, const CuttingLoad& forces) {
   sum.max_force_at = forces.max_force_at;
 }
 
+void add_entry(Entries& entries, const EntryLoad& load) {
+  if (load.begins) ++entries.count;
+  entries.length_mm += load.length_mm;
+  entries.max_axial_mm = std::max(entries.max_axial_mm, load.max_axial_mm);
+  if (load.max_deg <= entries.max_deg) return;
+  entries.max_deg = load.max_deg;
+  entries.max_at = load.max_at;
+}
+
 void add_load(Figures& figures, const MoveLoad& load) {
+  if (load.entry) add_entry(figures.entries, *load.entry);
   Engagement& engagement = figures.engagement;
   if (load.max_deg > engagement.max_deg) {
     engagement.max_deg = load.max_deg;

@@ -18,7 +18,9 @@
 #include "verify/faults/holes.h"
 #include "verify/faults/loose_parts.h"
 #include "verify/faults/shaped_cutter.h"
+#include "verify/faults/stock_to_leave.h"
 #include "verify/faults/tabs.h"
+#include "verify/faults/tapping.h"
 #include "verify/faults/undercut.h"
 #include "verify/figures.h"
 #include "verify/part/finished_parts.h"
@@ -234,7 +236,8 @@ class FindingsBuilder {
     FeatureFindings& found = findings_.features[work.last_workingstep];
     add_coverage(findings_.all, worst);
     add_coverage(found.figures, worst);
-    found.scallop = scallop_of(feature, work);
+    found.scallop = scallop_of(feature, work, options_.tol);
+    if (found.scallop && leaves_steps(work, *found.scallop, options_.tol)) add_steps(found.figures, *found.scallop);
     for (FeatureFindings& step : findings_.features) {
       if (part_.workplan[step.workingstep].feature == work.feature) add_layer_coverage(step, work);
     }
@@ -251,6 +254,12 @@ class FindingsBuilder {
         findings_.all.lower_bound_mm += bound;
       }
     }
+  }
+
+  /// Steps on walls that may not stand are left like anything else.
+  void add_steps(Figures& own, const Scallop& steps) {
+    for (Figures* figures : {&findings_.all, &own})
+      figures->uncut_thickness_mm = std::max(figures->uncut_thickness_mm, steps.height_mm);
   }
 
   static void add_layer_coverage(FeatureFindings& step, const FeatureWork& work) {
@@ -286,6 +295,7 @@ class FindingsBuilder {
 
 Findings verify_program(const Part& part, const Toolpath& toolpath, const VerifyOptions& options) {
   const FinishedParts finished(part);
+  const StockToLeave left(part, options.tol);
   CheckedProgram program = checked_program(part, toolpath, options.machine, options.earlier, options.control);
   std::vector<FeatureWork> works = works_of(part);
   std::vector<CarvingWork> carvings = carvings_of(part);
@@ -298,9 +308,10 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   std::vector<std::function<void()>> tasks = load_tasks(part, program.moves, load, threads);
   for (std::size_t i = 0; i < gouging; i += kChunk) {
     const std::span<CheckedMove> chunk(program.moves.data() + i, std::min(kChunk, program.moves.size() - i));
-    tasks.push_back([&finished, &options, &program, &meter, chunk] {
+    tasks.push_back([&finished, &left, &options, &program, &meter, chunk, i] {
       check_gouges(finished, chunk, options.tol);
       check_liberties(finished, program.moves, chunk, options.tol);
+      check_stock_to_leave(left, program.moves, i, i + chunk.size());
       meter.add(chunk.size());
     });
   }
@@ -311,6 +322,7 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   if (!part.is_shape_stated) return findings_without_part(part, program, options);
   Findings findings = FindingsBuilder(part, program, works, carvings, options).build();
   findings.conditions = doubtful_cutting_data(program, options);
+  for (Condition& one : conditions_of_taps(program, options)) findings.conditions.push_back(std::move(one));
   if (findings.all.load)
     findings.all.thin_wall =
         thinnest_wall(finished.plain(), findings.all.load->max_force_n, *options.material);

@@ -7,6 +7,7 @@
 #include "verify/engagement/forces.h"
 #include "verify/faults/driving/cutting_data.h"
 #include "verify/faults/faults.h"
+#include "verify/faults/tapping.h"
 #include "verify/figures.h"
 
 namespace clearcut::verify {
@@ -65,6 +66,7 @@ Findings findings_without_part(const Part& part, const CheckedProgram& program,
     own.push_back(&checked);
   }
   findings.conditions = doubtful_cutting_data(program, options);
+  for (Condition& one : conditions_of_taps(program, options)) findings.conditions.push_back(std::move(one));
   findings.faults = faults_of_moves(part, program, options);
   sort_worst_first(findings.faults);
   findings.all = figures_not_asked(figures_of(all, part.top_z()));

@@ -6,12 +6,11 @@
 
 #include "base/elementary.h"
 #include "link/moves.h"
+#include "link/sinking_feed.h"
 
 namespace clearcut::link {
 namespace {
 
-/// mm. Rounding of a written coordinate: half of 0.0001 inch at most. It may make a piece steeper; its feed allows for that.
-constexpr double kRounded = 0.0013;
 /// mm. Of starts that are as near as each other to within this the first is taken, so that no rounding chooses.
 constexpr double kAsNear = 0.01;
 
@@ -102,11 +101,7 @@ class TrackLinker {
   }
 
   MmPerMin feed_of(const Track::Piece& piece) const {
-    if (piece.z_from <= piece.z_to) return options_.feed;
-    const double down = piece.z_from - piece.z_to + 2 * kRounded;
-    const double along = std::max(0.0, piece.path.length() - 3 * kRounded);
-    const double share = down / base::hypot(along, down);
-    return std::min(options_.feed, options_.plunge_feed * (1 / share));
+    return sinking_feed(options_.feed, options_.plunge_feed, piece.path.length(), piece.z_from - piece.z_to);
   }
 
   double clear_z_;

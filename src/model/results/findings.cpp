@@ -33,8 +33,10 @@ constexpr const char* kFaultNames[] = {"uncut",
                                        "keep-out",
                                        "loose part",
                                        "feed too fast",
-                                       "tapping"};
-static_assert(std::size(kFaultNames) == static_cast<std::size_t>(FaultKind::kTapping) + 1);
+                                       "tapping",
+                                       "stock to leave",
+                                       "more than it cuts"};
+static_assert(std::size(kFaultNames) == static_cast<std::size_t>(FaultKind::kMoreThanItCuts) + 1);
 
 }  // namespace
 

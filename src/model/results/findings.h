@@ -42,7 +42,9 @@ enum class FaultKind {
   kKeepOut,         ///< the tool or its holder comes where a clamp is
   kLoosePart,       ///< cut where a profile has cut the piece free before
   kFeedTooFast,     ///< above the machine's highest feed
-  kTapping  ///< a tap whose feed is not its pitch times the speed, or that does not turn back on its way out
+  kTapping,  ///< a tap whose feed is not its pitch times the speed, or that does not turn back on its way out
+  kStockToLeave,  ///< stock that was to be left on a wall or a floor is cut away
+  kMoreThanItCuts  ///< a tool takes more than its kind can: sideways, or straight down without the hole that it needs
 };
 const char* name_of(FaultKind kind);
 
@@ -63,6 +65,15 @@ struct Engagement {
   std::array<double, 18> histogram_mm{};  ///< cutting length by 10 degree classes
   double climb_mm = 0;  ///< cutting length with the material on the right (clockwise spindle)
   double conventional_mm = 0;
+};
+
+/// Descents into material, up to where each ends: what their engagement is is no question of the limit.
+struct Entries {
+  int count = 0;
+  double length_mm = 0;    ///< of feed in material
+  double max_deg = 0;      ///< angle of the cutter's circle in material, where it is greatest
+  double max_axial_mm = 0;  ///< greatest depth of material above the tip
+  std::optional<Place> max_at;  ///< of max_deg
 };
 
 /// What a force model makes of the engagement; only where the material of the work is known.
@@ -105,6 +116,7 @@ struct Figures {
   int rapid_in_material = 0;   ///< number of rapids through stock
   double max_axial_mm = 0;     ///< greatest depth of material above the tip at a feed move
   Engagement engagement;
+  Entries entries;
   double air_cut_mm = 0;  ///< feed length at depth that touches no material
   std::optional<CuttingLoad> load;
   std::optional<ThinWall> thin_wall;  ///< where it bends by more than 0.02 mm

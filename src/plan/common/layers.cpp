@@ -20,11 +20,17 @@ constexpr double kMostLayers = 10000;
 /// Relative. Rounding of decimal depths: 10.1 - 0.1 are ten steps of 1.
 constexpr double kRounding = 1e-9;
 
-double step_for(const Feature& feature, const Operation& operation, double tool_radius) {
+/// Share of the step that the scallop alone gives. Where rounded ends need less than that, no step is small enough.
+constexpr double kLeastStep = 0.1;
+
+/// mm; no more than leaves the scallop on leaning walls. Rounded ends come nearest to such a wall at some height over the tip: below
+/// it the next layer cuts.
+double step_for(const Feature& feature, const Operation& operation, double tool_radius, double rounded) {
   const double step = operation.stepdown.value_or(tool_radius);
   const double draft = base::sin(feature.wall_slope.radians());
   if (!operation.scallop || *operation.scallop <= 0 || draft <= 0) return step;
-  return std::min(step, *operation.scallop / draft);
+  const double flat = *operation.scallop / draft, less = flat - rounded * (1 - draft);
+  return std::min(step, less > kLeastStep * flat ? less : flat);
 }
 
 Layer outline_at(const Feature& feature, double z, const Tolerances& tol) {
@@ -73,7 +79,7 @@ std::vector<Layer> layers_of(const Feature& feature, const Operation& operation,
   const double floor_z = feature.floor_z + operation.allowance_floor;
   std::vector<Layer> layers;
   double top = feature.top_z + stock_above;
-  for (const double z : layer_heights(top, floor_z, step_for(feature, operation, tool_radius))) {
+  for (const double z : layer_heights(top, floor_z, step_for(feature, operation, tool_radius, rounded))) {
     Layer layer = outline_at(feature, z, tol);
     layer.z_top = top;
     layer.tool_radius = tool_radius - rounded;

@@ -13,6 +13,13 @@ enum class Dialect : unsigned char { kLinuxCnc, kGrbl, kFanuc, kHaas, kHeidenhai
 std::string_view name_of(Dialect dialect);
 std::optional<Dialect> dialect_named(std::string_view name);
 
+/// How G74 and G84 tap.
+enum class TapRule : unsigned char {
+  kAsItTurns,  ///< as the spindle turns, which has to be the way of the cycle; the feed is its own
+  kTiedByM29,  ///< the control turns the spindle; the feed is tied to it after M29
+  kTied        ///< the control turns the spindle and ties the feed to it
+};
+
 /// What a word-address control does where others do otherwise.
 struct DialectRules {
   Dialect dialect = Dialect::kLinuxCnc;
@@ -25,6 +32,7 @@ struct DialectRules {
   bool cycle_rises_over =
       false;  ///< the way over the next hole goes up to the height before the cycles at once
   bool feeds_out_to_clear = false;  ///< G89, G74, G84 feed up to the clear height, not to R
+  TapRule taps = TapRule::kAsItTurns;
   bool keeps_cycle_words = true;    ///< Z, R and Q hold from one cycle word to another
   bool rereads_cycle_numbers =
       false;                         ///< G20, G21 within a cycle: the numbers it holds count in the new units

@@ -45,6 +45,16 @@ Json engagement(const Engagement& e) {
   return json;
 }
 
+Json entries(const Entries& e) {
+  Json json;
+  json["count"] = e.count;
+  json["length_mm"] = number(e.length_mm);
+  json["max_deg"] = number(e.max_deg);
+  json["max_at"] = place(e.max_at);
+  json["max_axial_mm"] = number(e.max_axial_mm);
+  return json;
+}
+
 Json forces(const CuttingLoad& load) {
   Json json;
   json["max_force_n"] = number(load.max_force_n);
@@ -106,6 +116,7 @@ void add_figures(Json& json, const Figures& f) {
   json["rapid_in_material"] = f.rapid_in_material;
   json["max_axial_mm"] = number(f.max_axial_mm);
   json["engagement"] = engagement(f.engagement);
+  json["entries"] = entries(f.entries);
   json["air_cut_mm"] = number(f.air_cut_mm);
   json["lower_bound_mm"] = number(f.lower_bound_mm);
   if (f.load) json["load"] = forces(*f.load);

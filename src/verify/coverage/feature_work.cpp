@@ -223,6 +223,15 @@ Coverage both(const Coverage& a, const Coverage& b) {
   return worse;
 }
 
+const Tool* known_tool(const Part& part, const Operation& operation) {
+  const bool known = operation.tool >= 0 && operation.tool < static_cast<int>(part.tools.size());
+  return known ? &part.tools[static_cast<std::size_t>(operation.tool)] : nullptr;
+}
+
+/// Share of the scallop that heights lie apart at which walls are looked at, and how many heights at most.
+constexpr double kHeightShare = 0.125;
+constexpr int kMostHeights = 200;
+
 class WorkCheck {
  public:
   WorkCheck(const Part& part, const FinishedParts& finished, const CheckedProgram& program,
@@ -233,12 +242,14 @@ class WorkCheck {
         options_(options),
         moves_(program.moves, options.tol) {}
 
-  void check_level(const FeatureWork& work, LevelCoverage& level) const {
+  /// `scallop_left`: mm, square to walls with draft, that may stand on them.
+  void check_level(const FeatureWork& work, LevelCoverage& level, double scallop_left = 0) const {
     if (work.smallest_radius <= 0) return;
     const Tolerances& tol = options_.tol;
     const Feature& feature = part_.features[work.feature];
     const Regions in_stock =
         within_stock(feature.target, part_.stock ? std::optional(part_.stock->plan) : std::nullopt);
+    const double kept = scallop_left / base::cos(feature.wall_slope.radians());
     const Around target(feature);
     const std::vector<std::size_t> near = moves_.near(target);
     bool first = true;
@@ -253,7 +264,7 @@ class WorkCheck {
       question.above = height_above(z, target, moves_, near, tol);
       question.radius = finest.radius;
       question.flat = finest.flat;
-      question.allowance = finest.allowance_side;
+      question.allowance = finest.allowance_side + kept;
       level.any_cut = level.any_cut || !question.swaths.empty();
       const Coverage one = coverage_of(question, tol);
       level.coverage = first ? one : both(level.coverage, one);
@@ -271,12 +282,35 @@ class WorkCheck {
       const Workingstep& step = part_.workplan[i];
       // Steps that leave stock on walls for a later one make no scallops.
       if (step.feature != work.feature || step.operation.allowance_side > work.allowance_side) continue;
+      const Tool* tool = known_tool(part_, step.operation);
       for (const double z : program_.layers[i]) {
-        if (z > highest_counted(work.floor.z, options_.tol)) work.layers.push_back({z, false, {}});
+        if (z > highest_counted(work.floor.z, options_.tol)) work.layers.push_back({z, false, {}, tool});
       }
     }
     const auto higher = [](const LevelCoverage& a, const LevelCoverage& b) { return a.z > b.z; };
     std::sort(work.layers.begin(), work.layers.end(), higher);
+  }
+
+  /// Layers that leave too much on walls with draft may have been cut between by moves that are not level: asks at many heights whether what
+  /// may stand there is all that stands.
+  void check_between_layers(FeatureWork& work) const {
+    const Feature& feature = part_.features[static_cast<std::size_t>(work.feature)];
+    const auto scallop = scallop_of(feature, work, options_.tol);
+    if (!scallop || scallop->height_mm <= *scallop->asked_mm + options_.tol.uncut || !any_slopes(feature))
+      return;
+    const double apart = kHeightShare * *scallop->asked_mm / base::sin(feature.wall_slope.radians());
+    const double depth = feature.top_z - work.floor.z;
+    const int heights = static_cast<int>(std::clamp(std::ceil(depth / apart), 1.0, 1.0 * kMostHeights));
+    // From the top, which itself is left out, because nothing stands over it.
+    for (int i = heights - 1; i > 0; --i) {
+      LevelCoverage level;
+      level.z = work.floor.z + depth * i / heights;
+      check_level(work, level, *scallop->asked_mm + options_.tol.uncut);
+      if (level.coverage.reachable &&
+          (!level.any_cut || level.coverage.thickness_mm > widest_left(options_.tol)))
+        return;
+    }
+    work.is_cut_between_layers = true;
   }
 
   /// Where the lowest feed move below the feature's top ends whose own end lies in the feature.
@@ -294,6 +328,15 @@ class WorkCheck {
     return deepest;
   }
 
+  /// Whether a feed move near the feature changes its height as it goes, below the feature's top.
+  bool any_slopes(const Feature& feature) const {
+    const std::vector<std::size_t> near = moves_.near(Around(feature));
+    return std::any_of(near.begin(), near.end(), [&](std::size_t i) {
+      const CheckedMove& checked = moves_.all()[i];
+      return !checked.move->is_vertical() && !checked.is_flat() && checked.low_z() < feature.top_z;
+    });
+  }
+
   bool leans(const FeatureWork& work) const { return part_.features[work.feature].wall_slope.radians() > 0; }
 
  private:
@@ -304,6 +347,41 @@ class WorkCheck {
   const MovesByPlace moves_;
 };
 
+/// The end of a cutter that runs along the outline of a leaning wall at its height.
+struct LayerOnWall {
+  double z = 0;
+  const Tool* tool = nullptr;
+};
+
+/// mm over its tip at which a cutter comes nearest to such a wall: more than 0 for rounded ends alone.
+double nearest_height(const Tool* tool, double draft) {
+  if (!tool || has_flanks(*tool)) return 0;
+  const double round = tool->kind == ToolKind::kBallEndMill ? tool->radius() : tool->corner_radius;
+  return round * (1 - base::sin(draft));
+}
+
+/// mm, square to the wall, that the cutter leaves `over` mm above its tip: its radius there, against the wall that leans away.
+double left_over_tip(const Tool* tool, double over, double draft) {
+  const double narrower = tool ? tool->radius() - radius_at(*tool, over) : 0;
+  return over * base::sin(draft) + narrower * base::cos(draft);
+}
+
+/// Places in a step at which rounded ends are looked at.
+constexpr int kPlacesInStep = 16;
+
+/// mm; the most that stands between two heights over the first of these layers, the highest; lower ones cut there, too.
+double most_left(std::span<const LayerOnWall> layers, double from, double to, double draft) {
+  double most = 0;
+  for (int i = 0; i <= kPlacesInStep; ++i) {
+    const double over = from + (to - from) * i / kPlacesInStep;
+    double least = HUGE_VAL;
+    for (const LayerOnWall& layer : layers.first(std::min<std::size_t>(layers.size(), 4)))
+      least = std::min(least, left_over_tip(layer.tool, over + layers.front().z - layer.z, draft));
+    most = std::max(most, least);
+  }
+  return most;
+}
+
 void refine(FeatureWork& work, const Operation& operation, const Tool& tool) {
   const double radius = tool.radius(), flat = flat_end(tool);
   const double flank = has_flanks(tool) ? flank_slope(tool) : 0;
@@ -312,6 +390,7 @@ void refine(FeatureWork& work, const Operation& operation, const Tool& tool) {
     work.smallest_radius = radius;
     work.smallest_flat = flat;
     work.ends_in_point = flat <= 0 && outer_profile(tool).round <= 0;
+    work.smallest = &tool;
   }
   work.greatest_radius = std::max(work.greatest_radius, radius);
   work.allowance_side = std::min(work.allowance_side, operation.allowance_side);
@@ -322,19 +401,22 @@ void refine(FeatureWork& work, const Operation& operation, const Tool& tool) {
 
 }  // namespace
 
-std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& work) {
-  if (feature.wall_slope.radians() <= 0) return std::nullopt;
-  Scallop scallop{0, work.scallop, feature.top_z};
+std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& work, const Tolerances& tol) {
+  const double draft = feature.wall_slope.radians();
+  if (draft <= 0) return std::nullopt;
+  Scallop scallop{0, work.scallop.value_or(tol.scallop), feature.top_z};
+  std::vector<LayerOnWall> layers;
+  for (const LevelCoverage& layer : work.layers)
+    layers.push_back({layer.z, layer.tool ? layer.tool : work.smallest});
+  layers.push_back({work.floor.z, work.smallest});
   double above = feature.top_z;
-  const double slope = feature.wall_slope.radians();
-  const auto add_level = [&](double z) {
-    const double step =
-        (above - z) * std::max(0.0, base::sin(slope) - base::cos(slope) * work.steepest_flank);
-    if (step > scallop.height_mm) scallop.height_mm = step, scallop.z = z;
-    above = z;
-  };
-  for (const LevelCoverage& layer : work.layers) add_level(layer.z);
-  add_level(work.floor.z);
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    const double lowest = i + 1 == layers.size() ? nearest_height(layers[i].tool, draft) : 0;
+    const double left = most_left({layers.data() + i, layers.size() - i}, std::min(lowest, above - layers[i].z),
+                                  above - layers[i].z, draft);
+    if (left > scallop.height_mm) scallop.height_mm = left, scallop.z = layers[i].z;
+    above = layers[i].z;
+  }
   return scallop;
 }
 
@@ -348,7 +430,8 @@ std::vector<FeatureWork> works_of(const Part& part) {
         part.features[static_cast<std::size_t>(step.feature)].chamfer)
       continue;
     const bool known = operation.tool >= 0 && operation.tool < static_cast<int>(part.tools.size());
-    const Tool tool = known ? part.tools[operation.tool] : Tool{};
+    static const Tool kNone;
+    const Tool& tool = known ? part.tools[static_cast<std::size_t>(operation.tool)] : kNone;
     if (is_carved(part.features[static_cast<std::size_t>(step.feature)], tool)) continue;
     auto work = std::find_if(works.begin(), works.end(),
                              [&](const FeatureWork& w) { return w.feature == step.feature; });
@@ -357,6 +440,7 @@ std::vector<FeatureWork> works_of(const Part& part) {
       first.feature = step.feature;
       first.smallest_radius = first.greatest_radius = tool.radius();
       first.smallest_flat = -1;
+      first.smallest = &tool;
       first.allowance_side = operation.allowance_side;
       first.allowance_floor = operation.allowance_floor;
       works.push_back(first);
@@ -389,6 +473,9 @@ void check_works(const Part& part, const FinishedParts& finished, const CheckedP
   for (FeatureWork& work : works) {
     const bool left = work.floor.any_cut && work.floor.coverage.thickness_mm > options.tol.uncut;
     if (left && work.layers.empty()) add_layer_tasks(work, second);
+  }
+  for (FeatureWork& work : works) {
+    if (check.leans(work)) second.push_back([&check, &work] { check.check_between_layers(work); });
   }
   run_all(second, options.threads, options.cancel);
 }

@@ -16,6 +16,7 @@ struct LevelCoverage {
   double z = 0;
   bool any_cut = false;  ///< some feed move reaches this height there
   Coverage coverage;
+  const Tool* tool = nullptr;  ///< whose layer it is
 };
 
 /// One feature of the workplan, with the finest requirement of all its operations.
@@ -26,11 +27,13 @@ struct FeatureWork {
   double smallest_flat = 0;    ///< mm; of the flat end of that cutter
   bool ends_in_point = false;  ///< that cutter, where it has no flat end
   double greatest_radius = 0;
-  double steepest_flank =
-      HUGE_VAL;  ///< mm sideways for each mm of height, of the cutter that widens least upwards; 0: upright
+  const Tool* smallest = nullptr;  ///< that cutter
   double allowance_side = 0;
   double allowance_floor = 0;
   std::optional<double> scallop;  ///< mm; greatest step allowed on walls with draft, square to the wall
+  /// Of walls with draft, where layers alone would leave more than that: whether no more is left at any height all the same, because moves
+  /// between the layers cut the walls.
+  bool is_cut_between_layers = false;
   LevelCoverage floor;            ///< down to the floor plus its allowance
   std::optional<Place> deepest;   ///< end of the lowest feed move in it, only where none reaches the floor
   /// Down to each layer above the floor, of the steps that leave the least on walls. Filled for walls with
@@ -39,9 +42,9 @@ struct FeatureWork {
   std::vector<LevelCoverage> layers;
 };
 
-/// The scallops that layers leave on the feature's walls; only for walls with draft, and once the work has
-/// been checked.
-std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& work);
+/// What layers leave on the feature's walls, square to the wall, by the shape of their cutters, whose ends run along the outline at
+/// their height; only for walls with draft, and once the work has been checked. `asked_mm` is that of tol where no operation says.
+std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& work, const Tolerances& tol);
 
 /// The features' works, in the order of their first workingsteps.
 std::vector<FeatureWork> works_of(const Part& part);

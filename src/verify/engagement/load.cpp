@@ -5,8 +5,10 @@
 
 #include "model/cutter_profile.h"
 #include "stock/material.h"
+#include "verify/engagement/entry_watch.h"
 #include "verify/engagement/forces.h"
 #include "verify/engagement/removal.h"
+#include "verify/engagement/tool_takes.h"
 
 namespace clearcut::verify {
 namespace {
@@ -19,13 +21,8 @@ constexpr double kSliver = 0.05;
 /// mm. Greatest distance between samples of the engagement.
 constexpr double kLongestStep = 0.25;
 
-/// mm down for each mm of advance. A move that descends less is not an entry but a pass that is not quite
-/// level: 0.17 degrees.
-constexpr double kEntrySlope = 3e-3;
 /// mm down for each mm of advance. Steeper moves are checked as plunges.
 constexpr double kAsPlunge = 1;
-/// mm. A level move this near to the ramps before it lies on them.
-constexpr double kOverRamp = 0.01;
 /// Cosine of 6 degrees: with a smaller change of direction two moves join smoothly.
 constexpr double kSmooth = 0.995;
 
@@ -45,13 +42,15 @@ Move raised(Move move, double by) {
 
 class LoadMeter {
  public:
-  LoadMeter(stock::Material& material, const LoadOptions& options) : material_(material), options_(options) {}
+  LoadMeter(const Part& part, stock::Material& material, const LoadOptions& options)
+      : part_(part), material_(material), options_(options) {}
 
   void measure(CheckedMove& checked) {
     const Move& move = *checked.move;
     const double radius = checked.radius();
     own_ = number_of(checked);
     follow_entry(checked);
+    measure_overcut(checked);
     measure_holder(checked);
     if (checked.feeds() && checked.tool && is_conical(*checked.tool)) {
       measure_cone(checked);
@@ -142,25 +141,19 @@ class LoadMeter {
     if (checked.slope() >= kAsPlunge) find_plunge_contact(checked, move.path.to);
   }
 
-  /// Sets in_entry_: the move descends into material, or it is level along the ramps just cut and removes what they left.
   void follow_entry(const CheckedMove& checked) {
-    const Move& move = *checked.move;
-    in_entry_ = false;
-    if (!checked.feeds() || move.z_to > move.z_from) return ramps_.clear();
-    if (move.is_vertical()) return;
-    if (move.z_to < move.z_from) {
-      in_entry_ = checked.slope() >= kEntrySlope;
-      if (in_entry_) ramps_.push_back(&move);
-      return;
+    if (checked.tool != stated_for_) {
+      stated_for_ = checked.tool;
+      stated_ = stated_entry(part_, checked.tool);
+      takes_ = checked.tool ? takes_of(*checked.tool, part_) : ToolTakes{};
     }
-    in_entry_ = !ramps_.empty();
-    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) in_entry_ = in_entry_ && over_ramps(move.path.at(t));
-    if (!in_entry_) ramps_.clear();
+    entry_.follow(checked, stated_);
+    if (entry_.begins()) entered_ = false;
   }
 
-  bool over_ramps(Vec2 p) const {
-    return std::any_of(ramps_.begin(), ramps_.end(),
-                       [&](const Move* ramp) { return distance(ramp->path, p) < kOverRamp; });
+  void measure_overcut(CheckedMove& checked) const {
+    if (!checked.tool) return;
+    if (const auto overcut = overcut_of(checked, takes_, material_)) checked.load.overcut = *overcut;
   }
 
   bool goes_smoothly_on(const Move& move) const {
@@ -172,13 +165,17 @@ class LoadMeter {
     const Move& move = *checked.move;
     const double z = move.z_from + (move.z_to - move.z_from) * t;
     if (z >= material_.z_top() - kResidual) return;
-    const stock::CutterEngagement contact =
+    const stock::CutterEngagement whole =
         material_.engagement(raised(move, kResidual), t, checked.radius() - kResidual, own_);
     MoveLoad& load = checked.load;
-    const double axial = contact.angle > 0 ? measure_axial(checked, move.path.at(t),
-                                                           angle_of(direction_at(move, t)), z, contact.angles)
-                                           : 0;
-    if (in_entry_) return;
+    const double axial =
+        whole.angle > 0
+            ? measure_axial(checked, move.path.at(t), angle_of(direction_at(move, t)), z, whole.angles)
+            : 0;
+    if (entry_.is_inside()) measure_entry(checked, {whole, axial, length, {move.path.at(t), z, move.line}});
+    const auto others = beside_entry(checked, t, z);
+    if (others && others->angle <= 0) return;
+    const stock::CutterEngagement& contact = others ? *others : whole;
     if (contact.angle <= 0) {
       load.air_mm += length;
       return;
@@ -197,6 +194,29 @@ class LoadMeter {
       load.max_deg = angle;
       load.max_at = {move.path.at(t), z, move.line};
     }
+  }
+
+  /// What an entry meets of its own and of all else.
+  void measure_entry(CheckedMove& checked, const CutSample& step) {
+    if (step.contact.angle <= 0) return entry_.meets_nothing_at(step.at.z);
+    if (!checked.load.entry) checked.load.entry = EntryLoad{};
+    EntryLoad& load = *checked.load.entry;
+    load.begins = load.begins || !entered_;
+    entered_ = true;
+    load.length_mm += step.length;
+    load.max_axial_mm = std::max(load.max_axial_mm, step.axial);
+    const double angle = degrees(step.contact.angle);
+    if (angle <= load.max_deg) return;
+    load.max_deg = angle;
+    load.max_at = step.at;
+  }
+
+  /// In an entry, the contact with what is no part of it; nothing outside entries, where all counts.
+  std::optional<stock::CutterEngagement> beside_entry(const CheckedMove& checked, double t, double z) const {
+    if (!entry_.is_inside()) return std::nullopt;
+    const double from = entry_.others_from(z);
+    if (from >= material_.z_top() - kResidual) return stock::CutterEngagement{stock::AngleSet(0, 0), 0, 0, 0};
+    return material_.engagement(raised(*checked.move, from - z), t, checked.radius() - kResidual);
   }
 
   /// 1 if the material is on the climb side, 0 if on the other, 1/2 in a slot.
@@ -251,8 +271,9 @@ class LoadMeter {
     find_plunge_contact(checked, center);
   }
 
+  /// Of mills that may not plunge; what other tools may take downwards their kind says.
   void find_plunge_contact(CheckedMove& checked, Vec2 center) const {
-    if (may_plunge(*checked.tool)) return;
+    if (may_plunge(*checked.tool) || takes_.down < HUGE_VAL) return;
     const double z = checked.move->z_to;
     if (touches(*checked.tool, center, z)) checked.load.plunge_contact = Place{center, z, checked.move->line};
   }
@@ -340,13 +361,17 @@ class LoadMeter {
     checked.load.rapid_contact = Place{center, z, checked.move->line};
   }
 
+  const Part& part_;
   stock::Material& material_;
   const LoadOptions& options_;
   const CheckedMove* last_ = nullptr;     ///< the move before the current one
   int own_ = stock::Material::kCylinder;  ///< number of the current cutter
   const Move* before_ = nullptr;          ///< the last feed move before the current one
-  std::vector<const Move*> ramps_;        ///< of the entry that is being run
-  bool in_entry_ = false;
+  EntryWatch entry_;
+  const Tool* stated_for_ = nullptr;  ///< whose are the next two
+  StatedEntry stated_;
+  ToolTakes takes_;
+  bool entered_ = false;  ///< the entry has met material
 };
 
 /// mm; a height below every floor.
@@ -386,7 +411,7 @@ void measure_moves(const Part& part, std::vector<CheckedMove>& moves, std::size_
     const Edge down = Edge::line(hole.center, hole.center);
     material.add({down, part.top_z(), bottom_of(part), MoveKind::kPlunge, {}, 0}, hole.diameter / 2);
   }
-  LoadMeter meter(material, options);
+  LoadMeter meter(part, material, options);
   for (std::size_t i = 0; i < last; ++i) {
     throw_if_cancelled(options.cancel);
     if (!moves[i].counts_below(part.top_z())) continue;  // a hollow under material
@@ -425,7 +450,8 @@ std::vector<std::function<void()>> load_tasks(const Part& part, std::vector<Chec
   double before = 0;
   for (std::size_t first = 0, last = 0; last < moves.size(); first = last) {
     const double until = all * (static_cast<double>(tasks.size()) + 1) / parts;
-    while (last < moves.size() && (last == first || before < until))
+    // A part begins with a rapid: what an entry has met is known only to who measures all of it.
+    while (last < moves.size() && (last == first || before < until || moves[last].feeds()))
       before += samples_of(moves[last++], part.top_z());
     if (static_cast<int>(tasks.size()) + 1 == parts) last = moves.size();
     tasks.push_back(

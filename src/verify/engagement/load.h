@@ -29,9 +29,8 @@ std::size_t samples_of(const Part& part, const std::vector<CheckedMove>& moves);
 ///
 /// Engagement is measured at the middle of steps of at most R/10 and 0.25 mm, and on both sides of corners,
 /// with a circle smaller than the cutter by kResidual, so that touching a wall that is already cut does not
-/// count. It counts on moves that change z by less than they advance, except on entries: moves that go down
-/// at 0.17 degrees or more, and level moves over such ramps. Rapids and plunges are checked with the whole
-/// area of their cutter.
+/// count. It counts on all moves that are not vertical. What an entry takes of its own (EntryWatch) is measured apart. Rapids and
+/// plunges are checked with the whole area of their cutter.
 ///
 /// Cost    O(length / step * moves near).
 void measure_load(const Part& part, std::vector<CheckedMove>& moves, const LoadOptions& options);

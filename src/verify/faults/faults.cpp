@@ -8,8 +8,10 @@
 
 #include "base/text/format.h"
 #include "verify/attribution.h"
+#include "verify/engagement/tool_takes.h"
 #include "verify/faults/keep_out.h"
 #include "verify/faults/state_faults.h"
+#include "verify/faults/tapping.h"
 
 namespace clearcut::verify {
 namespace {
@@ -54,6 +56,24 @@ class FaultFinder {
                                          : "goes " + mm(gouge.depth) + " into " + owner;
     return fault(FaultKind::kGouge, checked, place, gouge.depth,
                  (checked.feeds() ? "The cutter " : "A rapid ") + what);
+  }
+
+  std::optional<Fault> overcut(const CheckedMove& checked) const {
+    if (!checked.load.overcut) return std::nullopt;
+    const Overcut& overcut = *checked.load.overcut;
+    return fault(FaultKind::kMoreThanItCuts, checked, overcut.at, overcut.taken_mm,
+                 overcut_text(checked, part_));
+  }
+
+  std::optional<Fault> stock_to_leave(const CheckedMove& checked) const {
+    const bool gouges = checked.gouge && checked.gouge->depth > options_.tol.gouge;
+    if (!checked.into_stock_to_leave || gouges) return std::nullopt;
+    const Gouge& cut = *checked.into_stock_to_leave;
+    const std::string owner =
+        cut.feature >= 0 ? " of " + part_.features[static_cast<std::size_t>(cut.feature)].name : "";
+    return fault(FaultKind::kStockToLeave, checked, {cut.point, cut.z, checked.move->line}, cut.depth,
+                 "The cutter goes " + mm(cut.depth) + " into the stock to leave on the " +
+                     (cut.floor ? "floor" : "wall") + owner);
   }
 
   std::optional<Fault> rapid(const CheckedMove& checked) const {
@@ -212,16 +232,16 @@ void collect(const std::vector<CheckedMove>& moves, const MoveCheck& check, Befo
 
 /// Faults of the steps that layers leave on a wall with draft, measured square to the wall.
 std::vector<Fault> faults_of_steps(const Feature& feature, const FeatureWork& work, const Tolerances& tol) {
-  const auto scallop = scallop_of(feature, work);
-  if (!scallop || !work.scallop || scallop->height_mm <= *work.scallop + tol.uncut) return {};
+  const auto scallop = scallop_of(feature, work, tol);
+  if (!scallop || !leaves_steps(work, *scallop, tol)) return {};
   const Vec2 corner = feature.target.empty() ? Vec2{} : feature.target.front().outer().front().from;
   return {{FaultKind::kUncut,
            feature.name,
            {corner, scallop->z, 0},
            scallop->height_mm,
            feature.name + ": the layers leave steps of " + mm(scallop->height_mm) +
-               " on the drafted wall above z " + trimmed(scallop->z, 3) + " where " + mm(*work.scallop) +
-               " is allowed."}};
+               " on the drafted wall above z " + trimmed(scallop->z, 3) + " where " +
+               mm(*scallop->asked_mm) + " is allowed" + (work.scallop ? "" : " (see --scallop)") + "."}};
 }
 
 std::string why_nothing_is_cut(const FeatureWork& work, bool unreachable) {
@@ -239,7 +259,8 @@ std::string why_nothing_is_cut(const FeatureWork& work, bool unreachable) {
 constexpr FaultKind kBySeverity[] = {
     FaultKind::kKeepOut,        FaultKind::kRapidInMaterial, FaultKind::kHolder,
     FaultKind::kGouge,          FaultKind::kLoosePart,       FaultKind::kTapping,
-    FaultKind::kThread,         FaultKind::kMissingTab,      FaultKind::kTabHeight,
+    FaultKind::kThread,         FaultKind::kMoreThanItCuts,  FaultKind::kStockToLeave,
+    FaultKind::kMissingTab,     FaultKind::kTabHeight,
     FaultKind::kToolLength,     FaultKind::kSpindleOff,      FaultKind::kBeyondStock,
     FaultKind::kBeyondFlutes,   FaultKind::kPlungeTooFast,   FaultKind::kTooDeep,
     FaultKind::kOverEngagement, FaultKind::kSpindleSpeed,    FaultKind::kSpindleDirection,
@@ -267,17 +288,24 @@ std::vector<Fault> faults_of_moves(const Part& part, const CheckedProgram& progr
   const FaultFinder finder(part, options);
   std::vector<MoveCheck> checks{[&](const CheckedMove& m) { return finder.rapid(m); },
                                 [&](const CheckedMove& m) { return finder.holder(m); },
+                                [&](const CheckedMove& m) { return finder.stock_to_leave(m); },
+                                [&](const CheckedMove& m) { return finder.overcut(m); },
                                 [&](const CheckedMove& m) { return keep_out_fault(part, m); },
                                 [&](const CheckedMove& m) { return finder.depth(m); },
                                 [&](const CheckedMove& m) { return finder.travel(m); },
                                 [&](const CheckedMove& m) { return finder.feed(m); },
                                 [&](const CheckedMove& m) { return finder.tool(m); }};
   for (MoveCheck& check : state_checks(part, program, options)) checks.push_back(std::move(check));
+  for (MoveCheck& check : tapping_checks(part, program, options)) checks.push_back(std::move(check));
   std::vector<Fault> faults;
   collect(
       program.moves, [&](const CheckedMove& m) { return finder.gouge(m); }, Before::kMissing, faults);
   for (const MoveCheck& check : checks) collect(program.moves, check, Before::kNone, faults);
   return faults;
+}
+
+bool leaves_steps(const FeatureWork& work, const Scallop& scallop, const Tolerances& tol) {
+  return scallop.height_mm > *scallop.asked_mm + tol.uncut && !work.is_cut_between_layers;
 }
 
 const LevelCoverage& worst_level(const FeatureWork& work) {

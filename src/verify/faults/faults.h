@@ -23,6 +23,9 @@ std::vector<Fault> faults_of_moves(const Part& part, const CheckedProgram& progr
 /// The level at which most is left, under walls with draft; the floor otherwise.
 const LevelCoverage& worst_level(const FeatureWork& work);
 
+/// Whether the layers leave more on a wall with draft than may stand there.
+bool leaves_steps(const FeatureWork& work, const Scallop& scallop, const Tolerances& tol);
+
 /// Material left in a feature, nothing cut at all, or steps on a wall with draft that are too high.
 std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& work, const Tolerances& tol);
 

@@ -12,8 +12,6 @@ namespace {
 
 /// mm. A tool that comes down farther off is on another axis.
 constexpr double kOnAxis = 0.01;
-/// Share by which a tap's feed may miss its pitch times the speed.
-constexpr double kFeedShare = 0.005;
 /// mm. Diameters and pitches that differ by less are the same.
 constexpr double kSameSize = 0.005;
 
@@ -23,12 +21,13 @@ class HoleCheck {
       : feature_(feature), hole_(*feature.hole), program_(program), options_(options) {
     for (std::size_t i = 0; i < program.moves.size(); ++i) {
       const CheckedMove& checked = program.moves[i];
-      if (!checked.feeds() || !checked.tool || checked.low_z() >= feature.top_z) continue;
-      if (!checked.counts_below(feature.top_z)) continue;
+      if (!checked.tool || checked.low_z() >= feature.top_z || !checked.counts_below(feature.top_z)) continue;
       const Move& move = *checked.move;
-      if (move.is_vertical() && distance(move.path.from, hole_.center) <= kOnAxis) upright_.push_back(i);
+      if (checked.feeds() && move.is_vertical() && distance(move.path.from, hole_.center) <= kOnAxis) upright_.push_back(i);
       const bool mills = checked.tool->kind == ToolKind::kThreadMill;
-      if (mills && is_at_work(checked)) mills_.push_back(&checked);
+      if (!mills || !is_at_work(checked)) continue;
+      mills_.push_back(&checked);
+      is_milled_ = is_milled_ || checked.feeds();
     }
   }
 
@@ -122,10 +121,6 @@ class HoleCheck {
         continue;
       }
       lowest = std::min(lowest, checked.low_z());
-      check_feed(checked);
-      const bool down = checked.move->z_to < checked.move->z_from;
-      check_turn(checked, down);
-      if (down) check_way_out(i);
     }
     if (std::isinf(lowest)) return add_missing("no tap " + hole_.thread->name + " comes down on its axis");
     if (lowest > feature_.floor_z + options_.tol.uncut)
@@ -134,55 +129,8 @@ class HoleCheck {
               trimmed(feature_.floor_z, 3) + " for a full thread to z " + trimmed(hole_.full_z, 3));
   }
 
-  static double rpm_of(const CheckedMove& checked) {
-    return checked.control ? checked.control->spindle_rpm : checked.rpm;
-  }
-
-  void check_feed(const CheckedMove& checked) {
-    const double wanted = checked.tool->pitch * rpm_of(checked), feed = checked.move->feed.mm_per_min();
-    if (std::abs(feed - wanted) <= kFeedShare * wanted) return;
-    add(FaultKind::kTapping, std::abs(feed - wanted) / std::max(1.0, rpm_of(checked)), checked.move->z_to,
-        checked.move->line,
-        "the tap feeds " + trimmed(feed, 2) + " mm/min where its pitch of " +
-            trimmed(checked.tool->pitch, 4) + " mm at " + trimmed(rpm_of(checked), 0) + " rpm asks for " +
-            trimmed(wanted, 2));
-  }
-
-  /// Into the hole a tap must turn as its hand asks; out of it the other way, by a spindle word or by its cycle.
-  void check_turn(const CheckedMove& checked, bool down) {
-    if (!checked.control || (!down && turned_by_cycle(checked))) return;
-    const SpindleState into =
-        hole_.thread->left_hand ? SpindleState::kCounterClockwise : SpindleState::kClockwise;
-    const SpindleState out =
-        hole_.thread->left_hand ? SpindleState::kClockwise : SpindleState::kCounterClockwise;
-    if (checked.control->spindle == (down ? into : out)) return;
-    add(FaultKind::kTapping, 0, checked.move->z_to, checked.move->line,
-        down ? "the spindle does not turn the way that this tap cuts"
-             : "the tap comes out while the spindle still turns as on its way in");
-  }
-
-  bool turned_by_cycle(const CheckedMove& checked) const {
-    if (!options_.control) return true;
-    const auto own = std::find_if(program_.moves.begin(), program_.moves.end(),
-                                  [](const CheckedMove& one) { return !one.earlier; });
-    const auto index = static_cast<std::size_t>(&checked - &*own);
-    return std::any_of(options_.control->events.begin(), options_.control->events.end(),
-                       [&](const ControlEvent& event) {
-                         return event.kind == ControlEventKind::kTapTurnsBack && event.before_move == index;
-                       });
-  }
-
-  /// The move after the one down has to be the feed out.
-  void check_way_out(std::size_t down) {
-    const bool feeds_out = down + 1 < program_.moves.size() && at(down + 1).feeds() &&
-                           at(down + 1).move->is_vertical() && at(down + 1).move->z_to >= feature_.top_z;
-    if (feeds_out) return;
-    add(FaultKind::kTapping, 0, at(down).move->z_to, at(down).move->line,
-        "the tap does not come out at its feed right after it went in");
-  }
-
   void check_thread() {
-    if (mills_.empty())
+    if (!is_milled_)
       return add_missing(hole_.external ? "no thread mill works about it" : "no thread mill works in it");
     for (const ThreadDefect& defect : defects_of_thread(feature_, mills_)) {
       const FaultKind kind = defect.kind == ThreadDefect::Kind::kNothing   ? FaultKind::kNothingCut
@@ -199,7 +147,8 @@ class HoleCheck {
   const CheckedProgram& program_;
   const VerifyOptions& options_;
   std::vector<std::size_t> upright_;  ///< feed moves on the axis
-  std::vector<const CheckedMove*> mills_;
+  std::vector<const CheckedMove*> mills_;  ///< moves of thread mills about it, rapids as well
+  bool is_milled_ = false;                 ///< one of them feeds
   std::vector<Fault> faults_;
 };
 

@@ -17,8 +17,6 @@ namespace {
 constexpr double kSpeedRounding = 1e-3;
 /// mm, for heights rounded by the coarsest controller (0.0001 inch).
 constexpr double kHeightSlack = 5.5e-3;
-/// Tangent of 45 degrees: steeper moves count as plunges.
-constexpr double kPlungeSlope = 1;
 /// Degrees by which the engagement may exceed its limit: arcs fitted to a path of constant engagement swing about it by more
 /// than one degree, and the distance of the samples may hide half a degree.
 constexpr double kDegreeSlack = 2;
@@ -70,7 +68,9 @@ class StateCheck {
   }
 
   std::optional<Fault> direction(const CheckedMove& checked) const {
-    if (!checked.control || !checked.works() || checked.control->spindle == SpindleState::kOff)
+    // Which way a tap turns is asked with its cycle.
+    if (!checked.control || !checked.works() || checked.control->spindle == SpindleState::kOff ||
+        checked.tool->kind == ToolKind::kTap)
       return std::nullopt;
     const bool clockwise = checked.control->spindle == SpindleState::kClockwise;
     if (may_turn(checked, clockwise)) return std::nullopt;
@@ -309,8 +309,9 @@ class StateCheck {
   }
 
   std::optional<Fault> plunge_feed(const CheckedMove& checked) const {
-    // Holes are made at the cutting feed; that of a tap is checked in holes.cpp, against its speed.
-    if (makes_holes(*checked.tool) || checked.tool->kind == ToolKind::kTap || checked.slope() < kPlungeSlope)
+    // Holes are made at the cutting feed; that of a tap is checked in holes.cpp, against its speed. Thread mills go down along their thread.
+    if (makes_holes(*checked.tool) || checked.tool->kind == ToolKind::kTap ||
+        (checked.tool->kind == ToolKind::kThreadMill && !checked.move->is_vertical()))
       return std::nullopt;
     const auto most = plunge_feed_of(checked);
     const double slope = checked.slope(), feed = checked.move->feed.mm_per_min();

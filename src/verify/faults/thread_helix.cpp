@@ -93,6 +93,7 @@ class ThreadCheck {
     std::vector<AxisTurn> turns;
     bool goes_on = false;
     for (const CheckedMove* checked : moves) {
+      if (!checked->feeds()) continue;
       const Move& move = *checked->move;
       const bool is_arc = is_about_axis(move);
       const double sweep = is_arc ? move.path.sweep() : chord_about_axis(move);
@@ -155,7 +156,7 @@ class ThreadCheck {
       const double off = std::abs(whole_turns_off(on_helix(p, z) - *origin_, pitch_));
       if (off <= slack_) continue;
       return add(ThreadDefect::Kind::kHelix, off, move.line,
-                 "is cut " + trimmed(off, 3) + " mm beside its helix, at z " + trimmed(z, 3));
+                 (checked.feeds() ? "is cut " : "is cut at the rapid ") + trimmed(off, 3) + " mm beside its helix, at z " + trimmed(z, 3));
     }
   }
 

@@ -17,7 +17,7 @@ struct ThreadDefect {
   int line = 0;
 };
 
-/// Checks the feed moves of thread mills about the thread's axis; `moves` in the order of the program.
+/// Checks the moves of thread mills, rapids as well about the thread's axis; `moves` in the order of the program.
 ///
 /// Helix   At the angle a about the axis a right-hand thread with the pitch P lies at the height z0 + P a / (2 pi), plus any
 ///         number of pitches; for a left-hand thread a counts the other way round. Wherever the mill reaches farther from the

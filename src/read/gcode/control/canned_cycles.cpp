@@ -87,6 +87,9 @@ void CannedCycles::execute(const Block& block) {
   hole.gap = control_.modes.unit == 1 ? 0.254 : 0.01 * kMmPerInch;
   hole.dwell = control_.cycle.dwell;
   hole.feeds_out_to_clear = control_.rules.feeds_out_to_clear;
+  hole.tap = {control_.motion == 740,
+              control_.rules.taps == TapRule::kTied || (control_.rules.taps == TapRule::kTiedByM29 && control_.tied_by_m29),
+              control_.rules.taps != TapRule::kAsItTurns};
   set_cycle_heights(hole);
   if (hole.feeds_out_to_clear != (hole.clear == hole.r) &&
       (control_.motion == 740 || control_.motion == 840 || control_.motion == 890)) {

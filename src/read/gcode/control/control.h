@@ -77,6 +77,7 @@ struct Control {
   bool length_used = false;  ///< a tool length was in force
   bool units_said = false, distance_said = false, plane_said = false, centers_said = false;
   bool return_said = false;
+  bool tied_by_m29 = false;  ///< the feed of the tapping cycles that follow is tied to the spindle
   bool moved = false;
   bool ended = false;
   bool depends_on_dialect = false;

@@ -238,6 +238,7 @@ void ModeWords::set_drive(int m, const Block& block) {
   }
   if (m == 990 && block.has('P'))
     control_.refuse("M99 P jumps to another block; post the program without it");
+  if (m == 290) control_.tied_by_m29 = true;
   if (control_.rules.saves_modes && m >= 700 && m <= 730) return;
   if (std::find(std::begin(kStillWords), std::end(kStillWords), m) != std::end(kStillWords)) return;
   const std::string word = m_word(m);

@@ -24,6 +24,7 @@ void MotionWords::move(const Block& block) {
   if (said >= 0) control_.motion = said;
   const bool cycle = is_drill_cycle(control_.motion);
   if (!cycle) control_.cycle = {};
+  if (control_.motion == 800) control_.tied_by_m29 = false;
   if (PlaceWords(control_).move_specially(block)) return;
   const bool arc_words = block.has('I') || block.has('J') || block.has('K') || block.has('R');
   const bool arc_motion = control_.motion == 20 || control_.motion == 30;
@@ -56,7 +57,7 @@ void MotionWords::rigid_tap(const Block& block) {
   for (std::size_t axis = 0; axis < 3; ++axis) back[axis] = control_.builder.known(axis, control_.line);
   const auto feed = MmPerMin::of(std::abs(control_.mm(block.value('K'))) * control_.modes.speed);
   control_.builder.feed(to, feed, control_.line);
-  control_.builder.add_event(ControlEventKind::kTapTurnsBack, control_.line);
+  control_.builder.turn_tap_back({}, control_.line);
   control_.builder.feed(back, feed, control_.line);
 }
 

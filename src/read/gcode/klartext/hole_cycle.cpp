@@ -116,7 +116,7 @@ class Maker {
     feed(bottom_, down);
     dwell();
     if (cycle_.number == 201) return feed_out_of_hole();
-    builder_.add_event(ControlEventKind::kTapTurnsBack, line_);
+    builder_.turn_tap_back({std::nullopt, cycle_.number == 207, false}, line_);
     feed(clear_, down);
   }
 

@@ -60,6 +60,11 @@ void ToolpathBuilder::add_event(ControlEventKind kind, int line, double seconds)
   control_.events.push_back({kind, static_cast<std::size_t>(moves_), line, seconds, drive.tool});
 }
 
+void ToolpathBuilder::turn_tap_back(const TapCycle& tap, int line) {
+  add_event(ControlEventKind::kTapTurnsBack, line);
+  control_.events.back().tap = tap;
+}
+
 void ToolpathBuilder::set_spindle(int m, int line) {
   const bool turned = drive_turns_, clockwise = drive.clockwise;
   drive_turns_ = m != 5;

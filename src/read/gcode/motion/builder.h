@@ -49,6 +49,8 @@ class ToolpathBuilder {
   /// A tool is put in, by the changer or during a pause.
   void change_tool(int number, bool by_hand, int line);
   void add_event(ControlEventKind kind, int line, double seconds = 0);
+  /// At the bottom of a tapping cycle.
+  void turn_tap_back(const TapCycle& tap, int line);
   /// The spindle turns (3, 4) or stops (5).
   void set_spindle(int m, int line);
 

@@ -47,7 +47,7 @@ void drill(ToolpathBuilder& builder, const Hole& hole, MmPerMin feed, int line) 
     builder.feed(place_along(hole, hole.bottom), feed, line);
   }
   if (hole.dwell > 0) add_dwell_in_hole(builder, line, hole.dwell);
-  if (hole.code == 740 || hole.code == 840) builder.add_event(ControlEventKind::kTapTurnsBack, line);
+  if (hole.code == 740 || hole.code == 840) builder.turn_tap_back(hole.tap, line);
   const bool feeds_out = hole.code == 740 || hole.code == 840 || hole.code == 890;
   if (feeds_out || hole.code == 850) {
     const bool all = feeds_out && hole.feeds_out_to_clear;

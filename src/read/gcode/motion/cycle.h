@@ -31,6 +31,7 @@ struct Hole {
   double gap = 0.254;  ///< above the last depth, where feeding begins again
   double dwell = 0;    ///< s, at the bottom
   bool feeds_out_to_clear = false;
+  TapCycle tap = {};  ///< of G74 and G84
 };
 
 /// True for the cycles drill() knows: G73, G74, G81 to G86, G89.

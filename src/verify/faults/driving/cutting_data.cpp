@@ -58,6 +58,7 @@ class CuttingData {
 
   void add(const CheckedMove& checked) {
     add_stated(checked);
+    if (checked.tool->kind == ToolKind::kTap) return;
     const Tool& tool = *checked.tool;
     const double rpm = checked.control->spindle_rpm, width = 2 * widest_radius(tool);
     const double chip = checked.move->feed.mm_per_min() / (rpm * teeth_of(tool));
@@ -85,7 +86,7 @@ class CuttingData {
     if (found == options_.stated.end()) return;
     const StatedDrive& stated = found->second;
     const double rpm = checked.control->spindle_rpm;
-    if (stated.most_feed > 0)
+    if (stated.most_feed > 0 && checked.tool->kind != ToolKind::kTap)
       over_feed_.take(checked, checked.move->feed.mm_per_min() * thickest_part(checked) /
                                    (kBeyondStated * stated.most_feed));
     if (stated.most_rpm > 0) other_speed_.take(checked, rpm / (kBeyondStated * stated.most_rpm));
@@ -154,7 +155,7 @@ std::vector<Condition> doubtful_cutting_data(const CheckedProgram& program, cons
   CuttingData data(options);
   for (const CheckedMove& checked : program.moves) {
     if (checked.earlier || checked.is_carried() || !checked.tool || checked.tool->diameter <= 0) continue;
-    if (checked.tool->kind == ToolKind::kTap || !says_turns(checked, options.speed_may_be_power)) continue;
+    if (!says_turns(checked, options.speed_may_be_power)) continue;
     if (checked.works()) data.add(checked);
   }
   return data.conditions();

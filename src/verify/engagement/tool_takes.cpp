@@ -1,0 +1,152 @@
+// Thread depths: that of the basic profile of ISO 68-1 is 5/8 sqrt(3)/2 P in holes, 17/24 sqrt(3)/2 P about bosses.
+#include "verify/engagement/tool_takes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/text/format.h"
+
+namespace clearcut::verify {
+namespace {
+
+/// mm. Thinner material at the edge of what may be taken comes from rounding and from holes a little off their axis.
+constexpr double kTakenSliver = 0.03;
+/// mm. Material this far beside a tool's rim is the wall of its hole.
+constexpr double kHoleWall = 0.1;
+/// mm down for each mm of advance. Steeper moves go down.
+constexpr double kDownward = 1;
+/// mm in the radius: what usual reamers and boring bars are given to take, at most.
+constexpr double kReamed = 0.25, kBored = 0.5;
+/// Of a counterbore's radius: its middle, where it has no edge.
+constexpr double kCounterboreEdge = 0.75;
+/// mm; radius of the flat that points of V-bits are ground to and still cut with.
+constexpr double kCuttingTip = 0.5;
+/// Shares of the pitch, for tapped holes and for thread mills, which cut about bosses, too, with what a hole may be narrower.
+constexpr double kTapped = 0.5413 * 1.05, kThreadMilled = 0.6134 * 1.05;
+
+/// mm; the largest pitch of the part's milled threads, for mills with one row of teeth.
+double milled_pitch(const Part& part) {
+  double most = 0;
+  for (const Feature& feature : part.features) {
+    if (feature.hole && feature.hole->kind == HoleKind::kThreadMilled && feature.hole->thread)
+      most = std::max(most, feature.hole->thread->pitch);
+  }
+  return most;
+}
+
+double thread_ring(double pitch, double share, const Tool& tool) {
+  return pitch > 0 ? pitch * share + kTakenSliver : tool.radius() / 2;
+}
+
+ToolTakes drill_row(const Tool& /*tool*/, const Part& /*part*/) {
+  return {.sideways = 0};
+}
+ToolTakes reamer_row(const Tool& /*tool*/, const Part& /*part*/) {
+  return {.sideways = 0, .down = kReamed, .feeds_out = true, .needs = "a hole a little narrower than it"};
+}
+ToolTakes boring_bar_row(const Tool& /*tool*/, const Part& /*part*/) {
+  return {.sideways = 0, .down = kBored, .needs = "a hole a little narrower than it"};
+}
+ToolTakes counterbore_row(const Tool& tool, const Part& /*part*/) {
+  return {.sideways = 0, .down = kCounterboreEdge * tool.radius(), .needs = "a hole on its axis"};
+}
+ToolTakes tap_row(const Tool& tool, const Part& /*part*/) {
+  return {.sideways = 0,
+          .down = thread_ring(tool.pitch, kTapped, tool),
+          .needs = "the hole of its thread"};
+}
+ToolTakes thread_mill_row(const Tool& tool, const Part& part) {
+  const double pitch = tool.pitch > 0 ? tool.pitch : milled_pitch(part);
+  return {.sideways = thread_ring(pitch, kThreadMilled, tool),
+          .down = 0,
+          .needs = "room beside the thread, cleared before"};
+}
+ToolTakes chamfer_row(const Tool& tool, const Part& /*part*/) {
+  return {.idle_tip = tool.tip_diameter / 2, .needs = "a hole wider than its flat tip"};
+}
+ToolTakes vbit_row(const Tool& tool, const Part& /*part*/) {
+  const double tip = tool.tip_diameter / 2;
+  return {.idle_tip = tip > kCuttingTip ? tip : 0, .needs = "a hole wider than its flat tip"};
+}
+
+struct TakesRow {
+  ToolKind kind;
+  ToolTakes (*takes)(const Tool& tool, const Part& part);
+};
+/// Kinds that are not named take whatever stands before them; whether they may go straight down the tool itself says.
+constexpr TakesRow kRows[] = {{ToolKind::kDrill, drill_row},
+                              {ToolKind::kReamer, reamer_row},
+                              {ToolKind::kBoringBar, boring_bar_row},
+                              {ToolKind::kCounterbore, counterbore_row},
+                              {ToolKind::kTap, tap_row},
+                              {ToolKind::kThreadMill, thread_mill_row},
+                              {ToolKind::kChamferMill, chamfer_row},
+                              {ToolKind::kSpotDrill, vbit_row},
+                              {ToolKind::kVBit, vbit_row}};
+
+/// Material within `radius` mm of the way, above the tip as it passes; nothing for radii that no material can tell from none.
+std::optional<Place> within(const stock::Material& material, const Move& move, double radius) {
+  if (radius <= kTakenSliver) return std::nullopt;
+  const double inner = radius - kTakenSliver;
+  if (move.is_vertical() || move.z_from == move.z_to) {
+    const double z = std::min(move.z_from, move.z_to);
+    const auto hit = material.in_reach(move.path, inner, z + kTakenSliver);
+    if (!hit) return std::nullopt;
+    return Place{move.is_vertical() ? move.path.from : move.path.at(nearest(move.path, *hit).t), z, move.line};
+  }
+  const int steps = std::max(1, static_cast<int>(std::ceil(move.path.length() / std::max(0.1, radius / 5))));
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps, z = move.z_from + (move.z_to - move.z_from) * t;
+    const Vec2 p = move.path.at(t);
+    if (material.in_reach(Edge::line(p, p), inner, z + kTakenSliver)) return Place{p, z, move.line};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ToolTakes takes_of(const Tool& tool, const Part& part) {
+  for (const TakesRow& row : kRows)
+    if (row.kind == tool.kind) return row.takes(tool, part);
+  return {};
+}
+
+std::optional<Overcut> overcut_of(const CheckedMove& checked, const ToolTakes& takes,
+                                  const stock::Material& material) {
+  const Move& move = *checked.move;
+  const double radius = checked.radius(), low = checked.low_z();
+  if (low >= material.z_top() - kTakenSliver || radius <= kTakenSliver) return std::nullopt;
+  if (!checked.feeds()) {
+    if (!takes.feeds_out || !move.is_vertical()) return std::nullopt;
+    const auto wall = within(material, move, radius + kHoleWall);
+    return wall ? std::optional(Overcut{*wall, kHoleWall, false}) : std::nullopt;
+  }
+  const bool down = checked.slope() >= kDownward;
+  if (takes.idle_tip > 0 && down) {
+    const auto met = within(material, move, takes.idle_tip);
+    return met ? std::optional(Overcut{*met, takes.idle_tip, false}) : std::nullopt;
+  }
+  if (move.is_vertical() && !down) return std::nullopt;
+  const double ring = down ? takes.down : takes.sideways;
+  if (ring >= radius) return std::nullopt;
+  const auto met = within(material, move, radius - ring);
+  return met ? std::optional(Overcut{*met, radius - ring, !down}) : std::nullopt;
+}
+
+std::string overcut_text(const CheckedMove& checked, const Part& part) {
+  const Tool& tool = *checked.tool;
+  const ToolTakes takes = takes_of(tool, part);
+  const std::string name = "T" + std::to_string(tool.number) + ", a " + name_of(tool.kind) + ",";
+  if (!checked.feeds()) return name + " comes out of its hole, or goes into it, at the rapid; it feeds in and out";
+  if (checked.load.overcut->sideways && takes.sideways > 0)
+    return name + " takes more than " + trimmed(takes.sideways, 2) + " mm at its rim; it needs " + takes.needs;
+  if (checked.load.overcut->sideways) return name + " cuts sideways, where it has no edges";
+  if (takes.idle_tip > 0)
+    return name + " goes down into material with its flat tip, which does not cut; it needs " + takes.needs;
+  return name + " goes down into material that it cannot take" +
+         (takes.down > 0 ? " (a ring of " + trimmed(takes.down, 2) + " mm at most)" : "") + "; it needs " +
+         takes.needs;
+}
+
+}  // namespace clearcut::verify

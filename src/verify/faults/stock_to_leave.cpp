@@ -1,0 +1,210 @@
+#include "verify/faults/stock_to_leave.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace clearcut::verify {
+namespace {
+
+/// mm along a move that comes too near to a wall, and how many places at most.
+constexpr double kLeftStep = 0.1;
+constexpr double kMostLeftSteps = 2000;
+/// Shares of a cutter's height at which the distance of rounded ends and flanks from leaning walls is measured.
+constexpr std::array kShares{0.0, 0.05, 0.15, 0.3, 0.5, 0.75, 1.0};
+
+int steps_along(const Move& move) {
+  if (move.is_vertical()) return 1;
+  return static_cast<int>(std::clamp(std::ceil(move.path.length() / kLeftStep), 1.0, kMostLeftSteps));
+}
+
+double lowest_of(const Move& move) {
+  return std::min(move.z_from, move.z_to);
+}
+
+double apart_of(const Edge& path, const Edge& wall) {
+  return path.from == path.to ? distance(wall, path.from) : distance(path, wall);
+}
+
+Part with_raised_floors(const Part& part, const std::vector<double>& by) {
+  Part raised = part;
+  for (std::size_t i = 0; i < by.size(); ++i) {
+    Feature& feature = raised.features[i];
+    if (!feature.through) feature.floor_z = std::min(feature.top_z, feature.floor_z + by[i]);
+  }
+  return raised;
+}
+
+}  // namespace
+
+StockToLeave::StockToLeave(const Part& part, const Tolerances& tol)
+    : part_(part), tol_(tol), left_(part.features.size()) {
+  std::vector<bool> known(part.features.size());
+  for (const Workingstep& step : part.workplan) {
+    const auto i = static_cast<std::size_t>(step.feature);
+    const Left own{step.operation.allowance_side, step.operation.allowance_floor};
+    left_[i] = known[i] ? Left{std::min(left_[i].side, own.side), std::min(left_[i].floor, own.floor)} : own;
+    known[i] = true;
+  }
+  std::vector<double> floors;
+  for (const Left& left : left_) {
+    most_side_ = std::max(most_side_, left.side);
+    most_floor_ = std::max(most_floor_, left.floor);
+    floors.push_back(std::max(0.0, left.floor));
+  }
+  if (std::max(most_side_, most_floor_) <= tol.uncut || !part.is_shape_stated) return;
+  raised_ = std::make_unique<FinishedPart>(with_raised_floors(part, floors));
+  for (const Feature& feature : part.features)
+    lines_.emplace_back(feature.profile && feature.profile->side != ProfileSide::kOn
+                            ? EdgeTree(std::vector<Edge>(feature.profile->line))
+                            : EdgeTree());
+  if (most_side_ > tol.uncut) find_walls();
+}
+
+/// Whether the feature leaves its allowance on that wall: a profile does so beside its outline alone, and not on what is waste.
+bool StockToLeave::owes(std::size_t feature, const Wall& wall) const {
+  return lines_[feature].empty() ||
+         lines_[feature].nearest(wall.edge.at(0.5), 2 * FinishedPart::kProbe).edge >= 0;
+}
+
+bool StockToLeave::is_chamfered(const Wall& wall) const {
+  return std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& feature) {
+    return feature.chamfer && EdgeTree(std::vector<Edge>(feature.chamfer->line))
+                                      .nearest(wall.edge.at(0.5), 2 * FinishedPart::kProbe)
+                                      .edge >= 0;
+  });
+}
+
+void StockToLeave::find_walls() {
+  std::vector<Edge> edges;
+  const auto add = [&](const Wall& wall) {
+    const Vec2 beside = wall.edge.at(0.5) + left_of(wall.edge.tangent_at(0.5)) * FinishedPart::kProbe;
+    double side = 0;
+    for (std::size_t i = 0; i < left_.size(); ++i) {
+      if (left_[i].side > tol_.uncut && owes(i, wall) && raised_->is_inside(static_cast<int>(i), beside))
+        side = std::max(side, left_[i].side);
+    }
+    if (side <= tol_.uncut) return;
+    walls_.push_back({wall, side, is_chamfered(wall)});
+    edges.push_back(wall.edge);
+  };
+  for (const Wall& wall : raised_->walls()) add(wall);
+  for (const Wall& outline : raised_->outlines_beyond()) add(outline);
+  tree_ = EdgeTree(std::move(edges));
+}
+
+/// mm from p to the nearest wall at z on which the feature leaves stock; `limit` where none is nearer.
+double StockToLeave::least_apart(std::size_t feature, Vec2 p, double z, double limit) const {
+  double least = limit;
+  tree_.within(p, limit + raised_->greatest_draft_offset(), [&](int i) {
+    const Wall& wall = walls_[static_cast<std::size_t>(i)].wall;
+    if (!wall.stands_at(z) || !owes(feature, wall)) return;
+    least = std::min(least, distance(wall.edge, p) - raised_->draft_offset(wall, z, p));
+  });
+  return least;
+}
+
+bool StockToLeave::is_cleared(Vec2 p, double z) const {
+  for (std::size_t i = 0; i < left_.size(); ++i) {
+    const Feature& feature = part_.features[i];
+    if (feature.floor_z > z || !raised_->is_inside(static_cast<int>(i), p)) continue;
+    if (left_[i].side <= tol_.uncut) return true;
+    if (least_apart(i, p, z, left_[i].side) >= left_[i].side - tol_.uncut) return true;
+  }
+  return false;
+}
+
+int StockToLeave::feature_at(Vec2 p) const {
+  int lowest = -1;
+  for (std::size_t i = 0; i < left_.size(); ++i) {
+    const bool lower =
+        lowest < 0 || part_.features[i].floor_z < part_.features[static_cast<std::size_t>(lowest)].floor_z;
+    if (lower && raised_->is_inside(static_cast<int>(i), p)) lowest = static_cast<int>(i);
+  }
+  return lowest;
+}
+
+/// With the tip at p and z: at each height that the wall and the cutter share, the place where the cutter comes nearest to it.
+void StockToLeave::at_place(const KeptWall& kept, const Tool& tool, Vec2 p, double z,
+                            std::optional<Gouge>& worst) const {
+  const Wall& wall = kept.wall;
+  const double low = std::max(z, wall.z_low), high = wall.z_high - tol_.uncut;
+  if (low >= high) return;
+  const Vec2 on_wall = nearest_point(wall.edge, p);
+  const double apart = distance(on_wall, p);
+  if (apart <= 0) return;
+  const Vec2 toward = (on_wall - p) * (1 / apart);
+  for (const double share : kShares) {
+    const double height = low + (high - low) * share;
+    const double to_wall = apart - raised_->draft_offset(wall, height, p);
+    const double radius = radius_at(tool, height - z);
+    const double depth = std::min(kept.side, kept.side - (to_wall - radius));
+    if (depth <= tol_.uncut || (worst && depth <= worst->depth)) continue;
+    const Vec2 place = p + toward * std::min(radius, to_wall - FinishedPart::kProbe);
+    if (part_.stock && !part_.stock->plan.contains(place)) continue;
+    if (!is_cleared(place, height)) worst = Gouge{depth, p, z, false, feature_at(place)};
+  }
+}
+
+void StockToLeave::against(const KeptWall& kept, const CheckedMove& checked,
+                           std::optional<Gouge>& worst) const {
+  const Move& move = *checked.move;
+  const Tool& tool = *checked.tool;
+  // A chamfer is cut through the stock that is left on the wall below it.
+  if (kept.is_chamfered && is_conical(tool)) return;
+  const double reach = widest_radius(tool) + kept.side + kept.wall.draft_offset(lowest_of(move));
+  if (lowest_of(move) >= kept.wall.z_high - tol_.uncut ||
+      apart_of(move.path, kept.wall.edge) >= reach - tol_.uncut)
+    return;
+  const int steps = steps_along(move);
+  for (int i = 0; i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    const Vec2 p = move.is_vertical() ? move.path.from : move.path.at(t);
+    const double z = move.is_vertical() ? lowest_of(move) : move.z_from + (move.z_to - move.z_from) * t;
+    at_place(kept, tool, p, z, worst);
+  }
+}
+
+void StockToLeave::against_floors(const CheckedMove& checked, std::optional<Gouge>& worst) const {
+  const Move& move = *checked.move;
+  const Tool& tool = *checked.tool;
+  std::optional<Gouge> found;
+  const bool is_flat = !has_flanks(tool) && flat_radius_of(tool) > 0;
+  if (is_flat) found = gouge_of(*raised_, move, flat_radius_of(tool), tol_.uncut, false);
+  const int steps = is_flat ? 0 : steps_along(move);
+  for (int i = 0; !is_flat && i <= steps; ++i) {
+    const double t = static_cast<double>(i) / steps;
+    const Vec2 p = move.is_vertical() ? move.path.from : move.path.at(t);
+    const double z = move.is_vertical() ? lowest_of(move) : move.z_from + (move.z_to - move.z_from) * t;
+    const double depth = raised_->height(p) - z;
+    if (!found || depth > found->depth) found = Gouge{depth, p, z, true, -1};
+  }
+  if (!found || found->depth <= tol_.uncut || (worst && found->depth <= worst->depth)) return;
+  found->feature = feature_at(found->point);
+  found->floor = true;
+  worst = found;
+}
+
+std::optional<Gouge> StockToLeave::cut_by(const CheckedMove& checked) const {
+  if (!checked.feeds() || checked.radius() <= 0 || checked.is_carried()) return std::nullopt;
+  const Move& move = *checked.move;
+  std::optional<Gouge> worst;
+  if (!walls_.empty()) {
+    const double half = move.is_vertical() ? 0 : move.path.length() / 2;
+    const Vec2 middle = move.is_vertical() ? move.path.from : move.path.at(0.5);
+    const double reach =
+        half + widest_radius(*checked.tool) + most_side_ + raised_->greatest_draft_offset();
+    tree_.within(middle, reach, [&](int i) { against(walls_[static_cast<std::size_t>(i)], checked, worst); });
+  }
+  if (most_floor_ > tol_.uncut && checked.tool->kind != ToolKind::kTSlot) against_floors(checked, worst);
+  return worst;
+}
+
+void check_stock_to_leave(const StockToLeave& left, std::vector<CheckedMove>& moves, std::size_t first,
+                          std::size_t last) {
+  for (std::size_t i = first; left.is_any() && i < last; ++i) {
+    if (const std::optional<Gouge> cut = left.cut_by(moves[i])) moves[i].into_stock_to_leave = *cut;
+  }
+}
+
+}  // namespace clearcut::verify
