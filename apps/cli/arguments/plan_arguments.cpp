@@ -209,7 +209,8 @@ std::vector<CertificateFileName> PlanArguments::input_files() const {
   if (job && !job->part_file.empty()) files.push_back({"part", job->part_file.string()});
   if (tool_library_) add_library(*tool_library_, files);
   if (job && !tool_library_ && job->tool_library) add_library(*job->tool_library, files);
-  if (machine_file_) files.push_back({"machine", *machine_file_});
+  if (machine_file_ && (std::filesystem::exists(*machine_file_) || !library_machine(*machine_file_)))
+    files.push_back({"machine", *machine_file_});
   if (job && !machine_file_ && job->machine_file) files.push_back({"machine", job->machine_file->string()});
   for (const std::string& program : setup_.earlier_programs) files.push_back({"earlier program", program});
   if (stock_.has_solid()) files.push_back({"stock", *stock_.from});
@@ -224,9 +225,9 @@ ToolLibrary PlanArguments::library() const {
 Machine PlanArguments::machine(const Machine& of_job) const {
   Machine machine = machine_file_ ? read_machine(*machine_file_) : of_job;
   if (machine_kind_) read::fill_machine_kind(machine, *machine_kind_);
-  if (acceleration_) machine.acceleration = *acceleration_;
+  if (acceleration_) machine.acceleration = *acceleration_, machine.axis_acceleration.reset();
   if (junction_deviation_) machine.junction_deviation = *junction_deviation_;
-  if (rapid_feed_) machine.rapid = MmPerMin::of(*rapid_feed_);
+  if (rapid_feed_) machine.rapid = MmPerMin::of(*rapid_feed_), machine.axis_rapid.reset();
   return machine;
 }
 

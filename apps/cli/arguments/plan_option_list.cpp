@@ -117,7 +117,10 @@ void PlanArguments::add_tool_list_options(CLI::App& command) {
 void PlanArguments::add_tool_options(CLI::App& command) {
   add_tool_list_options(command);
   command.option_defaults()->group("Machine");
-  command.add_option("--machine", machine_file_, "Machine file (.toml): limits, acceleration, rapid")
+  command
+      .add_option("--machine", machine_file_,
+                  "Machine: a name that 'clearcut machines' lists, Grbl's $$, LinuxCNC's .ini, Marlin's "
+                  "M503, or a .toml")
       ->type_name("FILE");
   command
       .add_option("--machine-kind", machine_kind_,
