@@ -12,6 +12,7 @@
 #include "read/job/job_file.h"
 #include "read/job/job_setups.h"
 #include "read/job/machine_file.h"
+#include "read/job/machine_library.h"
 #include "read/read_part.h"
 #include "read/tools/tool_library.h"
 
@@ -50,7 +51,10 @@ using read::ZeroPoint;
 // Tools and machines.
 using read::CuttingPreset;
 using read::fill_machine_kind;
+using read::library_machine;
+using read::LibraryMachine;
 using read::LibraryTool;
+using read::machine_library;
 using read::machine_kinds;
 using read::machine_sources;
 using read::preset_of;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/coolant.h"
+#include "model/motion_planner.h"
 
 namespace clearcut::inline model {
 
@@ -109,6 +110,7 @@ struct ControlTable {
   std::vector<ControlSpan> spans;
   std::vector<ControlEvent> events;
   std::vector<ArcDoubt> arcs;
+  std::optional<MotionPlanner> planner;  ///< of the control as which it was read
 
   /// What holds at move number `index`, counted over all sections; nothing before the first span.
   const ControlState* at(std::size_t index) const;

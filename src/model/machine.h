@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/units.h"
+#include "model/motion_planner.h"
 
 namespace clearcut::inline model {
 
@@ -21,8 +22,15 @@ struct MachinePlaces {
 struct Machine {
   std::string name = "default";
   MmPerMin rapid = MmPerMin::of(5000);
-  double acceleration = 500;         ///< mm/s2, along the path
-  double junction_deviation = 0.01;  ///< mm
+  double acceleration = 500;                    ///< mm/s2; of the slower of X and Y where the axes differ
+  double junction_deviation = 0.01;             ///< mm
+  std::optional<MotionPlanner> planner;         ///< absent: that of the control that the program is for
+  std::optional<AxisValues> axis_rapid;         ///< mm/min; greatest speed of each axis; absent: `rapid`
+  std::optional<AxisValues> axis_acceleration;  ///< mm/s2; absent: `acceleration`
+  std::optional<double> jerk;                   ///< mm/s3; absent: acceleration is built up in 0.05 s
+  std::optional<AxisValues>
+      speed_jump;                ///< mm/s by which an axis may change at once: "classic jerk" of Marlin
+  double arc_tolerance = 0.002;  ///< mm; Grbl's chords of arcs stay so near ($12)
   std::optional<double> max_spindle_rpm, min_spindle_rpm;
   std::optional<double> spindle_power_w;    ///< at the cutter, lasting
   std::optional<double> spindle_torque_nm;  ///< likewise
@@ -34,6 +42,18 @@ struct Machine {
   /// Travel limits in workpiece coordinates, mm: x, y, z as {min, max}; absent = unlimited.
   std::optional<std::array<std::array<double, 2>, 3>> travel;
 };
+
+/// mm/min, greatest speed of each axis.
+inline AxisValues axis_speeds(const Machine& machine) {
+  const double all = machine.rapid.mm_per_min();
+  return machine.axis_rapid.value_or(AxisValues{all, all, all});
+}
+
+/// mm/s2, greatest acceleration of each axis.
+inline AxisValues axis_accelerations(const Machine& machine) {
+  const double all = machine.acceleration;
+  return machine.axis_acceleration.value_or(AxisValues{all, all, all});
+}
 
 /// rpm; no spindle is asked for more by itself where its greatest speed is not stated.
 inline constexpr double kUsualTopRpm = 24000;

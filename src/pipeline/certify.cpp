@@ -135,17 +135,6 @@ bool same_moves(const Toolpath& a, const Toolpath& b) {
                     });
 }
 
-/// What the machine needs, where nobody has asked for something else.
-PostOptions post_options_of(const ResolvedPlan& plan) {
-  PostOptions post = plan.post;
-  post.rapid = plan.machine.rapid;
-  if (!post.spindle_wait && plan.machine.spindle_wait_s > 0)
-    post.spindle_wait = Seconds::of(plan.machine.spindle_wait_s);
-  const auto& accepted = plan.accept;
-  post.continuous = std::find(accepted.begin(), accepted.end(), "blending") != accepted.end();
-  return post;
-}
-
 /// Findings and the motion's hash come into the header of a program that has been checked.
 std::string post_with(const Findings* findings, const std::string& motion_hash, const Toolpath& toolpath,
                       const Part& part, const ResolvedPlan& plan) {
@@ -156,6 +145,17 @@ std::string post_with(const Findings* findings, const std::string& motion_hash, 
 }
 
 }  // namespace
+
+PostOptions post_options_of(const ResolvedPlan& plan) {
+  PostOptions post = plan.post;
+  const AxisValues speeds = axis_speeds(plan.machine);  // the control slows each axis down to its own
+  post.rapid = MmPerMin::of(std::max({speeds[0], speeds[1], speeds[2]}));
+  if (!post.spindle_wait && plan.machine.spindle_wait_s > 0)
+    post.spindle_wait = Seconds::of(plan.machine.spindle_wait_s);
+  const auto& accepted = plan.accept;
+  post.continuous = std::find(accepted.begin(), accepted.end(), "blending") != accepted.end();
+  return post;
+}
 
 link::LinkOptions link_options(const ResolvedPlan& plan, int workingstep, EntryKind entry) {
   const ResolvedStep& step = plan.steps.at(static_cast<std::size_t>(workingstep));

@@ -28,6 +28,9 @@ Section link_step(const std::vector<LayerPasses>& passes, int workingstep, Entry
 /// piece of work without what needs no change.
 std::vector<int> tools_by_hand(std::vector<int> in_order);
 
+/// How the program is written: what was asked for, and what the machine needs where nobody has asked for something else.
+PostOptions post_options_of(const ResolvedPlan& plan);
+
 /// Keeps the address of plan.earlier.
 verify::VerifyOptions verify_options(const ResolvedPlan& plan);
 

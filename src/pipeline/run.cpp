@@ -12,6 +12,7 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "kinematics/kinematics.h"
+#include "kinematics/planner.h"
 #include "link/sections/slot_feed.h"
 #include "model/results/not_machined.h"
 #include "model/section_names.h"
@@ -33,6 +34,7 @@
 #include "plan/contour/entries.h"
 #include "plan/contour/step_rule.h"
 #include "plan/profile/profile.h"
+#include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "resolve/prepare.h"
 #include "resolve/refusals.h"
@@ -107,6 +109,15 @@ std::vector<LayerPasses> passes_of(const StepWork& work, const Feature& feature,
   return passes;
 }
 
+/// s, as the planner of the control needs that the program is for.
+double time_on_machine(const Section& section, const ResolvedPlan& job) {
+  PostOptions post = post_options_of(job);
+  const auto dialect = read::gcode::dialect_named(post.dialect);
+  return kinematics::planned_time(section.moves, post::path_control_of(post), job.machine,
+                                  dialect ? std::optional(planner_of(*dialect)) : std::nullopt)
+      .seconds();
+}
+
 /// What a strategy makes of one workingstep in so many steps of work. Throws OutOfWork where that is too much.
 StepPlan plan_step(const StepWork& work, const StrategyCandidate& candidate, const ResolvedPlan& job,
                    std::uint64_t most_work) {
@@ -124,7 +135,7 @@ StepPlan plan_step(const StepWork& work, const StrategyCandidate& candidate, con
     plan.hole = feature.profile.has_value();
     plan.section = link_step(passes, work.workingstep, entry, job);
   }
-  plan.time_s = kinematics::kinematic_time(plan.section.moves, job.machine).seconds();
+  plan.time_s = time_on_machine(plan.section, job);
   return plan;
 }
 
@@ -173,14 +184,18 @@ StepPlan fastest_plan(const StepWork& work, const StrategyCandidate& candidate, 
   const bool alone =
       !candidate.beside_rivals || best.hole || edge_count(feature.allowed) > kMostEdgesForRivals;
   if (alone || best.section.moves.empty()) return best;
+  double best_time = kinematics::kinematic_time(best.section.moves, job.machine).seconds();
   for (const auto& name : candidate.strategy->rivals) {
     const StrategyEntry* rival = strategies.find(name);
     if (!rival) continue;
     try {
       StepPlan plan = plan_step(work, {rival, {}, false, false, true}, job, most_work);
-      if (plan.section.moves.empty() || plan.time_s >= best.time_s || !plan.leaves_nothing) continue;
+      // By the plain rule that plans within strategies go by, so that a strategy is the same path for every control.
+      const double time = kinematics::kinematic_time(plan.section.moves, job.machine).seconds();
+      if (plan.section.moves.empty() || time >= best_time || !plan.leaves_nothing) continue;
       best.section = std::move(plan.section);
       best.time_s = plan.time_s;
+      best_time = time;
     } catch (const OutOfWork&) {
       continue;  // the candidate itself stands
     }

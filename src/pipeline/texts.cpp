@@ -2,6 +2,7 @@
 
 #include "base/files/digest.h"
 #include "base/version.h"
+#include "kinematics/planner.h"
 #include "pipeline/move_figures.h"
 #include "pipeline/selection/compare.h"
 #include "report/certificate/certificate.h"
@@ -32,7 +33,9 @@ std::string page_of(const Result& result, const resolve::PlanOptions& options, c
   return report::html(result.part, result.toolpath, result.findings, page);
 }
 
-report::CertificateInfo certificate_info(const resolve::PlanOptions& options, const CertificateBasis& basis) {
+/// `control`: what was read of the program, and as which control's.
+report::CertificateInfo certificate_info(const resolve::PlanOptions& options, const CertificateBasis& basis,
+                                         const ControlTable& control) {
   report::CertificateInfo info;
   info.version = kVersion;
   info.seed = options.seed;
@@ -42,6 +45,7 @@ report::CertificateInfo certificate_info(const resolve::PlanOptions& options, co
   info.program_name = basis.program_name;
   info.dialect = options.post.dialect;
   info.machine = options.machine;
+  info.machine.planner = kinematics::planner_in_force(options.machine, control.planner);
   info.tolerances = options.tol;
   info.engagement_limit_deg = options.engagement_deg;
   info.material = options.shop.material;
@@ -73,7 +77,7 @@ CertificateBasis basis_of_input(const Part& part, const std::string& command, co
 
 std::string write_certificate(const PlanResult& result, const resolve::PlanOptions& options,
                               const CertificateBasis& basis) {
-  report::CertificateInfo info = certificate_info(options, basis);
+  report::CertificateInfo info = certificate_info(options, basis, result.control);
   info.program = result.program;
   info.selections = result.selections;
   info.values = result.values;
@@ -84,7 +88,7 @@ std::string write_certificate(const PlanResult& result, const resolve::PlanOptio
 
 std::string write_certificate(const CheckResult& result, const resolve::PlanOptions& options,
                               const CertificateBasis& basis, const std::string& program) {
-  report::CertificateInfo info = certificate_info(options, basis);
+  report::CertificateInfo info = certificate_info(options, basis, result.control);
   info.program = program;
   info.dialect = name_of(result.dialect);
   info.dialect_stated = basis.dialect_stated;

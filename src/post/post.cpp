@@ -116,6 +116,16 @@ std::string file_extension_of(const std::string& dialect) {
   return iso ? std::string(iso->extension) : ".ngc";
 }
 
+clearcut::PathControl path_control_of(const PostOptions& options) {
+  const double within = options.tol.gouge / 2;
+  const IsoDialect* const dialect = iso_dialect_named(options.dialect);
+  if (dialect == nullptr) return {PathMode::kTolerance, within, std::nullopt};
+  const PathMode stop = dialect->tape ? PathMode::kExactStop : PathMode::kExactPath;
+  if (options.exact_stop || dialect->path_control == PathControl::kNone) return {stop, {}, {}};
+  if (dialect->path_control != PathControl::kExactStop) return {PathMode::kTolerance, within, std::nullopt};
+  return {options.continuous ? PathMode::kContinuous : stop, {}, {}};
+}
+
 int decimals_of(const PostOptions& options) {
   if (options.decimals) return *options.decimals;
   const IsoDialect* dialect = iso_dialect_named(options.dialect);

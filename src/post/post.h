@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/tolerances.h"
+#include "model/control.h"
 #include "model/move.h"
 #include "model/options/post_options.h"
 #include "model/part.h"
@@ -26,6 +27,9 @@ double rounding_of(const PostOptions& options);
 double rounding_of_lines(const PostOptions& options);
 /// The same for heights, mm: half a step.
 double rounding_of_heights(const PostOptions& options);
+
+/// How far the control may leave the path, as programs with these options say it.
+clearcut::PathControl path_control_of(const PostOptions& options);
 
 /// The program's text: LF line ends, ASCII. Same input, same bytes.
 ///

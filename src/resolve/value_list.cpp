@@ -218,10 +218,18 @@ void list_shop(PlanList& list, const ResolvedPlan& plan, const ShopOptions& shop
   list.add("after", what_went_before(plan.earlier), "", plan.earlier.has_value(), "none");
 }
 
+/// One value, or those of X, Y and Z where the axes differ.
+std::string of_axes(double all, const std::optional<AxisValues>& values) {
+  if (!values) return trimmed(all, 3);
+  return trimmed((*values)[0], 3) + " / " + trimmed((*values)[1], 3) + " / " + trimmed((*values)[2], 3);
+}
+
 void list_machine(PlanList& list, const Machine& machine) {
   list.add_of_machine("machine", machine.name, "");
-  list.add_of_machine("rapid", text_of(machine.rapid), "mm/min");
-  list.add_of_machine("acceleration", trimmed(machine.acceleration, 3), "mm/s2");
+  list.add_of_machine("planner", std::string(machine.planner ? name_of(*machine.planner) : "of the control"),
+                      "");
+  list.add_of_machine("rapid", of_axes(machine.rapid.mm_per_min(), machine.axis_rapid), "mm/min");
+  list.add_of_machine("acceleration", of_axes(machine.acceleration, machine.axis_acceleration), "mm/s2");
   list.add_of_machine("junction-deviation", trimmed(machine.junction_deviation, 6), "mm");
   list.add_of_machine("max-spindle",
                       machine.max_spindle_rpm ? trimmed(*machine.max_spindle_rpm, 3) : "no limit",

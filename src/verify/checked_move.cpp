@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "kinematics/kinematics.h"
+#include "kinematics/program_moves.h"
 #include "verify/attribution.h"
 
 namespace clearcut::verify {
@@ -97,28 +97,6 @@ void assign_layers(CheckedProgram& program) {
   }
 }
 
-/// Times of the moves of a section, which run on into each other; with exact stops each is timed alone.
-std::vector<Seconds> times_of(const Section& section, std::size_t first, const Machine& machine,
-                              const ControlTable* control) {
-  const auto stops = [&](std::size_t i) {
-    const ControlState* state = control ? control->at(first + i) : nullptr;
-    return state && state->path.mode == PathMode::kExactStop;
-  };
-  std::vector<Seconds> times;
-  const std::span<const Move> moves(section.moves);
-  for (std::size_t i = 0; i < moves.size();) {
-    std::size_t end = i + 1;
-    if (!stops(i)) {
-      while (end < moves.size() && !stops(end)) ++end;
-    }
-    const std::vector<Move> run(moves.begin() + static_cast<std::ptrdiff_t>(i),
-                                moves.begin() + static_cast<std::ptrdiff_t>(end));
-    for (const Seconds time : kinematics::move_times(run, machine)) times.push_back(time);
-    i = end;
-  }
-  return times;
-}
-
 /// mm; 0 if the control keeps to the path. 0 also if no bound is known, which is then a condition of the
 /// certificate.
 double path_tolerance_of(const ControlState* state, const Machine& machine) {
@@ -157,9 +135,11 @@ void append_moves(const Part& part, const Toolpath& toolpath, const Machine& mac
   std::size_t count = begin;
   for (const Section& section : toolpath.sections) count += section.moves.size();
   out.reserve(count);
+  const std::vector<kinematics::PlannedMove> planned = kinematics::planned_moves(toolpath, control);
+  const std::vector<Seconds> times = kinematics::planned_times(
+      planned, machine, control ? control->planner : std::optional<MotionPlanner>());
   for (const Section& section : toolpath.sections) {
     const std::size_t first = out.size() - begin;
-    const std::vector<Seconds> times = times_of(section, first, machine, control);
     for (std::size_t i = 0; i < section.moves.size(); ++i) {
       CheckedMove checked;
       checked.move = &section.moves[i];
@@ -174,7 +154,7 @@ void append_moves(const Part& part, const Toolpath& toolpath, const Machine& mac
         checked.path_tolerance = path_tolerance_of(checked.control, machine);
         checked.doubt = control->doubt_at(first + i);
       }
-      checked.time_s = times[i].seconds();
+      checked.time_s = times[first + i].seconds();
       checked.time_naive_s = kinematics::naive_time(section.moves[i], machine).seconds();
       out.push_back(checked);
     }

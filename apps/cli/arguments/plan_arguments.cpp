@@ -234,11 +234,12 @@ std::vector<CertificateFileName> PlanArguments::input_files() const {
   const auto job = this->job();
   if (!input_.empty()) files.push_back({job ? "job" : "part", input_});
   if (job && !job->part_file.empty()) files.push_back({"part", job->part_file.string()});
+  const auto& machine_file = typed_.input.machine_file;
   if (typed_.input.tool_library) add_library(*typed_.input.tool_library, files);
   if (job && !typed_.input.tool_library && job->tool_library) add_library(*job->tool_library, files);
-  if (typed_.input.machine_file) files.push_back({"machine", *typed_.input.machine_file});
-  if (job && !typed_.input.machine_file && job->machine_file)
-    files.push_back({"machine", job->machine_file->string()});
+  if (machine_file && (std::filesystem::exists(*machine_file) || !library_machine(*machine_file)))
+    files.push_back({"machine", *machine_file});
+  if (job && !machine_file && job->machine_file) files.push_back({"machine", job->machine_file->string()});
   for (const std::string& program : setup_.earlier_programs) files.push_back({"earlier program", program});
   if (stock_.has_solid()) files.push_back({"stock", *stock_.from});
   if (const auto earlier = stock_.program(job)) files.push_back({"earlier program", *earlier});
@@ -252,9 +253,10 @@ ToolLibrary PlanArguments::library() const {
 Machine PlanArguments::machine(const Machine& of_job) const {
   Machine machine = typed_.input.machine_file ? read_machine(*typed_.input.machine_file) : of_job;
   if (typed_.input.machine_kind) read::fill_machine_kind(machine, *typed_.input.machine_kind);
-  if (values_.has("acceleration")) machine.acceleration = typed_.plan.machine.acceleration;
+  if (values_.has("acceleration"))
+    machine.acceleration = typed_.plan.machine.acceleration, machine.axis_acceleration.reset();
   if (values_.has("junction-deviation")) machine.junction_deviation = typed_.plan.machine.junction_deviation;
-  if (values_.has("rapid")) machine.rapid = typed_.plan.machine.rapid;
+  if (values_.has("rapid")) machine.rapid = typed_.plan.machine.rapid, machine.axis_rapid.reset();
   return machine;
 }
 

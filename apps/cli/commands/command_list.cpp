@@ -14,6 +14,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_convert_command(app, exit_code);
   add_compare_command(app, exit_code);
   add_tools_command(app, exit_code);
+  add_machines_command(app, exit_code);
   add_elements_command(app, exit_code, print_grid_reductions);
   add_tour_command(app, exit_code);
   add_reproduce_command(app, exit_code);

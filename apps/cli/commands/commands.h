@@ -29,6 +29,7 @@ void add_elements_command(CLI::App& app, int& exit_code, void (*print_reductions
 void print_grid_reductions();
 void add_compare_command(CLI::App& app, int& exit_code);
 void add_tools_command(CLI::App& app, int& exit_code);
+void add_machines_command(CLI::App& app, int& exit_code);
 void add_reproduce_command(CLI::App& app, int& exit_code);
 void add_convert_command(CLI::App& app, int& exit_code);
 void add_init_command(CLI::App& app, int& exit_code);

@@ -6,6 +6,7 @@
 
 #include "base/text/format.h"
 #include "geometry/boolean.h"
+#include "geometry/clearance.h"
 #include "geometry/rectangle.h"
 #include "model/cutter_profile.h"
 #include "resolve/left_over.h"
@@ -29,15 +30,52 @@ double allowed_to_stay(double area) {
   return std::min(kShare * area, kCorners);
 }
 
-/// mm2. What a cutter reaches of a pocket closed all round lies in it: areas are enough, which outlines of thousands of
-/// edges need no boolean for.
-double left_by(const Feature& feature, double diameter, const Tolerances& tol) {
-  const Regions reached = resolve::swept(feature.allowed, diameter / 2, 0, 0, tol);
-  const double target = area(feature.target);
-  if (reached.empty()) return target;
-  const bool closed = area(feature.allowed) - target <= kSameArea * target;
-  return closed ? target - area(reached) : area(subtract(feature.target, reached, tol));
-}
+/// What cutters of several diameters leave of one feature: one diagram of its area serves them all.
+class LeftByDiameter {
+ public:
+  LeftByDiameter(const Feature& feature, const Tolerances& tol)
+      : feature_(feature), tol_(tol), target_(area(feature.target)) {
+    for (const Region& region : feature.allowed) allowed_.emplace_back(region, tol);
+    closed_ = area(feature.allowed) - target_ <= kSameArea * target_;
+  }
+
+  /// mm2. What a cutter reaches of a pocket closed all round lies in it: areas are enough, which outlines of thousands of
+  /// edges need no boolean for.
+  double left(double diameter) const {
+    const Regions centers = legal(diameter / 2);
+    if (centers.empty()) return target_;
+    const Regions reached = dilate(centers, diameter / 2, tol_);
+    return closed_ ? target_ - area(reached) : area(subtract(feature_.target, reached, tol_));
+  }
+
+  /// Whether more than `most` mm2 is sure to be left, found without what the cutter sweeps. The area within r of the legal centres is
+  /// at most A + r L + pi r2 (pieces - islands) for their area A and rim L (Steiner): it is all of that where no two stretches of the
+  /// rim reach the same place.
+  bool surely_leaves_more_than(double most, double diameter) const {
+    if (!closed_) return left(diameter) > most;
+    const double r = diameter / 2;
+    double reached = 0;
+    for (const Region& region : legal(r)) {
+      reached += area(region) + kPi * r * r * (1 - static_cast<double>(region.islands().size()));
+      for (const Edge& edge : region.edges()) reached += r * edge.length();
+    }
+    return target_ - reached > most + kSameArea * target_;
+  }
+
+ private:
+  Regions legal(double radius) const {
+    Regions all;
+    for (const Clearance& one : allowed_)
+      for (Region& region : one.inset(radius)) all.push_back(std::move(region));
+    return all;
+  }
+
+  const Feature& feature_;
+  const Tolerances& tol_;
+  double target_ = 0;
+  bool closed_ = false;
+  std::vector<Clearance> allowed_;
+};
 
 /// mm, in whole hundredths; the largest diameter below `below` for which `suffices` holds, 0 when none does.
 template <class Suffices>
@@ -53,8 +91,12 @@ double largest_diameter(double below, Suffices suffices) {
 
 double largest_that_reaches(const Feature& feature, double below, const Tolerances& tol) {
   const double may_stay = allowed_to_stay(area(feature.target));
-  return largest_diameter(below,
-                          [&](double diameter) { return left_by(feature, diameter, tol) <= may_stay; });
+  const LeftByDiameter leaves(feature, tol);
+  // A bound finds the diameter; where it really leaves no more, no larger one does either.
+  const double at_most =
+      largest_diameter(below, [&](double d) { return !leaves.surely_leaves_more_than(may_stay, d); });
+  if (at_most == 0 || leaves.left(at_most) <= may_stay) return at_most;
+  return largest_diameter(below, [&](double d) { return leaves.left(d) <= may_stay; });
 }
 
 /// That no cutter fits into a feature is a condition, which somebody may accept, and no fault of the program.

@@ -13,7 +13,17 @@ namespace {
 constexpr std::array<std::string_view, 8> kNames{"linuxcnc",   "grbl",  "fanuc", "haas",
                                                  "heidenhain", "mach3", "mach4", "marlin"};
 
+/// In the order of the names.
+constexpr std::array<MotionPlanner, 8> kPlannersOfDialects{
+    MotionPlanner::kLinuxCnc,    MotionPlanner::kGrbl,        MotionPlanner::kJerkLimited,
+    MotionPlanner::kJerkLimited, MotionPlanner::kJerkLimited, MotionPlanner::kMach,
+    MotionPlanner::kMach,        MotionPlanner::kMarlin};
+
 }  // namespace
+
+MotionPlanner planner_of(Dialect dialect) {
+  return kPlannersOfDialects[static_cast<std::size_t>(dialect)];
+}
 
 std::string_view name_of(Dialect dialect) {
   return kNames[static_cast<std::size_t>(dialect)];

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "model/motion_planner.h"
+
 namespace clearcut::read::gcode {
 
 enum class Dialect : unsigned char { kLinuxCnc, kGrbl, kFanuc, kHaas, kHeidenhain, kMach3, kMach4, kMarlin };
@@ -12,6 +14,8 @@ enum class Dialect : unsigned char { kLinuxCnc, kGrbl, kFanuc, kHaas, kHeidenhai
 /// "linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin".
 std::string_view name_of(Dialect dialect);
 std::optional<Dialect> dialect_named(std::string_view name);
+/// Whose rules of motion the control has.
+MotionPlanner planner_of(Dialect dialect);
 
 /// How G74 and G84 tap.
 enum class TapRule : unsigned char {

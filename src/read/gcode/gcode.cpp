@@ -116,6 +116,7 @@ Reading read_as(Dialect dialect, std::string_view text, const std::string& file_
   note_low_end(builder, last_line(text));
   program.toolpath = builder.take();
   program.control = builder.take_control();
+  program.control.planner = planner_of(dialect);
   return reading;
 }
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "base/files/file.h"
+#include "read/job/machine_library.h"
+#include "read/job/machine_settings.h"
 
 namespace clearcut::read {
 namespace {
@@ -48,6 +51,48 @@ MachinePlaces places_of(DataSection section) {
   return places;
 }
 
+/// One number for all axes, or [x, y, z].
+std::optional<AxisValues> axes_of(DataSection& section, const std::string& key) {
+  if (!section.is_list(key)) return std::nullopt;
+  const std::vector<double> numbers = section.numbers(key);
+  if (numbers.size() != 3) section.fail_at(key, "must be one number or three: [x, y, z]");
+  for (const double number : numbers)
+    if (number <= 0) section.fail_at(key, "must be above zero for every axis");
+  return AxisValues{numbers[0], numbers[1], numbers[2]};
+}
+
+void take_motion(DataSection& section, Machine& machine) {
+  if (const auto speeds = axes_of(section, "rapid")) {
+    set_axis_speeds(machine, *speeds);
+  } else if (const auto rapid = section.positive("rapid")) {
+    machine.rapid = MmPerMin::of(*rapid);
+    machine.axis_rapid.reset();
+  }
+  if (const auto accelerations = axes_of(section, "acceleration")) {
+    set_axis_accelerations(machine, *accelerations);
+  } else if (const auto acceleration = section.positive("acceleration")) {
+    machine.acceleration = *acceleration;
+    machine.axis_acceleration.reset();
+  }
+  if (const auto deviation = section.positive("junction_deviation")) machine.junction_deviation = *deviation;
+  if (const auto planner = section.choice("planner", motion_planner_names()))
+    machine.planner = static_cast<MotionPlanner>(*planner);
+  if (const auto jerk = section.positive("jerk")) machine.jerk = *jerk;
+  if (const auto jump = axes_of(section, "speed_jump")) machine.speed_jump = *jump;
+  if (const auto tolerance = section.positive("arc_tolerance")) machine.arc_tolerance = *tolerance;
+}
+
+/// The text of a machine file; of a name that is none, but of the library, nothing.
+std::optional<std::string> text_of(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) {
+    if (library_machine(file.string())) return std::nullopt;
+    throw InputError(file.string(),
+                     "no such file, and no machine of that name; 'clearcut machines' lists "
+                     "those that are known");
+  }
+  return read_file(file.string(), kLargestMachineFile);
+}
+
 }  // namespace
 
 void fill_machine_kind(Machine& machine, const std::string& kind) {
@@ -59,9 +104,7 @@ void fill_machine_kind(Machine& machine, const std::string& kind) {
 
 Machine machine_of_section(DataSection section, Machine base) {
   if (const auto name = section.text("name")) base.name = *name;
-  if (const auto rapid = section.positive("rapid")) base.rapid = MmPerMin::of(*rapid);
-  if (const auto acceleration = section.positive("acceleration")) base.acceleration = *acceleration;
-  if (const auto deviation = section.positive("junction_deviation")) base.junction_deviation = *deviation;
+  take_motion(section, base);
   if (const auto rpm = section.positive("max_spindle")) base.max_spindle_rpm = rpm;
   if (const auto rpm = section.positive("min_spindle")) base.min_spindle_rpm = rpm;
   if (const auto power = section.positive("spindle_power")) base.spindle_power_w = power;
@@ -102,17 +145,31 @@ Sources machine_sources_of(const DataValue& table, const std::string& file_name,
 }
 
 Sources machine_sources(const std::filesystem::path& file) {
-  const std::string text = read_file(file.string(), kLargestMachineFile);
-  return machine_sources_of(parse_toml(text, file.string()), file.string(), Origin::kMachineFile);
+  const auto text = text_of(file);
+  Sources out;
+  if (!text) {
+    for (const char* key : {"machine", "rapid", "acceleration", "junction-deviation"})
+      out.set(key, {Origin::kMachineFile, "library: " + file.string()});
+    return out;
+  }
+  const auto settings = read_machine_settings(*text, file.string());
+  if (!settings)
+    return machine_sources_of(parse_toml(*text, file.string()), file.string(), Origin::kMachineFile);
+  out.set("machine", {Origin::kMachineFile, file.string()});
+  for (const auto& [key, line] : settings->lines)
+    out.set(key, {Origin::kMachineFile, file.string() + ":" + std::to_string(line)});
+  return out;
 }
 
 Machine read_machine_text(std::string_view text, const std::string& file_name) {
+  if (const auto settings = read_machine_settings(text, file_name)) return settings->machine;
   const DataValue root = parse_toml(text, file_name);
   return machine_of_section(DataSection(root, file_name, ""), Machine{});
 }
 
 Machine read_machine(const std::filesystem::path& file) {
-  return read_machine_text(read_file(file.string(), kLargestMachineFile), file.string());
+  const auto text = text_of(file);
+  return text ? read_machine_text(*text, file.string()) : *library_machine(file.string());
 }
 
 }  // namespace clearcut::read

@@ -108,9 +108,20 @@ Json travel(const Machine& machine) {
   return json;
 }
 
+Json of_axes(const std::optional<AxisValues>& values) {
+  if (!values) return nullptr;
+  Json list = Json::array();
+  for (const double value : *values) list.push_back(certificate_number(value));
+  return list;
+}
+
 Json machine(const Machine& one) {
   Json json;
   json["name"] = one.name;
+  json["planner"] = one.planner ? Json(name_of(*one.planner)) : Json(nullptr);
+  json["axis_rapid_mm_per_min"] = of_axes(one.axis_rapid);
+  json["axis_acceleration_mm_per_s2"] = of_axes(one.axis_acceleration);
+  json["jerk_mm_per_s3"] = optional(one.jerk);
   json["rapid_mm_per_min"] = certificate_number(one.rapid.mm_per_min());
   json["acceleration_mm_per_s2"] = certificate_number(one.acceleration);
   json["junction_deviation_mm"] = certificate_number(one.junction_deviation);

@@ -1,0 +1,14 @@
+// The moves of a program in one row, as the planner of its control meets them.
+#pragma once
+
+#include <vector>
+
+#include "kinematics/planner.h"
+
+namespace clearcut::kinematics {
+
+/// All moves of all sections. With `control`, what it holds decides where the control waits for standstill and how far it may
+/// leave the path; without, every section begins at rest and no bound of the path is known.
+std::vector<PlannedMove> planned_moves(const Toolpath& toolpath, const ControlTable* control);
+
+}  // namespace clearcut::kinematics
