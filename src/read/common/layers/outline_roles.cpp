@@ -37,6 +37,8 @@ struct Outline {
   std::size_t group = 0;
   std::size_t drawn_in = 0;  ///< the group at first
   std::vector<int> about;    ///< outlines it lies in, from the largest
+  std::optional<CrossingOutline> crossing =
+      {};  ///< itself, if it crosses itself or another: then it lies in none and holds none
 };
 
 std::vector<Outline> outlines_of(const std::vector<ShapedGroup>& groups) {
@@ -51,6 +53,10 @@ std::vector<Outline> outlines_of(const std::vector<ShapedGroup>& groups) {
   for (const Outline& outline : outlines) loops.push_back(outline.loop);
   const auto about = loops_about(loops);
   for (std::size_t i = 0; i < outlines.size(); ++i) outlines[i].about = about[i];
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (const CrossingOutline& one : groups[i].crossing)
+      outlines.push_back({one.curve.edges, i, i, {}, one});
+  }
   return outlines;
 }
 
@@ -65,7 +71,7 @@ std::set<std::size_t> outer_ones(const std::vector<Outline>& outlines,
                                  const std::vector<ShapedGroup>& groups) {
   std::set<std::size_t> outer, unsaid;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
-    if (!outlines[i].about.empty()) continue;
+    if (!outlines[i].about.empty() || outlines[i].crossing) continue;
     outer.insert(i);
     if (!groups[outlines[i].group].group.says_role || holds_others(outlines, i)) unsaid.insert(i);
   }
@@ -144,11 +150,12 @@ Regions regions_of(const std::vector<const Outline*>& outlines, const std::strin
   std::vector<RawCurve> curves;
   std::set<std::size_t> layers;
   for (const Outline* outline : outlines) {
+    if (outline->crossing) continue;  // decided when all rules were applied
     loops.push_back(outline->loop);
     curves.push_back({outline->loop, true, "outline", {}});
     layers.insert(outline->drawn_in);
   }
-  if (layers.size() < 2) return nested(loops);
+  if (layers.size() < 2) return nested(loops);  // also of none
   RepairOptions how;
   how.tol = options.tol;
   how.where = where;
@@ -284,6 +291,39 @@ void add_broken_edges(std::vector<ShapedGroup>& groups) {
   }
 }
 
+/// The outlines that cross, where all rules are applied: what is left of their groups is mended once more, or refused. An overview
+/// says which they are.
+void settle_crossing(std::vector<ShapedGroup>& groups, const std::vector<Outline>& outlines,
+                     const ReadOptions& options, Diagnostics& diagnostics) {
+  std::set<std::size_t> open;
+  for (const Outline& outline : outlines) {
+    if (!outline.crossing || groups[outline.group].group.role == LayerRole::kIgnore) continue;
+    if (options.overview && options.overview->missing.empty())
+      options.overview->missing = outline.crossing->refusal.what();
+    open.insert(outline.group);
+  }
+  if (options.overview) return;
+  for (const std::size_t group : open) {
+    RepairOptions how;
+    how.tol = options.tol;
+    how.where = groups[group].group.where;
+    std::vector<RawCurve> curves;
+    for (const Outline& outline : outlines) {
+      if (outline.group != group) continue;
+      curves.push_back(outline.crossing ? outline.crossing->curve
+                                        : RawCurve{outline.loop, true, "outline", {}});
+    }
+    try {
+      groups[group].regions = repair(std::move(curves), how, diagnostics);
+    } catch (const InputError&) {
+      const auto first = std::find_if(outlines.begin(), outlines.end(), [&](const Outline& outline) {
+        return outline.group == group && outline.crossing;
+      });
+      throw InputError("", first->crossing->refusal.what());  // which names the curves as they were drawn
+    }
+  }
+}
+
 /// Whether an option or rule that names outlines was used.
 bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>& outlines,
                          const std::vector<NamedLayer>& layers, const ReadOptions& options,
@@ -319,7 +359,9 @@ std::vector<std::size_t> unclear_outlines(const std::vector<ShapedGroup>& groups
   bool holding = false;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const DrawnGroup& group = groups[outlines[i].group].group;
-    if (!outlines[i].about.empty() || group.role == LayerRole::kChamfer || group.says_role) continue;
+    if (!outlines[i].about.empty() || outlines[i].crossing || group.role == LayerRole::kChamfer ||
+        group.says_role)
+      continue;
     outermost.push_back(i);
     holding = holding || holds_others(outlines, i);
   }
@@ -372,7 +414,9 @@ void fill_overview(const std::vector<ShapedGroup>& groups, const std::vector<Out
     if (is_pocket(group.role) && in_own % 2 == 1) one.role = "island";
     if (group.role == LayerRole::kProfile && in_own % 2 == 1) one.role = "inside";
     if (group.role == LayerRole::kInside && in_own % 2 == 1) one.role = "profile";
-    one.says_role = group.says_role;
+    const bool crosses = outline.crossing && group.role != LayerRole::kIgnore;
+    if (crosses) one.role = "crossing";
+    one.says_role = group.says_role || crosses;
     one.depth = options.depth ? options.depth : group.depth;
     one.box = box(outline.loop);
     one.loop = outline.loop;
@@ -430,10 +474,15 @@ void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<Na
                           const ReadOptions& options, const std::string& file, Diagnostics& diagnostics) {
   add_broken_edges(groups);
   const bool wanted = options.ask_if_unclear || options.overview || !options.layer_rules.empty();
-  if (!wanted) return;
+  if (!wanted) {
+    for (const ShapedGroup& group : groups)
+      if (!group.crossing.empty()) throw InputError("", group.crossing.front().refusal.what());
+    return;
+  }
   std::vector<Outline> outlines = outlines_of(groups);
   const bool chosen = apply_outline_rules(groups, outlines, layers, options, diagnostics);
   const auto unclear = chosen ? std::vector<std::size_t>{} : unclear_outlines(groups, outlines);
+  settle_crossing(groups, outlines, options, diagnostics);
   if (options.overview) fill_overview(groups, outlines, options, *options.overview);
   if (unclear.empty()) return;
   const std::string question = question_of(outlines, unclear, groups);
