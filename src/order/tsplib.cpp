@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/text/line_end.h"
 #include "base/text/stripped.h"
 
 namespace clearcut::order {
@@ -22,7 +23,7 @@ class Lines {
   /// Next line that is not blank, trimmed; false at the end.
   bool next(std::string_view& line) {
     while (!rest_.empty()) {
-      const auto end = rest_.find('\n');
+      const auto end = rest_.find(line_end_);
       line = stripped(rest_.substr(0, end));
       rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
       ++number_;
@@ -36,6 +37,7 @@ class Lines {
 
  private:
   std::string_view rest_;
+  char line_end_ = line_end_of(rest_);
   std::string name_;
   int number_ = 0;
 };

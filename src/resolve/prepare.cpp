@@ -21,6 +21,7 @@
 #include "resolve/features/tapered_walls.h"
 #include "resolve/left_over.h"
 #include "resolve/profiles.h"
+#include "resolve/refusals.h"
 #include "resolve/tool_cutting.h"
 #include "resolve/work_plan.h"
 #include "stock/at_depth.h"
@@ -354,6 +355,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   }
   sources = options.step_sources;
   add_facing(part, options);
+  refuse_above_stock(part);
   choose_tools(part, options, sources);
   shape_holes(part, options, sources);
   shape_t_slots(part, options, sources);

@@ -121,14 +121,21 @@ void leave_skin(Feature& feature, double skin, Diagnostics& diagnostics) {
                                      (feature.profile->closed ? ", which holds what it surrounds" : ""));
 }
 
-/// Says of lines that are engraved into the material that nothing is left under them to hold anything.
-void tell_of_engraved_lines(Part& part, const TabOptions& tabs, const std::set<int>& through) {
+/// Says of a part without profiles, and of lines that are engraved into the material, that nothing is left to hold anything.
+void tell_of_nothing_held(Part& part, const TabOptions& tabs, const std::set<int>& through) {
   std::string first;
   int count = 0;
+  bool any_profile = false;
   for (const Workingstep& step : part.workplan) {
+    any_profile = any_profile || feature_of(part, step).profile;
     if (!feature_of(part, step).profile || through.contains(step.feature)) continue;
     if (count++ == 0) first = feature_of(part, step).name;
   }
+  if (!any_profile)
+    part.diagnostics.warn(tabs.skin ? "--skin" : "--tabs",
+                          "no outline is cut out, so " +
+                              std::string(tabs.skin ? "no skin is" : "no tabs are") +
+                              " left; --op profile:outer cuts the outermost outlines of a drawing out");
   if (count == 0) return;
   const std::string others = count > 1 ? "and of " + std::to_string(count - 1) + " other lines " : "";
   part.diagnostics.note(first, others + "the depth ends within the material, so nothing comes free: " +
@@ -154,7 +161,7 @@ class Holds {
  public:
   Holds(Part& part, const PlanOptions& options)
       : part_(part), options_(options), through_(stock::profiles_through(part)) {
-    if (options.tabs.any() || options.tabs.skin) tell_of_engraved_lines(part, options.tabs, through_);
+    if (options.tabs.any() || options.tabs.skin) tell_of_nothing_held(part, options.tabs, through_);
     if (!options.tabs.any()) return;
     places_ = places_of_tabs(part, options.tabs, through_);
     for (const Workingstep& step : part.workplan) {

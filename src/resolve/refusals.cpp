@@ -13,6 +13,8 @@ namespace {
 
 /// mm. Heights nearer than this are one.
 constexpr double kLevel = 0.01;
+/// mm, for rounding of heights.
+constexpr double kOneHeight = 1e-6;
 /// mm. How far a cut that is not said to go through may go below the material: what a board is fixed on bears that.
 constexpr double kBelowStock = 0.5;
 /// Diameters that flutes of unknown length are taken to reach.
@@ -30,12 +32,39 @@ void refuse_low_rapids(const Part& part) {
                   trimmed(*part.clearance_z, 3), trimmed(part.top_z(), 3), trimmed(part.top_z() + 5, 3)));
 }
 
+/// The feature's name, and where it was read: "h (#30)".
+std::string name_and_place(const Feature& feature) {
+  const bool apart = !feature.source.empty() && feature.source != feature.name;
+  return feature.name + (apart ? " (" + feature.source + ")" : "");
+}
+
+void refuse_above_stock(const Feature& feature, const Stock& stock) {
+  const bool faces = feature.kind == FeatureKind::kPlanarFace;
+  if (feature.floor_z < stock.z_top + (faces ? kLevel : -kOneHeight)) return;
+  const bool is_cut = feature.top_z > feature.floor_z + kOneHeight;
+  throw InputError(
+      name_and_place(feature),
+      fmt::format("it lies above the material: {}, where the material is z {} to {}; correct its "
+                  "height or the stock",
+                  is_cut ? fmt::format("z {} to {}", trimmed(feature.floor_z, 3), trimmed(feature.top_z, 3))
+                         : fmt::format("its floor is at z {}", trimmed(feature.floor_z, 3)),
+                  trimmed(stock.z_bottom, 3), trimmed(stock.z_top, 3)));
+}
+
+void refuse_spent_hole(const Feature& feature) {
+  if (feature.kind != FeatureKind::kRoundHole || feature.top_z > feature.floor_z + kOneHeight) return;
+  throw InputError(name_and_place(feature),
+                   fmt::format("what is cut before it leaves no material above its floor at z "
+                               "{}; correct its depth or leave it out",
+                               trimmed(feature.floor_z, 3)));
+}
+
 void refuse_below_stock(const Part& part, const Feature& feature) {
   if (!part.stock || feature.through) return;
   const double below = part.stock->z_bottom - feature.floor_z;
   if (below <= kBelowStock) return;
   throw InputError(
-      feature.name,
+      name_and_place(feature),
       fmt::format("its floor at z {} lies {} mm below the material, which ends at z {}; give less "
                   "depth or thicker stock",
                   trimmed(feature.floor_z, 3), trimmed(below, 3), trimmed(part.stock->z_bottom, 3)));
@@ -45,7 +74,7 @@ void refuse_beside_stock(const Part& part, const Feature& feature) {
   if (!part.stock || feature.target.empty() || part.stock->plan.overlaps(box(feature.target))) return;
   const Box& stock = part.stock->plan;
   const Box own = box(feature.target);
-  throw InputError(feature.name,
+  throw InputError(name_and_place(feature),
                    fmt::format("it lies beside the material: x {} to {}, y {} to {}, where the material "
                                "is x {} to {}, y {} to {}; correct its place or the stock",
                                trimmed(own.min.x, 3), trimmed(own.max.x, 3), trimmed(own.min.y, 3),
@@ -164,6 +193,13 @@ void refuse_places_outside(const Part& part, const PlanOptions& options) {
 }
 
 }  // namespace
+
+void refuse_above_stock(const Part& part) {
+  for (const Workingstep& step : part.workplan) {
+    if (part.stock) refuse_above_stock(feature_of(part, step), *part.stock);
+    refuse_spent_hole(feature_of(part, step));
+  }
+}
 
 void refuse_what_cannot_be(const Part& part, const PlanOptions& options) {
   refuse_low_rapids(part);

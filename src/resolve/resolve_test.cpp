@@ -221,5 +221,29 @@ TEST(Names, AreRefusedWithTheNamesThereAre) {
   }
 }
 
+TEST(Resolve, FeaturesAboveTheMaterialAreRefused) {
+  const auto refusal = [](double top, double floor, FeatureKind kind) -> std::string {
+    Part part = pocket();
+    part.stock = Stock{box(part.features[0].target), -20, 0};
+    part.features[0].kind = kind;
+    part.features[0].source = "#30";
+    part.features[0].top_z = top;
+    part.features[0].floor_z = floor;
+    try {
+      resolve(part, {}, table());
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const char* said = "POCKET (#30): it lies above the material: z 1 to 6, where the material is z -20 to 0";
+  for (const FeatureKind kind : {FeatureKind::kClosedPocket, FeatureKind::kRoundHole, FeatureKind::kSlot})
+    EXPECT_THAT(refusal(6, 1, kind), HasSubstr(said));
+  EXPECT_THAT(refusal(6, 0, FeatureKind::kClosedPocket), HasSubstr("it lies above the material: z 0 to 6"));
+  EXPECT_THAT(refusal(22, 22, FeatureKind::kRoundHole), HasSubstr("its floor is at z 22"));
+  EXPECT_EQ(refusal(6, -1, FeatureKind::kClosedPocket), "");
+  EXPECT_EQ(refusal(1, 0, FeatureKind::kPlanarFace), "");
+}
+
 }  // namespace
 }  // namespace clearcut::resolve

@@ -14,6 +14,7 @@ namespace clearcut::verify {
 namespace {
 
 using testing::pocket_part;
+using testing::rectangle;
 
 /// A random star-shaped outline of lines and arcs about (0, 0), perhaps with a round island; empty if it
 /// crosses itself.
@@ -232,6 +233,41 @@ TEST(Differential, CoverageBoundsAgreeWithARaster) {
   }
   EXPECT_GT(uncut_cases, 3);
   EXPECT_GE(unreachable_cases, 2);
+}
+
+/// A pocket 28 mm wide and `height` mm high with an island that leaves 4 mm at its lower and upper side and corridors too narrow
+/// for the cutter at its left and right one; another pocket stands `apart` mm left of it.
+Part pocket_beside_a_pocket(double height, double corridor, double apart) {
+  const Regions outer = rectangle(0, 0, 28, height);
+  const std::vector<Vec2> corners{
+      {corridor, 4}, {corridor, height - 4}, {28 - corridor, height - 4}, {28 - corridor, 4}};
+  const Loop island = loop_from_points(corners);
+  Part part = pocket_part({Region::from_valid_loops(outer[0].outer(), {island})}, 3, -1);
+  Feature beside = part.features[0];
+  beside.name = "BESIDE";
+  beside.target = beside.allowed = rectangle(-apart - 30, height / 3, -apart, height / 2);
+  part.features.push_back(beside);
+  return part;
+}
+
+// What correct means: whatever lies beside the pocket, its corridors are out of reach, and all else was cut.
+TEST(Differential, APocketBesideBringsNothingWithinReach) {
+  const Tolerances tol;
+  for (double height = 20; height < 80; height += 0.7) {
+    for (const double apart : {1.0, 3.1, 4.2, 9.0}) {
+      const Part part = pocket_beside_a_pocket(height, 1.1, apart);
+      const FinishedPart finished(part);
+      CoverageQuestion question{&finished, &part.features[0].target, -0.999, 1.5, 1.5, 0, 0, 0, {}};
+      for (const double y : {1.5, height - 2.5}) {
+        const std::vector<Vec2> ring{{1.5, y}, {26.5, y}, {26.5, y + 1}, {1.5, y + 1}};
+        for (const Edge& edge : loop_from_points(ring)) question.swaths.push_back({edge, 1.5});
+      }
+      const Coverage coverage = coverage_of(question, tol);
+      EXPECT_EQ(coverage.uncut_mm2, 0) << height << " " << apart;
+      EXPECT_LE(coverage.thickness_mm, widest_left(tol)) << height << " " << apart;
+      EXPECT_NEAR(coverage.unreachable_mm2, 2 * 1.1 * (height - 8), 6) << height << " " << apart;
+    }
+  }
 }
 
 // What correct means for the boundary of the legal centres: each of its points keeps its distance, and every

@@ -190,7 +190,9 @@ std::vector<ShapedGroup> shaped_groups(std::vector<DrawnGroup>& groups, const Re
     if (follows_lines(shaped.group.role)) {
       shaped.lines = chained_lines(curves, options.tol.join_gap);
     } else {
-      shaped.regions = repair(std::move(curves), repair_options(shaped.group, options), diagnostics);
+      RepairOptions how = repair_options(shaped.group, options);
+      how.crossing = &shaped.crossing;
+      shaped.regions = repair(std::move(curves), how, diagnostics);
     }
     all.push_back(std::move(shaped));
   }

@@ -15,7 +15,8 @@ FileKind kind_of_content(std::string_view text) {
     return FileKind::kGerber;
   if (head.find("<svg") != std::string_view::npos) return FileKind::kSvg;
   // After comments; in an SVG it may begin a line of a path.
-  if (head.find("\nM48") != std::string_view::npos) return FileKind::kExcellon;
+  if (head.find("\nM48") != std::string_view::npos || head.find("\rM48") != std::string_view::npos)
+    return FileKind::kExcellon;
   if (head.find("SECTION") != std::string_view::npos) return FileKind::kDxf;
   return FileKind::kUnknown;
 }

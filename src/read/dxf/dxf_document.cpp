@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/text/line_end.h"
 #include "base/text/stripped.h"
 #include "read/common/text.h"
 
@@ -40,7 +41,7 @@ class Groups {
   static constexpr std::string_view kBlanks = " \t\r\n\v\f";
 
   std::string_view line(std::string_view blanks = kBlanks) {
-    const std::size_t end = text_.find('\n');
+    const std::size_t end = text_.find(line_end_);
     const std::string_view whole = text_.substr(0, end);
     text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
     ++line_;
@@ -48,6 +49,7 @@ class Groups {
   }
 
   std::string_view text_;
+  const char line_end_ = line_end_of(text_);
   const std::string& file_;
   int line_ = 0;
 };
@@ -87,15 +89,41 @@ class Builder {
       document_.styles[capitals(current_.text(2))] = std::move(current_);
     } else if (section_ == "BLOCKS") {
       finish_in_block();
+    } else if (section_ == "OBJECTS") {
+      finish_object();
     } else if (section_ == "ENTITIES") {
       document_.entities.push_back(std::move(current_));
     }
     current_ = {};
   }
 
+  /// Marks whatever owns a filter that is switched on, through dictionaries up to the INSERT.
+  void find_clipped() {
+    constexpr int kDeepestOwner = 8;
+    for (std::string_view handle : filters_) {
+      for (int k = 0; k < kDeepestOwner && !handle.empty(); ++k) {
+        document_.clipped.insert(handle);
+        const auto owner = owners_.find(handle);
+        handle = owner == owners_.end() ? std::string_view{} : owner->second;
+      }
+    }
+  }
+
   bool seen_entities() const { return seen_entities_; }
 
  private:
+  void finish_object() {
+    const bool filters = current_.type == "SPATIAL_FILTER";
+    if (!filters && current_.type != "DICTIONARY") return;
+    const std::string_view handle = current_.text(5);
+    if (filters && document_.integer(current_, 71, 1) != 0) filters_.push_back(handle);
+    bool listed = false;  // in a list of others between braces
+    for (const DxfGroup& group : current_.groups) {
+      if (group.code == 102) listed = group.value.starts_with('{');
+      if (group.code == 330 && !listed) owners_.try_emplace(handle, group.value);
+    }
+  }
+
   void finish_in_block() {
     if (current_.type == "BLOCK") {
       block_ = &document_.blocks[capitals(current_.text(2))];
@@ -115,6 +143,8 @@ class Builder {
   std::string_view section_;
   DxfEntity* variable_ = nullptr;
   DxfBlock* block_ = nullptr;
+  std::vector<std::string_view> filters_;                ///< handles of what clips blocks
+  std::map<std::string_view, std::string_view> owners_;  ///< of filters and dictionaries, by their handles
   bool seen_entities_ = false;
 };
 
@@ -185,6 +215,7 @@ DxfDocument parse_dxf(std::string_view text, const std::string& file_name) {
     if (group.code == 0 && group.value == "EOF") break;
   }
   builder.finish();
+  builder.find_clipped();
   if (!builder.seen_entities()) {
     throw InputError(file_name, "no ENTITIES section; this is not a DXF drawing, or it is cut short");
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,8 @@ struct DxfDocument {
   std::map<std::string, DxfEntity> styles;       ///< of text, by name in capitals
   std::map<std::string, DxfBlock> blocks;        ///< by name in capitals
   std::vector<DxfEntity> entities;
+  /// Handles, among them those of INSERTs of which only what lies within a boundary is shown (XCLIP).
+  std::set<std::string_view> clipped;
 
   /// Throws  InputError "file:line: ..." unless the group's value is a finite number.
   double number(const DxfGroup& group) const;

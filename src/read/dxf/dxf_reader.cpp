@@ -11,6 +11,7 @@
 #include "base/units.h"
 #include "read/common/drawing.h"
 #include "read/common/holes/drawn_holes.h"
+#include "read/common/not_as_drawn.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/dxf/dxf_curves.h"
@@ -86,6 +87,13 @@ class Collector {
 
   void report() const {
     warn_of_space();
+    for (const auto& [block, count] : clipped_)
+      diagnostics_.doubt(
+          document_.file, kNotAsDrawn,
+          "the block '" + printable(block) + "' is clipped (XCLIP) at " + std::to_string(count) +
+              (count == 1 ? " place" : " places") +
+              ", which is not applied: it is read whole; trim it where it stands, or switch the "
+              "clip off if all of it is meant");
     if (!unplotted_.empty())
       diagnostics_.note(document_.file, "read, though not plotted: the layer(s) " + unplotted_ +
                                             " (--op ignore:LAYER leaves one out)");
@@ -353,6 +361,7 @@ class Collector {
       document_.fail(entity.line,
                      "blocks within blocks deeper than 16; '" + printable(name) + "' may contain itself");
     }
+    if (document_.clipped.contains(entity.text(5))) ++clipped_[name];
     const auto own = entity_map(document_, entity);
     if (!own) {
       leave_out("INSERT that is not parallel to the plane", layer);
@@ -387,6 +396,7 @@ class Collector {
   int compounds_ = 0;                               ///< fills and texts
   DxfLettering lettering_;
   LeftOut fills_not_read_, texts_not_read_;
+  LeftOut clipped_;  ///< places of blocks, by their names
   LeftOut not_read_, external_, hidden_, not_chosen_, ignored_;
   std::map<std::string, std::string> seen_;    ///< layers with curves, as written, by their names in capitals
   std::map<std::string, std::string> unread_;  ///< likewise those with anything that is not read

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "read/read_part.h"
 
 namespace clearcut::read {
 namespace {
@@ -303,6 +304,90 @@ TEST(Dxf, ManyInsertsOfInsertsAreRefusedNotExpanded) {
     blocks += " 0 ENDBLK";
   }
   EXPECT_THAT(refusal(dxf(" 0 INSERT 2 B11 10 0 20 0", blocks)), HasSubstr("simplify the drawing"));
+}
+
+/// A rectangle from (x, y) on layer D5.
+std::string rectangle_at(double x, double y, double width, double height) {
+  std::string text = " 0 LWPOLYLINE 8 D5 90 4 70 1";
+  for (const auto& [px, py] : {std::pair{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}})
+    text += " 10 " + std::to_string(px) + " 20 " + std::to_string(py);
+  return text;
+}
+
+TEST(Dxf, LinesMayEndInAnyWay) {
+  const std::string text = dxf(kSquare);
+  std::string cr = text, crlf;
+  std::replace(cr.begin(), cr.end(), '\n', '\r');
+  for (const char c : text) crlf += c == '\n' ? "\r\n" : std::string(1, c);
+  for (const std::string& written : {cr, crlf}) EXPECT_NEAR(all_area(read(written)), 100, 1e-9);
+}
+
+TEST(Dxf, EveryOutermostOutlineIsAskedAbout) {
+  const std::string holed = rectangle_at(0, 0, 50, 30) + rectangle_at(5, 5, 5, 5);
+  const std::string other = rectangle_at(80, 0, 40, 30) + rectangle_at(90, 5, 5, 5);
+  const std::string plain = rectangle_at(0, 50, 20, 10);
+  ReadOptions asks;
+  asks.ask_if_unclear = true;
+  EXPECT_THAT(refusal(dxf(plain + holed), asks),
+              HasSubstr("50 x 30 mm (layer D5) holds 1 other, as 1 of 2 outermost outlines does"));
+  EXPECT_THAT(refusal(dxf(other + plain + holed), asks), HasSubstr("as 2 of 3 outermost outlines do"));
+  EXPECT_THAT(refusal(dxf(other + holed), asks), HasSubstr("as each of 2 outermost outlines does"));
+  EXPECT_EQ(refusal(dxf(plain + rectangle_at(0, 80, 20, 10)), asks), "not refused");
+  asks.layer_rules = {rule_of_option("profile:outer", "--op")};
+  const Part part = read(dxf(plain + holed), asks);
+  const auto profiles = std::count_if(part.features.begin(), part.features.end(), [](const Feature& feature) {
+    return feature.kind == FeatureKind::kOutsideProfile;
+  });
+  EXPECT_EQ(profiles, 2);
+  EXPECT_EQ(part.features.size(), 3U);
+}
+
+TEST(Dxf, WhatAClipHidesIsADoubt) {
+  const auto drawing = [](const std::string& switched) {
+    const std::string filter =
+        "0 SECTION 2 OBJECTS 0 DICTIONARY 5 40 102 {ACAD_REACTORS 330 99 102 } 330 30 0 DICTIONARY 5 41 330 "
+        "40 "
+        "0 SPATIAL_FILTER 5 42 330 41 70 2 10 -1 20 -1 10 4 20 4 71 " +
+        switched + " 0 ENDSEC 0 EOF";
+    std::string text =
+        dxf(" 0 INSERT 5 30 8 0 2 B 10 0 20 0", " 0 BLOCK 2 B 10 0 20 0" + kSquare + " 0 ENDBLK");
+    return text.substr(0, text.size() - std::string("0\nEOF\n").size()) + groups(filter);
+  };
+  for (const bool on : {true, false}) {
+    const Part part = read(drawing(on ? "1" : "0"));
+    EXPECT_NEAR(all_area(part), 100, 1e-9);
+    const auto& items = part.diagnostics.items();
+    EXPECT_EQ(std::any_of(items.begin(), items.end(),
+                          [](const Diagnostic& item) { return item.condition == "not-as-drawn"; }),
+              on);
+  }
+}
+
+/// Of two outlines that cross the smaller is the one that crosses.
+TEST(Dxf, OutlinesThatCrossAreListedAndMayBeLeftOut) {
+  const std::string bow = " 0 LWPOLYLINE 8 D5 90 4 70 1 10 60 20 0 10 70 20 8 10 70 20 0 10 60 20 8";
+  const std::string other = rectangle_at(5, 5, 10, 8);
+  for (const std::string& crossing : {bow, other}) {
+    const std::string text = dxf(kSquare + crossing);
+    DrawingOverview overview;
+    ReadOptions options;
+    options.overview = &overview;
+    read(text, options);
+    ASSERT_EQ(overview.outlines.size(), 2U);
+    EXPECT_EQ(overview.outlines[0].role, "pocket");
+    EXPECT_EQ(overview.outlines[1].role, "crossing");
+    EXPECT_THAT(overview.missing, HasSubstr("cross"));
+    EXPECT_EQ(refusal(text), overview.missing);
+    options.overview = nullptr;
+    options.layer_rules = {rule_of_option("ignore:2", "--op")};
+    EXPECT_NEAR(all_area(read(text, options)), 100, 1e-9);
+    options.layer_rules = {rule_of_option("ignore:1", "--op")};
+    if (crossing == bow) {
+      EXPECT_EQ(refusal(text, options), overview.missing);
+    } else {
+      EXPECT_NEAR(all_area(read(text, options)), 80, 1e-9);
+    }
+  }
 }
 
 }  // namespace

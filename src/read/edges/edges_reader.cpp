@@ -13,6 +13,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
+#include "base/text/line_end.h"
 #include "base/units.h"
 #include "geometry/side_list.h"
 #include "read/common/drawing.h"
@@ -57,9 +58,10 @@ struct Draft {
 
 std::vector<Line> lines_of(std::string_view text) {
   std::vector<Line> lines;
+  const char line_end = line_end_of(text);
   int number = 0;
   while (!text.empty()) {
-    const auto end = text.find('\n');
+    const auto end = text.find(line_end);
     std::string_view rest = text.substr(0, end);
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     rest = rest.substr(0, rest.find('#'));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
+#include "base/error.h"
 #include "base/tolerances.h"
 #include "geometry/region.h"
 #include "read/read_options.h"
@@ -37,12 +38,20 @@ struct RawCurve {
 /// mm. Coordinates beyond this (1 km) are taken for a mistake and refused.
 inline constexpr double kLargestCoordinate = 1e6;
 
+/// An outline that crosses itself or another beyond repair, and the refusal of it.
+struct CrossingOutline {
+  RawCurve curve;
+  InputError refusal;
+};
+
 struct RepairOptions {
   Tolerances tol;
   std::string where;  ///< file, or file and layer: begins every message
   OpenCurves open_curves = OpenCurves::kRefuse;
   bool find_arcs = false;
-  bool has_pens = false;      ///< lines have a width that can be asked for: messages say so
+  bool has_pens = false;  ///< lines have a width that can be asked for: messages say so
+  /// Given, it takes the outlines that cross themselves, and the smaller of two that cross each other; else they are refused.
+  std::vector<CrossingOutline>* crossing = nullptr;
   bool may_be_empty = false;  ///< what encloses nothing gives no regions, instead of an error
 };
 

@@ -5,11 +5,9 @@
 
 #include "base/diagnostics.h"
 #include "read/common/drawing.h"
+#include "read/common/not_as_drawn.h"
 
 namespace clearcut::read {
-
-/// The condition of all that is read otherwise than it is drawn, docs/conditions.md.
-inline constexpr const char* kNotAsDrawn = "not-as-drawn";
 
 /// Counted while the elements are read.
 struct SvgNotes {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/text/line_end.h"
 #include "base/text/stripped.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
@@ -66,9 +67,10 @@ ToolLibrary read_linuxcnc_table(std::string_view text, const std::string& file_n
   const double unit = options.unit ? require_unit(*options.unit, "unit") : 1;
   if (!options.unit)
     library.diagnostics.warn(file_name, "a LinuxCNC tool table names no unit: millimetres assumed");
+  const char line_end = line_end_of(text);
   int number = 0;
   while (!text.empty()) {
-    const std::size_t end = text.find('\n');
+    const std::size_t end = text.find(line_end);
     const std::string_view line = text.substr(0, end);
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     const std::string place = file_name + ":" + std::to_string(++number);

@@ -43,8 +43,8 @@ class CoverageProof {
         slack_(widest_ / 2),
         followed_(fine ? tol.uncut : widest_),
         target_(*question.target),
-        legal_(*question.part, question.z, question.radius + question.allowance,
-               target_.box().grown(question.radius), tol),
+        known_(target_.box().grown(question.radius)),
+        legal_(*question.part, question.z, question.radius + question.allowance, known_, tol),
         deviation_(legal_.boundary().edges().size(), -1) {
     std::map<double, std::vector<Edge>> paths;
     for (const Swath& swath : question.swaths) paths[swath.radius].push_back(swath.path);
@@ -249,6 +249,9 @@ class CoverageProof {
     return false;
   }
 
+  /// The box about the circle about the cell.
+  static Box around(const Cell& cell) { return cell.box().grown(cell.reach() - cell.half); }
+
   /// Lists the boundary of the legal area within the cutter's reach of the cell. True if all of `part` is
   /// within reach.
   bool list_legals(Cell& cell, const ConvexPolygon& part, Range from, Range& out) {
@@ -261,7 +264,8 @@ class CoverageProof {
       if (d <= question_.flat + cell.reach()) legals_.push_back(legals_[k]);
     }
     out.end = end(legals_);
-    if (cell.legality == Legality::kMixed && least > cell.reach()) {
+    if (cell.legality == Legality::kMixed && least > cell.reach() && known_.contains(around(cell).min) &&
+        known_.contains(around(cell).max)) {
       cell.legality = legal_.contains(cell.center) ? Legality::kAll : Legality::kNone;
     }
     if (cell.legality == Legality::kAll || least + cell.reach() <= question_.flat) return true;
@@ -395,6 +399,9 @@ class CoverageProof {
   /// mm; a program that keeps within this of the legal area's boundary leaves nothing thicker in corners.
   const double followed_;
   EdgeTree target_;
+  /// Where the boundary of the legal area is known. Beyond it, at a pocket beside the target, a cell that no known boundary
+  /// comes near may still be legal in one part and not in another.
+  const Box known_;
   LegalCenters legal_;
   /// mm; how far the program runs from each edge of the legal boundary; -1: not computed yet.
   std::vector<double> deviation_;

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/inch.h"
+#include "base/text/line_end.h"
 #include "read/board/coordinates.h"
 #include "read/board/drill/drilled.h"
 #include "read/board/gerber_curves.h"
@@ -36,8 +37,9 @@ class ExcellonReader {
   }
 
   std::map<int, DrillTool> read(std::string_view text) {
+    const char line_end = line_end_of(text);
     for (std::size_t at = 0; at < text.size() && !ended_;) {
-      const std::size_t end = std::min(text.find('\n', at), text.size());
+      const std::size_t end = std::min(text.find(line_end, at), text.size());
       std::string_view line = text.substr(at, end - at);
       while (!line.empty() && static_cast<unsigned char>(line.back()) <= ' ') line.remove_suffix(1);
       ++line_;

@@ -149,5 +149,10 @@ TEST(Excellon, DamageIsRefusedWithItsPlace) {
   EXPECT_THAT(refusal("M48\nMETRIC\nT1C1\n%\nT55555555555555555555\nM30\n"), HasSubstr("not understood"));
 }
 
+TEST(Excellon, LinesMayEndInCarriageReturnsAlone) {
+  const Part part = read("M48\rMETRIC\rT1C0.8\r%\rT1\rX25.0Y-15.5\rX1.0Y1.0\rM30\r");
+  EXPECT_EQ(part.features.size(), 2U);
+}
+
 }  // namespace
 }  // namespace clearcut::read

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "base/error.h"
@@ -36,6 +37,8 @@ struct Outline {
   std::size_t group = 0;
   std::size_t drawn_in = 0;  ///< the group at first
   std::vector<int> about;    ///< outlines it lies in, from the largest
+  std::optional<CrossingOutline> crossing =
+      {};  ///< itself, if it crosses itself or another: then it lies in none and holds none
 };
 
 std::vector<Outline> outlines_of(const std::vector<ShapedGroup>& groups) {
@@ -50,6 +53,10 @@ std::vector<Outline> outlines_of(const std::vector<ShapedGroup>& groups) {
   for (const Outline& outline : outlines) loops.push_back(outline.loop);
   const auto about = loops_about(loops);
   for (std::size_t i = 0; i < outlines.size(); ++i) outlines[i].about = about[i];
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (const CrossingOutline& one : groups[i].crossing)
+      outlines.push_back({one.curve.edges, i, i, {}, one});
+  }
   return outlines;
 }
 
@@ -59,15 +66,16 @@ bool holds_others(const std::vector<Outline>& outlines, std::size_t index) {
   });
 }
 
-/// The outermost outlines that hold others; where none does, all outermost ones.
-std::set<std::size_t> outer_ones(const std::vector<Outline>& outlines) {
-  std::set<std::size_t> outer, holding;
+/// The outermost outlines. What a layer says of one that holds no others stays: a hole of the fixture beside a part.
+std::set<std::size_t> outer_ones(const std::vector<Outline>& outlines,
+                                 const std::vector<ShapedGroup>& groups) {
+  std::set<std::size_t> outer, unsaid;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
-    if (!outlines[i].about.empty()) continue;
+    if (!outlines[i].about.empty() || outlines[i].crossing) continue;
     outer.insert(i);
-    if (holds_others(outlines, i)) holding.insert(i);
+    if (!groups[outlines[i].group].group.says_role || holds_others(outlines, i)) unsaid.insert(i);
   }
-  return holding.empty() ? outer : holding;
+  return unsaid.empty() ? outer : unsaid;
 }
 
 /// Numbers of outlines from 1, parted by commas; nothing when the text is anything else.
@@ -86,8 +94,13 @@ std::optional<std::vector<int>> numbers_of(const std::string& text) {
   }
 }
 
-std::optional<std::set<std::size_t>> chosen_by(const LayerRule& rule, const std::vector<Outline>& outlines) {
-  if (capitals(rule.pattern) == "OUTER") return outer_ones(outlines);
+bool names_outer(const LayerRule& rule) {
+  return capitals(rule.pattern) == "OUTER";
+}
+
+std::optional<std::set<std::size_t>> chosen_by(const LayerRule& rule, const std::vector<Outline>& outlines,
+                                               const std::vector<ShapedGroup>& groups) {
+  if (names_outer(rule)) return outer_ones(outlines, groups);
   const auto numbers = numbers_of(rule.pattern);
   if (!numbers) return std::nullopt;
   std::set<std::size_t> chosen;
@@ -137,11 +150,12 @@ Regions regions_of(const std::vector<const Outline*>& outlines, const std::strin
   std::vector<RawCurve> curves;
   std::set<std::size_t> layers;
   for (const Outline* outline : outlines) {
+    if (outline->crossing) continue;  // decided when all rules were applied
     loops.push_back(outline->loop);
     curves.push_back({outline->loop, true, "outline", {}});
     layers.insert(outline->drawn_in);
   }
-  if (layers.size() < 2) return nested(loops);
+  if (layers.size() < 2) return nested(loops);  // also of none
   RepairOptions how;
   how.tol = options.tol;
   how.where = where;
@@ -169,6 +183,23 @@ void move_out(const LayerRule& rule, const std::set<std::size_t>& chosen, std::v
   }
   moved.regions = regions_of(moving, moved.group.where, options, diagnostics);
   groups.push_back(std::move(moved));
+}
+
+/// The outermost outlines apart by what their layers say of depth and top: they do not nest in each other. Other outlines stay
+/// together.
+std::vector<std::set<std::size_t>> of_one_depth(const LayerRule& rule, const std::set<std::size_t>& chosen,
+                                                const std::vector<Outline>& outlines,
+                                                const std::vector<ShapedGroup>& groups) {
+  if (!names_outer(rule)) return {chosen};
+  std::map<std::array<std::optional<double>, 3>, std::set<std::size_t>> apart;
+  for (const std::size_t i : chosen) {
+    const DrawnGroup& group = groups[outlines[i].group].group;
+    apart[{group.depth, group.top, group.width}].insert(i);
+  }
+  std::vector<std::set<std::size_t>> alike;
+  for (auto& [said, some] : apart) alike.push_back(std::move(some));
+  std::sort(alike.begin(), alike.end());
+  return alike;
 }
 
 /// Regions of a group from the outlines that are its own now.
@@ -260,6 +291,39 @@ void add_broken_edges(std::vector<ShapedGroup>& groups) {
   }
 }
 
+/// The outlines that cross, where all rules are applied: what is left of their groups is mended once more, or refused. An overview
+/// says which they are.
+void settle_crossing(std::vector<ShapedGroup>& groups, const std::vector<Outline>& outlines,
+                     const ReadOptions& options, Diagnostics& diagnostics) {
+  std::set<std::size_t> open;
+  for (const Outline& outline : outlines) {
+    if (!outline.crossing || groups[outline.group].group.role == LayerRole::kIgnore) continue;
+    if (options.overview && options.overview->missing.empty())
+      options.overview->missing = outline.crossing->refusal.what();
+    open.insert(outline.group);
+  }
+  if (options.overview) return;
+  for (const std::size_t group : open) {
+    RepairOptions how;
+    how.tol = options.tol;
+    how.where = groups[group].group.where;
+    std::vector<RawCurve> curves;
+    for (const Outline& outline : outlines) {
+      if (outline.group != group) continue;
+      curves.push_back(outline.crossing ? outline.crossing->curve
+                                        : RawCurve{outline.loop, true, "outline", {}});
+    }
+    try {
+      groups[group].regions = repair(std::move(curves), how, diagnostics);
+    } catch (const InputError&) {
+      const auto first = std::find_if(outlines.begin(), outlines.end(), [&](const Outline& outline) {
+        return outline.group == group && outline.crossing;
+      });
+      throw InputError("", first->crossing->refusal.what());  // which names the curves as they were drawn
+    }
+  }
+}
+
 /// Whether an option or rule that names outlines was used.
 bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>& outlines,
                          const std::vector<NamedLayer>& layers, const ReadOptions& options,
@@ -267,53 +331,64 @@ bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>&
   bool any = false;
   for (const LayerRule& rule : in_turn(options.layer_rules)) {
     if (names_layer(rule, layers) || !rule.role) continue;
-    const auto chosen = chosen_by(rule, outlines);
+    const auto chosen = chosen_by(rule, outlines, groups);
     if (!chosen) {
       if (rule.asked && rule.pattern.substr(0, 1) != "#") refuse_unmatched(rule, layers);
       continue;
     }
     any = true;
     if (chosen->empty()) continue;
-    if (capitals(rule.pattern) == "OUTER" && *rule.role == LayerRole::kPocket) {
+    if (names_outer(rule) && *rule.role == LayerRole::kPocket) {
       make_outer_pockets(rule, *chosen, outlines, groups, options, diagnostics);
       continue;
     }
     std::set<std::size_t> touched;
     for (const std::size_t i : *chosen) touched.insert(outlines[i].group);
-    move_out(rule, *chosen, outlines, groups, options, diagnostics);
+    for (const std::set<std::size_t>& alike : of_one_depth(rule, *chosen, outlines, groups))
+      move_out(rule, alike, outlines, groups, options, diagnostics);
     for (const std::size_t group : touched) renest(outlines, group, groups[group], options, diagnostics);
   }
   return any;
 }
 
-/// The outermost outlines, where each of them holds others and nothing says what they are: edges of parts, or pockets. None
-/// where one of them stands alone: then the drawing is of pockets most often.
+/// The outermost outlines of which nothing says what they are, where one of them holds others: edges of parts, or pockets.
+/// Without one that does the drawing is of pockets most often.
 std::vector<std::size_t> unclear_outlines(const std::vector<ShapedGroup>& groups,
                                           const std::vector<Outline>& outlines) {
   std::vector<std::size_t> outermost;
+  bool holding = false;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const DrawnGroup& group = groups[outlines[i].group].group;
-    if (!outlines[i].about.empty() || group.role == LayerRole::kChamfer) continue;
-    if (group.says_role || !holds_others(outlines, i)) return {};
+    if (!outlines[i].about.empty() || outlines[i].crossing || group.role == LayerRole::kChamfer ||
+        group.says_role)
+      continue;
     outermost.push_back(i);
+    holding = holding || holds_others(outlines, i);
   }
-  return outermost;
+  return holding ? outermost : std::vector<std::size_t>{};
 }
 
 std::string question_of(const std::vector<Outline>& outlines, const std::vector<std::size_t>& unclear,
                         const std::vector<ShapedGroup>& groups) {
-  const Outline& outline = outlines[unclear.front()];
+  const auto holds = [&](std::size_t i) { return holds_others(outlines, i); };
+  const std::size_t first = *std::find_if(unclear.begin(), unclear.end(), holds);
+  const auto holding = static_cast<std::size_t>(std::count_if(unclear.begin(), unclear.end(), holds));
+  const Outline& outline = outlines[first];
   const Box size = box(outline.loop);
   const auto others = std::count_if(outlines.begin(), outlines.end(), [&](const Outline& other) {
-    return std::find(other.about.begin(), other.about.end(), static_cast<int>(unclear.front())) !=
-           other.about.end();
+    return std::find(other.about.begin(), other.about.end(), static_cast<int>(first)) != other.about.end();
   });
   const bool alone = unclear.size() == 1;
+  const std::string beside =
+      alone ? ""
+      : holding == unclear.size()
+          ? ", as each of " + std::to_string(unclear.size()) + " outermost outlines does"
+          : ", as " + std::to_string(holding) + " of " + std::to_string(unclear.size()) +
+                " outermost outlines " + (holding == 1 ? "does" : "do");
   return "the outline of " + trimmed(size.width(), 2) + " x " + trimmed(size.height(), 2) + " mm (layer " +
          printable(groups[outline.group].group.name) + ") holds " + std::to_string(others) +
-         (others == 1 ? " other" : " others") +
-         (alone ? "" : ", as each of " + std::to_string(unclear.size()) + " outermost outlines does") +
-         ", and nothing says what " + (alone ? "it is" : "they are") + ": --op profile:outer if " +
+         (others == 1 ? " other" : " others") + beside + ", and nothing says what " +
+         (alone ? "it is" : "they are") + ": --op profile:outer if " +
          (alone ? "it is the edge of the part, which is cut out along it; "
                 : "they are the edges of parts, which are cut out along them; ") +
          "--op pocket:outer if " +
@@ -339,7 +414,9 @@ void fill_overview(const std::vector<ShapedGroup>& groups, const std::vector<Out
     if (is_pocket(group.role) && in_own % 2 == 1) one.role = "island";
     if (group.role == LayerRole::kProfile && in_own % 2 == 1) one.role = "inside";
     if (group.role == LayerRole::kInside && in_own % 2 == 1) one.role = "profile";
-    one.says_role = group.says_role;
+    const bool crosses = outline.crossing && group.role != LayerRole::kIgnore;
+    if (crosses) one.role = "crossing";
+    one.says_role = group.says_role || crosses;
     one.depth = options.depth ? options.depth : group.depth;
     one.box = box(outline.loop);
     one.loop = outline.loop;
@@ -397,10 +474,15 @@ void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<Na
                           const ReadOptions& options, const std::string& file, Diagnostics& diagnostics) {
   add_broken_edges(groups);
   const bool wanted = options.ask_if_unclear || options.overview || !options.layer_rules.empty();
-  if (!wanted) return;
+  if (!wanted) {
+    for (const ShapedGroup& group : groups)
+      if (!group.crossing.empty()) throw InputError("", group.crossing.front().refusal.what());
+    return;
+  }
   std::vector<Outline> outlines = outlines_of(groups);
   const bool chosen = apply_outline_rules(groups, outlines, layers, options, diagnostics);
   const auto unclear = chosen ? std::vector<std::size_t>{} : unclear_outlines(groups, outlines);
+  settle_crossing(groups, outlines, options, diagnostics);
   if (options.overview) fill_overview(groups, outlines, options, *options.overview);
   if (unclear.empty()) return;
   const std::string question = question_of(outlines, unclear, groups);

@@ -12,6 +12,7 @@ namespace clearcut::read {
 struct ShapedGroup {
   DrawnGroup group;  ///< without curves
   Regions regions;
+  std::vector<CrossingOutline> crossing;  ///< which are in no region
   std::vector<Path> lines;
 };
 
@@ -24,7 +25,8 @@ struct NamedLayer {
 /// "pocket", "profile", ...: as in `--op`.
 const char* name_of(LayerRole role);
 /// Gives outlines that options name ("outer", "2,5") a group of their own, fills in options.overview, and asks what the
-/// outermost outline is where that is unclear and options.ask_if_unclear. Throws InputError for options that match nothing.
+/// outermost outline is where that is unclear and options.ask_if_unclear. Throws InputError for options that match nothing, and for
+/// outlines that cross and are not left out; in an overview they are listed.
 /// Cost O(n log n) for n outlines.
 void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<NamedLayer>& layers,
                           const ReadOptions& options, const std::string& file, Diagnostics& diagnostics);

@@ -167,7 +167,12 @@ std::vector<RawLoop> resolve_each(std::vector<RawLoop> loops, const std::vector<
     const auto worst = std::find_if(found->second.begin(), found->second.end(), is_harmful);
     std::vector<Loop> parts;
     if (worst != found->second.end()) {
-      parts = resolve_self_crossing(loops[i], worst->at, options, diagnostics);
+      try {
+        parts = resolve_self_crossing(loops[i], worst->at, options, diagnostics);
+      } catch (const InputError& refusal) {
+        if (!options.crossing) throw;
+        options.crossing->push_back({{loops[i].loop, true, loops[i].source, loops[i].compound}, refusal});
+      }
     } else {
       parts = split_at(loops[i].loop, found->second);
       diagnostics.repair(options.where + " at " + place_text(found->second.front().at),
@@ -198,7 +203,10 @@ class PairResolver {
     }
     for (const auto& [pair, at] : pairs) settle(pair.first, pair.second, at);
     std::set<int> involved;
-    for (const auto& [pair, at] : pairs) involved.insert({pair.first, pair.second});
+    for (const auto& [pair, at] : pairs) {
+      for (const int i : {pair.first, pair.second})
+        if (!aside_.contains(i)) involved.insert(i);
+    }
     return with_resolved(involved);
   }
 
@@ -215,6 +223,7 @@ class PairResolver {
 
   /// Decides what the crossing of a and b means.
   void settle(int a, int b, Vec2 at) {
+    if (aside_.contains(a) || aside_.contains(b)) return;
     const int large = area_of(a) >= area_of(b) ? a : b, small = large == a ? b : a;
     const double shared = area(intersect(region(large), region(small), options_.tol)) / area_of(small);
     const std::string where = options_.where + " at " + place_text(at);
@@ -229,11 +238,25 @@ class PairResolver {
                                      ") that overlap or share a wall were united: overlap " +
                                      short_number(shared * area_of(small)) + " mm2");
     } else {
-      throw InputError(options_.where, "two outlines (" + source(large) + ", " + source(small) +
-                                           ") cross at " + place_text(at) +
-                                           " and neither lies inside the other (" +
-                                           short_number(100 * shared) + " % does); " + what_to_do(a, b));
+      set_aside_or_throw(
+          small,
+          InputError(options_.where, "two outlines (" + source(large) + ", " + source(small) + ") cross at " +
+                                         place_text(at) + " and neither lies inside the other (" +
+                                         short_number(100 * shared) + " % does); " + what_to_do(a, b)));
     }
+  }
+
+  /// An outline that is already united with others, or cut back to them, cannot be left out of what was decided.
+  void set_aside_or_throw(int i, const InputError& refusal) {
+    const bool is_settled = walls_of_.count(i) > 0 ||
+                            std::count(united_with_.begin(), united_with_.end(), i) > 1 || root(i) != i ||
+                            std::any_of(walls_of_.begin(), walls_of_.end(), [i](const auto& one) {
+                              return std::find(one.second.begin(), one.second.end(), i) != one.second.end();
+                            });
+    if (!options_.crossing || is_settled) throw refusal;
+    const RawLoop& raw = loops_[static_cast<std::size_t>(i)];
+    options_.crossing->push_back({{raw.loop, true, raw.source, raw.compound}, refusal});
+    aside_.insert(i);
   }
 
   /// Lines are an area only as far as they enclose one.
@@ -247,7 +270,8 @@ class PairResolver {
   std::vector<RawLoop> with_resolved(const std::set<int>& involved) {
     std::vector<RawLoop> out;
     for (std::size_t i = 0; i < loops_.size(); ++i) {
-      if (!involved.count(static_cast<int>(i))) out.push_back(loops_[i]);
+      const int index = static_cast<int>(i);
+      if (!involved.contains(index) && !aside_.contains(index)) out.push_back(loops_[i]);
     }
     const auto groups = grouped(involved);
     for (Loop& loop : is_one_level(groups) ? cut_out(groups) : folded(groups)) {
@@ -353,6 +377,7 @@ class PairResolver {
   std::vector<int> united_with_;
   std::vector<double> areas_;
   std::map<int, std::vector<int>> walls_of_;
+  std::set<int> aside_;  ///< those that options.crossing has taken
 };
 
 std::vector<Meeting> harmful_of(const std::vector<Meeting>& met) {
