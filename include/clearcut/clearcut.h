@@ -29,3 +29,4 @@
 #include "clearcut/text.h"
 #include "clearcut/verify.h"
 #include "clearcut/version.h"
+#include "clearcut/witness.h"

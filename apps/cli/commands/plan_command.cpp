@@ -13,6 +13,7 @@
 #include "arguments/plan_arguments.h"
 #include "commands/commands.h"
 #include "commands/setup_sheet_file.h"
+#include "commands/witness_file.h"
 #include "terminal/output.h"
 #include "terminal/progress.h"
 #include "terminal/terminal.h"
@@ -28,6 +29,7 @@ struct PlanCommand {
   std::string html;
   std::string sheet;
   std::string result;
+  std::string witness;
   bool quiet = false;
   bool explain = false;
   bool for_many = false;
@@ -81,7 +83,7 @@ int explain(const Part& part, const PlanOptions& options) {
 std::vector<std::string> output_names(const PlanCommand& command) {
   std::vector<std::string> names;
   for (const auto* name : {&command.output, &command.certificate, &command.svg, &command.html, &command.sheet,
-                           &command.result}) {
+                           &command.result, &command.witness}) {
     if (!name->empty()) names.push_back(*name);
   }
   return names;
@@ -239,6 +241,7 @@ std::string certificate_of_setup(PlanCommand command, int count, const std::stri
 void refuse_for_setups(const PlanCommand& command, int count) {
   if (command.arguments.setup().number > 0)
     throw InputError("--setup", "the set-ups of a job are planned together; leave it out");
+  if (!command.witness.empty()) require_outline(command.arguments.input());
   if (command.output.empty() && !command.explain)
     throw InputError("--output", "is missing; name the program to write");
   if (command.output == "-")
@@ -266,6 +269,11 @@ int run_setups(const PlanCommand& command, int count) {
   return worst == Verdict::kClean ? kClean : kFault;
 }
 
+void refuse_for_witness(const PlanCommand& command) {
+  require_outline(command.arguments.input());
+  if (command.output == "-") throw InputError("--witness", "is about a program file; name it with --output");
+}
+
 Part read_with_progress(const PlanCommand& command) {
   std::optional<ProgressLine> line;
   if (!command.quiet) line.emplace("").expect("reading " + command.arguments.input());
@@ -283,10 +291,20 @@ int run(PlanCommand command) {
   if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
   const std::vector<std::string> inputs = paths_of(command.arguments.input_files());
   check_outputs(output_names(command), inputs);
+  if (!command.witness.empty()) refuse_for_witness(command);
   const PlanResult result = planned(command, part, options);
-  write_outputs(output_files(command, options, result), inputs);
+  std::vector<OutputFile> files = output_files(command, options, result);
+  const Proven proven{result.part, result.toolpath, result.program, command.output,
+                      command.arguments.input()};
+  WitnessFile witness;
+  if (!command.witness.empty()) witness = witness_of(proven);
+  const bool without = !command.witness.empty() && witness.found.bytes.empty();
+  if (!witness.found.bytes.empty()) files.push_back({command.witness, witness.found.bytes});
+  write_outputs(files, inputs);
   tell(command, result, options);
-  return exit_code_of(result.findings);
+  if (without || (!command.witness.empty() && !command.quiet))
+    print_line(witness_lines(witness, command.witness, proven));
+  return without ? kFault : exit_code_of(result.findings);
 }
 
 std::shared_ptr<PlanCommand> declare(CLI::App& command) {
@@ -305,6 +323,10 @@ std::shared_ptr<PlanCommand> declare(CLI::App& command) {
                   "Set-up sheet to write, for one printed page: HTML, or PDF for FILE.pdf")
       ->type_name("FILE");
   command.add_option("--result", state->result, "Segments to write: x y to x y per line")->type_name("FILE");
+  command
+      .add_option("--witness", state->witness,
+                  "Witness to write: with it clearcut-check proves the program, for outlines (.json)")
+      ->type_name("FILE");
   command.add_flag("--explain", state->explain, "Print every value of the plan and where it comes from");
   command
       .add_flag("--for-many", state->for_many,

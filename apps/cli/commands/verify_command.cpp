@@ -10,6 +10,7 @@
 #include "arguments/suggest.h"
 #include "commands/commands.h"
 #include "commands/setup_sheet_file.h"
+#include "commands/witness_file.h"
 #include "terminal/output.h"
 #include "terminal/progress.h"
 #include "terminal/terminal.h"
@@ -25,7 +26,9 @@ struct VerifyCommand {
   std::string svg;
   std::string html;
   std::string sheet;
+  std::string witness;
   std::optional<std::string> dialect;
+  bool prove = false;
   bool quiet = false;
 };
 
@@ -79,8 +82,23 @@ Checked checked(const VerifyCommand& command) {
   return out;
 }
 
+bool asks_proof(const VerifyCommand& command) {
+  return command.prove || !command.witness.empty();
+}
+
+/// What was asked and could not be proven is a fault.
+int tell_proof(const VerifyCommand& command, const WitnessFile& witness, const Proven& proven, int code) {
+  const bool found = !witness.found.bytes.empty();
+  if (!command.witness.empty() && (!found || !command.quiet))
+    print_line(witness_lines(witness, command.witness, proven));
+  bool proved = found;
+  if (command.prove) print_line(checked_by_program(witness, proven, proved));
+  return proved ? code : kFault;
+}
+
 int run(const VerifyCommand& command) {
   check_setup_sheet_name(command.sheet);
+  if (asks_proof(command)) require_outline(command.arguments.input());
   const Checked found = checked(command);
   const CheckResult& result = found.result;
   std::vector<OutputFile> files;
@@ -92,6 +110,11 @@ int run(const VerifyCommand& command) {
     files.push_back(
         {command.sheet, setup_sheet_file(command.sheet, setup_sheet_of(result, command.arguments.options(),
                                                                        file_name(command.program)))});
+  const Proven proven{result.part, result.toolpath, found.program, command.program,
+                      command.arguments.input()};
+  const WitnessFile witness = asks_proof(command) ? witness_of(proven) : WitnessFile{};
+  if (!command.witness.empty() && !witness.found.bytes.empty())
+    files.push_back({command.witness, witness.found.bytes});
   std::vector<std::string> inputs = paths_of(command.arguments.input_files());
   inputs.push_back(command.program);
   write_outputs(files, inputs);
@@ -100,7 +123,8 @@ int run(const VerifyCommand& command) {
     print_line(with_colours(command.quiet
                                 ? verdict_and_reasons(result.findings)
                                 : dialect_line(command, result) + write_table(result, table_width())));
-  return exit_code_of(result.findings);
+  return asks_proof(command) ? tell_proof(command, witness, proven, exit_code_of(result.findings))
+                             : exit_code_of(result.findings);
 }
 
 /// The program, the part and the tools: what verify and setup-sheet ask alike.
@@ -151,6 +175,12 @@ std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
       .add_option("--setup-sheet", state->sheet,
                   "Set-up sheet to write, for one printed page: HTML, or PDF for FILE.pdf")
       ->type_name("FILE");
+  command
+      .add_option("--witness", state->witness,
+                  "Witness to write: with it clearcut-check proves the program, for outlines (.json)")
+      ->type_name("FILE");
+  command.add_flag("--prove", state->prove,
+                   "Find a witness and have clearcut-check, a program of its own, check it");
   command.add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
   return state;
 }

@@ -1,0 +1,15 @@
+// A proof that others can check without this software: find_witness() gives what `clearcut-check PROGRAM PART WITNESS` needs.
+#pragma once
+
+#include "pipeline/witness/find_witness.h"
+#include "pipeline/witness/run_checker.h"
+
+namespace clearcut {
+
+using pipeline::checker_program;
+using pipeline::claims_by_checker;
+using pipeline::find_witness;
+using pipeline::FoundWitness;
+using pipeline::WitnessQuestion;
+
+}  // namespace clearcut

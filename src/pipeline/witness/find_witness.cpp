@@ -1,0 +1,866 @@
+// Tiles the pocket until each tile is cut by one move or out of reach. Polygons are cycles of shared edges: an edge that is split is
+// split for both of its neighbours, so that all inner edges cancel whatever rounding does.
+#include "pipeline/witness/find_witness.h"
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <unordered_map>
+
+// Program and part are read by the very code that will check them, and moves and walls have the checker's numbers.
+#define CLEARCUT_CHECK_WITHOUT_MAIN
+#include "checker/clearcut_check.cpp"
+#undef CLEARCUT_CHECK_WITHOUT_MAIN
+
+namespace clearcut::pipeline {
+namespace {
+
+namespace ccw = clearcut_check;
+using ccw::Curve;
+using ccw::Point;
+using ccw::Points;
+using ccw::Text;
+
+constexpr double kSpare = 25;      // nm kept off every bound: neighbours insert corners into finished tiles
+constexpr double kLegalSpare = 8;  // nm, likewise for what is too near to a wall
+constexpr double kOnLine = 1.5;    // nm within which a corner counts as on a line that cuts
+constexpr int kMostTiles = 400'000;
+constexpr int kDeepest = 400;  // cuts that lead to one tile
+
+/// Why there is no witness.
+struct NotFound {
+  Text why;
+};
+
+struct Spot {
+  double x = 0, y = 0;
+};
+Spot spot(Point p) {
+  return {static_cast<double>(p.x), static_cast<double>(p.y)};
+}
+Spot operator-(Spot a, Spot b) {
+  return {a.x - b.x, a.y - b.y};
+}
+Spot operator+(Spot a, Spot b) {
+  return {a.x + b.x, a.y + b.y};
+}
+Spot operator*(double f, Spot a) {
+  return {f * a.x, f * a.y};
+}
+double inner(Spot a, Spot b) {
+  return a.x * b.x + a.y * b.y;
+}
+double length(Spot a) {
+  return std::hypot(a.x, a.y);
+}
+Point rounded(Spot a) {
+  return {std::llround(a.x), std::llround(a.y)};
+}
+Text place(Spot a) {
+  return "X" + ccw::mm(std::llround(a.x)) + " Y" + ccw::mm(std::llround(a.y));
+}
+
+/// Points whose `normal` . p is above, on or below `offset`; the normal has length 1.
+struct Cut {
+  Spot normal;
+  double offset = 0;
+  double side(Point p) const { return inner(normal, spot(p)) - offset; }
+};
+
+Spot nearest_on_segment(Spot p, Spot a, Spot b) {
+  const Spot d = b - a;
+  const double size = inner(d, d);
+  const double t = size > 0 ? std::clamp(inner(p - a, d) / size, 0.0, 1.0) : 0;
+  return a + t * d;
+}
+
+/// The curve's point nearest to p.
+Spot nearest_on(const Curve& c, Spot p) {
+  if (!c.arc) return nearest_on_segment(p, spot(c.a), spot(c.b));
+  const Spot center = spot(c.center), v = p - center;
+  const double rho = length(v), radius = 0.5 * (static_cast<double>(c.low) + static_cast<double>(c.high));
+  const Point ray = rounded(rho > 0 ? (radius / rho) * v : Spot{radius, 0});
+  if (c.sees(ray)) return center + spot(ray);
+  return length(p - spot(c.a)) < length(p - spot(c.b)) ? spot(c.a) : spot(c.b);
+}
+/// How far from its middle a curve may be, with what the checker takes off for its sector.
+double spread_of(const Curve& c) {
+  return c.arc ? 0.5 * static_cast<double>(c.high - c.low) + 2 * ccw::kEdge + 2 : 0;
+}
+double distance_to(const Curve& c, Spot p) {
+  return length(p - nearest_on(c, p)) + spread_of(c);
+}
+
+/// An arc as chords that leave it by no more than `sagitta`, from its start to its end.
+Points chords(const Curve& c, double sagitta) {
+  Points points{c.a};
+  if (c.arc) {
+    const Spot u = spot(c.a - c.center), v = spot(c.b - c.center);
+    double turn = std::atan2(u.x * v.y - u.y * v.x, inner(u, v));
+    if (c.clockwise) turn = -turn;
+    if (turn <= 0) turn += 2 * std::acos(-1.0);
+    const double radius = 0.5 * static_cast<double>(c.low + c.high);
+    const int count =
+        std::max(1 + static_cast<int>(turn / 2),
+                 static_cast<int>(std::ceil(turn / (2 * std::acos(std::max(0.0, 1 - sagitta / radius))))));
+    for (int i = 1; i < count; ++i) {
+      const double angle = (c.clockwise ? -turn : turn) * i / count, co = std::cos(angle),
+                   si = std::sin(angle);
+      points.push_back(
+          rounded(spot(c.center) + (radius / length(u)) * Spot{co * u.x - si * u.y, si * u.x + co * u.y}));
+    }
+  }
+  points.push_back(c.b);
+  return points;
+}
+
+/// A shared edge; split ones have two children.
+struct Side {
+  Point from, to;
+  int wall = -1;
+  int first = -1, second = -1;
+};
+struct Half {
+  int side = 0;
+  bool forward = true;
+};
+using Polygon = std::vector<Half>;
+
+class Mesh {
+ public:
+  explicit Mesh(const std::vector<ccw::Wall>& walls) : walls_(walls) {}
+  int add(Point from, Point to, int wall = -1) {
+    sides_.push_back({from, to, wall});
+    return static_cast<int>(sides_.size()) - 1;
+  }
+  Point start(Half h) const { return h.forward ? at(h).from : at(h).to; }
+  Point end(Half h) const { return h.forward ? at(h).to : at(h).from; }
+
+  /// The same with every edge as it is split by now, and without edges that go forth and back.
+  Polygon whole(const Polygon& polygon) const {
+    Polygon out;
+    for (const Half h : polygon) expand(h, out);
+    std::size_t skip = 0;
+    while (out.size() >= skip + 2 && cancels(out[skip], out.back())) out.pop_back(), ++skip;
+    out.erase(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(skip));
+    return out;
+  }
+  Points corners(const Polygon& polygon) const {
+    Points out;
+    out.reserve(polygon.size());
+    for (const Half h : polygon) out.push_back(start(h));
+    return out;
+  }
+  /// How far its parts of the boundary are from their walls.
+  double slack(const Polygon& polygon) const {
+    double widest = 0;
+    for (const Half h : polygon) {
+      const Side& side = at(h);
+      if (side.wall < 0) continue;
+      const Curve& wall = walls_[static_cast<std::size_t>(side.wall)].curve;
+      widest =
+          std::max(widest, wall.arc ? static_cast<double>(ccw::slack_of(wall, side.from, side.to)) : 8.0);
+    }
+    return widest;
+  }
+  /// Joins a loop to what its first corner sees to the right, there and back.
+  void bridge(Polygon& all, const Polygon& loop);
+  /// The parts above and below a line; one of the lists is empty where all lies on one side.
+  std::pair<std::vector<Polygon>, std::vector<Polygon>> cut(const Polygon& polygon, const Cut& line);
+
+ private:
+  const Side& at(Half h) const { return sides_[static_cast<std::size_t>(h.side)]; }
+  static bool cancels(Half a, Half b) { return a.side == b.side && a.forward != b.forward; }
+  void expand(Half h, Polygon& out) const {
+    const Side& side = at(h);
+    if (side.first < 0) {
+      if (!out.empty() && cancels(out.back(), h)) return out.pop_back();
+      return out.push_back(h);
+    }
+    expand({h.forward ? side.first : side.second, h.forward}, out);
+    expand({h.forward ? side.second : side.first, h.forward}, out);
+  }
+  void split(int index, Point middle) {
+    const Side side = sides_[static_cast<std::size_t>(index)];
+    const int first = add(side.from, middle, side.wall), second = add(middle, side.to, side.wall);
+    sides_[static_cast<std::size_t>(index)].first = first;
+    sides_[static_cast<std::size_t>(index)].second = second;
+  }
+  struct Run {
+    Polygon halves;
+    int side = 0;
+    std::size_t first = 0, last = 0;  // numbers of its ends along the line
+  };
+  std::vector<Polygon> joined(const std::vector<Run>& runs, int side, const Points& along,
+                              std::vector<int>& links);
+
+  const std::vector<ccw::Wall>& walls_;
+  std::vector<Side> sides_;
+};
+
+void Mesh::bridge(Polygon& all, const Polygon& loop) {
+  const Point from = start(loop[0]);
+  double best = std::numeric_limits<double>::infinity();
+  int hit = -1;
+  for (const Half h : all) {
+    const Side& side = at(h);
+    if (side.wall < 0 || (side.from.y <= from.y) == (side.to.y <= from.y)) continue;
+    const Spot a = spot(side.from), b = spot(side.to);
+    const double x = a.x + (static_cast<double>(from.y) - a.y) / (b.y - a.y) * (b.x - a.x);
+    if (x > static_cast<double>(from.x) && x < best) best = x, hit = h.side;
+  }
+  if (hit < 0) throw NotFound{"an island lies outside"};
+  const Side side = sides_[static_cast<std::size_t>(hit)];
+  const Point to = rounded({best, static_cast<double>(from.y)});
+  if (to != side.from && to != side.to) split(hit, to);
+  all = whole(all);
+  const auto half =
+      std::find_if(all.begin(), all.end(), [&](Half h) { return start(h) == to && at(h).wall >= 0; });
+  const int link = add(to, from);
+  Polygon way{{link, true}};
+  way.insert(way.end(), loop.begin(), loop.end());
+  way.push_back({link, false});
+  all.insert(half, way.begin(), way.end());
+}
+
+std::pair<std::vector<Polygon>, std::vector<Polygon>> on_one_side(const Polygon& polygon, bool above) {
+  std::pair<std::vector<Polygon>, std::vector<Polygon>> out;
+  (above ? out.first : out.second).push_back(polygon);
+  return out;
+}
+
+std::pair<std::vector<Polygon>, std::vector<Polygon>> Mesh::cut(const Polygon& given, const Cut& line) {
+  const auto sign = [&](Point p) {
+    const double s = line.side(p);
+    return s > kOnLine ? 1 : s < -kOnLine ? -1 : 0;
+  };
+  bool above = false, below = false;
+  for (const Half h : given) {
+    const Point a = start(h), b = end(h);
+    const int sa = sign(a), sb = sign(b);
+    above = above || sa > 0;
+    below = below || sa < 0;
+    if (sa * sb >= 0) continue;
+    const double da = line.side(a), db = line.side(b);
+    split(h.side, rounded(spot(a) + (da / (da - db)) * (spot(b) - spot(a))));
+  }
+  if (!above || !below) return on_one_side(given, above);
+  const Polygon polygon = whole(given);
+  std::vector<int> of(polygon.size(), 0);
+  std::size_t known = polygon.size();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    // The new corners are on the line by construction, the others are further away than it takes to tell.
+    const int sa = sign(start(polygon[i])), sb = sign(end(polygon[i]));
+    of[i] = sa != 0 ? sa : sb;
+    if (of[i] != 0 && known == polygon.size()) known = i;
+  }
+  if (known == polygon.size()) return on_one_side(polygon, true);
+  for (std::size_t k = 1; k < polygon.size(); ++k) {
+    const std::size_t i = (known + k) % polygon.size();
+    if (of[i] == 0) of[i] = of[(i + polygon.size() - 1) % polygon.size()];
+  }
+  std::size_t turn = polygon.size();
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    if (of[i] != of[(i + polygon.size() - 1) % polygon.size()]) turn = i;
+  if (turn == polygon.size()) return on_one_side(polygon, of[0] > 0);
+  std::vector<Run> runs;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const std::size_t i = (turn + k) % polygon.size();
+    if (k == 0 || of[i] != runs.back().side) runs.push_back({{}, of[i]});
+    runs.back().halves.push_back(polygon[i]);
+  }
+  const Spot direction{-line.normal.y, line.normal.x};
+  Points along;
+  for (const Run& run : runs) along.push_back(start(run.halves.front()));
+  std::sort(along.begin(), along.end(), [&](Point a, Point b) {
+    const double da = inner(direction, spot(a)), db = inner(direction, spot(b));
+    return da != db ? da < db : a.x != b.x ? a.x < b.x : a.y < b.y;
+  });
+  along.erase(std::unique(along.begin(), along.end()), along.end());
+  const auto number = [&](Point p) {
+    return static_cast<std::size_t>(std::find(along.begin(), along.end(), p) - along.begin());
+  };
+  for (Run& run : runs)
+    run.first = number(start(run.halves.front())), run.last = number(end(run.halves.back()));
+  std::vector<int> links(along.size(), -1);
+  auto upper = joined(runs, 1, along, links);
+  return {std::move(upper), joined(runs, -1, along, links)};
+}
+
+/// Closes the runs of one side along the line. Links between neighbouring points of it are shared by both sides.
+std::vector<Polygon> Mesh::joined(const std::vector<Run>& runs, int side, const Points& along,
+                                  std::vector<int>& links) {
+  struct End {
+    std::size_t at;
+    bool closes;  // a run ends here
+    std::size_t run;
+  };
+  std::vector<End> ends;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i].side != side) continue;
+    ends.push_back({runs[i].last, true, i});
+    ends.push_back({runs[i].first, false, i});
+  }
+  std::stable_sort(ends.begin(), ends.end(), [](const End& a, const End& b) { return a.at < b.at; });
+  std::vector<std::size_t> next(runs.size());
+  std::vector<End> open;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    // Of the ends at one point, first the one that joins what is open: else an island that hangs on its bridge is cut off alone.
+    for (std::size_t k = i; k < ends.size() && ends[k].at == ends[i].at && !open.empty(); ++k) {
+      if (ends[k].closes == open.back().closes) continue;
+      std::swap(ends[i], ends[k]);
+      break;
+    }
+    const End one = ends[i];
+    if (open.empty() || open.back().closes == one.closes) {
+      open.push_back(one);
+      continue;
+    }
+    const End other = open.back();
+    open.pop_back();
+    next[one.closes ? one.run : other.run] = one.closes ? other.run : one.run;
+  }
+  std::vector<Polygon> out;
+  std::vector<bool> done(runs.size(), false);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i].side != side || done[i]) continue;
+    Polygon polygon;
+    for (std::size_t k = i; !done[k]; k = next[k]) {
+      done[k] = true;
+      polygon.insert(polygon.end(), runs[k].halves.begin(), runs[k].halves.end());
+      const std::size_t to = runs[next[k]].first;
+      for (std::size_t at = runs[k].last; at != to;) {
+        const bool forward = at < to;
+        const std::size_t link = forward ? at : at - 1;
+        if (links[link] < 0) links[link] = add(along[link], along[link + 1]);
+        polygon.push_back({links[link], forward});
+        at = forward ? at + 1 : at - 1;
+      }
+    }
+    polygon = whole(polygon);
+    if (polygon.size() > 1) out.push_back(std::move(polygon));
+  }
+  return out;
+}
+
+/// Where two convex hulls are nearest: the point of the second, and of the first.
+std::pair<Spot, Spot> nearest_between(const Points& a, const Points& b) {
+  double best = std::numeric_limits<double>::infinity();
+  std::pair<Spot, Spot> out;
+  const auto offer = [&](Spot in_a, Spot in_b) {
+    const double d = length(in_a - in_b);
+    if (d < best) best = d, out = {in_a, in_b};
+  };
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      const Spot p = spot(a[i]), q = spot(b[k]);
+      offer(p, nearest_on_segment(p, q, spot(b[(k + 1) % b.size()])));
+      offer(nearest_on_segment(q, p, spot(a[(i + 1) % a.size()])), q);
+    }
+  }
+  return out;
+}
+
+/// What a tile may be cut by.
+struct Swath {
+  std::size_t move = 0;
+  Curve curve;
+  ccw::Box box;
+};
+
+struct Piece {
+  Polygon polygon;
+  int level = 0;        // how near to the bound cuts are
+  bool beyond = false;  // cut off as out of a move's reach
+  int depth = 0;
+};
+struct Labelled {
+  int label = 0;
+  std::size_t of = 0;
+  Polygon polygon;
+};
+
+class Finder {
+ public:
+  Finder(const ccw::Part& part, const ccw::Program& program, const ccw::Question& asked,
+         const ccw::Stated& stated)
+      : part_(part),
+        program_(program),
+        asked_(asked),
+        stated_(stated),
+        radius_(static_cast<double>(stated.radius)),
+        blend_(static_cast<double>(program.blending)),
+        legal_(radius_ + static_cast<double>(stated.wall_stock + asked.beyond)),
+        walls_(walls_of(part)),
+        cover_(walls_),
+        centre_(walls_),
+        travel_(walls_) {}
+
+  void find();
+  /// The bytes after the header.
+  Text written() const;
+  int tiles() const { return static_cast<int>(cover_tiles_.size() + maybe_.size() + illegal_.size()); }
+
+ private:
+  static std::vector<ccw::Wall> walls_of(const ccw::Part& part) {
+    std::vector<ccw::Wall> walls;
+    for (const auto& outline : part.outlines) walls.insert(walls.end(), outline.begin(), outline.end());
+    return walls;
+  }
+  Polygon region(Mesh& mesh, double sagitta) const;
+  std::vector<Swath> swaths(std::size_t before, ccw::Int level) const;
+  void settle(Mesh& mesh, const Polygon& whole, const std::vector<Swath>& swaths, ccw::Int level,
+              bool may_be_out, std::vector<Labelled>& out);
+  std::optional<Cut> cut_for(const Points& hull, double bound, const std::vector<Swath>& near, Piece& piece,
+                             bool may_be_out, bool& beyond) const;
+  bool out_of_reach(const Polygon& polygon, const Points& hull);
+  bool trim(std::size_t index, Spot at);
+  void find_rapids();
+  double bound_of(Mesh& mesh, const Polygon& polygon, bool may_be_out) const {
+    return may_be_out ? radius_ + static_cast<double>(asked_.uncut) - blend_ - mesh.slack(polygon) - kSpare
+                      : radius_ - blend_ - kSpare;
+  }
+
+  const ccw::Part& part_;
+  const ccw::Program& program_;
+  const ccw::Question& asked_;
+  const ccw::Stated& stated_;
+  double radius_, blend_, legal_;
+  std::vector<ccw::Wall> walls_;
+  Mesh cover_, centre_, travel_;
+  std::vector<Labelled> cover_tiles_, illegal_;
+  struct Maybe {
+    Polygon polygon;
+    Points hull;
+    ccw::Box box;
+  };
+  std::vector<Maybe> maybe_;
+  struct Travel {
+    std::size_t move;
+    std::vector<Labelled> tiles;
+  };
+  std::vector<Travel> travels_;
+};
+
+/// The outlines as one polygon, islands joined by bridges that cancel; arcs as chords within `sagitta`.
+Polygon Finder::region(Mesh& mesh, double sagitta) const {
+  std::vector<Polygon> loops;
+  int wall = 0;
+  for (const auto& outline : part_.outlines) {
+    Polygon loop;
+    for (const ccw::Wall& one : outline) {
+      const Points points = chords(one.curve, sagitta);
+      for (std::size_t i = 1; i < points.size(); ++i)
+        loop.push_back({mesh.add(points[i - 1], points[i], wall), true});
+      ++wall;
+    }
+    loops.push_back(std::move(loop));
+  }
+  const auto rightmost = [&](const Polygon& loop) {
+    std::size_t most = 0;
+    for (std::size_t i = 1; i < loop.size(); ++i)
+      if (mesh.start(loop[i]).x > mesh.start(loop[most]).x) most = i;
+    return most;
+  };
+  for (std::size_t i = 1; i < loops.size(); ++i) {
+    const auto at = static_cast<std::ptrdiff_t>(rightmost(loops[i]));
+    std::rotate(loops[i].begin(), loops[i].begin() + at, loops[i].end());
+  }
+  // From right to left: what a ray to the right of an island meets is joined already.
+  std::sort(loops.begin() + 1, loops.end(),
+            [&](const Polygon& a, const Polygon& b) { return mesh.start(a[0]).x > mesh.start(b[0]).x; });
+  Polygon all = loops[0];
+  for (std::size_t i = 1; i < loops.size(); ++i) mesh.bridge(all, loops[i]);
+  return all;
+}
+
+/// What feeds before a move cut no higher than `level`.
+std::vector<Swath> Finder::swaths(std::size_t before, ccw::Int level) const {
+  std::vector<Swath> out;
+  for (std::size_t i = 0; i < before; ++i) {
+    const ccw::Move& move = program_.moves[i];
+    if (move.rapid || move.lowest() > level) continue;
+    Swath one{i, move.path, {}};
+    if (std::max(move.z0, move.z1) > level) {
+      const Point p = move.z1 <= level ? move.path.b : move.path.a;
+      one.curve = Curve{p, p};
+    }
+    one.box = ccw::box_of({one.curve.a, one.curve.b});
+    if (one.curve.arc) {
+      const Curve& c = one.curve;
+      one.box.add({c.center.x - c.high, c.center.y - c.high});
+      one.box.add({c.center.x + c.high, c.center.y + c.high});
+    }
+    out.push_back(one);
+  }
+  return out;
+}
+
+Cut halving(const ccw::Box& box) {
+  const bool wide = box.x1 - box.x0 > box.y1 - box.y0;
+  return wide ? Cut{{1, 0}, 0.5 * static_cast<double>(box.x0 + box.x1)}
+              : Cut{{0, 1}, 0.5 * static_cast<double>(box.y0 + box.y1)};
+}
+
+void Finder::settle(Mesh& mesh, const Polygon& whole, const std::vector<Swath>& swaths, ccw::Int level,
+                    bool may_be_out, std::vector<Labelled>& out) {
+  std::vector<Piece> todo{{whole}};
+  while (!todo.empty()) {
+    Piece piece = std::move(todo.back());
+    todo.pop_back();
+    piece.polygon = mesh.whole(piece.polygon);
+    if (piece.polygon.size() < 2) continue;
+    const Points hull = ccw::hull_of(mesh.corners(piece.polygon));
+    if (out.size() > kMostTiles || piece.depth > kDeepest)
+      throw NotFound{"no tiling was found near " + place(spot(hull[0]))};
+    const ccw::Box box = box_of(hull);
+    std::optional<Cut> cut;
+    bool beyond = false;
+    if (std::max(box.x1 - box.x0, box.y1 - box.y0) > 3 * stated_.radius) {
+      cut = halving(box);
+    } else {
+      const double bound = bound_of(mesh, piece.polygon, may_be_out);
+      std::vector<Swath> near;
+      for (const Swath& one : swaths)
+        if (one.box.meets(box.grown(ccw::Wide(bound)))) near.push_back(one);
+      bool done = false;
+      if (piece.beyond && may_be_out && out_of_reach(piece.polygon, hull)) {
+        out.push_back({1, 0, piece.polygon});
+        continue;
+      }
+      if (piece.beyond) piece.beyond = false, ++piece.level;
+      for (const Swath& one : near) {
+        if (!ccw::cut_by(program_.moves[one.move], hull, ccw::Wide(bound), level)) continue;
+        out.push_back({0, one.move, piece.polygon});
+        done = true;
+        break;
+      }
+      if (done) continue;
+      cut = cut_for(hull, bound, near, piece, may_be_out, beyond);
+    }
+    std::pair<std::vector<Polygon>, std::vector<Polygon>> parts;
+    if (cut) parts = mesh.cut(piece.polygon, *cut);
+    if (parts.first.empty() || parts.second.empty()) {
+      if (may_be_out && out_of_reach(piece.polygon, hull)) {
+        out.push_back({1, 0, piece.polygon});
+        continue;
+      }
+      beyond = false;
+      parts = mesh.cut(piece.polygon, halving(box));
+      const bool tiny = std::max(box.x1 - box.x0, box.y1 - box.y0) < 50;
+      if (tiny || parts.first.empty() || parts.second.empty())
+        throw NotFound{"a place seems to be left near " + place(spot(hull[0]))};
+    }
+    auto& [above, below] = parts;
+    for (Polygon& one : above) todo.push_back({std::move(one), piece.level, beyond, piece.depth + 1});
+    for (Polygon& one : below) todo.push_back({std::move(one), piece.level, false, piece.depth + 1});
+  }
+}
+
+/// Along the edge of the swath that holds most of the tile, towards the corner that it leaves out.
+std::optional<Cut> Finder::cut_for(const Points& hull, double bound, const std::vector<Swath>& near,
+                                   Piece& piece, bool may_be_out, bool& beyond) const {
+  const Swath* best = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  Spot corner;
+  for (const Swath& one : near) {
+    double most = 0, fewest = std::numeric_limits<double>::infinity();
+    Spot at;
+    for (const Point p : hull) {
+      const double d = distance_to(one.curve, spot(p));
+      if (d > most) most = d, at = spot(p);
+      fewest = std::min(fewest, d);
+    }
+    if (fewest < bound && most < least) least = most, best = &one, corner = at;
+  }
+  if (!best) return std::nullopt;
+  const Curve& c = best->curve;
+  if (least <=
+      bound) {  // all corners are near, and yet it does not lie in one sector, or round an inner circle
+    for (const Point ray : {c.first, c.last}) {
+      if (c.full()) break;
+      const Spot r = spot(ray), n{-r.y / length(r), r.x / length(r)};
+      const Cut line{n, inner(n, spot(c.center))};
+      double low = 0, high = 0;
+      for (const Point p : hull) low = std::min(low, line.side(p)), high = std::max(high, line.side(p));
+      if (low < -4 && high > 4) return line;
+    }
+    Spot middle;
+    for (const Point p : hull) middle = middle + (1.0 / static_cast<double>(hull.size())) * spot(p);
+    const Spot v = middle - spot(c.center);
+    if (length(v) < 1) return std::nullopt;
+    const Spot n{-v.y / length(v), v.x / length(v)};
+    return Cut{n, inner(n, middle)};  // a narrower part of the ring
+  }
+  const Spot foot = nearest_on(c, corner);
+  const Spot n = (1 / length(corner - foot)) * (corner - foot);
+  double at = -1;
+  for (const Swath& one : near) {  // the middle of what it shares with a move that cuts the corner
+    if (&one == best || distance_to(one.curve, corner) > radius_ - blend_) continue;
+    double start = least;
+    for (int i = 1; i <= 24; ++i) {
+      const double s = least * (24 - i) / 24;
+      if (distance_to(one.curve, foot + s * n) > radius_ - blend_) break;
+      start = s;
+    }
+    if (start < bound - 100) at = std::max(at, 0.5 * (std::max(start, 0.0) + std::min(bound, radius_)));
+  }
+  beyond = at < 0 && may_be_out;
+  if (at < 0) {
+    constexpr std::array kShares{0.4, 0.75, 0.93};
+    if (piece.level >= static_cast<int>(kShares.size()) * 8)
+      throw NotFound{"a place seems to be left near " + place(corner)};
+    const double share = kShares[std::min(static_cast<std::size_t>(piece.level), kShares.size() - 1)];
+    at = may_be_out ? radius_ + share * (bound - radius_) : bound - 50;
+  }
+  return Cut{n, inner(n, foot) + std::min(at, bound - 20) - spread_of(c)};
+}
+
+/// Whether no legal center comes near; cuts off what is illegal of the centers' tiles as far as it takes.
+bool Finder::out_of_reach(const Polygon& polygon, const Points& hull) {
+  const double reach = radius_ + cover_.slack(polygon) + kSpare;
+  const ccw::Box box = box_of(hull).grown(ccw::Wide(reach));
+  int trims = 0;
+  for (std::size_t i = 0; i < maybe_.size();) {
+    if (!maybe_[i].box.meets(box) || ccw::apart(hull, maybe_[i].hull, ccw::Wide(reach))) {
+      ++i;
+      continue;
+    }
+    auto [mine, at] = nearest_between(hull, maybe_[i].hull);
+    if (length(mine - at) < 2) {  // one inside of the other, or both on one wall
+      at = {};
+      for (const Point p : hull) at = at + (1.0 / static_cast<double>(hull.size())) * spot(p);
+    }
+    if (++trims > 600 || !trim(i, at)) return false;
+  }
+  return true;
+}
+
+/// Cuts what is illegal near `at` off a tile of the centers, which is replaced by its parts. False where nothing is illegal there.
+bool Finder::trim(std::size_t index, Spot at) {
+  const Polygon polygon = centre_.whole(maybe_[index].polygon);
+  const Points hull = ccw::hull_of(centre_.corners(polygon));
+  const double bound = legal_ - 1 - kLegalSpare;
+  std::size_t wall = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    const double d = distance_to(walls_[w].curve, at);
+    if (d < bound && ccw::near_curve(walls_[w].curve, hull, ccw::Wide(bound))) {
+      illegal_.push_back({0, w, polygon});
+      maybe_.erase(maybe_.begin() + static_cast<std::ptrdiff_t>(index));
+      return true;
+    }
+    if (d < least) least = d, wall = w;
+  }
+  const ccw::Box box = box_of(hull);
+  const bool tiny = std::max(box.x1 - box.x0, box.y1 - box.y0) < 12;
+  if (least > bound - 4 || tiny) return false;
+  const Curve& c = walls_[wall].curve;
+  const Spot foot = nearest_on(c, at);
+  Cut line{{}, 0};
+  bool round = !c.arc && (length(foot - spot(c.a)) < 1 || length(foot - spot(c.b)) < 1);
+  Spot center = foot;
+  double disc = bound;
+  if (c.arc) {
+    center = spot(c.center);
+    const bool outside = length(at - center) > static_cast<double>(c.high);
+    round = outside || !c.sees(rounded(at - center));
+    if (outside) disc = static_cast<double>(c.low) + bound - 2 * ccw::kEdge;
+    if (!c.sees(rounded(at - center))) center = foot, disc = bound;
+  }
+  if (!round) {
+    const Spot n = least > 1 ? (1 / least) * (at - foot)
+                             : (1 / length(spot(c.b) - spot(c.a))) *
+                                   Spot{spot(c.a).y - spot(c.b).y, spot(c.b).x - spot(c.a).x};
+    line = {n, inner(n, foot) + bound - (c.arc ? 2 * ccw::kEdge : 0)};
+    if (c.arc && static_cast<double>(c.high) - bound < 0)
+      round = true, center = spot(c.center), disc = static_cast<double>(c.low) + bound;
+  }
+  std::vector<Polygon> parts;
+  if (round) {  // a wedge, then its chord: legal is outside of a disc
+    const Spot v = at - center;
+    if (length(v) < 1) return false;
+    const Spot n = (1 / length(v)) * v, across{-n.y, n.x};
+    const double depth = std::max(6.0, 0.25 * (disc - length(v)));
+    const double half = std::sqrt(2 * disc * depth);
+    double widest = 0;
+    int side = 0;
+    for (const Point p : hull) {
+      const double a = inner(across, spot(p) - center);
+      if (std::abs(a) > widest && inner(n, spot(p) - center) > 0) widest = std::abs(a), side = a > 0 ? 1 : -1;
+    }
+    line = widest > half + 10 ? Cut{across, inner(across, center) + side * half}
+                              : Cut{n, inner(n, center) + disc - 1.05 * depth};
+  }
+  auto [above, below] = centre_.cut(polygon, line);
+  if (above.empty() || below.empty()) {
+    std::tie(above, below) = centre_.cut(polygon, halving(box));
+    if (above.empty() || below.empty()) return false;
+  }
+  maybe_.erase(maybe_.begin() + static_cast<std::ptrdiff_t>(index));
+  for (auto* list : {&above, &below}) {
+    for (Polygon& one : *list) {
+      Points own = ccw::hull_of(centre_.corners(one));
+      const ccw::Box own_box = box_of(own);
+      maybe_.insert(maybe_.begin() + static_cast<std::ptrdiff_t>(index),
+                    {std::move(one), std::move(own), own_box});
+    }
+  }
+  return true;
+}
+
+void Finder::find() {
+  std::vector<Piece> todo{{region(centre_, std::min(20'000.0, radius_ / 10))}};
+  while (!todo.empty()) {
+    const Polygon polygon = centre_.whole(todo.back().polygon);
+    todo.pop_back();
+    if (polygon.size() < 2) continue;
+    Points hull = ccw::hull_of(centre_.corners(polygon));
+    const ccw::Box box = box_of(hull);
+    if (std::max(box.x1 - box.x0, box.y1 - box.y0) <= 3 * stated_.radius) {
+      maybe_.push_back({polygon, std::move(hull), box});
+      continue;
+    }
+    auto [above, below] = centre_.cut(polygon, halving(box));
+    for (auto* list : {&above, &below})
+      for (Polygon& one : *list) todo.push_back({std::move(one)});
+  }
+  const double sagitta = static_cast<double>(asked_.uncut) / 12;
+  const ccw::Int floor = part_.floor + stated_.floor_stock + asked_.level - program_.blending;
+  settle(cover_, region(cover_, sagitta), swaths(program_.moves.size(), floor), floor, true, cover_tiles_);
+  find_rapids();
+}
+
+/// A polygon about what a rapid has to find cut, tiled by what earlier moves cut.
+void Finder::find_rapids() {
+  for (std::size_t i = 0; i < program_.moves.size(); ++i) {
+    const ccw::Move& move = program_.moves[i];
+    if (!move.rapid || move.lowest() >= part_.top || move.only_rises()) continue;
+    const double inner_radius = radius_ - static_cast<double>(asked_.rapid) + blend_ + 10,
+                 outer = radius_ - blend_ - 2 * kSpare;
+    if (outer <= inner_radius) throw NotFound{"the rim of rapids is too narrow for the blending"};
+    const int count =
+        4 + static_cast<int>(std::ceil(
+                std::acos(-1.0) / std::acos(inner_radius / (inner_radius + 0.5 * (outer - inner_radius)))));
+    const double size = inner_radius / std::cos(std::acos(-1.0) / count);
+    const Spot a = spot(move.path.a), b = spot(move.path.b);
+    Points points;
+    for (int k = 0; k < count; ++k) {
+      const double angle = 2 * std::acos(-1.0) * (k + 0.5) / count;
+      for (const Spot end :
+           program_.dogleg ? std::vector{a, b, Spot{a.x, b.y}, Spot{b.x, a.y}} : std::vector{a, b})
+        points.push_back(rounded(end + size * Spot{std::cos(angle), std::sin(angle)}));
+    }
+    points = ccw::hull_of(points);
+    Polygon polygon;
+    for (std::size_t k = 0; k < points.size(); ++k)
+      polygon.push_back({travel_.add(points[k], points[(k + 1) % points.size()]), true});
+    Travel travel{i, {}};
+    try {
+      const ccw::Int level = move.lowest() - program_.blending;
+      settle(travel_, polygon, swaths(i, level), level, false, travel.tiles);
+    } catch (const NotFound& at) {
+      throw NotFound{"the rapid of line " + std::to_string(move.line) + ": " + at.why};
+    }
+    travels_.push_back(std::move(travel));
+  }
+}
+
+void put_number(Text& out, std::uint64_t value) {
+  for (; value >= 128; value >>= 7) out += static_cast<char>(value | 128);
+  out += static_cast<char>(value);
+}
+void put_signed(Text& out, ccw::Int value) {
+  put_number(out, value < 0 ? static_cast<std::uint64_t>(-(value + 1)) * 2 + 1
+                            : static_cast<std::uint64_t>(value) * 2);
+}
+
+Text Finder::written() const {
+  struct Less {
+    bool operator()(Point a, Point b) const { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+  };
+  std::map<Point, ccw::Int, Less> numbers;
+  const auto collect = [&](const Mesh& mesh, const Polygon& polygon) {
+    for (const Point p : mesh.corners(mesh.whole(polygon))) numbers[p] = 0;
+  };
+  for (const Labelled& tile : cover_tiles_) collect(cover_, tile.polygon);
+  for (const Labelled& tile : illegal_) collect(centre_, tile.polygon);
+  for (const Maybe& tile : maybe_) collect(centre_, tile.polygon);
+  for (const Travel& travel : travels_)
+    for (const Labelled& tile : travel.tiles) collect(travel_, tile.polygon);
+  Text out;
+  put_number(out, numbers.size());
+  Point last;
+  ccw::Int count = 0;
+  for (auto& [p, number] : numbers) {
+    number = count++;
+    put_signed(out, p.x - last.x);
+    put_signed(out, p.y - last.y);
+    last = p;
+  }
+  const auto put_tiles = [&](const Mesh& mesh, const std::vector<Labelled>& tiles) {
+    std::vector<Labelled> whole;
+    for (const Labelled& tile : tiles) {
+      whole.push_back({tile.label, tile.of, mesh.whole(tile.polygon)});
+      if (whole.back().polygon.empty()) whole.pop_back();
+    }
+    put_number(out, whole.size());
+    ccw::Int of = 0, index = 0;
+    for (const Labelled& tile : whole) {
+      put_number(out, static_cast<std::uint64_t>(tile.label));
+      if (tile.label == 0)
+        put_signed(out, static_cast<ccw::Int>(tile.of) - of), of = static_cast<ccw::Int>(tile.of);
+      const Points corners = mesh.corners(tile.polygon);
+      put_number(out, corners.size());
+      for (const Point p : corners) put_signed(out, numbers.at(p) - index), index = numbers.at(p);
+    }
+  };
+  put_tiles(cover_, cover_tiles_);
+  std::vector<Labelled> centre = illegal_;
+  for (const Maybe& tile : maybe_) centre.push_back({1, 0, tile.polygon});
+  put_tiles(centre_, centre);
+  put_number(out, travels_.size());
+  for (const Travel& travel : travels_) {
+    put_number(out, travel.move);
+    put_tiles(travel_, travel.tiles);
+  }
+  return out;
+}
+
+}  // namespace
+
+FoundWitness find_witness(const std::string& program_text, const std::string& program_name,
+                          const std::string& part_text, const std::string& part_name,
+                          const WitnessQuestion& question) {
+  FoundWitness found;
+  ccw::Question asked;
+  asked.uncut = std::llround(question.uncut * 1e6);
+  const ccw::Stated stated{std::llround(question.diameter * 5e5), std::llround(question.wall_stock * 1e6),
+                           std::llround(question.floor_stock * 1e6)};
+  try {
+    const ccw::Part part = ccw::PartReader(part_text, part_name).read();
+    if (part.top != std::llround(question.top * 1e6) || part.floor != std::llround(question.floor * 1e6))
+      throw NotFound{
+          part_name +
+          " has other heights than what was planned; write the part as it is with clearcut convert"};
+    const ccw::Program program = ccw::read_program(program_text, program_name, part.top);
+    Finder finder(part, program, asked, stated);
+    finder.find();
+    Text bytes = "CCW1" + ccw::sha256(program_text) + ccw::sha256(part_text);
+    for (const ccw::Int one : {stated.radius, stated.wall_stock, stated.floor_stock})
+      put_number(bytes, static_cast<std::uint64_t>(one));
+    bytes += finder.written();
+    found.claims = ccw::check(asked, program_text, program_name, part_text, part_name, bytes);
+    found.bytes = std::move(bytes);
+    found.tiles = finder.tiles();
+  } catch (const ccw::Refusal& refusal) {
+    found.why_not = refusal.what;
+  } catch (const NotFound& reason) {
+    found.why_not = reason.why;
+  }
+  return found;
+}
+
+}  // namespace clearcut::pipeline

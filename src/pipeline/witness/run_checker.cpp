@@ -1,0 +1,24 @@
+#include "pipeline/witness/run_checker.h"
+
+#include "base/programs/apart.h"
+#include "base/programs/companion.h"
+#include "base/text/format.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+constexpr int kCheckerSeconds = 600;  // of processor time; it takes less than a second
+
+}  // namespace
+
+std::string checker_program() {
+  return companion("clearcut-check", "");
+}
+
+std::optional<std::string> claims_by_checker(const std::string& program_file, const std::string& part_file,
+                                             const std::string& witness_file, double uncut) {
+  return done_apart({checker_program(), program_file, part_file, witness_file, "--uncut", trimmed(uncut, 6)},
+                    "", kCheckerSeconds);
+}
+
+}  // namespace clearcut::pipeline

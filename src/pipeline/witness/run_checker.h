@@ -1,0 +1,16 @@
+// Has a witness checked by clearcut-check, a program of its own that shares nothing with what found it.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace clearcut::pipeline {
+
+/// Its path; empty where it is not beside this program.
+std::string checker_program();
+
+/// What it proves, as it says it; nothing where it does not accept. `uncut` in mm.
+std::optional<std::string> claims_by_checker(const std::string& program_file, const std::string& part_file,
+                                             const std::string& witness_file, double uncut);
+
+}  // namespace clearcut::pipeline
