@@ -1,19 +1,15 @@
 // The same work as a job file: what the choices and further options say, in the keys of a job.
 
-/** @type {Record<string, [JobTable, string, string]>} */
-const flagKeys = { '--rest': ['plan', 'rest', 'true'], '--inch': ['output', 'inch', 'true'], '--exact-stop': ['output', 'exact_stop', 'true'], '--no-arcs': ['output', 'arcs', 'false'],
-  '--no-tool-change': ['output', 'tool_change', 'false'], '--no-length-offset': ['output', 'length_offset', 'false'],
-  '--block-numbers': ['output', 'block_numbers', 'true'], '--optional-stop': ['output', 'optional_stop', 'true'] };
-/** @type {Record<Exclude<JobTable, 'library'>, string[]>} */
-const keysOf = { part: ['unit', 'depth', 'top', 'join-gap', 'open-curves', 'strokes', 'text', 'up', 'turn', 'body', 'breakthrough'], machine: ['rapid', 'acceleration', 'junction-deviation'],
-  output: ['post', 'decimals', 'spindle-wait', 'work-offset', 'end-position', 'program-number'],
-  plan: ['strategy', 'stepover', 'stepdown', 'allowance', 'allowance-floor', 'scallop', 'lead', 'lead-angle', 'entry', 'entry-angle', 'direction', 'feed', 'plunge-feed', 'ramp-feed', 'slot-feed', 'spindle', 'coolant',
-    'passage', 'grid', 'solver', 'clearance', 'engagement', 'objective', 'time', 'seed', 'helix-diameter', 'helix-min', 'lead-feed', 'lead-overlap', 'overrun', 'link-feed', 'link-lift', 'slot-angle', 'after',
-    'finish', 'finish-stock', 'finish-stock-floor', 'finish-depths', 'material', 'style', 'dogbones', 'angle', 'order', 'tabs', 'tab-spacing', 'tab-shape', 'tab-width', 'tab-height', 'skin'] };
-/** @type {Exclude<JobTable, 'library'>[]} */
-const tablesWithKeys = ['part', 'machine', 'output', 'plan'];
-/** @type {Record<string, [JobTable, string]>} */
-const listKeys = { '--layer': ['part', 'layers'], '--accept': ['plan', 'accept'] };
+/** Where a job says each option of plan, by its name; learnt from the command's own table. @type {Record<string, JobKey>} */
+const jobKeys = {};
+
+/** @type {(options: Options) => void} */
+function learnJobKeys(options) {
+  for (const { names, value, many, job } of options.plan ?? []) {
+    const name = names.at(-1);
+    if (job && name) jobKeys[name] = { ...job, flag: value === '', many };
+  }
+}
 
 /** Words as the server takes them apart. @type {(text: string) => string[]} */
 function wordsOf(text) {
@@ -72,43 +68,39 @@ function toolTable(text, number) {
   return `[[tool]]\nkind = ${tomlText(kind)}\n${lines.join('\n')}\n`;
 }
 
-/** What outlines are for, null where a job has no word for it. @type {(text: string) => string | null} */
-function layerTable(text) {
-  const found = /^([a-z]+)(?:_d(\d+(?:\.\d+)?))?:(.+)$/.exec(text);
-  if (!found) return null;
-  const role = found[1] === 'drill' ? 'hole' : found[1];
-  return `[[layer]]\nname = ${tomlText(found[3])}\nrole = ${tomlText(role)}\n${found[2] ? `depth = ${found[2]}\n` : ''}`;
-}
-
 /** Files one option under its table; false where a job has no key for it. @type {(option: [string, string[]], job: JobTables) => boolean} */
 function takeOption([name, values], job) {
-  /** @type {(table: JobTable, key: string, value: string) => void} */
-  const add = (table, key, value) => job[table].push(`${key.replaceAll('-', '_')} = ${value}`);
-  if (name === '--tool' || name === '--op') {
-    const tables = values.map(value => name === '--tool' ? toolTable(value, job.tools.length + 1) : layerTable(value)).filter(table => table !== null);
+  if (name === '--tool') {
+    const tables = values.map(value => toolTable(value, job.each.length + 1)).filter(table => table !== null);
     if (tables.length < values.length) return false;
-    (name === '--tool' ? job.tools : job.layers).push(...tables);
-  } else if (name === '--tools' && values.length === 1) job.library.push(`library = ${tomlText(values[0])}`);
-  else if (name === '--machine') add('machine', 'file', tomlText(values[0]));
-  else if (flagKeys[name] && values.length === 0) add(...flagKeys[name]);
-  else if (listKeys[name]) job.lists.set(name, [...(job.lists.get(name) ?? []), ...values]);
-  else {
-    const table = tablesWithKeys.find(one => keysOf[one].includes(name.slice(2)));
-    if (!table || values.length !== 1) return false;
-    add(table, name.slice(2), name === '--turn' ? values[0] : tomlValue(values[0]));
+    job.each.push(...tables);
+    return true;
   }
+  const place = jobKeys[name];
+  if (!place || place.flag !== (values.length === 0)) return false;
+  if (place.many) {
+    const lists = job.lists[place.table];
+    lists[place.key] = [...(lists[place.key] ?? []), ...values];
+    return true;
+  }
+  if (values.length > 1) return false;
+  job.lines[place.table].push(`${place.key} = ${place.flag ? String(!place.opposite) : place.number ? tomlValue(values[0]) : tomlText(values[0])}`);
   return true;
 }
 
 /** The job's text, and the options that it cannot hold. @type {(file: string, options: string) => JobText} */
 function jobOf(file, options) {
   /** @type {JobTables} */
-  const job = { part: [`file = ${tomlText(file)}`], layers: [], library: [], tools: [], machine: [], plan: [], output: [`program = ${tomlText(stemOf(file) + '.ngc')}`], lists: new Map() };
+  const job = { lines: { part: [`file = ${tomlText(file)}`], tools: [], machine: [], plan: [], output: [`program = ${tomlText(stemOf(file) + '.ngc')}`] },
+    lists: { part: {}, tools: {}, machine: {}, plan: {}, output: {} }, each: [] };
   const left = optionsOf(options).filter(option => !takeOption(option, job)).map(([name, values]) => [name, ...values].join(' '));
-  for (const [name, values] of job.lists) job[listKeys[name][0]].push(`${listKeys[name][1]} = [${values.map(tomlText).join(', ')}]`);
-  /** @type {(name: string, lines: string[]) => string[]} */
-  const table = (name, lines) => lines.length > 0 ? [`[${name}]\n${lines.join('\n')}\n`] : [];
-  const text = [...table('part', job.part), ...job.layers, ...table('tools', job.library), ...job.tools, ...table('machine', job.machine), ...table('plan', job.plan), ...table('output', job.output)].join('\n');
+  /** @type {(name: JobTable) => string[]} */
+  const table = name => {
+    const lists = Object.entries(job.lists[name]).map(([key, values]) => `${key} = [${values.map(tomlText).join(', ')}]`);
+    const lines = [...job.lines[name], ...lists];
+    return lines.length > 0 ? [`[${name}]\n${lines.join('\n')}\n`] : [];
+  };
+  const text = [...table('part'), ...table('tools'), ...job.each, ...table('machine'), ...table('plan'), ...table('output')].join('\n');
   const note = left.length > 0 ? `# A job has no words for these; say them on the command line: ${left.join(' ')}\n` : '';
   return { text: `${note}# clearcut plan ${stemOf(file)}.toml, beside ${file}\n${text}`, left };
 }

@@ -35,6 +35,7 @@ const toolKinds = ['endmill', 'facemill', 'bullnose', 'ball', 'drill', 'reamer']
 
 async function setUpOptions() {
   const options = await pipeline.options();
+  learnJobKeys(options);
   // A page without a server may have fewer commands.
   element('tab-elements').hidden = !options.elements;
   element('tab-tour').hidden = !options.tour;

@@ -133,7 +133,10 @@ interface PlannedRun {
 
 /** GET /options: of each command. */
 type Options = Record<string, CommandOption[]>;
-interface CommandOption { names: string[]; positional: boolean; group: string; help: string; value: string; values: string[] }
+interface CommandOption {
+  names: string[]; positional: boolean; group: string; help: string; value: string; values: string[]; many: boolean;
+  job: { table: JobTable; key: string; opposite: boolean; number: boolean } | null;
+}
 
 /** The way to the pipeline, by a server or in the browser itself. */
 interface Pipeline {
@@ -170,8 +173,10 @@ interface TourFound {
 /** A job file and the options that it has no words for. */
 interface JobText { text: string; left: string[] }
 /** Lines of a job file by their tables. */
-interface JobTables { part: string[]; layers: string[]; library: string[]; tools: string[]; machine: string[]; plan: string[]; output: string[]; lists: Map<string, string[]> }
-type JobTable = 'part' | 'library' | 'machine' | 'plan' | 'output';
+interface JobTables { lines: Record<JobTable, string[]>; lists: Record<JobTable, Record<string, string[]>>; each: string[] }
+type JobTable = 'part' | 'tools' | 'machine' | 'plan' | 'output';
+/** Where a job says an option. */
+interface JobKey { table: JobTable; key: string; opposite: boolean; number: boolean; flag: boolean; many: boolean }
 
 /** The elements of index.html by their ids; a test holds them to it. */
 interface PageElements {
