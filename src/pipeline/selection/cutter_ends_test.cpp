@@ -90,11 +90,14 @@ TEST(CutterEnds, AFlatMillFinishesWhatABullNoseLeaves) {
   }
 }
 
+/// The fillets at the walls, and the ridges between the ball's passes, layer by layer.
 TEST(CutterEnds, AFlatMillFinishesWhatABallLeaves) {
-  const PlanResult plan =
-      planned(part_of({pocket("POCKET", box_of(30, 20), 4)}), {"ball:8:T1", "endmill:8:T2"}, true);
-  EXPECT_EQ(tool_of_last(plan), 2);
-  expect_no_faults(plan);
+  for (const char* mill : {"endmill:8:T2", "endmill:3:T2"}) {
+    const PlanResult plan =
+        planned(part_of({pocket("POCKET", box_of(30, 20), 4)}), {"ball:8:T1", mill}, true);
+    EXPECT_EQ(tool_of_last(plan), 2) << mill;
+    expect_no_faults(plan);
+  }
 }
 
 /// In a round pocket the ring that a bull-nose leaves is all that stands, and no hole to start from is as wide as the pocket.
