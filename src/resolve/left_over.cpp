@@ -6,6 +6,7 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "model/cutter_profile.h"
+#include "stock/cutter_sweep.h"
 #include "stock/round_hole.h"
 
 namespace clearcut::resolve {
@@ -108,8 +109,7 @@ bool reaches(const Part& part, const Workingstep& step, double z) {
 /// mm; by how much less than its full radius the cutter of a step has cleared at z, where its lowest passes run deeper.
 double narrower_at(const Part& part, const Workingstep& step, double z) {
   const Tool& tool = tool_of(part, step);
-  const double cleared = inner_profile(tool).radius_at(std::max(0.0, z - lowest_tip(part, step)));
-  return std::max(0.0, tool.radius() - cleared);
+  return std::max(0.0, tool.radius() - stock::radius_cleared(tool, z - lowest_tip(part, step)));
 }
 
 }  // namespace

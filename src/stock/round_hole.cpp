@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "model/cutter_profile.h"
+#include "stock/cutter_sweep.h"
 
 namespace clearcut::stock {
 
@@ -53,7 +53,7 @@ std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, cons
     const double milled = hole->radius - step.operation.allowance_side;
     if (tool.radius() > (only_plunges(tool) ? hole->radius : milled) + tol.fit) continue;
     // Where the tool's end is rounded or pointed the hole is narrower at this depth than higher up.
-    const double cleared = inner_profile(tool).radius_at(deep - floor);
+    const double cleared = radius_cleared(tool, deep - floor);
     const double narrower = std::max(0.0, tool.radius() - cleared);
     const double width = (only_plunges(tool) ? tool.diameter : 2 * milled) - 2 * narrower;
     if (cleared > 0 && width > 0) holes.push_back({hole->center, width});

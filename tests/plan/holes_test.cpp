@@ -247,16 +247,19 @@ TEST(Holes, ADrilledHoleIsTheWayDownIntoThePocketRoundIt) {
   for (const std::string strategy : {"contour", "zigzag", "spiral", "adaptive", "tour", "auto"}) {
     resolve::PlanOptions options;
     options.strategy = strategy;
-    const auto result = pipeline::plan_part(pocket_with_drilled_hole(8, 6), options);
+    // As deep as the pocket, and by the drill's point deeper.
+    const auto result = pipeline::plan_part(pocket_with_drilled_hole(8, 8.5), options);
     expect_clean(result, strategy);
     EXPECT_EQ(entries_beside_hole(result), 0) << strategy;
   }
 }
 
+/// Too shallow is one, too, in which the cone of the drill stands over the pocket's floor.
 TEST(Holes, AHoleThatIsTooShallowOrTooNarrowIsNoWayDown) {
   resolve::PlanOptions options;
   options.strategy = "contour";
-  for (const Part& part : {pocket_with_drilled_hole(8, 4), pocket_with_drilled_hole(5, 6)}) {
+  for (const Part& part :
+       {pocket_with_drilled_hole(8, 4), pocket_with_drilled_hole(8, 6), pocket_with_drilled_hole(5, 8.5)}) {
     const auto result = pipeline::plan_part(part, options);
     EXPECT_GT(entries_beside_hole(result), 0);
   }

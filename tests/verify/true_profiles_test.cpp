@@ -396,8 +396,13 @@ std::string certainly_wrong(const Job& job, const Toolpath& toolpath) {
     }
   }
   if (!rapids.empty()) return rapids;
-  for (const Body& body : job.bodies)
-    if (body.body.end == End::kFlat) flat = body.body.diameter;
+  // A program is asked for what the tools reach that it cuts with.
+  for (const Section& section : toolpath.sections) {
+    const TurnedBody& body = job.bodies[static_cast<std::size_t>(section.tool_number - 1)].body;
+    const bool cuts = std::any_of(section.moves.begin(), section.moves.end(),
+                                  [](const Move& move) { return !is_rapid(move.kind); });
+    if (body.end == End::kFlat && cuts) flat = body.diameter;
+  }
   const bool is_drilled = pocket.is_hole && job.bodies.front().body.end == End::kCone;
   const double cone = is_drilled ? pocket.width / 2 / std::tan(59 * kPi / 180) : 0;
   for (double x = -margin + kCell / 2; x < pocket.width + margin; x += kCell) {
@@ -408,7 +413,7 @@ std::string certainly_wrong(const Job& job, const Toolpath& toolpath) {
         return fmt::format("cut {:.3f} mm deep beside the pocket at {:.2f} {:.2f}", -gone, x, y);
       if (gone < -pocket.depth - kSpare)
         return fmt::format("cut {:.3f} mm under the floor at {:.2f} {:.2f}", -pocket.depth - gone, x, y);
-      const bool asked = is_drilled ? inside > kCell : pocket.is_reached(x, y, flat, kCell);
+      const bool asked = is_drilled ? inside > kCell : flat > 0 && pocket.is_reached(x, y, flat, kCell);
       if (asked && stands > -pocket.depth + cone + kSpare)
         return fmt::format("{:.3f} mm stand at {:.2f} {:.2f}", stands + pocket.depth, x, y);
     }

@@ -115,7 +115,7 @@ TEST_P(WrongPrograms, GetTheVerdictTheyDeserve) {
 INSTANTIATE_TEST_SUITE_P(Classes, WrongPrograms,
                          ::testing::Values("motion", "comments", "dialects", "conditions", "state",
                                            "blending", "small", "cycles", "limits", "worst", "holes", "alone",
-                                           "habits", "holder"),
+                                           "habits", "holder", "cutters"),
                          [](const auto& one) { return one.param; });
 
 /// Every right program that states its dialect is taken, and each class has right twins or accepted ones.

@@ -8,6 +8,7 @@ import json
 
 from alone import alone
 from clearances import holder
+from cutters import cutters, write_cutters
 from habits import habits
 from holes import holes, write_holes
 from limits import cycles, limits, worst, write_limits
@@ -430,8 +431,9 @@ def main():
         (HERE / "parts" / name).write_text(json.dumps(part, indent=1) + "\n")
     write_limits()
     write_holes()
+    write_cutters()
     classes = (motion, comments, dialects, conditions, state, blending, small, cycles, limits, worst, holes,
-               alone, habits, holder)
+               alone, habits, holder, cutters)
     count = sum(make() for make in classes)
     print(count, "cases")
 

@@ -2,8 +2,8 @@
 
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "model/cutter_profile.h"
 #include "resolve/left_over.h"
+#include "stock/cutter_sweep.h"
 #include "stock/round_hole.h"
 
 namespace clearcut::pipeline {
@@ -26,8 +26,7 @@ Regions reached_by(const Part& part, const Workingstep& step, double z, const To
   if (!reaches) return {};
   if (stock::only_plunges(tool))
     return stock::full_depth(part, step) <= z + tol.coincident ? feature.target : Regions{};
-  const double narrower =
-      std::max(0.0, tool.radius() - inner_profile(tool).radius_at(std::max(0.0, z - tip)));
+  const double narrower = std::max(0.0, tool.radius() - stock::radius_cleared(tool, z - tip));
   return resolve::swept(feature.allowed, tool.radius(), step.operation.allowance_side, -kSpare - narrower,
                         tol);
 }

@@ -6,6 +6,7 @@
 
 #include "base/elementary.h"
 #include "kinematics/kinematics.h"
+#include "model/cutter_profile.h"
 #include "report/condition_json.h"
 #include "report/picture/job_view.h"
 #include "report/picture/palette.h"
@@ -189,13 +190,15 @@ double lowest_z(const Job& job) {
 }
 
 Json tool_json(const Tool& tool) {
+  const CutterProfile profile = outer_profile(tool);
+  const bool has_cone = profile.slope > 0;
   Json json;
   json["n"] = tool.number;
   json["d"] = number(2 * widest_radius(tool));
   json["r"] = number(tool.kind == ToolKind::kBallEndMill ? tool.radius() : tool.corner_radius);
   json["f"] = tool.flute_length ? number(*tool.flute_length) : Json(nullptr);
-  json["a"] = has_flanks(tool) ? number(flank_slope(tool)) : Json(nullptr);
-  json["t"] = number(has_flanks(tool) ? 2 * tip_radius(tool) : tool.tip_diameter);
+  json["a"] = has_cone ? number(profile.slope) : Json(nullptr);
+  json["t"] = number(has_cone ? 2 * profile.flat : tool.tip_diameter);
   json["k"] = number(tool.shank_diameter);
   json["s"] = tool.stickout ? number(*tool.stickout) : Json(nullptr);
   json["h"] = number(tool.holder_diameter);
