@@ -144,6 +144,10 @@ void PlanArguments::add_tool_options(CLI::App& command) {
   command
       .add_option("--allowance-floor", cutting_.allowance_floor, "Stock to leave on floors, mm (default 0)")
       ->transform(as_length());
+  command
+      .add_option("--scallop", cutting_.scallop,
+                  "Steps that layers may leave on drafted walls, mm square to the wall (default 0.2)")
+      ->transform(as_length());
   command.add_option("--engagement", cutting_.engagement,
                      "Largest engagement angle of the cutter, degrees (default: no limit)");
   command
@@ -312,8 +316,6 @@ void PlanArguments::add_stage_options(CLI::App& command) {
           "Relief in inside corners of pockets and profiles, so that square parts fit: corner (along the "
           "bisector) or t-bone (along the longer wall; default: none)")
       ->check(one_of({"corner", "t-bone"}));
-  command.add_option("--scallop", cutting_.scallop, "Steps that layers may leave on drafted walls, mm")
-      ->transform(as_length());
 }
 
 }  // namespace clearcut::cli
