@@ -148,14 +148,25 @@ void apply_options(Operation& operation, const Tool& tool, const PlanOptions& op
   taker.take(cutting.slot_feed, options.cutting.slot_feed, "slot-feed");
   taker.take(cutting.spindle_rpm, options.cutting.spindle_rpm, "spindle");
   taker.take(cutting.coolant, options.cutting.coolant, "coolant");
-  if (stock::only_plunges(tool) && operation.allowance_side != 0) {
-    operation.allowance_side = 0;
-    sources.set("allowance", {Origin::kDerived, "holes are made to size"});
-  }
-  if (tool.kind == ToolKind::kTSlot && (operation.allowance_side != 0 || operation.allowance_floor != 0)) {
-    operation.allowance_side = operation.allowance_floor = 0;
-    sources.set("allowance", {Origin::kDerived, "undercuts are as large as their disc"});
-  }
+}
+
+/// Why nothing can be left of what the tool makes of the feature; "" where it can.
+std::string made_to_size(const Feature& feature, const Tool& tool) {
+  if (stock::only_plunges(tool) || is_formed(feature)) return "holes are made to size";
+  if (tool.kind == ToolKind::kTSlot) return "undercuts are as large as their disc";
+  if (is_carved(feature, tool)) return "the cutter's shape makes it";
+  return "";
+}
+
+/// Takes stock to leave back where none can be left, and says so where somebody asked for it.
+void leave_nothing_of_what_is_made_to_size(Part& part, Workingstep& step, Sources& sources) {
+  Operation& operation = step.operation;
+  const std::string why = made_to_size(feature_of(part, step), tool_of(part, step));
+  if (why.empty() || (operation.allowance_side == 0 && operation.allowance_floor == 0)) return;
+  operation.allowance_side = operation.allowance_floor = 0;
+  sources.set("allowance", {Origin::kDerived, why});
+  sources.set("allowance-floor", {Origin::kDerived, why});
+  part.diagnostics.note(step.name, "no stock is left: " + why);
 }
 
 void make_at_once(Operation& operation, const Tool& tool, const Feature& feature) {
@@ -363,6 +374,8 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   part.predrilled.insert(part.predrilled.end(), options.predrilled.begin(), options.predrilled.end());
   for (auto& step : part.workplan)
     apply_options(step.operation, tool_of(part, step), options, sources[step_key(step)]);
+  for (auto& step : part.workplan)
+    leave_nothing_of_what_is_made_to_size(part, step, sources[step_key(step)]);
   std::vector<std::string> told;  // of the material
   for (auto& step : part.workplan) {
     make_at_once(step.operation, tool_of(part, step), feature_of(part, step));

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files/file.h"
+#include "report/certificate/certificate_question.h"
 #include "support/command.h"
 
 namespace clearcut {
@@ -74,6 +75,17 @@ TEST_F(Check, SaysWhichFieldOfTheCertificateWasAltered) {
   EXPECT_EQ(check().exit_code, 1);
   EXPECT_THAT(check().out, HasSubstr("altered after it was written"));
   EXPECT_THAT(check({"--again"}).out, HasSubstr("again /features/0/gouge_mm: 0.25 is now"));
+}
+
+/// Anybody can seal: what the fields say of each other counts, too.
+TEST_F(Check, SealedAgainACertificateMayNotContradictItself) {
+  auto json = nlohmann::ordered_json::parse(read_file(certificate_));
+  json["gouge_mm"] = 5;
+  json.erase("seal");
+  json["seal"] = report::seal_of(json);
+  write_files({{certificate_, json.dump(2)}});
+  EXPECT_EQ(check().exit_code, 1);
+  EXPECT_THAT(check().out, HasSubstr("contradicts itself: /gouge_mm: is 5"));
 }
 
 TEST_F(Check, FindsFilesThatLieElsewhereNow) {

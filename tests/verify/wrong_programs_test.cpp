@@ -55,6 +55,9 @@ resolve::PlanOptions options_of(const read::DataValue& one) {
     options.machine = read::read_machine(parts / machine->text);
   if (const read::DataValue* engagement = one.find("engagement")) options.engagement_deg = engagement->number;
   if (const read::DataValue* stepdown = one.find("stepdown")) options.stepdown = stepdown->number;
+  if (const read::DataValue* side = one.find("allowance")) options.allowance = side->number;
+  if (const read::DataValue* floor = one.find("allowance_floor")) options.allowance_floor = floor->number;
+  if (const read::DataValue* scallop = one.find("scallop")) options.scallop = scallop->number;
   if (const read::DataValue* clamps = one.find("keep_out")) {
     for (const std::string& clamp : texts_of(*clamps))
       options.keep_outs.push_back(resolve::parse_keep_out(clamp));
@@ -115,7 +118,7 @@ TEST_P(WrongPrograms, GetTheVerdictTheyDeserve) {
 INSTANTIATE_TEST_SUITE_P(Classes, WrongPrograms,
                          ::testing::Values("motion", "comments", "dialects", "conditions", "state",
                                            "blending", "small", "cycles", "limits", "worst", "holes", "alone",
-                                           "habits", "holder", "cutters"),
+                                           "habits", "holder", "cutters", "leaves", "entries", "takes", "taps"),
                          [](const auto& one) { return one.param; });
 
 /// Every right program that states its dialect is taken, and each class has right twins or accepted ones.

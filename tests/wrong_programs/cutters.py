@@ -6,7 +6,7 @@ from holes import CYCLES, cycle, drawing, second_tool, two_tools
 from writer import HERE, Class
 
 PARTS = {
-    "round.json": {"name": "ROUND", "units": "mm", "pockets": [
+    "round-floor.json": {"name": "ROUND", "units": "mm", "pockets": [
         {"name": "ROUND", "outer": [[13, 10, 1], [7, 10, 1]], "islands": [], "top": 0, "depth": 3}]},
 }
 
@@ -94,8 +94,8 @@ def cutters():
             "a flat mill goes down at the rapid as far as the groove of a V-bit is as wide", **tools("vbit:90deg:10", "endmill:3"))
 
     c.add("floor-by-drill", CYCLES, drilled(-3), "CONDITIONAL", "out-of-reach", "leaves a cone on the floor of a round pocket",
-          part="round.json", tools=["drill:6:T1"])
-    c.right("right-floor-by-mill", CYCLES, drilled(-3), "plunges a flat mill into a round pocket", part="round.json",
+          part="round-floor.json", tools=["drill:6:T1"])
+    c.right("right-floor-by-mill", CYCLES, drilled(-3), "plunges a flat mill into a round pocket", part="round-floor.json",
             tools=["endmill:6:T1"])
 
     through = {"part": "through.dxf", "tools": ["drill:6:T1"]}

@@ -12,6 +12,7 @@ from cutters import cutters, write_cutters
 from habits import habits
 from holes import holes, write_holes
 from limits import cycles, limits, worst, write_limits
+from takes import entries, leaves, takes, taps, write_takes
 from writer import ALL, CHANGER, HERE, WORD, Class, nothing, rings
 
 
@@ -25,6 +26,7 @@ PARTS = {
     "pair.json": {"units": "mm", "pockets": [
         {"name": "A", "outer": square(0, 0, 20, 20), "islands": [], "top": 0, "depth": 2},
         {"name": "B", "outer": square(30, 0, 50, 20), "islands": [], "top": 0, "depth": 2}]},
+    "round.json": {"name": "ROUND", "units": "mm", "outer": [[0, 10, 1], [20, 10, 1]], "islands": [], "top": 0, "depth": 2},
 }
 
 
@@ -432,8 +434,9 @@ def main():
     write_limits()
     write_holes()
     write_cutters()
+    write_takes()
     classes = (motion, comments, dialects, conditions, state, blending, small, cycles, limits, worst, holes,
-               alone, habits, holder, cutters)
+               alone, habits, holder, cutters, leaves, entries, takes, taps)
     count = sum(make() for make in classes)
     print(count, "cases")
 

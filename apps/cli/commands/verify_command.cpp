@@ -151,7 +151,8 @@ void let_part_be_absent(CLI::App& command, VerifyCommand& state) {
     const std::string& group = option->get_group();
     const bool of_part = group == "Drawings" || group == "Solids" || option->check_name("--unit") ||
                          option->check_name("--layer") || option->check_name("--depth") ||
-                         option->check_name("--allowance") || option->check_name("--allowance-floor");
+                         option->check_name("--allowance") || option->check_name("--allowance-floor") ||
+                         option->check_name("--scallop");
     if (of_part) option->needs(part);
   }
   command.option_defaults()->group("Input");

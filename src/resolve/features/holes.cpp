@@ -45,9 +45,76 @@ class HoleShaper {
       shape(step);
       part_.workplan.push_back(std::move(step));
     }
+    if (part_.order_free) put_holes_first();
   }
 
  private:
+  /// Tools without an edge in their middle come after the hole that they need: counterbores, and cones with a flat tip.
+  void put_holes_first() {
+    for (std::size_t i = 0; i < part_.workplan.size(); ++i) {
+      if (!needs_hole(part_.workplan[i])) continue;
+      const std::size_t hole = hole_after(i);
+      if (hole == part_.workplan.size()) continue;
+      const double top = feature_of(part_.workplan[i]).top_z;
+      std::vector<Workingstep> first, then;
+      for (std::size_t k = i; k <= hole; ++k) {
+        const bool goes_first = k == hole || (is_on_axis_of(k, i) && is_spot(feature_of(part_.workplan[k])));
+        if (goes_first) begin_at(feature_of(part_.workplan[k]), top);
+        (goes_first ? first : then).push_back(part_.workplan[k]);
+      }
+      first.insert(first.end(), then.begin(), then.end());
+      std::copy(first.begin(), first.end(), part_.workplan.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+
+  bool needs_hole(const Workingstep& step) const {
+    const Tool& tool = part_.tools[static_cast<std::size_t>(step.operation.tool)];
+    return tool.kind == ToolKind::kCounterbore ||
+           (tool.kind == ToolKind::kChamferMill && tool.tip_diameter > 0 &&
+            part_.features[static_cast<std::size_t>(step.feature)].kind == FeatureKind::kRoundHole);
+  }
+
+  std::optional<Vec2> axis_of(std::size_t step) const {
+    const Feature& feature = part_.features[static_cast<std::size_t>(part_.workplan[step].feature)];
+    if (feature.hole) return feature.hole->center;
+    const auto round = stock::round_hole_of(feature, options_.tol);
+    return round ? std::optional(round->center) : std::nullopt;
+  }
+
+  bool is_on_axis_of(std::size_t a, std::size_t b) const {
+    const std::optional<Vec2> one = axis_of(a), other = axis_of(b);
+    return one && other && distance(*one, *other) < kSame;
+  }
+
+  static bool is_spot(const Feature& feature) {
+    return feature.hole && feature.hole->kind == HoleKind::kSpotted;
+  }
+
+  /// The first later step that drills or mills a narrower and deeper hole on the same axis; the number of steps where none does.
+  std::size_t hole_after(std::size_t step) const {
+    const Feature& seat = part_.features[static_cast<std::size_t>(part_.workplan[step].feature)];
+    for (std::size_t k = step + 1; k < part_.workplan.size(); ++k) {
+      const Workingstep& later = part_.workplan[k];
+      const Feature& feature = part_.features[static_cast<std::size_t>(later.feature)];
+      const Tool& tool = part_.tools[static_cast<std::size_t>(later.operation.tool)];
+      const bool opens = tool.kind == ToolKind::kDrill || clears_floors(tool);
+      if (opens && feature.kind == FeatureKind::kRoundHole && feature.floor_z < seat.floor_z &&
+          is_on_axis_of(k, step))
+        return k;
+    }
+    return part_.workplan.size();
+  }
+
+  /// A hole that is made before what stood over it is gone begins at that height; a spot, too, as deep as it was.
+  static void begin_at(Feature& feature, double top) {
+    const double higher = top - feature.top_z;
+    if (higher <= 0) return;
+    feature.top_z = top;
+    if (!is_spot(feature)) return;
+    feature.floor_z += higher;
+    feature.hole->full_z += higher;
+  }
+
   Feature& feature_of(const Workingstep& step) {
     return part_.features[static_cast<std::size_t>(step.feature)];
   }

@@ -296,8 +296,9 @@ class WorkCheck {
   void check_between_layers(FeatureWork& work) const {
     const Feature& feature = part_.features[static_cast<std::size_t>(work.feature)];
     const auto scallop = scallop_of(feature, work, options_.tol);
-    if (!scallop || scallop->height_mm <= *scallop->asked_mm + options_.tol.uncut || !any_slopes(feature))
-      return;
+    const bool leaves_more = scallop && scallop->height_mm > *scallop->asked_mm + options_.tol.uncut;
+    // What rounded ends reach between heights the proof of coverage, which knows flat ends, cannot say.
+    if (!leaves_more || work.smallest_flat < work.smallest_radius || !any_slopes(feature)) return;
     const double apart = kHeightShare * *scallop->asked_mm / base::sin(feature.wall_slope.radians());
     const double depth = feature.top_z - work.floor.z;
     const int heights = static_cast<int>(std::clamp(std::ceil(depth / apart), 1.0, 1.0 * kMostHeights));
@@ -353,11 +354,15 @@ struct LayerOnWall {
   const Tool* tool = nullptr;
 };
 
+/// mm; radius of a cutter's rounded end, 0 for flat ends.
+double rounding_of(const Tool* tool) {
+  if (!tool || has_flanks(*tool)) return 0;
+  return tool->kind == ToolKind::kBallEndMill ? tool->radius() : tool->corner_radius;
+}
+
 /// mm over its tip at which a cutter comes nearest to such a wall: more than 0 for rounded ends alone.
 double nearest_height(const Tool* tool, double draft) {
-  if (!tool || has_flanks(*tool)) return 0;
-  const double round = tool->kind == ToolKind::kBallEndMill ? tool->radius() : tool->corner_radius;
-  return round * (1 - base::sin(draft));
+  return rounding_of(tool) * (1 - base::sin(draft));
 }
 
 /// mm, square to the wall, that the cutter leaves `over` mm above its tip: its radius there, against the wall that leans away.
@@ -375,8 +380,12 @@ double most_left(std::span<const LayerOnWall> layers, double from, double to, do
   for (int i = 0; i <= kPlacesInStep; ++i) {
     const double over = from + (to - from) * i / kPlacesInStep;
     double least = HUGE_VAL;
-    for (const LayerOnWall& layer : layers.first(std::min<std::size_t>(layers.size(), 4)))
-      least = std::min(least, left_over_tip(layer.tool, over + layers.front().z - layer.z, draft));
+    for (const LayerOnWall& layer : layers) {
+      const double height = over + layers.front().z - layer.z;
+      least = std::min(least, left_over_tip(layer.tool, height, draft));
+      // Above its rounding a cutter leaves the more the higher, and lower ones leave more.
+      if (height >= rounding_of(layer.tool)) break;
+    }
     most = std::max(most, least);
   }
   return most;
@@ -409,11 +418,12 @@ std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& wor
   for (const LevelCoverage& layer : work.layers)
     layers.push_back({layer.z, layer.tool ? layer.tool : work.smallest});
   layers.push_back({work.floor.z, work.smallest});
+  // Below that the rounding of the lowest layer's cutter stands in the corner of the floor: no cutter of its kind reaches it.
+  const double round_corner = work.floor.z + nearest_height(work.smallest, draft);
   double above = feature.top_z;
   for (std::size_t i = 0; i < layers.size(); ++i) {
-    const double lowest = i + 1 == layers.size() ? nearest_height(layers[i].tool, draft) : 0;
-    const double left = most_left({layers.data() + i, layers.size() - i}, std::min(lowest, above - layers[i].z),
-                                  above - layers[i].z, draft);
+    const double to = above - layers[i].z, from = std::max(round_corner - layers[i].z, 0.0);
+    const double left = from < to ? most_left({layers.data() + i, layers.size() - i}, from, to, draft) : 0;
     if (left > scallop.height_mm) scallop.height_mm = left, scallop.z = layers[i].z;
     above = layers[i].z;
   }

@@ -14,6 +14,8 @@ constexpr double kEntryAngle = 0.5;
 constexpr double kLeastEntrySlope = 3e-3;
 /// Share of a stated angle, for rounding of coordinates.
 constexpr double kAngleRounding = 0.02;
+/// Degrees. Helices that are half in the air go down no steeper than this.
+constexpr double kAngleInAir = 5;
 /// mm. A level move this near to the descent before it lies on it.
 constexpr double kOverDescent = 0.01;
 /// mm; rounding of heights.
@@ -86,7 +88,7 @@ double EntryWatch::others_from(double z) const {
 void EntryWatch::meets_nothing_at(double z) {
   if (state_ != State::kDescent) return;
   // On one side of a helix may be air, for half a turn.
-  base_ = std::min(base_, z + turn_ / 2 * slope_);
+  base_ = std::min(base_, z + turn_ / 2 * std::min(slope_, base::tan(kAngleInAir * kPi / 180)));
 }
 
 }  // namespace clearcut::verify

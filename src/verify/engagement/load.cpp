@@ -204,7 +204,7 @@ class LoadMeter {
     load.begins = load.begins || !entered_;
     entered_ = true;
     load.length_mm += step.length;
-    load.max_axial_mm = std::max(load.max_axial_mm, step.axial);
+    load.max_axial_mm = std::max(load.max_axial_mm, checked.load.axial_mm);
     const double angle = degrees(step.contact.angle);
     if (angle <= load.max_deg) return;
     load.max_deg = angle;

@@ -8,6 +8,7 @@
 
 #include "base/elementary.h"
 #include "base/text/format.h"
+#include "verify/engagement/tool_takes.h"
 #include "verify/faults/faults.h"
 
 namespace clearcut::verify {
@@ -120,7 +121,8 @@ class StateCheck {
       return fault_of(part_, FaultKind::kPlungeTooFast, checked, *load.plunge_contact, checked.move->length(),
                       "A cutter that may not plunge goes straight down into material");
     if (!checked.cuts() || !checked.tool || checked.slope() <= 0) return std::nullopt;
-    if (!may_plunge(*checked.tool) && checked.slope() > steepest_of(checked) * (1 + kSpeedRounding)) {
+    if (mills_down(*checked.tool) && !may_plunge(*checked.tool) &&
+        checked.slope() > steepest_of(checked) * (1 + kSpeedRounding)) {
       return fault(FaultKind::kPlungeTooFast, checked, checked.move->length(),
                    "A cutter that may not plunge enters material at " +
                        trimmed(base::atan(checked.slope()) * 180 / kPi, 2) + " degrees");
@@ -283,6 +285,9 @@ class StateCheck {
         checked.tool ? options_.tool_limits.find(checked.tool->number) : options_.tool_limits.end();
     return clockwise == (limits == options_.tool_limits.end() || limits->second.is_clockwise);
   }
+
+  /// Whether the tool itself says how it may go down; of others their kind does.
+  bool mills_down(const Tool& tool) const { return std::isinf(takes_of(tool, part_).down); }
 
   /// Tangent of the steepest entry angle that an operation of the tool states, at least the default.
   double steepest_of(const CheckedMove& checked) const {

@@ -26,6 +26,14 @@ double apart_of(const Edge& path, const Edge& wall) {
   return path.from == path.to ? distance(wall, path.from) : distance(path, wall);
 }
 
+/// Whether the tool's own shape makes the feature, so that nothing can be left of it.
+bool is_made_to_size(const Part& part, const Workingstep& step) {
+  const Feature& feature = feature_of(part, step);
+  if (step.operation.tool < 0 || step.operation.tool >= static_cast<int>(part.tools.size())) return false;
+  const Tool& tool = tool_of(part, step);
+  return makes_holes(tool) || tool.kind == ToolKind::kTSlot || is_formed(feature) || is_carved(feature, tool);
+}
+
 Part with_raised_floors(const Part& part, const std::vector<double>& by) {
   Part raised = part;
   for (std::size_t i = 0; i < by.size(); ++i) {
@@ -42,7 +50,9 @@ StockToLeave::StockToLeave(const Part& part, const Tolerances& tol)
   std::vector<bool> known(part.features.size());
   for (const Workingstep& step : part.workplan) {
     const auto i = static_cast<std::size_t>(step.feature);
-    const Left own{step.operation.allowance_side, step.operation.allowance_floor};
+    const Left own = is_made_to_size(part, step)
+                         ? Left{}
+                         : Left{step.operation.allowance_side, step.operation.allowance_floor};
     left_[i] = known[i] ? Left{std::min(left_[i].side, own.side), std::min(left_[i].floor, own.floor)} : own;
     known[i] = true;
   }

@@ -103,7 +103,8 @@ class TapCheck {
                    std::string("the cycle is for ") + (cuts_left ? "left" : "right") +
                        "-hand taps, and T" + std::to_string(checked.tool_number) + " is a " +
                        (cuts_left ? "right" : "left") + "-hand one");
-    if (cycle->second.turns_by_itself || stated == needed) return std::nullopt;
+    const bool may_stand = cycle->second.turns_by_itself && stated == SpindleState::kOff;
+    if (may_stand || stated == needed) return std::nullopt;
     return fault(checked, 0,
                  std::string("the spindle turns ") + way_of(stated) + " before a cycle that asks for " +
                      way_of(needed) + ": the control stops, or the tap breaks");

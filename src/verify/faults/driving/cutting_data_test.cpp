@@ -79,5 +79,15 @@ TEST(CuttingData, FarFromWhatIsStatedForTheTool) {
   EXPECT_EQ(conditions_of(cutter(6), 700, 3000, stated), "") << "nothing is stated";
 }
 
+TEST(CuttingData, TapsTurnAsIsStatedForThem) {
+  Tool tap = cutter(6, 2, ToolKind::kTap);
+  tap.pitch = 1;
+  tap.floating = true;
+  VerifyOptions stated;
+  stated.stated[1] = {400, 400, 400};
+  EXPECT_EQ(conditions_of(tap, 400, 400, stated), "");
+  EXPECT_EQ(conditions_of(tap, 900, 900, stated), "stated-speed") << "its feed follows its speed";
+}
+
 }  // namespace
 }  // namespace clearcut::verify
