@@ -56,7 +56,9 @@ class LeftByDiameter {
     const double r = diameter / 2;
     double reached = 0;
     for (const Region& region : legal(r)) {
-      reached += area(region) + kPi * r * r * (1 - static_cast<double>(region.islands().size()));
+      reached +=
+          signed_area(region.outer()) + kPi * r * r * (1 - static_cast<double>(region.islands().size()));
+      for (const Loop& island : region.islands()) reached += signed_area(island);
       for (const Edge& edge : region.edges()) reached += r * edge.length();
     }
     return target_ - reached > most + kSameArea * target_;

@@ -148,14 +148,14 @@ Sources machine_sources(const std::filesystem::path& file) {
   const auto text = text_of(file);
   Sources out;
   if (!text) {
-    for (const char* key : {"machine", "rapid", "acceleration", "junction-deviation"})
+    for (const char* key : {"machine", "planner", "rapid", "acceleration", "junction-deviation"})
       out.set(key, {Origin::kMachineFile, "library: " + file.string()});
     return out;
   }
   const auto settings = read_machine_settings(*text, file.string());
   if (!settings)
     return machine_sources_of(parse_toml(*text, file.string()), file.string(), Origin::kMachineFile);
-  out.set("machine", {Origin::kMachineFile, file.string()});
+  for (const char* key : {"machine", "planner"}) out.set(key, {Origin::kMachineFile, file.string()});
   for (const auto& [key, line] : settings->lines)
     out.set(key, {Origin::kMachineFile, file.string() + ":" + std::to_string(line)});
   return out;

@@ -62,10 +62,14 @@ TEST(MachineSettings, LinuxCncIniInInches) {
       "mill.ini");
   EXPECT_EQ(machine.name, "Mill");
   EXPECT_EQ(machine.planner, MotionPlanner::kLinuxCnc);
-  EXPECT_EQ(machine.axis_rapid, (AxisValues{1524, 2286, 1524}));
-  EXPECT_EQ(machine.axis_acceleration, (AxisValues{228.6, 228.6, 152.39999999999998}));
-  EXPECT_EQ(refusal("[TRAJ]\n[AXIS_X]\nMAX_VELOCITY = 2\n"),
-            "mill: [AXIS_Y]MAX_VELOCITY is missing: what the axis can do; give all settings of the control");
+  const AxisValues speeds{1524, 2286, 1524}, accelerations{228.6, 228.6, 152.4};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR((*machine.axis_rapid)[axis], speeds[axis], 1e-9);
+    EXPECT_NEAR((*machine.axis_acceleration)[axis], accelerations[axis], 1e-9);
+  }
+  EXPECT_EQ(
+      refusal("[TRAJ]\n[AXIS_X]\nMAX_VELOCITY = 2\n"),
+      "mill: [AXIS_X]MAX_ACCELERATION is missing: what the axis can do; give all settings of the control");
 }
 
 TEST(MachineSettings, MarlinReport) {
