@@ -772,7 +772,7 @@ void Finder::find_rapids() {
       polygon.push_back({travel_.add(points[k], points[(k + 1) % points.size()]), true});
     Travel travel{i, {}};
     try {
-      const ccw::Int level = move.lowest() - program_.blending;
+      const ccw::Int level = move.lowest() - 2 * program_.blending;
       settle(travel_, polygon, swaths(i, level), level, false, travel.tiles);
     } catch (const NotFound& at) {
       throw NotFound{"the rapid of line " + std::to_string(move.line) + ": " + at.why};
