@@ -823,12 +823,17 @@ class IsoReader {
       if (c < 'A' || c > 'Z') fail(Text("'") + c + "' is not understood");
       const Number value = number_at(line, at, false, track_.where());
       if (c == 'G' || c == 'M') {
-        (c == 'G' ? gs_ : ms_).push_back(int(scaled(value, 10, true, track_.where())));
+        (c == 'G' ? gs_ : ms_).push_back(small(value, 10));
       } else if (!words_.emplace(c, value).second) {
         fail(Text("word ") + c + " stands twice");
       }
     }
     if (comment) fail("a comment does not end");
+  }
+  int small(Number value, Int times) const {
+    const Int tenths = scaled(value, times, true, track_.where());
+    if (tenths < 0 || tenths > 99'999) fail("a word's number is out of range");
+    return int(tenths);
   }
   bool takes_g(int code) {
     const auto found = std::find(gs_.begin(), gs_.end(), code);
@@ -912,8 +917,7 @@ class IsoReader {
     for (const int code : {540, 550, 560, 570, 580, 590, 591, 592, 593, 541, 1540}) {
       if (!takes_g(code)) continue;
       offset = code * 1000;
-      if ((code == 541 || code == 1540 || code == 590) && words_.count('P'))
-        offset += int(scaled(take('P'), 1, true, track_.where()));
+      if ((code == 541 || code == 1540 || code == 590) && words_.count('P')) offset += small(take('P'), 1);
     }
     if (offset == 0 || offset == offset_) return;
     if (track_.moved()) fail("the work offset changes after the first motion");
@@ -938,7 +942,7 @@ class IsoReader {
       if (m == 2 || m == 30) ended_ = true;
     }
     if (!words_.count('T')) return;
-    const int tool = int(scaled(take('T'), 1, true, track_.where()));
+    const int tool = small(take('T'), 1);
     if (tool_ >= 0 && tool != tool_) fail("a second tool is not claimed");
     tool_ = tool;
   }
@@ -1189,7 +1193,7 @@ std::vector<Tile> read_tiles(WitnessBytes& in, const Points& vertices) {
   for (Tile& tile : tiles) {
     tile.label = int(std::min<Int>(in.number(), 100));
     if (tile.label == 0) of += in.signed_number();
-    if (of < 0) refuse("the witness names a move or wall below 0");
+    if (of < 0 || of > kLargest) refuse("the witness names a move or wall that cannot be");
     tile.of = static_cast<std::size_t>(of);
     tile.corners.resize(in.count());
     Points points;
@@ -1524,7 +1528,7 @@ class Checker {
     for (std::size_t i = 0; i < rapid.tiles.size(); ++i) {
       const Tile& tile = rapid.tiles[i];
       if (tile.label != 0 ||
-          !is_cut(tile, Wide(witness_.stated.radius) - blend_ - 1, rapid.move, move.lowest() - blend_))
+          !is_cut(tile, Wide(witness_.stated.radius) - blend_ - 1, rapid.move, move.lowest() - 2 * blend_))
         refuse(name_of("rapid's", i, tile) + "is not cut before line " + text(move.line) + " by " +
                move_name(tile.of));
     }

@@ -63,6 +63,7 @@ TEST_P(HowTo, RunsAsPrinted) {
     GTEST_SKIP() << "this build reads no STEP solids";
   const ScratchFolder folder;
   fs::create_directory_symlink(CLEARCUT_SOURCE_DIR "/examples", folder.path("examples"));
+  fs::create_directory_symlink(CLEARCUT_SOURCE_DIR "/checker", folder.path("checker"));
   std::string said;
   int commands = 0;
   for (const Block& block : blocks_of(read_file((kDocs / (GetParam() + ".md")).string()))) {

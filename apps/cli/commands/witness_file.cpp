@@ -92,7 +92,7 @@ std::string checked_by_program(const WitnessFile& witness, const Proven& what, b
   std::filesystem::remove(file);
   if (!answer) return "NOT PROVED: clearcut-check does not accept the witness";
   proved = true;
-  return fmt::format("proved by witness (checked in {:.2f} s): {}", seconds,
+  return fmt::format("proved by witness (checked in {:.2f} s), {}", seconds,
                      answer->substr(answer->find('\n') + 1));
 }
 

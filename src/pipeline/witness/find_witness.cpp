@@ -23,11 +23,11 @@ using ccw::Point;
 using ccw::Points;
 using ccw::Text;
 
-constexpr double kSpare = 25;      // nm kept off every bound: neighbours insert corners into finished tiles
-constexpr double kLegalSpare = 8;  // nm, likewise for what is too near to a wall
-constexpr double kOnLine = 1.5;    // nm within which a corner counts as on a line that cuts
-constexpr int kMostTiles = 400'000;
-constexpr int kDeepest = 400;  // cuts that lead to one tile
+constexpr double kSpare = 14;       // nm kept off every bound: neighbours insert corners into finished tiles
+constexpr double kLegalSpare = 8;   // nm, likewise for what is too near to a wall
+constexpr double kOnLine = 1.5;     // nm within which a corner counts as on a line that cuts
+constexpr int kMostWork = 300'000;  // pieces looked at and cuts of the centers' tiles, in all
+constexpr int kDeepest = 400;       // cuts that lead to one tile
 
 /// Why there is no witness.
 struct NotFound {
@@ -431,6 +431,7 @@ class Finder {
   std::vector<ccw::Wall> walls_;
   Mesh cover_, centre_, travel_;
   std::vector<Labelled> cover_tiles_, illegal_;
+  int work_ = 0;
   struct Maybe {
     Polygon polygon;
     Points hull;
@@ -513,7 +514,7 @@ void Finder::settle(Mesh& mesh, const Polygon& whole, const std::vector<Swath>& 
     piece.polygon = mesh.whole(piece.polygon);
     if (piece.polygon.size() < 2) continue;
     const Points hull = ccw::hull_of(mesh.corners(piece.polygon));
-    if (out.size() > kMostTiles || piece.depth > kDeepest)
+    if (++work_ > kMostWork || piece.depth > kDeepest)
       throw NotFound{"no tiling was found near " + place(spot(hull[0]))};
     const ccw::Box box = box_of(hull);
     std::optional<Cut> cut;
@@ -633,7 +634,7 @@ bool Finder::out_of_reach(const Polygon& polygon, const Points& hull) {
       at = {};
       for (const Point p : hull) at = at + (1.0 / static_cast<double>(hull.size())) * spot(p);
     }
-    if (++trims > 600 || !trim(i, at)) return false;
+    if (++trims > 2000 || ++work_ > kMostWork || !trim(i, at)) return false;
   }
   return true;
 }
@@ -653,6 +654,17 @@ bool Finder::trim(std::size_t index, Spot at) {
       return true;
     }
     if (d < least) least = d, wall = w;
+  }
+  if (least < 2) {  // on a wall, where no direction leads away from it: a little inwards
+    Spot middle;
+    for (const Point p : hull) middle = middle + (1.0 / static_cast<double>(hull.size())) * spot(p);
+    const double far = length(middle - at);
+    if (far > 10) at = at + (std::min(1000.0, 0.5 * far) / far) * (middle - at);
+    least = std::numeric_limits<double>::infinity();
+    for (std::size_t w = 0; w < walls_.size(); ++w) {
+      const double d = distance_to(walls_[w].curve, at);
+      if (d < least) least = d, wall = w;
+    }
   }
   const ccw::Box box = box_of(hull);
   const bool tiny = std::max(box.x1 - box.x0, box.y1 - box.y0) < 12;
@@ -723,6 +735,7 @@ void Finder::find() {
       maybe_.push_back({polygon, std::move(hull), box});
       continue;
     }
+    if (++work_ > kMostWork) throw NotFound{"no tiling was found near " + place(spot(hull[0]))};
     auto [above, below] = centre_.cut(polygon, halving(box));
     for (auto* list : {&above, &below})
       for (Polygon& one : *list) todo.push_back({std::move(one)});
@@ -759,7 +772,7 @@ void Finder::find_rapids() {
       polygon.push_back({travel_.add(points[k], points[(k + 1) % points.size()]), true});
     Travel travel{i, {}};
     try {
-      const ccw::Int level = move.lowest() - program_.blending;
+      const ccw::Int level = move.lowest() - 2 * program_.blending;
       settle(travel_, polygon, swaths(i, level), level, false, travel.tiles);
     } catch (const NotFound& at) {
       throw NotFound{"the rapid of line " + std::to_string(move.line) + ": " + at.why};

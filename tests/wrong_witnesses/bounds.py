@@ -1,0 +1,238 @@
+#!/usr/bin/env python3
+"""The checker's predicates at their bounds, give or take 10 nm, against exact rational arithmetic.
+
+    bounds.py PREDICATES [COUNT]
+
+PREDICATES is predicates.cpp, compiled. Distances from segments and between convex hulls must be decided exactly; what is said of arcs may be
+too careful, but by little, and never too bold.
+"""
+import math
+import random
+import subprocess
+import sys
+from fractions import Fraction
+
+
+def cross(a, b):
+    return a[0] * b[1] - a[1] * b[0]
+
+
+def minus(a, b):
+    return (a[0] - b[0], a[1] - b[1])
+
+
+def square(a):
+    return a[0] * a[0] + a[1] * a[1]
+
+
+def to_segment(p, a, b):
+    """Squared distance, a Fraction."""
+    d = minus(b, a)
+    if square(d) == 0:
+        return Fraction(square(minus(p, a)))
+    t = Fraction((p[0] - a[0]) * d[0] + (p[1] - a[1]) * d[1], square(d))
+    t = min(max(t, 0), 1)
+    return square((p[0] - a[0] - t * d[0], p[1] - a[1] - t * d[1]))
+
+
+def meet(a, b, c, d):
+    def side(p, q, r):
+        return (cross(minus(q, p), minus(r, p)) > 0) - (cross(minus(q, p), minus(r, p)) < 0)
+    if side(a, b, c) * side(a, b, d) < 0 and side(c, d, a) * side(c, d, b) < 0:
+        return True
+    return 0 in (to_segment(a, c, d), to_segment(b, c, d), to_segment(c, a, b), to_segment(d, a, b))
+
+
+def between_segments(a, b, c, d):
+    return 0 if meet(a, b, c, d) else min(to_segment(a, c, d), to_segment(b, c, d), to_segment(c, a, b), to_segment(d, a, b))
+
+
+def hull_of(points):
+    points = sorted(set(points))
+    if len(points) < 3:
+        return points
+    out = []
+    for run in (points, points[::-1]):
+        base = len(out)
+        for p in run:
+            while len(out) >= base + 2 and cross(minus(out[-1], out[-2]), minus(p, out[-1])) <= 0:
+                out.pop()
+            out.append(p)
+        out.pop()
+    return out
+
+
+def edges(hull):
+    return list(zip(hull, hull[1:] + hull[:1]))
+
+
+def between_hulls(a, b):
+    """Squared; 0 where they meet."""
+    for hull, p in ((a, b[0]), (b, a[0])):
+        if len(hull) > 2 and all(cross(minus(v, u), minus(p, u)) >= 0 for u, v in edges(hull)):
+            return 0
+    return min(between_segments(u, v, s, t) for u, v in edges(a) for s, t in edges(b))
+
+
+def root(value):
+    """Of a Fraction, down to 1e-9."""
+    return Fraction(math.isqrt(int(value * 10**18)), 10**9)
+
+
+def near(r, size):
+    return (r.randint(-size, size), r.randint(-size, size))
+
+
+def on_circle(r, radius, angle=None):
+    angle = r.uniform(0, 2 * math.pi) if angle is None else angle
+    return (round(radius * math.cos(angle)), round(radius * math.sin(angle)))
+
+
+def flat(*things):
+    out = []
+    for thing in things:
+        if isinstance(thing, tuple):
+            out += flat(*thing)
+        elif isinstance(thing, list):
+            out += [str(len(thing))] + flat(*thing)
+        else:
+            out.append(str(thing))
+    return out
+
+
+SIZES = [50, 3000, 10**6, 2**28, 2**29 - 1]
+
+
+def segment_question(r):
+    size = r.choice(SIZES)
+    p, a, b = near(r, size), near(r, size), r.choice([near(r, size), None])
+    b = b or a
+    exact = to_segment(p, a, b)
+    t = max(0, math.isqrt(int(exact)) + r.choice([-10, -1, 0, 1, 10]))
+    return ["segment"] + flat(p, a, b, t), exact <= t * t
+
+
+def segments_question(r):
+    size = r.choice(SIZES)
+    a, b, c, d = (near(r, size) for _ in range(4))
+    exact = between_segments(a, b, c, d)
+    t = max(0, math.isqrt(int(exact)) + r.choice([-10, -1, 0, 1, 10]))
+    return ["segments"] + flat(a, b, c, d, t), exact > t * t
+
+
+def apart_question(r):
+    size = r.choice(SIZES[:4])
+    shift = near(r, 2 * size)
+    a = [near(r, size) for _ in range(r.randint(1, 6))]
+    b = [(x + shift[0], y + shift[1]) for x, y in (near(r, size) for _ in range(r.randint(1, 6)))]
+    exact = between_hulls(hull_of(a), hull_of(b))
+    t = max(1, math.isqrt(int(exact)) + r.choice([-10, -1, 0, 1, 10]))
+    return ["apart"] + flat(a, b, t), exact >= t * t
+
+
+def an_arc(r):
+    radius = r.choice([2_500, 10_000, 10**6, 3 * 10**6, 2**28])
+    center = near(r, 1000)
+    start = r.uniform(0, 2 * math.pi)
+    turn = r.choice([r.uniform(0.01, 1.5), r.uniform(0.01, 6.2), math.pi, 2 * math.pi, r.uniform(1e-3, 1e-2)])
+    first = on_circle(r, radius, start)
+    last = first if turn == 2 * math.pi else on_circle(r, radius + r.choice([0, 0, 5, 900]), start + turn)
+    radii = [square(first), square(last)]
+    low, high = math.isqrt(min(radii)), math.isqrt(max(radii) - 1) + 1
+    return (center, first, last, low, high), start, turn
+
+
+def seen(first, last, v):
+    """Whether direction v lies in the sector."""
+    if first == last:
+        return True
+    if cross(first, last) > 0 or (cross(first, last) == 0):
+        return cross(first, v) >= 0 and cross(v, last) >= 0
+    return not (cross(last, v) > 0 and cross(v, first) > 0)
+
+
+def farthest(arc, p):
+    """Upper bound of the distance of p from the curve, over the curves that the arc may be, by what is known of each: ends, and a point on the ray of p."""
+    center, first, last, low, high = arc
+    v = minus(p, center)
+    best = min(root(square(minus(v, first))), root(square(minus(v, last))))
+    if v != (0, 0) and seen(first, last, v):
+        rho = root(square(v))
+        best = min(best, max(abs(rho - low), abs(high - rho)))
+    return best + Fraction(2, 10**9)
+
+
+def arc_question(r):
+    """A hull about a rim of an arc's swath, near the bound."""
+    arc, start, turn = an_arc(r)
+    center, first, last, low, high = arc
+    t = r.choice([max(30, low // 2), 2 * high, 3 * 10**6, 40_000])
+    side = r.choice([1, -1])
+    spread = min(turn, r.choice([1e-4, 1e-2, 0.3]))
+    at = start + r.choice([0, 0, turn - spread, r.uniform(0, turn - spread)]) + r.choice([0, 0, -1, 1]) * 10 / low
+    hull = []
+    for _ in range(r.randint(1, 5)):
+        radius = (low if side > 0 else high) + side * (t - 8) + r.choice([-10, -1, 0, 1, 10, -r.randint(0, t)])
+        x, y = on_circle(r, max(radius, 0), at + r.uniform(0, spread))
+        hull.append((center[0] + x, center[1] + y))
+    return ["arc"] + flat(arc, hull, t), (arc, hull_of(hull), t)
+
+
+def arc_faults(answer, arc, hull, t, r):
+    if answer == "0":
+        return []
+    points = list(hull)
+    for u, v in edges(hull):
+        for k in range(1, 8):
+            points.append((u[0] + (v[0] - u[0]) * k // 8, u[1] + (v[1] - u[1]) * k // 8))
+    return [p for p in points if farthest(arc, p) > t + 1]  # rounding of the points in between: 1 nm
+
+
+def chord_question(r):
+    arc, start, turn = an_arc(r)
+    _, first, last, low, high = arc
+    half = min(turn, r.choice([0.01, 0.5, 3.0]))
+    u, v = on_circle(r, low + r.randint(-3, 3), start), on_circle(r, high + r.randint(-3, 3), start + half)
+    foot = to_segment((0, 0), u, v)
+    exact = max(high - root(foot), root(max(square(u), square(v))) - low)
+    return ["chord"] + flat(arc, u, v), exact
+
+
+def ask(program, questions):
+    text = "\n".join(" ".join(q) for q in questions) + "\n"
+    return subprocess.run([program], input=text, capture_output=True, text=True, check=True).stdout.splitlines()
+
+
+def main():
+    program, count = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 2000
+    r = random.Random(1)
+    faults = 0
+    for make in (segment_question, segments_question, apart_question):
+        asked = [make(r) for _ in range(count)]
+        for (question, right), answer in zip(asked, ask(program, [q for q, _ in asked])):
+            if (answer == "1") != right:
+                faults += 1
+                print("wrong:", " ".join(question), "is", right)
+        if not 0.1 < sum(right for _, right in asked) / count < 0.95:
+            faults += 1
+            print(make.__name__, "asks nothing")
+    asked = [arc_question(r) for _ in range(count)]
+    answers = ask(program, [q for q, _ in asked])
+    for (question, what), answer in zip(asked, answers):
+        for p in arc_faults(answer, *what, r):
+            faults += 1
+            print("too bold:", " ".join(question), "at", p)
+    if not 0.1 < sum(a == "1" for a in answers) / count < 0.95:
+        faults += 1
+        print("arc_question asks nothing:", sum(a == "1" for a in answers))
+    asked = [chord_question(r) for _ in range(count)]
+    for (question, exact), answer in zip(asked, ask(program, [q for q, _ in asked])):
+        if not exact - Fraction(1, 10**6) <= int(answer) <= exact + 3:
+            faults += 1
+            print("wrong:", " ".join(question), "is", float(exact), "not", answer)
+    print(f"{5 * count} questions, {faults} faults")
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,64 @@
+// The checker's predicates on numbers from standard input, one question a line, for bounds.py.
+#define CLEARCUT_CHECK_WITHOUT_MAIN
+#include <iostream>
+
+#include "../../checker/clearcut_check.cpp"
+
+using namespace clearcut_check;
+
+static Point point() {
+  Point p;
+  std::cin >> p.x >> p.y;
+  return p;
+}
+static Points points() {
+  std::size_t count = 0;
+  std::cin >> count;
+  Points all(count);
+  for (Point& p : all) p = point();
+  return all;
+}
+static Curve arc() {
+  Curve c;
+  c.arc = true;
+  c.center = point();
+  c.first = point();
+  c.last = point();
+  std::cin >> c.low >> c.high;
+  c.a = c.center + c.first;
+  c.b = c.center + c.last;
+  return c;
+}
+static Int length() {
+  Int t = 0;
+  std::cin >> t;
+  return t;
+}
+
+int main() {
+  for (std::string what; std::cin >> what;) {
+    if (what == "segment") {  // p a b t
+      const Point p = point(), a = point(), b = point();
+      std::cout << near_segment(p, a, b, length());
+    } else if (what == "segments") {  // a b c d t
+      const Point a = point(), b = point(), c = point(), d = point();
+      std::cout << segments_apart(a, b, c, d, length());
+    } else if (what == "apart") {  // hull hull t
+      const Points a = hull_of(points()), b = hull_of(points());
+      std::cout << apart(a, b, length());
+    } else if (what == "arc") {  // arc hull t
+      const Curve c = arc();
+      const Points hull = hull_of(points());
+      std::cout << hull_within(c, hull, length());
+    } else if (what == "chord") {  // arc u v
+      const Curve c = arc();
+      const Point u = point(), v = point();
+      std::cout << Int(chord_error(c, u, v));
+    } else if (what == "chords") {  // arc
+      const Chords all = chords_of(arc());
+      std::cout << Int(all.error) << ' ' << all.points.size();
+      for (const Point p : all.points) std::cout << ' ' << p.x << ' ' << p.y;
+    }
+    std::cout << '\n';
+  }
+}
