@@ -31,6 +31,7 @@
 #include "planes.h"
 #include "read/common/curve_fit.h"
 #include "read/step_solid/model_bytes.h"
+#include "shadow.h"
 
 namespace clearcut {
 namespace {
@@ -151,6 +152,7 @@ read::SolidFace face_of(const TopoDS_Face& face, int number) {
     if (out.level) out.z_low = out.z_high = surface.Plane().Location().Z();
     out.front = front_of(normal, out.plan);
   }
+  if (out.facing == read::Facing::kMixed) out.outline = shadow_of(face);
   if (out.facing != read::Facing::kUp) return out;
   for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
     Path path = projected(TopoDS::Edge(edges.Current()));

@@ -111,9 +111,9 @@ TEST(DrawingRoles, SeveralOuterOutlinesThatAllHoldOthersAreAskedAbout) {
   auto options = asking(6);
   options.layer_rules = {asked(read::LayerRole::kProfile, "outer")};
   EXPECT_EQ(read::read_part_text(two(""), "plate.dxf", options).features.size(), 4u);
-  // Among pockets that stand alone one with an island is a pocket, too.
-  EXPECT_EQ(
-      read::read_part_text(two(rectangle("0", 200, 0, 220, 20)), "plate.dxf", asking(6)).features.size(), 3u);
+  // One that stands alone among them takes the question not away.
+  EXPECT_THAT(refusal(two(rectangle("0", 200, 0, 220, 20)), asking(6)),
+              HasSubstr("as 2 of 3 outermost outlines do"));
 }
 
 /// What the question promises: islands stand, whatever layer they are drawn on.
@@ -145,16 +145,22 @@ TEST(DrawingRoles, IslandsOfAnOuterPocketMayLieOnOtherLayers) {
 TEST(DrawingRoles, AnOutlineInAPocketOfAnotherLayerIsAskedAbout) {
   const std::string text =
       dxf(rectangle("A", 0, 0, 80, 50) + circle("B", 20, 20, 8) + rectangle("C", 100, 0, 120, 20));
-  const std::string question = refusal(text, asking(6));
+  // Somebody has said something of outlines, so that what the outermost are is no question any more.
+  const auto without = [](const std::string& number) {
+    auto options = asking(6);
+    options.layer_rules = {asked(read::LayerRole::kIgnore, number)};
+    return options;
+  };
+  const std::string question = refusal(text, without("3"));
   EXPECT_THAT(question, HasSubstr("layer B: the outline of 16 x 16 mm at (12, 12) lies in a pocket"));
   EXPECT_THAT(question, HasSubstr("--op island:B"));
   EXPECT_THAT(question, Not(HasSubstr("the same has to be said")));
   const std::string more =
       dxf(rectangle("A", 0, 0, 80, 50) + circle("B", 20, 20, 8) + circle("D", 20, 20, 3) +
           circle("E", 60, 20, 8) + rectangle("C", 100, 0, 120, 20));
-  EXPECT_THAT(refusal(more, asking(6)), HasSubstr("; the same has to be said of D (in A), E (in A)"));
+  EXPECT_THAT(refusal(more, without("5")), HasSubstr("; the same has to be said of D (in A), E (in A)"));
   read::DrawingOverview overview;
-  auto looking = asking();
+  auto looking = without("3");
   looking.overview = &overview;
   read::read_part_text(text, "plate.dxf", looking);
   EXPECT_THAT(overview.question, HasSubstr("--op island:B"));
@@ -162,7 +168,7 @@ TEST(DrawingRoles, AnOutlineInAPocketOfAnotherLayerIsAskedAbout) {
   options.layer_rules = {asked(read::LayerRole::kIsland, "B")};
   EXPECT_NEAR(area(read::read_part_text(text, "plate.dxf", options).features[0].target), 4000 - 64 * kPi,
               1e-6);
-  options.layer_rules = {asked(read::LayerRole::kPocket, "B")};
+  options.layer_rules = {asked(read::LayerRole::kPocket, "B"), asked(read::LayerRole::kIgnore, "3")};
   EXPECT_NEAR(area(read::read_part_text(text, "plate.dxf", options).features[0].target), 4000, 1e-6);
   // The same outline on two layers is one.
   EXPECT_EQ(refusal(dxf(rectangle("A", 0, 0, 80, 50) + rectangle("B", 0, 0, 80, 50)), asking(6)), "");
@@ -421,6 +427,61 @@ TEST(Skin, HoldsWhatAProfileSurrounds) {
 TEST(Tabs, AreRefusedWhereTheyDoNotFit) {
   const Part part = read::read_part_text(dxf(rectangle("PROFILE_D6", 0, 0, 8, 8)), "small.dxf", asking());
   EXPECT_THROW(plan_part(part, with_mill("endmill:4", 4)), InputError);
+}
+
+int tabs_in(const Part& part) {
+  int count = 0;
+  for (const Feature& feature : part.features)
+    if (feature.profile) count += static_cast<int>(feature.profile->tabs.size());
+  return count;
+}
+
+TEST(Tabs, StandWhereNoNeighboursKerfPasses) {
+  for (const double gap : {0.5, 1.0, 1.9, 2.0, 2.5, 3.5}) {
+    const std::string two =
+        dxf(rectangle("PROFILE_D3", 0, 0, 40, 30) + rectangle("PROFILE_D3", 40 + gap, 0, 80 + gap, 30));
+    const auto result = plan_part(read::read_part_text(two, "two.dxf", asking()), with_mill("endmill:2", 3));
+    EXPECT_EQ(faults_of(result.findings), "") << gap;
+    EXPECT_EQ(tabs_in(result.part), 6) << gap;
+  }
+}
+
+/// A part in the window of a frame, with little more than the kerfs between them.
+TEST(Tabs, StandBesideTheKerfsOfWindows) {
+  const std::string nested =
+      dxf(rectangle("PROFILE_D3", 0, 0, 100, 80) + rectangle("INSIDE_D3", 20, 20, 80, 60) +
+          rectangle("PROFILE_D3", 25, 25, 70, 55));
+  const auto result =
+      plan_part(read::read_part_text(nested, "nested.dxf", asking()), with_mill("endmill:2", 3));
+  EXPECT_EQ(faults_of(result.findings), "");
+  EXPECT_EQ(tabs_in(result.part), 9);
+}
+
+TEST(Tabs, NeedNoMoreOfASideThanTheirWidthAndTheCuttersDiameter) {
+  for (const double side : {8.8, 10.0}) {
+    const Part part =
+        read::read_part_text(dxf(rectangle("PROFILE_D3", 0, 0, side, side)), "small.dxf", asking());
+    resolve::PlanOptions options = with_mill("endmill:3", 4);
+    options.tabs.width = 4;
+    const auto result = plan_part(part, options);
+    EXPECT_EQ(faults_of(result.findings), "") << side;
+    EXPECT_EQ(tabs_in(result.part), 4) << side;
+  }
+}
+
+/// The kerf of a hole that is no wider than two cutters leaves nothing in it to hold.
+TEST(Tabs, AreNoMatterWhereNothingIsFreed) {
+  for (const double radius : {1.6, 2.0, 4.0}) {
+    const std::string holed =
+        dxf(rectangle("PROFILE_D3", 0, 0, 60, 40) + circle("INSIDE_D3", 30, 20, radius));
+    const auto result =
+        plan_part(read::read_part_text(holed, "holed.dxf", asking()), with_mill("endmill:2", 3));
+    const auto& said = result.part.diagnostics.items();
+    const bool warned = std::any_of(said.begin(), said.end(), [](const Diagnostic& one) {
+      return one.severity == Severity::kWarning && one.what.find("tabs of") != std::string::npos;
+    });
+    EXPECT_EQ(warned, radius > 2) << radius;
+  }
 }
 
 }  // namespace

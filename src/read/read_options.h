@@ -107,6 +107,7 @@ struct SolidOptions {
   std::vector<double>
       drills;  ///< mm; diameters at hand: through holes of theirs go deeper by the drill's point
   std::optional<StockRequest> stock;  ///< absent: the solid's bounding box
+  bool has_other_setups = false;      ///< of the same job: they make what looks another way
   bool is_stock =
       false;  ///< it is what something is made of: how it lies and that it may be a full block are no questions
 };

@@ -22,6 +22,8 @@ constexpr double kSharpest = 5;
 /// Degrees of each side of a tapered end mill.
 constexpr double kLeastTaper = 0.1, kMostTaper = 45;
 constexpr double kBluntest = 170;
+/// mm. Narrower cutters are not sold, and tolerances are as wide.
+constexpr double kSmallestDiameter = 0.01;
 
 std::optional<double> number(std::string_view text) {
   double value = 0;
@@ -221,6 +223,10 @@ Tool parse_tool(const std::string& text) {
   set_size(tool, words[1], place);
   if (!(tool.diameter > 0) || tool.diameter > 1000)
     throw InputError(place, "the diameter must be above 0 and at most 1000 mm");
+  if (tool.diameter < kSmallestDiameter)
+    throw InputError(place,
+                     fmt::format("a diameter of {} mm is less than any cutter has, {} mm; correct its unit",
+                                 tool.diameter, trimmed(kSmallestDiameter, 3)));
   if (tool.kind == ToolKind::kFaceMill) tool.center_cutting = false;
   if (tool.kind == ToolKind::kBallEndMill) tool.corner_radius = tool.diameter / 2;
   for (std::size_t i = 2; i < words.size(); ++i) apply_word(tool, words[i], place);

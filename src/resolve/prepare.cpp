@@ -17,6 +17,7 @@
 #include "resolve/features/corner_relief.h"
 #include "resolve/features/facing.h"
 #include "resolve/features/holes.h"
+#include "resolve/features/near_drills.h"
 #include "resolve/features/t_slots.h"
 #include "resolve/features/tapered_walls.h"
 #include "resolve/left_over.h"
@@ -367,6 +368,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   sources = options.step_sources;
   add_facing(part, options);
   refuse_above_stock(part);
+  take_near_drills(part, options);
   choose_tools(part, options, sources);
   shape_holes(part, options, sources);
   shape_t_slots(part, options, sources);

@@ -169,7 +169,8 @@ class Holds {
       if (!feature.profile) continue;
       const double radius = tool_of(part, step).radius();
       const bool on = feature.profile->side == ProfileSide::kOn;
-      lines_.push_back({step.feature, feature.profile->line, feature.floor_z, on ? radius : 2 * radius, on});
+      lines_.push_back({step.feature, feature.profile->line, feature.floor_z, on ? radius : 2 * radius,
+                        feature.profile->side});
     }
   }
 

@@ -245,5 +245,32 @@ TEST(Resolve, FeaturesAboveTheMaterialAreRefused) {
   EXPECT_EQ(refusal(1, 0, FeatureKind::kPlanarFace), "");
 }
 
+/// A drill of nearly the size makes a hole that no other tool makes.
+TEST(Resolve, DrillsOfNearlyTheSizeAreTaken) {
+  const auto drilled = [](double hole, const std::vector<const char*>& tools, std::string* said = nullptr) {
+    Part part = pocket();
+    Feature& feature = part.features[0];
+    const auto half = [](Vec2 from, Vec2 to) { return Edge::arc(from, to, {5, 5}, Turn::kCounterClockwise); };
+    const Vec2 a{5 + hole / 2, 5}, b{5 - hole / 2, 5};
+    feature.kind = FeatureKind::kRoundHole;
+    feature.hole_diameter = hole;
+    feature.target = feature.allowed = {Region::from_valid_loops({half(a, b), half(b, a)}, {})};
+    part.tools.clear();
+    PlanOptions options;
+    for (const char* tool : tools) options.tools.push_back(parse_tool(tool));
+    const Part made = resolve(part, options, table()).part;
+    for (const Diagnostic& one : made.diagnostics.items())
+      if (said && one.severity == Severity::kWarning) *said += one.what;
+    return box(made.features[0].target).width();
+  };
+  std::string said;
+  EXPECT_NEAR(drilled(0.991, {"drill:1", "drill:0.8"}, &said), 1, 1e-9);
+  EXPECT_THAT(said, HasSubstr("0.991 mm wide, made by the drill of 1 mm: 0.009 mm wider"));
+  EXPECT_NEAR(drilled(0.813, {"drill:1", "drill:0.8", "endmill:2"}), 0.8, 1e-9);
+  EXPECT_NEAR(drilled(4.21, {"drill:4.2"}), 4.21, 1e-9) << "within what counts as made";
+  EXPECT_NEAR(drilled(4.25, {"drill:4.2", "endmill:3"}), 4.25, 1e-9) << "an end mill makes it";
+  EXPECT_NEAR(drilled(4.3, {"drill:4.2"}), 4.3, 1e-9) << "too far";
+}
+
 }  // namespace
 }  // namespace clearcut::resolve

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "geometry/boolean.h"
+#include "geometry/clearance.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -60,11 +61,17 @@ double foot_of(const TabOptions& options, double height, double beyond) {
   return options.shape == TabShape::kSquare ? options.width : options.width * (height + beyond) / height;
 }
 
+/// What a tab stands on.
+struct Foot {
+  double length = 0;  ///< mm along the outline
+  /// Passes end beside the tab; else they rise over it, with room for that before the next corner.
+  bool is_level = true;
+};
+
 class TabPlacer {
  public:
-  /// `foot`: mm along the outline on which a tab stands.
   /// `others`: lines of other features that tabs have to keep clear of.
-  TabPlacer(const ProfileCut& cut, const Kerf& kerf, double foot, std::vector<OtherLine> others)
+  TabPlacer(const ProfileCut& cut, const Kerf& kerf, const Foot& foot, std::vector<OtherLine> others)
       : cut_(cut),
         radius_(kerf.radius),
         kerf_(kerf.width),
@@ -72,7 +79,8 @@ class TabPlacer {
         middle_(cut.side == ProfileSide::kOutside  ? -kerf.radius
                 : cut.side == ProfileSide::kInside ? kerf.radius
                                                    : 0),
-        foot_(foot),
+        foot_(foot.length),
+        corner_(foot.is_level ? kOverlap : kerf_ + kOverlap),
         others_(std::move(others)) {
     double at = 0;
     for (const Edge& edge : cut.line) {
@@ -165,9 +173,7 @@ class TabPlacer {
     const double half = half_gap(middle) + kBeforeTab;
     const Stretch on = stretch(middle, half);
     const Edge& edge = cut_.line[on.edge];
-    // The kerf along the next side must not run into it.
-    const double clear = kerf_ + kOverlap;
-    if (on.from < clear || on.to > edge.length() - clear) return false;
+    if (on.from < corner_ || on.to > edge.length() - corner_) return false;
     if (edge.is_arc() && edge.radius() < std::max(2 * half, kNarrowArc * kerf_)) return false;
     const bool apart_from_others = std::all_of(chosen.begin(), chosen.end(), [&](double other) {
       const double apart = std::abs(other - middle);
@@ -249,12 +255,18 @@ class TabPlacer {
   bool is_clear_of_others(const Edge& stretch) const {
     const Edge middle = moved(stretch, (across_.from + across_.to) / 2);
     return std::all_of(others_.begin(), others_.end(), [&](const OtherLine& other) {
-      const double apart = kerf_ / 2 + kOverlap + other.reach;
+      const double apart = kerf_ / 2 + kOverlap + (is_cut_about(other, middle) ? other.reach : 0);
       const Box near = middle.box().grown(apart);
       return std::all_of(other.line.begin(), other.line.end(), [&](const Edge& edge) {
         return !edge.box().overlaps(near) || distance(edge, middle) >= apart;
       });
     });
+  }
+
+  /// Whether the other line's kerf lies on the side of it where the stretch is.
+  bool is_cut_about(const OtherLine& other, const Edge& stretch) const {
+    if (other.side == ProfileSide::kOn || cut_.side == ProfileSide::kOn) return true;
+    return contains(other.line, stretch.at(0.5)) == (other.side == ProfileSide::kInside);
   }
 
   const ProfileCut& cut_;
@@ -263,6 +275,7 @@ class TabPlacer {
   Across across_;
   double middle_;  ///< mm to the left of the outline: where the cutter's centre runs
   double foot_;
+  double corner_;  ///< mm between a tab's gap and the next corner
   std::vector<OtherLine> others_;
   std::vector<double> starts_;
   double around_ = 0;
@@ -270,6 +283,12 @@ class TabPlacer {
 
 std::string text_of(Vec2 p) {
   return trimmed(p.x, 2) + "," + trimmed(p.y, 2);
+}
+
+/// Whether the kerf along the inside of an outline takes all that is in it.
+bool leaves_nothing_within(const ProfileCut& cut, const Kerf& kerf, const Tolerances& tol) {
+  return cut.side == ProfileSide::kInside &&
+         inset(Region::from_valid_loops(cut.line, {}), 2 * kerf.radius, tol).empty();
 }
 
 /// Middles of tabs at the places that were asked for, mm along the outline.
@@ -368,6 +387,8 @@ PlacesByFeature places_of_tabs(const Part& part, const TabOptions& options, cons
 std::optional<Feature> split_at_tabs(Part& part, int index, const Kerf& kerf, const TabWish& wish) {
   Feature& feature = part.features[static_cast<std::size_t>(index)];
   const TabOptions& options = wish.options;
+  if (wish.places.count(index) == 0 && leaves_nothing_within(*feature.profile, kerf, wish.tol))
+    return std::nullopt;
   const double under = feature.floor_z + feature.profile->beyond;
   const double height = options.height.value_or(std::min(kTabHeight, kTabShare * (feature.top_z - under)));
   const double top = under + height;
@@ -377,11 +398,11 @@ std::optional<Feature> split_at_tabs(Part& part, int index, const Kerf& kerf, co
   }
   std::vector<OtherLine> others;
   for (const OtherLine& line : wish.lines)
-    if (line.feature != index && line.floor_z < top - kRounding &&
-        (line.is_followed || feature.profile->side == ProfileSide::kOn))
-      others.push_back(line);
-  const TabPlacer placer(*feature.profile, kerf, foot_of(options, height, feature.profile->beyond),
-                         std::move(others));
+    if (line.feature != index && line.floor_z < top - kRounding) others.push_back(line);
+  const TabPlacer placer(
+      *feature.profile, kerf,
+      {foot_of(options, height, feature.profile->beyond), options.shape == TabShape::kSquare},
+      std::move(others));
   const auto asked = wish.places.find(index);
   const std::vector<double> places = places_on(
       feature, placer, asked == wish.places.end() ? std::vector<Vec2>{} : asked->second, options, part);

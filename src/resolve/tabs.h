@@ -33,8 +33,8 @@ struct OtherLine {
   int feature = 0;
   Path line;
   double floor_z = 0;
-  double reach = 0;          ///< mm; no farther beside it anything is cut
-  bool is_followed = false;  ///< by the cutter's centre
+  double reach = 0;                     ///< mm; no farther beside it anything is cut
+  ProfileSide side = ProfileSide::kOn;  ///< on which that is; the cutter's centre follows lines that it is on
 };
 
 /// What is asked of tabs.
@@ -46,10 +46,10 @@ struct TabWish {
 };
 
 /// The layers of a profile below the tops of its tabs, as a feature of its own; the feature itself keeps those above. Nothing where
-/// no tab fits.
+/// no tab fits, and where the kerf of an inside profile takes all that it surrounds.
 ///
-/// Places      Straight stretches and wide arcs, away from corners, from the kerfs of other sides and from lines that cross: spread
-///             evenly, or where they were asked for.
+/// Places      Straight stretches and wide arcs, away from corners, from the kerfs of other sides and of other profiles, and from
+///             lines that cross: spread evenly, or where they were asked for.
 /// Square      The cutter has no room in the tab: passes end beside it.
 /// Triangular  The kerf goes on under them, for passes rise over them (link/sections/over_tabs.h).
 ///

@@ -1,10 +1,17 @@
 #include "stock/round_hole.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "stock/cutter_sweep.h"
 
 namespace clearcut::stock {
+namespace {
+
+/// mm. Diameters that differ by a tolerance, as far as numbers tell.
+constexpr double kDiameterRounding = 1e-6;
+
+}  // namespace
 
 std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances& tol) {
   if (!closed_all_round(feature) || feature.wall_slope.radians() != 0 || feature.target.size() != 1)
@@ -32,7 +39,11 @@ double full_depth(const Part& part, const Workingstep& step) {
 
 bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol) {
   const double spare = 2 * hole.radius - tool.diameter;
-  return spare >= -tol.fit && spare <= tol.uncut;
+  return spare >= -tol.fit - kDiameterRounding && spare <= tol.uncut + kDiameterRounding;
+}
+
+bool is_near_size(double drill, double hole) {
+  return std::abs(drill - hole) <= kNearDrill + kDiameterRounding;
 }
 
 std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, const Tolerances& tol) {

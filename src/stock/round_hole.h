@@ -26,8 +26,14 @@ bool only_plunges(const Tool& tool);
 double full_depth(const Part& part, const Workingstep& step);
 
 /// Whether a plunge of `tool` at its centre makes the whole hole: its diameter is greater than the hole's by at
-/// most tol.fit, or smaller by at most tol.uncut.
+/// most tol.fit, or smaller by at most tol.uncut, up to rounding.
 bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol);
+
+/// mm. A hole may be made by a drill that is wider or narrower than it by this much, where no other cutter makes it.
+inline constexpr double kNearDrill = 0.05;
+
+/// Whether the drill's diameter, mm, is the hole's or so near that it may be taken for it.
+bool is_near_size(double drill, double hole);
 
 /// The holes that exist within reach of a workingstep's passes when it begins, and in which a cutter no wider
 /// than they are can go down: predrilled ones, and those that earlier steps made at least as deep as this

@@ -10,6 +10,7 @@
 #include "geometry/rectangle.h"
 #include "model/cutter_profile.h"
 #include "resolve/left_over.h"
+#include "resolve/tabs.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -23,6 +24,8 @@ constexpr double kSaid = 0.005;  ///< mm2. Areas that differ by less read the sa
 constexpr int kHalvings = 10;    // of the range of diameters that is searched
 /// mm. Smaller cutters are not proposed.
 constexpr double kSmallest = 0.1;
+/// mm, for rounding of heights.
+constexpr double kAtUnderside = 1e-6;
 /// mm within a piece's edge: where it is looked for.
 constexpr double kInside = 1e-3;
 
@@ -214,6 +217,44 @@ std::vector<Condition> doubts(const Part& part) {
   return conditions;
 }
 
+/// The widest mill at hand that is narrower than those which work on the feature; null where there is none.
+const Tool* narrower_mill(const Part& part, const FeatureFindings& found) {
+  const int feature = part.workplan[static_cast<std::size_t>(found.workingstep)].feature;
+  double least = found.tool_diameter;
+  for (const Workingstep& step : part.workplan)
+    if (step.feature == feature) least = std::min(least, tool_of(part, step).diameter);
+  const Tool* widest = nullptr;
+  for (const Tool& tool : part.tools) {
+    const bool is_narrower = mills_upright(tool) && tool.diameter < least - kSaid;
+    if (is_narrower && (!widest || tool.diameter > widest->diameter)) widest = &tool;
+  }
+  return widest;
+}
+
+/// Whether the feature cuts the part itself out of the stated stock and leaves nothing that holds it.
+bool frees_unheld(const Feature& feature, const Part& part) {
+  if (!feature.profile || !feature.profile->closed || !feature.profile->tabs.empty() || !part.stock)
+    return false;
+  return feature.floor_z <= part.stock->z_bottom + kAtUnderside && resolve::frees_part(feature, part);
+}
+
+/// One condition for all profiles that cut a part free.
+std::optional<Condition> loose_part(const Part& part) {
+  std::string first;
+  int count = 0;
+  for (const Feature& feature : part.features) {
+    if (frees_unheld(feature, part) && count++ == 0) first = feature.name;
+  }
+  if (count == 0) return std::nullopt;
+  const std::string others = count > 1 ? " (and " + std::to_string(count - 1) + " more)" : "";
+  return Condition{
+      "loose-part",
+      first + others +
+          " goes through the stock all round, and what it surrounds comes loose: something else holds "
+          "it, or leave tabs (--tabs 3) or a skin (--skin 0.3)",
+      0, ""};
+}
+
 }  // namespace
 
 std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, const Tolerances& tol) {
@@ -239,6 +280,9 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
                                " mm2 has " + trimmed(fits, 2) + " mm"
                          : "; no cutter of 0.1 mm or more reaches it";
     }
+    if (const Tool* narrower = feature.profile ? nullptr : narrower_mill(part, found))
+      text += "; with --rest T" + std::to_string(narrower->number) + " (" + trimmed(narrower->diameter, 3) +
+              " mm) mills what T" + std::to_string(found.tool_number) + " leaves";
     const bool little = left <= std::max(kShare * whole, kCorners) && left <= kMost * whole;
     conditions.push_back({"out-of-reach", text, 0, little ? "at most 2 percent or 1 mm2" : ""});
   }
@@ -248,6 +292,7 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
 void add_conditions_of_part(const Part& part, const ResolvedPlan& plan, Findings& findings) {
   findings.conditions.insert(findings.conditions.end(), plan.conditions.begin(), plan.conditions.end());
   for (Condition& one : doubts(part)) findings.conditions.push_back(std::move(one));
+  if (auto loose = loose_part(part)) findings.conditions.push_back(*std::move(loose));
   for (Condition& one : out_of_reach(part, findings, plan.tol)) findings.conditions.push_back(std::move(one));
   for (FeatureFindings& found : findings.features) {
     const double whole = area(feature_of(part, found).target);

@@ -42,6 +42,7 @@ ReadOptions merged(ReadOptions options, const ReadOptions& over) {
   if (over.solid.turn_deg != 0) options.solid.turn_deg = over.solid.turn_deg;
   if (!over.solid.body.empty()) options.solid.body = over.solid.body;
   options.solid.drills = over.solid.drills;
+  options.solid.has_other_setups = over.solid.has_other_setups;
   if (over.solid.breakthrough) options.solid.breakthrough = over.solid.breakthrough;
   return options;
 }

@@ -116,7 +116,9 @@ SetupPlace own_turn(const JobFile& setup) {
 /// Reads set-ups one after the other of one block.
 class SetupReader {
  public:
-  SetupReader(const JobFile& job, const ReadOptions& over) : job_(job), over_(over) {}
+  SetupReader(const JobFile& job, const ReadOptions& over) : job_(job), over_(over) {
+    over_.solid.has_other_setups = job.setups.size() > 1;
+  }
 
   Part read(int number, SetupPlace& place, StepSources& sources, StepChoices& published) {
     const JobFile& first = job_.setups.front();
@@ -193,7 +195,7 @@ class SetupReader {
   }
 
   const JobFile& job_;
-  const ReadOptions& over_;
+  ReadOptions over_;
 };
 
 }  // namespace

@@ -3,15 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
+#include "geometry/boolean.h"
+#include "geometry/contours/loops.h"
 #include "geometry/rectangle.h"
 #include "geometry/spatial/cell_grid.h"
+#include "geometry/unite_all.h"
 #include "model/part.h"
 #include "read/repair/repair.h"
 #include "read/step_solid/face_curves.h"
 
 namespace clearcut::read {
 namespace {
+
+/// mm. Shadows thinner than this on average are those of faces that are upright but for rounding.
+constexpr double kThinnestShadow = 0.004;
 
 /// One point for all that lie within kSamePlace of it.
 class Places {
@@ -81,19 +89,45 @@ Box within(const Box& box, const Box& solid) {
           {std::min(box.max.x, solid.max.x), std::min(box.max.y, solid.max.y)}};
 }
 
-/// Only faces that look up all over are bounded by their edges in plan view; others get their box.
+bool is_sliver(const Region& region) {
+  return 2 * region.area() < kThinnestShadow * length(region.outer());
+}
+
+/// Whether floors that lie higher cover the whole shadow, as the top of a plate covers the bores through its sides.
+bool is_covered(const Cell& shadow, const std::vector<Cell>& cells, const Tolerances& tol) {
+  Regions rest = shadow.area;
+  for (const Cell& cell : cells) {
+    if (cell.floor && cell.z >= shadow.z && !rest.empty() && box(cell.area).overlaps(box(rest)))
+      rest = subtract(rest, cell.area, tol);
+  }
+  return std::all_of(rest.begin(), rest.end(), is_sliver);
+}
+
+/// What a face that looks up in part covers; its box where the kernel gave no shadow. Slivers of upright parts are rounding.
+void cover_mixed(Cell& cell, const SolidFace& face, const Box& solid, const Tolerances& tol) {
+  if (face.outline.empty()) {
+    cell.area = {rectangular_region(within(face.plan, solid))};
+  } else {
+    cell.area = unite_loops(face.outline, tol);
+    std::erase_if(cell.area, is_sliver);
+  }
+  for (const Loop& loop : loops_of(cell.area)) cell.curves.push_back(loop);
+}
+
+/// Faces that look up all over are bounded by their edges in plan view.
 Cell cell_of(const SolidFace& face, const Box& solid, Places& places, const RepairOptions& how,
              Diagnostics& mends) {
   Cell cell;
   cell.face = face.number - 1;
   cell.z = face.z_high;
   if (face.facing == Facing::kMixed) {
-    cell.curves = {rectangle(within(face.plan, solid))};
-  } else {
-    // A seam is there both ways.
-    const std::vector<Path> all = snapped(face.outline, places);
-    for (const std::size_t i : unpaired(pointers(all))) cell.curves.push_back(all[i]);
+    cover_mixed(cell, face, solid, how.tol);
+    cell.inside = points_inside(cell.area);
+    return cell;
   }
+  // A seam is there both ways.
+  const std::vector<Path> all = snapped(face.outline, places);
+  for (const std::size_t i : unpaired(pointers(all))) cell.curves.push_back(all[i]);
   if (!cell.curves.empty()) cell.area = repair(chained(cell.curves, how.where), how, mends);
   cell.inside = points_inside(cell.area);
   const bool ends_hole = face.surface == "cone" && is_disc(cell.area);
@@ -115,6 +149,13 @@ HeightMap::HeightMap(const SolidModel& solid, const std::string& file_name, cons
     Cell cell = cell_of(face, solid.plan, places, how, mends_);
     if (!cell.curves.empty()) cells_.push_back(std::move(cell));
   }
+  const auto is_hidden = [&](const Cell& cell) {
+    return solid.faces[static_cast<std::size_t>(cell.face)].facing == Facing::kMixed &&
+           is_covered(cell, cells_, tol);
+  };
+  std::vector<Cell> seen;
+  std::copy_if(cells_.begin(), cells_.end(), std::back_inserter(seen), std::not_fn(is_hidden));
+  cells_ = std::move(seen);
 }
 
 }  // namespace clearcut::read

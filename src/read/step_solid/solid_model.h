@@ -33,7 +33,8 @@ struct SolidFace {
   double z_high = 0;
   Box plan;
   /// Its edges in plan view, in no order, the face on their left seen from outside. Vertical edges are left
-  /// out. Only for faces that look up.
+  /// out. Only for faces that look up. Of a face that does so in part the shadow of that part: triangles that turn
+  /// counter-clockwise and may overlap; their outer edge lies within kCurveTolerance of the shadow's.
   std::vector<Path> outline;
   std::optional<WallFront> front;
 };

@@ -10,6 +10,7 @@
 #include "base/text/format.h"
 #include "geometry/boolean.h"
 #include "geometry/rectangle.h"
+#include "read/common/curve_fit.h"
 #include "read/common/drawing.h"
 #include "read/step_solid/face_curves.h"
 #include "read/step_solid/floor_sweep.h"
@@ -17,6 +18,7 @@
 #include "read/step_solid/lie.h"
 #include "read/step_solid/solid_model.h"
 #include "read/step_solid/tops.h"
+#include "stock/round_hole.h"
 
 namespace clearcut::read {
 namespace {
@@ -31,8 +33,14 @@ constexpr double kTooLong = 2000, kTooShort = 1;
 constexpr double kSlack = 1e-3;
 /// Length of a drill's point of 118 degrees over its diameter.
 constexpr double kDrillPoint = 0.3004;
-/// Faces named one by one before the rest is counted.
-constexpr int kMostNamed = 40;
+/// Faces described one by one; the condition has the numbers of all.
+constexpr int kMostDescribed = 10;
+/// mm. Faces that are not flat and end at heights nearer than this are cut down to the highest of these together.
+constexpr double kOneLevel = 0.1;
+/// The condition of a solid that is not made whole, docs/conditions.md.
+constexpr const char* kLeftOut = "left-out";
+/// That of a part that nothing holds at the end.
+constexpr const char* kLoosePart = "loose-part";
 
 bool any_inside(const std::vector<Vec2>& points, const Region& region) {
   return std::any_of(points.begin(), points.end(), [&](Vec2 p) { return region.contains(p); });
@@ -40,6 +48,48 @@ bool any_inside(const std::vector<Vec2>& points, const Region& region) {
 
 std::string span(double low, double high) {
   return trimmed(low, 3) + ".." + trimmed(high, 3);
+}
+
+/// Numbers of faces: "3, 7, 9-14".
+std::string listed(const std::set<int>& numbers) {
+  std::string text;
+  for (auto first = numbers.begin(); first != numbers.end();) {
+    auto last = first;
+    for (auto next = std::next(last); next != numbers.end() && *next == *last + 1; ++next) last = next;
+    text += (text.empty() ? "" : ", ") + std::to_string(*first);
+    if (last != first) text += (*last == *first + 1 ? ", " : "-") + std::to_string(*last);
+    first = std::next(last);
+  }
+  return text;
+}
+
+/// "face 3 is", "faces 3, 7, 9-14 are".
+std::string subject(const std::set<int>& numbers) {
+  return (numbers.size() == 1 ? "face " : "faces ") + listed(numbers) +
+         (numbers.size() == 1 ? " is" : " are");
+}
+
+/// The full circle that an outline is within kCurveTolerance of, where its curves are more than a polygon's sides; nothing for all
+/// others.
+std::optional<Region> circle_like(const Region& region) {
+  if (!region.islands().empty()) return std::nullopt;
+  const Vec2 center = region.box().center();
+  double least = kOpenReach, most = 0;
+  for (const Edge& edge : region.outer()) {
+    for (const double t : {0.0, 0.25, 0.5, 0.75}) {
+      const double apart = distance(center, edge.at(t));
+      least = std::min(least, apart);
+      most = std::max(most, apart);
+    }
+  }
+  if (most - least > 2 * kCurveTolerance) return std::nullopt;
+  const bool has_arcs = std::any_of(region.outer().begin(), region.outer().end(),
+                                    [](const Edge& edge) { return edge.is_arc(); });
+  if (!has_arcs) return std::nullopt;
+  const Vec2 radius{std::sqrt(region.area() / kPi), 0};
+  const auto half = [&](Vec2 from, Vec2 to) { return Edge::arc(from, to, center, Turn::kCounterClockwise); };
+  return Region::from_valid_loops(
+      {half(center + radius, center - radius), half(center - radius, center + radius)}, {});
 }
 
 std::string described(const SolidFace& face) {
@@ -109,6 +159,7 @@ class Finder {
         stock_(stock_around(solid, options.solid.stock, file_name)),
         breakthrough_(options.solid.breakthrough.value_or(kBreakthrough)),
         drills_(options.solid.drills),
+        has_other_setups_(options.solid.has_other_setups),
         map_(solid, file_name, options.tol) {}
 
   /// Whether there is anything to mill.
@@ -118,7 +169,8 @@ class Finder {
   Part part(bool stated_stock);
 
  private:
-  std::vector<double> levels() const;
+  std::vector<double> levels();
+  double level_under(double z, const std::vector<double>& floors, std::vector<double>& others) const;
   void refuse_too_much(std::size_t levels) const;
   void report_stock(bool stated);
   void report_through();
@@ -128,6 +180,7 @@ class Finder {
   double point_below(const Feature& hole) const;
   FeatureKind kind_of(const Region& target, bool open, bool through) const;
   void leave_out_thin();
+  void doubt(const std::string& what);
   void report_hidden_floors();
   void report_left_out();
   void report_set_ups();
@@ -143,7 +196,9 @@ class Finder {
   Stock stock_;
   double breakthrough_;         ///< mm
   std::vector<double> drills_;  ///< mm
+  bool has_other_setups_;
   HeightMap map_;
+  std::vector<double> level_of_;  ///< mm; for each cell the height down to which what is over it is cut
   Part part_;
   std::vector<Feature> found_;
   Diagnostics cones_;        ///< drills' points among them
@@ -214,15 +269,39 @@ void Finder::report_through() {
            goes_round(feature, solid_.plan);
   });
   if (freed)
-    part_.diagnostics.warn(file_name_,
-                           "the outside is cut through all round: the part comes loose; hold it by itself");
+    part_.diagnostics.doubt(file_name_, kLoosePart,
+                            "the outside is cut through all round: the part comes loose; hold it by itself");
 }
 
-/// Heights of floors below the stock's top, top down; last the solid's bottom, for what has no floor.
-std::vector<double> Finder::levels() const {
-  std::vector<double> heights;
-  for (const Cell& cell : map_.cells())
-    if (cell.floor && cell.z < stock_.z_top - kSameHeight) heights.push_back(cell.z);
+/// mm. The height down to which what is over a face is cut that is not flat and whose highest place is z: that of a floor or of
+/// another such face which lies higher by less than kOneLevel, else its own, which is added to `others`.
+double Finder::level_under(double z, const std::vector<double>& floors, std::vector<double>& others) const {
+  for (const std::vector<double>* heights : {&floors, static_cast<const std::vector<double>*>(&others)}) {
+    for (const double height : *heights)
+      if (height >= z - kSameHeight && height <= z + kOneLevel) return std::max(height, z);
+  }
+  others.push_back(z);
+  return z;
+}
+
+/// Heights below the stock's top of floors and of what is not flat, top down; last the solid's bottom, for what has no floor.
+std::vector<double> Finder::levels() {
+  const auto& cells = map_.cells();
+  const auto is_below_top = [&](const Cell& cell) { return cell.z < stock_.z_top - kSameHeight; };
+  std::vector<double> floors, others;
+  std::vector<std::size_t> highest_first;
+  level_of_.clear();
+  for (const Cell& cell : cells) {
+    level_of_.push_back(cell.z);
+    if (cell.floor && is_below_top(cell)) floors.push_back(cell.z);
+    if (!cell.floor && is_below_top(cell) && area(cell.area) > kSpeck)
+      highest_first.push_back(level_of_.size() - 1);
+  }
+  std::stable_sort(highest_first.begin(), highest_first.end(),
+                   [&](std::size_t a, std::size_t b) { return cells[a].z > cells[b].z; });
+  for (const std::size_t i : highest_first) level_of_[i] = level_under(cells[i].z, floors, others);
+  std::vector<double> heights = floors;
+  heights.insert(heights.end(), others.begin(), others.end());
   heights.push_back(solid_.z_bottom);
   std::sort(heights.rbegin(), heights.rend());
   const auto same = [](double a, double b) { return std::abs(a - b) < kSameHeight; };
@@ -252,12 +331,13 @@ void Finder::add_level(double z, const Regions& free) {
   }
 }
 
-/// Indices of the cells that are the region's floor at z.
+/// Indices of the cells over which the region is cut down to z: floors at that height, and what is not flat and ends there.
 std::vector<int> Finder::floors_in(const Region& region, double z) const {
   std::vector<int> floors;
   const auto& cells = map_.cells();
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (cells[i].floor && std::abs(cells[i].z - z) < kSameHeight && any_inside(cells[i].inside, region))
+    const bool is_cut = cells[i].floor || cells[i].z < stock_.z_top - kSameHeight;
+    if (is_cut && std::abs(level_of_[i] - z) < kSameHeight && any_inside(cells[i].inside, region))
       floors.push_back(static_cast<int>(i));
   }
   return floors;
@@ -266,8 +346,7 @@ std::vector<int> Finder::floors_in(const Region& region, double z) const {
 /// mm. How far the point of the drill at hand that makes the hole stands before its full width; 0 without one.
 double Finder::point_below(const Feature& hole) const {
   const auto drills = [&](double diameter) {
-    const double spare = hole.hole_diameter.value_or(0) - diameter;
-    return hole.hole_diameter && spare >= -tol_.fit && spare <= tol_.uncut;
+    return hole.hole_diameter && stock::is_near_size(diameter, *hole.hole_diameter);
   };
   return std::any_of(drills_.begin(), drills_.end(), drills) ? kDrillPoint * *hole.hole_diameter : 0;
 }
@@ -289,18 +368,26 @@ void Finder::add_area(const Region& target, const Region& allowed, bool open, do
   feature.name = name_of(feature.kind);
   feature.target = {target};
   feature.allowed = {allowed};
+  if (const auto circle = open ? std::nullopt : circle_like(target)) {
+    feature.target = feature.allowed = {*circle};
+    feature.kind = kind_of(*circle, open, through);
+    feature.name = name_of(feature.kind);
+  }
   feature.top_z = stock_.z_top;
   feature.floor_z = z;
   feature.through = through;
-  if (feature.kind == FeatureKind::kRoundHole) feature.hole_diameter = circle_diameter(target, tol_);
+  if (feature.kind == FeatureKind::kRoundHole)
+    feature.hole_diameter = circle_diameter(feature.target[0], tol_);
   if (through) feature.floor_z -= breakthrough_ + point_below(feature);
   for (const int index : floors) {
-    reached_.insert(index);
     const Cell& cell = map_.cells()[static_cast<std::size_t>(index)];
+    if (!cell.floor) continue;
+    reached_.insert(index);
     const SolidFace& face = solid_.faces[static_cast<std::size_t>(cell.face)];
     feature.source += (feature.source.empty() ? "face " : ", ") + std::to_string(face.number);
     if (!face.level) report_cone(cell);
   }
+  if (!floors.empty() && feature.source.empty()) feature.source = "above what is not flat";
   found_.push_back(std::move(feature));
 }
 
@@ -319,31 +406,40 @@ void Finder::report_cone(const Cell& cell) {
                               trimmed(cell.z, 3) + ", where it begins");
 }
 
+/// What the solid has and the program does not make: a condition.
+void Finder::doubt(const std::string& what) {
+  part_.diagnostics.doubt(file_name_, kLeftOut, what);
+}
+
 void Finder::report_hidden_floors() {
   const auto& cells = map_.cells();
+  std::set<int> hidden;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (!cells[i].floor || cells[i].z > solid_.z_top - kSameHeight || reached_.count(static_cast<int>(i)))
       continue;
     part_.diagnostics.skip(file_name_, described(solid_.faces[static_cast<std::size_t>(cells[i].face)]) +
                                            " lies under an overhang: left out");
+    hidden.insert(cells[i].face + 1);
   }
+  if (!hidden.empty() && !has_other_setups_) doubt(subject(hidden) + " under an overhang and left out");
 }
 
 void Finder::report_left_out() {
   std::set<int> floors;
   for (const Cell& cell : map_.cells())
     if (cell.floor && cell.z < solid_.z_top - kSameHeight) floors.insert(cell.face);
-  int count = 0;
+  std::set<int> left_out;
   for (const SolidFace& face : solid_.faces) {
     if (face.facing == Facing::kUpright || face.level || floors.count(face.number - 1)) continue;
-    if (++count <= kMostNamed)
+    left_out.insert(face.number);
+    if (left_out.size() <= kMostDescribed)
       part_.diagnostics.skip(
           file_name_,
           described(face) + " is neither a flat floor nor a vertical wall: left out, its material stays");
   }
-  if (count > kMostNamed)
-    part_.diagnostics.skip(
-        file_name_, std::to_string(count - kMostNamed) + " more faces that are not 2.5-D are left out");
+  if (!left_out.empty())
+    doubt(subject(left_out) +
+          " neither flat and level nor upright: the material up to the top of each stays");
 }
 
 /// Whether the cutter comes by right in front of a wall, down to its foot.
@@ -351,8 +447,12 @@ bool Finder::is_reached(const SolidFace& wall) const {
   const Vec2 p = wall.front->before;
   if (!solid_.plan.contains(p)) return true;
   const auto& cells = map_.cells();
+  // A wall beside a floor that slopes is left out with that floor, not for its own sake.
+  const auto foot_of = [&](const Cell& cell) {
+    return cell.floor ? cell.z : solid_.faces[static_cast<std::size_t>(cell.face)].z_low;
+  };
   return std::none_of(cells.begin(), cells.end(), [&](const Cell& cell) {
-    return cell.z > wall.z_low + 0.001 && contains(cell.area, p);
+    return foot_of(cell) > wall.z_low + 0.001 && contains(cell.area, p);
   });
 }
 
@@ -397,6 +497,7 @@ void Finder::report_set_ups() {
     const int direction = set_up_of(face);
     if (direction >= 0) floors[static_cast<std::size_t>(direction)].push_back(face.number);
   }
+  std::set<int> sideways;
   for (std::size_t i = 0; i < floors.size(); ++i) {
     if (floors[i].empty()) continue;
     std::string names;
@@ -406,7 +507,11 @@ void Finder::report_set_ups() {
                                            kSetUps[i] + " (faces " + names +
                                            (floors[i].size() > 10 ? ", ..." : "") +
                                            "): they need another set-up, with the solid turned");
+    sideways.insert(floors[i].begin(), floors[i].end());
   }
+  if (!sideways.empty() && !has_other_setups_)
+    doubt(subject(sideways) + " not made from this side: " +
+          (sideways.size() == 1 ? "it needs" : "they need") + " another set-up");
 }
 
 }  // namespace

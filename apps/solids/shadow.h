@@ -1,0 +1,18 @@
+// The shadow of a curved face in plan view.
+#pragma once
+
+#include <TopoDS_Face.hxx>
+#include <vector>
+
+#include "geometry/edge.h"
+
+namespace clearcut {
+
+/// What of a face looks up, in plan view: triangles that turn counter-clockwise and may overlap. The face's own triangulation is
+/// replaced.
+///
+/// Error   their union ends within read::kCurveTolerance of the shadow's edge, and within a 20000th of the face's size where that
+///         is more.
+std::vector<Path> shadow_of(const TopoDS_Face& face);
+
+}  // namespace clearcut
