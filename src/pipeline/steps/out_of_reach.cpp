@@ -147,6 +147,13 @@ bool is_said_above_tabs(const FeatureFindings& found, const Part& part, const Fi
          });
 }
 
+/// mm2 out of reach of a feature whose floor is to meet its walls in a fillet: the rounded corner of a cutter leaves nothing there that
+/// should go.
+double left_beside_fillet(const Feature& feature, const FeatureFindings& found, const Tolerances& tol) {
+  const Regions swept = resolve::swept(feature.allowed, found.tool_diameter / 2, 0, 0, tol);
+  return std::min(found.figures.unreachable_mm2, area(subtract(feature.target, swept, tol)));
+}
+
 /// What its reader doubts.
 std::vector<Condition> doubts(const Part& part) {
   std::vector<Condition> conditions;
@@ -166,7 +173,9 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
     }
     // Tabs are no part of what a share is taken of.
     const Feature* above = above_tabs(feature, part);
-    const double whole = area(above ? above->target : feature.target), left = found.figures.unreachable_mm2;
+    const double whole = area(above ? above->target : feature.target);
+    const double left =
+        feature.floor_fillet > 0 ? left_beside_fillet(feature, found, tol) : found.figures.unreachable_mm2;
     if (left <= allowed_to_stay(whole) || is_said_above_tabs(found, part, findings)) continue;
     std::string text = feature.name + ": " + trimmed(left, 2) + " of " + trimmed(whole, 2) +
                        " mm2 are out of the reach of T" + std::to_string(found.tool_number) + " (" +
