@@ -25,10 +25,12 @@ using read::LayerRule;
 using read::OpenCurves;
 using read::OutlineSummary;
 using read::read_part;
+using read::read_part_of_setup;
 using read::read_part_text;
 using read::ReadOptions;
 using read::rule_named;
 using read::rule_of_option;
+using read::setups_of_program;
 using read::SolidOptions;
 
 // Jobs: a part with its stock, tools, machine and wishes.

@@ -25,9 +25,23 @@ Section section_of(MoveList& list, const LinkOptions& options) {
   return section;
 }
 
+/// Down to z, each stretch at its own feed: where the hole begins, where it ends, and between.
+void feed_down(MoveList& list, double z, const HoleWork& hole, const LinkOptions& options,
+               const HoleFeeds& feeds) {
+  const double start_end = feeds.start_depth > 0 ? hole.z_top - feeds.start_depth : hole.z_top;
+  const double end_begin = feeds.end_depth > 0 ? hole.z + feeds.end_depth : hole.z;
+  const auto stretch = [&](double to, double share) {
+    const double low = std::max(to, z);
+    if (low < list.z()) list.vertical(low, MoveKind::kPlunge, options.plunge_feed * share);
+  };
+  if (feeds.start_depth > 0) stretch(start_end, feeds.start_share);
+  if (feeds.end_depth > 0) stretch(end_begin, 1);
+  stretch(z, feeds.end_depth > 0 ? feeds.end_share : 1);
+}
+
 }  // namespace
 
-Section drill_hole(const HoleWork& hole, double peck, const LinkOptions& options) {
+Section drill_hole(const HoleWork& hole, double peck, const LinkOptions& options, const HoleFeeds& feeds) {
   const double clear = hole.z_top + options.above_material;
   MoveList list(hole.center, options.safe_z);
   list.vertical(clear, MoveKind::kRapid, {});
@@ -35,11 +49,13 @@ Section drill_hole(const HoleWork& hole, double peck, const LinkOptions& options
   const double step = pecks == 1 ? clear - hole.z : (hole.z_top - hole.z) / pecks;
   // Pecks are counted from the height above the material, as in drilling cycles.
   for (double depth = clear - step; depth > hole.z + step / 1000; depth -= step) {
-    list.vertical(depth, MoveKind::kPlunge, options.plunge_feed);
+    feed_down(list, depth, hole, options, feeds);
     list.vertical(clear, MoveKind::kRapid, {});
     list.vertical(std::min(clear, depth + kPeckGap), MoveKind::kRapid, {});
   }
-  list.vertical(hole.z, MoveKind::kPlunge, options.plunge_feed);
+  feed_down(list, hole.z, hole, options, feeds);
+  if (feeds.retract_share)
+    list.vertical(clear, MoveKind::kRetract, options.plunge_feed * *feeds.retract_share);
   list.vertical(options.safe_z, MoveKind::kRapid, {});
   return section_of(list, options);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "link/link.h"
+#include "model/part.h"
 
 namespace clearcut::link {
 
@@ -15,8 +16,9 @@ struct HoleWork {
 
 /// Goes over the centre, down in pecks of at most `peck` mm with a retract to above_material between them to
 /// clear the chips, and out again; a post can write these moves as one drilling cycle. One peck if `peck` is
-/// as deep as the hole.
-Section drill_hole(const HoleWork& hole, double peck, const LinkOptions& options);
+/// as deep as the hole. `feeds`: other feeds where the hole begins and ends, and on the way out.
+Section drill_hole(const HoleWork& hole, double peck, const LinkOptions& options,
+                   const HoleFeeds& feeds = {});
 
 /// The same, but each peck only breaks the chip: the drill goes up by kPeckGap and stays in the hole.
 Section chip_hole(const HoleWork& hole, double peck, const LinkOptions& options);

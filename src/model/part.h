@@ -113,6 +113,7 @@ struct Feature {
   std::optional<TSlot> t_slot = {};
   /// Round holes of which more is asked than a cylinder down to floor_z.
   std::optional<HoleForm> hole = {};
+  double floor_fillet = 0;  ///< mm; radius that stays between floor and walls, where one is asked for
 };
 
 /// How far beyond the stock an open side's `allowed` region reaches, mm.
@@ -129,6 +130,17 @@ enum class OperationKind {
 };
 enum class EntryKind { kHelix, kRamp, kZigzagRamp, kPlunge };
 enum class CutDirection { kClimb, kConventional };
+
+/// How a tool goes straight down a hole and comes up again, where it is not by one feed. Depths in mm from where the hole begins and
+/// from its floor; shares are of the plunge feed.
+struct HoleFeeds {
+  double start_depth = 0;
+  double start_share = 1;  ///< down to start_depth
+  double end_depth = 0;
+  double end_share = 1;                      ///< over the last end_depth
+  std::optional<double> retract_share = {};  ///< absent: up at the rapid
+  double dwell_s = 0;                        ///< at the floor
+};
 
 /// How a feature is to be cut. Absent values are decided by the planner's documented defaults.
 struct Operation {
@@ -154,6 +166,18 @@ struct Operation {
   bool rest = false;                      ///< cut only what the earlier steps of the same feature leave
   std::optional<Radians> feed_direction;  ///< of parallel strokes against x
   std::string strategy_hint;              ///< strategy named by the file, "" if none
+  std::optional<HoleFeeds> hole_feeds = {};
+};
+
+/// What a program does between two workingsteps.
+enum class StopKind {
+  kHalt,      ///< M0
+  kOptional,  ///< M1: halts where the operator has asked for it
+  kMessage    ///< tells the operator something and goes on
+};
+struct ProgramStop {
+  StopKind kind = StopKind::kHalt;
+  std::string text;
 };
 
 /// One step of the work: this feature by that operation.
@@ -162,6 +186,7 @@ struct Workingstep {
   std::string source;
   int feature = 0;  ///< index into Part::features
   Operation operation;
+  std::vector<ProgramStop> stops = {};  ///< before it
 };
 
 /// A hole that is there before the work begins: a way down for cutters that are no wider. mm.

@@ -8,6 +8,7 @@
 
 #include "base/inch.h"
 #include "base/text/format.h"
+#include "post/between_steps.h"
 #include "post/block_printer.h"
 #include "post/comment.h"
 #include "post/control_words.h"
@@ -41,7 +42,8 @@ class IsoWriter {
         rules_(rules_for(options, dialect)),
         feed_grid_(options.inch, options.inch ? 3 : 2),
         safe_z_(rules_.grid.ticks(safe_z)),
-        out_(dialect, options.block_numbers) {}
+        out_(dialect, options.block_numbers),
+        stops_(part) {}
 
   std::string program(const Toolpath& toolpath);
 
@@ -51,6 +53,7 @@ class IsoWriter {
   void begin_program();
   void set_path_control(bool first);
   void write_section(const Section& section);
+  void write_stops(const std::vector<ProgramStop>& stops);
   void end_program();
 
   void change_tool(int number);
@@ -91,6 +94,7 @@ class IsoWriter {
   BlockPrinter out_;
   Held held_;
   std::vector<Step> steps_;
+  Stops stops_;
   int sections_ = 0;  ///< written so far
 };
 
@@ -141,7 +145,24 @@ void IsoWriter::set_path_control(bool first) {
   out_.line(options_.continuous ? "G64" : "G61");
 }
 
+/// Halts with the tool above the work and the spindle standing.
+void IsoWriter::write_stops(const std::vector<ProgramStop>& stops) {
+  if (halts(stops)) {
+    if (held_.height) retract();
+    set_coolant(Coolant::kOff);
+    set_spindle({});
+  }
+  for (const ProgramStop& stop : stops) {
+    out_.comment(stop_comment(stop));
+    if (stop.kind == StopKind::kMessage) continue;
+    out_.line(stop.kind == StopKind::kOptional && dialect_.optional_stop ? "M1" : "M0");
+    held_.motion = -1;
+    held_.feed = -1;
+  }
+}
+
 void IsoWriter::write_section(const Section& section) {
+  write_stops(stops_.before(section));
   const bool new_tool = section.tool_number > 0 && section.tool_number != held_.tool;
   // Without a tool length in force a height means nothing: the first tool change comes before any motion.
   if (new_tool && held_.height) retract();
@@ -153,10 +174,12 @@ void IsoWriter::write_section(const Section& section) {
   approach(section.moves.front());
   const Tool* tap = tap_of(section, part_);
   if (tap) refuse_tap(*tap, dialect_.tapping, dialect_.name);
+  const double at_floor = dwell_of(section, part_);
   const std::vector<Move> joined = with_lines_joined(section.moves, rules_.grid);
   const std::span<const Move> moves(joined);
   for (std::size_t i = 0; i < moves.size(); ++i) {
-    const auto hole = dialect_.drill_cycles ? drill_block(moves.subspan(i), rules_.grid) : std::nullopt;
+    const auto hole =
+        dialect_.drill_cycles && at_floor == 0 ? drill_block(moves.subspan(i), rules_.grid) : std::nullopt;
     if (hole && held_.height && held_.at.z == hole->above) {
       write_hole(*hole, tap);
       i += hole->moves - 1;
@@ -164,6 +187,7 @@ void IsoWriter::write_section(const Section& section) {
       write_tap_move(moves[i], section);
     } else {
       write_move(moves[i]);
+      if (at_floor > 0 && ends_at_floor(moves[i], section)) dwell(at_floor);
     }
   }
 }

@@ -70,6 +70,26 @@ Part read_program(std::string_view text, const std::string& file_name, const Rea
   return part;
 }
 
+bool is_program(std::string_view text, const std::string& file_name) {
+  FileKind kind = kind_of_extension(capitals(std::filesystem::path(file_name).extension().string()));
+  if (kind == FileKind::kUnknown) kind = kind_of_content(text);
+  return kind == FileKind::kStep && !is_step_solid(text);
+}
+
+/// Whether a program can have several set-ups: most have one, and are not read twice to find that out.
+bool names_setups(const std::string& text) {
+  const std::string capital = capitals(text);
+  int found = 0;
+  for (std::size_t at = capital.find("SETUP"); at != std::string::npos && found < 2;
+       at = capital.find("SETUP", at + 1)) {
+    const std::size_t before = capital.find_last_not_of(" \t\r\n", at - 1);
+    const std::size_t after = capital.find_first_not_of(" \t\r\n", at + 5);
+    const bool begins = at > 0 && before != std::string::npos && capital[before] == '=';
+    if (begins && after != std::string::npos && capital[after] == '(') ++found;
+  }
+  return found > 1;
+}
+
 /// mm; finer differences are arithmetic, not drawing.
 constexpr double kStepsPerMm = 1e9;
 
@@ -193,6 +213,27 @@ Part read_part_text(std::string_view text, const std::string& file_name, const R
   Part part = snapped(read_text(text, file_name, own));
   if (own.block && !part.is_solid) lay_on_block(part, *own.block, own, file_name);
   return part;
+}
+
+int setups_of_program(const std::filesystem::path& file) {
+  try {
+    const std::string text = read_file(file.string(), kLargestPart);
+    if (!is_program(text, file.string()) || !names_setups(text)) return 0;
+    const int count = stepnc::count_setups(text, file.string());
+    return count > 1 ? count : 0;
+  } catch (const InputError&) {
+    return 0;  // whoever reads it says what is wrong
+  }
+}
+
+Part read_part_of_setup(const std::filesystem::path& file, int number, const ReadOptions& options,
+                        SetupPlace& place) {
+  const std::string text = read_file(file.string(), kLargestPart);
+  const int count = is_program(text, file.string()) ? stepnc::count_setups(text, file.string()) : 0;
+  if (number < 1 || number > count)
+    throw InputError("--setup", std::to_string(number) + ": " + file.string() + " has " +
+                                    (count == 0 ? "no set-ups" : std::to_string(count)));
+  return snapped(stepnc::read_setup(text, file.string(), options.tol, number, place));
 }
 
 Part read_part(const std::filesystem::path& file, const ReadOptions& options) {

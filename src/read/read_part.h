@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "model/part.h"
+#include "model/setup_place.h"
 #include "read/read_options.h"
 
 namespace clearcut::read {
@@ -20,7 +21,15 @@ inline constexpr std::size_t kLargestPart = std::size_t{256} << 20;
 ///         than 256 MB, and whatever its reader throws.
 Part read_part(const std::filesystem::path& file, const ReadOptions& options);
 
-/// The same for text already read; `file_name` gives the extension and stands in messages. Job files name
+/// In how many set-ups a STEP-NC program is cut where there are several; 0 for all other files, and for those that cannot be read.
+int setups_of_program(const std::filesystem::path& file);
+
+/// The part of one set-up (from 1) of such a program, in the axes of that set-up with the workpiece's origin as zero. `place`: from the
+/// coordinates of the workpiece to those. Throws as read_part(), and where there is no such set-up.
+Part read_part_of_setup(const std::filesystem::path& file, int number, const ReadOptions& options,
+                        SetupPlace& place);
+
+/// The same as read_part() for text already read; `file_name` gives the extension and stands in messages. Job files name
 /// other files, which are looked for beside `file_name`.
 Part read_part_text(std::string_view text, const std::string& file_name, const ReadOptions& options);
 

@@ -116,6 +116,7 @@ Part PlanArguments::read_overview(DrawingOverview& overview) const {
   ReadOptions options = read_options();
   options.overview = &overview;
   if (setup_.number == 0) return read_part(input_, options);
+  if (!job()) return read(Block::kWhole);
   JobFile setup = *job();
   setup.stock.reset();  // is that of the first set-up
   Part part = part_of_job(setup, options);
@@ -130,8 +131,9 @@ Part PlanArguments::read(Block block) const {
   Part part;
   if (setup_.number > 0) {
     if (zero)
-      throw InputError("--origin", "each set-up of a job has its own; write origin = ... in its [[setup]]");
-    part = read_setup(read_job(input_), block);
+      throw InputError("--origin", "each set-up has its own; in a job write origin = ... in its [[setup]]");
+    part = from_job ? read_setup(read_job(input_), block)
+                    : on_what_is_left(read_program_setup(setup_.number, setup_.place), block);
   } else if (from_job) {
     part = part_of_job(*from_job, read_options(), step_sources_, step_published_);
   } else {
@@ -176,7 +178,7 @@ std::optional<JobFile> PlanArguments::job() const {
 }
 
 int setup_count_of(const std::string& input) {
-  if (std::filesystem::path(input).extension() != ".toml") return 0;
+  if (std::filesystem::path(input).extension() != ".toml") return setups_of_program(input);
   return static_cast<int>(read_job(input).setups.size());
 }
 
@@ -184,16 +186,27 @@ int setup_count_of(const std::string& input) {
 Part PlanArguments::read_setup(const JobFile& whole, Block block) const {
   Part part =
       part_of_setup(whole, setup_.number, read_options(), setup_.place, step_sources_, step_published_);
+  return on_what_is_left(std::move(part), block);
+}
+
+/// A set-up of a STEP-NC program.
+Part PlanArguments::read_program_setup(int number, SetupPlace& place) const {
+  return read_part_of_setup(input_, number, read_options(), place);
+}
+
+Part PlanArguments::on_what_is_left(Part part, Block block) const {
   if (setup_.number == 1 || block == Block::kWhole) return part;
   setup_.carried =
-      carried_stock(setup_.machined.empty() ? machined_before(whole) : setup_.machined, setup_.place, part);
+      carried_stock(setup_.machined.empty() ? machined_before() : setup_.machined, setup_.place, part);
   part.stock = setup_.carried->block;
   part.diagnostics.note("set-up", setup_.carried->told);
   return part;
 }
 
 /// From the programs that --earlier-setup names.
-std::vector<MachinedSetup> PlanArguments::machined_before(const JobFile& whole) const {
+std::vector<MachinedSetup> PlanArguments::machined_before() const {
+  const bool is_job = std::filesystem::path(input_).extension() == ".toml";
+  const JobFile whole = is_job ? read_job(input_) : JobFile{};
   if (static_cast<int>(setup_.earlier_programs.size()) != setup_.number - 1)
     throw InputError("--setup", "set-up " + std::to_string(setup_.number) + " begins with what " +
                                     std::to_string(setup_.number - 1) + " before it " +
@@ -204,11 +217,13 @@ std::vector<MachinedSetup> PlanArguments::machined_before(const JobFile& whole) 
     MachinedSetup one;
     StepSources sources;
     StepChoices published;
-    one.part = part_of_setup(whole, number, read_options(), one.place, sources, published);
+    one.part = is_job ? part_of_setup(whole, number, read_options(), one.place, sources, published)
+                      : read_program_setup(number, one.place);
     const std::vector<Tool> given = tools();
     if (!given.empty()) one.part.tools = given, resolve::number_tools(one.part.tools);
     const auto index = static_cast<std::size_t>(number - 1);
-    one.toolpath = read_earlier_program(setup_.earlier_programs[index], machine(whole.setups[index].machine));
+    one.toolpath = read_earlier_program(setup_.earlier_programs[index],
+                                        machine(is_job ? whole.setups[index].machine : Machine{}));
     machined.push_back(std::move(one));
   }
   return machined;

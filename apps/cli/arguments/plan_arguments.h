@@ -31,7 +31,7 @@ enum class Block : unsigned char {
   kWhole    ///< nothing was cut yet
 };
 
-/// How many [[setup]] a job file has; 0 for other files and jobs of one set-up.
+/// How many [[setup]] a job file has, or set-ups a STEP-NC program; 0 for other files and those of one set-up.
 int setup_count_of(const std::string& input);
 
 /// Raw option values; `options()` turns them into PlanOptions or throws InputError.
@@ -72,7 +72,9 @@ class PlanArguments {
 
  private:
   Part read_setup(const JobFile& whole, Block block) const;
-  std::vector<MachinedSetup> machined_before(const JobFile& whole) const;
+  Part read_program_setup(int number, SetupPlace& place) const;
+  Part on_what_is_left(Part part, Block block) const;
+  std::vector<MachinedSetup> machined_before() const;
   ReadOptions read_options() const;
   std::vector<Tool> tools() const;
   ToolLibrary library() const;

@@ -51,7 +51,8 @@ std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingst
           feature.hole && (feature.hole->kind == HoleKind::kReamed || tool.kind == ToolKind::kBoringBar);
       section = feeds_out ? link::feed_out_hole(work, link)
                 : chips   ? link::chip_hole(work, step.stepdown, link)
-                          : link::drill_hole(work, step.stepdown, link);
+                          : link::drill_hole(work, step.stepdown, link,
+                                             planned.operation.hole_feeds.value_or(HoleFeeds{}));
     } else if (is_bored(work, feature, step, tool) && !runs_into_others(layers, feature)) {
       section = link::bore_hole(work, step.stepdown, link);
     }

@@ -204,9 +204,16 @@ std::string end_that_leaves(const Part& part, const Feature& feature, const Feat
   const std::string end = flat > 0 ? "rounds off " + trimmed(tool.radius() - flat, 3) + " mm"
                           : outer_profile(tool).round > 0 ? "ends in a ball"
                                                           : "ends in a point";
-  const double left = left_by(feature, tool.diameter, tol);
+  const double left = LeftByDiameter(feature, tol).left(tool.diameter);
   return ", which " + end + "; a flat end mill as wide leaves " +
          (left <= allowed_to_stay(area(feature.target)) ? "none" : trimmed(left, 2) + " mm2");
+}
+
+/// mm2 out of reach of a feature whose floor is to meet its walls in a fillet: the rounded corner of a cutter leaves nothing there that
+/// should go.
+double left_beside_fillet(const Feature& feature, const FeatureFindings& found, const Tolerances& tol) {
+  const Regions swept = resolve::swept(feature.allowed, found.tool_diameter / 2, 0, 0, tol);
+  return std::min(found.figures.unreachable_mm2, area(subtract(feature.target, swept, tol)));
 }
 
 /// What its reader doubts.
@@ -266,7 +273,9 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
     }
     // Tabs are no part of what a share is taken of.
     const Feature* above = above_tabs(feature, part);
-    const double whole = area(above ? above->target : feature.target), left = found.figures.unreachable_mm2;
+    const double whole = area(above ? above->target : feature.target);
+    const double left =
+        feature.floor_fillet > 0 ? left_beside_fillet(feature, found, tol) : found.figures.unreachable_mm2;
     if (left <= allowed_to_stay(whole) || is_said_above_tabs(found, part, findings)) continue;
     std::string text = feature.name + ": " + trimmed(left, 2) + " of " + trimmed(whole, 2) +
                        " mm2 are out of the reach of T" + std::to_string(found.tool_number) + " (" +

@@ -14,6 +14,7 @@
 #include "base/elementary.h"
 #include "base/inch.h"
 #include "base/text/format.h"
+#include "post/between_steps.h"
 #include "post/comment.h"
 #include "post/control_words.h"
 #include "post/drill_cycle.h"
@@ -81,6 +82,7 @@ class KlartextWriter {
             options, options.decimals.value_or(options.inch ? kKlartextInchDecimals : kKlartextMmDecimals),
             kLargestRadius)),
         safe_z_(rules_.grid.ticks(safe_z)),
+        stops_(part),
         name_(program_name(options.program_name)) {}
 
   std::string program(const Toolpath& toolpath);
@@ -89,6 +91,8 @@ class KlartextWriter {
   void begin_program(const Toolpath& toolpath);
   void blank_form(const Toolpath& toolpath);
   void write_section(const Section& section);
+  void write_stops(const std::vector<ProgramStop>& stops);
+  void dwell(double seconds);
   void end_program();
   void go_to_end();
   void call_tool(const Section& section);
@@ -117,6 +121,7 @@ class KlartextWriter {
   const PostOptions& options_;
   StepRules rules_;
   long long safe_z_;
+  Stops stops_;
   std::string name_;
   std::string out_;
   int number_ = 0;
@@ -163,7 +168,28 @@ void KlartextWriter::blank_form(const Toolpath& toolpath) {
   block("BLK FORM 0.2" + coordinate(" X", high.x) + coordinate(" Y", high.y) + coordinate(" Z", high.z));
 }
 
+/// Halts with the tool above the work and the spindle standing.
+void KlartextWriter::write_stops(const std::vector<ProgramStop>& stops) {
+  if (halts(stops)) {
+    if (held_.height) retract();
+    set_coolant(Coolant::kOff);
+    set_spindle(5);
+  }
+  for (const ProgramStop& stop : stops) {
+    comment(stop_comment(stop));
+    if (stop.kind == StopKind::kMessage) continue;
+    block(stop.kind == StopKind::kOptional ? "M1" : "M0");
+    end_rapid();
+  }
+}
+
+void KlartextWriter::dwell(double seconds) {
+  block("CYCL DEF 9.0 DWELL TIME");
+  block("CYCL DEF 9.1 DWELL " + trimmed(seconds, 3));
+}
+
 void KlartextWriter::write_section(const Section& section) {
+  write_stops(stops_.before(section));
   const bool new_tool = section.tool_number > 0 && section.tool_number != held_.tool;
   if (new_tool && held_.height) retract();
   comment(operation_comment(section.workingstep >= 0 ? ++sections_ : 0, section.label));
@@ -180,16 +206,18 @@ void KlartextWriter::write_section(const Section& section) {
   const Tool* tap = tap_of(section, part_);
   if (tap)
     refuse_tap(*tap, taps_rigidly(*tap, options_.inch) ? Tapping::kRigid : Tapping::kByWords, "heidenhain");
+  const double at_floor = dwell_of(section, part_);
   const std::vector<Move> joined = with_lines_joined(section.moves, rules_.grid);
   const std::span<const Move> moves(joined);
   for (std::size_t i = 0; i < moves.size(); ++i) {
-    const auto hole = drill_block(moves.subspan(i), rules_.grid);
+    const auto hole = at_floor > 0 ? std::nullopt : drill_block(moves.subspan(i), rules_.grid);
     if (hole && write_hole(*hole, tap, section)) {
       i += hole->moves - 1;
     } else if (tap) {
       write_tap_move(moves[i], section);
     } else {
       write_move(moves[i]);
+      if (at_floor > 0 && ends_at_floor(moves[i], section)) dwell(at_floor);
     }
   }
 }
@@ -269,8 +297,7 @@ void KlartextWriter::set_spindle(int m) {
   block(fmt::format("M{}", m));
   const double wait = options_.spindle_wait ? options_.spindle_wait->seconds() : 0;
   if (m == 5 || wait <= 0) return;
-  block("CYCL DEF 9.0 DWELL TIME");
-  block("CYCL DEF 9.1 DWELL " + trimmed(wait, 3));
+  dwell(wait);
 }
 
 void KlartextWriter::set_coolant(Coolant wanted) {

@@ -260,6 +260,7 @@ P21File parse_part21(std::string_view text, const std::string& file_name) {
   file.text_.assign(text.begin(), text.end());
   Parser({file.text_.data(), file.text_.size()}, file).parse();
   file.index_ids();
+  file.uses_ = std::make_unique<UseLedger>(file.values.size());
   read_schemas(file);
   return file;
 }

@@ -3,11 +3,14 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "read/common/use_ledger.h"
 
 namespace clearcut::read {
 
@@ -62,6 +65,7 @@ class P21File {
   std::vector<P21Record> records;
   std::vector<P21Value> values;
   std::vector<P21Record> header;
+  double mm_per_length = 1;  ///< mm; for readers that know the file's unit of length
 
   /// Nothing where no such instance exists. O(log entities).
   const P21Entity* find(std::uint64_t id) const;
@@ -72,6 +76,8 @@ class P21File {
   std::span<const P21Record> records_of(const P21Entity& e) const {
     return {records.data() + e.first_record, e.records};
   }
+  /// Marks of what its readers have used, one for each of `values`.
+  UseLedger& uses() const { return *uses_; }
   /// "file:line".
   std::string place(int line) const { return name + ":" + std::to_string(line); }
 
@@ -79,6 +85,7 @@ class P21File {
   friend P21File parse_part21(std::string_view text, const std::string& file_name);
   void index_ids();
   std::vector<std::uint32_t> by_id_;  ///< indices into entities, by id
+  std::unique_ptr<UseLedger> uses_ = std::make_unique<UseLedger>();
   std::vector<char> text_;            ///< what every string_view above points into
 };
 

@@ -6,6 +6,7 @@
 #include "base/elementary.h"
 #include "base/text/format.h"
 #include "read/stepnc/refusal.h"
+#include "read/stepnc/shapes/fillet.h"
 
 namespace clearcut::read::stepnc {
 
@@ -30,6 +31,18 @@ void check_upright(const Member& member) {
         "its placement is tilted; only features seen from above (+Z) can be machined in this set-up");
 }
 
+/// A length with its field; size is its middle.
+Toleranced toleranced(const Node& node, std::size_t argument) {
+  Toleranced out{node.needed_length(argument, "length"), 0, 0};
+  const auto measure = node.sound_ref(argument);
+  const auto field =
+      measure && measure->is("TOLERANCED_LENGTH_MEASURE") ? measure->sound_ref(1) : std::nullopt;
+  if (!field || !field->is("PLUS_MINUS_VALUE")) return out;
+  const double half = (field->length(0).value_or(0) + std::abs(field->length(1).value_or(0))) / 2;
+  out.below = out.above = std::max(half, 0.0);
+  return out;
+}
+
 void check_slope(const Node& node, double slope) {
   if (slope < 0)
     node.fail("walls that overhang (negative slope) cannot be milled from above; correct the slope");
@@ -39,19 +52,21 @@ void read_bosses(const Node& feature, std::size_t argument, const Frame& frame, 
                  Context& context) {
   for (const Node& boss : feature.refs(argument)) {
     if (!boss.is("BOSS")) boss.fail("a BOSS is needed here; correct the reference");
+    context.use_head(boss);
     const Frame local = frame_of(boss.ref(3));
     const Frame placed = composed(frame, local);
     if (!is_planar(placed)) boss.fail("its placement is tilted; only upright bosses can be machined around");
-    if (local.origin.z < -context.tol.join_gap)
-      context.note("the boss begins below the feature's top; it is left standing at full height", boss);
     const Loop outline = closed_profile(boss.needed_ref(5, "boundary"), true, context);
     draft.bosses.push_back(planar_map(placed).path(outline));
+    draft.boss_tops.push_back(local.origin.z);
     const double slope = context.draft_angle(boss.number(6).value_or(0));
     check_slope(boss, slope);
     if (slope > draft.wall_slope.radians()) {
-      context.warn(
-          "the boss's walls have draft more than the feature's; all walls are cut with the larger angle",
-          boss);
+      context.diagnostics.doubt(context.file.place(boss.line()), kNotFollowed,
+                                boss.label() + ": its walls have draft, " +
+                                    trimmed(Radians::of(slope).degrees(), 3) +
+                                    " degrees, more than the feature's; all walls are cut with the larger "
+                                    "angle");
       draft.wall_slope = Radians::of(slope);
     }
   }
@@ -78,30 +93,77 @@ void read_pocket_walls(const Node& feature, Draft& draft, Context& context) {
         "the pocket's bottom is rounded and cannot be machined yet; write what lies above it as a flat "
         "pocket");
   draft.through = bottom && bottom->is("THROUGH_POCKET_BOTTOM_CONDITION");
-  if (feature.length(8).value_or(0) > 0)
-    context.note("floor fillets (planar_radius) are left to the cutter's own corner radius", feature);
+  if (!feature.unset(8)) draft.floor_fillet = toleranced(feature, 8);
+  if (draft.floor_fillet && draft.floor_fillet->size <= 0) draft.floor_fillet.reset();
 }
 
-/// A corner that a fillet between walls would round.
-bool has_sharp_corner(const Loop& loop) {
-  constexpr double kSharp = 0.02;  // sine of the turn
-  const double side = signed_area(loop) > 0 ? 1 : -1;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Edge& next = loop[(i + 1) % loop.size()];
-    if (side * cross(loop[i].tangent_at(1), next.tangent_at(0)) > kSharp) return true;
-  }
-  return false;
+/// The fillets between walls that an outline asks for: its own corners and those of its unplaced form.
+void round_walls(const Node& feature, Draft& draft, Context& context) {
+  const double radius = feature.length(9).value_or(0);
+  if (radius <= 0) return;
+  const auto told = [&](const Filleted& rounded) {
+    for (const Vec2 corner : rounded.sharp)
+      context.diagnostics.doubt(context.file.place(feature.line()), kNotFollowed,
+                                feature.label() + ": no fillet of " + trimmed(radius, 3) +
+                                    " mm (orthogonal_radius) fits into the corner at " +
+                                    trimmed(corner.x, 3) + ", " + trimmed(corner.y, 3) +
+                                    "; the corner stays as it is drawn");
+    return rounded.path;
+  };
+  const auto rounded = [&](Loop loop) {
+    if (signed_area(loop) < 0) loop = reversed(loop);
+    return filleted(loop, true, radius);
+  };
+  if (!draft.boundary.empty()) draft.boundary = told(rounded(draft.boundary));
+  if (!draft.unplaced_boundary.empty()) draft.unplaced_boundary = rounded(draft.unplaced_boundary).path;
+  if (!draft.wall.empty()) draft.wall = told(filleted_on_the_right(draft.wall, radius));
 }
 
 void read_closed_pocket(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
   read_pocket_walls(feature, draft, context);
   read_boundary(feature.needed_ref(10, "feature boundary"), frame, draft, context);
-  if (feature.length(9).value_or(0) > 0 && has_sharp_corner(draft.boundary))
-    context.warn(
-        "corners stay as the profile draws them: fillets between walls (orthogonal_radius) are not added to "
-        "it",
-        feature);
+  round_walls(feature, draft, context);
   read_bosses(feature, 5, frame, draft, context);
+}
+
+/// The outline that an open boundary and the walls make together; nothing where their ends do not meet or they are the same.
+Loop closed_by_walls(const Path& open, const Path& walls, double gap) {
+  if (open.empty() || walls.empty()) return {};
+  const auto meet = [&](Vec2 a, Vec2 b) { return distance(a, b) <= gap; };
+  const Vec2 begin = open.front().from, end = open.back().to;
+  Path back;
+  if (meet(begin, walls.front().from) && meet(end, walls.back().to)) back = reversed(walls);
+  if (meet(begin, walls.back().to) && meet(end, walls.front().from)) back = walls;
+  if (back.empty()) return {};
+  back.front().from = end;
+  back.back().to = begin;
+  Loop loop = open;
+  loop.insert(loop.end(), back.begin(), back.end());
+  return std::abs(signed_area(loop)) > gap ? loop : Loop{};
+}
+
+/// The walls of an open pocket close its open boundary, or are a part of it and say nothing more.
+void use_wall(const Node& feature, Draft& draft, const Frame& frame, Context& context) {
+  if (feature.unset(11)) return;
+  const Path walls = planar_map(frame).path(open_profile(feature.needed_ref(11, "wall boundary"), context));
+  const Loop closed = closed_by_walls(draft.wall, walls, context.tol.join_gap);
+  if (!closed.empty()) {
+    draft.boundary = closed;
+    draft.wall.clear();
+    return;
+  }
+  const auto lies_on_boundary = [&](Vec2 point) {
+    const Path& boundary = draft.wall.empty() ? draft.boundary : draft.wall;
+    return std::any_of(boundary.begin(), boundary.end(),
+                       [&](const Edge& edge) { return distance(edge, point) <= context.tol.join_gap; });
+  };
+  for (const Edge& edge : walls) {
+    if (lies_on_boundary(edge.from) && lies_on_boundary(edge.to) && lies_on_boundary(edge.at(0.5))) continue;
+    return context.diagnostics.doubt(
+        context.file.place(feature.line()), kNotFollowed,
+        "not followed: the wall_boundary of " + feature.label() +
+            " leaves its open_boundary; the open boundary and the stock's edge bound the pocket");
+  }
 }
 
 void read_open_pocket(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
@@ -113,9 +175,8 @@ void read_open_pocket(const Node& feature, const Frame& frame, Draft& draft, Con
   else
     draft.wall = planar_map(frame).path(open_profile(open, context));
   if (draft.boundary.empty() && draft.wall.empty()) open.fail("the boundary has no length; give its curve");
-  if (!feature.unset(11))
-    context.note("the wall boundary is not used: the open boundary and the stock's edge bound the pocket",
-                 feature);
+  use_wall(feature, draft, frame, context);
+  round_walls(feature, draft, context);
   read_bosses(feature, 5, frame, draft, context);
 }
 
@@ -141,22 +202,24 @@ Loop swept_face(const Node& feature, const Frame& frame, Context& context) {
 
 void read_planar_face(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
   draft.kind = FeatureKind::kPlanarFace;
-  if (!feature.unset(7))
+  if (!feature.unset(7)) {
     read_boundary(feature.needed_ref(7, "face boundary"), frame, draft, context);
-  else if (!feature.unset(5) && !feature.unset(6))
+    if (!feature.unset(5) || !feature.unset(6))
+      context.note("its face boundary goes before its course of travel and removal boundary", feature);
+    feature.use(5);
+    feature.use(6);
+  } else if (!feature.unset(5) && !feature.unset(6)) {
     draft.boundary = swept_face(feature, frame, context);
-  else
+  } else {
     context.note("no face boundary; the whole stock is faced, except bosses", feature);
+  }
   read_bosses(feature, 8, frame, draft, context);
 }
 
-SlotEnd slot_end(const Node& end, Context& context) {
+SlotEnd slot_end(const Node& end) {
   if (end.is("OPEN_SLOT_END_TYPE")) return SlotEnd::kOpen;
   if (end.is("RADIUSED_SLOT_END_TYPE")) return SlotEnd::kRound;
-  if (end.is("FLAT_SLOT_END_TYPE")) {
-    context.note("corner radii of flat slot ends are left to the cutter's radius", end);
-    return SlotEnd::kFlat;
-  }
+  if (end.is("FLAT_SLOT_END_TYPE")) return SlotEnd::kFlat;
   end.fail("a slot with this kind of end cannot be machined yet; write the end as open, round or flat");
 }
 
@@ -168,12 +231,13 @@ void read_slot(const Node& feature, const Frame& frame, Draft& draft, Context& c
   draft.width = section.width;
   draft.wall_slope = Radians::of(section.draft);
   draft.raised_floor = section.rounded_below;
+  if (section.fillet > 0) draft.floor_fillet = Toleranced{section.fillet, 0, 0};
   const std::vector<Node> ends = feature.refs(7);
   const bool loop = !ends.empty() && ends[0].is("LOOP_SLOT_END_TYPE");
   draft.ends_given = ends.size() >= 2 && !loop;
   if (!draft.ends_given || loop) return;
-  draft.ends[0] = slot_end(ends[0], context);
-  draft.ends[1] = slot_end(ends[1], context);
+  draft.ends[0] = slot_end(ends[0]);
+  draft.ends[1] = slot_end(ends[1]);
 }
 
 void read_step(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
@@ -218,12 +282,31 @@ void read_taper(const Node& feature, double diameter, Draft& draft, Context& con
   draft.hole_diameter.reset();
 }
 
+struct BottomRow {
+  std::string_view keyword;
+  HoleBottom bottom;
+};
+constexpr BottomRow kHoleBottoms[] = {{"FLAT_HOLE_BOTTOM", HoleBottom::kFlat},
+                                      {"THROUGH_BOTTOM_CONDITION", HoleBottom::kThrough},
+                                      {"CONICAL_HOLE_BOTTOM", HoleBottom::kCone},
+                                      {"SPHERICAL_HOLE_BOTTOM", HoleBottom::kBall},
+                                      {"FLAT_WITH_RADIUS_HOLE_BOTTOM", HoleBottom::kFlatWithRadius}};
+
 void read_hole_bottom(const Node& feature, Draft& draft, Context& context) {
   const auto bottom = feature.ref(7);
   if (!bottom) return context.note("no bottom condition; the hole is blind", feature);
-  draft.through = bottom->is("THROUGH_BOTTOM_CONDITION");
-  if (bottom->is_any("CONICAL_HOLE_BOTTOM", "SPHERICAL_HOLE_BOTTOM", "FLAT_WITH_RADIUS_HOLE_BOTTOM"))
-    context.note("the form of its bottom is left to the tool, whose tip goes down to the depth", *bottom);
+  const BottomRow* found = nullptr;
+  for (const BottomRow& row : kHoleBottoms)
+    if (bottom->is(row.keyword)) found = &row;
+  if (found == nullptr)
+    bottom->fail("not a bottom of holes that can be read; give a flat, conical or spherical one, or through");
+  draft.hole_end.bottom = found->bottom;
+  draft.through = found->bottom == HoleBottom::kThrough;
+  if (found->bottom == HoleBottom::kCone)
+    draft.hole_end.angle = Radians::of(context.angle(bottom->needed_number(0, "tip angle")));
+  if (found->bottom == HoleBottom::kBall) draft.hole_end.radius = bottom->needed_length(0, "radius");
+  if (found->bottom == HoleBottom::kFlatWithRadius)
+    draft.hole_end.radius = bottom->needed_length(0, "corner radius");
 }
 
 void read_round_hole(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
@@ -231,6 +314,7 @@ void read_round_hole(const Node& feature, const Frame& frame, Draft& draft, Cont
   const double diameter = feature.needed_length(5, "diameter");
   if (diameter <= 0) feature.fail("the diameter is not above zero; correct it");
   draft.hole_diameter = diameter;
+  draft.hole = toleranced(feature, 5);
   read_taper(feature, diameter, draft, context);
   read_hole_bottom(feature, draft, context);
   const Vec2 c{frame.origin.x, frame.origin.y};
@@ -246,6 +330,7 @@ void read_outside_profile(const Node& feature, const Frame& frame, std::size_t a
   if (is_closed_profile(profile)) {
     read_boundary(profile, frame, draft, context);
     draft.bosses.push_back(draft.boundary);
+    draft.boss_tops.push_back(0);
     draft.boundary.clear();
     draft.unplaced_boundary.clear();
   } else {

@@ -10,6 +10,22 @@ namespace clearcut::read::stepnc {
 
 enum class SlotEnd { kOpen, kRound, kFlat };
 
+enum class HoleBottom { kFlat, kThrough, kCone, kBall, kFlatWithRadius };
+
+/// A length and how far it may be off, mm.
+struct Toleranced {
+  double size = 0;
+  double below = 0;
+  double above = 0;
+};
+
+/// What ends a round hole.
+struct HoleEnd {
+  HoleBottom bottom = HoleBottom::kFlat;
+  double radius = 0;             ///< of balls and of the corner of flat ends, mm
+  std::optional<Radians> angle;  ///< of cones, between opposite flanks
+};
+
 struct Draft {
   explicit Draft(const Node& feature) : node(feature) {}
 
@@ -24,11 +40,15 @@ struct Draft {
   double raised_floor = 0;  ///< mm of the depth that are not prismatic, and stay
   Radians wall_slope;
   std::optional<double> hole_diameter;
+  Toleranced hole;                         ///< of round holes: what their diameter may be
+  HoleEnd hole_end;                        ///< of round holes
+  std::optional<Toleranced> floor_fillet;  ///< between floor and walls
 
   Loop boundary;           ///< closed outline; empty where there is none
   Loop unplaced_boundary;  ///< the same without the profile's own placement; empty if that is none
   std::vector<Loop> bosses;
-  Path wall;  ///< steps and open pockets: material on its left
+  std::vector<double> boss_tops;  ///< of each of them: z of its top in the feature's frame, as written
+  Path wall;                      ///< steps and open pockets: material on its left
   bool wall_is_step = false;
   Path course;       ///< slots: middle line
   double width = 0;  ///< slots

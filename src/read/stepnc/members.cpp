@@ -251,6 +251,7 @@ class Expansion {
     if (depth > kDeepest)
       feature.fail("patterns and compounds are nested more than 8 deep (or in a circle); flatten them");
     context_.spend(1, feature);
+    context_.use_head(feature);
     const std::string name = feature.text(0).empty() ? outer_name : feature.text(0);
     if (is_compound(feature)) return expand_compound(feature, placement, name, depth);
     if (is_pattern(feature)) return expand_pattern(feature, space, placement, name, depth);
@@ -309,7 +310,7 @@ bool is_simple_feature(const Node& node) {
                      "RECTANGULAR_CLOSED_SHAPE_PROFILE");
 }
 
-Members::Members(Context& context) : context_(&context) {
+Members::Members(Context& context, const Frame& turn) : context_(&context), turn_(turn) {
   for (const char* keyword : {"COMPOUND_FEATURE", "COUNTERBORE_HOLE", "COUNTERSUNK_HOLE"}) {
     for (const Node& compound : nodes_called(context.file, keyword)) {
       try {
@@ -324,7 +325,7 @@ Members::Members(Context& context) : context_(&context) {
 /// The frame that the feature's placement is given in.
 Frame Members::space_of(const Node& feature, int depth) const {
   const auto compound = compound_of_.find(feature.id());
-  if (compound == compound_of_.end()) return {};
+  if (compound == compound_of_.end()) return turn_;
   if (depth > kDeepest) feature.fail("compounds are nested more than 8 deep (or in a circle); flatten them");
   return composed(space_of(compound->second, depth + 1), frame_of(compound->second.ref(3)));
 }

@@ -12,7 +12,7 @@ namespace clearcut::read::stepnc {
 /// A feature that can be cut by itself.
 bool is_simple_feature(const Node& node);
 
-/// Such a feature and its frame in the workpiece.
+/// Such a feature and its frame in the program's coordinates.
 struct Member {
   Node feature;
   Frame placement;
@@ -24,7 +24,8 @@ struct Member {
 /// placed in the compound. Both may hold one another.
 class Members {
  public:
-  explicit Members(Context& context);
+  /// `turn`: from the workpiece's coordinates to those of the program.
+  Members(Context& context, const Frame& turn);
 
   /// The members of a pattern or compound, in the order of the file (of patterns: rows from first to last column); a
   /// simple feature alone, in its compound where it is the element of one. Throws InputError for what is missing, tilted or
@@ -35,6 +36,7 @@ class Members {
   Frame space_of(const Node& feature, int depth) const;
 
   Context* context_;
+  Frame turn_;
   std::map<std::uint64_t, Node> compound_of_;  // by element
 };
 

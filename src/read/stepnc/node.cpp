@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/text/format.h"
 #include "base/units.h"
+#include "read/common/units.h"
 
 namespace clearcut::read::stepnc {
 
@@ -41,14 +43,100 @@ void Node::fail(const std::string& what_and_what_to_do) const {
   throw InputError(file_->place(line()), label() + ": " + what_and_what_to_do);
 }
 
+P21Value Node::peek(std::size_t i) const {
+  const auto all = file_->arguments(*record_);
+  return i < all.size() ? all[i] : P21Value{};
+}
+
 P21Value Node::value(std::size_t i) const {
-  const auto arguments = file_->arguments(*record_);
-  return i < arguments.size() ? arguments[i] : P21Value{};
+  use(i);
+  return peek(i);
+}
+
+void Node::use(std::size_t i) const {
+  if (i < record_->count) file_->uses().use(record_->first + i);
+}
+
+bool Node::is_used(std::size_t i) const {
+  return i < record_->count && file_->uses().is_used(record_->first + i);
+}
+
+std::size_t Node::arguments() const {
+  return record_->count;
 }
 
 bool Node::unset(std::size_t i) const {
-  const P21Kind kind = value(i).kind;
+  const P21Kind kind = peek(i).kind;
   return kind == P21Kind::kUnset || kind == P21Kind::kDerived;
+}
+
+namespace {
+
+/// Levels of references that are written out, and characters after which nothing more is.
+constexpr int kShownLevels = 3;
+constexpr std::size_t kShownLength = 160;
+
+void show(const P21File& file, const P21Value& value, int level, std::string& out);
+
+void show_list(const P21File& file, std::span<const P21Value> values, int level, std::string& out) {
+  out += "(";
+  for (std::size_t i = 0; i < values.size() && out.size() < kShownLength; ++i) {
+    if (i > 0) out += ",";
+    show(file, values[i], level, out);
+  }
+  out += ")";
+}
+
+/// A name is a label; what is meant comes after it.
+void show_entity(const P21File& file, const P21Value& reference, int level, std::string& out) {
+  out += "#" + std::to_string(reference.id);
+  const P21Entity* entity = file.find(reference.id);
+  if (entity == nullptr || level == 0) return;
+  const P21Record& record = file.records[entity->first_record];
+  out += " " + upper(record.keyword);
+  const auto all = file.arguments(record);
+  const bool is_named = !all.empty() && all[0].kind == P21Kind::kString && all[0].text.empty();
+  show_list(file, all.subspan(is_named ? 1 : 0), level - 1, out);
+}
+
+void show(const P21File& file, const P21Value& value, int level, std::string& out) {
+  switch (value.kind) {
+    case P21Kind::kUnset:
+      out += "$";
+      return;
+    case P21Kind::kDerived:
+      out += "*";
+      return;
+    case P21Kind::kInteger:
+    case P21Kind::kReal:
+      out += trimmed(value.number, 6);
+      return;
+    case P21Kind::kString:
+      out += "'" + one_line(p21_decoded(value.text)) + "'";
+      return;
+    case P21Kind::kEnum:
+      out += "." + upper(value.text) + ".";
+      return;
+    case P21Kind::kBinary:
+      out += "\"" + std::string(value.text) + "\"";
+      return;
+    case P21Kind::kReference:
+      return show_entity(file, value, level, out);
+    case P21Kind::kTyped:
+      out += upper(value.text);
+      return show_list(file, file.children(value), level, out);
+    case P21Kind::kList:
+      return show_list(file, file.children(value), level, out);
+  }
+}
+
+}  // namespace
+
+std::string Node::shown(std::size_t i) const {
+  std::string out;
+  show(*file_, peek(i), kShownLevels, out);
+  if (out.size() > kShownLength) out = out.substr(0, kShownLength) + " ...";
+  return out;
 }
 
 Node Node::resolve(const P21Value& reference) const {
@@ -57,6 +145,18 @@ Node Node::resolve(const P21Value& reference) const {
     fail("refers to #" + std::to_string(reference.id) + ", which is not in the file; add it");
   return Node(*file_, *entity);
 }
+
+namespace {
+
+/// By how much the middle of the field of a toleranced length lies above its size. Of PLUS_MINUS_VALUE the upper limit counts upwards;
+/// the lower one downwards, whether it is written with its sign or without.
+double middle_of_field(const Node& measure) {
+  const auto field = measure.ref(1);
+  if (!field || !field->is("PLUS_MINUS_VALUE")) return 0;
+  return (field->number(0).value_or(0) - std::abs(field->number(1).value_or(0))) / 2;
+}
+
+}  // namespace
 
 std::optional<double> Node::number_of(const P21Value& value) const {
   switch (value.kind) {
@@ -75,8 +175,8 @@ std::optional<double> Node::number_of(const P21Value& value) const {
                              : measure.is("NUMERIC_PARAMETER")       ? 1
                                                                      : 99;
       const P21Value inner = measure.value(at);
-      if (inner.kind == P21Kind::kReal || inner.kind == P21Kind::kInteger) return inner.number;
-      return std::nullopt;
+      if (inner.kind != P21Kind::kReal && inner.kind != P21Kind::kInteger) return std::nullopt;
+      return at == 0 ? inner.number + middle_of_field(measure) : inner.number;
     }
     default:
       return std::nullopt;
@@ -96,8 +196,22 @@ double Node::needed_number(std::size_t i, std::string_view what) const {
   return *result;
 }
 
+/// A numeric parameter states its own unit.
+double Node::in_mm(const P21Value& value, double number) const {
+  const P21Entity* entity = value.kind == P21Kind::kReference ? file_->find(value.id) : nullptr;
+  if (entity == nullptr) return number * file_->mm_per_length;
+  const Node measure(*file_, *entity);
+  if (!measure.is("NUMERIC_PARAMETER")) return number * file_->mm_per_length;
+  const std::string unit = measure.text(2);
+  if (unit.empty()) return number * file_->mm_per_length;
+  const auto mm = mm_per_unit(unit);
+  if (!mm) measure.fail("its unit '" + unit + "' is none of length that is known; give it in MM");
+  return number * *mm;
+}
+
 std::optional<double> Node::length(std::size_t i) const {
-  const auto result = number(i);
+  auto result = number(i);
+  if (result) result = in_mm(peek(i), *result);
   if (result && std::abs(*result) > kLargestLength)
     fail("argument " + std::to_string(i + 1) + " is longer than 1 km; lengths are in mm");
   return result;
@@ -155,6 +269,12 @@ std::vector<double> Node::numbers(std::size_t i) const {
     if (std::abs(*x) > kLargestLength) fail("a coordinate is farther than 1 km; lengths are in mm");
     result.push_back(*x);
   }
+  return result;
+}
+
+std::vector<double> Node::lengths(std::size_t i) const {
+  std::vector<double> result = numbers(i);
+  for (double& one : result) one *= file_->mm_per_length;
   return result;
 }
 
@@ -226,7 +346,8 @@ std::optional<double> plain_number(const P21File& file, const P21Record& record,
 
 }  // namespace
 
-Context::Context(const P21File& file_in, const Tolerances& tol_in) : file(file_in), tol(tol_in) {
+Context::Context(const P21File& file_in, const Tolerances& tol_in, bool in_degrees)
+    : file(file_in), tol(tol_in), degrees(in_degrees) {
   for (const P21Record& record : file.records) {
     for (const AnglePlace& place : kAngles) {
       if (record.keyword != place.keyword) continue;
@@ -237,6 +358,16 @@ Context::Context(const P21File& file_in, const Tolerances& tol_in) : file(file_i
     const auto spindle = plain_number(file, record, 3);
     if (spindle && std::abs(*spindle) >= kFastestSpindle) spindle_rpm = true;
   }
+}
+
+void Context::use_head(const Node& feature) const {
+  const P21Value of = feature.peek(1);
+  if (of.kind == P21Kind::kReference && workpiece == of.id) feature.use(1);
+  const P21Value listed = feature.peek(2);
+  if (listed.kind != P21Kind::kList) return;
+  const auto all = file.children(listed);
+  if (std::all_of(all.begin(), all.end(), [&](const P21Value& one) { return operations.count(one.id) > 0; }))
+    feature.use(2);
 }
 
 double Context::angle(double value) const {

@@ -18,32 +18,34 @@ constexpr double kFastestFeed = 2;  // m/s; feeds above this are mm/min
 struct OperationEntity {
   std::string_view keyword;
   OperationKind kind;
+  HoleKind hole = HoleKind::kDrilled;
 };
-constexpr OperationEntity kOperations[] = {{"PLANE_MILLING", OperationKind::kRoughing},
-                                           {"PLANE_ROUGH_MILLING", OperationKind::kRoughing},
-                                           {"PLANE_FINISH_MILLING", OperationKind::kBottomFinishing},
-                                           {"SIDE_MILLING", OperationKind::kRoughing},
-                                           {"SIDE_ROUGH_MILLING", OperationKind::kRoughing},
-                                           {"SIDE_FINISH_MILLING", OperationKind::kSideFinishing},
-                                           {"BOTTOM_AND_SIDE_MILLING", OperationKind::kRoughing},
-                                           {"BOTTOM_AND_SIDE_ROUGH_MILLING", OperationKind::kRoughing},
-                                           {"BOTTOM_AND_SIDE_FINISH_MILLING", OperationKind::kFinishing},
-                                           {"DRILLING", OperationKind::kDrilling},
-                                           {"MULTISTEP_DRILLING", OperationKind::kDrilling},
-                                           {"REAMING", OperationKind::kReaming}};
+constexpr OperationEntity kOperations[] = {
+    {"PLANE_MILLING", OperationKind::kRoughing},
+    {"PLANE_ROUGH_MILLING", OperationKind::kRoughing},
+    {"PLANE_FINISH_MILLING", OperationKind::kBottomFinishing},
+    {"SIDE_MILLING", OperationKind::kRoughing},
+    {"SIDE_ROUGH_MILLING", OperationKind::kRoughing},
+    {"SIDE_FINISH_MILLING", OperationKind::kSideFinishing},
+    {"BOTTOM_AND_SIDE_MILLING", OperationKind::kRoughing},
+    {"BOTTOM_AND_SIDE_ROUGH_MILLING", OperationKind::kRoughing},
+    {"BOTTOM_AND_SIDE_FINISH_MILLING", OperationKind::kFinishing},
+    {"DRILLING", OperationKind::kDrilling},
+    {"MULTISTEP_DRILLING", OperationKind::kDrilling},
+    {"CENTER_DRILLING", OperationKind::kDrilling, HoleKind::kSpotted},
+    {"COUNTER_SINKING", OperationKind::kDrilling, HoleKind::kCountersunk},
+    {"BORING", OperationKind::kReaming, HoleKind::kBored},
+    {"REAMING", OperationKind::kReaming, HoleKind::kReamed}};
 
 constexpr Refusal kRefusedOperations[] = {
     {"FREEFORM_OPERATION", "free-form milling cannot be machined yet; mill flat parts as pockets or faces"},
-    {"CENTER_DRILLING", "centre drilling is not planned; run it before, or leave it out"},
-    {"COUNTER_SINKING", "countersinking is not planned; run it after the drilling"},
-    {"BORING", "boring is not planned; mill the hole, ream it, or bore it afterwards"},
     {"BACK_BORING", "boring from below is not planned; bore it afterwards"},
     {"TAPPING", "threads are not cut; drill the core hole and tap it afterwards"},
     {"THREAD_DRILLING", "threads are not cut; drill the core hole and tap it afterwards"}};
 
-OperationKind operation_kind(const Node& node) {
+const OperationEntity& row_of_operation(const Node& node) {
   for (const OperationEntity& entry : kOperations)
-    if (node.is(entry.keyword)) return entry.kind;
+    if (node.is(entry.keyword)) return entry;
   refuse_listed(node, kRefusedOperations);
   node.fail(
       "operations of this kind cannot be machined yet; give plane, side or bottom-and-side milling, or "
@@ -73,7 +75,7 @@ void read_spindle(const Node& technology, const Tool& tool, bool left_handed, Cu
 
 void read_feed(const Node& technology, const Tool& tool, CuttingData& cutting, Context& context) {
   const auto feed = technology.number(0);
-  const auto per_tooth = technology.number(4);
+  const auto per_tooth = technology.length(4);
   if (feed && *feed > 0) {
     const bool per_minute = *feed > kFastestFeed;
     if (per_minute) context.note("the feed is read as mm/min: it is too fast for m/s", technology);
@@ -86,7 +88,7 @@ void read_feed(const Node& technology, const Tool& tool, CuttingData& cutting, C
 }
 
 /// Extra data in its place for property parameters: argument 10 of the machine functions.
-void read_properties(const Node& functions, Operation& operation) {
+void read_properties(const Node& functions, Operation& operation, Context& context) {
   for (const Node& property : functions.refs(9)) {
     const std::string name = property.text(0);
     const auto number = property.is("NUMERIC_PARAMETER") ? property.number(1) : std::nullopt;
@@ -94,8 +96,13 @@ void read_properties(const Node& functions, Operation& operation) {
       if (name == "CUT DIRECTION")
         operation.direction =
             property.text(1) == "CLIMB" ? CutDirection::kClimb : CutDirection::kConventional;
+      else
+        context.warn("not followed: " + name + " " + property.shown(1), property);
       continue;
     }
+    const bool known = name == "PLUNGE FEED" || name == "RAMP FEED" || name == "SLOT FEED" ||
+                       name == "SCALLOP HEIGHT" || name == "STEPOVER";
+    if (!known) context.warn("not followed: " + name + " " + property.shown(1), property);
     if (name == "PLUNGE FEED") operation.cutting.plunge_feed = MmPerMin::of(*number);
     if (name == "RAMP FEED") operation.cutting.ramp_feed = MmPerMin::of(*number);
     if (name == "SLOT FEED") operation.cutting.slot_feed = MmPerMin::of(*number);
@@ -104,9 +111,15 @@ void read_properties(const Node& functions, Operation& operation) {
   }
 }
 
+/// Values that say what is done anyway.
+void use_what_is_usual(const Node& technology) {
+  if (technology.peek(1).kind == P21Kind::kEnum && technology.peek(1).text == "TCP") technology.use(1);
+}
+
 void read_cutting(const Node& node, const Node& tool_node, const Tool& tool, const Tools& tools,
                   Operation& operation, Context& context) {
   if (const auto technology = node.ref(6)) {
+    use_what_is_usual(*technology);
     read_spindle(*technology, tool, tools.left_handed(tool_node), operation.cutting, context);
     read_feed(*technology, tool, operation.cutting, context);
   } else {
@@ -117,7 +130,7 @@ void read_cutting(const Node& node, const Node& tool_node, const Tool& tool, con
     const Coolant coolant =
         coolant_of(functions->flag(0) == true || through_tool, functions->flag(2) == true);
     if (coolant != Coolant::kOff) operation.cutting.coolant = coolant;
-    read_properties(*functions, operation);
+    read_properties(*functions, operation, context);
   }
 }
 
@@ -169,6 +182,7 @@ void read_approach(const Node& node, Operation& operation, Context& context) {
     operation.entry = EntryKind::kRamp;
     context.note("an approach that comes down in an arc is made a ramp", *approach);
   } else {
+    context.said(*approach);
     context.note("an approach of this kind is not used; the planner chooses the entry", *approach);
   }
 }
@@ -176,10 +190,17 @@ void read_approach(const Node& node, Operation& operation, Context& context) {
 /// What the approach says of leads goes before what the retract says. Any other way up is straight up.
 void read_retract(const Node& node, Operation& operation, Context& context) {
   const auto retract = node.ref(10);
-  if (!retract || operation.lead || read_lead(*retract, operation, context)) return;
+  if (!retract) return;
+  if (operation.lead) {
+    context.said(*retract);
+    return context.note("the lead of the approach goes before what its retract says", *retract);
+  }
+  if (read_lead(*retract, operation, context)) return;
   const bool up_anyway = retract->keyword().rfind("PLUNGE_", 0) == 0;
+  context.said(*retract);
   if (!up_anyway)
-    context.note("a retract of this kind is not used; the cutter is lifted straight up", *retract);
+    context.note("a retract of this kind is not used; the cutter is lifted straight up: " + node.shown(10),
+                 *retract);
 }
 
 std::string lower(std::string text) {
@@ -269,8 +290,58 @@ void read_depths(const Node& node, const Tool& tool, Operation& operation, Conte
   if (!side) operation.allowance_floor = allowance(node, 15);
 }
 
+/// A share of a feed: files write ratios or percent.
+double share_of(const Node& node, std::size_t argument) {
+  constexpr double kMostRatio = 2;
+  const double value = node.number(argument).value_or(1);
+  if (value <= 0)
+    node.fail("argument " + std::to_string(argument + 1) + " is a share of zero or less; correct it");
+  return value > kMostRatio ? value / 100 : value;
+}
+
+/// Reduced feeds where the hole begins and before it ends.
+void read_drilling_strategy(const Node& node, HoleFeeds& feeds) {
+  const auto strategy = node.ref(13);
+  if (!strategy) return;
+  if (!strategy->is("DRILLING_TYPE_STRATEGY"))
+    strategy->fail("a DRILLING_TYPE_STRATEGY is needed here; correct the reference");
+  feeds.start_share = share_of(*strategy, 1);
+  feeds.start_depth = positive(strategy->length(2)).value_or(0);
+  feeds.end_share = share_of(*strategy, 4);
+  feeds.end_depth = positive(strategy->length(5)).value_or(0);
+}
+
+bool differs_from_one_feed(const HoleFeeds& feeds) {
+  return (feeds.start_depth > 0 && feeds.start_share != 1) || (feeds.end_depth > 0 && feeds.end_share != 1) ||
+         feeds.retract_share || feeds.dwell_s > 0;
+}
+
+/// A hole has one place to begin.
+void use_start_at_center(const Node& node) {
+  const P21Value start = node.peek(4);
+  const P21Entity* entity = start.kind == P21Kind::kReference ? node.file().find(start.id) : nullptr;
+  if (entity == nullptr) return;
+  const std::vector<double> at = Node(node.file(), *entity).numbers(1);
+  if (at.size() >= 2 && at[0] == 0 && at[1] == 0) node.use(4);
+}
+
+void read_drilling(const Node& node, StatedOperation& stated) {
+  use_start_at_center(node);
+  stated.depth = positive(node.length(9));
+  stated.previous_diameter = positive(node.length(10));
+  HoleFeeds feeds;
+  feeds.dwell_s = positive(node.number(11)).value_or(0);
+  if (!node.unset(12) && node.number(12) != 0.0) feeds.retract_share = share_of(node, 12);
+  read_drilling_strategy(node, feeds);
+  if (differs_from_one_feed(feeds)) stated.operation.hole_feeds = feeds;
+  if (!node.is("MULTISTEP_DRILLING")) return;
+  stated.operation.stepdown = positive(node.length(16));
+  if (!node.unset(15) && node.peek(15).number == node.peek(16).number) node.use(15);
+}
+
 void check_cutter(const Node& node, const Operation& operation, const Tool& tool) {
-  const bool drill = tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kReamer;
+  const bool drill = tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kReamer ||
+                     tool.kind == ToolKind::kSpotDrill || tool.kind == ToolKind::kBoringBar;
   if (goes_straight_down(operation)) {
     if (tool.kind == ToolKind::kOther)
       node.fail("drilling with this kind of tool cannot be machined yet; give a drill, reamer or end mill");
@@ -283,16 +354,25 @@ void check_cutter(const Node& node, const Operation& operation, const Tool& tool
 
 }  // namespace
 
-Operation read_operation(const Node& node, const Tools& tools, Context& context) {
-  Operation operation;
-  operation.kind = operation_kind(node);
+StatedOperation read_operation(const Node& node, const Tools& tools, Context& context) {
+  const OperationEntity& row = row_of_operation(node);
+  StatedOperation stated;
+  stated.hole = row.hole;
+  Operation& operation = stated.operation;
+  operation.kind = row.kind;
   operation.name = node.text(2);
   operation.source = "#" + std::to_string(node.id());
+  const auto direction = node.sound_ref(1);
+  if (direction && !direction->is("THREE_AXES"))
+    node.fail("it asks for a tool that is not upright (" + direction->label() +
+              "); only THREE_AXES can be machined in a set-up");
   const Node tool_node = node.needed_ref(5, "tool");
   operation.tool = tools.find(tool_node, context);
   const Tool& tool = tools.list()[static_cast<std::size_t>(operation.tool)];
   check_cutter(node, operation, tool);
-  if (!goes_straight_down(operation)) {
+  if (goes_straight_down(operation)) {
+    read_drilling(node, stated);
+  } else {
     read_depths(node, tool, operation, context);
     read_approach(node, operation, context);
     read_retract(node, operation, context);
@@ -304,7 +384,7 @@ Operation read_operation(const Node& node, const Tools& tools, Context& context)
     context.note("plunging is asked for with a face mill; the planner chooses the entry", node);
     operation.entry.reset();
   }
-  return operation;
+  return stated;
 }
 
 }  // namespace clearcut::read::stepnc

@@ -6,88 +6,21 @@
 #include <map>
 #include <set>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
+#include "geometry/boolean.h"
 #include "model/results/not_machined.h"
-#include "read/stepnc/operation.h"
+#include "read/stepnc/not_used.h"
 #include "read/stepnc/parts.h"
-#include "read/stepnc/setup.h"
-#include "read/stepnc/shapes/regions.h"
+#include "read/stepnc/reader.h"
+#include "stock/at_depth.h"
 #include "stock/stacking.h"
 
 namespace clearcut::read::stepnc {
 namespace {
 
-constexpr double kEverywhere = std::numeric_limits<double>::infinity();
-constexpr double kLevel = 0.01;  // mm; heights nearer than this are one
-
-class Reader {
- public:
-  Reader(const P21File& file, const Tolerances& tol) : context_(file, tol) {}
-
-  Part read() {
-    program_ = read_program(context_);
-    part_.name = program_.name;
-    part_.source_file = context_.file.name;
-    part_.clearance_z = read_clearance(program_, context_);
-    part_.stock = read_stock(program_, context_);
-    draft_features();
-    choose_depth_reading();
-    if (!part_.stock) derive_stock();
-    check_clearance();
-    make_features();
-    const Tools tools(context_);
-    part_.tools = tools.list();
-    make_workingsteps(tools);
-    drop_unused_features();
-    set_tops();
-    context_.flush();
-    part_.diagnostics = context_.diagnostics;
-    return std::move(part_);
-  }
-
- private:
-  void draft_features();
-  void draft_members(const Node& feature, const std::vector<Member>& members);
-  std::size_t draft_index(const Member& member);
-  void choose_depth_reading();
-  void derive_stock();
-  void check_clearance();
-  void make_features();
-  void make_feature(std::size_t draft);
-  void report_left_out(const std::vector<std::size_t>& drafts);
-  void make_workingsteps(const Tools& tools);
-  void make_workingstep(const Node& step, const Tools& tools);
-  std::vector<std::size_t> sound_drafts(const Node& feature) const;
-  void check_part(const Draft& draft, const Node& step, const Operation& operation) const;
-  void drop_unused_features();
-  void set_tops();
-  double floor_of(const Draft& draft) const;
-  std::string unique_name(const Draft& draft);
-  void leave_out(const Node& step, const InputError& error);
-  std::string within_file(const InputError& error) const;  ///< its text, for messages that name the file
-  Feature& feature_of(const Workingstep& step) {
-    return part_.features[static_cast<std::size_t>(step.feature)];
-  }
-  const Feature& feature_of_draft(std::size_t draft) const {
-    return part_.features[static_cast<std::size_t>(feature_of_draft_[draft])];
-  }
-
-  Context context_;
-  Program program_;
-  Part part_;
-  std::vector<Draft> drafts_;  // of simple features, in order of first use
-  /// Feature entity -> drafts_: one, or the members of a pattern or compound.
-  std::map<std::uint64_t, std::vector<std::size_t>> drafts_of_;
-  std::multimap<std::uint64_t, std::size_t> drafts_by_entity_;  // simple feature entity -> drafts_
-  std::map<std::uint64_t, InputError> bad_features_;
-  std::map<std::size_t, InputError> bad_drafts_;
-  std::vector<int> feature_of_draft_;  // -> Part::features, -1 when it failed
-  std::set<std::string> names_;
-  std::map<std::string, int> copies_;  // of a name after the first
-  bool absolute_depths_ = false;
-  std::optional<InputError> first_error_;
-};
+constexpr double kBelowStock = 0.5;  // mm; how far below the stock a floor may lie
 
 /// As the file calls it, else its kind and number.
 std::string name_of_feature(const Node& feature) {
@@ -99,10 +32,41 @@ std::string name_of_feature(const Node& feature) {
   }
 }
 
+}  // namespace
+
+Part Reader::read(int number) {
+  program_ = read_program(context_, number);
+  tell_context();
+  doubt_several_setups(number);
+  part_.name = program_.name;
+  part_.source_file = context_.file.name;
+  part_.clearance_z = read_clearance(program_, context_);
+  part_.stock = read_stock(program_, context_);
+  draft_features();
+  choose_depth_reading();
+  if (!part_.stock) derive_stock();
+  part_.keep_outs = read_keep_outs(program_, part_.stock, context_);
+  check_clearance();
+  make_features();
+  const Tools tools(context_);
+  part_.tools = tools.list();
+  make_workingsteps(tools);
+  check_holes();
+  check_fillets();
+  drop_unused_features();
+  set_tops();
+  drop_finished_steps();
+  context_.flush();
+  name_what_is_not_used(start_of_program(), context_);
+  part_.diagnostics = context_.diagnostics;
+  return std::move(part_);
+}
+
 /// Reads the feature of every workingstep once; what fails is remembered for its workingsteps.
 void Reader::draft_features() {
-  const Members members(context_);
-  for (const Node& step : program_.workingsteps) {
+  const Members members(context_, program_.chosen().turn);
+  for (const OrderedStep& ordered : program_.steps) {
+    const Node& step = ordered.node;
     const auto feature = step.sound_ref(2);
     if (!feature || drafts_of_.count(feature->id()) || bad_features_.count(feature->id())) continue;
     try {
@@ -122,6 +86,7 @@ void Reader::draft_members(const Node& feature, const std::vector<Member>& membe
       drafts.push_back(draft_index(member));
     } catch (const InputError& error) {
       errors.push_back(error);
+      context_.said(member.feature);
     }
   }
   if (drafts.empty()) throw errors.front();
@@ -210,18 +175,24 @@ void Reader::check_clearance() {
 std::string Reader::unique_name(const Draft& draft) {
   std::string base = draft.name;
   if (base.empty()) base = std::string(name_of(draft.kind)) + " #" + std::to_string(draft.node.id());
+  return unique_name(base);
+}
+
+std::string Reader::unique_name(const std::string& base) {
   std::string name = base;
   while (!names_.insert(name).second) name = base + " (" + std::to_string(1 + ++copies_[base]) + ")";
   return name;
 }
 
 void Reader::make_features() {
-  feature_of_draft_.assign(drafts_.size(), -1);
+  features_of_draft_.assign(drafts_.size(), {});
+  fillets_in_plan_ = fillets_are_in_plan();
   for (std::size_t i = 0; i < drafts_.size(); ++i) {
     try {
       make_feature(i);
     } catch (const InputError& error) {
       bad_drafts_.emplace(i, error);
+      context_.said(drafts_[i].node);
     }
   }
   for (const auto& [feature, drafts] : drafts_of_) report_left_out(drafts);
@@ -238,6 +209,68 @@ void Reader::report_left_out(const std::vector<std::size_t>& drafts) {
                        "a part is left out: " + within_file(bad_drafts_.at(draft)));
 }
 
+/// z of the floors of the zones of a feature: the tops of bosses that end below its own top, from above, and its floor.
+std::vector<double> Reader::zone_floors(const Draft& draft, double top, double floor) {
+  // Where depths are absolute a feature's placement lies at its first layer, not at its top.
+  const double full = absolute_depths_ ? draft.placement_z : top;
+  std::vector<double> floors;
+  for (std::size_t i = 0; i < draft.bosses.size(); ++i) {
+    const double z = boss_top(draft, i);
+    if (z >= full - context_.tol.join_gap) continue;
+    if (z <= floor + kLevel)
+      context_.warn("a boss ends at or below its floor and does not stand (z " + trimmed(z, 3) + ")",
+                    draft.node);
+    else
+      floors.push_back(z);
+  }
+  floors.push_back(floor);
+  std::sort(floors.begin(), floors.end(), [](double a, double b) { return a > b; });
+  floors.erase(std::unique(floors.begin(), floors.end(), [](double a, double b) { return a - b < kLevel; }),
+               floors.end());
+  floors.back() = floor;
+  return floors;
+}
+
+/// Of each zone, at its top: without the bosses that stand in it. Drafted walls have come nearer by then.
+std::vector<FeatureRegions> Reader::zone_regions(const Draft& draft, double top,
+                                                 const std::vector<double>& floors) {
+  const auto stands_over = [&](std::size_t boss, double z) { return boss_top(draft, boss) > z + kLevel; };
+  Draft zone = draft;
+  const auto keep_bosses = [&](const auto& wanted) {
+    zone.bosses.clear();
+    zone.boss_tops.clear();
+    for (std::size_t i = 0; i < draft.bosses.size(); ++i) {
+      if (!wanted(i)) continue;
+      zone.bosses.push_back(draft.bosses[i]);
+      zone.boss_tops.push_back(draft.boss_tops[i]);
+    }
+  };
+  std::vector<FeatureRegions> regions;
+  double above = top;
+  for (const double floor : floors) {
+    if (regions.empty() || draft.wall_slope.radians() == 0) {
+      keep_bosses([&](std::size_t boss) { return stands_over(boss, floor); });
+      regions.push_back(feature_regions(zone, part_.stock, context_));
+    } else {
+      FeatureRegions next = regions.back();
+      const double drop = above - regions_top_;
+      next.target = stock::at_depth(next.target, draft.wall_slope, drop, context_.tol);
+      next.allowed = stock::at_depth(next.allowed, draft.wall_slope, drop, context_.tol);
+      for (std::size_t i = 0; i < draft.bosses.size(); ++i) {
+        if (!stands_over(i, floor) || stands_over(i, above)) continue;
+        Loop boss = draft.bosses[i];
+        if (signed_area(boss) < 0) boss = reversed(boss);
+        next.target = subtract(next.target, {Region::from_valid_loops(boss, {})}, context_.tol);
+        next.allowed = subtract(next.allowed, {Region::from_valid_loops(boss, {})}, context_.tol);
+      }
+      regions.push_back(std::move(next));
+    }
+    regions_top_ = above;
+    above = floor;
+  }
+  return regions;
+}
+
 void Reader::make_feature(std::size_t index) {
   const Draft& draft = drafts_[index];
   Feature feature;
@@ -245,23 +278,34 @@ void Reader::make_feature(std::size_t index) {
   feature.source = "#" + std::to_string(draft.node.id());
   feature.floor_z = floor_of(draft);
   feature.top_z = absolute_depths_ ? part_.stock->z_top : draft.placement_z;
+  if (draft.raised_floor > 0 && feature.floor_z >= feature.top_z - 1e-9)
+    draft.node.fail("it is no deeper than its half-round section, of which nothing can be machined yet");
   if (feature.floor_z >= feature.top_z - 1e-9)
     draft.node.fail("its depth plane (z " + trimmed(feature.floor_z, 3) + ") is not below its top (z " +
                     trimmed(feature.top_z, 3) + "); give a depth below zero");
-  FeatureRegions regions = feature_regions(draft, part_.stock, context_);
-  feature.target = std::move(regions.target);
-  feature.allowed = std::move(regions.allowed);
   feature.wall_slope = draft.wall_slope;
   feature.hole_diameter = draft.hole_diameter;
-  feature.through = draft.through;
-  feature.name = unique_name(draft);
+  const std::vector<double> floors = zone_floors(draft, feature.top_z, feature.floor_z);
+  std::vector<FeatureRegions> regions = zone_regions(draft, feature.top_z, floors);
+  const std::string name = unique_name(draft);
   if (draft.raised_floor > 0)
-    context_.diagnostics.skip(context_.file.place(draft.node.line()),
-                              draft.node.label() + ": its rounded bottom, below z " +
-                                  trimmed(feature.floor_z, 3) +
-                                  ", cannot be machined yet; the part above it is");
-  feature_of_draft_[index] = static_cast<int>(part_.features.size());
-  part_.features.push_back(std::move(feature));
+    say_not_machined(context_.diagnostics, context_.file.place(draft.node.line()),
+                     "the rounded bottom of " + name,
+                     draft.node.label() + ": what lies below z " + trimmed(feature.floor_z, 3) +
+                         " cannot be machined yet; the part above it is");
+  for (std::size_t zone = 0; zone < floors.size(); ++zone) {
+    const bool lowest = zone + 1 == floors.size();
+    feature.floor_z = floors[zone];
+    feature.target = std::move(regions[zone].target);
+    feature.allowed = std::move(regions[zone].allowed);
+    feature.through = lowest && draft.through;
+    const bool has_fillet = draft.floor_fillet && !fillets_in_plan_ && draft.wall_slope.radians() == 0;
+    feature.floor_fillet = lowest && has_fillet ? draft.floor_fillet->size : 0;
+    feature.name = lowest ? name : unique_name(name + " above z " + trimmed(floors[zone], 3));
+    features_of_draft_[index].push_back(static_cast<int>(part_.features.size()));
+    part_.features.push_back(feature);
+    feature.top_z = feature.floor_z;
+  }
 }
 
 std::string Reader::within_file(const InputError& error) const {
@@ -272,6 +316,7 @@ std::string Reader::within_file(const InputError& error) const {
 }
 
 void Reader::leave_out(const Node& step, const InputError& error) {
+  context_.said(step);
   if (!first_error_) first_error_ = error;
   const auto feature = step.sound_ref(2);
   const std::string own = step.text(0).empty() ? "workingstep #" + std::to_string(step.id()) : step.text(0);
@@ -282,18 +327,23 @@ void Reader::leave_out(const Node& step, const InputError& error) {
 }
 
 void Reader::make_workingsteps(const Tools& tools) {
-  for (const Node& step : program_.workingsteps) {
+  std::vector<ProgramStop> stops;  // of steps that were left out
+  for (const OrderedStep& step : program_.steps) {
+    const std::size_t before = part_.workplan.size();
+    stops.insert(stops.end(), step.stops.begin(), step.stops.end());
     try {
-      make_workingstep(step, tools);
+      make_workingstep(step.node, tools);
     } catch (const InputError& error) {
-      leave_out(step, error);
+      leave_out(step.node, error);
     }
+    if (part_.workplan.size() == before) continue;
+    part_.workplan[before].stops = std::move(stops);
+    stops.clear();
   }
   if (!part_.workplan.empty()) return;
-  if (program_.workingsteps.size() == 1) throw *first_error_;
+  if (program_.steps.size() == 1) throw *first_error_;
   throw InputError("", std::string(first_error_->what()) + " (and none of the other " +
-                           std::to_string(program_.workingsteps.size() - 1) +
-                           " workingsteps can be machined)");
+                           std::to_string(program_.steps.size() - 1) + " workingsteps can be machined)");
 }
 
 /// Of a pattern or compound: what could be made of it.
@@ -312,29 +362,103 @@ void Reader::make_workingstep(const Node& step, const Tools& tools) {
   const Node feature = step.needed_ref(2, "feature");
   const std::vector<std::size_t> drafts = sound_drafts(feature);
   const Node node = step.needed_ref(3, "operation");
-  Operation operation = read_operation(node, tools, context_);
+  StatedOperation stated = read_operation(node, tools, context_);
+  Operation& operation = stated.operation;
+  const Tool& tool = part_.tools[static_cast<std::size_t>(operation.tool)];
   std::vector<const Draft*> parts;
   for (const std::size_t draft : drafts) parts.push_back(&drafts_[draft]);
-  const std::vector<std::size_t> chosen =
-      parts_for(parts, node, operation, part_.tools[static_cast<std::size_t>(operation.tool)]);
+  const std::vector<std::size_t> chosen = parts_for(parts, node, operation, tool);
   if (operation.retract_z) {
     double top = -kEverywhere;
-    for (const std::size_t draft : drafts) top = std::max(top, feature_of_draft(draft).top_z);
+    for (const std::size_t draft : drafts) top = std::max(top, top_of_draft(draft));
     *operation.retract_z += top;
   }
-  for (const std::size_t i : chosen) check_part(drafts_[drafts[i]], step, operation);
-  for (const std::size_t i : chosen)
-    part_.workplan.push_back(
-        {step.text(0), "#" + std::to_string(step.id()), feature_of_draft_[drafts[i]], operation});
+  if (operation.feed_direction) {
+    const Vec3 along = program_.chosen().turn.x;
+    *operation.feed_direction = *operation.feed_direction + Radians::of(base::atan2(along.y, along.x));
+  }
+  std::vector<std::size_t> of;
+  for (const std::size_t i : chosen) of.push_back(drafts[i]);
+  for (const std::size_t draft : of) check_part(drafts_[draft], step, stated);
+  for (const std::size_t draft : of) check_reach(feature_of_draft(draft), step, tool);
+  use_overcut(node, of);
+  for (const std::size_t draft : of) {
+    for (const int index : features_for(draft, stated, node)) {
+      steps_of_draft_[draft].push_back(part_.workplan.size());
+      part_.workplan.push_back({step.text(0), "#" + std::to_string(step.id()), index, operation});
+    }
+  }
 }
 
-void Reader::check_part(const Draft& draft, const Node& step, const Operation& operation) const {
-  const ToolKind kind = part_.tools[static_cast<std::size_t>(operation.tool)].kind;
+void Reader::check_part(const Draft& draft, const Node& step, const StatedOperation& stated) const {
+  const ToolKind kind = part_.tools[static_cast<std::size_t>(stated.operation.tool)].kind;
   if (draft.raised_floor > 0 && kind == ToolKind::kBallEndMill)
     step.fail("a rounded bottom cannot be machined yet; leave this step out");
-  if (goes_straight_down(operation) && !draft.hole_diameter)
+  const bool is_countersink = stated.hole == HoleKind::kCountersunk && draft.node.is("ROUND_HOLE");
+  if (goes_straight_down(stated.operation) && !draft.hole_diameter && !is_countersink)
     step.fail(draft.node.is("ROUND_HOLE") ? "a tapered hole is milled, not drilled; give a milling operation"
                                           : "drilling is for round holes; correct the operation");
+}
+
+/// What would refuse the whole part: one step does not spoil the others.
+void Reader::check_reach(const Feature& feature, const Node& step, const Tool& tool) const {
+  const double depth = part_.top_z() - feature.floor_z;
+  if (tool.flute_length && depth > *tool.flute_length + kLevel)
+    step.fail("its floor lies " + trimmed(depth, 3) + " mm below the top of the part and the flutes of T" +
+              std::to_string(tool.number) + " are " + trimmed(*tool.flute_length, 3) +
+              " mm long; use a longer tool or less depth");
+  if (!part_.stock || feature.through) return;
+  const double below = part_.stock->z_bottom - feature.floor_z;
+  if (below > kBelowStock)
+    step.fail("its floor at z " + trimmed(feature.floor_z, 3) + " lies " + trimmed(below, 3) +
+              " mm below the material, which ends at z " + trimmed(part_.stock->z_bottom, 3) +
+              "; give less depth or thicker stock");
+}
+
+/// Steps whose features are cut away before: two drills that go as deep in one hole.
+void Reader::drop_finished_steps() {
+  std::vector<Workingstep> left;
+  for (Workingstep& step : part_.workplan) {
+    const Feature& feature = feature_of(step);
+    if (feature.top_z - feature.floor_z > 1e-6) {
+      left.push_back(std::move(step));
+      continue;
+    }
+    context_.diagnostics.note(context_.file.name,
+                              "workingstep " + step.source + " '" + step.name +
+                                  "' has nothing left to cut: what comes before it goes as deep in " +
+                                  feature.name);
+  }
+  if (left.empty()) return;
+  part_.workplan = std::move(left);
+  drop_unused_features();
+}
+
+/// What the whole reading knows of the program.
+void Reader::tell_context() {
+  if (program_.workpiece) context_.workpiece = program_.workpiece->id();
+  for (const OrderedStep& step : program_.steps)
+    if (const auto operation = step.node.sound_ref(3)) context_.operations.insert(operation->id());
+  const auto& chosen = program_.chosen().node;
+  for (const ProgramSetup& setup : program_.setups)
+    if (setup.node && chosen && setup.node->id() != chosen->id()) context_.said(*setup.node);
+}
+
+/// Several set-ups as if they were one: who asks for the whole is told.
+void Reader::doubt_several_setups(int number) {
+  if (number > 0 || program_.setups.size() < 2) return;
+  context_.diagnostics.doubt(
+      context_.file.name, kNotFollowed,
+      "its workingsteps are cut in " + std::to_string(program_.setups.size()) +
+          " set-ups, and are taken here as if the workpiece lay as in the first of them");
+}
+
+Node Reader::start_of_program() const {
+  for (const char* keyword : {"PROJECT", "WORKPLAN"}) {
+    const std::vector<Node> found = nodes_called(context_.file, keyword);
+    if (!found.empty()) return found.front();
+  }
+  return program_.steps.front().node;
 }
 
 /// Features whose workingsteps were all left out (and reported) are no part of the job.
@@ -368,12 +492,54 @@ void Reader::set_tops() {
       step.operation.retract_z = std::min(*step.operation.retract_z, *part_.clearance_z);
 }
 
+namespace {
+
+/// The file with its unit of length; what is told of it goes to `diagnostics`.
+P21File parsed(std::string_view text, const std::string& file_name, FileUnits& units,
+               Diagnostics& diagnostics) {
+  P21File file = parse_part21(text, file_name);
+  check_schema(file);
+  units = file_units(file, diagnostics);
+  file.mm_per_length = units.mm_per_length;
+  return file;
+}
+
+SetupPlace place_of(const ProgramSetup& setup) {
+  const Frame& turn = setup.turn;
+  SetupPlace place;
+  place.turn = {
+      {{turn.x.x, turn.y.x, turn.z.x}, {turn.x.y, turn.y.y, turn.z.y}, {turn.x.z, turn.y.z, turn.z.z}}};
+  return place;
+}
+
 }  // namespace
 
+Part read_setup(std::string_view text, const std::string& file_name, const Tolerances& tol, int number,
+                SetupPlace& place) {
+  FileUnits units;
+  Diagnostics diagnostics;
+  const P21File file = parsed(text, file_name, units, diagnostics);
+  Reader reader(file, tol, units);
+  reader.diagnostics().append(diagnostics);
+  Part part = reader.read(number);
+  place = place_of(reader.program().chosen());
+  const std::size_t count = reader.program().setups.size();
+  if (number > 0 && count > 1)
+    part.name += ", set-up " + std::to_string(number) + " of " + std::to_string(count);
+  return part;
+}
+
 Part read_stepnc(std::string_view text, const std::string& file_name, const Tolerances& tol) {
-  const P21File file = parse_part21(text, file_name);
-  check_schema(file);
-  return Reader(file, tol).read();
+  SetupPlace place;
+  return read_setup(text, file_name, tol, 0, place);
+}
+
+int count_setups(std::string_view text, const std::string& file_name) {
+  FileUnits units;
+  Diagnostics diagnostics;
+  const P21File file = parsed(text, file_name, units, diagnostics);
+  Context context(file, {});
+  return static_cast<int>(read_program(context, 0).setups.size());
 }
 
 }  // namespace clearcut::read::stepnc

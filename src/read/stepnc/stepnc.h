@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "model/part.h"
+#include "model/setup_place.h"
 
 namespace clearcut::read::stepnc {
 
@@ -26,5 +27,13 @@ namespace clearcut::read::stepnc {
 /// Cost    O(text), plus the booleans of features that cross the stock's edge.
 /// Source  ISO 14649-10, ISO 14649-11; see docs/stepnc.md for every default and reading.
 Part read_stepnc(std::string_view text, const std::string& file_name, const Tolerances& tol);
+
+/// In how many set-ups the program is cut: at least 1. Throws as read_stepnc().
+int count_setups(std::string_view text, const std::string& file_name);
+
+/// The part of set-up `number` (from 1) in its axes, with the workpiece's origin as zero; `place`: from the coordinates of the workpiece to
+/// those. Throws as read_stepnc().
+Part read_setup(std::string_view text, const std::string& file_name, const Tolerances& tol, int number,
+                SetupPlace& place);
 
 }  // namespace clearcut::read::stepnc

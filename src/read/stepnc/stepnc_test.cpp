@@ -89,15 +89,15 @@ TEST(StepNc, ReadsProjectStockToolsAndOperation) {
 TEST(StepNc, WhatIsNotUsedIsSaid) {
   const std::string radius = "CLOSED_POCKET('POCKET',#3,(#30),#21,#23,(),$,#26,$,#62,#27)";
   EXPECT_THAT(all_diagnostics(Program().feature(radius).read()),
-              HasSubstr("corners stay as the profile draws"));
+              HasSubstr("the corner stays as it is drawn"));
   EXPECT_THAT(all_diagnostics(Program().feature(radius).with(27, "CIRCULAR_CLOSED_PROFILE(#28,#62)").read()),
-              Not(HasSubstr("corners stay")));
+              Not(HasSubstr("the corner stays")));
   EXPECT_THAT(
       all_diagnostics(
           Program().with(90, "(CONVERSION_BASED_UNIT('INCH',#91)LENGTH_UNIT()NAMED_UNIT(#92))").read()),
-      HasSubstr("lengths of ISO 14649 programs are mm"));
-  EXPECT_THAT(Program().with(2, "WORKPLAN('MAIN',(#11),$,#4,$)").with(11, "PARALLEL('P',(#10),$)").error(),
-              HasSubstr("#11 PARALLEL is no machining workingstep"));
+      HasSubstr("no GLOBAL_UNIT_ASSIGNED_CONTEXT assigns it: lengths are mm"));
+  EXPECT_THAT(Program().with(2, "WORKPLAN('MAIN',(#11),$,#4,$)").with(11, "SET_MARK('P')").error(),
+              HasSubstr("#11 SET_MARK is no machining workingstep"));
 }
 
 TEST(StepNc, EveryApproachAndRetractStrategyIsReadOrNamed) {
@@ -338,7 +338,8 @@ TEST(StepNc, TiltedSetUpsAndFeaturesAreRefusedByName) {
   p.with(84, "DIRECTION('',(1.,0.,0.))").with(85, "AXIS2_PLACEMENT_3D('',#22,#84,$)");
   EXPECT_THAT(Program(p).with(4, "SETUP('S',#85,#7,(#9))").error(),
               HasSubstr("#4 SETUP: the set-up is tilted"));
-  EXPECT_THAT(Program(p).with(9, "WORKPIECE_SETUP(#3,#85,$,$,())").error(),
+  p.with(86, "DIRECTION('',(1.,0.,1.))").with(87, "AXIS2_PLACEMENT_3D('',#22,#86,$)");
+  EXPECT_THAT(Program(p).with(9, "WORKPIECE_SETUP(#3,#87,$,$,())").error(),
               HasSubstr("#9 WORKPIECE_SETUP: the workpiece is tilted"));
   EXPECT_THAT(Program(p).feature("CLOSED_POCKET('POCKET',#3,(#30),#85,#23,(),$,#26,$,$,#27)").error(),
               HasSubstr("#20 CLOSED_POCKET: its placement is tilted"));

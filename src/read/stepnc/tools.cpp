@@ -26,7 +26,8 @@ constexpr BodyKind kBodies[] = {
     {"FACEMILL", ToolKind::kFaceMill},        {"TWIST_DRILL", ToolKind::kDrill},
     {"SPADE_DRILL", ToolKind::kDrill},        {"CENTER_DRILL", ToolKind::kDrill},
     {"TAPERED_DRILL", ToolKind::kDrill},      {"REAMER", ToolKind::kReamer},
-    {"TAPERED_REAMER", ToolKind::kReamer}};
+    {"TAPERED_REAMER", ToolKind::kReamer},    {"BORING_TOOL", ToolKind::kBoringBar},
+    {"COUNTERSINK", ToolKind::kSpotDrill}};
 
 ToolKind kind_of(const Node& body) {
   for (const BodyKind& entry : kBodies)
@@ -48,11 +49,22 @@ std::optional<int> number_in(std::string& name) {
 double corner_radius_of(const Node& tool, const Tool& result, std::optional<double> edge_radius,
                         Context& context) {
   if (result.kind == ToolKind::kBallEndMill) return result.radius();
-  if (result.kind == ToolKind::kDrill || result.kind == ToolKind::kReamer) return 0;
+  if (makes_holes(result) || result.kind == ToolKind::kSpotDrill) return 0;
   if (!edge_radius) context.note("no edge radius; the cutter is taken as flat-ended", tool);
   if (edge_radius && *edge_radius > result.radius() + 1e-9)
     tool.fail("its edge radius is larger than half its diameter; correct it");
   return std::max(0.0, edge_radius.value_or(0));
+}
+
+/// Of drills and cones: the angle between opposite flanks. Below 90 degrees the standard's angle is that between an edge and the plane
+/// square to the axis (31 degrees: a point of 118).
+std::optional<Radians> tip_of(const Node& size, const Context& context) {
+  const auto stated = size.number(1);
+  if (!stated || *stated <= 0) return std::nullopt;
+  const double angle = context.angle(*stated);
+  const double tip = angle < kPi / 2 - 1e-6 ? kPi - 2 * angle : angle;
+  if (!(tip > 0 && tip < kPi)) size.fail("its tool_top_angle is no angle of a drill's point; correct it");
+  return Radians::of(tip);
 }
 
 /// Without an angle it is an end mill like any other.
@@ -91,6 +103,9 @@ Tool read_tool(const Node& node, Context& context) {
   tool.teeth = teeth >= 1 && teeth <= kMostTeeth ? static_cast<int>(teeth) : 2;
   tool.center_cutting = tool.kind != ToolKind::kFaceMill;
   if (body.is("TAPERED_ENDMILL")) read_taper(body, tool, context);
+  if (tool.kind == ToolKind::kDrill) tool.tip_angle = tip_of(size, context);
+  if (tool.kind == ToolKind::kSpotDrill)
+    tool.tip_angle = tip_of(size, context).value_or(Radians::of_degrees(90));
   return tool;
 }
 

@@ -62,7 +62,7 @@ bool is_identity(const Frame& frame) {
 
 Vec3 location_of(const Node& node) {
   if (!node.is("CARTESIAN_POINT")) node.fail("a CARTESIAN_POINT is needed here; correct the reference");
-  const std::vector<double> c = node.numbers(1);
+  const std::vector<double> c = node.lengths(1);
   if (c.size() < 2) node.fail("fewer than two coordinates; give x, y, z");
   return {c[0], c[1], c.size() > 2 ? c[2] : 0.0};
 }

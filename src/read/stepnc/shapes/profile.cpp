@@ -141,7 +141,7 @@ CrossSection cross_section(const Node& profile, Context& context) {
           "slot with drafted walls: its width is taken at the top, so that nothing is cut away that should "
           "stay",
           profile);
-    if (fillet > 0) context.note("floor fillets are left to the cutter's own corner radius", profile);
+    section.fillet = fillet;
   } else if (profile.is("ROUNDED_U_PROFILE")) {
     section.width = positive_length(profile, 1, "width");
     section.rounded_below = section.width / 2;

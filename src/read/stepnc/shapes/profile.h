@@ -20,6 +20,7 @@ Path open_profile(const Node& profile, Context& context);
 struct CrossSection {
   double width = 0;          ///< mm at the top
   double draft = 0;          ///< radians from vertical, both sides
+  double fillet = 0;         ///< mm; between floor and sides
   double rounded_below = 0;  ///< mm above the lowest point from where the sides are no longer prismatic
 };
 /// Throws InputError for sections without a prismatic part (VEE, TEE, general).

@@ -118,8 +118,8 @@ class OpenSide {
   Loop closed(Context& context) const {
     warn_of_inner_ends(context);
     const Loop standard = closed_around(reversed(draft_.wall));
-    if (!draft_.wall_is_step) return standard;
     const Loop other = closed_around(draft_.wall);
+    if (!draft_.wall_is_step) return closed_pocket(standard, other, context);
     if (removed_area(standard) <= removed_area(other)) return standard;
     context.warn(
         "read by the standard the step would take the larger part of the stock; the other side is taken",
@@ -128,6 +128,23 @@ class OpenSide {
   }
 
  private:
+  /// An open pocket whose outline bulges to the side of the material, and that would take the larger part of the stock, was drawn the other
+  /// way round. A pocket about a block that stands in a corner of the stock is drawn like that too: who is to tell has to know.
+  Loop closed_pocket(const Loop& standard, const Loop& other, Context& context) const {
+    Loop chord = draft_.wall;
+    if (chord.back().to != chord.front().from)
+      chord.push_back(Edge::line(chord.back().to, chord.front().from));
+    double area = 0;
+    for (const Edge& edge : chord) area += edge.signed_area();
+    if (!(area > 0) || removed_area(standard) <= removed_area(other)) return standard;
+    context.diagnostics.doubt(
+        context.file.place(draft_.node.line()), kNotFollowed,
+        draft_.node.label() +
+            ": read by the standard (material on the left of its open boundary) the pocket would take the "
+            "larger part of the stock, and its outline bulges to the other side; that side is taken");
+    return other;
+  }
+
   void warn_of_inner_ends(Context& context) const {
     const Box inner = stock_.grown(-context.tol.join_gap);
     if (!inner.contains(draft_.wall.front().from) && !inner.contains(draft_.wall.back().to)) return;

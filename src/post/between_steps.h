@@ -1,0 +1,36 @@
+// What a program says between its cuts: stops, messages, dwells at the floors of holes.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "model/move.h"
+#include "model/part.h"
+
+namespace clearcut::post {
+
+/// The stops of workingsteps, each before the first section of its step.
+class Stops {
+ public:
+  explicit Stops(const Part& part) : part_(part) {}
+
+  /// Those that come before `section`; none the second time.
+  std::vector<ProgramStop> before(const Section& section);
+
+ private:
+  const Part& part_;
+  std::set<int> said_;
+};
+
+/// Whether the program halts at any of them: the tool is lifted and the spindle stands before.
+bool halts(const std::vector<ProgramStop>& stops);
+/// "STOP: TURN THE CLAMP", "OPTIONAL STOP", "MESSAGE: ...".
+std::string stop_comment(const ProgramStop& stop);
+
+/// s that the tool stays at the floor of the hole that the section makes; 0 for most.
+double dwell_of(const Section& section, const Part& part);
+/// Whether the move ends at the lowest place of the section, from above.
+bool ends_at_floor(const Move& move, const Section& section);
+
+}  // namespace clearcut::post

@@ -1,0 +1,25 @@
+// What a reader has used of its input, so that what nobody used can be named.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace clearcut::read {
+
+/// One mark for each item of an input: attributes of entities, codes of a drawing, keys of a file. A reader marks an item where it
+/// acts on it; afterwards whoever walks the input finds what has no mark. Nothing is ever unmarked.
+class UseLedger {
+ public:
+  UseLedger() = default;
+  explicit UseLedger(std::size_t items) : used_(items, 0) {}
+
+  void use(std::size_t item) {
+    if (item < used_.size()) used_[item] = 1;
+  }
+  bool is_used(std::size_t item) const { return item < used_.size() && used_[item] != 0; }
+
+ private:
+  std::vector<unsigned char> used_;
+};
+
+}  // namespace clearcut::read

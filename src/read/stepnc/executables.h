@@ -1,0 +1,30 @@
+// The executables of a workplan, in the order in which they are carried out.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/part.h"
+#include "read/stepnc/node.h"
+
+namespace clearcut::read::stepnc {
+
+/// A machining workingstep in its place.
+struct OrderedStep {
+  Node node;
+  std::vector<ProgramStop> stops;  ///< before it
+  std::optional<Node> setup;       ///< of the innermost workplan around it that has one
+};
+
+struct WorkOrder {
+  std::vector<OrderedStep> steps;
+  std::vector<Node> workplans;
+};
+
+/// Workplans, PARALLEL and NON_SEQUENTIAL in the order written; of a SELECTIVE the first element; of an IF_STATEMENT the branch, where
+/// its condition can be told from constants, and of a WHILE_STATEMENT none where it is false. What is inside other branches and loops
+/// is not machined: said by the names of its workingsteps, which are a fault of the verdict. Stops and messages go before the step that
+/// follows; other executables are named as not followed. Throws InputError for workplans that contain themselves.
+WorkOrder work_order(const Node& workplan, Context& context);
+
+}  // namespace clearcut::read::stepnc
