@@ -133,7 +133,7 @@ std::string doubled_key(std::string_view text) {
   std::vector<std::set<std::string>> open;
   std::string doubled;
   const auto look = [&](int /*depth*/, Json::parse_event_t event, Json& parsed) {
-    if (event == Json::parse_event_t::object_start) open.emplace_back();
+    if (event == Json::parse_event_t::object_start) open.push_back({});
     if (event == Json::parse_event_t::object_end && !open.empty()) open.pop_back();
     if (event == Json::parse_event_t::key && !open.empty() &&
         !open.back().insert(parsed.get<std::string>()).second && doubled.empty())

@@ -393,8 +393,6 @@ double most_left(std::span<const LayerOnWall> layers, double from, double to, do
 
 void refine(FeatureWork& work, const Operation& operation, const Tool& tool) {
   const double radius = tool.radius(), flat = flat_end(tool);
-  const double flank = has_flanks(tool) ? flank_slope(tool) : 0;
-  work.steepest_flank = std::min(work.steepest_flank, flank);
   if (radius < work.smallest_radius || (radius == work.smallest_radius && flat > work.smallest_flat)) {
     work.smallest_radius = radius;
     work.smallest_flat = flat;

@@ -179,8 +179,8 @@ void StockToLeave::against_floors(const CheckedMove& checked, std::optional<Goug
   const Move& move = *checked.move;
   const Tool& tool = *checked.tool;
   std::optional<Gouge> found;
-  const bool is_flat = !has_flanks(tool) && flat_radius_of(tool) > 0;
-  if (is_flat) found = gouge_of(*raised_, move, flat_radius_of(tool), tol_.uncut, false);
+  const bool is_flat = !has_flanks(tool) && flat_end(tool) > 0;
+  if (is_flat) found = gouge_of(*raised_, move, flat_end(tool), tol_.uncut, false);
   const int steps = is_flat ? 0 : steps_along(move);
   for (int i = 0; !is_flat && i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps;
