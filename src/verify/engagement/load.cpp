@@ -162,10 +162,9 @@ class LoadMeter {
     const stock::CutterEngagement whole =
         material_.engagement(raised(move, kResidual), t, checked.radius() - kResidual);
     MoveLoad& load = checked.load;
-    const double axial =
-        whole.angle > 0
-            ? measure_axial(checked, move.path.at(t), angle_of(direction_at(move, t)), z, whole.angles)
-            : 0;
+    const double axial = whole.angle > 0 ? measure_axial(checked, move.path.at(t),
+                                                         angle_of(direction_at(move, t)), z, whole.angles)
+                                         : 0;
     if (entry_.is_inside()) measure_entry(checked, {whole, axial, length, {move.path.at(t), z, move.line}});
     const auto others = beside_entry(checked, t, z);
     if (others && others->angle <= 0) return;
@@ -356,8 +355,8 @@ class LoadMeter {
   const Part& part_;
   stock::Material& material_;
   const LoadOptions& options_;
-  CutHeights cones_;                ///< what cones have cut
-  const Move* before_ = nullptr;    ///< the last feed move before the current one
+  CutHeights cones_;              ///< what cones have cut
+  const Move* before_ = nullptr;  ///< the last feed move before the current one
   EntryWatch entry_;
   const Tool* stated_for_ = nullptr;  ///< whose are the next two
   StatedEntry stated_;
