@@ -47,8 +47,7 @@ std::optional<Circle> helix_circle(const EntryPlace& place, const Regions& legal
 
 /// At the ramp feed, or as much slower as the plunge feed asks for on steep ramps.
 Move ramp_move(const Edge& path, double z_from, double z_to, const LinkOptions& options) {
-  const MmPerMin feed =
-      sinking_feed(options.ramp_feed, options.plunge_feed, path.length(), z_from - z_to);
+  const MmPerMin feed = sinking_feed(options.ramp_feed, options.plunge_feed, path.length(), z_from - z_to);
   return {path, z_from, z_to, MoveKind::kRamp, feed, 0};
 }
 
@@ -63,8 +62,7 @@ void append_turns(const Circle& circle, Vec2 end, double turned, double z_from, 
     const double share = static_cast<double>(left) / arcs;
     const Vec2 next = left == 0 ? end : circle.center + rotated(end - circle.center, -turned * share);
     const double low = z_to + (z_from - z_to) * share;
-    moves.push_back(
-        ramp_move(Edge::arc(at, next, circle.center, Turn::kCounterClockwise), z, low, options));
+    moves.push_back(ramp_move(Edge::arc(at, next, circle.center, Turn::kCounterClockwise), z, low, options));
     at = next;
     z = low;
   }

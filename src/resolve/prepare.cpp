@@ -376,8 +376,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   part.predrilled.insert(part.predrilled.end(), options.predrilled.begin(), options.predrilled.end());
   for (auto& step : part.workplan)
     apply_options(step.operation, tool_of(part, step), options, sources[step_key(step)]);
-  for (auto& step : part.workplan)
-    leave_nothing_of_what_is_made_to_size(part, step, sources[step_key(step)]);
+  for (auto& step : part.workplan) leave_nothing_of_what_is_made_to_size(part, step, sources[step_key(step)]);
   std::vector<std::string> told;  // of the material
   for (auto& step : part.workplan) {
     make_at_once(step.operation, tool_of(part, step), feature_of(part, step));

@@ -43,9 +43,9 @@ class AngleClasses {
 
 /// What an entry takes on one move: its engagement counts apart.
 struct EntryLoad {
-  bool begins = false;     ///< the first move of its entry that meets material
-  double length_mm = 0;    ///< in material
-  double max_deg = 0;      ///< the angle of the circle in material, where it is greatest
+  bool begins = false;   ///< the first move of its entry that meets material
+  double length_mm = 0;  ///< in material
+  double max_deg = 0;    ///< the angle of the circle in material, where it is greatest
   double max_axial_mm = 0;
   Place max_at;
 };
@@ -53,7 +53,7 @@ struct EntryLoad {
 /// What a tool takes that its kind cannot.
 struct Overcut {
   Place at;
-  double taken_mm = 0;    ///< sideways square to its way, down the radius of what stands below it
+  double taken_mm = 0;  ///< sideways square to its way, down the radius of what stands below it
   bool sideways = false;
 };
 
@@ -73,7 +73,7 @@ struct MoveLoad {
   Rare<Place> rapid_contact;   ///< a place where a rapid touches material
   Rare<Place> plunge_contact;  ///< a place where a cutter that must not plunge does so
   Rare<Place>
-      holder_contact;        ///< a place where the holder, or a shank wider than the cutter, touches material
+      holder_contact;  ///< a place where the holder, or a shank wider than the cutter, touches material
   Rare<EntryLoad> entry;
   Rare<Overcut> overcut;
   bool by_flank = false;     ///< a cone cuts beside its tip alone

@@ -239,7 +239,8 @@ TEST(Verify, WhatLayersLeaveOnLeaningWallsIsUncut) {
   EXPECT_NEAR(right.features[0].scallop->height_mm, 0.25 * std::sqrt(0.5), 1e-9);
   EXPECT_NEAR(*right.features[0].scallop->asked_mm, 0.2, 1e-12) << "what may stand where nobody asks";
   // One layer is left out.
-  const Findings missing = verify_program(part, drafted_rings({-0.25, -0.5, -0.75, -1.25, -1.5, -1.75, -2}), {});
+  const Findings missing =
+      verify_program(part, drafted_rings({-0.25, -0.5, -0.75, -1.25, -1.5, -1.75, -2}), {});
   ASSERT_TRUE(has(missing, FaultKind::kUncut)) << report_of(missing);
   EXPECT_NEAR(missing.all.uncut_thickness_mm, 0.5 * std::sqrt(0.5), 1e-9);
   part.workplan[0].operation.scallop = 0.4;
@@ -260,7 +261,8 @@ TEST(Verify, LeaningWallsMayBeCutBetweenLayers) {
     const auto turn = [&](double drop) {
       for (int corner = 0; corner < 4; ++corner) {
         z -= drop / 4;
-        const double half = 22 + z, x = corner == 0 || corner == 1 ? half : -half, y = corner < 1 || corner > 2 ? -half : half;
+        const double half = 22 + z, x = corner == 0 || corner == 1 ? half : -half,
+                     y = corner < 1 || corner > 2 ? -half : half;
         writer.feed({25 + x, 25 + y}, z);
       }
     };

@@ -237,7 +237,8 @@ class FindingsBuilder {
     add_coverage(findings_.all, worst);
     add_coverage(found.figures, worst);
     found.scallop = scallop_of(feature, work, options_.tol);
-    if (found.scallop && leaves_steps(work, *found.scallop, options_.tol)) add_steps(found.figures, *found.scallop);
+    if (found.scallop && leaves_steps(work, *found.scallop, options_.tol))
+      add_steps(found.figures, *found.scallop);
     for (FeatureFindings& step : findings_.features) {
       if (part_.workplan[step.workingstep].feature == work.feature) add_layer_coverage(step, work);
     }

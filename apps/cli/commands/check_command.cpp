@@ -106,7 +106,8 @@ int run(const CheckCommand& command) {
   std::vector<std::string> faults = certificate_faults(text);
   for (std::string& fault : faults) fault = "schema " + fault;
   if (faults.empty()) {
-    for (const std::string& one : certificate_contradictions(text)) faults.push_back("contradicts itself: " + one);
+    for (const std::string& one : certificate_contradictions(text))
+      faults.push_back("contradicts itself: " + one);
     if (!seal_holds(text))
       faults.push_back("the certificate was altered after it was written" +
                        std::string(command.again ? "" : "; --again says where"));

@@ -70,9 +70,9 @@ struct Engagement {
 /// Descents into material, up to where each ends: what their engagement is is no question of the limit.
 struct Entries {
   int count = 0;
-  double length_mm = 0;    ///< of feed in material
-  double max_deg = 0;      ///< angle of the cutter's circle in material, where it is greatest
-  double max_axial_mm = 0;  ///< greatest depth of material above the tip
+  double length_mm = 0;         ///< of feed in material
+  double max_deg = 0;           ///< angle of the cutter's circle in material, where it is greatest
+  double max_axial_mm = 0;      ///< greatest depth of material above the tip
   std::optional<Place> max_at;  ///< of max_deg
 };
 

@@ -37,7 +37,7 @@ struct DialectRules {
       false;  ///< the way over the next hole goes up to the height before the cycles at once
   bool feeds_out_to_clear = false;  ///< G89, G74, G84 feed up to the clear height, not to R
   TapRule taps = TapRule::kAsItTurns;
-  bool keeps_cycle_words = true;    ///< Z, R and Q hold from one cycle word to another
+  bool keeps_cycle_words = true;  ///< Z, R and Q hold from one cycle word to another
   bool rereads_cycle_numbers =
       false;                         ///< G20, G21 within a cycle: the numbers it holds count in the new units
   bool radius_beats_center = false;  ///< R with I, J: R is taken

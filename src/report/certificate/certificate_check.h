@@ -12,9 +12,9 @@ namespace clearcut::report {
 /// object is one such sentence.
 std::vector<std::string> certificate_faults(std::string_view certificate);
 
-/// Where the fields of a certificate that its schema holds for contradict each other, a sentence each: a verdict that does not follow from faults and
-/// conditions, figures beyond their limits without a fault, parts of the work with more than the whole, a key that comes twice, no input. A
-/// seal says nothing of these: anybody can compute one.
+/// Where the fields of a certificate that its schema holds for contradict each other, a sentence each: a verdict that does not
+/// follow from faults and conditions, figures beyond their limits without a fault, parts of the work with more than the whole,
+/// a key that comes twice, no input. A seal says nothing of these: anybody can compute one.
 std::vector<std::string> certificate_contradictions(std::string_view certificate);
 
 /// Whether the seal is the SHA-256 of all other fields: false once any of them was changed.

@@ -54,7 +54,8 @@ void check_verdict(const Json& certificate, Sentences& out) {
   if (no_part && follows != Verdict::kFaulty) wanted += kNoPart;
   const std::string plain = name_of(follows);
   if (verdict != wanted && !(follows == Verdict::kFaulty && verdict == plain + std::string(kNoPart)))
-    out.push_back("/verdict: is \"" + verdict + "\" where its faults and conditions make it \"" + wanted + "\"");
+    out.push_back("/verdict: is \"" + verdict + "\" where its faults and conditions make it \"" + wanted +
+                  "\"");
   if (field(certificate, "clean") == true && follows != Verdict::kClean)
     out.push_back("/clean: is true, and the verdict that follows is " + plain);
 }

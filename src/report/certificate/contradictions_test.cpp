@@ -80,7 +80,8 @@ TEST(Contradictions, OfFiguresAndVerdict) {
 TEST(Contradictions, OfVerdictFaultsAndConditions) {
   Findings faulty = clean_findings();
   faulty.faults.push_back({FaultKind::kTooDeep, faulty.features[0].name, {}, 5, "too deep"});
-  EXPECT_THAT(said([](Json& json) { json["verdict"] = "CLEAN"; }, faulty), HasSubstr("/verdict: is \"CLEAN\""));
+  EXPECT_THAT(said([](Json& json) { json["verdict"] = "CLEAN"; }, faulty),
+              HasSubstr("/verdict: is \"CLEAN\""));
   EXPECT_THAT(said([](Json& json) { json["clean"] = true; }, faulty), HasSubstr("/clean"));
   EXPECT_THAT(said([](Json& json) { json["features"][0]["clean"] = true; }, faulty),
               HasSubstr("/features/0/clean"));
@@ -88,7 +89,8 @@ TEST(Contradictions, OfVerdictFaultsAndConditions) {
   Findings open = clean_findings();
   open.conditions.push_back({"g55", "G55 lies where the work's zero is", 3});
   EXPECT_THAT(said([](Json& json) { json["verdict"] = "CLEAN"; }, open), HasSubstr("CONDITIONAL"));
-  EXPECT_THAT(said([](Json& json) { json["conditions"][0]["met_by"] = "accepted"; }, open), HasSubstr("CLEAN"));
+  EXPECT_THAT(said([](Json& json) { json["conditions"][0]["met_by"] = "accepted"; }, open),
+              HasSubstr("CLEAN"));
 }
 
 TEST(Contradictions, OfWhatItRestsOn) {
@@ -102,7 +104,8 @@ TEST(Contradictions, KeysThatComeTwice) {
   std::string doubled = text;
   doubled.insert(doubled.find("\"gouge_mm\""), "\"gouge_mm\": 0, ");
   EXPECT_THAT(certificate_contradictions(text), IsEmpty());
-  EXPECT_THAT(certificate_contradictions(doubled), ::testing::Contains(HasSubstr("\"gouge_mm\" comes twice")));
+  EXPECT_THAT(certificate_contradictions(doubled),
+              ::testing::Contains(HasSubstr("\"gouge_mm\" comes twice")));
 }
 
 }  // namespace

@@ -34,8 +34,8 @@ struct FeatureWork {
   /// Of walls with draft, where layers alone would leave more than that: whether no more is left at any height all the same, because moves
   /// between the layers cut the walls.
   bool is_cut_between_layers = false;
-  LevelCoverage floor;            ///< down to the floor plus its allowance
-  std::optional<Place> deepest;   ///< end of the lowest feed move in it, only where none reaches the floor
+  LevelCoverage floor;           ///< down to the floor plus its allowance
+  std::optional<Place> deepest;  ///< end of the lowest feed move in it, only where none reaches the floor
   /// Down to each layer above the floor, of the steps that leave the least on walls. Filled for walls with
   /// draft, where each layer has an outline of its own, and otherwise only if something is left on the floor:
   /// a cutter that reaches the floor has cleared what stood above it.

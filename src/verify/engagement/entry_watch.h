@@ -9,17 +9,18 @@ namespace clearcut::verify {
 
 /// What is stated of the entries of a tool.
 struct StatedEntry {
-  double slope = HUGE_VAL;  ///< mm down for each mm of advance, the least that an operation states; infinite: none does
-  double size = 0;          ///< mm; radius of a helix, or length of one way of a zigzag
+  double slope =
+      HUGE_VAL;  ///< mm down for each mm of advance, the least that an operation states; infinite: none does
+  double size = 0;  ///< mm; radius of a helix, or length of one way of a zigzag
 };
 StatedEntry stated_entry(const Part& part, const Tool* tool);
 
 /// Follows the moves of a program one after the other.
 ///
-/// An entry is one connected descent: feed moves that follow each other and go down at kEntryAngle or more, or as little as the
-/// operation states; at least kLeastEntrySlope on its first turn. Then the level moves over it, which clear the floor that its last turn leaves. Its own
-/// is only what stood below where it began: below base(), and of level moves no higher than one turn goes down. All
-/// else is a pass like any other.
+/// An entry is one connected descent: feed moves that follow each other and go down at half a degree or more, or as little as
+/// the operation states; on its first turn 0.17 degrees are enough. Then the level moves over it, which clear the floor that its
+/// last turn leaves. Its own is only what stood below the height at which it began, and of level moves what is no higher than one
+/// turn goes down. All else is a pass like any other.
 class EntryWatch {
  public:
   /// Takes up the next move of a cutter of that radius, mm.

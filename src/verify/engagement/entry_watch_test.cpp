@@ -63,7 +63,12 @@ TEST(Entries, ThatGoDownThroughAirBeginWhereTheyMeetMaterial) {
   // Down beside the material in a groove that is there already, then sideways into it, still sinking.
   Writer writer;
   writer.enter({5, 10}, 0, -2).feed({45, 10});
-  writer.leave().rapid({5, 10}, 10).rapid({5, 10}, 1).feed({5, 10}, 0.1).feed({10, 10}, -1.7).feed({30, 14}, -2);
+  writer.leave()
+      .rapid({5, 10}, 10)
+      .rapid({5, 10}, 1)
+      .feed({5, 10}, 0.1)
+      .feed({10, 10}, -1.7)
+      .feed({30, 14}, -2);
   EXPECT_TRUE(has(under_limit(square_part(), writer.done()), FaultKind::kOverEngagement));
 }
 

@@ -168,10 +168,9 @@ class LoadMeter {
     const stock::CutterEngagement whole =
         material_.engagement(raised(move, kResidual), t, checked.radius() - kResidual, own_);
     MoveLoad& load = checked.load;
-    const double axial =
-        whole.angle > 0
-            ? measure_axial(checked, move.path.at(t), angle_of(direction_at(move, t)), z, whole.angles)
-            : 0;
+    const double axial = whole.angle > 0 ? measure_axial(checked, move.path.at(t),
+                                                         angle_of(direction_at(move, t)), z, whole.angles)
+                                         : 0;
     if (entry_.is_inside()) measure_entry(checked, {whole, axial, length, {move.path.at(t), z, move.line}});
     const auto others = beside_entry(checked, t, z);
     if (others && others->angle <= 0) return;

@@ -52,9 +52,7 @@ ToolTakes counterbore_row(const Tool& tool, const Part& /*part*/) {
   return {.sideways = 0, .down = kCounterboreEdge * tool.radius(), .needs = "a hole on its axis"};
 }
 ToolTakes tap_row(const Tool& tool, const Part& /*part*/) {
-  return {.sideways = 0,
-          .down = thread_ring(tool.pitch, kTapped, tool),
-          .needs = "the hole of its thread"};
+  return {.sideways = 0, .down = thread_ring(tool.pitch, kTapped, tool), .needs = "the hole of its thread"};
 }
 ToolTakes thread_mill_row(const Tool& tool, const Part& part) {
   const double pitch = tool.pitch > 0 ? tool.pitch : milled_pitch(part);
@@ -93,7 +91,8 @@ std::optional<Place> within(const stock::Material& material, const Move& move, d
     const double z = std::min(move.z_from, move.z_to);
     const auto hit = material.in_reach(move.path, inner, z + kTakenSliver);
     if (!hit) return std::nullopt;
-    return Place{move.is_vertical() ? move.path.from : move.path.at(nearest(move.path, *hit).t), z, move.line};
+    return Place{move.is_vertical() ? move.path.from : move.path.at(nearest(move.path, *hit).t), z,
+                 move.line};
   }
   const int steps = std::max(1, static_cast<int>(std::ceil(move.path.length() / std::max(0.1, radius / 5))));
   for (int i = 0; i <= steps; ++i) {
@@ -138,9 +137,11 @@ std::string overcut_text(const CheckedMove& checked, const Part& part) {
   const Tool& tool = *checked.tool;
   const ToolTakes takes = takes_of(tool, part);
   const std::string name = "T" + std::to_string(tool.number) + ", a " + name_of(tool.kind) + ",";
-  if (!checked.feeds()) return name + " comes out of its hole, or goes into it, at the rapid; it feeds in and out";
+  if (!checked.feeds())
+    return name + " comes out of its hole, or goes into it, at the rapid; it feeds in and out";
   if (checked.load.overcut->sideways && takes.sideways > 0)
-    return name + " takes more than " + trimmed(takes.sideways, 2) + " mm at its rim; it needs " + takes.needs;
+    return name + " takes more than " + trimmed(takes.sideways, 2) + " mm at its rim; it needs " +
+           takes.needs;
   if (checked.load.overcut->sideways) return name + " cuts sideways, where it has no edges";
   if (takes.idle_tip > 0)
     return name + " goes down into material with its flat tip, which does not cut; it needs " + takes.needs;

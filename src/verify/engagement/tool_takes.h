@@ -14,9 +14,9 @@ namespace clearcut::verify {
 struct ToolTakes {
   double sideways = HUGE_VAL;
   double down = HUGE_VAL;
-  double idle_tip = 0;      ///< radius of a flat tip that does not cut: it may not go down into material
-  bool feeds_out = false;   ///< it comes out of its hole at the feed
-  const char* needs = "";   ///< what has to be there before it goes down
+  double idle_tip = 0;     ///< radius of a flat tip that does not cut: it may not go down into material
+  bool feeds_out = false;  ///< it comes out of its hole at the feed
+  const char* needs = "";  ///< what has to be there before it goes down
 };
 
 /// The row of the tool's kind. Threads deeper than the tool's own pitch says are those of the part.

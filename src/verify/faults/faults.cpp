@@ -240,8 +240,8 @@ std::vector<Fault> faults_of_steps(const Feature& feature, const FeatureWork& wo
            {corner, scallop->z, 0},
            scallop->height_mm,
            feature.name + ": the layers leave steps of " + mm(scallop->height_mm) +
-               " on the drafted wall above z " + trimmed(scallop->z, 3) + " where " +
-               mm(*scallop->asked_mm) + " is allowed" + (work.scallop ? "" : " (see --scallop)") + "."}};
+               " on the drafted wall above z " + trimmed(scallop->z, 3) + " where " + mm(*scallop->asked_mm) +
+               " is allowed" + (work.scallop ? "" : " (see --scallop)") + "."}};
 }
 
 std::string why_nothing_is_cut(const FeatureWork& work, bool unreachable) {
@@ -256,16 +256,19 @@ std::string why_nothing_is_cut(const FeatureWork& work, bool unreachable) {
 }
 
 /// The order of faults by severity: what breaks things first comes first.
-constexpr FaultKind kBySeverity[] = {
-    FaultKind::kKeepOut,        FaultKind::kRapidInMaterial, FaultKind::kHolder,
-    FaultKind::kGouge,          FaultKind::kLoosePart,       FaultKind::kTapping,
-    FaultKind::kThread,         FaultKind::kMoreThanItCuts,  FaultKind::kStockToLeave,
-    FaultKind::kMissingTab,     FaultKind::kTabHeight,
-    FaultKind::kToolLength,     FaultKind::kSpindleOff,      FaultKind::kBeyondStock,
-    FaultKind::kBeyondFlutes,   FaultKind::kPlungeTooFast,   FaultKind::kTooDeep,
-    FaultKind::kOverEngagement, FaultKind::kSpindleSpeed,    FaultKind::kSpindleDirection,
-    FaultKind::kOutsideTravel,  FaultKind::kFeedTooFast,     FaultKind::kWrongTool,
-    FaultKind::kNoFeed,         FaultKind::kNothingCut,      FaultKind::kUncut};
+constexpr FaultKind kBySeverity[] = {FaultKind::kKeepOut,       FaultKind::kRapidInMaterial,
+                                     FaultKind::kHolder,        FaultKind::kGouge,
+                                     FaultKind::kLoosePart,     FaultKind::kTapping,
+                                     FaultKind::kThread,        FaultKind::kMoreThanItCuts,
+                                     FaultKind::kStockToLeave,  FaultKind::kMissingTab,
+                                     FaultKind::kTabHeight,     FaultKind::kToolLength,
+                                     FaultKind::kSpindleOff,    FaultKind::kBeyondStock,
+                                     FaultKind::kBeyondFlutes,  FaultKind::kPlungeTooFast,
+                                     FaultKind::kTooDeep,       FaultKind::kOverEngagement,
+                                     FaultKind::kSpindleSpeed,  FaultKind::kSpindleDirection,
+                                     FaultKind::kOutsideTravel, FaultKind::kFeedTooFast,
+                                     FaultKind::kWrongTool,     FaultKind::kNoFeed,
+                                     FaultKind::kNothingCut,    FaultKind::kUncut};
 
 std::ptrdiff_t severity(FaultKind kind) {
   return std::find(std::begin(kBySeverity), std::end(kBySeverity), kind) - std::begin(kBySeverity);

@@ -23,7 +23,8 @@ class HoleCheck {
       const CheckedMove& checked = program.moves[i];
       if (!checked.tool || checked.low_z() >= feature.top_z || !checked.counts_below(feature.top_z)) continue;
       const Move& move = *checked.move;
-      if (checked.feeds() && move.is_vertical() && distance(move.path.from, hole_.center) <= kOnAxis) upright_.push_back(i);
+      if (checked.feeds() && move.is_vertical() && distance(move.path.from, hole_.center) <= kOnAxis)
+        upright_.push_back(i);
       const bool mills = checked.tool->kind == ToolKind::kThreadMill;
       if (!mills || !is_at_work(checked)) continue;
       mills_.push_back(&checked);
@@ -146,7 +147,7 @@ class HoleCheck {
   const HoleForm& hole_;
   const CheckedProgram& program_;
   const VerifyOptions& options_;
-  std::vector<std::size_t> upright_;  ///< feed moves on the axis
+  std::vector<std::size_t> upright_;       ///< feed moves on the axis
   std::vector<const CheckedMove*> mills_;  ///< moves of thread mills about it, rapids as well
   bool is_milled_ = false;                 ///< one of them feeds
   std::vector<Fault> faults_;

@@ -202,8 +202,7 @@ std::optional<Gouge> StockToLeave::cut_by(const CheckedMove& checked) const {
   if (!walls_.empty()) {
     const double half = move.is_vertical() ? 0 : move.path.length() / 2;
     const Vec2 middle = move.is_vertical() ? move.path.from : move.path.at(0.5);
-    const double reach =
-        half + widest_radius(*checked.tool) + most_side_ + raised_->greatest_draft_offset();
+    const double reach = half + widest_radius(*checked.tool) + most_side_ + raised_->greatest_draft_offset();
     tree_.within(middle, reach, [&](int i) { against(walls_[static_cast<std::size_t>(i)], checked, worst); });
   }
   if (most_floor_ > tol_.uncut && checked.tool->kind != ToolKind::kTSlot) against_floors(checked, worst);

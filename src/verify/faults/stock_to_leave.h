@@ -53,7 +53,7 @@ class StockToLeave {
   std::vector<Left> left_;                ///< by feature
   std::unique_ptr<FinishedPart> raised_;  ///< the part with the stock that is left on its floors
   std::vector<KeptWall> walls_;
-  EdgeTree tree_;  ///< of walls_
+  EdgeTree tree_;                ///< of walls_
   std::vector<EdgeTree> lines_;  ///< by feature: of profiles, the outline that stock is left on
   double most_side_ = 0;
   double most_floor_ = 0;

@@ -50,7 +50,10 @@ const char* way_of(SpindleState spindle) {
 class TapCheck {
  public:
   TapCheck(const Part& part, const CheckedProgram& program, const VerifyOptions& options)
-      : part_(part), program_(program), cycles_(tap_cycles(program, options)), has_control_(options.control) {}
+      : part_(part),
+        program_(program),
+        cycles_(tap_cycles(program, options)),
+        has_control_(options.control) {}
 
   std::optional<Fault> feed(const CheckedMove& checked) const {
     if (!is_asked(checked)) return std::nullopt;
@@ -100,9 +103,9 @@ class TapCheck {
     const bool cuts_left = *cycle->second.left_hand;
     if (cuts_left != checked.tool->left_hand)
       return fault(checked, 0,
-                   std::string("the cycle is for ") + (cuts_left ? "left" : "right") +
-                       "-hand taps, and T" + std::to_string(checked.tool_number) + " is a " +
-                       (cuts_left ? "right" : "left") + "-hand one");
+                   std::string("the cycle is for ") + (cuts_left ? "left" : "right") + "-hand taps, and T" +
+                       std::to_string(checked.tool_number) + " is a " + (cuts_left ? "right" : "left") +
+                       "-hand one");
     const bool may_stand = cycle->second.turns_by_itself && stated == SpindleState::kOff;
     if (may_stand || stated == needed) return std::nullopt;
     return fault(checked, 0,

@@ -156,7 +156,8 @@ class ThreadCheck {
       const double off = std::abs(whole_turns_off(on_helix(p, z) - *origin_, pitch_));
       if (off <= slack_) continue;
       return add(ThreadDefect::Kind::kHelix, off, move.line,
-                 (checked.feeds() ? "is cut " : "is cut at the rapid ") + trimmed(off, 3) + " mm beside its helix, at z " + trimmed(z, 3));
+                 (checked.feeds() ? "is cut " : "is cut at the rapid ") + trimmed(off, 3) +
+                     " mm beside its helix, at z " + trimmed(z, 3));
     }
   }
 

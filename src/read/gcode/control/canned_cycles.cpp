@@ -88,7 +88,8 @@ void CannedCycles::execute(const Block& block) {
   hole.dwell = control_.cycle.dwell;
   hole.feeds_out_to_clear = control_.rules.feeds_out_to_clear;
   hole.tap = {control_.motion == 740,
-              control_.rules.taps == TapRule::kTied || (control_.rules.taps == TapRule::kTiedByM29 && control_.tied_by_m29),
+              control_.rules.taps == TapRule::kTied ||
+                  (control_.rules.taps == TapRule::kTiedByM29 && control_.tied_by_m29),
               control_.rules.taps != TapRule::kAsItTurns};
   set_cycle_heights(hole);
   if (hole.feeds_out_to_clear != (hole.clear == hole.r) &&
