@@ -226,7 +226,7 @@ void slow_down_slots(Toolpath& toolpath, const ResolvedPlan& plan) {
   for (auto& section : toolpath.sections) {
     const ResolvedStep& step = step_of(section);
     const Tool& tool = tool_of(part, part.workplan[static_cast<std::size_t>(section.workingstep)]);
-    link::slow_down_slots(section, tool.radius(), {plan.slot_angle, step.slot_feed, step.feed}, material);
+    link::slow_down_slots(section, tool, {plan.slot_angle, step.slot_feed, step.feed}, material);
   }
 }
 

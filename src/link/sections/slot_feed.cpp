@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/cutter_profile.h"
+
 namespace clearcut::link {
 namespace {
 
@@ -13,7 +15,7 @@ constexpr double kTouching = 1;
 constexpr double kResidual = 1e-3;
 
 /// Divides a move into equal steps and returns which of them are slow.
-std::vector<bool> slow_steps(const Move& move, double radius, Radians limit,
+std::vector<bool> slow_steps(const Move& move, double radius, int cutter, Radians limit,
                              const stock::Material& material) {
   const int count = std::max(1, static_cast<int>(std::ceil(move.path.length() * kStepsPerRadius / radius)));
   std::vector<bool> slow;
@@ -22,7 +24,7 @@ std::vector<bool> slow_steps(const Move& move, double radius, Radians limit,
   raised.z_to += kResidual;
   for (int i = 0; i < count; ++i) {
     const double t = (i + 0.5) / count;
-    slow.push_back(material.engagement(raised, t, radius - kResidual).angle > limit.radians());
+    slow.push_back(material.engagement(raised, t, radius - kResidual, cutter).angle > limit.radians());
   }
   // One step more on both sides, because the engagement rises before the sample that measures it.
   std::vector<bool> wide = slow;
@@ -54,11 +56,14 @@ void append_by_speed(const Move& move, const std::vector<bool>& slow, MmPerMin s
 
 }  // namespace
 
-void slow_down_slots(Section& section, double radius, const SlowFeeds& feeds, stock::Material& material) {
+void slow_down_slots(Section& section, const Tool& tool, const SlowFeeds& feeds, stock::Material& material) {
+  // What this tool has passed counts with its whole circle, for other tools what its profile has taken.
+  const double radius = tool.radius();
+  const int cutter = material.add_cutter(inner_profile(tool), radius);
   std::vector<Move> moves;
   const auto append = [&](const Move& move, Radians limit, MmPerMin feed, std::vector<Move>& out) {
     if (feed < move.feed) {
-      append_by_speed(move, slow_steps(move, radius, limit, material), feed, out);
+      append_by_speed(move, slow_steps(move, radius, cutter, limit, material), feed, out);
     } else {
       out.push_back(move);
     }
@@ -73,7 +78,12 @@ void slow_down_slots(Section& section, double radius, const SlowFeeds& feeds, st
     } else {
       append(move, feeds.limit, feeds.slot_feed, moves);
     }
-    if (!is_rapid(move.kind)) material.add(move, radius);
+    if (is_rapid(move.kind)) continue;
+    if (cutter == stock::Material::kCylinder) {
+      material.add(move, radius);
+    } else {
+      material.add_sweep(move, cutter);
+    }
   }
   section.moves = std::move(moves);
 }

@@ -3,6 +3,7 @@
 
 #include "base/units.h"
 #include "model/move.h"
+#include "model/tool.h"
 #include "stock/material.h"
 
 namespace clearcut::link {
@@ -19,6 +20,6 @@ struct SlowFeeds {
 /// The engagement is computed at steps of an eighth of the tool radius; moves are divided at steps, and the
 /// slow part begins up to one step early and ends up to one step late. Leads, links and cuts are treated
 /// alike. Links faster than `cut_feed` get that feed where they touch material. Cost as queries of Material.
-void slow_down_slots(Section& section, double radius, const SlowFeeds& feeds, stock::Material& material);
+void slow_down_slots(Section& section, const Tool& tool, const SlowFeeds& feeds, stock::Material& material);
 
 }  // namespace clearcut::link

@@ -12,6 +12,7 @@
 #include "plan/common/layers.h"
 #include "resolve/left_over.h"
 #include "stock/at_depth.h"
+#include "stock/cutter_sweep.h"
 #include "stock/round_hole.h"
 
 namespace clearcut::pipeline {
@@ -42,9 +43,11 @@ Regions cleared_before(const Part& part, int workingstep, const Tolerances& tol)
     if (!deep || &other == &pocket || other.wall_slope.radians() != 0 || other.profile || other.chamfer ||
         stock::only_plunges(tool_of(part, step)))
       continue;
+    const Tool& tool = tool_of(part, step);
+    const double above = pocket.top_z - other.floor_z - step.operation.allowance_floor;
+    const double narrower = std::max(0.0, tool.radius() - stock::radius_cleared(tool, above));
     cleared = unite(
-        cleared,
-        resolve::swept(other.allowed, tool_of(part, step).radius(), step.operation.allowance_side, 0, tol),
+        cleared, resolve::swept(other.allowed, tool.radius(), step.operation.allowance_side, -narrower, tol),
         tol);
   }
   return cleared;
