@@ -55,7 +55,8 @@ void Server::guard() {
   const bool is_open = !is_loopback(service_.settings.listen);
   server_.set_pre_routing_handler([this, is_open](const Request& request, Response& response) {
     const Caller caller{request.get_header_value("Host"), request.get_header_value("Origin"),
-                        request.get_header_value("Sec-Fetch-Site"), request.path == "/"};
+                        request.get_header_value("Sec-Fetch-Site"), request.path == "/",
+                        request.get_header_value_count("Host")};
     const auto refused = refusal_of(caller, service_.settings.hosts, is_open);
     if (refused) answer_refusal(response, 403, *refused);
     if (!refused && request.headers.size() > kMostHeaders)

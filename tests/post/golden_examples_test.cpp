@@ -92,6 +92,8 @@ resolve::PlanOptions options_of(const Case& c, bool inch) {
   options.post.inch = inch;
   // Its programs cannot name their tools, and its firmware need not have inches.
   if (c.dialect == "marlin") options.accept = {"tool-by-hand", "g20"};
+  // awkward.step shows what is left out of a solid.
+  if (is_solid(c.example)) options.accept.emplace_back("left-out");
   return options;
 }
 

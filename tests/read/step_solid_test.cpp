@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.h"
@@ -145,6 +146,35 @@ TEST(StepSolid, WhatACutterFromAboveCannotMakeIsNamed) {
   EXPECT_THAT(left_out, HasSubstr("(cone, x 59..81, y 4..26, z -3..0) is neither"));
 }
 
+/// What the solid has and the program does not make counts in the verdict, face by face.
+TEST(StepSolid, WhatIsLeftOutIsAnOpenCondition) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  const Part part = read::read_part(example("awkward.step"), {});
+  std::string doubts;
+  for (const Diagnostic& item : part.diagnostics.items())
+    if (item.condition == "left-out") doubts += item.what + "\n";
+  EXPECT_THAT(doubts, HasSubstr("neither flat and level nor upright"));
+  EXPECT_THAT(doubts, HasSubstr("under an overhang"));
+  EXPECT_THAT(doubts, HasSubstr("another set-up"));
+  const pipeline::PlanResult result = pipeline::plan_part(part, with_tool(5));
+  const std::vector<Condition>& conditions = result.findings.conditions;
+  EXPECT_TRUE(std::any_of(conditions.begin(), conditions.end(),
+                          [](const Condition& one) { return one.name == "left-out" && one.met_by.empty(); }));
+  const Part whole = read::read_part(example("nested.step"), {});
+  for (const Diagnostic& item : whole.diagnostics.items()) EXPECT_NE(item.condition, "left-out") << item.what;
+}
+
+/// Another set-up of the job makes what looks another way; what no set-up makes stays a condition.
+TEST(StepSolid, OtherSetUpsMakeWhatLooksAnotherWay) {
+  SKIP_WITHOUT_OPEN_CASCADE();
+  read::ReadOptions options;
+  options.solid.has_other_setups = true;
+  const Part part = read::read_part(example("awkward.step"), options);
+  int doubts = 0;
+  for (const Diagnostic& item : part.diagnostics.items()) doubts += item.condition == "left-out" ? 1 : 0;
+  EXPECT_EQ(doubts, 1);
+}
+
 TEST(StepSolid, TheRestOfAnAwkwardSolidIsFoundAllTheSame) {
   SKIP_WITHOUT_OPEN_CASCADE();
   const Part part = read::read_part(example("awkward.step"), {});
@@ -250,6 +280,26 @@ TEST(HeightMap, BoxesOfCurvedFacesEndWithTheSolid) {
   const Box where = box(map.cells()[0].area);
   EXPECT_EQ(where.min.y, 0);
   EXPECT_EQ(where.max.y, 8);
+}
+
+/// A rod that lies at 45 degrees: it covers its shadow, not the box of that.
+TEST(HeightMap, CurvedFacesCoverTheirShadows) {
+  read::SolidModel solid;
+  solid.plan = {{0, 0}, {40, 40}};
+  solid.z_bottom = -5;
+  read::SolidFace face;
+  face.number = 1;
+  face.surface = "cylinder";
+  face.facing = read::Facing::kMixed;
+  face.plan = solid.plan;
+  const Vec2 corners[] = {{2, 0}, {40, 38}, {38, 40}, {0, 2}};
+  face.outline = {loop_from_points(std::vector<Vec2>{corners[0], corners[1], corners[2]}),
+                  loop_from_points(std::vector<Vec2>{corners[0], corners[2], corners[3]})};
+  solid.faces = {face};
+  const read::HeightMap map(solid, "rod", {});
+  ASSERT_EQ(map.cells().size(), 1u);
+  EXPECT_NEAR(area(map.cells()[0].area), 2 * 2 * 38 + 0, 1e-3);
+  EXPECT_FALSE(contains(map.cells()[0].area, {30, 5}));
 }
 
 read::SolidFace level_face(int number, const Box& plan, double z) {

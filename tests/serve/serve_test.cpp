@@ -328,7 +328,13 @@ TEST(Serve, AnswersOwnNamesAndPagesAlone) {
   for (const char* origin :
        {"http://evil.example", "null", "http://127.0.0.1:1", "https://evil.example:8080"})
     EXPECT_EQ(status({{"Host", own}, {"Origin", origin}}), 403) << origin;
-  EXPECT_EQ(status({{"Host", own}, {"Sec-Fetch-Site", "cross-site"}}), 403);
+  for (const char* site : {"cross-site", "same-site"})
+    EXPECT_EQ(status({{"Host", own}, {"Sec-Fetch-Site", site}}), 403) << site;
+  for (const char* site : {"same-origin", "none"})
+    EXPECT_EQ(status({{"Host", own}, {"Sec-Fetch-Site", site}}), 200) << site;
+  EXPECT_THAT(
+      answer_to(server.port(), "GET /options HTTP/1.1\r\nHost: localhost\r\nHost: evil.example\r\n\r\n"),
+      HasSubstr("403"));
   EXPECT_EQ(status({{"Host", own}, {"Range", "bytes=0-1,0-1"}}), 416);
   httplib::Headers many{{"Host", own}};
   for (int i = 0; i < 200; ++i) many.emplace("X-Of-No-Use", "1");

@@ -38,6 +38,7 @@ bool is_address(const std::string& name) {
 
 std::optional<std::string> refusal_of(const Caller& caller, const std::vector<std::string>& names,
                                       bool is_open) {
+  if (caller.hosts > 1) return "the request has several Host lines; send one";
   const std::string name = name_of_host(caller.host);
   const bool is_own = name == "localhost" || (is_address(name) && (is_open || is_loopback(name))) ||
                       std::find(names.begin(), names.end(), name) != names.end();
@@ -47,7 +48,9 @@ std::optional<std::string> refusal_of(const Caller& caller, const std::vector<st
   if (!caller.origin.empty() && caller.origin != "http://" + caller.host &&
       caller.origin != "https://" + caller.host)
     return "requests from pages of other sites are refused (Origin)";
-  if (caller.site == "cross-site" && !caller.is_page)
+  // "same-site" are pages of another port of this machine.
+  const bool is_own_page = caller.site.empty() || caller.site == "same-origin" || caller.site == "none";
+  if (!is_own_page && !caller.is_page)
     return "requests from pages of other sites are refused (Sec-Fetch-Site)";
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 // Whom the server answers.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,8 +12,9 @@ namespace clearcut::serve {
 struct Caller {
   std::string host;
   std::string origin;
-  std::string site;      ///< Sec-Fetch-Site
-  bool is_page = false;  ///< asks for the page itself, which anybody may link to
+  std::string site;       ///< Sec-Fetch-Site
+  bool is_page = false;   ///< asks for the page itself, which anybody may link to
+  std::size_t hosts = 1;  ///< lines that say Host
 };
 
 /// What is wrong, null where nothing is. A page of somebody else that has this machine's address under its own name is told by

@@ -25,9 +25,16 @@
 namespace clearcut::read {
 namespace {
 
+/// mm. Depths that differ by less are one.
+constexpr double kOneDepth = 1e-6;
+
 /// What the options say goes before what the file says.
 double depth_of(const DrawnGroup& group, const ReadOptions& options, Diagnostics& diagnostics) {
   std::optional<double> depth = options.depth ? options.depth : group.depth;
+  if (group.depth && std::abs(*depth - *group.depth) > kOneDepth)
+    diagnostics.warn(group.where, "it says a depth of " + trimmed(*group.depth, 4) + " mm, and --depth " +
+                                      trimmed(*depth, 4) + " goes before it: cut " + trimmed(*depth, 4) +
+                                      " mm deep");
   if (!depth && options.depth_if_missing) {
     depth = options.depth_if_missing;
     diagnostics.warn(group.where, "no depth given: " + trimmed(*depth, 4) + " mm assumed");

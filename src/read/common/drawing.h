@@ -18,13 +18,14 @@ struct LayerMeaning {
   LayerRole role = LayerRole::kPocket;
   bool says_role = false;       ///< a word of the name does
   std::optional<double> depth;  ///< in units of the drawing
+  bool depth_in_mm = false;     ///< the name says so: "POCKET 6MM"
   std::optional<double> top;    ///< in units of the drawing
   std::optional<double> start;  ///< of V-carving, likewise
   std::optional<double> width;  ///< of isolation, likewise
   std::optional<HoleRequest> hole;
 };
-/// "POCKET_D5" is a depth of 5, "TOP-2" a top of -2, "ISLAND" or "BOSS" an island, "HOLE" or "DRILL" round
-/// holes (see hole_words.h), "PROFILE", "CUTOUT" or "OUTSIDE" what is cut out along its outside, "INSIDE" along its inside, "ENGRAVE" or "ON" a
+/// "POCKET_D5" is a depth of 5, and so are "POCKET 5mm", "5MM POCKET" and "POCKET-5" of pockets, profiles and lines; "TOP-2" a top of -2, "ISLAND" or "BOSS" an island, "HOLE" or "DRILL" round
+/// holes (see hole_words.h), "PROFILE", "CUTOUT", "OUTLINE" or "OUTSIDE" what is cut out along its outside, "INSIDE" along its inside, "ENGRAVE" or "ON" a
 /// line to follow, "VCARVE" what a V-bit carves (its depth is a limit), "ISOLATE" what stays with a band about it milled, as wide as "W0.4" says, "CHAMFER" or "DEBURR" edges to break, "FACE", "STOCK", "IGNORE", "CONSTRUCTION", "DIM..." or "DEFPOINTS" nothing to mill. Any case; words end at
 /// anything but letters.
 LayerMeaning meaning_of_layer(std::string_view name);

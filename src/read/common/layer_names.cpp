@@ -99,7 +99,7 @@ std::optional<LayerRole> role_of_word(std::string_view word) {
     return LayerRole::kHole;
   if (word == "POCKET" || word == "POCKETS") return LayerRole::kPocket;
   for (const std::string_view profile :
-       {"PROFILE", "PROFILES", "CUTOUT", "CUTOUTS", "OUTSIDE", "PERIMETER"}) {
+       {"PROFILE", "PROFILES", "CUTOUT", "CUTOUTS", "OUTLINE", "OUTLINES", "OUTSIDE", "PERIMETER"}) {
     if (word == profile) return LayerRole::kProfile;
   }
   if (word == "INSIDE") return LayerRole::kInside;
@@ -115,6 +115,38 @@ std::optional<LayerRole> role_of_word(std::string_view word) {
     if (word == ignored) return LayerRole::kIgnore;
   }
   return std::nullopt;
+}
+
+/// The number that ends at `end` of the text, with at most one blank or underscore behind it: that of "POCKET 6 " before "MM".
+std::optional<double> number_before(std::string_view text, std::size_t end) {
+  if (end > 0 && (text[end - 1] == ' ' || text[end - 1] == '_')) --end;
+  std::size_t begin = end;
+  const auto is_of_number = [](char c) { return is_digit(c) || c == '.' || c == ','; };
+  while (begin > 0 && is_of_number(text[begin - 1])) --begin;
+  if (begin == end || (begin > 0 && is_letter(text[begin - 1]))) return std::nullopt;
+  return leading_number(text.substr(begin, end - begin));
+}
+
+/// Roles whose layers are called by their depth. The number of a hole's layer is its diameter.
+bool is_called_by_depth(LayerRole role) {
+  return role == LayerRole::kPocket || role == LayerRole::kProfile || role == LayerRole::kInside ||
+         role == LayerRole::kEngrave;
+}
+
+/// A depth without a D: "POCKET 6MM", "6 MM POCKET", "POCKET-6".
+void take_plain_depth(std::string_view text, LayerMeaning& meaning) {
+  for_words(text, [&](std::string_view word, std::string_view) {
+    const auto begin = static_cast<std::size_t>(word.data() - text.data());
+    if (word == "MM" && !meaning.depth) {
+      meaning.depth = number_before(text, begin);
+      meaning.depth_in_mm = meaning.depth.has_value();
+    }
+  });
+  for_words(text, [&](std::string_view word, std::string_view rest) {
+    if (role_of_word(word) && !meaning.depth && rest.size() > 1 && rest[0] == '-' && is_digit(rest[1]))
+      meaning.depth = leading_number(rest.substr(1));
+  });
+  if (meaning.depth && !(*meaning.depth > 0)) meaning.depth.reset(), meaning.depth_in_mm = false;
 }
 
 }  // namespace
@@ -142,6 +174,8 @@ LayerMeaning meaning_of_layer(std::string_view name) {
       if (const auto top = leading_number(rest)) meaning.top = top;
     }
   });
+  if (meaning.says_role && !meaning.depth && is_called_by_depth(meaning.role))
+    take_plain_depth(text, meaning);
   if (meaning.role == LayerRole::kHole) meaning.hole = holes_of(text);
   return meaning;
 }

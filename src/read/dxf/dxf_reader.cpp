@@ -335,7 +335,7 @@ class Collector {
     const LayerMeaning meaning = meaning_of_layer(layer);
     group.role = meaning.role;
     group.says_role = meaning.says_role;
-    if (meaning.depth) group.depth = *meaning.depth * unit_;
+    if (meaning.depth) group.depth = *meaning.depth * (meaning.depth_in_mm ? 1 : unit_);
     if (meaning.top) group.top = *meaning.top * unit_;
     if (meaning.start) group.start = *meaning.start * unit_;
     if (meaning.width) group.width = *meaning.width * unit_;

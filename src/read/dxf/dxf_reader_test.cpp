@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
+#include "read/common/drawing.h"
 #include "read/read_part.h"
 
 namespace clearcut::read {
@@ -388,6 +389,25 @@ TEST(Dxf, OutlinesThatCrossAreListedAndMayBeLeftOut) {
       EXPECT_NEAR(all_area(read(text, options)), 80, 1e-9);
     }
   }
+}
+
+TEST(Dxf, LayersAreCalledByTheirDepthsInManyWays) {
+  const auto meant = [](const std::string& layer) { return meaning_of_layer(layer).depth.value_or(0); };
+  for (const char* layer :
+       {"Pocket 6mm", "6mm pocket", "POCKET_6_MM", "pocket-6", "pocket_d6", "Engrave 6mm"})
+    EXPECT_EQ(meant(layer), 6) << layer;
+  EXPECT_EQ(meant("pocket 2,5mm"), 2.5);
+  for (const char* layer : {"Pocket", "Pocket 2", "Drill 6mm", "6mm", "M6mm pocket", "pocket mm", "pocket-x"})
+    EXPECT_EQ(meant(layer), 0) << layer;
+  EXPECT_EQ(meaning_of_layer("Outline").role, LayerRole::kProfile);
+  // In an inch drawing the name is right, and an option that goes before it is said.
+  const std::string circle = " 0 CIRCLE 8 POCKET-6MM 10 5 20 5 40 2";
+  EXPECT_NEAR(read(dxf(circle, "", 1)).features[0].floor_z, -6, 1e-9);
+  ReadOptions deep;
+  deep.depth = 18;
+  EXPECT_EQ(said(read(dxf(circle), deep), Severity::kWarning,
+                 "it says a depth of 6 mm, and --depth 18 goes before"),
+            1);
 }
 
 }  // namespace
