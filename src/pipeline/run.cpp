@@ -422,7 +422,10 @@ std::size_t candidates_in(const std::vector<SelectionStep>& steps) {
 
 PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   const StrategyTable& strategies = strategies_of(options);
-  const ResolvedPlan plan = resolve::resolve(part, options, strategies);
+  ResolvedPlan whole = resolve::resolve(part, options, strategies);
+  if (const auto rest = resolve::without_impossible_steps(part, whole.part, options.tol))
+    whole = resolve::resolve(*rest, options, strategies);
+  const ResolvedPlan plan = std::move(whole);
   PlanResult result;
   result.part = plan.part;
   result.values = plan.values;

@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "model/results/not_machined.h"
 #include "stock/round_hole.h"
+#include "stock/stacking.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -192,6 +195,36 @@ void refuse_places_outside(const Part& part, const PlanOptions& options) {
   }
 }
 
+void refuse_step(const Part& part, const Workingstep& step) {
+  refuse_beside_stock(part, feature_of(part, step));
+  refuse_below_stock(part, feature_of(part, step));
+  refuse_wrong_kind(part, step);
+  refuse_beyond_flutes(part, step);
+}
+
+/// Entities of STEP-NC have numbers.
+bool is_of_program(const Workingstep& step) {
+  return !step.source.empty() && step.source.front() == '#';
+}
+
+/// A workingstep on one of its features.
+std::string work_key(const Part& part, const Workingstep& step) {
+  return step.source + " " + feature_of(part, step).name;
+}
+
+void drop_unused_features(Part& part) {
+  std::vector<int> renumbered(part.features.size(), -1);
+  for (const Workingstep& step : part.workplan) renumbered[static_cast<std::size_t>(step.feature)] = 0;
+  std::vector<Feature> used;
+  for (std::size_t i = 0; i < part.features.size(); ++i) {
+    if (renumbered[i] < 0) continue;
+    renumbered[i] = static_cast<int>(used.size());
+    used.push_back(std::move(part.features[i]));
+  }
+  part.features = std::move(used);
+  for (Workingstep& step : part.workplan) step.feature = renumbered[static_cast<std::size_t>(step.feature)];
+}
+
 }  // namespace
 
 void refuse_above_stock(const Part& part) {
@@ -201,13 +234,39 @@ void refuse_above_stock(const Part& part) {
   }
 }
 
+std::optional<Part> without_impossible_steps(const Part& asked, const Part& prepared, const Tolerances& tol) {
+  std::map<std::string, std::string> impossible;  // why, by step and feature
+  for (const Workingstep& step : prepared.workplan) {
+    if (!is_of_program(step)) continue;
+    try {
+      refuse_step(prepared, step);
+    } catch (const InputError& error) {
+      impossible.emplace(work_key(prepared, step), error.what());
+    }
+  }
+  if (impossible.empty()) return std::nullopt;
+  Part rest = asked;
+  rest.workplan.clear();
+  for (const Workingstep& step : asked.workplan) {
+    const auto why = impossible.find(work_key(asked, step));
+    if (why == impossible.end()) {
+      rest.workplan.push_back(step);
+      continue;
+    }
+    say_not_machined(rest.diagnostics, asked.source_file, feature_of(asked, step).name,
+                     "workingstep " + step.source + " '" + step.name + "' is left out: " + why->second);
+  }
+  if (rest.workplan.empty() || rest.workplan.size() == asked.workplan.size()) return std::nullopt;
+  drop_unused_features(rest);
+  const std::vector<double> tops = stock::stacked_tops(rest, tol);
+  for (std::size_t i = 0; i < tops.size(); ++i) rest.features[i].top_z = tops[i];
+  return rest;
+}
+
 void refuse_what_cannot_be(const Part& part, const PlanOptions& options) {
   refuse_low_rapids(part);
   for (const Workingstep& step : part.workplan) {
-    refuse_beside_stock(part, feature_of(part, step));
-    refuse_below_stock(part, feature_of(part, step));
-    refuse_wrong_kind(part, step);
-    refuse_beyond_flutes(part, step);
+    refuse_step(part, step);
   }
   refuse_endless(part);
   refuse_places_outside(part, options);

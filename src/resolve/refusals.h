@@ -1,6 +1,8 @@
 // What cannot be, or would harm the machine, is refused before anything is planned.
 #pragma once
 
+#include <optional>
+
 #include "resolve/plan_options.h"
 
 namespace clearcut::resolve {
@@ -14,5 +16,9 @@ void refuse_above_stock(const Part& part);
 /// their tool are long, or (flutes unknown) features deeper than ten of its diameters, twenty for drills; parts that take
 /// months of cutting; starts and predrilled holes that lie in no feature.
 void refuse_what_cannot_be(const Part& part, const PlanOptions& options);
+
+/// Of a STEP-NC program: `asked` without the workingsteps of which refuse_what_cannot_be() would refuse the whole part, each said to be not
+/// machined; tops follow from what is left. Nothing where there are none, or no others. `prepared`: `asked` with its tools.
+std::optional<Part> without_impossible_steps(const Part& asked, const Part& prepared, const Tolerances& tol);
 
 }  // namespace clearcut::resolve

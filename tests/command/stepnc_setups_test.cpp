@@ -51,20 +51,23 @@ TEST(StepNcSetups, AreProgramsOfTheirOwnThatAreVerifiedEach) {
   const ScratchFolder folder;
   const std::string part = folder.file("two.p21", two_setups());
   const std::string program = (std::filesystem::path(part).parent_path() / "two.ngc").string();
-  const auto planned = run_clearcut({"plan", part, "-o", program});
+  const auto planned = run_clearcut({"plan", part, "-o", program, "--accept", "out-of-reach"});
   EXPECT_EQ(planned.exit_code, 0) << planned.out << planned.err;
   EXPECT_THAT(planned.out, HasSubstr("2 set-ups, verdict: CLEAN"));
   const std::string first = (std::filesystem::path(part).parent_path() / "two-1.ngc").string();
   const std::string second = (std::filesystem::path(part).parent_path() / "two-2.ngc").string();
   EXPECT_THAT(read_file(second, 1 << 20), HasSubstr("(STOP: CHECK THE VICE)\nM0\n"));
-  EXPECT_EQ(run_clearcut({"verify", first, "--part", part, "--setup", "1"}).exit_code, 0);
-  const auto verified =
-      run_clearcut({"verify", second, "--part", part, "--setup", "2", "--earlier-setup", first});
+  EXPECT_EQ(
+      run_clearcut({"verify", first, "--part", part, "--setup", "1", "--accept", "out-of-reach"}).exit_code,
+      0);
+  const auto verified = run_clearcut({"verify", second, "--part", part, "--setup", "2", "--earlier-setup",
+                                      first, "--accept", "out-of-reach"});
   EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
   // The other way about neither pocket is where its program cuts.
-  EXPECT_NE(
-      run_clearcut({"verify", first, "--part", part, "--setup", "2", "--earlier-setup", second}).exit_code,
-      0);
+  EXPECT_NE(run_clearcut({"verify", first, "--part", part, "--setup", "2", "--earlier-setup", second,
+                          "--accept", "out-of-reach"})
+                .exit_code,
+            0);
 }
 
 TEST(StepNcSetups, ThatAreNotThereAreRefused) {

@@ -219,8 +219,9 @@ TEST(StepNcFiles, RoundedSlotInRevolutionsPerMinute) {
 TEST(StepNcFiles, PocketPlacedTwiceIsPutBackOnTheStock) {
   if (!test_support::data_folder()) return;
   const Part part = read_data("unb_final_test.p21");
-  EXPECT_EQ(part.features.size(), 11U);
-  EXPECT_EQ(part.workplan.size(), 14U) << "22 workingsteps less 8 of center drilling";
+  EXPECT_EQ(part.features.size(), 19U) << "8 of them where holes are centred";
+  EXPECT_EQ(part.workplan.size(), 21U)
+      << "22 workingsteps, of which one drills again what is centred as deep";
   expect_box(feature_named(part, "Closed pocket"), 31.5, 88.5, 6.5, 63.5, 18.25, 14.25);
   EXPECT_THAT(diagnostics_of(part), HasSubstr("the profile's placement is left out"));
 }

@@ -226,17 +226,5 @@ TEST(StepNcHoles, TakeTheSizeOfADrillWithinTheirField) {
   testing::expect_box(pocket.read().features[0].target, 20, 80, 40 - 10.05, 40 + 10.05);
 }
 
-TEST(StepNcHoles, OneWhoseDrillIsTooShortDoesNotSpoilTheOthers) {
-  Program program;
-  program.with(2, "WORKPLAN('MAIN',(#10,#11),$,#4,$)").with(11, "MACHINING_WORKINGSTEP('DEEP',#7,#80,#30,$)");
-  program.with(80, "CLOSED_POCKET('SECOND',#3,(#30),#81,#83,(),$,#26,$,$,#27)");
-  program.with(81, "AXIS2_PLACEMENT_3D('',#82,$,$)").with(82, "CARTESIAN_POINT('',(0.,25.,0.))");
-  program.with(83, "PLANE('D',#84)").with(84, "AXIS2_PLACEMENT_3D('',#85,$,$)");
-  program.with(85, "CARTESIAN_POINT('',(0.,0.,-15.))").with(33, "MILLING_TOOL_DIMENSION(10.,$,$,8.,0.5,$,$)");
-  const Part part = program.read();
-  EXPECT_EQ(part.workplan.size(), 1U);
-  EXPECT_THAT(names_not_machined(part.diagnostics), ElementsAre("SECOND"));
-}
-
 }  // namespace
 }  // namespace clearcut::read::stepnc

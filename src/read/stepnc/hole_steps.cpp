@@ -63,6 +63,7 @@ int Reader::add_hole(const Feature& like, const Draft& draft, const std::string&
                                                 Edge::arc(c - r, c + r, c, Turn::kCounterClockwise)},
                                                {})};
   part_.features.push_back(std::move(hole));
+  has_own_holes_ = true;
   return static_cast<int>(part_.features.size()) - 1;
 }
 

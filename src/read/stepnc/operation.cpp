@@ -5,6 +5,7 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
+#include "base/text/format.h"
 #include "read/stepnc/parts.h"
 #include "read/stepnc/refusal.h"
 
@@ -55,6 +56,11 @@ const OperationEntity& row_of_operation(const Node& node) {
 void read_spindle(const Node& technology, const Tool& tool, bool left_handed, CuttingData& cutting,
                   Context& context) {
   const auto spindle = technology.number(3);
+  if (left_handed && spindle && *spindle < 0)
+    context.diagnostics.doubt(context.file.place(technology.line()), kNotFollowed,
+                              technology.label() +
+                                  ": its spindle turns clockwise, and the cutter is left-handed "
+                                  "(hand_of_cut): it would turn backwards");
   if (spindle && *spindle != 0) {
     if (context.spindle_rpm)
       context.note("spindle speeds are read as rpm: some are too fast for 1/s", technology);
@@ -127,6 +133,10 @@ void read_cutting(const Node& node, const Node& tool_node, const Tool& tool, con
   }
   if (const auto functions = node.ref(7)) {
     const bool through_tool = functions->flag(3) == true;
+    if (through_tool)
+      context.warn(
+          "coolant through the spindle is switched on as flood; a word of the machine's own may be needed",
+          *functions);
     const Coolant coolant =
         coolant_of(functions->flag(0) == true || through_tool, functions->flag(2) == true);
     if (coolant != Coolant::kOff) operation.cutting.coolant = coolant;
@@ -258,11 +268,15 @@ void read_strategy(const Node& node, Operation& operation, Context& context) {
         "that only one pass in depth is allowed is not used; layers are as deep as the cutting depth",
         *strategy);
   const auto overlap = strategy->number(0);
+  if (overlap && operation.stepover)
+    context.note("the radial depth goes before its overlap of " + trimmed(*overlap, 6), *strategy);
   if (!overlap || operation.stepover) return;
-  if (*overlap >= 0 && *overlap < 1)
-    operation.stepover = 1 - *overlap;
-  else
-    context.note("the strategy's overlap is not a ratio from 0 to 1; it is not used", *strategy);
+  if (!(*overlap >= 0 && *overlap < 1))
+    return context.note("the strategy's overlap is not a ratio from 0 to 1; it is not used", *strategy);
+  operation.stepover = 1 - *overlap;
+  context.note("the width of cut is the planner's unless --stepover asks for one; not followed: overlap " +
+                   trimmed(*overlap, 6),
+               *strategy);
 }
 
 double allowance(const Node& node, std::size_t argument) {
@@ -282,6 +296,12 @@ void read_depths(const Node& node, const Tool& tool, Operation& operation, Conte
     return;
   }
   const auto radial = positive(node.length(13));
+  if (radial)
+    context.note(
+        "the width of cut is the planner's unless --stepover asks for one; not followed: "
+        "radial_cutting_depth " +
+            trimmed(*radial, 6) + " mm",
+        node);
   if (radial && *radial <= tool.diameter + 1e-9)
     operation.stepover = *radial / tool.diameter;
   else if (radial)

@@ -54,7 +54,6 @@ class Reader {
   void make_workingstep(const Node& step, const Tools& tools);
   std::vector<std::size_t> sound_drafts(const Node& feature) const;
   void check_part(const Draft& draft, const Node& step, const StatedOperation& stated) const;
-  void check_reach(const Feature& feature, const Node& step, const Tool& tool) const;
   void use_overcut(const Node& operation, const std::vector<std::size_t>& drafts);
   std::vector<int> features_for(std::size_t draft, const StatedOperation& stated, const Node& node);
   int hole_for(std::size_t draft, const StatedOperation& stated, const Node& node);
@@ -108,6 +107,7 @@ class Reader {
   std::map<std::string, int> copies_;  // of a name after the first
   bool absolute_depths_ = false;
   bool fillets_in_plan_ = false;
+  bool has_own_holes_ = false;  ///< features that operations on holes have added
   std::optional<InputError> first_error_;
 };
 

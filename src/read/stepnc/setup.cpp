@@ -326,7 +326,12 @@ void add_restricted_area(const Program& program, Context& context, std::vector<K
                                          " is a restricted area that cannot be read; the tool may come into "
                                          "it: give a BLOCK");
   }
-  context.note("the tool is kept out of the restricted area, in the workpiece's coordinates", *area);
+  const KeepOut& block = out.back();
+  context.note("the tool is kept out of the restricted area, in the workpiece's coordinates: x " +
+                   trimmed(block.plan.min.x, 3) + " to " + trimmed(block.plan.max.x, 3) + ", y " +
+                   trimmed(block.plan.min.y, 3) + " to " + trimmed(block.plan.max.y, 3) + ", z " +
+                   trimmed(block.bottom_z, 3) + " to " + trimmed(block.top_z, 3),
+               *area);
 }
 
 }  // namespace

@@ -20,8 +20,6 @@
 namespace clearcut::read::stepnc {
 namespace {
 
-constexpr double kBelowStock = 0.5;  // mm; how far below the stock a floor may lie
-
 /// As the file calls it, else its kind and number.
 std::string name_of_feature(const Node& feature) {
   try {
@@ -380,7 +378,6 @@ void Reader::make_workingstep(const Node& step, const Tools& tools) {
   std::vector<std::size_t> of;
   for (const std::size_t i : chosen) of.push_back(drafts[i]);
   for (const std::size_t draft : of) check_part(drafts_[draft], step, stated);
-  for (const std::size_t draft : of) check_reach(feature_of_draft(draft), step, tool);
   use_overcut(node, of);
   for (const std::size_t draft : of) {
     for (const int index : features_for(draft, stated, node)) {
@@ -398,21 +395,6 @@ void Reader::check_part(const Draft& draft, const Node& step, const StatedOperat
   if (goes_straight_down(stated.operation) && !draft.hole_diameter && !is_countersink)
     step.fail(draft.node.is("ROUND_HOLE") ? "a tapered hole is milled, not drilled; give a milling operation"
                                           : "drilling is for round holes; correct the operation");
-}
-
-/// What would refuse the whole part: one step does not spoil the others.
-void Reader::check_reach(const Feature& feature, const Node& step, const Tool& tool) const {
-  const double depth = part_.top_z() - feature.floor_z;
-  if (tool.flute_length && depth > *tool.flute_length + kLevel)
-    step.fail("its floor lies " + trimmed(depth, 3) + " mm below the top of the part and the flutes of T" +
-              std::to_string(tool.number) + " are " + trimmed(*tool.flute_length, 3) +
-              " mm long; use a longer tool or less depth");
-  if (!part_.stock || feature.through) return;
-  const double below = part_.stock->z_bottom - feature.floor_z;
-  if (below > kBelowStock)
-    step.fail("its floor at z " + trimmed(feature.floor_z, 3) + " lies " + trimmed(below, 3) +
-              " mm below the material, which ends at z " + trimmed(part_.stock->z_bottom, 3) +
-              "; give less depth or thicker stock");
 }
 
 /// Steps whose features are cut away before: two drills that go as deep in one hole.
@@ -464,12 +446,17 @@ Node Reader::start_of_program() const {
 /// Features whose workingsteps were all left out (and reported) are no part of the job.
 void Reader::drop_unused_features() {
   std::vector<int> renumbered(part_.features.size(), -1);
+  std::vector<std::size_t> order;
+  for (const Workingstep& step : part_.workplan) {
+    const auto index = static_cast<std::size_t>(step.feature);
+    if (renumbered[index] < 0) order.push_back(index);
+    renumbered[index] = 0;
+  }
+  if (!has_own_holes_) std::sort(order.begin(), order.end());
   std::vector<Feature> used;
-  for (const Workingstep& step : part_.workplan) renumbered[static_cast<std::size_t>(step.feature)] = 0;
-  for (std::size_t i = 0; i < part_.features.size(); ++i) {
-    if (renumbered[i] < 0) continue;
-    renumbered[i] = static_cast<int>(used.size());
-    used.push_back(std::move(part_.features[i]));
+  for (const std::size_t index : order) {
+    renumbered[index] = static_cast<int>(used.size());
+    used.push_back(std::move(part_.features[index]));
   }
   part_.features = std::move(used);
   for (Workingstep& step : part_.workplan) step.feature = renumbered[static_cast<std::size_t>(step.feature)];

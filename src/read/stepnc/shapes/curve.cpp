@@ -216,6 +216,7 @@ Path composite_path(const Node& curve, Context& context, int depth) {
   for (const Node& segment : curve.refs(1)) {
     context.spend(1, segment);
     const Node parent = segment.is("COMPOSITE_CURVE_SEGMENT") ? segment.needed_ref(2, "curve") : segment;
+    if (segment.is("COMPOSITE_CURVE_SEGMENT")) segment.use(0);  // ends are joined whatever the transition
     Path next = path_at(parent, context, depth + 1);
     if (segment.is("COMPOSITE_CURVE_SEGMENT") && segment.flag(1) == false) next = reversed(next);
     append_joined(path, std::move(next), parent, context);
