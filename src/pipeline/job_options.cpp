@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "base/files/file.h"
 #include "pipeline/selection/strategies.h"
 #include "read/gcode/gcode.h"
@@ -19,6 +20,23 @@ void check_strategies(const read::JobFile& job) {
   };
   check(job.plan);
   for (const read::OperationRule& rule : job.operations) check(rule.settings);
+}
+
+/// As the control that is named; where that does not take it, as the one for which it was written.
+read::gcode::Program read_as_its_control(const std::string& file, const Machine& machine,
+                                         std::optional<read::gcode::Dialect> dialect) {
+  read::gcode::ReadControllerOptions reading;
+  reading.home_z = home_z(machine);
+  reading.places = machine.places;
+  const std::string text = read_file(file);
+  try {
+    reading.dialect = dialect;
+    return read::gcode::read_gcode(text, file, reading);
+  } catch (const InputError&) {
+    if (!dialect) throw;
+    reading.dialect.reset();
+    return read::gcode::read_gcode(text, file, reading);
+  }
 }
 
 PostOptions post_of(const read::JobOutput& output) {
@@ -52,8 +70,15 @@ std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::Libra
   return cutting;
 }
 
-Toolpath read_earlier_program(const std::string& file, const Machine& machine) {
-  return read::gcode::read_gcode(read_file(file), file, home_z(machine)).toolpath;
+void read_earlier_program(resolve::PlanOptions& options, const std::string& file,
+                          std::optional<read::gcode::Dialect> dialect) {
+  read::gcode::Program program = read_as_its_control(file, options.machine, dialect);
+  options.earlier = std::move(program.toolpath);
+  options.earlier_state = {std::move(program.control), std::move(program.conditions), {}};
+  for (Condition& one : options.earlier_state.conditions) {
+    one.text = "in " + file + ", which has run before: " + one.text;
+    one.line = 0;  // of another program
+  }
 }
 
 resolve::PlanOptions options_of_job(const read::JobFile& job) {
@@ -69,8 +94,10 @@ resolve::PlanOptions options_of_job(const read::JobFile& job) {
   options.engagement_deg = job.engagement_deg;
   options.shop = job.shop;
   options.tabs = job.tabs;
-  if (job.after) options.earlier = read_earlier_program(job.after->string(), job.machine);
   options.post = post_of(job.output);
+  if (job.after)
+    read_earlier_program(options, job.after->string(),
+                         job.output.post ? read::gcode::dialect_named(*job.output.post) : std::nullopt);
   options.post.programs_before = std::max(0, job.setup_number - 1);
   options.angle_deg = job.angle_deg;
   options.outside_in = job.order == ContourOrder::kOutsideIn;

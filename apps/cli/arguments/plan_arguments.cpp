@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "arguments/quantities.h"
+#include "arguments/suggest.h"
 
 namespace clearcut::cli {
 namespace {
@@ -158,14 +159,14 @@ Part PlanArguments::read_setup(const JobFile& whole, Block block) const {
   Part part =
       part_of_setup(whole, setup_.number, read_options(), setup_.place, step_sources_, step_published_);
   if (setup_.number == 1 || block == Block::kWhole) return part;
-  setup_.carried =
-      carried_stock(setup_.machined.empty() ? machined_before(whole) : setup_.machined, setup_.place, part);
+  if (setup_.machined.empty()) setup_.machined = machined_before(whole);
+  setup_.carried = carried_stock(setup_.machined, setup_.place, part);
   part.stock = setup_.carried->block;
   part.diagnostics.note("set-up", setup_.carried->told);
   return part;
 }
 
-/// From the programs that --earlier-setup names.
+/// From the programs that --earlier-setup names, each of which is checked on what those before it leave.
 std::vector<MachinedSetup> PlanArguments::machined_before(const JobFile& whole) const {
   if (static_cast<int>(setup_.earlier_programs.size()) != setup_.number - 1)
     throw InputError("--setup", "set-up " + std::to_string(setup_.number) + " begins with what " +
@@ -174,17 +175,51 @@ std::vector<MachinedSetup> PlanArguments::machined_before(const JobFile& whole) 
                                     "; name their programs in order with --earlier-setup");
   std::vector<MachinedSetup> machined;
   for (int number = 1; number < setup_.number; ++number) {
+    const std::string& program = setup_.earlier_programs[static_cast<std::size_t>(number - 1)];
+    PlanArguments before = *this;
+    before.setup_ = {};
+    before.setup_.number = number;
+    before.setup_.machined = machined;
+    const Part part = before.read();
+    const PlanOptions asked = before.options();
+    const CheckResult checked = check_program(part, read_file(program), program, asked, control(asked.post));
     MachinedSetup one;
     StepSources sources;
     StepChoices published;
     one.part = part_of_setup(whole, number, read_options(), one.place, sources, published);
     const std::vector<Tool> given = tools();
     if (!given.empty()) one.part.tools = given, resolve::number_tools(one.part.tools);
-    const auto index = static_cast<std::size_t>(number - 1);
-    one.toolpath = read_earlier_program(setup_.earlier_programs[index], machine(whole.setups[index].machine));
+    one.toolpath = checked.toolpath;
+    one.conditions = open_conditions(checked.findings);
+    one.faults = checked.findings.faults;
     machined.push_back(std::move(one));
   }
   return machined;
+}
+
+void PlanArguments::add_dialect_option(CLI::App& command) {
+  reads_programs_ = true;
+  command
+      .add_option("--dialect", dialect_,
+                  "Control that runs it: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin "
+                  "(default: recognised)")
+      ->check(one_of({"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"}));
+}
+
+std::optional<read::gcode::Dialect> PlanArguments::dialect() const {
+  if (!dialect_) return std::nullopt;
+  const auto dialect = read::gcode::dialect_named(*dialect_);
+  if (!dialect)
+    throw InputError("--dialect",
+                     "'" + *dialect_ +
+                         "' is unknown; use one of linuxcnc, grbl, fanuc, haas, heidenhain, mach3, "
+                         "mach4, marlin");
+  return dialect;
+}
+
+/// The one that runs programs that were written before: as it was named, else the one that is posted for.
+std::optional<read::gcode::Dialect> PlanArguments::control(const PostOptions& of_job) const {
+  return reads_programs_ ? dialect() : read::gcode::dialect_named(post_.options(of_job).dialect);
 }
 
 std::vector<Tool> PlanArguments::tools() const {
@@ -292,7 +327,7 @@ PlanOptions PlanArguments::options() const {
   // The height that the program calls home is the machine's, which may be another than the job's.
   const auto earlier = stock_.program(from_job);
   if (earlier && (stock_.after || stock_.from || machine_file_))
-    options.earlier = read_earlier_program(*earlier, options.machine);
+    read_earlier_program(options, *earlier, control(options.post));
   if (stock_.has_solid()) {
     if (options.earlier)
       throw InputError(
@@ -307,6 +342,7 @@ PlanOptions PlanArguments::options() const {
   if (setup_.carried) {
     options.earlier = setup_.carried->sweeps;
     options.conditions = setup_.carried->conditions;
+    options.earlier_state.faults = setup_.carried->faults;
   }
   add_places(keep_outs_, predrilled_, options);
   options.post = post_.options(options.post);

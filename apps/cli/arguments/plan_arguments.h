@@ -3,6 +3,7 @@
 
 #include <clearcut/part.h>
 #include <clearcut/plan.h>
+#include <clearcut/verify.h>
 
 #include <CLI/CLI.hpp>
 #include <map>
@@ -83,6 +84,9 @@ class PlanArguments {
   void add_tool_list_options(CLI::App& command);
   void add_tool_options(CLI::App& command);
   void add_cutting_options(CLI::App& command);
+  /// Which steps the work has: what goes before, narrower mills, finishing.
+  void add_steps_options(CLI::App& command);
+  void add_predrilled_option(CLI::App& command);
 
   /// Before options(), which tell where the values of a job stand only then.
   Part read(Block block = Block::kAsLeft) const;
@@ -91,6 +95,10 @@ class PlanArguments {
   /// Of a drawing, without asking for depth or roles.
   Part read_overview(DrawingOverview& overview) const;
   PlanOptions options() const;
+  /// Of a command that reads programs and writes none: --dialect, which control runs them.
+  void add_dialect_option(CLI::App& command);
+  /// As it was typed. Throws InputError for a name that no control has.
+  std::optional<read::gcode::Dialect> dialect() const;
   const std::string& input() const { return input_; }
   /// mm; of the material, where it was typed.
   std::optional<double> top() const { return top_; }
@@ -107,6 +115,7 @@ class PlanArguments {
  private:
   Part read_setup(const JobFile& whole, Block block) const;
   std::vector<MachinedSetup> machined_before(const JobFile& whole) const;
+  std::optional<read::gcode::Dialect> control(const PostOptions& of_job) const;
   ReadOptions read_options() const;
   void add_drawing_options(CLI::App& command);
   std::vector<Tool> tools() const;
@@ -159,6 +168,8 @@ class PlanArguments {
   std::optional<double> junction_deviation_;
   std::optional<double> rapid_feed_;
   PostArguments post_;
+  bool reads_programs_ = false;  ///< there is --dialect
+  std::optional<std::string> dialect_;
   std::optional<double> clearance_z_;
   std::optional<double> time_;
   std::optional<std::uint64_t> seed_;

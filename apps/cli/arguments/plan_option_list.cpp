@@ -263,9 +263,13 @@ void PlanArguments::add_entry_options(CLI::App& command) {
       ->transform(as_length());
   command.add_option("--helix-min", shop_.helix_narrowest, "Narrowest helix, mm; below it: ramp")
       ->transform(as_length());
-  command.add_option("--predrilled", predrilled_, "X,Y:DIAMETER of a hole to enter by (repeatable)");
+  add_predrilled_option(command);
   command.add_option("--clearance", clearance_z_, "Z of rapid travel, mm (default: above the material)")
       ->transform(as_length());
+}
+
+void PlanArguments::add_predrilled_option(CLI::App& command) {
+  command.add_option("--predrilled", predrilled_, "X,Y:DIAMETER of a hole to enter by (repeatable)");
 }
 
 void PlanArguments::add_lead_options(CLI::App& command) {
@@ -289,6 +293,18 @@ void PlanArguments::add_lead_options(CLI::App& command) {
 }
 
 void PlanArguments::add_stage_options(CLI::App& command) {
+  add_steps_options(command);
+  command
+      .add_option(
+          "--dogbones", shop_.dogbones,
+          "Relief in inside corners of pockets and profiles, so that square parts fit: corner (along the "
+          "bisector) or t-bone (along the longer wall; default: none)")
+      ->check(one_of({"corner", "t-bone"}));
+  command.add_option("--scallop", cutting_.scallop, "Steps that layers may leave on drafted walls, mm")
+      ->transform(as_length());
+}
+
+void PlanArguments::add_steps_options(CLI::App& command) {
   command.option_defaults()->group("Rest and finishing");
   command.add_flag("--rest", rest_, "Use all mills given, larger first, each on what is left");
   command.add_option("--after", stock_.after, "Program that has run before: cut only what it left")
@@ -306,14 +322,6 @@ void PlanArguments::add_stage_options(CLI::App& command) {
       ->transform(as_length());
   command.add_option("--finish-depths", shop_.finish_depths,
                      "In how many depths walls are finished (default 1)");
-  command
-      .add_option(
-          "--dogbones", shop_.dogbones,
-          "Relief in inside corners of pockets and profiles, so that square parts fit: corner (along the "
-          "bisector) or t-bone (along the longer wall; default: none)")
-      ->check(one_of({"corner", "t-bone"}));
-  command.add_option("--scallop", cutting_.scallop, "Steps that layers may leave on drafted walls, mm")
-      ->transform(as_length());
 }
 
 }  // namespace clearcut::cli

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/text/format.h"
+#include "verify/faults/tap_moves.h"
 #include "verify/faults/thread_helix.h"
 
 namespace clearcut::verify {
@@ -12,8 +13,6 @@ namespace {
 
 /// mm. A tool that comes down farther off is on another axis.
 constexpr double kOnAxis = 0.01;
-/// Share by which a tap's feed may miss its pitch times the speed.
-constexpr double kFeedShare = 0.005;
 /// mm. Diameters and pitches that differ by less are the same.
 constexpr double kSameSize = 0.005;
 
@@ -122,63 +121,14 @@ class HoleCheck {
         continue;
       }
       lowest = std::min(lowest, checked.low_z());
-      check_feed(checked);
-      const bool down = checked.move->z_to < checked.move->z_from;
-      check_turn(checked, down);
-      if (down) check_way_out(i);
+      for (const TapDefect& defect : defects_of_tap_move(program_, i, feature_.top_z, options_))
+        add(FaultKind::kTapping, defect.size, checked.move->z_to, checked.move->line, defect.text);
     }
     if (std::isinf(lowest)) return add_missing("no tap " + hole_.thread->name + " comes down on its axis");
     if (lowest > feature_.floor_z + options_.tol.uncut)
       add(FaultKind::kUncut, lowest - feature_.floor_z, lowest, 0,
           "the tap goes down to z " + trimmed(lowest, 3) + " only, and has to reach z " +
               trimmed(feature_.floor_z, 3) + " for a full thread to z " + trimmed(hole_.full_z, 3));
-  }
-
-  static double rpm_of(const CheckedMove& checked) {
-    return checked.control ? checked.control->spindle_rpm : checked.rpm;
-  }
-
-  void check_feed(const CheckedMove& checked) {
-    const double wanted = checked.tool->pitch * rpm_of(checked), feed = checked.move->feed.mm_per_min();
-    if (std::abs(feed - wanted) <= kFeedShare * wanted) return;
-    add(FaultKind::kTapping, std::abs(feed - wanted) / std::max(1.0, rpm_of(checked)), checked.move->z_to,
-        checked.move->line,
-        "the tap feeds " + trimmed(feed, 2) + " mm/min where its pitch of " +
-            trimmed(checked.tool->pitch, 4) + " mm at " + trimmed(rpm_of(checked), 0) + " rpm asks for " +
-            trimmed(wanted, 2));
-  }
-
-  /// Into the hole a tap must turn as its hand asks; out of it the other way, by a spindle word or by its cycle.
-  void check_turn(const CheckedMove& checked, bool down) {
-    if (!checked.control || (!down && turned_by_cycle(checked))) return;
-    const SpindleState into =
-        hole_.thread->left_hand ? SpindleState::kCounterClockwise : SpindleState::kClockwise;
-    const SpindleState out =
-        hole_.thread->left_hand ? SpindleState::kClockwise : SpindleState::kCounterClockwise;
-    if (checked.control->spindle == (down ? into : out)) return;
-    add(FaultKind::kTapping, 0, checked.move->z_to, checked.move->line,
-        down ? "the spindle does not turn the way that this tap cuts"
-             : "the tap comes out while the spindle still turns as on its way in");
-  }
-
-  bool turned_by_cycle(const CheckedMove& checked) const {
-    if (!options_.control) return true;
-    const auto own = std::find_if(program_.moves.begin(), program_.moves.end(),
-                                  [](const CheckedMove& one) { return !one.earlier; });
-    const auto index = static_cast<std::size_t>(&checked - &*own);
-    return std::any_of(options_.control->events.begin(), options_.control->events.end(),
-                       [&](const ControlEvent& event) {
-                         return event.kind == ControlEventKind::kTapTurnsBack && event.before_move == index;
-                       });
-  }
-
-  /// The move after the one down has to be the feed out.
-  void check_way_out(std::size_t down) {
-    const bool feeds_out = down + 1 < program_.moves.size() && at(down + 1).feeds() &&
-                           at(down + 1).move->is_vertical() && at(down + 1).move->z_to >= feature_.top_z;
-    if (feeds_out) return;
-    add(FaultKind::kTapping, 0, at(down).move->z_to, at(down).move->line,
-        "the tap does not come out at its feed right after it went in");
   }
 
   void check_thread() {
