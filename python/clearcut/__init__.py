@@ -107,7 +107,9 @@ def read_job(
     if setup is None:
         job = _core.read_job(name, **reading)
     else:
-        question = _core._SetupQuestion(name, setup, [(one.part, one.moves) for one in earlier])
+        # What is wrong with a program that was checked goes on to what rests on it; a plan says so itself.
+        before = [(one.part, one.moves, one.findings if isinstance(one, Check) else None) for one in earlier]
+        question = _core._SetupQuestion(name, setup, before)
         job = _core._read_setup(question, **reading)
     return job.part, job.options
 
@@ -191,7 +193,7 @@ def verify_alone(
     options: PlanOptions | None = None,
     *,
     stock: str | None = None,
-    top: float = 0,
+    top: float | None = None,
     dialect: str | None = None,
     cancel: Cancel | None = None,
     **settings: Unpack[Settings],
@@ -199,7 +201,7 @@ def verify_alone(
     """Checks the program in a file as far as can be said without a part: rapids, depths and engagement in `stock`, limits, control.
 
     `stock` is "100,60,20" (sizes from X 0, Y 0 and down from `top`) or "-5:95,0:60,-20:0", mm; without it the box of what is cut
-    below `top` is taken, which is the condition "stock". What is left and what is gouged is not asked.
+    below `top` (Z 0, if nothing is cut above it) is taken, which is the condition "stock". What is left and what is gouged is not asked.
     """
     name = os.fspath(program)
     asked = (options or PlanOptions()).replaced(**settings)

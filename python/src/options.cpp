@@ -196,9 +196,10 @@ void add_machine(OptionsClass& options) {
       "after", [](const AskedOptions& o) { return o.earlier.has_value(); },
       [](AskedOptions& o, const py::object& file) {
         o.earlier.reset();
+        o.earlier_state = {};
         const bool none = file.is_none();
         const auto name = none ? std::string() : py::str(file).cast<std::string>();
-        if (!none) o.earlier = read_earlier_program(name, o.machine);
+        if (!none) read_earlier_program(o, name);
         set_file(o, "earlier program", none ? std::nullopt : std::optional(name));
       },
       "File of a program that has run before on this stock: only what it left is cut. Set the machine "

@@ -134,15 +134,20 @@ Job job_of_file(const std::string& file, const std::string&, const Reading& read
 struct SetupQuestion {
   std::string file;
   int number = 1;  ///< from 1
-  std::vector<std::pair<GivenPart, Moves>> earlier;
+  /// With the findings of those that were checked, and not planned here.
+  std::vector<std::tuple<GivenPart, Moves, std::optional<Findings>>> earlier;
 };
 
 /// What the set-ups before have cut.
 std::vector<MachinedSetup> machined_before(const SetupQuestion& asked, const JobFile& whole,
                                            const ReadOptions& reading) {
   std::vector<MachinedSetup> machined;
-  for (const auto& [given, moves] : asked.earlier) {
+  for (const auto& [given, moves, findings] : asked.earlier) {
     MachinedSetup one{given.part, moves.toolpath(), {}};
+    if (findings) {
+      one.conditions = open_conditions(*findings);
+      one.faults = findings->faults;
+    }
     StepSources sources;
     StepChoices published;
     part_of_setup(whole, static_cast<int>(machined.size()) + 1, reading, one.place, sources, published);
@@ -175,6 +180,7 @@ Job job_of_setup(const SetupQuestion& asked, const std::string&, const Reading& 
   part.diagnostics.note("set-up", carried.told);
   out.options.earlier = std::move(carried.sweeps);
   out.options.conditions = std::move(carried.conditions);
+  out.options.earlier_state.faults = std::move(carried.faults);
   return out;
 }
 
@@ -323,9 +329,9 @@ void add_part(py::module_& module) {
   add_reader<std::string>(module, "read_job", "file", doc("part_of_job"), job_of_file);
   add_reader<std::string>(module, "read_part_text", "text", doc("read_part_text"), part_of_text);
   py::class_<SetupQuestion>(module, "_SetupQuestion",
-                            "One set-up of a job, from 1, and part and moves of those before it.")
-      .def(py::init<std::string, int, std::vector<std::pair<GivenPart, Moves>>>(), py::arg("file"),
-           py::arg("number"), py::arg("earlier"));
+                            "One set-up of a job, from 1, and part, moves and findings of those before it.")
+      .def(py::init<std::string, int, std::vector<std::tuple<GivenPart, Moves, std::optional<Findings>>>>(),
+           py::arg("file"), py::arg("number"), py::arg("earlier"));
   add_reader<SetupQuestion>(module, "_read_setup", "question", doc("part_of_setup"), job_of_setup);
   module.def(
       "_setup_count", [](const std::string& file) { return read_job(file).setups.size(); }, py::arg("file"));

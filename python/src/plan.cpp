@@ -74,12 +74,12 @@ Check asked_check(const std::vector<CertificateFile>& inputs, const std::string&
   return check;
 }
 
-Check verify_alone(const std::optional<std::string>& stock, double top, const std::string& program,
-                   const std::string& name, AskedOptions options, const std::optional<std::string>& dialect,
-                   const py::object& cancel) {
+Check verify_alone(const std::optional<std::string>& stock, std::optional<double> top,
+                   const std::string& program, const std::string& name, AskedOptions options,
+                   const std::optional<std::string>& dialect, const py::object& cancel) {
   Check check = asked_check({}, program, name, options, dialect);
   const auto control = dialect_of(dialect);
-  const auto block = stock ? std::optional(parse_stock(*stock, top)) : std::nullopt;
+  const auto block = stock ? std::optional(parse_stock(*stock, top.value_or(0))) : std::nullopt;
   auto result = interruptible(cancel, [block, top, program, name, options, control](std::stop_token stop) {
     PlanOptions own = options;
     own.cancel = std::move(stop);

@@ -111,6 +111,11 @@ struct ControlTable {
   std::vector<ControlEvent> events;
   std::vector<ArcDoubt> arcs;
   std::optional<MotionPlanner> planner;  ///< of the control as which it was read
+  bool spindle_said =
+      true;  ///< a word that turns a spindle is somewhere in it (M3, M4, M13, M14, M19), known to the control or not
+  bool speed_said = true;  ///< an S word is
+  int inch_line = 0;       ///< line of the first word that begins inches (G20, INCH); 0: none
+  int mm_line = 0;         ///< of the first that begins mm
 
   /// What holds at move number `index`, counted over all sections; nothing before the first span.
   const ControlState* at(std::size_t index) const;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -14,6 +15,7 @@ namespace clearcut::inline model {
 struct MachinePlaces {
   std::array<double, 3> start{};                   ///< of the tool's tip when the program begins
   std::array<std::array<double, 3>, 9> origins{};  ///< of G54, G55 ... G59.3; the work is at that of G54
+  int stated_origins = 9;                          ///< of them, in that order; those beyond are not known
   std::array<double, 3> reference{};               ///< G28
   std::array<double, 3> second_reference{};        ///< G30
 };
@@ -39,7 +41,8 @@ struct Machine {
   double tool_change_s = 0;              ///< s, for the times
   std::optional<double> path_tolerance;  ///< mm; rounds corners by no more, where a program states no bound
   std::optional<MachinePlaces> places;
-  /// Travel limits in workpiece coordinates, mm: x, y, z as {min, max}; absent = unlimited.
+  /// Travel limits, mm: x, y, z as {min, max}; absent = unlimited. In the machine's own coordinates where `places` says where the
+  /// work lies in them, else in those of the work.
   std::optional<std::array<std::array<double, 2>, 3>> travel;
 };
 
@@ -61,9 +64,14 @@ inline constexpr double kUsualTopRpm = 24000;
 /// mm, in workpiece coordinates; taken for the machine's own Z zero where its travel is not known.
 inline constexpr double kUsualHomeZ = 100;
 
-/// mm; the machine's own Z zero is the top of its travel.
+/// mm; where the work's zero lies in the coordinates of the machine's travel, along x, y or z.
+inline double work_zero(const Machine& machine, std::size_t axis) {
+  return machine.places ? machine.places->origins[0][axis] : 0;
+}
+
+/// mm, in workpiece coordinates; the machine's own Z zero is the top of its travel.
 inline double home_z(const Machine& machine) {
-  return machine.travel ? (*machine.travel)[2][1] : kUsualHomeZ;
+  return machine.travel ? (*machine.travel)[2][1] - work_zero(machine, 2) : kUsualHomeZ;
 }
 
 }  // namespace clearcut::inline model

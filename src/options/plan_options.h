@@ -19,6 +19,7 @@
 #include "model/options/shop_options.h"
 #include "model/options/tab_options.h"
 #include "model/part.h"
+#include "model/results/earlier_state.h"
 #include "model/strategy_entry.h"
 
 namespace clearcut::inline options {
@@ -53,6 +54,7 @@ struct PlanOptions {
   std::vector<PredrilledHole> predrilled;  ///< besides the part's own
   std::vector<KeepOut> keep_outs;          ///< besides the part's own
   std::optional<Toolpath> earlier;         ///< a program that has run before on this stock
+  EarlierState earlier_state;              ///< what is known of `earlier` besides its moves
   std::vector<Condition> conditions;  ///< what the caller knows that must hold, besides what is found here
   std::optional<CutDirection> direction;
   bool outside_in = false;    ///< contours from the wall inwards; false: inside-out

@@ -243,6 +243,8 @@ verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
   verify.cancel = plan.cancel;
   verify.progress = plan.progress;
   if (plan.earlier) verify.earlier = &*plan.earlier;
+  if (plan.earlier && !plan.earlier_state.control.spans.empty())
+    verify.earlier_control = &plan.earlier_state.control;
   verify.material = plan.material;
   return verify;
 }
@@ -268,6 +270,46 @@ bool has_tool_lengths(read::gcode::Dialect dialect) {
   using read::gcode::Dialect;
   return dialect == Dialect::kFanuc || dialect == Dialect::kHaas || dialect == Dialect::kMach3 ||
          dialect == Dialect::kMach4;
+}
+
+/// Whether tools are changed by a changer and not by somebody who stands there, as LinuxCNC and Mach do it as they are delivered.
+bool has_changer(read::gcode::Dialect dialect) {
+  using read::gcode::Dialect;
+  return dialect == Dialect::kFanuc || dialect == Dialect::kHaas || dialect == Dialect::kHeidenhain;
+}
+
+bool has_wrong_units(const Findings& findings) {
+  return std::any_of(findings.faults.begin(), findings.faults.end(),
+                     [](const Fault& fault) { return fault.kind == FaultKind::kUnits; });
+}
+
+/// Feeds and ways of another size are no question of their own.
+void drop_what_follows_from_units(Findings& findings) {
+  std::erase_if(findings.conditions, [](const Condition& one) {
+    return one.name == "far-move" || one.name == "chip-load" || one.name == "stated-feed" ||
+           one.name == "cuts-nothing";
+  });
+}
+
+/// A length that is a fault is no open question beside it: the sentence of the fault says how it is accepted.
+void drop_what_lengths_say(Findings& findings, const std::vector<std::string>& accepted) {
+  const auto is_length = [](const Fault& fault) { return fault.kind == FaultKind::kToolLength; };
+  if (std::none_of(findings.faults.begin(), findings.faults.end(), is_length)) return;
+  std::erase_if(findings.conditions, [&](const Condition& one) {
+    const bool is_said = one.name.starts_with("tool-length-h") || one.name == "tool-length-off";
+    return is_said && std::find(accepted.begin(), accepted.end(), one.name) == accepted.end();
+  });
+}
+
+/// What ran before has cut what counts as cut only where it is right itself.
+void add_earlier(Findings& findings, const ResolvedPlan& plan) {
+  const EarlierState& earlier = plan.earlier_state;
+  for (Condition one : earlier.conditions) {
+    if (one.name == "blending" && plan.machine.path_tolerance) one.met_by = "machine file";
+    findings.conditions.push_back(std::move(one));
+  }
+  findings.faults.insert(findings.faults.end(), earlier.faults.begin(), earlier.faults.end());
+  findings.all.clean = findings.faults.empty();
 }
 
 /// How far the control may leave the path before anything found here is no longer so; or the machine file says it.
@@ -296,11 +338,15 @@ Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& c
   verify.control = &control;
   verify.accepted = plan.accept;
   verify.speed_may_be_power = dialect == read::gcode::Dialect::kMarlin;
-  verify.needs_tool_length = has_tool_lengths(dialect) && plan.post.length_offset;
+  verify.needs_tool_length = has_tool_lengths(dialect);
+  verify.changes_tools_alone = has_changer(dialect);
   Findings findings = verify::verify_program(part, toolpath, verify);
   findings.conditions.insert(findings.conditions.begin(), conditions.begin(), conditions.end());
   if (auto far = far_move(part, toolpath)) findings.conditions.push_back(*std::move(far));
+  if (has_wrong_units(findings)) drop_what_follows_from_units(findings);
+  drop_what_lengths_say(findings, plan.accept);
   name_blending_bound(findings, plan);
+  add_earlier(findings, plan);
   accept_conditions(findings, plan.accept);
   return findings;
 }

@@ -16,6 +16,7 @@
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/out_of_reach.h"
 #include "read/gcode/gcode.h"
+#include "read/gcode/tool_comments.h"
 #include "report/sheet/sheet_facts.h"
 #include "resolve/prepare.h"
 #include "resolve/resolve.h"
@@ -25,10 +26,15 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// Of the tools that were given, those that the program calls: a library may hold many more. All, where it calls others.
+/// Of the tools that were given, those that the program, or the one before it, calls: a library may hold many more. All, where it calls others.
 resolve::PlanOptions with_tools_of(const Toolpath& toolpath, resolve::PlanOptions options) {
   std::set<int> called;
   for (const Section& section : toolpath.sections) called.insert(section.tool_number);
+  // What ran before may have had tools of its own; a number that is none of those that were given says nothing of these.
+  if (options.earlier) {
+    for (const Section& section : options.earlier->sections)
+      if (tool_numbered(options.tools, section.tool_number)) called.insert(section.tool_number);
+  }
   const auto is_called = [&](const Tool& tool) { return called.count(tool.number) > 0; };
   if (called.empty() || static_cast<std::size_t>(std::count_if(options.tools.begin(), options.tools.end(),
                                                                is_called)) != called.size())
@@ -131,19 +137,26 @@ void add_drive(std::map<int, verify::StatedDrive>& drives, int tool, const Cutti
   all.least_rpm = std::min(all.least_rpm, rpm);
 }
 
+/// Whether `name` is that of a narrower mill's work on what the step `of` leaves, and not of its finishing.
+bool is_rest_of(const std::string& name, const std::string& of) {
+  const std::string begin = of + "_rest_T";
+  return name.starts_with(begin) && name.find_first_not_of("0123456789", begin.size()) == std::string::npos;
+}
+
 /// A program of another CAM is held to the stepdown and the plunge feed that somebody stated, not to our defaults.
 /// Returns how the tools are stated to be driven.
 std::map<int, verify::StatedDrive> keep_stated_limits(Part& prepared, const Part& part,
                                                       const resolve::PlanOptions& options) {
   std::map<int, verify::StatedDrive> drives;
   for (std::size_t i = 0; i < prepared.workplan.size(); ++i) {
-    // Tabs and T-slots put steps of their own in between, which are named after those above or after them.
+    // Tabs, T-slots and narrower mills put steps of their own in between, which are named after those above or after them.
     const std::string& name = prepared.workplan[i].name;
     const bool same = i < part.workplan.size() && part.workplan[i].name == name;
     const auto stated =
         same ? part.workplan.begin() + static_cast<std::ptrdiff_t>(i)
              : std::find_if(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
-                 return name == step.name || name == step.name + "_tabs" || name == step.name + "_neck";
+                 return name == step.name || name == step.name + "_tabs" || name == step.name + "_neck" ||
+                        is_rest_of(name, step.name);
                });
     const int tool = tool_of(prepared, prepared.workplan[i]).number;
     const CuttingData cutting =
@@ -174,18 +187,47 @@ void add_other_tools(const Part& prepared, const resolve::PlanOptions& options, 
   for (const Workingstep& step : prepared.workplan) limits.erase(tool_of(prepared, step).number);
 }
 
-void require_tools(const resolve::PlanOptions& options, const Toolpath& toolpath,
-                   const std::string& program_name) {
-  if (!options.tools.empty()) return;
+/// A program's text, and which control's it is; none where the text tells.
+struct ProgramText {
+  const std::string& text;
+  const std::string& name;
+  std::optional<read::gcode::Dialect> dialect;
+
+  /// Whether it has no words for tools: they are put in by hand.
+  bool names_no_tools() const { return dialect == read::gcode::Dialect::kMarlin; }
+};
+
+/// What the comments of a program call its tools, as options: "--tool endmill:6:T1 --tool drill:3:T2"; "" where none does. `called`:
+/// the numbers that the program calls, none where it calls no tool.
+std::string tools_by_comments(const std::string& program, const std::vector<int>& called) {
+  std::string text;
+  for (const read::gcode::ToolComment& one : read::gcode::tools_in_comments(program)) {
+    const bool is_called = std::find(called.begin(), called.end(), one.number) != called.end();
+    if (!is_called && !(called.empty() && text.empty())) continue;
+    text += fmt::format("{}--tool {}", text.empty() ? "" : " ", one.tool);
+  }
+  return text;
+}
+
+/// Asks for tools where none are given, by what the comments say of them.
+void require_tools(bool are_given, const Toolpath& toolpath, const ProgramText& program) {
+  if (are_given) return;
+  std::vector<int> numbers;
   std::vector<std::string> called;
-  for (const int number : report::tools_called(toolpath))
-    if (number > 0) called.push_back("T" + std::to_string(number));
+  for (const int number : report::tools_called(toolpath)) {
+    if (number <= 0) continue;
+    numbers.push_back(number);
+    called.push_back("T" + std::to_string(number));
+  }
+  const std::string said = tools_by_comments(program.text, numbers);
   if (called.empty())
-    throw InputError(program_name, "names no tool; say what cuts, for example --tool endmill:6");
-  throw InputError(
-      program_name,
-      fmt::format("calls {}; say what {}, for example --tool endmill:6:{}, or a library with --tools",
-                  fmt::join(called, ", "), called.size() == 1 ? "it is" : "they are", called[0]));
+    throw InputError(program.name, said.empty() ? "names no tool; say what cuts, for example --tool endmill:6"
+                                                : "calls no tool; say what cuts, by its comments " + said);
+  const std::string wanted = fmt::format("calls {}; say what {}", fmt::join(called, ", "),
+                                         called.size() == 1 ? "it is" : "they are");
+  if (!said.empty()) throw InputError(program.name, wanted + ", by its comments " + said);
+  throw InputError(program.name, fmt::format("{}, for example --tool endmill:6:{}, or a library with --tools",
+                                             wanted, called[0]));
 }
 
 void require_moves(const Toolpath& toolpath, const std::string& program_name) {
@@ -196,10 +238,21 @@ void require_moves(const Toolpath& toolpath, const std::string& program_name) {
                    "check; give the whole program");
 }
 
-/// The stock that was stated, else the one that the program's own cuts make.
+/// The stock that was stated, else the one that the program's own cuts make below `stated_top`; where nobody states that, below Z 0 if
+/// nothing is cut above it.
 Stock stock_for(const std::optional<Stock>& stated, const Toolpath& toolpath, const std::vector<Tool>& tools,
-                double top, const std::string& program_name, std::vector<Condition>& conditions) {
+                std::optional<double> stated_top, const std::string& program_name,
+                std::vector<Condition>& conditions) {
   if (stated) return *stated;
+  if (!stated_top) {
+    if (const Move* const high = work_above(toolpath, 0))
+      throw InputError(
+          fmt::format("{}:{}", program_name, high->line),
+          fmt::format("feeds along at Z {}, above Z 0, where the top of the stock is taken; state it, for "
+                      "example --top {}, or the stock, for example --stock 0:100,0:60,-20:{}",
+                      trimmed(high->z_to, 3), trimmed(high->z_to, 3), trimmed(high->z_to, 3)));
+  }
+  const double top = stated_top.value_or(0);
   const std::optional<Stock> taken = box_of_cuts(toolpath, tools, top);
   if (!taken)
     throw InputError(program_name,
@@ -208,16 +261,6 @@ Stock stock_for(const std::optional<Stock>& stated, const Toolpath& toolpath, co
   conditions.push_back(stock_taken(*taken));
   return *taken;
 }
-
-/// A program's text, and which control's it is; none where the text tells.
-struct ProgramText {
-  const std::string& text;
-  const std::string& name;
-  std::optional<read::gcode::Dialect> dialect;
-
-  /// Whether it has no words for tools: they are put in by hand.
-  bool names_no_tools() const { return dialect == read::gcode::Dialect::kMarlin; }
-};
 
 /// Numbers of tools that are put in by hand, and what their order is.
 struct HandTools {
@@ -263,6 +306,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   std::optional<ResolvedPlan> resolved;
   if (text.names_no_tools()) resolved = resolve::resolve(part, options, strategies);
   auto read = read_program(text, options, part.top_z(), resolved ? as_worked(resolved->part) : HandTools{});
+  require_tools(!options.tools.empty() || !part.tools.empty(), read.toolpath, text);
   CheckResult result;
   resolve::PlanOptions asked = numbered_by(read.toolpath, options);
   if (!resolved) resolved = resolved_for(read.toolpath, part, asked, strategies);
@@ -286,12 +330,12 @@ CheckResult check_program(const Part& part, const std::string& program, const st
 
 CheckResult check_program_alone(const std::optional<Stock>& stock, const std::string& program,
                                 const std::string& program_name, const resolve::PlanOptions& options,
-                                std::optional<read::gcode::Dialect> dialect, double top) {
+                                std::optional<read::gcode::Dialect> dialect, std::optional<double> top) {
   const ProgramText text{program, program_name, dialect};
-  auto read = read_program(text, options, stock ? stock->z_top : top,
+  auto read = read_program(text, options, stock ? stock->z_top : top.value_or(0),
                            text.names_no_tools() ? as_given(options.tools) : HandTools{});
   require_moves(read.toolpath, program_name);
-  require_tools(options, read.toolpath, program_name);
+  require_tools(!options.tools.empty(), read.toolpath, text);
   const resolve::PlanOptions asked = numbered_by(read.toolpath, options);
   const ResolvedPlan plan = resolve::resolve_without_part(asked);
   CheckResult result;

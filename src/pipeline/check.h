@@ -29,10 +29,12 @@ CheckResult check_program(const Part& part, const std::string& program, const st
 
 /// Checks any program text as far as can be said without a part: rapids, plunges, depths and engagement in `stock`, feeds, spindle
 /// and tools, limits and travel, arcs. What is left and what is gouged is not asked (Findings::without_part). Without a stock the
-/// box of what is cut below `top`, mm, is taken, which is the condition "stock". Throws InputError for text that no control
-/// takes, and where nothing moves, no tool is given, or nothing is cut below `top` in a stock that is not stated.
+/// box of what is cut below `top`, mm, is taken, which is the condition "stock"; where `top` is absent, too, below Z 0 if nothing is cut
+/// above it. Throws InputError for text that no control takes, and where nothing moves, no tool is given, or nothing is cut below `top`
+/// in a stock that is not stated, or something above Z 0 where nobody states the top.
 CheckResult check_program_alone(const std::optional<Stock>& stock, const std::string& program,
                                 const std::string& program_name, const resolve::PlanOptions& options,
-                                std::optional<read::gcode::Dialect> dialect = {}, double top = 0);
+                                std::optional<read::gcode::Dialect> dialect = {},
+                                std::optional<double> top = {});
 
 }  // namespace clearcut::pipeline

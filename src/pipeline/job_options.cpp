@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/error.h"
 #include "base/files/file.h"
 #include "pipeline/selection/strategies.h"
 #include "read/gcode/gcode.h"
@@ -21,6 +22,23 @@ void check_strategies(const read::JobFile& job) {
   for (const read::OperationRule& rule : job.operations) check(rule.settings);
 }
 
+/// As the control that is named; where that does not take it, as the one for which it was written.
+read::gcode::Program read_as_its_control(const std::string& file, const Machine& machine,
+                                         std::optional<read::gcode::Dialect> dialect) {
+  read::gcode::ReadControllerOptions reading;
+  reading.home_z = home_z(machine);
+  reading.places = machine.places;
+  const std::string text = read_file(file);
+  try {
+    reading.dialect = dialect;
+    return read::gcode::read_gcode(text, file, reading);
+  } catch (const InputError&) {
+    if (!dialect) throw;
+    reading.dialect.reset();
+    return read::gcode::read_gcode(text, file, reading);
+  }
+}
+
 }  // namespace
 
 std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::LibraryTool>& tools,
@@ -34,8 +52,15 @@ std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::Libra
   return cutting;
 }
 
-Toolpath read_earlier_program(const std::string& file, const Machine& machine) {
-  return read::gcode::read_gcode(read_file(file), file, home_z(machine)).toolpath;
+void read_earlier_program(resolve::PlanOptions& options, const std::string& file,
+                          std::optional<read::gcode::Dialect> dialect) {
+  read::gcode::Program program = read_as_its_control(file, options.machine, dialect);
+  options.earlier = std::move(program.toolpath);
+  options.earlier_state = {std::move(program.control), std::move(program.conditions), {}};
+  for (Condition& one : options.earlier_state.conditions) {
+    one.text = "in " + file + ", which has run before: " + one.text;
+    one.line = 0;  // of another program
+  }
 }
 
 resolve::PlanOptions options_of_job(const read::JobFile& job) {
@@ -51,7 +76,8 @@ resolve::PlanOptions options_of_job(const read::JobFile& job) {
   for (const std::string& text : job.stated_predrilled)
     options.predrilled.push_back(resolve::parse_predrilled(text));
   options.stepover = job.plan.asked.stepover;
-  if (job.after) options.earlier = read_earlier_program(job.after->string(), job.machine);
+  if (job.after)
+    read_earlier_program(options, job.after->string(), read::gcode::dialect_named(options.post.dialect));
   options.post.programs_before = std::max(0, job.setup_number - 1);
   // What is said for all set-ups need not mean something to each.
   options.refuse_idle = job.setup_number == 0;

@@ -1,6 +1,11 @@
 // What a job file asks of a plan, beside what its part holds.
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "read/gcode/dialect.h"
 #include "read/job/job_file.h"
 #include "resolve/plan_options.h"
 
@@ -15,7 +20,10 @@ resolve::PlanOptions options_of_job(const read::JobFile& job);
 std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::LibraryTool>& tools,
                                                    const std::string& preset);
 
-/// The moves of a program that has run before on the same stock, see PlanOptions::earlier. Throws InputError.
-Toolpath read_earlier_program(const std::string& file, const Machine& machine);
+/// Reads into `options` a program that has run before on the same stock on options.machine: its moves, what the control held meanwhile,
+/// and the conditions under which it moves so. `dialect`: the control; absent, or where that does not take the program: recognised.
+/// Throws InputError.
+void read_earlier_program(resolve::PlanOptions& options, const std::string& file,
+                          std::optional<read::gcode::Dialect> dialect = {});
 
 }  // namespace clearcut::pipeline

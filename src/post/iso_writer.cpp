@@ -281,6 +281,11 @@ void IsoWriter::load_by_changer(int number) {
   if (length_offset() == LengthOffset::kPlain) out_.line("G43");
   if (length_offset() == LengthOffset::kNumbered) out_.line(fmt::format("G43 H{}", number));
   held_.length_due = length_offset() == LengthOffset::kWithApproach;
+  // Without lengths each tool is touched off once it is in. The first one may have been before the start.
+  const bool has_lengths = dialect_.length_offset != LengthOffset::kNone;
+  if (!has_lengths || options_.length_offset || held_.tool == 0) return;
+  out_.comment("TOUCH OFF Z WITH THIS TOOL");
+  out_.line("M0");
 }
 
 /// The first tool is in the spindle when the program starts. Others have other lengths, which such a control does not know.

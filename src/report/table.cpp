@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/text/format.h"
+#include "model/results/told_faults.h"
 #include "model/section_names.h"
 #include "report/picture/job_view.h"
 #include "report/text.h"
@@ -54,7 +55,8 @@ std::string line_of(const Fault& fault) {
 }
 
 std::string faults_of(const Findings& findings) {
-  const std::size_t count = findings.faults.size();
+  const std::vector<Fault> faults = told_faults(findings);
+  const std::size_t count = faults.size();
   if (count == 0) {
     if (findings.without_part)
       return "no fault; what is left and what is gouged was not asked: no part was stated\n";
@@ -64,7 +66,7 @@ std::string faults_of(const Findings& findings) {
                : "";
   }
   std::string text = fmt::format("{} {}:\n", count, count == 1 ? "fault" : "faults");
-  for (std::size_t i = 0; i < std::min(count, kFaultsShown); ++i) text += line_of(findings.faults[i]);
+  for (std::size_t i = 0; i < std::min(count, kFaultsShown); ++i) text += line_of(faults[i]);
   if (count > kFaultsShown) text += fmt::format("  and {} more\n", count - kFaultsShown);
   return text;
 }

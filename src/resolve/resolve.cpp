@@ -212,6 +212,7 @@ ResolvedPlan resolve_whole(const PlanOptions& options) {
   resolve_shop(plan, options.shop);
   if (plan.link_feed) plan.link_feed = limited(*plan.link_feed, options.machine);
   plan.earlier = options.earlier;
+  plan.earlier_state = options.earlier_state;
   plan.conditions = options.conditions;
   plan.machine = options.machine;
   plan.accept = options.accept;
@@ -260,6 +261,7 @@ ResolvedPlan resolve_without_part(const PlanOptions& options) {
   plan.part.is_shape_stated = false;
   plan.part.tools = options.tools;
   plan.part.keep_outs = options.keep_outs;
+  plan.part.predrilled = options.predrilled;
   number_tools(plan.part.tools);
   return plan;
 }

@@ -165,7 +165,8 @@ void append_moves(const Part& part, const Toolpath& toolpath, const Machine& mac
 }  // namespace
 
 CheckedProgram checked_program(const Part& part, const Toolpath& toolpath, const Machine& machine,
-                               const Toolpath* earlier, const ControlTable* control) {
+                               const Toolpath* earlier, const ControlTable* control,
+                               const ControlTable* earlier_control) {
   CheckedProgram program;
   append_moves(part, toolpath, machine, program.moves, control);
   attribute(part, toolpath, program.moves);
@@ -174,7 +175,7 @@ CheckedProgram checked_program(const Part& part, const Toolpath& toolpath, const
   if (earlier == nullptr) return program;
   std::vector<CheckedMove> own = std::move(program.moves);
   program.moves.clear();
-  append_moves(part, *earlier, machine, program.moves, nullptr);
+  append_moves(part, *earlier, machine, program.moves, earlier_control);
   for (CheckedMove& checked : program.moves) checked.earlier = true;
   program.moves.insert(program.moves.end(), own.begin(), own.end());
   return program;

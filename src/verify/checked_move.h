@@ -140,6 +140,7 @@ struct CheckedProgram {
 /// the section's number, else by its label, else by place and depth. Moves of `earlier` come first and belong
 /// to no workingstep. With `control` every move knows what the control held, and times include waits.
 CheckedProgram checked_program(const Part& part, const Toolpath& toolpath, const Machine& machine,
-                               const Toolpath* earlier = nullptr, const ControlTable* control = nullptr);
+                               const Toolpath* earlier = nullptr, const ControlTable* control = nullptr,
+                               const ControlTable* earlier_control = nullptr);
 
 }  // namespace clearcut::verify

@@ -12,6 +12,7 @@
 #include "verify/coverage/feature_work.h"
 #include "verify/engagement/forces.h"
 #include "verify/engagement/load.h"
+#include "verify/faults/causes.h"
 #include "verify/faults/driving/cutting_data.h"
 #include "verify/faults/faults.h"
 #include "verify/faults/gouge.h"
@@ -191,8 +192,9 @@ class FindingsBuilder {
     for (std::size_t i = 0; i < by_step.size(); ++i) add_feature(static_cast<int>(i), by_step[i]);
     for (const FeatureWork& work : works_) check_coverage(work);
     for (const CarvingWork& work : carvings_) add_carving(work);
-    sort_worst_first(findings_.faults);
     set_clean();
+    fold_causes(part_, program_, options_, findings_.faults);
+    sort_worst_first(findings_.faults);
     return std::move(findings_);
   }
 
@@ -297,7 +299,8 @@ class FindingsBuilder {
 Findings verify_program(const Part& part, const Toolpath& toolpath, const VerifyOptions& options) {
   const FinishedParts finished(part);
   const StockToLeave left(part, options.tol);
-  CheckedProgram program = checked_program(part, toolpath, options.machine, options.earlier, options.control);
+  CheckedProgram program = checked_program(part, toolpath, options.machine, options.earlier, options.control,
+                                           options.earlier_control);
   std::vector<FeatureWork> works = works_of(part);
   std::vector<CarvingWork> carvings = carvings_of(part);
 
@@ -322,8 +325,7 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   meter.finish();
   if (!part.is_shape_stated) return findings_without_part(part, program, options);
   Findings findings = FindingsBuilder(part, program, works, carvings, options).build();
-  findings.conditions = doubtful_cutting_data(program, options);
-  for (Condition& one : conditions_of_taps(program, options)) findings.conditions.push_back(std::move(one));
+  findings.conditions = conditions_of_moves(program, options);
   if (findings.all.load)
     findings.all.thin_wall =
         thinnest_wall(finished.plain(), findings.all.load->max_force_n, *options.material);

@@ -41,10 +41,13 @@ struct VerifyOptions {
   /// A program that ran before on the same stock. What it cut is cut and what it spoiled is reported; its
   /// lengths and times are not in the figures.
   const Toolpath* earlier = nullptr;
+  /// What the control held at each move of `earlier`; absent: it is unknown.
+  const ControlTable* earlier_control = nullptr;
   /// What the control held at each move; absent: it is unknown, and nothing about it is checked.
   const ControlTable* control = nullptr;
   bool speed_may_be_power = false;  ///< small S words say how strongly the spindle is driven, not its turns
   bool needs_tool_length = false;  ///< without the tool's length (G43) the control would cut at wrong heights
+  bool changes_tools_alone = false;   ///< a changer puts tools in while nobody stands at the machine
   std::vector<std::string> accepted;  ///< conditions that somebody has stated to hold: they give no faults
   /// For tools that no workingstep uses, by number. Other tools have to keep to what their operations state.
   std::map<int, ToolLimits> tool_limits;

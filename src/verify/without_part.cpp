@@ -5,9 +5,8 @@
 #include <map>
 
 #include "verify/engagement/forces.h"
-#include "verify/faults/driving/cutting_data.h"
+#include "verify/faults/causes.h"
 #include "verify/faults/faults.h"
-#include "verify/faults/tapping.h"
 #include "verify/figures.h"
 
 namespace clearcut::verify {
@@ -65,9 +64,9 @@ Findings findings_without_part(const Part& part, const CheckedProgram& program,
     if (own.empty()) order.push_back(checked.tool_number);
     own.push_back(&checked);
   }
-  findings.conditions = doubtful_cutting_data(program, options);
-  for (Condition& one : conditions_of_taps(program, options)) findings.conditions.push_back(std::move(one));
+  findings.conditions = conditions_of_moves(program, options);
   findings.faults = faults_of_moves(part, program, options);
+  fold_causes(part, program, options, findings.faults);
   sort_worst_first(findings.faults);
   findings.all = figures_not_asked(figures_of(all, part.top_z()));
   findings.all.clean = findings.faults.empty();

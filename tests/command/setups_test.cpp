@@ -108,6 +108,18 @@ TEST(Setups, ALaterProgramIsVerifiedOnWhatTheOnesBeforeLeave) {
   const auto right =
       run_clearcut({"verify", two, "--part", drawn.job, "--setup", "2", "--earlier-setup", one});
   EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
+  // What is open about the first program is open about what rests on it.
+  std::string elsewhere = read_file(one);
+  elsewhere.replace(elsewhere.find("G54"), 3, "G55");
+  const auto open = run_clearcut({"verify", two, "--part", drawn.job, "--setup", "2", "--earlier-setup",
+                                  drawn.folder.file("elsewhere.ngc", elsewhere), "--quiet"});
+  EXPECT_THAT(open.out, HasSubstr("condition g55: in the program of set-up 1: "));
+  std::string standing = read_file(one);
+  standing.erase(standing.find("M3 S"), 2);
+  standing.replace(standing.find("M5"), 2, "M3\nM5");
+  const auto faulty = run_clearcut({"verify", two, "--part", drawn.job, "--setup", "2", "--earlier-setup",
+                                    drawn.folder.file("standing.ngc", standing), "--quiet"});
+  EXPECT_THAT(faulty.out, HasSubstr("spindle off: in the program of set-up 1: "));
   // The first program's through cut is missing: what it would have taken is left.
   std::string shallow = read_file(one);
   for (std::size_t at = 0; (at = shallow.find("Z-12", at)) != std::string::npos;)

@@ -81,6 +81,52 @@ TEST(StockFrom, AProgramIsWhatRanBefore) {
   EXPECT_EQ(read_file(folder.path("after.ngc")), read_file(folder.path("stock-from.ngc")));
 }
 
+/// What ran before is right or it is not: its conditions and its faults are those of what rests on it.
+TEST(StockFrom, AProgramBeforeHasConditionsAndFaults) {
+  const ScratchFolder folder;
+  const std::vector<std::string> part{kExamples + "bracket.dxf", "--depth", "5"};
+  const auto run = [&](std::vector<std::string> words, std::vector<std::string> more) {
+    words.insert(words.end(), part.begin(), part.end());
+    words.insert(words.end(), more.begin(), more.end());
+    return run_clearcut(words);
+  };
+  ASSERT_EQ(
+      run({"plan"}, {"--tool", "endmill:12:T1", "-o", folder.path("first.ngc"), "--accept", "out-of-reach"})
+          .exit_code,
+      0);
+  const std::vector<std::string> tools{"--tool", "endmill:12:T1", "--tool", "endmill:3:T2", "--quiet"};
+  const std::string first = read_file(folder.path("first.ngc"));
+  const auto changed = [&](const std::string& from, const std::string& to) {
+    std::string text = first;
+    text.replace(text.find(from), from.size(), to);
+    return folder.file("changed.ngc", text);
+  };
+  const auto planned = [&](const std::string& before) {
+    std::vector<std::string> more = tools;
+    more.insert(more.end(), {"--after", before, "-o", folder.path("rest.ngc")});
+    return run({"plan"}, more);
+  };
+  EXPECT_EQ(planned(folder.path("first.ngc")).out, "CLEAN\n");
+  std::vector<std::string> again = tools;
+  again.insert(again.end(), {"--part"});
+  again.insert(again.end(), part.begin(), part.end());
+  again.insert(again.end(), {"--after", folder.path("first.ngc"), "--dialect", "linuxcnc"});
+  again.insert(again.begin(), {"verify", folder.path("rest.ngc")});
+  EXPECT_EQ(run_clearcut(again).out, "CLEAN\n") << "the same verdict";
+  EXPECT_THAT(planned(changed("G54", "G55")).out, HasSubstr("condition g55: in "));
+  EXPECT_THAT(planned(changed("G80", "G92 X5")).out, HasSubstr("condition g92: in "));
+  EXPECT_THAT(planned(changed("M3 S", "/M3 S")).out, HasSubstr("condition block-delete: in "));
+  const auto stood = planned(changed("M2", "M3 S100\nM2"));
+  EXPECT_EQ(stood.out, "CLEAN\n");
+  const std::size_t at = first.find("M3 S");
+  std::string off = first;
+  off.erase(at, first.find('\n', at) - at);
+  off.replace(off.find("M5"), 2, "M3 S100\nM5");
+  const auto faulty = planned(folder.file("off.ngc", off));
+  EXPECT_EQ(faulty.exit_code, 1);
+  EXPECT_THAT(faulty.out, HasSubstr("spindle off: in the program before: The spindle stands"));
+}
+
 TEST(StockFrom, WhatContradictsItselfIsRefused) {
   const ScratchFolder folder;
   const auto refusal = [&](std::vector<std::string> more) {

@@ -2,12 +2,21 @@
 import re
 
 from holes import CYCLES, tap
-from writer import ALL, CHANGER, HERE, WORD, Class, nothing
+from writer import ALL, CHANGER, HERE, WORD, Class, nothing, rings
 
 #: Wider than the pocket that the right program clears.
 STOCK = {"part": "", "asked": {"stock": "-20:60,-20:60,-10:0"}}
 
+def places_of(x):
+    return "[places]\nstart = [0, 0, 0]\ng28 = [0, 0, 0]\ng30 = [0, 0, 0]\n" + "".join(
+        f"g{n} = [{x}, -50, -120]\n" for n in range(54, 60))
+
+
+#: The work's zero lies at X -10 or X 90 of a travel in which the program needs X 3 to 17, and at Z -120 below its upper end.
+TRAVEL = "[travel]\nx = [80, 110]\ny = [-60, 100]\nz = [-150, 0]\n"
 MACHINES = {
+    "shifted-out.toml": TRAVEL + places_of(-10),
+    "shifted-in.toml": TRAVEL.replace("x = [80, 110]", "x = [0, 110]") + places_of(90),
     "narrow.toml": '[travel]\nx = [-5, 15]\ny = [-50, 100]\nz = [-60, 110]\n',
     "unhurried.toml": 'max_feed = 300\n',
     "hurried.toml": 'max_feed = 400\n',
@@ -71,8 +80,13 @@ def wall(p):
 
 
 def state(c):
-    def off(p):
+    def by_hand(p):
         p.spindle = []
+    c.add("spindle-by-hand", ALL, by_hand, "CONDITIONAL", "spindle-by-hand", "leaves the spindle to hands",
+          accepted=["spindle-by-hand"], **STOCK)
+
+    def off(p):
+        p.retract, p.spindle = p.retract + p.spindle, []
     c.add("spindle-off", [d for d in ALL if d != "heidenhain"], off, "FAULTY", "spindle-off", "cuts with a spindle that stands",
           **STOCK)
 
@@ -84,6 +98,52 @@ def state(c):
     c.add("steep", ALL, nothing, "FAULTY", "plunge-too-fast", "plunges with a cutter that may not",
           tools=["endmill:6:T1:noplunge"], **STOCK)
     c.add("no-feed", ["grbl", "mach3", "mach4"], drop_feeds, "FAULTY", "no-feed", "cuts at no feed that is said", **STOCK)
+
+
+def second(p, pause, stops=True):
+    """A second tool that is put in, without any tool length."""
+    t = p.t
+    between = ["M5"] if stops else []
+    p.length = []
+    p.approach = [block.replace("G43 H1", "G0") for block in p.approach]
+    p.after = [t.rapid(z=40)] + between + ["T2 M6"] + pause + p.spindle + [t.rapid(x=10, y=10), t.rapid(z=1), t.feed(120, z=-3)]
+
+
+def by_hand(c):
+    """What is done by hand is a condition; what no hand can do between two blocks stays a fault."""
+    pair = {"tools": ["endmill:6:T1", "endmill:3:T2"]}
+    c.add("touched-off", CHANGER, lambda p: second(p, ["M0"]), "CONDITIONAL", "tool-by-hand",
+          "pauses for each tool to be touched off", accepted=["tool-by-hand"], **pair, **STOCK)
+    c.add("touched-off-at-change", ["linuxcnc", "mach3", "mach4"], lambda p: second(p, []), "CONDITIONAL", "tool-by-hand",
+          "waits at M6 for each tool to be put in and touched off", accepted=["tool-by-hand"], **pair, **STOCK)
+    c.add("touched-off-by-nobody", ["fanuc", "haas"], lambda p: second(p, []), "FAULTY", "tool-length",
+          "changes its tool by itself and goes down without its length", **pair, **STOCK)
+
+
+def taps(c):
+    pair = {"tools": ["drill:5:T1", "tap:M6:floating:T2"]}
+    far = [d for d in CYCLES]
+    c.add("tap-feed", far, tap(drill=-9.9, z=-8, f=300), "FAULTY", "tapping", "feeds its tap at less than the pitch", **pair, **STOCK)
+    c.add("tap-speed", far, tap(drill=-9.9, z=-8, spindle="M3 S500"), "FAULTY", "tapping", "turns its tap faster than it feeds",
+          **pair, **STOCK)
+    c.add("tap-backwards", far, tap(drill=-9.9, z=-8, spindle="M4 S400"), "FAULTY", "tapping", "turns its tap out on the way in",
+          **pair, **STOCK)
+    c.add("tap-drilled", far, tap(drill=-9.9, z=-8, word="G81"), "FAULTY", "tapping", "pulls its tap out at the rapid", **pair, **STOCK)
+    c.add("tap-solid", far, tap(drill=-0.5, z=-8), "FAULTY", "tapping", "taps where no hole is", **pair, **STOCK)
+    narrow = {"tools": ["drill:4:T1", "tap:M6:floating:T2"]}
+    c.add("tap-narrow", far, tap(drill=-9.9, z=-8), "FAULTY", "tapping", "taps a hole that is narrower than the core", **narrow, **STOCK)
+
+
+def places(c):
+    """Machine files: where the work lies in the travel."""
+    c.add("travel-of-machine", ALL, nothing, "FAULTY", "outside-travel", "leaves the travel where its zero lies",
+          **asked(machine="shifted-out.toml"))
+    c.right("right-travel-of-machine", ALL, nothing, "stays in the travel where its zero lies", **asked(machine="shifted-in.toml"))
+
+    def restored(p):
+        p.units = p.units + ["G92.3"]
+    for name, more in (("restored", STOCK), ("restored-on-machine", asked(machine="shifted-in.toml"))):
+        c.add(name, ["linuxcnc", "mach3", "mach4"], restored, "REFUSED", "", "takes up a shift that nobody states", **more)
 
 
 def limits(c):
@@ -150,6 +210,14 @@ def open_questions(c):
     c.add("no-stock", ALL, nothing, "CONDITIONAL", "stock", "says nothing of its block: the box of its cuts is taken",
           accepted=["stock"], part="")
 
+    def high(p):
+        p.cut = [p.t.rapid(z=9)] + rings(p.t, [1, 4, 7], z=5)[1:] + [p.t.feed(120, z=-0.2)]
+        p.approach = [block.replace("Z5", "Z15").replace("Z+5", "Z+15") for block in p.approach]
+        p.retract = [p.t.rapid(z=15)]
+    c.add("above-zero", ALL, high, "REFUSED", "", "has its zero at the underside, and nobody says where the top is", part="")
+    c.right("right-above-zero", ALL, high, "has its zero at the underside", part="",
+            asked={"stock": "-20:60,-20:60,-0.2:8"})
+
     def datum(p):
         p.modes = [block.replace("G54", "G55") for block in p.modes]
     c.add("g55", [d for d in WORD if d != "marlin"], datum, "CONDITIONAL", "g55", "works at another offset", accepted=["g55"], **STOCK)
@@ -195,6 +263,6 @@ def idle(c):
 def alone():
     write_machines()
     c = Class("alone")
-    for write in (motion, state, limits, changes, open_questions, idle):
+    for write in (motion, state, by_hand, taps, places, limits, changes, open_questions, idle):
         write(c)
     return c.done()

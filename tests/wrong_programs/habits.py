@@ -252,10 +252,144 @@ G0 Z5 F1500
 M5
 """
 
+CAMBAM = """( Made using CamBam )
+( Pockets 2/1/2024 10:00:00 AM )
+( T1 : 6.0 )
+( T2 : 3.0 )
+G21 G90 G61 G40
+G0 Z20.0
+( T1 : 6.0 )
+T1 M6
+( Pocket1 )
+G17
+M3 S8000
+G0 X10.0 Y10.0
+G0 Z1.0
+G1 F150.0 Z-2.0
+G1 F600.0 X13.0
+G3 X7.0 Y10.0 I-3.0 J0.0
+G3 X13.0 Y10.0 I3.0 J0.0
+G0 Z20.0
+( T2 : 3.0 )
+T2 M6
+( Pocket2 )
+M3 S8000
+G0 X30.0 Y10.0
+G0 Z1.0
+G1 F100.0 Z-1.0
+G1 F400.0 X33.0
+G0 Z20.0
+M5
+M30
+"""
+
+JSCUT = """; Work area:   (0, 0)-(40, 30)
+; Offset:      (0, 0)
+G21         ; Set units to mm
+G90         ; Absolute positioning
+G1 Z25.4 F2540      ; Move to clearance level
+
+;
+; Operation:    0
+; Name:
+; Type:         Pocket
+; Paths:        1
+; Direction:    Climb
+; Cut Depth:    2
+; Pass Depth:   2
+; Plunge rate:  120
+; Cut rate:     1000
+;
+
+; Path 0
+; Rapid to initial position
+G1 X10.0000 Y10.0000 F2540
+; plunge
+G1 Z-2.0000 F120
+; cut
+G1 X13.0000 Y10.0000 F1000
+G1 X13.0000 Y13.0000
+G1 X7.0000 Y13.0000
+G1 X7.0000 Y7.0000
+; Retract
+G1 Z25.4 F2540
+M2
+"""
+
+PCB2GCODE = """( pcb2gcode 2.5.0 )
+( Software-independent Gcode )
+
+G94 (Millimeters per minute feed rate.)
+G21 (Units == Millimeters.)
+G90 (Absolute coordinates.)
+G61
+
+G00 Z20.00000 (Retract)
+T1
+M5      (Spindle stop.)
+G04 P1.00000
+M6      (Tool change.)
+(MSG, Change tool bit to mill diameter 6.00000mm)
+M0      (Temporary machine stop.)
+M3 S8000 (Spindle on clockwise.)
+G04 P1.00000 (Wait for spindle to get up to speed)
+G00 X10.00000 Y10.00000
+G00 Z2.00000
+G01 Z-2.00000 F120.00000
+G01 X13.00000 F600.00000
+G01 X7.00000 Y13.00000
+G00 Z20.00000
+T2
+M5      (Spindle stop.)
+M6      (Tool change.)
+(MSG, Change tool bit to mill diameter 3.00000mm)
+M0      (Temporary machine stop.)
+M3 S8000 (Spindle on clockwise.)
+G04 P1.00000
+G00 X30.00000 Y10.00000
+G00 Z2.00000
+G01 Z-1.00000 F120.00000
+G01 X33.00000 F600.00000
+G00 Z20.00000
+M5      (Spindle off.)
+M9      (Coolant off.)
+M2      (Program end.)
+"""
+
+VECTRIC_INCH = """( pocket )
+( File created: Thursday, February 01, 2024 - 10:00 AM)
+( Material Size)
+( X= 4.000, Y= 2.500, Z= 0.500)
+(Tools used in this file: )
+(1 = End Mill {6 mm})
+N100G00G20G17G90G40G49G80
+N105G70G91.1
+N106G61
+N110T1M06
+N120 (End Mill {6 mm})
+N130G00G43Z0.8000H1
+N140S12000M03
+N150(Toolpath:- Pocket 1)
+N170G94
+N180X0.4000Y0.4000F50.0
+N190G00X0.4000Y0.4000Z0.2000
+N200G1Z-0.0800F12.0
+N210G1X0.5000F50.0
+N220G3X0.3000Y0.4000I-0.1000J0.000
+N230G3X0.5000Y0.4000I0.1000J0.000
+N240G00Z0.8000
+N250M09
+N260M30
+"""
+
+#: Systems whose programs need a second tool.
+PAIR = ["endmill:6:T1", "endmill:3:T2"]
+
 #: Name, dialect, ending, program, conditions that a machine's owner has to accept, what makes its twin wrong (from, to, kind).
 SYSTEMS = [
     ("fusion-grbl", "grbl", ".nc", FUSION_GRBL, ["g28-home"], ("G0 Z15\nM5", "G0 X40\nM5", "rapid-in-material")),
-    ("fusion-haas", "haas", ".nc", FUSION_HAAS, [], ("N35 S8000 M3\n", "", "spindle-off")),
+    ("fusion-haas", "haas", ".nc", FUSION_HAAS, [], ("N30 T1 M6\nN35 S8000 M3\n", "N30 S8000 M3\nN35 T1 M6\n",
+                                                                   "spindle-off")),
     ("mastercam-fanuc", "fanuc", ".nc", MASTERCAM_FANUC, [], ("N108 G43 H1 Z25.", "N108 G43 H2 Z25.", "tool-length")),
     ("freecad-linuxcnc", "linuxcnc", ".ngc", FREECAD, [], ("G0 Z3.000", "G0 Z-1.000", "rapid-in-material")),
     ("bcnc-grbl", "grbl", ".nc", BCNC, [], ("G0 Z7\n(Block-name: Footer)", "G0 X40\n(Block-name: Footer)", "rapid-in-material")),
@@ -264,6 +398,14 @@ SYSTEMS = [
     ("vcarve-mach3", "mach3", ".tap", VCARVE_MACH3, [], ("N190G00X10.000Y10.000Z5.000", "N190G00X10.000Y10.000Z-1.000",
                                                          "rapid-in-material")),
     ("klartext", "heidenhain", ".H", HEIDENHAIN, [], ("14 L Z+50 FMAX", "14 L X+40 FMAX", "rapid-in-material")),
+    ("cambam-mach3", "mach3", ".nc", CAMBAM, ["tool-by-hand", "arc-centres"], ("G0 Z20.0\nM5", "G0 X50.0\nM5", "rapid-in-material")),
+    ("cambam-linuxcnc", "linuxcnc", ".nc", CAMBAM, ["tool-by-hand"], ("M3 S8000\nG0 X30.0", "G0 X30.0", "spindle-off")),
+    ("jscut-grbl", "grbl", ".nc", JSCUT, ["spindle-by-hand", "start-position"], ("; Retract\nG1 Z25.4 F2540", "; Retract\nG0 X40", "rapid-in-material")),
+    ("pcb2gcode", "linuxcnc", ".ngc", PCB2GCODE, ["tool-by-hand"], ("G00 Z2.00000\nG01 Z-1", "G00 Z-1.00000\nG01 Z-1",
+                                                                    "rapid-in-material")),
+    ("vectric-inch", "mach3", ".tap", VECTRIC_INCH, [], ("N200G1Z-0.0800F12.0", "N200G1Z-0.8000F12.0", "beyond-stock")),
+    ("vectric-unnamed", "", ".tap", VECTRIC_INCH, [], ("N200G1Z-0.0800F12.0", "N200G1Z-0.8000F12.0", "beyond-stock")),
+    ("vectric-on-grbl", "grbl", ".nc", VECTRIC_INCH, None, None),
     ("marlin", "marlin", ".gcode", MARLIN, [], ("G0 Z5 F1500\nM5", "G0 X40 F1500\nM5", "rapid-in-material")),
 ]
 
@@ -275,12 +417,17 @@ def habits():
     cases = []
 
     def case(file, dialect, verdict, reason, accept, does):
-        cases.append({"file": file, "part": "", "stock": "-20:60,-20:60,-10:0", "tools": ["endmill:6"], "dialect": dialect,
+        cases.append({"file": file, "part": "", "stock": "-20:60,-20:60,-10:0", "tools": ["endmill:6"] if "T2" not in text else PAIR, "dialect": dialect,
                       "does": does, "accept": accept, "verdict": verdict, "reason": reason})
-    for name, dialect, ending, text, conditions, (old, new, kind) in SYSTEMS:
+    for name, dialect, ending, text, conditions, wrong in SYSTEMS:
+        if wrong is None:
+            (folder / f"{name}{ending}").write_text(text)
+            case(f"{name}{ending}", dialect, "REFUSED", "", [], "has words that the control does not know")
+            continue
+        old, new, kind = wrong
         (folder / f"right-{name}{ending}").write_text(text)
         if conditions:
-            case(f"right-{name}{ending}", dialect, "CONDITIONAL", conditions[0], [], "parks at a place that it does not state")
+            case(f"right-{name}{ending}", dialect, "CONDITIONAL", conditions[0], [], "leaves something to whoever stands at the machine")
         case(f"right-{name}{ending}", dialect, "CLEAN", "", conditions, "mills a pocket as that system writes it")
         assert old in text, name
         (folder / f"{name}{ending}").write_text(text.replace(old, new))

@@ -294,8 +294,14 @@ def state():
     def none(p):
         p.length = []
         p.approach = [block.replace("G43 H1", "G0") for block in p.approach]
-    c.add("no-length", ["fanuc", "haas", "mach3", "mach4"], none, "FAULTY", "tool-length",
-          "goes down by the tool's length")
+    c.add("no-length", ["fanuc", "haas", "mach3", "mach4"], none, "CONDITIONAL", "tool-length-off",
+          "rests on a zero that was touched off with the tool in the spindle", accepted=["tool-length-off"])
+
+    def some(p):
+        none(p)
+        p.after = [p.t.rapid(z=5), p.t.rapid(x=40, y=10), "G43 H1 Z" + p.t.n(5)] + rings(p.t, [1, 4, 7], 40)
+    c.add("length-of-some", ["fanuc", "haas", "mach3", "mach4"], some, "FAULTY", "tool-length",
+          "takes the tool's length off after its first cuts", part="pair.json")
 
     def unnumbered(p):
         p.approach = ["G0 G43 H5 Z50."] + [block.replace("G43 H1", "G43") for block in p.approach]
@@ -311,7 +317,12 @@ def state():
 
     def still(p):
         p.spindle = []
-    c.add("spindle-off", ALL, still, "FAULTY", "spindle-off", "pushes a standing cutter through the stock")
+    c.add("spindle-by-hand", ALL, still, "CONDITIONAL", "spindle-by-hand", "leaves the spindle's switch to a hand",
+          accepted=["spindle-by-hand"])
+
+    def late(p):
+        p.retract, p.spindle = p.retract + p.spindle, []
+    c.add("spindle-off", ALL, late, "FAULTY", "spindle-off", "pushes a standing cutter through the stock, and turns it afterwards")
 
     def stopped(p):
         p.cut.insert(6, "M5")
@@ -337,7 +348,18 @@ def state():
     def slow(p):
         p.spindle = [block.replace(" S8000", "") for block in p.spindle]
         p.tool = [block.replace(" S8000", "") for block in p.tool]
-    c.add("no-speed", ALL, slow, "FAULTY", "spindle-off", "starts the spindle without a speed")
+    c.add("no-speed", ALL, slow, "CONDITIONAL", "speed-by-hand", "starts the spindle at the speed that a hand sets",
+          accepted=["speed-by-hand"])
+
+    def speed_after(p):
+        slow(p)
+        p.retract = p.retract + (["TOOL CALL S8000"] if p.d == "heidenhain" else ["S8000"])
+    c.add("speed-late", ALL, speed_after, "FAULTY", "spindle-off", "states its speed after the cuts")
+
+    def no_turns(p):
+        slow(p)
+        p.spindle = ["TOOL CALL S0", "M3"] if p.d == "heidenhain" else ["M3 S0"]
+    c.add("speed-of-none", ALL, no_turns, "FAULTY", "spindle-off", "starts the spindle at no turns")
 
     def at(spindle, feed=400):
         def change(p):

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "arguments/suggest.h"
+
 namespace clearcut::cli {
 namespace {
 
@@ -75,6 +77,12 @@ bool is_of_question(const Row& row) {
 void PlanArguments::add_tool_options(CLI::App& command) {
   add_tool_list_options(command);
   values_.add(command, is_of_question);
+}
+
+void PlanArguments::add_steps_options(CLI::App& command) {
+  values_.add(command, [](const Row& row) {
+    return (row.group == Group::kStages && row.name != "dogbones") || row.name == "predrilled";
+  });
 }
 
 void PlanArguments::add_cutting_options(CLI::App& command) {
@@ -196,14 +204,14 @@ Part PlanArguments::read_program_setup(int number, SetupPlace& place) const {
 
 Part PlanArguments::on_what_is_left(Part part, Block block) const {
   if (setup_.number == 1 || block == Block::kWhole) return part;
-  setup_.carried =
-      carried_stock(setup_.machined.empty() ? machined_before() : setup_.machined, setup_.place, part);
+  if (setup_.machined.empty()) setup_.machined = machined_before();
+  setup_.carried = carried_stock(setup_.machined, setup_.place, part);
   part.stock = setup_.carried->block;
   part.diagnostics.note("set-up", setup_.carried->told);
   return part;
 }
 
-/// From the programs that --earlier-setup names.
+/// From the programs that --earlier-setup names, each of which is checked on what those before it leave.
 std::vector<MachinedSetup> PlanArguments::machined_before() const {
   const bool is_job = std::filesystem::path(input_).extension() == ".toml";
   const JobFile whole = is_job ? read_job(input_) : JobFile{};
@@ -214,6 +222,14 @@ std::vector<MachinedSetup> PlanArguments::machined_before() const {
                                     "; name their programs in order with --earlier-setup");
   std::vector<MachinedSetup> machined;
   for (int number = 1; number < setup_.number; ++number) {
+    const std::string& program = setup_.earlier_programs[static_cast<std::size_t>(number - 1)];
+    PlanArguments before = *this;
+    before.setup_ = {};
+    before.setup_.number = number;
+    before.setup_.machined = machined;
+    const Part part = before.read();
+    const PlanOptions asked = before.options();
+    const CheckResult checked = check_program(part, read_file(program), program, asked, control(asked.post));
     MachinedSetup one;
     StepSources sources;
     StepChoices published;
@@ -221,12 +237,37 @@ std::vector<MachinedSetup> PlanArguments::machined_before() const {
                       : read_program_setup(number, one.place);
     const std::vector<Tool> given = tools();
     if (!given.empty()) one.part.tools = given, resolve::number_tools(one.part.tools);
-    const auto index = static_cast<std::size_t>(number - 1);
-    one.toolpath = read_earlier_program(setup_.earlier_programs[index],
-                                        machine(is_job ? whole.setups[index].machine : Machine{}));
+    one.toolpath = checked.toolpath;
+    one.conditions = open_conditions(checked.findings);
+    one.faults = checked.findings.faults;
     machined.push_back(std::move(one));
   }
   return machined;
+}
+
+void PlanArguments::add_dialect_option(CLI::App& command) {
+  reads_programs_ = true;
+  command
+      .add_option("--dialect", dialect_,
+                  "Control that runs it: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin "
+                  "(default: recognised)")
+      ->check(one_of({"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"}));
+}
+
+std::optional<read::gcode::Dialect> PlanArguments::dialect() const {
+  if (!dialect_) return std::nullopt;
+  const auto dialect = read::gcode::dialect_named(*dialect_);
+  if (!dialect)
+    throw InputError("--dialect",
+                     "'" + *dialect_ +
+                         "' is unknown; use one of linuxcnc, grbl, fanuc, haas, heidenhain, mach3, "
+                         "mach4, marlin");
+  return dialect;
+}
+
+/// The one that runs programs that were written before: as it was named, else the one that is posted for.
+std::optional<read::gcode::Dialect> PlanArguments::control(const PostOptions& of_job) const {
+  return reads_programs_ ? dialect() : read::gcode::dialect_named(values_.has("post") ? typed_.plan.post.dialect : of_job.dialect);
 }
 
 std::vector<Tool> PlanArguments::tools() const {
@@ -329,7 +370,7 @@ PlanOptions PlanArguments::options() const {
   // The height that the program calls home is the machine's, which may be another than the job's.
   const auto earlier = stock_.program(from_job);
   if (earlier && (stock_.after || stock_.from || typed_.input.machine_file))
-    options.earlier = read_earlier_program(*earlier, options.machine);
+    read_earlier_program(options, *earlier, control(options.post));
   if (stock_.has_solid()) {
     if (options.earlier)
       throw InputError(
@@ -344,6 +385,7 @@ PlanOptions PlanArguments::options() const {
   if (setup_.carried) {
     options.earlier = setup_.carried->sweeps;
     options.conditions = setup_.carried->conditions;
+    options.earlier_state.faults = setup_.carried->faults;
   }
   add_places(typed_.input.keep_outs, typed_.input.predrilled, options);
   options.step_published = step_published_;

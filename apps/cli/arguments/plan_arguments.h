@@ -3,6 +3,7 @@
 
 #include <clearcut/part.h>
 #include <clearcut/plan.h>
+#include <clearcut/verify.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -42,6 +43,8 @@ class PlanArguments {
   void add_tool_list_options(CLI::App& command);
   void add_tool_options(CLI::App& command);
   void add_cutting_options(CLI::App& command);
+  /// Which steps the work has: what goes before, narrower mills, finishing.
+  void add_steps_options(CLI::App& command);
 
   /// Before options(), which tell where the values of a job stand only then.
   Part read(Block block = Block::kAsLeft) const;
@@ -56,6 +59,10 @@ class PlanArguments {
   StatedOptions stated() const { return {typed_, values_.names()}; }
   /// The part with the tools that were typed one by one in place of its own.
   Part with_typed_tools(Part part) const;
+  /// Of a command that reads programs and writes none: --dialect, which control runs them.
+  void add_dialect_option(CLI::App& command);
+  /// As it was typed. Throws InputError for a name that no control has.
+  std::optional<read::gcode::Dialect> dialect() const;
   const std::string& input() const { return input_; }
   /// mm; of the material, where it was typed.
   std::optional<double> top() const { return typed_.input.top; }
@@ -75,6 +82,7 @@ class PlanArguments {
   Part read_program_setup(int number, SetupPlace& place) const;
   Part on_what_is_left(Part part, Block block) const;
   std::vector<MachinedSetup> machined_before() const;
+  std::optional<read::gcode::Dialect> control(const PostOptions& of_job) const;
   ReadOptions read_options() const;
   std::vector<Tool> tools() const;
   ToolLibrary library() const;
@@ -93,6 +101,8 @@ class PlanArguments {
   Sources sources_;
   mutable StepChoices step_published_;  ///< likewise
   mutable StepSources step_sources_;    ///< of the part that was read
+  bool reads_programs_ = false;         ///< there is --dialect
+  std::optional<std::string> dialect_;  ///< as it was typed
 };
 
 /// The paths alone.

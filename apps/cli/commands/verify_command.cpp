@@ -27,25 +27,13 @@ struct VerifyCommand {
   std::string html;
   std::string sheet;
   std::string witness;
-  std::optional<std::string> dialect;
   bool prove = false;
   bool quiet = false;
 };
 
-std::optional<read::gcode::Dialect> dialect_of(const VerifyCommand& command) {
-  if (!command.dialect) return std::nullopt;
-  const auto dialect = read::gcode::dialect_named(*command.dialect);
-  if (!dialect)
-    throw InputError("--dialect",
-                     "'" + *command.dialect +
-                         "' is unknown; use one of linuxcnc, grbl, fanuc, haas, heidenhain, mach3, "
-                         "mach4, marlin");
-  return dialect;
-}
-
 /// As which control the program was read, where nobody has said.
 std::string dialect_line(const VerifyCommand& command, const CheckResult& result) {
-  if (command.dialect) return "";
+  if (command.arguments.dialect()) return "";
   return "read as a program for " + std::string(name_of(result.dialect)) + " (--dialect names another)\n";
 }
 
@@ -60,10 +48,10 @@ CheckResult checked_alone(const VerifyCommand& command, const std::string& progr
                           const PlanOptions& options) {
   if (!command.sheet.empty())
     throw InputError("--setup-sheet", "needs --part: a set-up sheet names what is made");
-  const double top = command.arguments.top().value_or(0);
+  const std::optional<double> top = command.arguments.top();
   std::optional<Stock> stock;
-  if (command.stock) stock = parse_stock(*command.stock, top);
-  return check_program_alone(stock, program, command.program, options, dialect_of(command), top);
+  if (command.stock) stock = parse_stock(*command.stock, top.value_or(0));
+  return check_program_alone(stock, program, command.program, options, command.arguments.dialect(), top);
 }
 
 Checked checked(const VerifyCommand& command) {
@@ -75,9 +63,9 @@ Checked checked(const VerifyCommand& command) {
   out.result = command.arguments.input().empty()
                    ? checked_alone(command, out.program, options)
                    : check_program(command.arguments.read(), out.program, command.program, options,
-                                   dialect_of(command));
+                                   command.arguments.dialect());
   CertificateBasis basis = certificate_basis("verify", command.arguments.input_files(), command.program);
-  basis.dialect_stated = command.dialect.has_value();
+  basis.dialect_stated = command.arguments.dialect().has_value();
   out.certificate = write_certificate(out.result, options, basis, out.program);
   return out;
 }
@@ -135,12 +123,9 @@ std::shared_ptr<VerifyCommand> declare_question(CLI::App& command) {
       ->type_name("FILE");
   state->arguments.add_part_options(command, "--part");
   state->arguments.add_tool_options(command);
+  state->arguments.add_steps_options(command);
   command.option_defaults()->group("Input");
-  command
-      .add_option("--dialect", state->dialect,
-                  "Control that runs it: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin "
-                  "(default: recognised)")
-      ->check(one_of({"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"}));
+  state->arguments.add_dialect_option(command);
   return state;
 }
 
@@ -152,7 +137,8 @@ void let_part_be_absent(CLI::App& command, VerifyCommand& state) {
     const bool of_part = group == "Drawings" || group == "Solids" || option->check_name("--unit") ||
                          option->check_name("--layer") || option->check_name("--depth") ||
                          option->check_name("--allowance") || option->check_name("--allowance-floor") ||
-                         option->check_name("--scallop");
+                         option->check_name("--scallop") || option->check_name("--rest") ||
+                         option->get_name().starts_with("--finish");
     if (of_part) option->needs(part);
   }
   command.option_defaults()->group("Input");

@@ -18,6 +18,7 @@
 #include "model/options/published_solver.h"
 #include "model/options/stepover.h"
 #include "model/part.h"
+#include "model/results/earlier_state.h"
 #include "model/work_material.h"
 
 namespace clearcut::inline model {
@@ -92,6 +93,7 @@ struct ResolvedPlan {
   Finish finish = Finish::kNone;
   std::optional<WorkMaterial> material;  ///< absent: no forces
   std::optional<Toolpath> earlier;       ///< a program that has run before on this stock
+  EarlierState earlier_state;            ///< what is known of `earlier` besides its moves
   std::vector<Condition> conditions;     ///< what the caller knows that must hold
   Machine machine;
   std::vector<std::string> accept;  ///< conditions that the user says hold at the machine

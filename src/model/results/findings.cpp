@@ -35,8 +35,9 @@ constexpr const char* kFaultNames[] = {"uncut",
                                        "feed too fast",
                                        "tapping",
                                        "stock to leave",
-                                       "more than it cuts"};
-static_assert(std::size(kFaultNames) == static_cast<std::size_t>(FaultKind::kMoreThanItCuts) + 1);
+                                       "more than it cuts",
+                                       "wrong units"};
+static_assert(std::size(kFaultNames) == static_cast<std::size_t>(FaultKind::kUnits) + 1);
 
 }  // namespace
 
@@ -95,7 +96,7 @@ std::vector<std::string> accept_conditions(Findings& findings, const std::vector
 std::string verdict_and_reasons(const Findings& findings) {
   std::string text = verdict_words(findings) + "\n";
   for (const Fault& fault : findings.faults)
-    text += std::string(name_of(fault.kind)) + ": " + fault.text + "\n";
+    if (fault.cause.empty()) text += std::string(name_of(fault.kind)) + ": " + fault.text + "\n";
   for (const Condition& one : open_conditions(findings)) {
     text += "condition " + one.name + ": " + one.text;
     if (one.line > 0) text += " (line " + std::to_string(one.line) + ")";

@@ -44,7 +44,8 @@ enum class FaultKind {
   kFeedTooFast,     ///< above the machine's highest feed
   kTapping,  ///< a tap whose feed is not its pitch times the speed, or that does not turn back on its way out
   kStockToLeave,  ///< stock that was to be left on a wall or a floor is cut away
-  kMoreThanItCuts  ///< a tool takes more than its kind can: sideways, or straight down without the hole that it needs
+  kMoreThanItCuts,  ///< a tool takes more than its kind can: sideways, or straight down without the hole that it needs
+  kUnits  ///< inches taken for mm, or the other way round: the program is 25.4 times too large or too small
 };
 const char* name_of(FaultKind kind);
 
@@ -54,6 +55,9 @@ struct Fault {
   Place at;
   double size = 0;   ///< mm (thickness, depth, length) as the kind says
   std::string text;  ///< one sentence for the user
+  /// The kind of the fault from which this one follows, which is counted there and not told by itself; "" where it stands alone. While
+  /// faults are looked for: what is wrong without its place, for those that say the same have one mistake behind them.
+  std::string cause{};
 };
 
 /// Angle of the cutter's circle in material, over all feed moves at depth after the entry.

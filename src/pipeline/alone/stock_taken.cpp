@@ -47,6 +47,24 @@ std::optional<Stock> box_of_cuts(const Toolpath& toolpath, const std::vector<Too
   return stock;
 }
 
+const Move* work_above(const Toolpath& toolpath, double top) {
+  const Move* highest = nullptr;
+  double crossing = top;   // height of the highest rapid across so far
+  bool came_down = false;  // to the present height, and not up to it
+  for (const Section& section : toolpath.sections) {
+    for (const Move& move : section.moves) {
+      const bool across = !move.is_vertical(), feeds = !is_rapid(move.kind);
+      if (!feeds && across) crossing = std::max(crossing, move.z_to);
+      if (move.z_to < move.z_from) came_down = feeds || move.z_to < crossing - kHeightSlack;
+      if (move.z_to > move.z_from) came_down = false;
+      const bool works = feeds && across && move.z_from <= move.z_to + kHeightSlack && came_down;
+      if (!works || low_z(move) <= top + kHeightSlack) continue;
+      if (!highest || move.z_to > highest->z_to) highest = &move;
+    }
+  }
+  return highest;
+}
+
 Condition stock_taken(const Stock& stock) {
   const auto range = [](const char* axis, double low, double high) {
     return fmt::format("{} {} to {}", axis, trimmed(low, 3), trimmed(high, 3));

@@ -17,6 +17,11 @@ namespace clearcut::pipeline {
 /// centres.
 std::optional<Stock> box_of_cuts(const Toolpath& toolpath, const std::vector<Tool>& tools, double top);
 
+/// The highest move along which the tool works above `top`, mm: a feed move across at a height to which the tool was fed down, or went
+/// down to at the rapid from where it crosses. Ways across at the feed, from where the tool rose to that height, are none. Null: nothing
+/// works up there.
+const Move* work_above(const Toolpath& toolpath, double top);
+
 /// That this box was taken for the stock.
 Condition stock_taken(const Stock& stock);
 

@@ -119,6 +119,15 @@ double top_left(const MachinedSetup& setup, const Stock& block) {
   return top;
 }
 
+/// With the number of the set-up before its sentence; its lines are those of another program.
+template <typename Said>
+void append_of_setup(std::size_t number, const std::vector<Said>& from, std::vector<Said>& to) {
+  for (Said one : from) {
+    one.text = "in the program of set-up " + std::to_string(number) + ": " + one.text;
+    to.push_back(std::move(one));
+  }
+}
+
 /// What is told of one earlier set-up.
 std::string told_of(std::size_t number, const SetupPlace& place, bool any) {
   const std::string whose = "of set-up " + std::to_string(number) + " ";
@@ -151,6 +160,10 @@ CarriedStock carried_stock(const std::vector<MachinedSetup>& earlier, const Setu
   out.block = moved(block, between(in, place));
   out.sweeps = sweeps.take();
   if (next.stock) out.conditions = meeting_floors(earlier, place, next, Tolerances{});
+  for (std::size_t i = 0; i < earlier.size(); ++i) {
+    append_of_setup(i + 1, earlier[i].conditions, out.conditions);
+    append_of_setup(i + 1, earlier[i].faults, out.faults);
+  }
   return out;
 }
 

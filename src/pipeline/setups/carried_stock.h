@@ -7,6 +7,7 @@
 #include "model/control.h"
 #include "model/move.h"
 #include "model/part.h"
+#include "model/results/findings.h"
 #include "model/setup_place.h"
 
 namespace clearcut::pipeline {
@@ -16,6 +17,9 @@ struct MachinedSetup {
   Part part;
   Toolpath toolpath;
   SetupPlace place;
+  /// Of its program, where nobody else tells the user: what must have held at the machine, and what is wrong.
+  std::vector<Condition> conditions = {};
+  std::vector<Fault> faults = {};
 };
 
 /// What earlier set-ups leave in the coordinates of a later one.
@@ -23,7 +27,9 @@ struct CarriedStock {
   Stock block;       ///< without what was faced off all over
   Toolpath sweeps;   ///< moves of cylinders that have cut away whatever is not there any more
   std::string told;  ///< what is carried and what is not, for people
-  std::vector<Condition> conditions;  ///< "floors-meet": see meeting_floors()
+  std::vector<Condition>
+      conditions;             ///< "floors-meet": see meeting_floors(); those of the programs that cut it
+  std::vector<Fault> faults;  ///< of the programs that cut it
 };
 
 /// The stock of a later set-up at `place` whose part is `next`.

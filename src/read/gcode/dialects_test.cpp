@@ -210,6 +210,48 @@ TEST(GcodeDialects, AreRecognised) {
   EXPECT_EQ(dialect("BEGIN PGM A MM\nEND PGM A MM"), "heidenhain");
 }
 
+/// Comments behind semicolons are Grbl's too: where it would wait or move otherwise, both are named.
+TEST(GcodeDialects, GrblOrMarlinIsACondition) {
+  const auto read = [](const std::string& text) { return read_gcode("G21 ; mm\nG90\n" + text, "t"); };
+  const auto names = [&](const std::string& text) {
+    const Program program = read(text);
+    return std::string(name_of(program.dialect)) + " " + names_of(program);
+  };
+  const std::string cut = "G0 X0 Y0 F900\nG0 Z5\nG1 Z-1 F100\nG0 Z5\nM5\n";
+  EXPECT_EQ(names("M3 S12000\nG4 P3\n" + cut), "grbl dialect@4");
+  EXPECT_EQ(names("M3 S200\nG4 P3000\n" + cut), "marlin dialect@4");
+  EXPECT_EQ(names("M3 S200\nG4 S3\n" + cut), "marlin ");
+  EXPECT_EQ(names("M3 S200\n" + cut), "marlin ") << "both do the same";
+  EXPECT_THAT(read("M3 S12000\nG4 P3\n" + cut).conditions.front().text, HasSubstr("marlin"));
+}
+
+TEST(GcodeDialects, UnitsOfVectricsPostsAreMachs) {
+  const std::string text =
+      "G00G20G17G90G40G49G80\nG70G91.1\nG61\nT1M06\nG00G43Z0.8H1\nM3 S9000\nG0X1Y1\nG1Z-1F9\nM30\n";
+  EXPECT_EQ(name_of(read_gcode(text, "t").dialect), "mach3");
+  EXPECT_THAT(refusal(Dialect::kLinuxCnc, "G70"), HasSubstr("--dialect mach3"));
+  EXPECT_THAT(refusal(Dialect::kGrbl, "G71"), HasSubstr("post G21"));
+}
+
+TEST(GcodeDialects, PolarWordsAreLinuxCncs) {
+  EXPECT_THAT(refusal(Dialect::kLinuxCnc, "G1 @5 ^60"), HasSubstr("LinuxCNC's word for polar"));
+}
+
+/// A machine file states offsets, and no shift that ran on from another program.
+TEST(GcodeConditions, AShiftFromOutsideIsRefusedWithAMachineFileToo) {
+  ReadControllerOptions options;
+  options.dialect = Dialect::kLinuxCnc;
+  options.places = MachinePlaces{};
+  const auto read = [&](const std::string& text) {
+    return read_gcode("G21 G90\n" + text + "\nM2\n", "t", options);
+  };
+  EXPECT_THROW(read("G92.3\nG0 X1"), InputError);
+  EXPECT_NO_THROW(read("G92 X5\nG92.2\nG92.3\nG0 X1"));
+  options.places->stated_origins = 6;
+  EXPECT_EQ(names_of(read("G61 G17 G55\nG0 X1")), "");
+  EXPECT_EQ(names_of(read("G61 G17 G59.1\nG0 X1")), "g59.1@2") << "that offset is not stated";
+}
+
 TEST(GcodeDialects, AWordThatOneControlAloneHasLeavesNoDoubt) {
   const auto asks = [](const std::string& blend) {
     const auto program = read_gcode(

@@ -20,6 +20,8 @@ using read::gcode::Block;
 
 /// mm; readings that differ by less move the cutter alike.
 constexpr double kSamePlace = 1e-6;
+/// s; likewise.
+constexpr double kSameWait = 1e-6;
 
 /// A tape's text lies between two '%'; a single one ends it.
 class TapeMarks {
@@ -166,11 +168,46 @@ void compare_dialects(Program& program, std::string_view text, const std::string
   }
 }
 
+std::vector<const ControlEvent*> waits_of(const ControlTable& control) {
+  std::vector<const ControlEvent*> waits;
+  for (const ControlEvent& event : control.events)
+    if (event.kind == ControlEventKind::kDwell) waits.push_back(&event);
+  return waits;
+}
+
+/// Says which other control's words these are as well, where that one would move or wait otherwise.
+void compare_rival(Program& program, Dialect rival, std::string_view text, const std::string& file_name,
+                   const ReadControllerOptions& options) {
+  Program other;
+  try {
+    other = read_as(rival, text, file_name, options).program;
+  } catch (const InputError&) {
+    return;  // that control would not take it
+  }
+  const std::string mine(name_of(program.dialect)), others(name_of(rival));
+  const std::string is_mine = "the control is a " + mine + ", as all of its words could be of a " + others;
+  if (const auto line = first_difference(program.toolpath, other.toolpath)) {
+    program.conditions.push_back({"dialect", is_mine + ", which would move otherwise from here", *line});
+    return;
+  }
+  const auto own_waits = waits_of(program.control), other_waits = waits_of(other.control);
+  for (std::size_t k = 0; k < std::min(own_waits.size(), other_waits.size()); ++k) {
+    if (std::abs(own_waits[k]->seconds - other_waits[k]->seconds) < kSameWait) continue;
+    program.conditions.push_back({"dialect",
+                                  is_mine + ", which would wait " + trimmed(other_waits[k]->seconds, 3) +
+                                      " s here and not " + trimmed(own_waits[k]->seconds, 3) + " s",
+                                  own_waits[k]->line});
+    return;
+  }
+}
+
 Program read_unnamed(std::string_view text, const std::string& file_name,
                      const ReadControllerOptions& options) {
   const Recognised likely = read::gcode::recognised(text, file_name);
   Reading reading = read_as(likely.dialect, text, file_name, options);
-  if (reading.depends_on_dialect && !likely.is_certain)
+  if (likely.rival)
+    compare_rival(reading.program, *likely.rival, text, file_name, options);
+  else if (reading.depends_on_dialect && !likely.is_certain)
     compare_dialects(reading.program, text, file_name, options);
   return std::move(reading.program);
 }

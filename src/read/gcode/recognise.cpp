@@ -28,7 +28,17 @@ struct Traits {
   bool tool = false;
   bool beyond_grbl = false;
   bool arcs_stated = false;  ///< G91.1
+  bool old_units = false;    ///< G70 or G71 that is no turning cycle
+  bool turns_said = false;   ///< an S word beyond the powers of Marlin's
+  bool marlin = false;       ///< G4 S, M106, M107: printers' words
 };
+
+/// The S word of controls that say a power with it goes up to this.
+constexpr double kFullPower = 255;
+
+bool is_turning_cycle(const Block& block) {
+  return block.has('P') || block.has('Q') || block.has('D') || block.has('U') || block.has('W');
+}
 
 void note_traits(const Block& block, std::string_view line, Traits& traits) {
   traits.percent = traits.percent || block.percent;
@@ -52,6 +62,8 @@ void note_traits(const Block& block, std::string_view line, Traits& traits) {
     traits.fanuc = traits.fanuc || code == 541 || code == 51;
     traits.linuxcnc = traits.linuxcnc || code == 281 || code == 301 || code == 923;
     traits.arcs_stated = traits.arcs_stated || code == 911;
+    traits.old_units = traits.old_units || ((code == 700 || code == 710) && !is_turning_cycle(block));
+    traits.marlin = traits.marlin || (code == 40 && block.has('S') && !block.has('P'));
     const bool known = group_of(code) == Group::kUnknown || knows_g(rules_of(Dialect::kGrbl), code);
     traits.beyond_grbl = traits.beyond_grbl || !known;
   }
@@ -61,20 +73,28 @@ void note_traits(const Block& block, std::string_view line, Traits& traits) {
       traits.last_m30 = m == 300;
     }
     traits.linuxcnc = traits.linuxcnc || (m >= 700 && m <= 730);
+    traits.marlin = traits.marlin || m == 1060 || m == 1070;
     traits.beyond_grbl = traits.beyond_grbl || m == 60;
   }
   traits.tool = traits.tool || block.has('T');
+  traits.turns_said = traits.turns_said || (block.has('S') && block.value('S') > kFullPower);
+}
+
+/// Grbl's and Marlin's programs look alike where all comments stand behind semicolons and nothing ends them.
+bool is_grbl_or_marlin(const Traits& traits) {
+  return traits.semicolons && !traits.parentheses && !traits.end && !traits.tool && !traits.beyond_grbl;
 }
 
 Dialect likeliest(const Traits& traits) {
   if (traits.haas) return Dialect::kHaas;
   if (traits.tape && traits.long_number) return Dialect::kHaas;
   if (traits.fanuc || traits.dwell_x || traits.tape) return Dialect::kFanuc;
-  if (traits.linuxcnc || traits.blend_bound || traits.length_plain) return Dialect::kLinuxCnc;
+  if (traits.linuxcnc || traits.blend_bound) return Dialect::kLinuxCnc;
+  if (traits.old_units) return Dialect::kMach3;
+  if (traits.length_plain) return Dialect::kLinuxCnc;
   if (traits.blend_plain && traits.length_numbered) return Dialect::kMach3;
-  if (traits.semicolons && !traits.parentheses && !traits.end && !traits.tool && !traits.beyond_grbl) {
-    return Dialect::kMarlin;
-  }
+  if (is_grbl_or_marlin(traits))
+    return traits.turns_said && !traits.marlin ? Dialect::kGrbl : Dialect::kMarlin;
   const bool grbl = !traits.beyond_grbl && traits.last_m30 && traits.arcs_stated && !traits.blend_plain;
   return grbl ? Dialect::kGrbl : Dialect::kLinuxCnc;
 }
@@ -93,7 +113,12 @@ Recognised recognised(std::string_view text, const std::string& file_name) {
     // The reader itself says what is wrong, where it is not behind the end.
   }
   const Dialect dialect = likeliest(traits);
-  return {dialect, dialect == Dialect::kLinuxCnc && (traits.linuxcnc || traits.blend_bound)};
+  Recognised found{dialect, dialect == Dialect::kLinuxCnc && (traits.linuxcnc || traits.blend_bound), {}};
+  if (is_grbl_or_marlin(traits) && !traits.marlin && dialect == Dialect::kGrbl)
+    found.rival = Dialect::kMarlin;
+  if (is_grbl_or_marlin(traits) && !traits.marlin && dialect == Dialect::kMarlin)
+    found.rival = Dialect::kGrbl;
+  return found;
 }
 
 }  // namespace clearcut::read::gcode

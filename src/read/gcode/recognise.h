@@ -1,6 +1,7 @@
 // Which control a program was written for, by the words it uses.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -10,7 +11,8 @@ namespace clearcut::read::gcode {
 
 struct Recognised {
   Dialect dialect = Dialect::kLinuxCnc;
-  bool is_certain = false;  ///< a word of it means nothing to any other control
+  bool is_certain = false;       ///< a word of it means nothing to any other control
+  std::optional<Dialect> rival;  ///< whose words they all are as well, so that waits are compared, too
 };
 
 /// The likeliest; never Klartext. Text that is no G-code counts up to its first fault.

@@ -294,6 +294,19 @@ TEST_F(Job, TheKeysInTheCommentsExist) {
   EXPECT_TRUE(read.machine.travel);
 }
 
+TEST(MachineFile, TravelIsOfTheMachineWhereTheWorkLiesInIt) {
+  std::string text = "[travel]\nx = [0, 300]\ny = [0, 200]\nz = [-80, 0]\n";
+  EXPECT_DOUBLE_EQ(home_z(read_machine_text(text, "mill.toml")), 0);
+  text += "[places]\nstart = [0, 0, 0]\ng28 = [0, 0, 0]\ng30 = [0, 0, 0]\n";
+  for (int g = 54; g < 60; ++g) text += "g" + std::to_string(g) + " = [10, 20, -60]\n";
+  const Machine machine = read_machine_text(text, "mill.toml");
+  EXPECT_DOUBLE_EQ(home_z(machine), 60);
+  EXPECT_DOUBLE_EQ(work_zero(machine, 1), 20);
+  EXPECT_EQ(machine.places->stated_origins, 6);
+  EXPECT_EQ(read_machine_text(text + "\"g59.1\" = [1, 2, 3]\n", "mill.toml").places->stated_origins, 7);
+  EXPECT_THROW(read_machine_text(text + "\"g59.2\" = [1, 2, 3]\n", "mill.toml"), InputError);
+}
+
 TEST(MachineFile, UnknownKeysAreRefused) {
   EXPECT_THROW(read_machine_text("accelaration = 3\n", "mill.toml"), InputError);
   EXPECT_THROW(read_machine_text("travel = {x = [0, 1]}\n", "mill.toml"), InputError);

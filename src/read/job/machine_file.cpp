@@ -43,10 +43,15 @@ MachinePlaces places_of(DataSection section) {
   places.reference = needed("g28");
   places.second_reference = needed("g30");
   const char* const systems[] = {"g54", "g55", "g56", "g57", "g58", "g59", "g59.1", "g59.2", "g59.3"};
+  constexpr std::size_t kNeeded = 6;
+  std::size_t stated = kNeeded;
   for (std::size_t i = 0; i < places.origins.size(); ++i) {
-    places.origins[i] =
-        i < 6 ? needed(systems[i]) : place_of(section, systems[i]).value_or(places.origins[0]);
+    const auto place = i < kNeeded ? needed(systems[i]) : place_of(section, systems[i]);
+    if (place && stated < i) needed(systems[stated]);  // they are stated in order, so that a count says which
+    if (place && i >= kNeeded) stated = i + 1;
+    places.origins[i] = place.value_or(places.origins[0]);
   }
+  places.stated_origins = static_cast<int>(stated);
   section.refuse_unknown();
   return places;
 }

@@ -177,6 +177,7 @@ Json fault(const Fault& findings) {
   json["line"] = findings.at.line;
   json["size_mm"] = number(findings.size);
   json["text"] = findings.text;
+  if (!findings.cause.empty()) json["follows_from"] = findings.cause;
   return json;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/text/format.h"
+#include "model/results/told_faults.h"
 #include "report/picture/job_view.h"
 #include "report/picture/palette.h"
 #include "report/text.h"
@@ -40,7 +41,8 @@ std::string badge_words(const Findings& findings) {
     case Verdict::kFaulty:
       break;
   }
-  return findings.faults.empty() ? "not clean" : "faulty: " + counted(findings.faults.size(), "fault");
+  const std::size_t faults = told_faults(findings).size();
+  return faults == 0 ? "not clean" : "faulty: " + counted(faults, "fault");
 }
 
 struct BadgeLook {
@@ -279,19 +281,20 @@ double draw_legend(SvgWriter& svg, const Job& job, Vec2 at) {
 }
 
 double draw_fault_list(SvgWriter& svg, const Findings& findings, Vec2 at, double width) {
-  if (findings.faults.empty()) return at.y;
+  const std::vector<Fault> faults = told_faults(findings);
+  if (faults.empty()) return at.y;
   const std::size_t letters = static_cast<std::size_t>(width / 7.2);
   svg.text(at, "Faults", text_style(16, report::palette::kBad, "bold"));
   double y = at.y + kLineHeight;
-  for (std::size_t i = 0; i < std::min(kFaultsListed, findings.faults.size()); ++i, y += 20) {
-    const Fault& fault = findings.faults[i];
+  for (std::size_t i = 0; i < std::min(kFaultsListed, faults.size()); ++i, y += 20) {
+    const Fault& fault = faults[i];
     const std::string where = fault.feature.empty() ? "" : ", " + fault.feature;
     const std::string line = fault.at.line > 0 ? fmt::format(", line {}", fault.at.line) : "";
     svg.text({at.x, y}, shortened(headline_of(fault) + where + line, letters),
              text_style(13, report::palette::kInk));
   }
-  if (findings.faults.size() > kFaultsListed) {
-    svg.text({at.x, y}, fmt::format("and {} more", findings.faults.size() - kFaultsListed),
+  if (faults.size() > kFaultsListed) {
+    svg.text({at.x, y}, fmt::format("and {} more", faults.size() - kFaultsListed),
              text_style(13, report::palette::kFaint));
     y += 20;
   }

@@ -2,6 +2,7 @@
 
 #include "base/inch.h"
 #include "base/text/format.h"
+#include "model/results/told_faults.h"
 #include "model/section_names.h"
 #include "report/picture/palette.h"
 #include "report/picture/plan_picture.h"
@@ -99,7 +100,7 @@ class Composer {
 
   std::vector<std::string> notes() const {
     std::vector<std::string> lines;
-    for (const Fault& fault : findings_.faults) lines.push_back("FAULT: " + fault.text);
+    for (const Fault& fault : told_faults(findings_)) lines.push_back("FAULT: " + fault.text);
     for (const Condition& one : findings_.conditions)
       lines.push_back((one.met_by.empty() ? "Must hold at the machine, " : "Holds (" + one.met_by + "), ") +
                       one.name + ": " + one.text);

@@ -7,6 +7,7 @@
 #include "base/elementary.h"
 #include "kinematics/kinematics.h"
 #include "model/cutter_profile.h"
+#include "model/results/told_faults.h"
 #include "report/condition_json.h"
 #include "report/picture/job_view.h"
 #include "report/picture/palette.h"
@@ -344,7 +345,7 @@ std::string html_data(const Part& part, const Toolpath& toolpath, const Findings
     json["features"].push_back(feature_json(job, static_cast<int>(i)));
   }
   json["faults"] = Json::array();
-  for (const Fault& fault : findings.faults) json["faults"].push_back(fault_json(fault));
+  for (const Fault& fault : told_faults(findings)) json["faults"].push_back(fault_json(fault));
   json["conditions"] = Json::array();
   for (const Condition& one : findings.conditions) json["conditions"].push_back(condition_json(one));
   json["figures"] = figures_json(findings.all);

@@ -9,6 +9,7 @@
 #include "base/text/format.h"
 #include "verify/attribution.h"
 #include "verify/engagement/tool_takes.h"
+#include "verify/faults/driving/cutting_data.h"
 #include "verify/faults/keep_out.h"
 #include "verify/faults/state_faults.h"
 #include "verify/faults/tapping.h"
@@ -110,7 +111,8 @@ class FaultFinder {
     double most = 0;
     int axis = -1;
     for (int i = 0; i < 3; ++i) {
-      const double over = std::max(limits[i][0] - low[i], high[i] - limits[i][1]);
+      const double zero = work_zero(options_.machine, static_cast<std::size_t>(i));
+      const double over = std::max(limits[i][0] - low[i] - zero, high[i] + zero - limits[i][1]);
       if (over > most + 1e-9) most = over, axis = i;
     }
     if (axis < 0) return std::nullopt;
@@ -120,24 +122,30 @@ class FaultFinder {
 
   std::optional<Fault> feed(const CheckedMove& checked) const {
     if (!checked.feeds() || checked.move->feed.mm_per_min() > 0) return std::nullopt;
-    return fault(FaultKind::kNoFeed, checked,
-                 {checked.move->path.from, checked.move->z_from, checked.move->line}, 0,
-                 "A feed move has no feed");
+    const std::string what = "A feed move has no feed";
+    return caused(what, fault(FaultKind::kNoFeed, checked,
+                              {checked.move->path.from, checked.move->z_from, checked.move->line}, 0, what));
   }
 
   std::optional<Fault> tool(const CheckedMove& checked) const {
     if (!checked.feeds() || (checked.tool && checked.tool->diameter > 0)) return std::nullopt;
     const std::string known = part_.is_shape_stated ? "part's tools" : "tools that were given";
-    return fault(FaultKind::kWrongTool, checked,
-                 {checked.move->path.from, checked.move->z_from, checked.move->line}, 0,
-                 checked.tool_number == 0
-                     ? "The program calls no tool before it cuts, and which of the " + known +
-                           " is meant nobody says; add a T word, or give one tool alone"
-                     : "Tool " + std::to_string(checked.tool_number) + " is not among the " + known +
-                           "; nothing is known of its moves");
+    const std::string what = checked.tool_number == 0
+                                 ? "The program calls no tool before it cuts, and which of the " + known +
+                                       " is meant nobody says; add a T word, or give one tool alone"
+                                 : "Tool " + std::to_string(checked.tool_number) + " is not among the " +
+                                       known + "; nothing is known of its moves";
+    return caused(what, fault(FaultKind::kWrongTool, checked,
+                              {checked.move->path.from, checked.move->z_from, checked.move->line}, 0, what));
   }
 
  private:
+  /// Wherever it is said again it has the same cause.
+  static Fault caused(const std::string& what, Fault fault) {
+    fault.cause = what;
+    return fault;
+  }
+
   /// Of the neck, or of the upper side of the disc.
   Fault gouge_of_t_slot(const CheckedMove& checked, const Place& place) const {
     const Gouge& gouge = *checked.gouge;
@@ -255,8 +263,9 @@ std::string why_nothing_is_cut(const FeatureWork& work, bool unreachable) {
          std::to_string(work.deepest->line);
 }
 
-/// The order of faults by severity: what breaks things first comes first.
-constexpr FaultKind kBySeverity[] = {FaultKind::kKeepOut,       FaultKind::kRapidInMaterial,
+/// The order of faults: the causes of others, then by severity, what breaks things first.
+constexpr FaultKind kBySeverity[] = {FaultKind::kUnits,         FaultKind::kWrongTool,
+                                     FaultKind::kKeepOut,       FaultKind::kRapidInMaterial,
                                      FaultKind::kHolder,        FaultKind::kGouge,
                                      FaultKind::kLoosePart,     FaultKind::kTapping,
                                      FaultKind::kThread,        FaultKind::kMoreThanItCuts,
@@ -267,8 +276,8 @@ constexpr FaultKind kBySeverity[] = {FaultKind::kKeepOut,       FaultKind::kRapi
                                      FaultKind::kTooDeep,       FaultKind::kOverEngagement,
                                      FaultKind::kSpindleSpeed,  FaultKind::kSpindleDirection,
                                      FaultKind::kOutsideTravel, FaultKind::kFeedTooFast,
-                                     FaultKind::kWrongTool,     FaultKind::kNoFeed,
-                                     FaultKind::kNothingCut,    FaultKind::kUncut};
+                                     FaultKind::kNoFeed,        FaultKind::kNothingCut,
+                                     FaultKind::kUncut};
 
 std::ptrdiff_t severity(FaultKind kind) {
   return std::find(std::begin(kBySeverity), std::end(kBySeverity), kind) - std::begin(kBySeverity);
@@ -298,13 +307,21 @@ std::vector<Fault> faults_of_moves(const Part& part, const CheckedProgram& progr
                                 [&](const CheckedMove& m) { return finder.travel(m); },
                                 [&](const CheckedMove& m) { return finder.feed(m); },
                                 [&](const CheckedMove& m) { return finder.tool(m); }};
-  for (MoveCheck& check : state_checks(part, program, options)) checks.push_back(std::move(check));
+  const HandWorks hands(program, options);
+  for (MoveCheck& check : state_checks(part, program, options, hands)) checks.push_back(std::move(check));
   for (MoveCheck& check : tapping_checks(part, program, options)) checks.push_back(std::move(check));
   std::vector<Fault> faults;
   collect(
       program.moves, [&](const CheckedMove& m) { return finder.gouge(m); }, Before::kMissing, faults);
   for (const MoveCheck& check : checks) collect(program.moves, check, Before::kNone, faults);
   return faults;
+}
+
+std::vector<Condition> conditions_of_moves(const CheckedProgram& program, const VerifyOptions& options) {
+  std::vector<Condition> conditions = HandWorks(program, options).conditions();
+  for (Condition& one : doubtful_cutting_data(program, options)) conditions.push_back(std::move(one));
+  for (Condition& one : conditions_of_taps(program, options)) conditions.push_back(std::move(one));
+  return conditions;
 }
 
 bool leaves_steps(const FeatureWork& work, const Scallop& scallop, const Tolerances& tol) {
@@ -348,6 +365,7 @@ std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& wor
 
 void sort_worst_first(std::vector<Fault>& faults) {
   std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) {
+    if (a.cause.empty() != b.cause.empty()) return a.cause.empty();  // what follows from others comes last
     if (a.kind != b.kind) return severity(a.kind) < severity(b.kind);
     return a.size > b.size;
   });

@@ -20,6 +20,9 @@ Fault fault_of(const Part& part, FaultKind kind, const CheckedMove& checked, con
 std::vector<Fault> faults_of_moves(const Part& part, const CheckedProgram& program,
                                    const VerifyOptions& options);
 
+/// What moves leave open: what is left to hands, and feeds and speeds that hardly anybody means.
+std::vector<Condition> conditions_of_moves(const CheckedProgram& program, const VerifyOptions& options);
+
 /// The level at which most is left, under walls with draft; the floor otherwise.
 const LevelCoverage& worst_level(const FeatureWork& work);
 

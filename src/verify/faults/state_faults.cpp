@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <set>
+#include <span>
 #include <string>
 
 #include "base/elementary.h"
@@ -28,9 +29,9 @@ Place end_of(const CheckedMove& checked) {
 
 class StateCheck {
  public:
-  StateCheck(const Part& part, const CheckedProgram& program, const VerifyOptions& options)
-      : part_(part), options_(options), changed_by_changer_(changer_tools(options)) {
-    find_lengths(program);
+  StateCheck(const Part& part, const CheckedProgram& program, const VerifyOptions& options,
+             const HandWorks& hands)
+      : part_(part), options_(options), hands_(hands) {
     find_short_waits(program);
     find_tapped(program);
   }
@@ -45,21 +46,22 @@ class StateCheck {
       if (length.kind == LengthKind::kOfTool && length.h == 0) return std::nullopt;
       if (accepted("tool-length-h" + h)) return std::nullopt;
       return fault(FaultKind::kToolLength, checked, 0,
-                   tool + " cuts with the length H" + h + " of another tool");
+                   tool + " cuts with the length H" + h + " of another tool (--accept tool-length-h" + h +
+                       " where it holds this one's)");
     }
     const bool off = length.kind == LengthKind::kOff || length.kind == LengthKind::kUnstated;
-    if (!off || !length_needed(checked) || accepted("tool-length-off")) return std::nullopt;
+    if (!off || !hands_.of(checked).lacks_length(checked) || accepted("tool-length-off")) return std::nullopt;
     return fault(FaultKind::kToolLength, checked, 0,
                  tool + (length.kind == LengthKind::kOff ? " cuts with its length taken back (G49)"
                                                          : " cuts without its length (G43)"));
   }
 
   std::optional<Fault> spindle(const CheckedMove& checked) const {
-    if (!checked.control || !checked.works()) return std::nullopt;
+    if (!checked.control || !checked.works() || hands_.of(checked).switches_spindle()) return std::nullopt;
     if (checked.control->spindle == SpindleState::kOff)
       return fault(FaultKind::kSpindleOff, checked, 0,
                    "The spindle stands while the cutter feeds into material");
-    if (checked.control->spindle_rpm <= 0)
+    if (checked.control->spindle_rpm <= 0 && !hands_.of(checked).sets_speed())
       return fault(FaultKind::kSpindleOff, checked, 0, "The spindle was started without a speed (S)");
     if (short_waits_.count(&checked) > 0)
       return fault(FaultKind::kSpindleOff, checked, 0,
@@ -81,7 +83,7 @@ class StateCheck {
   }
 
   std::optional<Fault> speed(const CheckedMove& checked) const {
-    if (!checked.control || !checked.works()) return std::nullopt;
+    if (!checked.control || !checked.works() || checked.control->spindle_rpm <= 0) return std::nullopt;
     const auto& of_machine = options_.machine.max_spindle_rpm;
     if (of_machine && is_beyond(checked, *of_machine))
       return too_fast(checked, "the machine has", *of_machine);
@@ -175,8 +177,11 @@ class StateCheck {
   }
 
  private:
+  /// Those that say the same have one cause.
   Fault fault(FaultKind kind, const CheckedMove& checked, double size, const std::string& what) const {
-    return fault_of(part_, kind, checked, end_of(checked), size, what);
+    Fault found = fault_of(part_, kind, checked, end_of(checked), size, what);
+    found.cause = what;
+    return found;
   }
 
   bool accepted(const std::string& name) const {
@@ -203,31 +208,6 @@ class StateCheck {
     return fault(FaultKind::kBeyondStock, checked, below,
                  (checked.feeds() ? "The cutter goes " : "A rapid goes ") + trimmed(below, 3) +
                      " mm below the bottom of the stock, into what it lies on");
-  }
-
-  /// The tools that a changer puts in, whose length nobody can measure in the spindle.
-  static std::set<int> changer_tools(const VerifyOptions& options) {
-    std::set<int> tools;
-    if (!options.control) return tools;
-    for (const ControlEvent& event : options.control->events) {
-      if (event.kind == ControlEventKind::kToolChange) tools.insert(event.tool);
-    }
-    return tools;
-  }
-
-  /// Finds the first move with a tool length; from it on, cutting without one is a fault.
-  void find_lengths(const CheckedProgram& program) {
-    for (const CheckedMove& checked : program.moves) {
-      if (!checked.control) continue;
-      const LengthKind kind = checked.control->length.kind;
-      if (first_with_length_ == nullptr && kind != LengthKind::kOff && kind != LengthKind::kUnstated)
-        first_with_length_ = &checked;
-    }
-  }
-
-  bool length_needed(const CheckedMove& checked) const {
-    if (first_with_length_ != nullptr && &checked >= first_with_length_) return true;
-    return options_.needs_tool_length ? !changed_by_changer_.empty() : changed_by_changer_.size() > 1;
   }
 
   /// Finds the first cuts after starts of the spindle that come sooner than the machine needs.
@@ -329,17 +309,35 @@ class StateCheck {
 
   const Part& part_;
   const VerifyOptions& options_;
-  std::set<int> changed_by_changer_;
-  const CheckedMove* first_with_length_ = nullptr;
+  const HandWorks& hands_;
   std::set<const CheckedMove*> short_waits_;
   std::set<const CheckedMove*> tapped_;
 };
 
 }  // namespace
 
+HandWorks::HandWorks(const CheckedProgram& program, const VerifyOptions& options) {
+  const auto begin = std::find_if(program.moves.begin(), program.moves.end(),
+                                  [](const CheckedMove& checked) { return !checked.earlier; });
+  const auto before = static_cast<std::size_t>(begin - program.moves.begin());
+  const std::span<const CheckedMove> moves(program.moves);
+  own = HandWork(moves.subspan(before), options.control, options);
+  earlier = HandWork(moves.first(before), options.earlier_control, options);
+}
+
+std::vector<Condition> HandWorks::conditions() const {
+  std::vector<Condition> all = own.conditions();
+  for (Condition& one : earlier.conditions()) {
+    one.text = "in the program before: " + one.text;
+    one.line = 0;
+    all.push_back(std::move(one));
+  }
+  return all;
+}
+
 std::vector<MoveCheck> state_checks(const Part& part, const CheckedProgram& program,
-                                    const VerifyOptions& options) {
-  const auto check = std::make_shared<const StateCheck>(part, program, options);
+                                    const VerifyOptions& options, const HandWorks& hands) {
+  const auto check = std::make_shared<const StateCheck>(part, program, options, hands);
   using Rule = std::optional<Fault> (StateCheck::*)(const CheckedMove&) const;
   std::vector<MoveCheck> checks;
   for (const Rule rule :

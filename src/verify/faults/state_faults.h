@@ -8,6 +8,7 @@
 
 #include "model/results/findings.h"
 #include "verify/checked_move.h"
+#include "verify/faults/hand_work.h"
 #include "verify/verify.h"
 
 namespace clearcut::verify {
@@ -15,10 +16,20 @@ namespace clearcut::verify {
 /// Returns the fault of one move with respect to one rule, if it has one.
 using MoveCheck = std::function<std::optional<Fault>(const CheckedMove&)>;
 
+/// What the program that is checked, and the one that ran before, leave to hands.
+struct HandWorks {
+  HandWork own, earlier;
+
+  HandWorks(const CheckedProgram& program, const VerifyOptions& options);
+  const HandWork& of(const CheckedMove& checked) const { return checked.earlier ? earlier : own; }
+  /// Of both.
+  std::vector<Condition> conditions() const;
+};
+
 /// One function for each rule. They keep references to all arguments. Only moves that remove material have
 /// faults.
 std::vector<MoveCheck> state_checks(const Part& part, const CheckedProgram& program,
-                                    const VerifyOptions& options);
+                                    const VerifyOptions& options, const HandWorks& hands);
 
 /// mm; how far below the stock a cut that goes through it may reach where no part says what goes through. Beyond it is a fault,
 /// up to there a condition.

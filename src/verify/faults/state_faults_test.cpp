@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <string>
 
+#include "model/results/told_faults.h"
 #include "verify/test_program.h"
 
 namespace clearcut::verify {
@@ -50,6 +53,12 @@ bool has(const Findings& findings, FaultKind kind) {
     if (fault.kind == kind) return true;
   }
   return false;
+}
+
+std::string names_of(const Findings& findings) {
+  std::string names;
+  for (const Condition& one : findings.conditions) names += (names.empty() ? "" : " ") + one.name;
+  return names;
 }
 
 std::string first(const Findings& findings) {
@@ -152,8 +161,107 @@ TEST(StateFaults, LengthOfAnotherToolAndNone) {
   none.events.push_back({ControlEventKind::kToolChange, 0, 1, 0, 1});
   VerifyOptions needing;
   needing.needs_tool_length = true;
-  EXPECT_TRUE(has(checked(pocket(), pocketing(), none, needing), FaultKind::kToolLength));
+  const Findings touched = checked(pocket(), pocketing(), none, needing);
+  EXPECT_FALSE(has(touched, FaultKind::kToolLength))
+      << "no length anywhere: touched off with the tool in the spindle";
+  EXPECT_EQ(names_of(touched), "tool-length-off");
   EXPECT_FALSE(has(checked(pocket(), pocketing(), none), FaultKind::kToolLength)) << "one tool, touched off";
+  ControlState with_length = none.spans[0].state;
+  with_length.length = {LengthKind::kNumbered, 1, 0};
+  none.spans.push_back({pocketing().sections[0].moves.size() - 1, 9, with_length});
+  EXPECT_TRUE(has(checked(pocket(), pocketing(), none, needing), FaultKind::kToolLength))
+      << "a program that uses lengths, but not here";
+}
+
+TEST(StateFaults, WhatNoWordSaysIsLeftToHands) {
+  ControlTable control = table([](ControlState& s) {
+    s.spindle = SpindleState::kOff;
+    s.spindle_rpm = 0;
+  });
+  EXPECT_TRUE(has(checked(pocket(), pocketing(), control), FaultKind::kSpindleOff));
+  control.spindle_said = control.speed_said = false;
+  const Findings by_hand = checked(pocket(), pocketing(), control);
+  EXPECT_TRUE(by_hand.faults.empty()) << first(by_hand);
+  EXPECT_EQ(names_of(by_hand), "spindle-by-hand");
+  ControlTable no_speed = table([](ControlState& s) { s.spindle_rpm = 0; });
+  no_speed.speed_said = false;
+  VerifyOptions limited;
+  limited.machine.min_spindle_rpm = 100;
+  const Findings by_dial = checked(pocket(), pocketing(), no_speed, limited);
+  EXPECT_TRUE(by_dial.faults.empty()) << first(by_dial);
+  EXPECT_EQ(names_of(by_dial), "speed-by-hand");
+}
+
+/// Of a program that ran before: what it cut counts only where its own state was right.
+TEST(StateFaults, OfAProgramBefore) {
+  Writer before;
+  before.enter({0, 0}, 0, -2).feed({3, 0}, -2);
+  const Toolpath earlier = before.done();
+  const ControlTable off = table([](ControlState& s) { s.spindle = SpindleState::kOff; });
+  VerifyOptions options;
+  options.earlier = &earlier;
+  EXPECT_FALSE(has(checked(pocket(), pocketing(), table(), options), FaultKind::kSpindleOff));
+  options.earlier_control = &off;
+  const Findings found = checked(pocket(), pocketing(), table(), options);
+  EXPECT_TRUE(has(found, FaultKind::kSpindleOff));
+  EXPECT_NE(first(found).find("in the program before"), std::string::npos) << first(found);
+}
+
+TEST(Causes, OneMistakeIsToldOnce) {
+  Writer writer;
+  for (const double x : {-6.0, 0.0, 6.0}) writer.enter({x, 0}, 0, -1).leave();
+  const Findings wrong_length = checked(pocket(), writer.done(), table([](ControlState& s) {
+                                          s.length = {LengthKind::kNumbered, 5, 0};
+                                        }));
+  const auto lengths = std::count_if(wrong_length.faults.begin(), wrong_length.faults.end(),
+                                     [](const Fault& fault) { return fault.kind == FaultKind::kToolLength; });
+  EXPECT_EQ(lengths, 1);
+}
+
+/// Nothing is known of what a tool cuts that is not among the part's: that it leaves the pocket uncut is no second fault.
+TEST(Causes, OfAToolThatIsNotKnown) {
+  Writer writer(7);
+  cut_square_rings(writer, {0, 0}, kRings, 0, -2);
+  Part part = pocket();
+  part.tools[0].number = 1;
+  part.tools.push_back(part.tools[0]);
+  part.tools[1].number = 2;
+  const Findings findings = checked(part, writer.done(), table());
+  ASSERT_EQ(told_faults(findings).size(), 1U) << first(findings);
+  EXPECT_EQ(findings.faults.front().kind, FaultKind::kWrongTool);
+  EXPECT_GT(findings.faults.size(), 1U) << "those that follow are kept";
+  EXPECT_EQ(findings.faults.back().cause, "wrong tool");
+}
+
+TEST(Causes, AProgramOfTheOtherUnit) {
+  for (const double scale : {25.4, 1 / 25.4}) {
+    Toolpath toolpath = pocketing();
+    for (Move& move : toolpath.sections[0].moves) {
+      move.path = Edge::line(move.path.from * scale, move.path.to * scale);
+      move.z_from *= scale;
+      move.z_to *= scale;
+    }
+    const Findings findings = checked(pocket(), toolpath, table());
+    ASSERT_FALSE(findings.faults.empty());
+    EXPECT_EQ(findings.faults.front().kind, FaultKind::kUnits) << scale;
+    EXPECT_EQ(told_faults(findings).size(), 1U) << scale;
+  }
+  Toolpath wide = pocketing();
+  for (Move& move : wide.sections[0].moves)
+    move.path = Edge::line(move.path.from + Vec2{30, 0}, move.path.to + Vec2{30, 0});
+  EXPECT_FALSE(has(checked(pocket(), wide, table()), FaultKind::kUnits)) << "elsewhere, of the right size";
+}
+
+/// In the machine's coordinates, where these say where the work lies.
+TEST(Travel, CountsFromWhereTheWorkLies) {
+  VerifyOptions options;
+  options.machine.travel = {{{0, 17}, {-50, 50}, {-50, 50}}};
+  EXPECT_TRUE(has(checked(pocket(), pocketing(), table(), options), FaultKind::kOutsideTravel));
+  options.machine.places = MachinePlaces{};
+  options.machine.places->origins[0] = {8, 0, 0};
+  EXPECT_FALSE(has(checked(pocket(), pocketing(), table(), options), FaultKind::kOutsideTravel));
+  options.machine.travel = {{{-8, 9}, {-50, 50}, {-50, 50}}};
+  EXPECT_TRUE(has(checked(pocket(), pocketing(), table(), options), FaultKind::kOutsideTravel));
 }
 
 TEST(StateFaults, PlungeFeedFlutesAndStock) {

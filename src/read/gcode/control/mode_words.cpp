@@ -38,6 +38,7 @@ void ModeWords::use_units(double unit) {
   }
   control_.modes.unit = unit;
   control_.units_said = true;
+  control_.builder.say_units(unit != 1, control_.line);
   if (unit != 1 && !control_.rules.inch_needs.empty())
     control_.condition("g20", std::string(control_.rules.inch_needs));
 }
@@ -104,6 +105,10 @@ void ModeWords::set_other(int code, const Block& block) {
     control_.condition(
         "blending",
         "G5.1 lets the control smooth the path within a bound of its own; the exact path is checked");
+  } else if (code == 700 || code == 710) {
+    control_.refuse(g_word(code) + " says " + (code == 700 ? "inches" : "mm") +
+                    " on Mach alone (Vectric's posts write it): name --dialect mach3, or post " +
+                    (code == 700 ? "G20" : "G21"));
   } else if (group == Group::kUnknown) {
     control_.refuse(g_word(code) + " is not read; post the program without it");
   }
@@ -160,7 +165,10 @@ void ModeWords::set_feed_and_drive(const Block& block, double feed_unit) {
   }
   if (block.has('S') && block.value('S') < 0) control_.refuse("S word below zero; correct it");
   const bool seconds = has_g(block, 40) && control_.rules.dwell_by_s;
-  if (block.has('S') && !seconds) control_.modes.speed = block.value('S');
+  if (block.has('S') && !seconds) {
+    control_.modes.speed = block.value('S');
+    control_.builder.say_speed();
+  }
   if (block.has('T')) select_tool(block);
   if (std::find(block.m.begin(), block.m.end(), 60) != block.m.end()) load_tool();
   for (const int m : block.m) set_drive(m, block);
@@ -227,6 +235,7 @@ void ModeWords::switch_coolant(int m) {
 }
 
 void ModeWords::set_drive(int m, const Block& block) {
+  if (m == 30 || m == 40 || m == 130 || m == 140 || m == 190) control_.builder.say_spindle();
   if (m != 60 && !knows_m(control_.rules, m)) return note_unknown(m);
   switch_coolant(m);
   if (m == 30 || m == 40 || m == 50) return control_.turn_spindle(m / 10);

@@ -186,7 +186,10 @@ void PlaceWords::shift(const Block& block) {
 void PlaceWords::clear_shift(int code) {
   if (code == 923) {
     if (!control_.frame.restore_local())
-      control_.refuse("G92.3 restores an offset from outside the program; post without it");
+      control_.refuse(
+          "G92.3 restores a shift from outside the program, which nothing states; post without it, or shift "
+          "by "
+          "G92 before");
     return;
   }
   control_.frame.clear_local(code == 922);
@@ -227,8 +230,10 @@ void PlaceWords::use_system(int code, const Block& block) {
 
 void PlaceWords::use_plain_system(int code) {
   const auto* const found = std::find(std::begin(kSystemWords), std::end(kSystemWords), code);
-  control_.frame.use_system(static_cast<int>(found - std::begin(kSystemWords)) + 1);
-  if (code == 540 || control_.options.places) return;
+  const int system = static_cast<int>(found - std::begin(kSystemWords)) + 1;
+  control_.frame.use_system(system);
+  const auto& places = control_.options.places;
+  if (code == 540 || (places && system <= places->stated_origins)) return;
   control_.condition(lower(g_word(code)), g_word(code) + " has its origin where the work's is");
 }
 

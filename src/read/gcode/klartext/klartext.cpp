@@ -96,6 +96,7 @@ void Reader::block(const Words& found) {
   if (first == "BEGIN" || first == "END") {
     ended_ = first == "END";
     unit_ = words.back() == "INCH" ? kMmPerInch : 1;
+    builder_.say_units(unit_ != 1, line_);
   } else if (first == "TOOL" && second == "CALL") {
     tool_call(words);
   } else if (first == "CYCL" && second == "CALL") {
@@ -132,6 +133,7 @@ void Reader::tool_call(const std::vector<std::string>& words) {
       if (word[0] == '"') builder_.warn(line_, "tools called by name have no number here");
     } else if (word[0] == 'S') {
       speed_ = std::abs(number(word.substr(1)));
+      builder_.say_speed();
     } else if (word.rfind("DR", 0) == 0 && number(word.substr(2)) != 0) {
       refuse("TOOL CALL with a radius correction DR; post the path of the tool's centre");
     } else if (word.rfind("DL", 0) == 0) {
@@ -225,6 +227,7 @@ void Reader::switch_coolant(int m) {
 void Reader::m_word(int m) {
   constexpr int kStill[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 13, 14, 30, 91, 92};
   if (m == 3 || m == 4 || m == 13 || m == 14) builder_.set_spindle(m % 10, line_);
+  if (m == 3 || m == 4 || m == 13 || m == 14 || m == 19) builder_.say_spindle();
   if (m == 5 || m == 6) builder_.set_spindle(5, line_);
   if (m <= 6 && m >= 3) spindle_ = m == 6 ? 5 : m;
   if (m == 13 || m == 14) spindle_ = m - 10;

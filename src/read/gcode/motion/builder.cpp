@@ -28,7 +28,9 @@ MoveKind guessed_kind(const Move& move, bool rapid) {
 
 ToolpathBuilder::ToolpathBuilder(BuilderSetup setup, Diagnostics& diagnostics,
                                  std::vector<Condition>& conditions)
-    : setup_(std::move(setup)), diagnostics_(diagnostics), conditions_(conditions), highest_(setup_.home_z) {}
+    : setup_(std::move(setup)), diagnostics_(diagnostics), conditions_(conditions), highest_(setup_.home_z) {
+  control_.spindle_said = control_.speed_said = false;
+}
 
 void ToolpathBuilder::begin_section(std::string label, int workingstep) {
   label_ = std::move(label);
@@ -73,6 +75,11 @@ void ToolpathBuilder::set_spindle(int m, int line) {
   if (turned && drive_turns_ && clockwise != drive.clockwise)
     add_event(ControlEventKind::kSpindleStart, line);
   if (turned && !drive_turns_) add_event(ControlEventKind::kSpindleStop, line);
+}
+
+void ToolpathBuilder::say_units(bool inch, int line) {
+  int& first = inch ? control_.inch_line : control_.mm_line;
+  if (first == 0) first = line;
 }
 
 void ToolpathBuilder::rapid(const Target& target, int line) {

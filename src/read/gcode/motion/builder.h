@@ -53,6 +53,10 @@ class ToolpathBuilder {
   void turn_tap_back(const TapCycle& tap, int line);
   /// The spindle turns (3, 4) or stops (5).
   void set_spindle(int m, int line);
+  /// A word was met that turns spindles, whatever it does here.
+  void say_spindle() { control_.spindle_said = true; }
+  void say_speed() { control_.speed_said = true; }
+  void say_units(bool inch, int line);
 
   void rapid(const Target& target, int line);
   void feed(const Target& target, MmPerMin feed, int line);

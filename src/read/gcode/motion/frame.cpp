@@ -5,7 +5,6 @@ namespace clearcut::read::gcode {
 Frame::Frame(const std::optional<std::array<Axes, kSystems>>& origins) {
   if (!origins) return;
   known_ = true;
-  kept_local_ = Axes{};
   origins_ = *origins;
   base_ = origins_[0];
 }

@@ -116,6 +116,12 @@ void BlockReader::parse_word(std::string_view line, std::size_t& at, Block& bloc
     throw InputError(place(block.line),
                      "parameters and expressions are not read; post the program with plain numbers");
   }
+  if (c == '@' || c == '^') {
+    throw InputError(place(block.line),
+                     shown(c) +
+                         " is LinuxCNC's word for polar coordinates (@ radius, ^ angle), which "
+                         "are not read; post X and Y");
+  }
   if (!is_letter(c) && c != ':') {
     throw InputError(place(block.line), "unexpected " + shown(c) + "; this is no G-code word");
   }

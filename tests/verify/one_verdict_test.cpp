@@ -1,0 +1,96 @@
+// A program has one verdict: that of its plan is that of reading it again as anybody's.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/random.h"
+#include "pipeline/check.h"
+#include "pipeline/run.h"
+#include "read/gcode/dialect.h"
+#include "read/read_part.h"
+#include "resolve/plan_options.h"
+
+namespace clearcut {
+namespace {
+
+constexpr const char* kControls[] = {"linuxcnc",   "grbl",  "fanuc", "haas",
+                                     "heidenhain", "mach3", "mach4", "marlin"};
+
+/// Verdict and the names of faults and conditions, those that are met included.
+std::string told(const Findings& findings) {
+  std::vector<std::string> names;
+  for (const Fault& fault : findings.faults) names.emplace_back(name_of(fault.kind));
+  for (const Condition& one : findings.conditions) names.push_back(one.name);
+  std::sort(names.begin(), names.end());
+  std::string text = name_of(verdict_of(findings));
+  for (const std::string& name : names) text += " " + name;
+  return text;
+}
+
+/// One to three pockets beside each other.
+std::string random_pockets(Random& random) {
+  std::string text = R"({"units": "mm", "pockets": [)";
+  double x = 0;
+  const auto count = 1 + random.below(3);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double w = 8 + 0.5 * static_cast<double>(random.below(30));
+    const double h = 8 + 0.5 * static_cast<double>(random.below(24));
+    const double depth = 0.5 + 0.25 * static_cast<double>(random.below(16));
+    const auto at = [](double px, double py) {
+      return "[" + std::to_string(px) + ", " + std::to_string(py) + "]";
+    };
+    text += (i ? ", " : "") + std::string(R"({"name": ")") + "ABC"[i] + R"(", "top": 0, "depth": )" +
+            std::to_string(depth) + R"(, "outer": [)" + at(x, 0) + ", " + at(x + w, 0) + ", " + at(x + w, h) +
+            ", " + at(x, h) + "]}";
+    x += w + 5;
+  }
+  return text + "]}";
+}
+
+resolve::PlanOptions random_options(Random& random) {
+  resolve::PlanOptions options;
+  const char* const wide[] = {"endmill:6", "endmill:4", "endmill:8"};
+  options.tools.push_back(resolve::parse_tool(wide[random.below(3)]));
+  if (random.below(2) == 0) {
+    options.tools.push_back(resolve::parse_tool("endmill:2"));
+    options.shop.rest = true;
+  }
+  options.post.dialect = kControls[random.below(8)];
+  options.post.length_offset = random.below(3) > 0;
+  options.post.tool_changer = random.below(4) > 0;
+  options.post.inch = random.below(5) == 0;
+  options.post.exact_stop = random.below(5) == 0;
+  if (random.below(3) == 0) options.stepdown = 1.5;
+  if (random.below(3) == 0) options.entry = EntryKind::kRamp;
+  options.strategy = "contour";
+  options.threads = 1;
+  return options;
+}
+
+TEST(OneVerdict, OfPlanAndVerify) {
+  Random random(20);
+  int compared = 0;
+  for (int i = 0; i < 40; ++i) {
+    const std::string text = random_pockets(random);
+    const resolve::PlanOptions options = random_options(random);
+    const Part part = read::read_part_text(text, "part.json", {});
+    pipeline::PlanResult plan;
+    try {
+      plan = pipeline::plan_part(part, options);
+    } catch (const InputError&) {
+      continue;  // the control, or the part, has no use for an option
+    }
+    const auto dialect = read::gcode::dialect_named(options.post.dialect);
+    const pipeline::CheckResult check =
+        pipeline::check_program(part, plan.program, "program", options, dialect);
+    EXPECT_EQ(told(plan.findings), told(check.findings)) << options.post.dialect << "\n" << text;
+    ++compared;
+  }
+  EXPECT_GT(compared, 30);
+}
+
+}  // namespace
+}  // namespace clearcut
