@@ -601,7 +601,9 @@ class PartReader {
     if (part_.floor >= part_.top) fail(*depth, "the depth must be above 0");
     if (const Json* stock = find(root_, "stock")) refuse_higher(*stock);
     add_outline(*outer);
-    if (const Json* islands = find(pocket, "islands"))
+    const Json* islands = find(pocket, "islands");
+    if (islands && islands->kind != '[') fail(*islands, "islands are a list of outlines");
+    if (islands)
       for (const Json& island : islands->items) add_outline(island);
     return part_;
   }
@@ -666,6 +668,7 @@ class PartReader {
     return c;
   }
   void add_outline(const Json& outline) {
+    if (outline.kind != '[') fail(outline, "an outline is a list of vertices");
     std::vector<std::pair<Point, Int>> vertices;
     for (const Json& item : outline.items) {
       if (item.kind != '[' || item.items.size() < 2 || item.items.size() > 3)
@@ -1002,7 +1005,8 @@ class KlartextReader {
     const Text second = tokens_.size() > 1 ? tokens_[1] : "";
     const Text last = tokens_.back();
     if (first == "BEGIN" || first == "END") {
-      if (second != "PGM" || (last != "MM" && last != "INCH")) fail("a unit is missing");
+      if (second != "PGM" || (first == "BEGIN" && track_.moved()) || (last != "MM" && last != "INCH"))
+        fail("a unit is missing, or a second program begins");
       unit_ = last == "MM" ? kMillimetre : kInch;
       ended_ = first == "END";
     } else if (first == "BLK" && second == "FORM") {
@@ -1289,6 +1293,9 @@ Wide slack_of(const Curve& c, Point u, Point v) {
   }
   const Point from = (c.clockwise ? v : u) - c.center, to = (c.clockwise ? u : v) - c.center;
   const auto passes = [&](Point ray) { return cross(from, ray) > 0 && cross(ray, to) > 0; };
+  const auto along = [](Point p, Point ray) { return cross(p, ray) == 0 && dot(p, ray) > 0; };
+  // Forward from the last ray, or on to the first one, would be a second turn.
+  if (along(from, c.last) || along(to, c.first)) return -1;
   if (cross(from, to) <= 0 || !c.sees(from) || !c.sees(to) || passes(c.first) || passes(c.last)) return -1;
   const Wide error = chord_error(c, from, to);
   return error <= kWidestPiece ? error : -1;
