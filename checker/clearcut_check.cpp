@@ -365,6 +365,21 @@ class BoxTree {
   std::vector<Box> nodes_;
 };
 
+/// v turned by an angle in 1/10000 degrees, to the nearest place but for 1 nm. Series for sine and cosine of less than 90 degrees in units of 2^-60.
+Point turned(Point v, Int angle) {
+  angle = (angle % 3'600'000 + 3'600'000) % 3'600'000;
+  for (; angle >= 900'000; angle -= 900'000) v = {-v.y, v.x};
+  const Wide one = Wide(1) << 60, pi = 3'622'009'729'038'561'421;  // pi * 2^60
+  const Wide x = pi * angle / 1'800'000;
+  Wide term = one, cosine = 0, sine = 0;
+  for (int n = 0; n < 40; ++n) {
+    (n % 2 ? sine : cosine) += n % 4 < 2 ? term : -term;
+    term = term * x / one / (n + 1);
+  }
+  return {Int(nearest_quotient(v.x * cosine - v.y * sine, one)),
+          Int(nearest_quotient(v.x * sine + v.y * cosine, one))};
+}
+
 // ---------------------------------------------------------------------------------------------- numbers and files
 
 /// digits * 10^exponent; `point` where one was written.
@@ -773,6 +788,7 @@ class Track {
   bool moved() const { return !out_.moves.empty() || known_z_; }
   bool at_home() const { return !known_z_ || z_ == kHome; }
   Point at() const { return at_; }
+  Int height() const { return known_z_ ? z_ : kHome; }
   void set_line(const Text& file, int line) { file_ = file, line_ = line; }
   Text where() const { return file_ + ":" + text(line_); }
 
@@ -1029,6 +1045,8 @@ class KlartextReader {
       has_center_ = true;
     } else if (first == "C") {
       arc();
+    } else if (first == "CP") {
+      helix();
     } else {
       fail("'" + first + "' is not claimed");
     }
@@ -1091,6 +1109,25 @@ class KlartextReader {
     if (!has_center_ || has("DR+") == has("DR-") || !to.x || !to.y || to.z)
       fail("an arc needs CC, X, Y and DR");
     track_.arc(to, center_, has("DR-"));
+  }
+  /// CP IPA+angle IZ-depth DR+. It ends where its angle says, within 2 nm of a whole place: that counts as blending from here on.
+  void helix() {
+    if (tokens_.size() < 4 || tokens_[1].substr(0, 3) != "IPA" || tokens_[2].substr(0, 2) != "IZ" ||
+        !has_center_)
+      fail("a helix needs CC, IPA, IZ and DR");
+    std::size_t at = 3;
+    const Int turn = scaled(number_at(tokens_[1], at, false, track_.where()), 10'000, true, track_.where());
+    const Int rise = length(tokens_[2].substr(1));
+    const std::size_t angle_size = tokens_[1].size();
+    tokens_ = {tokens_.begin() + 2, tokens_.end()};
+    target({"DR+", "DR-"});
+    if (at != angle_size || turn == 0 || turn > 3'600'000 || turn < -3'600'000 || has("DR-") != (turn < 0) ||
+        has("DR+") != (turn > 0))
+      fail("a helix of more than a turn, or that turns another way than it says");
+    Track::Target to{true, true, true, center_ + turned(track_.at() - center_, turn), track_.height() + rise};
+    if (turn == 3'600'000 || turn == -3'600'000) to.at = track_.at();
+    out_.blending += 2;
+    track_.arc(to, center_, turn < 0);
   }
 
   Text file_;

@@ -220,6 +220,12 @@ def piece_question(r):
     return ["piece"] + flat((0, 0), first, last, low, high, u, v), right
 
 
+def turned_question(r):
+    """A whole number of 1/10000 degrees; the right answer by complex numbers of 53 bits, good to 1e-6 nm here."""
+    v, angle = near(r, r.choice([3, 10**6, 2**29])), r.choice([r.randint(-3_600_000, 3_600_000), 900_000 * r.randint(-4, 4)])
+    return ["turned"] + flat(v, angle), complex(*v) * complex(math.cos(math.radians(angle / 1e4)), math.sin(math.radians(angle / 1e4)))
+
+
 def ask(program, questions):
     text = "\n".join(" ".join(q) for q in questions) + "\n"
     return subprocess.run([program], input=text, capture_output=True, text=True, check=True).stdout.splitlines()
@@ -257,7 +263,13 @@ def main():
         if (int(answer) >= 0) != right:
             faults += 1
             print("wrong:", " ".join(question), "follows the wall" if right else "does not follow the wall")
-    print(f"{6 * count} questions, {faults} faults")
+    asked = [turned_question(r) for _ in range(count)]
+    for (question, right), answer in zip(asked, ask(program, [q for q, _ in asked])):
+        x, y = map(int, answer.split())
+        if abs(x - right.real) > 0.501 or abs(y - right.imag) > 0.501:
+            faults += 1
+            print("wrong:", " ".join(question), "is", right, "not", answer)
+    print(f"{7 * count} questions, {faults} faults")
     return 1 if faults else 0
 
 
