@@ -365,6 +365,21 @@ class BoxTree {
   std::vector<Box> nodes_;
 };
 
+/// v turned by an angle in 1/10000 degrees, to the nearest place but for 1 nm. Series for sine and cosine of less than 90 degrees in units of 2^-60.
+Point turned(Point v, Int angle) {
+  angle = (angle % 3'600'000 + 3'600'000) % 3'600'000;
+  for (; angle >= 900'000; angle -= 900'000) v = {-v.y, v.x};
+  const Wide one = Wide(1) << 60, pi = 3'622'009'729'038'561'421;  // pi * 2^60
+  const Wide x = pi * angle / 1'800'000;
+  Wide term = one, cosine = 0, sine = 0;
+  for (int n = 0; n < 40; ++n) {
+    (n % 2 ? sine : cosine) += n % 4 < 2 ? term : -term;
+    term = term * x / one / (n + 1);
+  }
+  return {Int(nearest_quotient(v.x * cosine - v.y * sine, one)),
+          Int(nearest_quotient(v.x * sine + v.y * cosine, one))};
+}
+
 // ---------------------------------------------------------------------------------------------- numbers and files
 
 /// digits * 10^exponent; `point` where one was written.
@@ -601,7 +616,9 @@ class PartReader {
     if (part_.floor >= part_.top) fail(*depth, "the depth must be above 0");
     if (const Json* stock = find(root_, "stock")) refuse_higher(*stock);
     add_outline(*outer);
-    if (const Json* islands = find(pocket, "islands"))
+    const Json* islands = find(pocket, "islands");
+    if (islands && islands->kind != '[') fail(*islands, "islands are a list of outlines");
+    if (islands)
       for (const Json& island : islands->items) add_outline(island);
     return part_;
   }
@@ -666,6 +683,7 @@ class PartReader {
     return c;
   }
   void add_outline(const Json& outline) {
+    if (outline.kind != '[') fail(outline, "an outline is a list of vertices");
     std::vector<std::pair<Point, Int>> vertices;
     for (const Json& item : outline.items) {
       if (item.kind != '[' || item.items.size() < 2 || item.items.size() > 3)
@@ -770,6 +788,7 @@ class Track {
   bool moved() const { return !out_.moves.empty() || known_z_; }
   bool at_home() const { return !known_z_ || z_ == kHome; }
   Point at() const { return at_; }
+  Int height() const { return known_z_ ? z_ : kHome; }
   void set_line(const Text& file, int line) { file_ = file, line_ = line; }
   Text where() const { return file_ + ":" + text(line_); }
 
@@ -1002,7 +1021,8 @@ class KlartextReader {
     const Text second = tokens_.size() > 1 ? tokens_[1] : "";
     const Text last = tokens_.back();
     if (first == "BEGIN" || first == "END") {
-      if (second != "PGM" || (last != "MM" && last != "INCH")) fail("a unit is missing");
+      if (second != "PGM" || (first == "BEGIN" && track_.moved()) || (last != "MM" && last != "INCH"))
+        fail("a unit is missing, or a second program begins");
       unit_ = last == "MM" ? kMillimetre : kInch;
       ended_ = first == "END";
     } else if (first == "BLK" && second == "FORM") {
@@ -1025,6 +1045,8 @@ class KlartextReader {
       has_center_ = true;
     } else if (first == "C") {
       arc();
+    } else if (first == "CP") {
+      helix();
     } else {
       fail("'" + first + "' is not claimed");
     }
@@ -1087,6 +1109,25 @@ class KlartextReader {
     if (!has_center_ || has("DR+") == has("DR-") || !to.x || !to.y || to.z)
       fail("an arc needs CC, X, Y and DR");
     track_.arc(to, center_, has("DR-"));
+  }
+  /// CP IPA+angle IZ-depth DR+. It ends where its angle says, within 2 nm of a whole place: that counts as blending from here on.
+  void helix() {
+    if (tokens_.size() < 4 || tokens_[1].substr(0, 3) != "IPA" || tokens_[2].substr(0, 2) != "IZ" ||
+        !has_center_)
+      fail("a helix needs CC, IPA, IZ and DR");
+    std::size_t at = 3;
+    const Int turn = scaled(number_at(tokens_[1], at, false, track_.where()), 10'000, true, track_.where());
+    const Int rise = length(tokens_[2].substr(1));
+    const std::size_t angle_size = tokens_[1].size();
+    tokens_ = {tokens_.begin() + 2, tokens_.end()};
+    target({"DR+", "DR-"});
+    if (at != angle_size || turn == 0 || turn > 3'600'000 || turn < -3'600'000 || has("DR-") != (turn < 0) ||
+        has("DR+") != (turn > 0))
+      fail("a helix of more than a turn, or that turns another way than it says");
+    Track::Target to{true, true, true, center_ + turned(track_.at() - center_, turn), track_.height() + rise};
+    if (turn == 3'600'000 || turn == -3'600'000) to.at = track_.at();
+    out_.blending += 2;
+    track_.arc(to, center_, turn < 0);
   }
 
   Text file_;
@@ -1289,6 +1330,9 @@ Wide slack_of(const Curve& c, Point u, Point v) {
   }
   const Point from = (c.clockwise ? v : u) - c.center, to = (c.clockwise ? u : v) - c.center;
   const auto passes = [&](Point ray) { return cross(from, ray) > 0 && cross(ray, to) > 0; };
+  const auto along = [](Point p, Point ray) { return cross(p, ray) == 0 && dot(p, ray) > 0; };
+  // Forward from the last ray, or on to the first one, would be a second turn.
+  if (along(from, c.last) || along(to, c.first)) return -1;
   if (cross(from, to) <= 0 || !c.sees(from) || !c.sees(to) || passes(c.first) || passes(c.last)) return -1;
   const Wide error = chord_error(c, from, to);
   return error <= kWidestPiece ? error : -1;

@@ -97,9 +97,10 @@ TEST(Witness, VerifyProvesByTheCheckerAlone) {
   EXPECT_EQ(proved.exit_code, 0);
   EXPECT_THAT(proved.out, HasSubstr("proved by witness (checked in "));
   std::string program = read_file(folder.path("b.nc"));
-  const std::size_t at = program.find("G1 X50.583");
+  const std::string line = "X14.5 Y10.3825\n";
+  const std::size_t at = program.find(line);
   ASSERT_NE(at, std::string::npos);
-  folder.file("b.nc", program.replace(at, 10, "G1 X52.583"));
+  folder.file("b.nc", program.replace(at, line.size(), "X14.5 Y14.3825\n"));
   const CommandResult wrong = run_clearcut(verify);
   EXPECT_EQ(wrong.exit_code, 1);
   EXPECT_THAT(wrong.out, HasSubstr("NOT PROVED: "));

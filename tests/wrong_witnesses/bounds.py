@@ -198,6 +198,34 @@ def chord_question(r):
     return ["chord"] + flat(arc, u, v), exact
 
 
+def piece_question(r):
+    """A piece of a boundary along a wall of more than 180 degrees: forward within it, or over its gap."""
+    radius = r.choice([10_000, 10**6])
+    start, turn = r.uniform(0, 6.28), r.uniform(3.3, 6.1)
+    first, last = on_circle(r, radius, start), on_circle(r, radius, start + turn)
+    low, high = radius - 2, radius + 2
+    at = r.uniform(0, turn - 0.2)
+    wide = min(100_000 / radius, 0.1)
+    scale = r.randint(1, 3)
+    u, v, right = r.choice([
+        (on_circle(r, radius, start + at), on_circle(r, radius, start + at + wide), True),
+        (on_circle(r, radius, start + at + wide), on_circle(r, radius, start + at), False),
+        (last, first, False),
+        ((scale * last[0], scale * last[1]), on_circle(r, radius, start + turn + 0.01), False),
+        (on_circle(r, radius, start - 0.01), first, False),
+        (on_circle(r, radius, start + turn - 0.01), on_circle(r, radius, start + 0.01), False),
+        (first, on_circle(r, radius, start + wide), True),
+        (on_circle(r, radius, start + turn - wide), last, True),
+    ])
+    return ["piece"] + flat((0, 0), first, last, low, high, u, v), right
+
+
+def turned_question(r):
+    """A whole number of 1/10000 degrees; the right answer by complex numbers of 53 bits, good to 1e-6 nm here."""
+    v, angle = near(r, r.choice([3, 10**6, 2**29])), r.choice([r.randint(-3_600_000, 3_600_000), 900_000 * r.randint(-4, 4)])
+    return ["turned"] + flat(v, angle), complex(*v) * complex(math.cos(math.radians(angle / 1e4)), math.sin(math.radians(angle / 1e4)))
+
+
 def ask(program, questions):
     text = "\n".join(" ".join(q) for q in questions) + "\n"
     return subprocess.run([program], input=text, capture_output=True, text=True, check=True).stdout.splitlines()
@@ -230,7 +258,18 @@ def main():
         if not exact - Fraction(1, 10**6) <= int(answer) <= exact + 3:
             faults += 1
             print("wrong:", " ".join(question), "is", float(exact), "not", answer)
-    print(f"{5 * count} questions, {faults} faults")
+    asked = [piece_question(r) for _ in range(count)]
+    for (question, right), answer in zip(asked, ask(program, [q for q, _ in asked])):
+        if (int(answer) >= 0) != right:
+            faults += 1
+            print("wrong:", " ".join(question), "follows the wall" if right else "does not follow the wall")
+    asked = [turned_question(r) for _ in range(count)]
+    for (question, right), answer in zip(asked, ask(program, [q for q, _ in asked])):
+        x, y = map(int, answer.split())
+        if abs(x - right.real) > 0.501 or abs(y - right.imag) > 0.501:
+            faults += 1
+            print("wrong:", " ".join(question), "is", right, "not", answer)
+    print(f"{7 * count} questions, {faults} faults")
     return 1 if faults else 0
 
 

@@ -54,6 +54,14 @@ int main() {
       const Curve c = arc();
       const Point u = point(), v = point();
       std::cout << Int(chord_error(c, u, v));
+    } else if (what == "piece") {  // arc, from and to, seen from its center
+      const Curve c = arc();
+      const Point u = point(), v = point();
+      std::cout << Int(slack_of(c, c.center + u, c.center + v));
+    } else if (what == "turned") {  // v, angle in 1/10000 degrees
+      const Point v = point();
+      const Point p = turned(v, length());
+      std::cout << p.x << ' ' << p.y;
     } else if (what == "chords") {  // arc
       const Chords all = chords_of(arc());
       std::cout << Int(all.error) << ' ' << all.points.size();
