@@ -49,10 +49,11 @@ double unit_of(const std::string& text, double unit) {
 
 /// mm; the diameter that a comment states, `unit` mm where it says none. A kind of tool beside it makes a plain size one.
 std::optional<double> diameter_in(const std::string& comment, double unit, bool has_kind) {
-  static const std::regex said(R"((?:\bd|dia(?:m(?:eter)?)?\.?)\s*[:=]?\s*(\d*\.?\d+)\s*(mm|in\b|inch|")?)");
-  static const std::regex with_unit(R"((\d*\.?\d+)\s*(mm|in\b|inch|"))");
-  static const std::regex behind_bar(R"(\|\s*(\d*\.?\d+)\s)");
-  static const std::regex behind_colon(R"(^\s*t\s*\d+\s*:\s*(\d*\.?\d+)\s*$)");
+  static const std::regex said(
+      R"((?:\bd|dia(?:m(?:eter)?)?\.?)\s*[:=]?\s*(\d+\.?\d*|\.\d+)\s*(mm|in\b|inch|")?)");
+  static const std::regex with_unit(R"((\d+\.?\d*|\.\d+)\s*(mm|in\b|inch|"))");
+  static const std::regex behind_bar(R"(\|\s*(\d+\.?\d*|\.\d+)\s)");
+  static const std::regex behind_colon(R"(^\s*t\s*\d+\s*:\s*(\d+\.?\d*|\.\d+)\s*$)");
   static const std::regex fraction(R"((\d+)\s*/\s*(\d+)\s*(?:in\b|inch|"))");
   std::smatch found;
   if (std::regex_search(comment, found, fraction)) {
@@ -77,7 +78,7 @@ int number_in_comment(const std::string& comment) {
 
 /// ":corner=1" of a bull-nose mill, "" of others.
 std::string corner_in(const std::string& comment, double unit, double diameter) {
-  static const std::regex corner(R"(\bcr\s*=\s*(\d*\.?\d+))");
+  static const std::regex corner(R"(\bcr\s*=\s*(\d+\.?\d*|\.\d+))");
   std::smatch found;
   if (!std::regex_search(comment, found, corner)) return "";
   const double radius = std::atof(found[1].str().c_str()) * unit;
@@ -119,7 +120,7 @@ Parts parts_of(std::string_view line) {
 
 /// The T word of a line's code, 0 where it has none.
 int called_in(const std::string& code) {
-  static const std::regex call(R"((?:^|[^a-z])(?:t|tool call )\s*0*(\d{1,4})\b)");
+  static const std::regex call(R"((?:^|[^a-z])(?:t|tool call )\s*0*(\d{1,4})(?!\d))");
   std::smatch found;
   return std::regex_search(code, found, call) ? std::atoi(found[1].str().c_str()) : 0;
 }
