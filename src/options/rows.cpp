@@ -527,7 +527,7 @@ std::vector<Row> strategy_rows() {
                  "lom-corrected", "rho-corrected", "fixed", "loops", "pwid", "single", "double", "bisectors"},
        .table = JobTable::kPlan,
        .is_of_operations = true,
-       .effect = {kAllInputs, clears_nothing}},
+       .effect = {kAllInputs, mills_nothing}},
       {.name = "style",
        .group = Group::kStrategy,
        .level = Level::kFirst,
