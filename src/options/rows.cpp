@@ -369,7 +369,8 @@ std::vector<Row> machine_rows() {
        .group = Group::kMachine,
        .level = Level::kFirst,
        .kind = kFile,
-       .sentence = "Machine: a name that `clearcut machines` lists, Grbl's $$, LinuxCNC's .ini, Marlin's M503, or a .toml",
+       .sentence = "Machine: a name that `clearcut machines` lists, Grbl's $$, LinuxCNC's .ini, Marlin's "
+                   "M503, or a .toml",
        .field = CLEARCUT_FIELD(input.machine_file),
        .table = JobTable::kMachine,
        .key = "file",

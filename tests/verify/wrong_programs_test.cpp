@@ -118,7 +118,8 @@ TEST_P(WrongPrograms, GetTheVerdictTheyDeserve) {
 INSTANTIATE_TEST_SUITE_P(Classes, WrongPrograms,
                          ::testing::Values("motion", "comments", "dialects", "conditions", "state",
                                            "blending", "small", "cycles", "limits", "worst", "holes", "alone",
-                                           "habits", "holder", "cutters", "leaves", "entries", "takes", "taps"),
+                                           "habits", "holder", "cutters", "leaves", "entries", "takes",
+                                           "taps"),
                          [](const auto& one) { return one.param; });
 
 /// Every right program that states its dialect is taken, and each class has right twins or accepted ones.

@@ -267,7 +267,9 @@ std::optional<read::gcode::Dialect> PlanArguments::dialect() const {
 
 /// The one that runs programs that were written before: as it was named, else the one that is posted for.
 std::optional<read::gcode::Dialect> PlanArguments::control(const PostOptions& of_job) const {
-  return reads_programs_ ? dialect() : read::gcode::dialect_named(values_.has("post") ? typed_.plan.post.dialect : of_job.dialect);
+  return reads_programs_
+             ? dialect()
+             : read::gcode::dialect_named(values_.has("post") ? typed_.plan.post.dialect : of_job.dialect);
 }
 
 std::vector<Tool> PlanArguments::tools() const {

@@ -86,7 +86,7 @@ class P21File {
   void index_ids();
   std::vector<std::uint32_t> by_id_;  ///< indices into entities, by id
   std::unique_ptr<UseLedger> uses_ = std::make_unique<UseLedger>();
-  std::vector<char> text_;            ///< what every string_view above points into
+  std::vector<char> text_;  ///< what every string_view above points into
 };
 
 /// Reads the whole exchange structure: comments anywhere, header, any number of DATA sections (with or

@@ -126,8 +126,8 @@ void Reader::check_fillet(const Draft& draft, const std::vector<std::size_t>& st
     const double down = radius - corner - operation.allowance_floor;
     if (aside > 0 && down > 0) deepest = std::max(deepest, base::hypot(aside, down) + corner - radius);
   }
-  const std::string asked = "the floor fillet of " + draft.node.label() + " of " +
-                            trimmed(draft.floor_fillet->size, 3) + " mm";
+  const std::string asked =
+      "the floor fillet of " + draft.node.label() + " of " + trimmed(draft.floor_fillet->size, 3) + " mm";
   const std::string where = context_.file.place(draft.node.line());
   if (deepest > kLevel)
     context_.diagnostics.doubt(where, kNotFollowed,
