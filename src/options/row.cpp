@@ -79,9 +79,9 @@ std::string unit_of(const Row& row) {
 void check_number(const Row& row, double value, const std::string& place) {
   if (!std::isfinite(value)) throw InputError(place, "must be a finite number");
   if (row.kind == ValueKind::kWhole && value != std::floor(value))
-    throw InputError(place, "must be a whole number; it is " + trimmed(value, kDigits));
+    throw InputError(place, fmt::format("must be a whole number; it is {}", value));
   const std::string reason = beyond_range(value, row.range, unit_of(row));
-  if (!reason.empty()) throw InputError(place, reason + "; it is " + trimmed(value, kDigits));
+  if (!reason.empty()) throw InputError(place, fmt::format("{}; it is {}", reason, value));
 }
 
 void check_name(const Row& row, const std::string& name, const std::string& place) {

@@ -93,6 +93,8 @@ struct Row {
   std::string key = {};          ///< in that table; "": the name with underscores
   std::string example = {};      ///< of a value, for a job that shows how; "": one that the kind gives
   bool key_is_opposite = false;  ///< "no-arcs" is arcs = false
+  /// Names that a job may write as false and true; empty for none.
+  std::vector<std::string> flag_names = {};
   bool (*is_known)(const std::string&) = nullptr;  ///< of texts: whether one means something; null: any does
   std::string known = {};                          ///< what to write instead of a text that means nothing
   bool is_of_operations = false;                   ///< an [[operation]] of a job may have it, too

@@ -48,7 +48,7 @@ TEST(Rows, RefuseWithTheSameWordsWhateverIsWrong) {
   EXPECT_EQ(refusal("entry-angle", "90"), "--entry-angle: must be above 0 and at most 89 degrees; it is 90");
   EXPECT_EQ(refusal("engagement", "5"), "--engagement: must lie between 10 and 180 degrees; it is 5");
   EXPECT_EQ(refusal("finish-depths", "1.5"), "--finish-depths: must be a whole number; it is 1.5");
-  EXPECT_THAT(refusal("tab-width", "1e300"), HasSubstr("--tab-width: must"));
+  EXPECT_EQ(refusal("tab-width", "1e300"), "--tab-width: is farther from zero than 1000000 mm; it is 1e+300");
   EXPECT_THAT(refusal("direction", "clim"), HasSubstr("did you mean 'climb'?"));
   EXPECT_EQ(refusal("feed", "fast"), "--feed: 'fast' is not a feed; write 800, 800mm/min or 40in/min");
   EXPECT_EQ(refusal("start", "5"), "--start: '5' is not a point; write X,Y in mm");

@@ -814,6 +814,7 @@ std::vector<Row> feed_rows() {
        .field = CLEARCUT_FIELD(plan.cutting.coolant),
        .names = coolant_names(),
        .table = JobTable::kPlan,
+       .flag_names = {"off", "flood"},
        .is_of_operations = true},
   };
 }

@@ -1,8 +1,12 @@
 #include "resolve/names.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <array>
 
 #include "base/error.h"
+#include "options/value.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -45,10 +49,13 @@ const StrategyEntry* strategy_named(const std::string& name, const StrategyTable
                                     const std::string& place) {
   if (name == "auto") return nullptr;
   if (const StrategyEntry* entry = strategies.find(name)) return entry;
-  std::string known = "auto";
-  for (const StrategyEntry& entry : strategies.entries()) known += ", " + entry.name;
+  std::vector<std::string> names{"auto"};
+  for (const StrategyEntry& entry : strategies.entries()) names.push_back(entry.name);
+  const std::string meant = nearest_name(name, names);
+  const std::string hint = meant.empty() ? "" : "did you mean '" + meant + "'? ";
   const std::string what = place == "--strategy" ? "" : "strategy ";  // the place says it already
-  throw InputError(place, what + "'" + name + "' is unknown; use one of " + known);
+  throw InputError(
+      place, fmt::format("{}'{}' is unknown; {}use one of {}", what, name, hint, fmt::join(names, ", ")));
 }
 
 std::string strategy_of_stepnc(const std::string& name) {

@@ -93,17 +93,14 @@ TEST(JobStrategy, ThatIsNoneIsRefusedInOneLine) {
   }
 }
 
-/// What a command or a reading is told, not a plan; and lists, which are tables of a job.
-const std::set<std::string> kNotOfJobs{"--earlier-setup", "--stock-from", "--explain", "--help",
-                                       "--layer",         "--machine",    "--op",      "--quiet",
-                                       "--setup",         "--threads",    "--tools",   "--up",
-                                       "--turn",          "--body",       "--mirror",  "--breakthrough"};
+/// What a command is told, not a plan.
+const std::set<std::string> kNotOfJobs{"--earlier-setup", "--explain", "--help", "--quiet", "--setup"};
 
 TEST(JobKeys, AreThereForEveryOptionOfPlan) {
   const ScratchFolder folder;
   const auto part = folder.file("pocket.json", kPocket);
   const std::string job = run_clearcut({"init", part}).out;
-  const std::string help = run_clearcut({"plan", "--help"}).out;
+  const std::string help = run_clearcut({"plan", "--help", "all"}).out;
   const std::regex option("\n +(?:-o, )?(--[a-z-]+)");
   int options = 0;
   for (std::sregex_iterator at(help.begin(), help.end(), option), end; at != end; ++at) {
@@ -121,9 +118,9 @@ TEST(JobKeys, AreThereForEveryOptionOfPlan) {
 TEST(JobKeys, SayWhatTheCommandLineSays) {
   const ScratchFolder folder;
   const auto part = folder.file("pocket.json", kPocket);
-  const std::string plan = "strategy = \"zigzag\"\nangle = 30\norder = \"outside-in\"\nstart = [40, 10]\n";
-  const std::string output =
-      "[output]\npost = \"fanuc\"\nprogram_number = 12\nblock_numbers = true\noptional_stop = true\n";
+  const std::string plan =
+      "strategy = \"contour\"\ndirection = \"conventional\"\norder = \"outside-in\"\nstart = [40, 10]\n";
+  const std::string output = "[output]\npost = \"fanuc\"\nprogram_number = 12\nblock_numbers = true\n";
   const auto job = folder.file("job.toml", job_with(plan, "stepdown = 2\n") + output);
   const auto typed = run_clearcut({"plan",
                                    part,
@@ -132,9 +129,9 @@ TEST(JobKeys, SayWhatTheCommandLineSays) {
                                    "--feed",
                                    "900",
                                    "--strategy",
-                                   "zigzag",
-                                   "--angle",
-                                   "30",
+                                   "contour",
+                                   "--direction",
+                                   "conventional",
                                    "--order",
                                    "outside-in",
                                    "--start",
@@ -146,7 +143,6 @@ TEST(JobKeys, SayWhatTheCommandLineSays) {
                                    "--program-number",
                                    "12",
                                    "--block-numbers",
-                                   "--optional-stop",
                                    "-o",
                                    folder.path("typed.nc"),
                                    "--quiet"});

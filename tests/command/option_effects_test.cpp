@@ -1,6 +1,5 @@
 // No option is without an effect: each row of the table, with each kind of input, changes the program or what the certificate finds,
 // or is refused with a line that says where it serves. What may stay quiet is listed here with its reason.
-#include <clearcut/options.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +9,7 @@
 #include <set>
 
 #include "base/files/file.h"
+#include "options/row.h"
 #include "support/command.h"
 
 namespace clearcut {

@@ -84,7 +84,7 @@ TEST(WorkOffsetOption, OfAJobIsNoOpenQuestion) {
   EXPECT_THAT(made.program, HasSubstr("\nG154 P7\n"));
   plan(made, job("work_offset = \"G505\"\n"), {});
   EXPECT_EQ(made.exit_code, 2);
-  EXPECT_THAT(made.err, HasSubstr("job.toml:7: work_offset 'G505' is unknown; use one of G54 to G59"));
+  EXPECT_THAT(made.err, HasSubstr("job.toml:7: work_offset: 'G505' is unknown; use one of G54 to G59"));
 }
 
 TEST(EndPositionOption, IsCertifiedLikeTheRest) {
@@ -147,7 +147,7 @@ TEST(EndPositionOption, OfAJob) {
   EXPECT_THAT(made.program, HasSubstr("G91 G28 Z0.\nG28 X0. Y0.\nG90\nM30"));
   plan_with("\"there\"");
   EXPECT_EQ(made.exit_code, 2);
-  EXPECT_THAT(made.err, HasSubstr("job.toml:8: end_position must be \"home\", \"none\" or [x, y]"));
+  EXPECT_THAT(made.err, HasSubstr("job.toml:8: end_position: 'there' is unknown; use home, none, or X,Y in mm"));
 }
 
 TEST(EndPositionOption, OfOneSetUpOfSeveral) {

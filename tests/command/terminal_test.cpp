@@ -91,7 +91,7 @@ TEST(Help, IsGroupedAndFitsEightyColumns) {
        {"Input", "Tools", "Strategy", "Limits", "Feeds and speeds", "Controller", "Output"})
     EXPECT_THAT(plan, HasSubstr(std::string("\n") + group + ":\n"));
   EXPECT_THAT(plan, HasSubstr("(default 3)"));
-  EXPECT_THAT(plan, HasSubstr("linuxcnc (default)"));
+  EXPECT_THAT(plan, HasSubstr("(default linuxcnc)"));
 }
 
 TEST(ManPage, AndCompletionHoldEveryOption) {

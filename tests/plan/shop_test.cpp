@@ -317,7 +317,7 @@ TEST(Shop, ImpossibleOptionsAreRefusedByName) {
   };
   using ::testing::HasSubstr;
   EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.shop.finish = "ceiling"; }),
-              HasSubstr("--finish: must be walls, floor or all"));
+              HasSubstr("--finish: 'ceiling' is unknown; use one of walls, floor, all"));
   EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.shop.finish_depths = 1.5; }),
               HasSubstr("--finish-depths"));
   EXPECT_THAT(refused([](resolve::PlanOptions& o) { o.shop.material = "cheese"; }),

@@ -88,8 +88,10 @@ TEST(TaperedMills, CutWallsOfTheirOwnDraftWithoutScallops) {
   EXPECT_GT(upright.findings.features.at(0).scallop->height_mm, 0.1);
   const PlanResult more = plan_part(drafted(8), with({kTapered}));
   EXPECT_EQ(verdict_of(more.findings), Verdict::kClean) << faults_of(more.findings);
-  EXPECT_NEAR(more.findings.features.at(0).scallop->height_mm,
-              1.5 * std::cos(8 * kPi / 180) * (std::tan(8 * kPi / 180) - std::tan(5 * kPi / 180)), 1e-6);
+  // Of layers 1.5 mm apart, or a little less where the plan divides the depth.
+  const double most = 1.5 * std::cos(8 * kPi / 180) * (std::tan(8 * kPi / 180) - std::tan(5 * kPi / 180));
+  EXPECT_LE(more.findings.features.at(0).scallop->height_mm, most + 1e-6);
+  EXPECT_GE(more.findings.features.at(0).scallop->height_mm, 0.9 * most);
 }
 
 TEST(TaperedMills, GougeWhereAnUprightMillDoesNot) {

@@ -166,7 +166,8 @@ void PlanArguments::refuse_what_serves_other_inputs(const Part& part,
     const std::string reason = idle_on_input(row, kind);
     if (reason.empty()) continue;
     if (values_.has(row.name)) throw InputError("--" + row.name, reason);
-    if (!from_job || row.table != JobTable::kPart) continue;
+    // In one of several set-ups a drawing may be turned, too.
+    if (!from_job || setup_.number > 0 || row.table != JobTable::kPart) continue;
     std::string key = row.job_key();
     std::replace(key.begin(), key.end(), '_', '-');
     if (const Source* source = from_job->part_sources.find(key))

@@ -66,6 +66,8 @@ void add_machines_command(CLI::App& app, int& exit_code) {
   };
   auto answer = std::make_shared<Answer>();
   CLI::App* command = app.add_subcommand("machines", "The machines that --machine knows by name");
+  command->group("Choosing");
+  command->option_defaults()->group("Output");
   auto* page = command->add_flag("--markdown", answer->as_markdown, "Print a Markdown table");
   command->add_flag("--json", answer->as_json, "Print JSON")->excludes(page);
   command->callback([answer, &exit_code] {

@@ -70,6 +70,7 @@ void take_outputs_from(const JobFile& job, PlanCommand& command) {
   take(command.html, job.output.report);
   take(command.sheet, job.output.setup_sheet);
   take(command.result, job.output.result);
+  take(command.witness, job.output.witness);
 }
 
 /// The values alone, without planning.

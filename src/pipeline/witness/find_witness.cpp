@@ -1,5 +1,7 @@
 // Tiles the pocket until each tile is cut by one move or out of reach. Polygons are cycles of shared edges: an edge that is split is
 // split for both of its neighbours, so that all inner edges cancel whatever rounding does.
+#include "base/elementary.h"
+#include "base/units.h"
 #include "pipeline/witness/find_witness.h"
 
 #include <cmath>
@@ -53,7 +55,7 @@ double inner(Spot a, Spot b) {
   return a.x * b.x + a.y * b.y;
 }
 double length(Spot a) {
-  return std::hypot(a.x, a.y);
+  return base::hypot(a.x, a.y);
 }
 Point rounded(Spot a) {
   return {std::llround(a.x), std::llround(a.y)};
@@ -98,16 +100,16 @@ Points chords(const Curve& c, double sagitta) {
   Points points{c.a};
   if (c.arc) {
     const Spot u = spot(c.a - c.center), v = spot(c.b - c.center);
-    double turn = std::atan2(u.x * v.y - u.y * v.x, inner(u, v));
+    double turn = base::atan2(u.x * v.y - u.y * v.x, inner(u, v));
     if (c.clockwise) turn = -turn;
-    if (turn <= 0) turn += 2 * std::acos(-1.0);
+    if (turn <= 0) turn += 2 * kPi;
     const double radius = 0.5 * static_cast<double>(c.low + c.high);
     const int count =
         std::max(1 + static_cast<int>(turn / 2),
-                 static_cast<int>(std::ceil(turn / (2 * std::acos(std::max(0.0, 1 - sagitta / radius))))));
+                 static_cast<int>(std::ceil(turn / (2 * base::acos(std::max(0.0, 1 - sagitta / radius))))));
     for (int i = 1; i < count; ++i) {
-      const double angle = (c.clockwise ? -turn : turn) * i / count, co = std::cos(angle),
-                   si = std::sin(angle);
+      const double angle = (c.clockwise ? -turn : turn) * i / count, co = base::cos(angle),
+                   si = base::sin(angle);
       points.push_back(
           rounded(spot(c.center) + (radius / length(u)) * Spot{co * u.x - si * u.y, si * u.x + co * u.y}));
     }
@@ -756,15 +758,15 @@ void Finder::find_rapids() {
     if (outer <= inner_radius) throw NotFound{"the rim of rapids is too narrow for the blending"};
     const int count =
         4 + static_cast<int>(std::ceil(
-                std::acos(-1.0) / std::acos(inner_radius / (inner_radius + 0.5 * (outer - inner_radius)))));
-    const double size = inner_radius / std::cos(std::acos(-1.0) / count);
+                kPi / base::acos(inner_radius / (inner_radius + 0.5 * (outer - inner_radius)))));
+    const double size = inner_radius / base::cos(kPi / count);
     const Spot a = spot(move.path.a), b = spot(move.path.b);
     Points points;
     for (int k = 0; k < count; ++k) {
-      const double angle = 2 * std::acos(-1.0) * (k + 0.5) / count;
+      const double angle = 2 * kPi * (k + 0.5) / count;
       for (const Spot end :
            program_.dogleg ? std::vector{a, b, Spot{a.x, b.y}, Spot{b.x, a.y}} : std::vector{a, b})
-        points.push_back(rounded(end + size * Spot{std::cos(angle), std::sin(angle)}));
+        points.push_back(rounded(end + size * Spot{base::cos(angle), base::sin(angle)}));
     }
     points = ccw::hull_of(points);
     Polygon polygon;

@@ -143,6 +143,7 @@ JobOutput output_of(DataSection section, PlanOptions& whole) {
   out.report = section.text("report");
   out.setup_sheet = section.text("setup_sheet");
   out.result = section.text("result");
+  out.witness = section.text("witness");
   section.refuse_unknown();
   return out;
 }

@@ -39,7 +39,7 @@ struct OperationRule {
 
 /// Files to be written, as given; relative to the job's folder.
 struct JobOutput {
-  std::optional<std::string> program, certificate, svg, report, setup_sheet, result;
+  std::optional<std::string> program, certificate, svg, report, setup_sheet, result, witness;
 };
 
 struct JobStock {

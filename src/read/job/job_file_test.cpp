@@ -134,9 +134,9 @@ TEST_F(Job, MachineToolsLibraryAndOutput) {
   EXPECT_DOUBLE_EQ(read.machine.rapid.mm_per_min(), 3000);
   EXPECT_DOUBLE_EQ(read.machine.acceleration, 250);
   EXPECT_DOUBLE_EQ((*read.machine.travel)[2][0], -50);
-  EXPECT_EQ(*read.output.post, "grbl");
-  EXPECT_EQ(*read.seed, 7u);
-  EXPECT_EQ(read.accept, std::vector<std::string>{"g55"});
+  EXPECT_EQ(read.whole.post.dialect, "grbl");
+  EXPECT_EQ(read.whole.seed, 7u);
+  EXPECT_EQ(read.whole.accept, std::vector<std::string>{"g55"});
   const Part with_tools = part_of_job(read, {});
   ASSERT_EQ(with_tools.tools.size(), 1u);
   EXPECT_EQ(with_tools.tools[0].number, 2);
@@ -144,13 +144,13 @@ TEST_F(Job, MachineToolsLibraryAndOutput) {
 
 TEST_F(Job, TabsHaveShapesSpacingsAndPlaces) {
   const JobFile spaced = job(kPart + "[plan]\ntab_shape = \"triangular\"\ntab_spacing = 80\ntab_width = 3\n");
-  EXPECT_EQ(spaced.tabs.shape, TabShape::kTriangular);
-  EXPECT_EQ(spaced.tabs.spacing, 80);
-  EXPECT_EQ(spaced.tabs.width, 3);
+  EXPECT_EQ(spaced.whole.tabs.shape, TabShape::kTriangular);
+  EXPECT_EQ(spaced.whole.tabs.spacing, 80);
+  EXPECT_EQ(spaced.whole.tabs.width, 3);
   const JobFile chosen = job(kPart + "[plan]\ntab_at = [[1, -2.5], [40, 0]]\n");
-  EXPECT_EQ(chosen.tabs.shape, TabShape::kSquare);
-  EXPECT_EQ(chosen.tabs.at, (std::vector<Vec2>{{1, -2.5}, {40, 0}}));
-  EXPECT_THAT(refusal(kPart + "[plan]\ntab_at = [1, 2]\n"), HasSubstr("must be a list of points"));
+  EXPECT_EQ(chosen.whole.tabs.shape, TabShape::kSquare);
+  EXPECT_EQ(chosen.whole.tabs.at, (std::vector<Vec2>{{1, -2.5}, {40, 0}}));
+  EXPECT_THAT(refusal(kPart + "[plan]\ntab_at = [1, 2]\n"), HasSubstr("is not a point"));
   EXPECT_THAT(refusal(kPart + "[plan]\ntab_shape = \"round\"\n"), HasSubstr("triangular"));
 }
 
@@ -163,7 +163,7 @@ TEST_F(Job, MistakesGiveOneLineWithFileAndLine) {
   EXPECT_THAT(refusal("[part]\nfile = \"job.toml\"\n"), HasSubstr("cannot be a job"));
   EXPECT_THAT(refusal(kPart + "[plan]\nstepdwon = 2\n"),
               StartsWith("job.toml:4: unknown key 'stepdwon' in [plan]; did you mean 'stepdown'?"));
-  EXPECT_THAT(refusal(kPart + "[plan]\nstepdown = 0\n"), StartsWith("job.toml:4: stepdown must be above 0"));
+  EXPECT_THAT(refusal(kPart + "[plan]\nstepdown = 0\n"), StartsWith("job.toml:4: stepdown: must be above 0"));
   EXPECT_THAT(refusal(kPart + "[plan]\nentry = \"dive\"\n"),
               HasSubstr("use one of helix, ramp, zigzag, plunge"));
   EXPECT_THAT(refusal(kPart + "[plans]\n"), HasSubstr("unknown key 'plans'; did you mean 'plan'?"));

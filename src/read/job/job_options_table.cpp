@@ -49,6 +49,8 @@ const char* expected(ValueKind kind) {
 Value value_of(const Row& row, const DataValue& value, const std::string& place) {
   if (row.kind == ValueKind::kFlag) {
     if (value.kind == DataValue::Kind::kBoolean) return value.boolean != row.key_is_opposite;
+  } else if (!row.flag_names.empty() && value.kind == DataValue::Kind::kBoolean) {
+    return row.flag_names[value.boolean ? 1 : 0];
   } else if (takes_several(row.kind)) {
     if (const auto texts = texts_of(value)) return value_of_texts(row, *texts, place);
   } else if (is_number(row.kind) && value.is_number()) {

@@ -188,6 +188,7 @@ const char* const kFiles = R"(# program = "out.ngc"
 # svg = "out.svg"
 # report = "out.html"
 # setup_sheet = "setup.html"  # or setup.pdf
+# witness = "out.ccw"     # for clearcut-check, docs/howto-recheck.md
 # result = "out.edges"     # the cuts as segments, x y to x y in each line
 )";
 

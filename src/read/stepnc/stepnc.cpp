@@ -399,10 +399,20 @@ void Reader::check_part(const Draft& draft, const Node& step, const StatedOperat
 
 /// Steps whose features are cut away before: two drills that go as deep in one hole.
 void Reader::drop_finished_steps() {
+  constexpr double kSame = 1e-6;  // mm
+  const auto is_same_hole = [&](const Workingstep& before, const Workingstep& step) {
+    const Feature &done = feature_of(before), &asked = feature_of(step);
+    return before.operation.tool == step.operation.tool && makes_holes(tool_of(part_, step)) &&
+           distance(box(done.target).min, box(asked.target).min) < kSame &&
+           distance(box(done.target).max, box(asked.target).max) < kSame &&
+           done.floor_z <= asked.floor_z + kSame;
+  };
   std::vector<Workingstep> left;
   for (Workingstep& step : part_.workplan) {
     const Feature& feature = feature_of(step);
-    if (feature.top_z - feature.floor_z > 1e-6) {
+    const bool is_made = std::any_of(left.begin(), left.end(),
+                                     [&](const Workingstep& before) { return is_same_hole(before, step); });
+    if (feature.top_z - feature.floor_z > kSame && !is_made) {
       left.push_back(std::move(step));
       continue;
     }

@@ -22,6 +22,9 @@ constexpr double kReamed = 0.25, kBored = 0.5;
 constexpr double kCounterboreEdge = 0.75;
 /// mm; radius of the flat that points of V-bits are ground to and still cut with.
 constexpr double kCuttingTip = 0.5;
+/// Of the radius: mm over the tip of reamers, boring bars and taps below which nothing counts. Their ends are chamfered, and holes before
+/// them end in the point of a drill, 0.6 of its radius at 118 degrees.
+constexpr double kLead = 0.65;
 /// Shares of the pitch, for tapped holes and for thread mills, which cut about bosses, too, with what a hole may be narrower.
 constexpr double kTapped = 0.5413 * 1.05, kThreadMilled = 0.6134 * 1.05;
 
@@ -42,17 +45,27 @@ double thread_ring(double pitch, double share, const Tool& tool) {
 ToolTakes drill_row(const Tool& /*tool*/, const Part& /*part*/) {
   return {.sideways = 0};
 }
-ToolTakes reamer_row(const Tool& /*tool*/, const Part& /*part*/) {
-  return {.sideways = 0, .down = kReamed, .feeds_out = true, .needs = "a hole a little narrower than it"};
+ToolTakes reamer_row(const Tool& tool, const Part& /*part*/) {
+  return {.sideways = 0,
+          .down = kReamed,
+          .lead = kLead * tool.radius(),
+          .feeds_out = true,
+          .needs = "a hole a little narrower than it"};
 }
-ToolTakes boring_bar_row(const Tool& /*tool*/, const Part& /*part*/) {
-  return {.sideways = 0, .down = kBored, .needs = "a hole a little narrower than it"};
+ToolTakes boring_bar_row(const Tool& tool, const Part& /*part*/) {
+  return {.sideways = 0,
+          .down = kBored,
+          .lead = kLead * tool.radius(),
+          .needs = "a hole a little narrower than it"};
 }
 ToolTakes counterbore_row(const Tool& tool, const Part& /*part*/) {
   return {.sideways = 0, .down = kCounterboreEdge * tool.radius(), .needs = "a hole on its axis"};
 }
 ToolTakes tap_row(const Tool& tool, const Part& /*part*/) {
-  return {.sideways = 0, .down = thread_ring(tool.pitch, kTapped, tool), .needs = "the hole of its thread"};
+  return {.sideways = 0,
+          .down = thread_ring(tool.pitch, kTapped, tool),
+          .lead = kLead * tool.radius(),
+          .needs = "the hole of its thread"};
 }
 ToolTakes thread_mill_row(const Tool& tool, const Part& part) {
   const double pitch = tool.pitch > 0 ? tool.pitch : milled_pitch(part);
@@ -84,12 +97,13 @@ constexpr TakesRow kRows[] = {{ToolKind::kDrill, drill_row},
                               {ToolKind::kVBit, vbit_row}};
 
 /// Material within `radius` mm of the way, above the tip as it passes; nothing for radii that no material can tell from none.
-std::optional<Place> within(const stock::Material& material, const Move& move, double radius) {
+std::optional<Place> within(const stock::Material& material, const Move& move, double radius,
+                            double lead = 0) {
   if (radius <= kTakenSliver) return std::nullopt;
   const double inner = radius - kTakenSliver;
   if (move.is_vertical() || move.z_from == move.z_to) {
     const double z = std::min(move.z_from, move.z_to);
-    const auto hit = material.in_reach(move.path, inner, z + kTakenSliver);
+    const auto hit = material.in_reach(move.path, inner, z + lead + kTakenSliver);
     if (!hit) return std::nullopt;
     return Place{move.is_vertical() ? move.path.from : move.path.at(nearest(move.path, *hit).t), z,
                  move.line};
@@ -98,7 +112,7 @@ std::optional<Place> within(const stock::Material& material, const Move& move, d
   for (int i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps, z = move.z_from + (move.z_to - move.z_from) * t;
     const Vec2 p = move.path.at(t);
-    if (material.in_reach(Edge::line(p, p), inner, z + kTakenSliver)) return Place{p, z, move.line};
+    if (material.in_reach(Edge::line(p, p), inner, z + lead + kTakenSliver)) return Place{p, z, move.line};
   }
   return std::nullopt;
 }
@@ -129,7 +143,7 @@ std::optional<Overcut> overcut_of(const CheckedMove& checked, const ToolTakes& t
   if (move.is_vertical() && !down) return std::nullopt;
   const double ring = down ? takes.down : takes.sideways;
   if (ring >= radius) return std::nullopt;
-  const auto met = within(material, move, radius - ring);
+  const auto met = within(material, move, radius - ring, down ? takes.lead : 0);
   return met ? std::optional(Overcut{*met, radius - ring, !down}) : std::nullopt;
 }
 

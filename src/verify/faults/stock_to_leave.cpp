@@ -90,12 +90,15 @@ void StockToLeave::find_walls() {
   const auto add = [&](const Wall& wall) {
     const Vec2 beside = wall.edge.at(0.5) + left_of(wall.edge.tangent_at(0.5)) * FinishedPart::kProbe;
     double side = 0;
+    std::vector<int> of;
     for (std::size_t i = 0; i < left_.size(); ++i) {
-      if (left_[i].side > tol_.uncut && owes(i, wall) && raised_->is_inside(static_cast<int>(i), beside))
-        side = std::max(side, left_[i].side);
+      if (left_[i].side <= tol_.uncut || !owes(i, wall) || !raised_->is_inside(static_cast<int>(i), beside))
+        continue;
+      side = std::max(side, left_[i].side);
+      of.push_back(static_cast<int>(i));
     }
     if (side <= tol_.uncut) return;
-    walls_.push_back({wall, side, is_chamfered(wall)});
+    walls_.push_back({wall, side, is_chamfered(wall), std::move(of)});
     edges.push_back(wall.edge);
   };
   for (const Wall& wall : raised_->walls()) add(wall);
@@ -160,6 +163,11 @@ void StockToLeave::against(const KeptWall& kept, const CheckedMove& checked,
                            std::optional<Gouge>& worst) const {
   const Move& move = *checked.move;
   const Tool& tool = *checked.tool;
+  // Where features overlap, each leaves stock on its own walls alone.
+  if (checked.workingstep >= 0) {
+    const int own = part_.workplan[static_cast<std::size_t>(checked.workingstep)].feature;
+    if (std::find(kept.of.begin(), kept.of.end(), own) == kept.of.end()) return;
+  }
   // A chamfer is cut through the stock that is left on the wall below it.
   if (kept.is_chamfered && is_conical(tool)) return;
   const double reach = widest_radius(tool) + kept.side + kept.wall.draft_offset(lowest_of(move));

@@ -36,6 +36,7 @@ class StockToLeave {
     Wall wall;
     double side = 0;
     bool is_chamfered = false;
+    std::vector<int> of = {};  ///< the features that leave stock on it
   };
 
   void find_walls();
