@@ -326,6 +326,16 @@ std::string has_no_corners(const Situation& at) {
       "no pocket and no profile has a corner");
 }
 
+std::string plans_corners_otherwise(const Situation& at) {
+  const auto by_deviation = [](MotionPlanner planner) {
+    return planner == MotionPlanner::kGrbl || planner == MotionPlanner::kMarlin;
+  };
+  const std::string& control = at.plan.post.dialect;
+  const bool uses = at.plan.machine.planner ? by_deviation(*at.plan.machine.planner)
+                                            : control == "grbl" || control == "marlin";
+  return unless(uses, "the control plans its corners by another rule; Grbl and Marlin by junction deviation");
+}
+
 std::string bears_on_no_feeds(const Situation& at) {
   if (at.plan.material) return "";
   const Machine& machine = at.plan.machine;
@@ -338,7 +348,7 @@ std::string bears_on_no_feeds(const Situation& at) {
 }
 
 std::string changes_no_feeds(const Situation& at) {
-  if (!at.plan.material || at.plan.material->has_forces()) return "";
+  if (!at.asked.shop.material || (at.plan.material && at.plan.material->has_forces())) return "";
   const std::string& name = at.asked.shop.material.value_or("");
   return unless(
       std::any_of(at.plan.values.begin(), at.plan.values.end(),

@@ -49,6 +49,7 @@ std::string has_one_mill(const Situation& at);
 std::string finishes_no_walls(const Situation& at);
 std::string finishes_no_floor(const Situation& at);
 std::string has_no_corners(const Situation& at);
+std::string plans_corners_otherwise(const Situation& at);
 std::string bears_on_no_feeds(const Situation& at);
 std::string changes_no_feeds(const Situation& at);
 std::string without_leaning_walls(const Situation& at);

@@ -140,8 +140,8 @@ TEST(CommandLine, SwitchesOfThePostReachTheProgram) {
   EXPECT_THAT(usual, HasSubstr("M6"));
   EXPECT_THAT(usual, HasSubstr("G43"));
   EXPECT_THAT(usual, HasSubstr("G64"));
-  const std::string own = program({"--no-tool-change", "--no-length-offset", "--exact-stop", "--spindle-wait",
-                                   "3.5", "--lead", "1", "--no-arcs", "--decimals", "3"});
+  const std::string own = program({"--no-tool-change", "--exact-stop", "--spindle-wait", "3.5", "--lead", "1",
+                                   "--no-arcs", "--decimals", "3"});
   for (const char* word : {"M6", "G43", "G64", "G2 ", "G3 "}) EXPECT_THAT(own, Not(HasSubstr(word)));
   EXPECT_THAT(own, HasSubstr("G61"));
   EXPECT_THAT(own, HasSubstr("G4 P3.5"));

@@ -147,7 +147,8 @@ TEST(EndPositionOption, OfAJob) {
   EXPECT_THAT(made.program, HasSubstr("G91 G28 Z0.\nG28 X0. Y0.\nG90\nM30"));
   plan_with("\"there\"");
   EXPECT_EQ(made.exit_code, 2);
-  EXPECT_THAT(made.err, HasSubstr("job.toml:8: end_position: 'there' is unknown; use home, none, or X,Y in mm"));
+  EXPECT_THAT(made.err,
+              HasSubstr("job.toml:8: end_position: 'there' is unknown; use home, none, or X,Y in mm"));
 }
 
 TEST(EndPositionOption, OfOneSetUpOfSeveral) {

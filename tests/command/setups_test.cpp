@@ -110,7 +110,7 @@ TEST(Setups, ALaterProgramIsVerifiedOnWhatTheOnesBeforeLeave) {
   EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
   // What is open about the first program is open about what rests on it.
   std::string elsewhere = read_file(one);
-  elsewhere.replace(elsewhere.find("G54"), 3, "G55");
+  elsewhere.replace(elsewhere.find("G49 G54"), 7, "G49 G55");
   const auto open = run_clearcut({"verify", two, "--part", drawn.job, "--setup", "2", "--earlier-setup",
                                   drawn.folder.file("elsewhere.ngc", elsewhere), "--quiet"});
   EXPECT_THAT(open.out, HasSubstr("condition g55: in the program of set-up 1: "));

@@ -116,7 +116,7 @@ TEST(StockFrom, AProgramBeforeHasConditionsAndFaults) {
   EXPECT_THAT(planned(changed("G54", "G55")).out, HasSubstr("condition g55: in "));
   EXPECT_THAT(planned(changed("G80", "G92 X5")).out, HasSubstr("condition g92: in "));
   EXPECT_THAT(planned(changed("M3 S", "/M3 S")).out, HasSubstr("condition block-delete: in "));
-  const auto stood = planned(changed("M2", "M3 S100\nM2"));
+  const auto stood = planned(changed("\nM2\n", "\nM3 S100\nM2\n"));
   EXPECT_EQ(stood.out, "CLEAN\n");
   const std::size_t at = first.find("M3 S");
   std::string off = first;

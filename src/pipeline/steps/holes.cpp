@@ -48,7 +48,8 @@ std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingst
     if (is_drilled(*hole, step, tool, plan.tol)) {
       const bool chips = feature.hole && feature.hole->chip_break;
       const bool feeds_out =
-          feature.hole && (feature.hole->kind == HoleKind::kReamed || tool.kind == ToolKind::kBoringBar);
+          tool.kind == ToolKind::kReamer ||
+          (feature.hole && (feature.hole->kind == HoleKind::kReamed || tool.kind == ToolKind::kBoringBar));
       section = feeds_out ? link::feed_out_hole(work, link)
                 : chips   ? link::chip_hole(work, step.stepdown, link)
                           : link::drill_hole(work, step.stepdown, link,

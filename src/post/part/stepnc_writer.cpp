@@ -103,6 +103,12 @@ const char* operation_keyword(OperationKind kind) {
 
 /// Writes the program in the order: project, workplan, workpiece, set-up, tools, then each feature with its
 /// operations.
+/// Of a drill with a stated point: the angle of its edges against the plane square to its axis.
+std::string top_angle_of(const Tool& tool) {
+  if (tool.kind != ToolKind::kDrill || !tool.tip_angle) return kUnset;
+  return p21_real((kPi - tool.tip_angle->radians()) / 2);
+}
+
 class Writer {
  public:
   explicit Writer(const Part& part) : part_(part) {}
@@ -165,7 +171,7 @@ class Writer {
       const Tool& tool = part_.tools[i];
       const std::string size =
           out_.add("MILLING_TOOL_DIMENSION",
-                   {p21_real(tool.diameter), kUnset, kUnset, optional_real(tool.flute_length),
+                   {p21_real(tool.diameter), top_angle_of(tool), kUnset, optional_real(tool.flute_length),
                     p21_real(tool.corner_radius), kUnset, kUnset});
       const char* hand = counter_clockwise(static_cast<int>(i)) ? ".LEFT." : ".RIGHT.";
       std::vector<std::string> arguments = {size, std::to_string(tool.teeth), hand, ".F.", kUnset};

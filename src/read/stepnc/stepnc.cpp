@@ -412,7 +412,9 @@ void Reader::drop_finished_steps() {
     const Feature& feature = feature_of(step);
     const bool is_made = std::any_of(left.begin(), left.end(),
                                      [&](const Workingstep& before) { return is_same_hole(before, step); });
-    if (feature.top_z - feature.floor_z > kSame && !is_made) {
+    // What the point of the drill before has left, the same drill does not take.
+    const double least = is_made ? point_length(tool_of(part_, step)) + kSame : kSame;
+    if (feature.top_z - feature.floor_z > least) {
       left.push_back(std::move(step));
       continue;
     }

@@ -18,6 +18,8 @@ constexpr double kHoleWall = 0.1;
 constexpr double kDownward = 1;
 /// mm in the radius: what usual reamers and boring bars are given to take, at most.
 constexpr double kReamed = 0.25, kBored = 0.5;
+/// Of the diameter of large reamers, where that is more: ISO 14649-11 reams 22 mm after a drill of 20 in its example.
+constexpr double kReamedShare = 0.05;
 /// Of a counterbore's radius: its middle, where it has no edge.
 constexpr double kCounterboreEdge = 0.75;
 /// mm; radius of the flat that points of V-bits are ground to and still cut with.
@@ -47,7 +49,7 @@ ToolTakes drill_row(const Tool& /*tool*/, const Part& /*part*/) {
 }
 ToolTakes reamer_row(const Tool& tool, const Part& /*part*/) {
   return {.sideways = 0,
-          .down = kReamed,
+          .down = std::max(kReamed, kReamedShare * tool.diameter),
           .lead = kLead * tool.radius(),
           .feeds_out = true,
           .needs = "a hole a little narrower than it"};
