@@ -15,13 +15,16 @@ build/release/tests/write_shapes "$folder/shapes"
 
 # programs BUILD: plans every shape, a drawing, a job and a STEP-NC part. A refusal is compared like a program.
 programs() {
-  local build=$1 part strategy to status
+  local build=$1 part strategy to status depth
   mkdir "$folder/$build"
   for part in "$folder"/shapes/*.json examples/bracket.{json,dxf,toml} examples/fishhead.p21; do
+    # A STEP-NC program has depths of its own.
+    depth=(--depth 2)
+    [[ $part != *.p21 ]] || depth=()
     for strategy in contour adaptive; do
       to=$folder/$build/$(basename "$part")-$strategy
       status=0
-      build/"$build"/apps/cli/clearcut plan "$part" --tool endmill:6 --depth 2 --strategy $strategy --quiet -o "$to.ngc" \
+      build/"$build"/apps/cli/clearcut plan "$part" --tool endmill:6 "${depth[@]}" --strategy $strategy --quiet -o "$to.ngc" \
         2> "$to.message" || status=$?
       [ $status -le 2 ] || { cat "$to.message" >&2; echo "$part, $strategy: the $build build ended with $status" >&2; exit 1; }
     done

@@ -80,7 +80,7 @@ class Plans(unittest.TestCase):
         self.assertEqual(first.program, second.program)
 
     def test_wishes_that_cannot_be_met_are_refused(self):
-        for wish, text in (({"style": "nonsense"}, "must be machinist or fastest"), ({"grid": "mine"}, "use one of published, ours"),
+        for wish, text in (({"style": "nonsense"}, "use one of machinist, fastest"), ({"grid": "mine"}, "use one of published, ours"),
                            ({"passage": "long"}, "use one of bisector, shortest"), ({"work_offset": "G60"}, "use one of G54"),
                            ({"solver": "best"}, "use one of published, modern"),
                            ({"generations": 20}, "add --solver published")):

@@ -197,6 +197,56 @@ TEST_P(OptionEffects, NoOptionIsSilent) {
   EXPECT_GT(pairs, 70);
 }
 
+TEST(OptionsPage, IsMadeOfTheTable) {
+  EXPECT_EQ(run_clearcut({"generate", "table"}).out, read_file(CLEARCUT_SOURCE_DIR "/docs/options.md"))
+      << "make it anew: clearcut generate table > docs/options.md";
+}
+
+/// One bad value, one sentence: at the command line and in a job.
+TEST(OptionsTable, RefusesWithTheSameWordsAtEveryDoor) {
+  const ScratchFolder folder;
+  folder.file("p.json", kOutline);
+  const std::map<std::string, std::string> bad{{"allowance", "-1"},
+                                               {"entry-angle", "90"},
+                                               {"tab-width", "0"},
+                                               {"finish-depths", "0"},
+                                               {"engagement", "5"}};
+  for (const auto& [name, value] : bad) {
+    const auto typed = run_clearcut({"plan", folder.path("p.json"), "--tool", "endmill:6",
+                                     "--" + name + "=" + value, "-o", folder.path("o.ngc")});
+    const std::string job =
+        folder.file("job.toml", "[part]\nfile = \"p.json\"\n[[tool]]\nnumber = 1\ndiameter = 6\n[plan]\n" +
+                                    row_named(name)->job_key() + " = " + value + "\n");
+    const auto said = run_clearcut({"plan", job, "-o", folder.path("o.ngc")});
+    EXPECT_EQ(typed.exit_code, 2);
+    EXPECT_EQ(said.exit_code, 2);
+    const auto words = [](const std::string& text) { return text.substr(text.find("must")); };
+    ASSERT_NE(typed.err.find("must"), std::string::npos) << typed.err;
+    ASSERT_NE(said.err.find("must"), std::string::npos) << said.err;
+    EXPECT_EQ(words(typed.err), words(said.err)) << name;
+  }
+}
+
+/// What init is given stands in the job, and the job gives the same program.
+TEST(Init, KeepsWhatItIsGiven) {
+  const ScratchFolder folder;
+  folder.file("plate.dxf", kDxf);
+  const std::vector<std::string> options{
+      "--tool", "endmill:4",          "--strategy",   "contour", "--stepdown", "1",      "--feed",
+      "700",    "--direction",        "conventional", "--post",  "grbl",       "--lead", "1",
+      "--op",   "pocket_d2:POCKET_D2"};
+  const auto with = [&](std::vector<std::string> words) {
+    words.insert(words.end(), options.begin(), options.end());
+    return run_clearcut(words);
+  };
+  EXPECT_EQ(with({"init", folder.path("plate.dxf"), "-o", folder.path("plate.toml")}).exit_code, 0);
+  EXPECT_EQ(with({"plan", folder.path("plate.dxf"), "-o", folder.path("typed.nc"), "--quiet"}).exit_code, 0);
+  const auto said =
+      run_clearcut({"plan", folder.path("plate.toml"), "-o", folder.path("said.nc"), "--quiet"});
+  EXPECT_EQ(said.exit_code, 0) << said.err;
+  EXPECT_EQ(motion_of(read_file(folder.path("said.nc"))), motion_of(read_file(folder.path("typed.nc"))));
+}
+
 INSTANTIATE_TEST_SUITE_P(Inputs, OptionEffects,
                          testing::Values("dxf", "svg", "outline", "board", "solid", "stepnc"));
 

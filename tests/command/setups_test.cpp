@@ -110,7 +110,8 @@ TEST(Setups, ALaterProgramIsVerifiedOnWhatTheOnesBeforeLeave) {
   EXPECT_EQ(right.exit_code, 0) << right.out << right.err;
   // What is open about the first program is open about what rests on it.
   std::string elsewhere = read_file(one);
-  elsewhere.replace(elsewhere.find("G49 G54"), 7, "G49 G55");
+  for (std::size_t at = 0; (at = elsewhere.find("G54", at)) != std::string::npos;)
+    elsewhere.replace(at, 3, "G55");
   const auto open = run_clearcut({"verify", two, "--part", drawn.job, "--setup", "2", "--earlier-setup",
                                   drawn.folder.file("elsewhere.ngc", elsewhere), "--quiet"});
   EXPECT_THAT(open.out, HasSubstr("condition g55: in the program of set-up 1: "));

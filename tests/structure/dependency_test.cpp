@@ -81,7 +81,8 @@ TEST(Dependencies, ProgramsIncludeTheLibraryAlone) {
       const bool header_of_system = !fs::exists(kSource / match[1].str()) && match[1] != "studies";
       if (header_of_system && match[1] != "clearcut") continue;
       ++checked;
-      EXPECT_TRUE(match[1] == "clearcut" || (solids && (match[1] == "base" || match[1] == "geometry" || match[1] == "read")) ||
+      EXPECT_TRUE(match[1] == "clearcut" ||
+                  (solids && (match[1] == "base" || match[1] == "geometry" || match[1] == "read")) ||
                   (sheet && match[1] == "report"))
           << entry.path() << ":" << number << ": include <clearcut/...> instead of " << match[1] << "/"
           << match[2];

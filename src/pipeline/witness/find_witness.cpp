@@ -1,7 +1,5 @@
 // Tiles the pocket until each tile is cut by one move or out of reach. Polygons are cycles of shared edges: an edge that is split is
 // split for both of its neighbours, so that all inner edges cancel whatever rounding does.
-#include "base/elementary.h"
-#include "base/units.h"
 #include "pipeline/witness/find_witness.h"
 
 #include <cmath>
@@ -10,6 +8,9 @@
 #include <map>
 #include <optional>
 #include <unordered_map>
+
+#include "base/elementary.h"
+#include "base/units.h"
 
 // Program and part are read by the very code that will check them, and moves and walls have the checker's numbers.
 #define CLEARCUT_CHECK_WITHOUT_MAIN
@@ -757,8 +758,8 @@ void Finder::find_rapids() {
                  outer = radius_ - blend_ - 2 * kSpare;
     if (outer <= inner_radius) throw NotFound{"the rim of rapids is too narrow for the blending"};
     const int count =
-        4 + static_cast<int>(std::ceil(
-                kPi / base::acos(inner_radius / (inner_radius + 0.5 * (outer - inner_radius)))));
+        4 + static_cast<int>(
+                std::ceil(kPi / base::acos(inner_radius / (inner_radius + 0.5 * (outer - inner_radius)))));
     const double size = inner_radius / base::cos(kPi / count);
     const Spot a = spot(move.path.a), b = spot(move.path.b);
     Points points;

@@ -14,7 +14,7 @@ namespace clearcut::verify {
 struct ToolTakes {
   double sideways = HUGE_VAL;
   double down = HUGE_VAL;
-  double lead = 0;  ///< mm over the tip below which nothing counts on the way down
+  double lead = 0;         ///< mm over the tip below which nothing counts on the way down
   double idle_tip = 0;     ///< radius of a flat tip that does not cut: it may not go down into material
   bool feeds_out = false;  ///< it comes out of its hole at the feed
   const char* needs = "";  ///< what has to be there before it goes down
