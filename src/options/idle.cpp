@@ -341,8 +341,9 @@ std::string bears_on_no_feeds(const Situation& at) {
   const Machine& machine = at.plan.machine;
   return unless(any_step(at,
                          [&](const Workingstep&, const ResolvedStep& step) {
-                           return step.spindle_rpm == machine.max_spindle_rpm ||
-                                  step.spindle_rpm == machine.min_spindle_rpm;
+                           const bool at_top = step.spindle_rpm == machine.max_spindle_rpm &&
+                                               step.spindle_rpm != kUsualTopRpm;
+                           return at_top || step.spindle_rpm == machine.min_spindle_rpm;
                          }),
                 "its speeds and power bear on feeds by material alone; see --material");
 }

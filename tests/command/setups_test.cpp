@@ -111,10 +111,10 @@ TEST(Setups, ALaterProgramIsVerifiedOnWhatTheOnesBeforeLeave) {
   // What is open about the first program is open about what rests on it.
   std::string elsewhere = read_file(one);
   for (std::size_t at = 0; (at = elsewhere.find("G54", at)) != std::string::npos;)
-    elsewhere.replace(at, 3, "G55");
+    elsewhere.replace(at, 3, "G56");
   const auto open = run_clearcut({"verify", two, "--part", drawn.job, "--setup", "2", "--earlier-setup",
                                   drawn.folder.file("elsewhere.ngc", elsewhere), "--quiet"});
-  EXPECT_THAT(open.out, HasSubstr("condition g55: in the program of set-up 1: "));
+  EXPECT_THAT(open.out, HasSubstr("condition g56: in the program of set-up 1: "));
   std::string standing = read_file(one);
   standing.erase(standing.find("M3 S"), 2);
   standing.replace(standing.find("M5"), 2, "M3\nM5");

@@ -129,7 +129,7 @@ def taps(c):
     c.add("tap-backwards", far, tap(drill=-9.9, z=-8, spindle="M4 S400"), "FAULTY", "tapping", "turns its tap out on the way in",
           **pair, **STOCK)
     c.add("tap-drilled", far, tap(drill=-9.9, z=-8, word="G81"), "FAULTY", "tapping", "pulls its tap out at the rapid", **pair, **STOCK)
-    c.add("tap-solid", far, tap(drill=-0.5, z=-8), "FAULTY", "tapping", "taps where no hole is", **pair, **STOCK)
+    c.add("tap-solid", far, tap(drill=-0.5, z=-8), "FAULTY", "more-than-it-cuts", "taps where no hole is", **pair, **STOCK)
     narrow = {"tools": ["drill:4:T1", "tap:M6:floating:T2"]}
     c.add("tap-narrow", far, tap(drill=-9.9, z=-8), "FAULTY", "tapping", "taps a hole that is narrower than the core", **narrow, **STOCK)
 

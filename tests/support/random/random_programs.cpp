@@ -150,9 +150,11 @@ class Writer {
       case 1:
         return line(fmt::format("G10 L20 P{}", any(10)) + axes(true));
       case 2:
+        shifted_ = true;
         return line("G92" + axes(true));
       case 3:
-        return line(fmt::format("G92.{}", 1 + any(3)));
+        // G92.3 restores what an earlier G92 has shifted by: nothing states what ran before the program.
+        return line(fmt::format("G92.{}", 1 + any(shifted_ ? 3 : 2)));
       case 4:
         return line("G52" + axes(true));
       default:
@@ -273,6 +275,7 @@ class Writer {
   }
 
   Random random_;
+  bool shifted_ = false;  ///< by a G92
   std::string text_;
   int lines_ = 0;
   double unit_ = 1;
