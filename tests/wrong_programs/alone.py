@@ -131,7 +131,7 @@ def taps(c):
     c.add("tap-drilled", far, tap(drill=-9.9, z=-8, word="G81"), "FAULTY", "tapping", "pulls its tap out at the rapid", **pair, **STOCK)
     c.add("tap-solid", far, tap(drill=-0.5, z=-8), "FAULTY", "more-than-it-cuts", "taps where no hole is", **pair, **STOCK)
     narrow = {"tools": ["drill:4:T1", "tap:M6:floating:T2"]}
-    c.add("tap-narrow", far, tap(drill=-9.9, z=-8), "FAULTY", "tapping", "taps a hole that is narrower than the core", **narrow, **STOCK)
+    c.add("tap-narrow", far, tap(drill=-9.9, z=-8), "FAULTY", "more-than-it-cuts", "taps a hole that is narrower than the core", **narrow, **STOCK)
 
 
 def places(c):
