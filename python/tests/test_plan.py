@@ -48,7 +48,7 @@ class Plans(unittest.TestCase):
         self.assertEqual([tool.number for tool in options.tools], [tool.tool.number for tool in tools])
 
     def test_every_option_of_the_command_is_a_keyword(self):
-        help_text = run_command("plan", "--help").stdout
+        help_text = run_command("plan", "--help", "all").stdout
         options = set(re.findall(r"^\s+(?:-\w, )?--([a-z-]+)", help_text, re.MULTILINE))
         self.assertGreater(len(options), 90)
         keywords = {name.replace("_", "-") for name in dir(clearcut.PlanOptions)}
@@ -62,7 +62,7 @@ class Plans(unittest.TestCase):
             "clearance",  # Part.clearance_z
             "setup", "earlier-setup",  # read_job(), plan_setups()
             "stock-from",  # after= for programs; solids as stock are the command's alone
-            "output", "certificate", "svg", "report", "setup-sheet", "result",  # Plan.write() and others
+            "output", "certificate", "svg", "report", "setup-sheet", "result", "witness",  # Plan.write() and others; a witness is the command's alone
             "explain",  # explain()
             "quiet", "help",
         }
@@ -136,9 +136,9 @@ class LikeTheCommand(unittest.TestCase):
 
     def test_how_the_program_is_written(self):
         words = ["--tool", "endmill:6", "--strategy", "contour", "--style", "machinist", "--work-offset", "G56", "--block-numbers",
-                 "--post", "fanuc", "--program-number", "77", "--optional-stop", "--coolant", "mist"]
+                 "--post", "fanuc", "--program-number", "77", "--coolant", "mist"]
         self.assert_same(EXAMPLES / "bracket.json", words, tools="endmill:6", strategy="contour", style="machinist", work_offset="g56",
-                         block_numbers=True, post="fanuc", program_number=77, optional_stop=True, coolant="mist")
+                         block_numbers=True, post="fanuc", program_number=77, coolant="mist")
         self.assert_same(EXAMPLES / "bracket.json", ["--tool", "endmill:6", "--post", "haas", "--work-offset", "G154 P7", "--end-position", "0,50"], tools="endmill:6",
                          post="haas", work_offset="g154p7", end_position="0,50")
 
