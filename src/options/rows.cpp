@@ -78,17 +78,6 @@ Field end_position_field() {
           }};
 }
 
-/// Of the number of tabs, their distance and their places the last source that states one counts alone.
-template <typename Get>
-Field tabs_field(Get) {
-  return {[](Asked& asked, const Value& value, const std::vector<std::string>& names) {
-            store(Get{}(asked.plan.tabs), value, names);
-          },
-          [](const Asked& asked, const std::vector<std::string>& names) {
-            return load(Get{}(asked.plan.tabs), names);
-          }};
-}
-
 std::vector<Row> input_rows() {
   return {
       {.name = "origin",
@@ -231,7 +220,7 @@ std::vector<Row> drawing_rows() {
        .sentence =
            "Number of tabs that hold each piece that a profile, or a line through the material, cuts free",
        .fallback = "none",
-       .field = tabs_field([](auto& tabs) -> auto& { return tabs.count; }),
+       .field = CLEARCUT_FIELD(plan.tabs.count),
        .range = between(0, 100),
        .table = JobTable::kPlan,
        .neutral = 0,
@@ -241,7 +230,7 @@ std::vector<Row> drawing_rows() {
        .kind = kLength,
        .sentence =
            "Instead of --tabs: as many as it takes that none is farther from the next along the outline",
-       .field = tabs_field([](auto& tabs) -> auto& { return tabs.spacing; }),
+       .field = CLEARCUT_FIELD(plan.tabs.spacing),
        .range = above(0, kLongestLength),
        .table = JobTable::kPlan,
        .effect = {kAllInputs, frees_nothing}},
@@ -249,7 +238,7 @@ std::vector<Row> drawing_rows() {
        .group = Group::kDrawings,
        .kind = kPoints,
        .sentence = "Instead of --tabs: X,Y of a tab, mm, within 5 mm of the outline (repeatable)",
-       .field = tabs_field([](auto& tabs) -> auto& { return tabs.at; }),
+       .field = CLEARCUT_FIELD(plan.tabs.at),
        .type = "X,Y",
        .table = JobTable::kPlan,
        .effect = {kAllInputs, frees_nothing}},
