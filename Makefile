@@ -12,15 +12,15 @@ setup:
 	@scripts/setup.sh
 
 build:
-	@scripts/setup.sh build demo test server
+	@scripts/setup.sh build demo test server solids
 	@$(call configure,-DCLEARCUT_TESTS=ON)
 	@cmake --build --preset release
 
 # A folder that is configured stays as it is, so that `make demo` after `make test` takes no test away.
 demo:
-	@scripts/setup.sh build demo
+	@scripts/setup.sh build demo server solids
 	@[ -e $(BUILD)/build.ninja ] && [ -z "$(CMAKE_ARGS)" ] || { $(call configure,-DCLEARCUT_TESTS=OFF); }
-	@cmake --build --preset release --target clearcut
+	@cmake --build --preset release --target commands
 	@scripts/demo.sh $(BUILD)/apps/cli/clearcut $(OUT)
 
 test: build

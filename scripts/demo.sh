@@ -13,4 +13,5 @@ echo "program      $out/fishhead.ngc"
 echo "certificate  $out/fishhead.json"
 echo "picture      $out/fishhead.png ($out/fishhead.svg)"
 echo "report       $out/fishhead.html"
+[ ! -x "$(dirname "$clearcut")/clearcut-serve" ] || echo "page         $clearcut serve, then http://127.0.0.1:8080/ in a browser"
 exit $status

@@ -3,4 +3,4 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 mode=(-i); [ "${1:-}" = --check ] && mode=(--dry-run --Werror)
-git ls-files '*.cpp' '*.h' ':!tests/golden' ':!tests/corpus' | xargs -r clang-format "${mode[@]}"
+git ls-files '*.cpp' '*.h' | xargs -r clang-format "${mode[@]}"

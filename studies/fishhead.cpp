@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "geometry/rectangle.h"
-#include "stock/stacking.h"
+#include "features/stacking.h"
 
 namespace clearcut::studies {
 
@@ -255,7 +255,7 @@ Part fishhead(bool sloped, const Tolerances& tol) {
     part.features[5].wall_slope = Radians::of(kSlope);
     part.workplan[5].operation.scallop = kScallop;
   }
-  const std::vector<double> tops = stock::stacked_tops(part, tol);
+  const std::vector<double> tops = features::stacked_tops(part, tol);
   for (std::size_t i = 0; i < tops.size(); ++i) part.features[i].top_z = tops[i];
   return part;
 }

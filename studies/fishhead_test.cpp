@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "geometry/region.h"
-#include "stock/standing.h"
+#include "features/standing.h"
 
 namespace clearcut::studies {
 namespace {
@@ -18,7 +18,7 @@ TEST(Fishhead, TopsByStacking) {
   const double tops[] = {0, -2, -2, -12, -17, -17, -23.5, -23.5, -23.5, -23.5};
   ASSERT_EQ(part.features.size(), 10U);
   for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(part.features[i].top_z, tops[i]) << part.features[i].name;
-  const stock::Standing third(part, 2, {});
+  const features::Standing third(part, 2, {});
   EXPECT_LT(area(third.above(-11)), 200);
   EXPECT_NEAR(area(third.above(-13)), area(part.features[2].target), 1e-2);
 }

@@ -21,7 +21,7 @@
 #include "resolve/plan_options.h"
 #include "resolve/prepare.h"
 #include "resolve/resolve.h"
-#include "stock/tools/fitting.h"
+#include "features/fitting.h"
 
 namespace clearcut {
 
@@ -76,8 +76,8 @@ using pipeline::built_in_strategies;
 // A part with every absent value decided, as plan_part does it first.
 using resolve::prepare;
 using resolve::with_tools;
-using stock::largest_cutters;
-using stock::largest_fitting_diameter;
+using features::largest_cutters;
+using features::largest_fitting_diameter;
 
 /// Every strategy on one part, checked alike, as a table. Throws InputError where none can plan it.
 inline report::TextTable compare_strategies(const Part& part, const PlanOptions& options) {

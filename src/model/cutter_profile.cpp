@@ -88,6 +88,12 @@ CutterProfile inner_profile(const Tool& tool) {
   return row_of(tool.kind).takes_all && is_known ? outer_profile(tool) : CutterProfile{};
 }
 
+double radius_cleared(const Tool& tool, double above) {
+  const CutterProfile profile = inner_profile(tool);
+  const bool leaves_ridges = profile.round > 0 && profile.flat <= 0 && above < profile.full_height();
+  return leaves_ridges ? 0 : std::max(0.0, profile.radius_at(std::max(0.0, above)));
+}
+
 double flat_end(const Tool& tool) {
   return outer_profile(tool).flat;
 }

@@ -37,6 +37,10 @@ CutterProfile outer_profile(const Tool& tool);
 /// undercut, which leave material inside or above, and of cones whose angle nobody states.
 CutterProfile inner_profile(const Tool& tool);
 
+/// mm; radius to which the passes of a plan clear all round wherever the tool's centre may be, `above` mm over their lowest tips. Passes of
+/// balls are planned as those of flat ends: below their full width ridges stand between them.
+double radius_cleared(const Tool& tool, double above);
+
 /// mm; radius with which the cutter's end leaves a floor flat; 0: it has none.
 double flat_end(const Tool& tool);
 

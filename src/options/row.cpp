@@ -71,16 +71,11 @@ std::string seed_of_text(const std::string& text, const std::string& place) {
   refuse(place, text, "a seed; write a whole number from 0 to 18446744073709551615");
 }
 
-std::string unit_of(const Row& row) {
-  if (row.kind == ValueKind::kLength) return "mm";
-  return row.kind == ValueKind::kFeed ? "mm/min" : row.unit;
-}
-
 void check_number(const Row& row, double value, const std::string& place) {
   if (!std::isfinite(value)) throw InputError(place, "must be a finite number");
   if (row.kind == ValueKind::kWhole && value != std::floor(value))
     throw InputError(place, fmt::format("must be a whole number; it is {}", value));
-  const std::string reason = beyond_range(value, row.range, unit_of(row));
+  const std::string reason = beyond_range(value, row.range, row.counted_in());
   if (!reason.empty()) throw InputError(place, fmt::format("{}; it is {}", reason, value));
 }
 
@@ -92,6 +87,14 @@ void check_name(const Row& row, const std::string& name, const std::string& plac
                          meant.empty() ? "" : "did you mean '" + meant + "'? ", fmt::join(row.names, ", ")));
 }
 
+/// A text of a row that does not take every one.
+void check_text(const Row& row, const std::string& text, const std::string& place) {
+  if (row.is_known(text)) return;
+  const std::string meant = nearest_name(text, row.names);
+  throw InputError(place, fmt::format("'{}' is unknown; {}use {}", text,
+                                      meant.empty() ? "" : "did you mean '" + meant + "'? ", row.known));
+}
+
 }  // namespace
 
 const char* name_of(Group group) {
@@ -101,6 +104,23 @@ const char* name_of(Group group) {
       "Leads and links", "Feeds and speeds", "Rest and finishing", "Controller",
       "Search",          "Published solver"};
   return kNames[static_cast<std::size_t>(group)];
+}
+
+const char* name_of(JobTable table) {
+  static constexpr const char* kNames[] = {"", "part", "tools", "plan", "machine", "output"};
+  return kNames[static_cast<std::size_t>(table)];
+}
+
+std::string Row::counted_in() const {
+  if (kind == ValueKind::kLength) return "mm";
+  return kind == ValueKind::kFeed ? "mm/min" : unit;
+}
+
+std::string Row::described() const {
+  const std::string counted = counted_in();
+  std::string text = sentence;
+  if (!counted.empty()) text += ", " + counted;
+  return fallback.empty() ? text : text + " (default " + fallback + ")";
 }
 
 std::string Row::job_key() const {
@@ -143,7 +163,10 @@ Value value_of_text(const Row& row, const std::string& text, const std::string& 
 }
 
 Value value_of_texts(const Row& row, const std::vector<std::string>& texts, const std::string& place) {
-  if (row.kind != ValueKind::kPoints) return texts;
+  if (row.kind != ValueKind::kPoints) {
+    check_value(row, texts, place);
+    return texts;
+  }
   std::vector<Vec2> points;
   for (const std::string& text : texts) points.push_back(point_of_text(text, place));
   return points;
@@ -153,8 +176,11 @@ void check_value(const Row& row, const Value& value, const std::string& place) {
   if (const double* number = std::get_if<double>(&value)) check_number(row, *number, place);
   if (row.kind == ValueKind::kChoice) check_name(row, std::get<std::string>(value), place);
   if (!row.is_known) return;
-  const auto& text = std::get<std::string>(value);
-  if (!row.is_known(text)) throw InputError(place, "'" + text + "' is unknown; use " + row.known);
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&value)) {
+    for (const std::string& text : *texts) check_text(row, text, place);
+  } else {
+    check_text(row, std::get<std::string>(value), place);
+  }
 }
 
 void check_values(const Asked& asked, const std::string& prefix) {

@@ -45,6 +45,8 @@ enum class Level : unsigned char {
 
 /// The table of a job file that has the option's key.
 enum class JobTable : unsigned char { kNone, kPart, kTools, kPlan, kMachine, kOutput };
+/// "part", "tools", "plan", "machine", "output"; "" for none.
+const char* name_of(JobTable table);
 
 /// Kinds of files that a part is read from. Bits of a set.
 enum InputKinds : unsigned {
@@ -102,6 +104,10 @@ struct Row {
   Effect effect = {};
 
   std::string job_key() const;
+  /// What its numbers are counted in: "mm", "mm/min", "degrees"; "" for none.
+  std::string counted_in() const;
+  /// The sentence of help: what it does, its unit and its default.
+  std::string described() const;
   /// A value that the row takes, as text.
   std::string shown_example() const;
 };

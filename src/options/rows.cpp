@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "model/coolant.h"
+#include "model/results/condition_kinds.h"
 #include "model/work_material.h"
 #include "options/field.h"
 #include "options/idle.h"
@@ -19,6 +20,14 @@ using enum ValueKind;
 
 /// Degrees.
 constexpr double kLevel = 90, kWholeTurn = 360;
+
+/// One for each kind, for completion and for whoever has mistyped one.
+std::vector<std::string> names_of_conditions() {
+  std::vector<std::string> names;
+  for (const ConditionRow& row : condition_rows())
+    names.emplace_back(row.example.empty() ? row.name : row.example);
+  return names;
+}
 
 VisitSolver& solver_of(Asked& asked) {
   auto& solver = asked.plan.published.solver;
@@ -379,8 +388,11 @@ std::vector<Row> machine_rows() {
        .kind = kTexts,
        .sentence = "Condition that holds at the machine, by its name (repeatable): g55, blending, ...",
        .field = CLEARCUT_FIELD(plan.accept),
+       .names = names_of_conditions(),
        .table = JobTable::kPlan,
-       .example = "g55"},
+       .example = "g55",
+       .is_known = is_condition,
+       .known = "a name as the verdict lists it: g55, blending, loose-part"},
       {.name = "keep-out",
        .group = Group::kMachine,
        .level = Level::kFirst,

@@ -19,7 +19,7 @@
 #include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "report/motion_text.h"
-#include "stock/round_hole.h"
+#include "features/round_hole.h"
 #include "verify/verify.h"
 
 namespace clearcut::pipeline {
@@ -179,7 +179,7 @@ link::LinkOptions link_options(const ResolvedPlan& plan, int workingstep, EntryK
   link.lead_feed = step.lead_feed;
   link.link_feed = plan.link_feed;
   link.link_lift = plan.link_lift;
-  link.predrilled = stock::holes_before(plan.part, workingstep, plan.tol);
+  link.predrilled = features::holes_before(plan.part, workingstep, plan.tol);
   if (plan.part.stock) link.stock = plan.part.stock->plan;
   link.machine = plan.machine;
   return link;

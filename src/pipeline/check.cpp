@@ -21,7 +21,7 @@
 #include "resolve/prepare.h"
 #include "resolve/resolve.h"
 #include "resolve/tool_cutting.h"
-#include "stock/round_hole.h"
+#include "features/round_hole.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -96,7 +96,7 @@ CuttingData keep_stated_limits(Workingstep& step, Operation stated, const Part& 
     resolve::change_tool(stated, step.operation.tool, part, options);
   }
   const Tool& tool = tool_of(prepared, step);
-  const bool mills = !stock::only_plunges(tool);
+  const bool mills = !features::only_plunges(tool);
   if (!resolve::is_made_at_once(feature_of(prepared, step), tool))
     step.operation.stepdown = options.stepdown && mills ? options.stepdown : stated.stepdown;
   const auto& plunge = options.cutting.plunge_feed;

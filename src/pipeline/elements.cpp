@@ -17,7 +17,7 @@
 #include "plan/grid/shape.h"
 #include "plan/grid/visit.h"
 #include "resolve/resolve.h"
-#include "stock/stacking.h"
+#include "features/stacking.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -96,7 +96,7 @@ Part part_of(const ElementJob& job, const std::vector<plan::grid::ElementVisit>&
   for (const auto& element : job.elements) part.features.push_back(plan::grid::feature_of(element, job));
   for (const auto& visit : visits) part.workplan.push_back(step_of(visit.element, job));
   for (const auto& noticed : plan::grid::off_grid(job)) part.diagnostics.warn(noticed.place, noticed.text);
-  stock::stack_tops(part, tol);
+  features::stack_tops(part, tol);
   return part;
 }
 

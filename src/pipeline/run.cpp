@@ -9,6 +9,8 @@
 #include "base/progress_meter.h"
 #include "base/text/format.h"
 #include "base/work_budget.h"
+#include "features/fitting.h"
+#include "features/round_hole.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "kinematics/kinematics.h"
@@ -39,8 +41,6 @@
 #include "resolve/prepare.h"
 #include "resolve/refusals.h"
 #include "resolve/resolve.h"
-#include "stock/round_hole.h"
-#include "stock/tools/fitting.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -161,7 +161,7 @@ std::string no_room_beside_edge(const Feature& feature, const Tool& tool) {
 
 std::string does_not_fit(const Part& part, const Workingstep& step, const Tolerances& tol) {
   if (feature_of(part, step).chamfer) return no_room_beside_edge(feature_of(part, step), tool_of(part, step));
-  if (stock::only_plunges(tool_of(part, step)) && !stock::round_hole_of(feature_of(part, step), tol)) {
+  if (features::only_plunges(tool_of(part, step)) && !features::round_hole_of(feature_of(part, step), tol)) {
     return fmt::format("tool T{} ({} {} mm) only makes round holes; {} needs a mill",
                        tool_of(part, step).number, name_of(tool_of(part, step).kind),
                        trimmed(tool_of(part, step).diameter, 4), feature_of(part, step).name);
@@ -169,7 +169,7 @@ std::string does_not_fit(const Part& part, const Workingstep& step, const Tolera
   return fmt::format("tool T{} ({} mm) does not fit {}; the largest that does has {} mm",
                      tool_of(part, step).number, trimmed(tool_of(part, step).diameter, 4),
                      feature_of(part, step).name,
-                     trimmed(stock::largest_fitting_diameter(feature_of(part, step), tol), 3));
+                     trimmed(features::largest_fitting_diameter(feature_of(part, step), tol), 3));
 }
 
 /// Edges of an outline beyond which rivals are not tried: their time would be felt.
@@ -287,8 +287,8 @@ std::string no_passes(std::size_t i, const Selection& selection, const std::vect
         name, fmt::join(selection.left_out(i), " and "), thousands(work_shares(works, plan)[i]));
   }
   const bool fits =
-      tool_of(part, step).diameter <= stock::largest_fitting_diameter(feature_of(part, step), plan.tol);
-  if (!fits || stock::only_plunges(tool_of(part, step))) return does_not_fit(part, step, plan.tol);
+      tool_of(part, step).diameter <= features::largest_fitting_diameter(feature_of(part, step), plan.tol);
+  if (!fits || features::only_plunges(tool_of(part, step))) return does_not_fit(part, step, plan.tol);
   return fmt::format("{} found no passes for {}; {}", selection.candidate(i).strategy->name, name,
                      plan.steps[i].published_grid
                          ? "no point of the published grid lies where the cutter's centre may be; use a "
@@ -310,7 +310,7 @@ void report_what_does_not_fit(Part& part, const Selection& selection, const std:
     const auto& step = part.workplan[i];
     if (!selection.section(i).moves.empty() || works[i].done_before) continue;
     const bool fits =
-        tool_of(part, step).diameter <= stock::largest_fitting_diameter(feature_of(part, step), plan.tol);
+        tool_of(part, step).diameter <= features::largest_fitting_diameter(feature_of(part, step), plan.tol);
     if (fits && works[i].layers.empty()) continue;
     const std::string& name = feature_of(part, step).name;
     if (fits && plan.steps[i].published_grid) {
@@ -321,22 +321,13 @@ void report_what_does_not_fit(Part& part, const Selection& selection, const std:
   }
 }
 
-/// Whether another strategy may do without a fault of that kind.
-bool depends_on_strategy(FaultKind kind) {
-  return kind != FaultKind::kBeyondFlutes && kind != FaultKind::kBeyondStock &&
-         kind != FaultKind::kToolLength && kind != FaultKind::kSpindleOff &&
-         kind != FaultKind::kSpindleDirection && kind != FaultKind::kSpindleSpeed &&
-         kind != FaultKind::kOutsideTravel && kind != FaultKind::kWrongTool && kind != FaultKind::kTapping &&
-         kind != FaultKind::kThread && kind != FaultKind::kLoosePart && kind != FaultKind::kFeedTooFast;
-}
-
 /// Degrees. So much more than the limit in a figure is no fault.
 constexpr double kFaultlessExcess = 2;
 
 /// Whether another plan of a workingstep may do without the fault. The workingsteps of one feature share its name, and where
 /// its walls are finished beyond the limit of engagement the clearing before them is none the worse.
 bool may_be_avoided(const Fault& fault, const FeatureFindings& step, const ResolvedPlan& plan) {
-  if (fault.feature != step.name || !depends_on_strategy(fault.kind)) return false;
+  if (fault.feature != step.name || !row_of(fault.kind).by_strategy) return false;
   return fault.kind != FaultKind::kOverEngagement ||
          step.figures.engagement.max_deg > plan.engagement_deg.value_or(0) + kFaultlessExcess;
 }

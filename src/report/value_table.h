@@ -8,7 +8,7 @@
 
 namespace clearcut::report {
 
-/// One row a value: those of each workingstep, then those of the whole plan.
+/// One row for each value of a name, with the numbers of the workingsteps that share it; then those of the whole plan.
 TextTable value_table(const Part& part, const std::vector<ResolvedValue>& values);
 
 }  // namespace clearcut::report

@@ -11,8 +11,8 @@
 #include "geometry/clearance.h"
 #include "resolve/prepare.h"
 #include "resolve/tool_cutting.h"
-#include "stock/kerf.h"
-#include "stock/tools/fitting.h"
+#include "features/kerf.h"
+#include "features/fitting.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -30,7 +30,7 @@ double widest_clearance(const Regions& regions, const Tolerances& tol) {
 
 /// Largest mill that clears floors and fits; -1 for none.
 int floor_mill(const Feature& feature, const std::vector<Tool>& tools, const Tolerances& tol) {
-  const double fits = stock::largest_fitting_diameter(feature, tol) - kRoom;
+  const double fits = features::largest_fitting_diameter(feature, tol) - kRoom;
   int best = -1;
   for (std::size_t i = 0; i < tools.size(); ++i) {
     const bool flat = mills_upright(tools[i]) && tools[i].kind != ToolKind::kBallEndMill;
@@ -110,8 +110,8 @@ void shape_groove(Feature& feature, const Tool& tool) {
   }
   const double radius = radius_at(tool, depth);
   const Tolerances tol;
-  feature.target = stock::kerf_of(*feature.profile, 2 * radius, tol);
-  feature.allowed = stock::kerf_of(*feature.profile, 2 * (radius + kBesideGroove), tol);
+  feature.target = features::kerf_of(*feature.profile, 2 * radius, tol);
+  feature.allowed = features::kerf_of(*feature.profile, 2 * (radius + kBesideGroove), tol);
   if (is_conical(tool)) feature.wall_slope = Radians::of(tool.tip_angle->radians() / 2);
 }
 

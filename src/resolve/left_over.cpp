@@ -6,8 +6,7 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "model/cutter_profile.h"
-#include "stock/cutter_sweep.h"
-#include "stock/round_hole.h"
+#include "features/round_hole.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -103,13 +102,13 @@ double lowest_tip(const Part& part, const Workingstep& step) {
 
 bool reaches(const Part& part, const Workingstep& step, double z) {
   if (step.operation.kind == OperationKind::kSideFinishing) return false;  // along the walls alone
-  return lowest_tip(part, step) <= z + kSameHeight && !stock::only_plunges(tool_of(part, step));
+  return lowest_tip(part, step) <= z + kSameHeight && !features::only_plunges(tool_of(part, step));
 }
 
 /// mm; by how much less than its full radius the cutter of a step has cleared at z, where its lowest passes run deeper.
 double narrower_at(const Part& part, const Workingstep& step, double z) {
   const Tool& tool = tool_of(part, step);
-  return std::max(0.0, tool.radius() - stock::radius_cleared(tool, z - lowest_tip(part, step)));
+  return std::max(0.0, tool.radius() - radius_cleared(tool, z - lowest_tip(part, step)));
 }
 
 }  // namespace
@@ -169,7 +168,7 @@ bool follows_milling(const Part& part, int workingstep) {
   const Workingstep& own = step_at(part, workingstep);
   for (int i = 0; i < workingstep; ++i) {
     const Workingstep& step = step_at(part, i);
-    if (step.feature == own.feature && !stock::only_plunges(tool_of(part, step))) return true;
+    if (step.feature == own.feature && !features::only_plunges(tool_of(part, step))) return true;
   }
   return false;
 }

@@ -25,11 +25,11 @@
 #include "resolve/refusals.h"
 #include "resolve/tool_cutting.h"
 #include "resolve/work_plan.h"
-#include "stock/at_depth.h"
-#include "stock/kerf.h"
-#include "stock/round_hole.h"
-#include "stock/tools/fitting.h"
-#include "stock/tools/tool_choice.h"
+#include "features/at_depth.h"
+#include "features/kerf.h"
+#include "features/round_hole.h"
+#include "features/fitting.h"
+#include "features/tool_choice.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -53,7 +53,7 @@ double largest_fitting_diameter_of(const Part& part, const Tolerances& tol) {
   double largest = 0;
   for (const auto& step : part.workplan) {
     const auto& feature = feature_of(part, step);
-    largest = std::max(largest, stock::largest_fitting_diameter(feature, tol));
+    largest = std::max(largest, features::largest_fitting_diameter(feature, tol));
   }
   return largest;
 }
@@ -77,11 +77,11 @@ void choose_tools(Part& part, const PlanOptions& options, StepSources& sources) 
     part.tools = options.tools;
     number_tools(part.tools);
     const auto used = used_before(part.tools, options);
-    const auto through = stock::profiles_through(part);
+    const auto through = features::profiles_through(part);
     for (auto& step : part.workplan) {
-      step.operation.tool = stock::tool_for(feature_of(part, step), part.tools, used, options.tol);
+      step.operation.tool = features::tool_for(feature_of(part, step), part.tools, used, options.tol);
       if (options.tabs.any() && through.contains(step.feature))
-        step.operation.tool = stock::tool_for_tabs(feature_of(part, step), step.operation.tool, part.tools);
+        step.operation.tool = features::tool_for_tabs(feature_of(part, step), step.operation.tool, part.tools);
       step.operation.is_tool_chosen = true;
       sources[step_key(step)].set("tool", source_of(options, "tool"));
       take_tool_cutting(step.operation, options);
@@ -127,7 +127,7 @@ class OptionTaker {
 
 void apply_options(Operation& operation, const Tool& tool, const PlanOptions& options, Sources& sources) {
   OptionTaker taker(sources, options);
-  if (!stock::only_plunges(tool) && !is_one_pass(tool))
+  if (!features::only_plunges(tool) && !is_one_pass(tool))
     taker.take(operation.stepdown, options.stepdown, "stepdown");
   taker.take(operation.allowance_side, options.allowance, "allowance");
   taker.take(operation.allowance_floor, options.allowance_floor, "allowance-floor");
@@ -139,7 +139,7 @@ void apply_options(Operation& operation, const Tool& tool, const PlanOptions& op
   taker.take(operation.direction, options.direction, "direction");
   auto& cutting = operation.cutting;
   // The feed a file states for a drill is how fast it goes down; one stated for all cutters is not.
-  if (stock::only_plunges(tool) && !cutting.plunge_feed && cutting.feed) {
+  if (features::only_plunges(tool) && !cutting.plunge_feed && cutting.feed) {
     cutting.plunge_feed = cutting.feed;
     sources.set("plunge-feed", {Origin::kDerived, "the feed stated for the drill"});
   }
@@ -153,7 +153,7 @@ void apply_options(Operation& operation, const Tool& tool, const PlanOptions& op
 
 /// Why nothing can be left of what the tool makes of the feature; "" where it can.
 std::string made_to_size(const Feature& feature, const Tool& tool) {
-  if (stock::only_plunges(tool) || is_formed(feature)) return "holes are made to size";
+  if (features::only_plunges(tool) || is_formed(feature)) return "holes are made to size";
   if (tool.kind == ToolKind::kTSlot) return "undercuts are as large as their disc";
   if (is_carved(feature, tool)) return "the cutter's shape makes it";
   return "";
@@ -203,7 +203,7 @@ void tie_tap(Operation& operation, const Tool& tool, const PlanOptions& options,
 double default_stepdown(const Tool& tool, const Feature& feature) {
   const double depth = feature.top_z - feature.floor_z;
   if (tool.kind == ToolKind::kFaceMill) return kFaceMillStepdown;
-  if (tool.kind != ToolKind::kDrill && (stock::only_plunges(tool) || is_one_pass(tool) || is_formed(feature)))
+  if (tool.kind != ToolKind::kDrill && (features::only_plunges(tool) || is_one_pass(tool) || is_formed(feature)))
     return std::max(depth, 1e-3);
   if (tool.kind == ToolKind::kDrill)
     return depth <= kUnpeckedDiameters * tool.diameter ? depth : tool.diameter;
@@ -213,7 +213,7 @@ double default_stepdown(const Tool& tool, const Feature& feature) {
 std::string default_stepdown_rule(const Tool& tool) {
   if (tool.kind == ToolKind::kFaceMill) return "default: 2 mm for face mills";
   if (tool.kind == ToolKind::kDrill) return "default: at once to 3 diameters, else one diameter a peck";
-  if (stock::only_plunges(tool) || is_one_pass(tool)) return "default: at once";
+  if (features::only_plunges(tool) || is_one_pass(tool)) return "default: at once";
   return "default: half the diameter";
 }
 
@@ -284,7 +284,7 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
   auto& cutting = operation.cutting;
   const double stepdown = default_stepdown(tool, feature);
   defaults.fill(operation.stepdown, stepdown, "stepdown", {Origin::kDefault, default_stepdown_rule(tool)},
-                stock::only_plunges(tool) || is_one_pass(tool) || is_formed(feature)
+                features::only_plunges(tool) || is_one_pass(tool) || is_formed(feature)
                     ? ""
                     : "stepdown " + trimmed(stepdown, 3) + " mm");
   if (leaves_steps(feature, tool)) {
@@ -293,7 +293,7 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
                   {Origin::kDefault, "default: " + trimmed(scallop, 3) + " mm"});
   }
   const std::string feed = trimmed(kDefaultFeed, 0) + " mm/min";
-  if ((stock::only_plunges(tool) || tool.kind == ToolKind::kSpotDrill) && cutting.plunge_feed) {
+  if ((features::only_plunges(tool) || tool.kind == ToolKind::kSpotDrill) && cutting.plunge_feed) {
     defaults.fill(cutting.feed, *cutting.plunge_feed, "feed",
                   {Origin::kDerived, "the plunge feed: the tool only plunges"});
   }

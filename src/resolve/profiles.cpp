@@ -11,8 +11,8 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "resolve/tabs.h"
-#include "stock/kerf.h"
-#include "stock/round_hole.h"
+#include "features/kerf.h"
+#include "features/round_hole.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -69,8 +69,8 @@ double allowed_width(ProfileSide side, double radius, double stock) {
 
 void shape(Feature& feature, const Part& part, double radius, double stock, const Tolerances& tol) {
   const ProfileCut& cut = *feature.profile;
-  feature.target = stock::kerf_of(cut, 2 * radius, tol);
-  feature.allowed = stock::kerf_of(cut, allowed_width(cut.side, radius, stock), tol);
+  feature.target = features::kerf_of(cut, 2 * radius, tol);
+  feature.allowed = features::kerf_of(cut, allowed_width(cut.side, radius, stock), tol);
   if (cut.side == ProfileSide::kOn) return;
   const Regions solid = solid_around(part, cut, kBand * radius, tol);
   // Without others in the way it stays exact as it is.
@@ -93,7 +93,7 @@ void measure_beyond(Part& part) {
 /// all that may free anything comes last, what surrounds less before what surrounds more.
 void put_lines_among_cut_outs(Part& part) {
   const auto frees = [&part](const Workingstep& step) {
-    return stock::may_free(feature_of(part, step), part);
+    return features::may_free(feature_of(part, step), part);
   };
   const bool any_line = std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
     return frees(step) && feature_of(part, step).profile->side == ProfileSide::kOn;
@@ -160,7 +160,7 @@ bool can_leave_tabs(const Feature& feature, const Tool& tool, Part& part) {
 class Holds {
  public:
   Holds(Part& part, const PlanOptions& options)
-      : part_(part), options_(options), through_(stock::profiles_through(part)) {
+      : part_(part), options_(options), through_(features::profiles_through(part)) {
     if (options.tabs.any() || options.tabs.skin) tell_of_nothing_held(part, options.tabs, through_);
     if (!options.tabs.any()) return;
     places_ = places_of_tabs(part, options.tabs, through_);
@@ -240,7 +240,7 @@ void put_what_frees_last(Part& part) {
   };
   const auto last = std::stable_partition(
       part.workplan.begin(), part.workplan.end(),
-      [&part](const Workingstep& step) { return !stock::may_free(feature_of(part, step), part); });
+      [&part](const Workingstep& step) { return !features::may_free(feature_of(part, step), part); });
   for (auto first = last; first != part.workplan.end();) {
     const Path line = line_of(*first);
     first = std::stable_partition(first, part.workplan.end(),

@@ -8,8 +8,8 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "model/results/not_machined.h"
-#include "stock/round_hole.h"
-#include "stock/stacking.h"
+#include "features/round_hole.h"
+#include "features/stacking.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -88,7 +88,7 @@ void refuse_beside_stock(const Part& part, const Feature& feature) {
 void refuse_wrong_kind(const Part& part, const Workingstep& step) {
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);
-  if (clears_floors(tool) || stock::only_plunges(tool) || is_carved(feature, tool) || is_formed(feature) ||
+  if (clears_floors(tool) || features::only_plunges(tool) || is_carved(feature, tool) || is_formed(feature) ||
       feature.kind == FeatureKind::kTSlot)
     return;
   if (tool.kind == ToolKind::kTSlot)
@@ -133,7 +133,7 @@ void refuse_beyond_flutes(const Part& part, const Workingstep& step) {
                     trimmed(depth_below_top(part, step), 3), tool.number, trimmed(*tool.flute_length, 3)));
   }
   const double depth = feature.top_z - feature.floor_z;
-  const bool drills = stock::only_plunges(tool) || tool.kind == ToolKind::kTap;
+  const bool drills = features::only_plunges(tool) || tool.kind == ToolKind::kTap;
   if (depth <= (drills ? kReachOfDrill : kReachOfMill) * tool.diameter + kLevel) return;
   throw InputError(
       feature.name,
@@ -258,7 +258,7 @@ std::optional<Part> without_impossible_steps(const Part& asked, const Part& prep
   }
   if (rest.workplan.empty() || rest.workplan.size() == asked.workplan.size()) return std::nullopt;
   drop_unused_features(rest);
-  const std::vector<double> tops = stock::stacked_tops(rest, tol);
+  const std::vector<double> tops = features::stacked_tops(rest, tol);
   for (std::size_t i = 0; i < tops.size(); ++i) rest.features[i].top_z = tops[i];
   return rest;
 }

@@ -13,9 +13,9 @@
 #include "model/cutter_profile.h"
 #include "resolve/prepare.h"
 #include "resolve/tool_cutting.h"
-#include "stock/round_hole.h"
-#include "stock/tools/fitting.h"
-#include "stock/tools/tool_choice.h"
+#include "features/round_hole.h"
+#include "features/fitting.h"
+#include "features/tool_choice.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -232,10 +232,10 @@ void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources
     const auto under = first_step_under(part, step, options.tol);
     if (!has_rest_steps(part, step, under.has_value(), options)) continue;
     const double fits =
-        stock::largest_fitting_diameter(feature_of(part, step), options.tol) + options.tol.fit;
+        features::largest_fitting_diameter(feature_of(part, step), options.tol) + options.tol.fit;
     for (std::size_t i = 0; i < mills.size(); ++i) {
       const Tool& tool = part.tools[static_cast<std::size_t>(mills[i])];
-      if (tool.diameter > fits || !stock::keeps_walls(tool, feature_of(part, step)) ||
+      if (tool.diameter > fits || !features::keeps_walls(tool, feature_of(part, step)) ||
           !reaches_more_than_before(part, step, tool))
         continue;
       if (under) {
@@ -261,8 +261,8 @@ void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& so
   const Finish finish = finish_of(shop);
   std::vector<Workingstep> floors, walls;
   for (const Workingstep& last : last_milling_steps(part)) {
-    const auto hole = stock::round_hole_of(feature_of(part, last), options.tol);
-    if (hole && stock::makes_hole(tool_of(part, last), *hole, options.tol)) continue;
+    const auto hole = features::round_hole_of(feature_of(part, last), options.tol);
+    if (hole && features::makes_hole(tool_of(part, last), *hole, options.tol)) continue;
     if (finish != Finish::kWalls) add_floor_steps(part, last.feature, shop, floors, sources);
     if (finish != Finish::kFloor) walls.push_back(wall_step(last, part, shop, sources));
   }

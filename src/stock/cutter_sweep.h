@@ -15,10 +15,6 @@ struct Removal {
 };
 Removal removal_by(const Tool& tool);
 
-/// mm; radius to which the passes of a plan clear all round wherever the tool's centre may be, `above` mm over their lowest tips. Passes of
-/// balls are planned as those of flat ends: below their full width ridges stand between them.
-double radius_cleared(const Tool& tool, double above);
-
 /// Makes the tool known to the material; returns the number of its cutter.
 int add_tool(Material& material, const Tool& tool);
 

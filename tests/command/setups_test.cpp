@@ -11,6 +11,7 @@
 #include "post/post.h"
 #include "read/step_solid/solid_model.h"
 #include "support/command.h"
+#include "support/golden.h"
 #include "support/programs.h"
 
 namespace clearcut {
@@ -178,11 +179,10 @@ TEST(Setups, AZeroCanBeACornerTheMiddleOrAPoint) {
   EXPECT_THAT(span({"--origin", "10,10,-12"}), HasSubstr("X -10 to 70 mm, Y -10 to 50 mm, Z 0 to 12 mm"));
 }
 
-/// The bracket of two sides; the golden programs of all controls are in tests/golden/examples/two_sided.
+/// The bracket of two sides, for all controls.
 TEST(Setups, ASolidIsMilledFromBothSides) {
   if (!read::solids_can_be_read()) GTEST_SKIP() << "built without Open CASCADE";
   const ScratchFolder folder;
-  const std::string goldens = CLEARCUT_SOURCE_DIR "/tests/golden/examples/two_sided/";
   for (const std::string& post : post::post_dialects()) {
     SCOPED_TRACE(post);
     const std::string ending = post::file_extension_of(post);
@@ -191,12 +191,10 @@ TEST(Setups, ASolidIsMilledFromBothSides) {
     const auto result = run_clearcut(arguments);
     EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
     for (const char* number : {"-1", "-2"}) {
-      const std::string name = post + number + ending, program = read_file(folder.path(name));
-      if (std::getenv("CLEARCUT_UPDATE_GOLDEN")) {
-        std::filesystem::create_directories(goldens);
-        std::ofstream(goldens + name, std::ios::binary) << program;
-      }
-      EXPECT_EQ(test_support::first_difference(program, read_file(goldens + name)), "");
+      const std::string name = post + number + ending;
+      const std::string golden = "two_sided/" + post + number + test_support::ending_in_tests(post);
+      EXPECT_EQ(
+          test_support::difference_from_golden(golden, read_file(folder.path(name)), post == "linuxcnc"), "");
     }
   }
 }

@@ -9,7 +9,7 @@
 #include "base/random.h"
 #include "pipeline/run.h"
 #include "resolve/prepare.h"
-#include "stock/tools/fitting.h"
+#include "features/fitting.h"
 
 namespace clearcut {
 namespace {
@@ -49,7 +49,7 @@ resolve::PlanOptions with_diameter(double diameter) {
 TEST(ExactFit, TheWidestCutterIsPlannedCleanAndAWiderOneRefused) {
   for (int seed = 0; seed < 30; ++seed) {
     const Part part = random_pocket(seed);
-    const double widest = stock::largest_fitting_diameter(part.features[0], {});
+    const double widest = features::largest_fitting_diameter(part.features[0], {});
     for (const double over : {-0.0004, 0.0, 0.0006}) {
       const auto result = pipeline::plan_part(part, with_diameter(widest + over));
       EXPECT_TRUE(result.findings.all.clean) << seed << " over by " << over;

@@ -10,7 +10,7 @@
 #include "pipeline/run.h"
 #include "read/read_part.h"
 #include "resolve/prepare.h"
-#include "stock/tools/fitting.h"
+#include "features/fitting.h"
 #include "support/command.h"
 #include "support/data.h"
 #include "support/independent/rs274.h"
@@ -140,7 +140,7 @@ TEST_P(Shapes, AreCleanOrRefusedByName) {
   for (const auto& shape : test_support::all_shapes()) {
     const auto& name = shape.name;
     const auto part = test_support::part_of(shape);
-    if (stock::largest_fitting_diameter(part.features.at(0), {}) + Tolerances{}.fit < GetParam()) {
+    if (features::largest_fitting_diameter(part.features.at(0), {}) + Tolerances{}.fit < GetParam()) {
       EXPECT_THROW(pipeline::plan_part(part, with_tool(GetParam())), InputError) << name;
       continue;
     }

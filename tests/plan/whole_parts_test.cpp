@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "pipeline/run.h"
-#include "stock/stacking.h"
+#include "features/stacking.h"
 #include "support/independent/height_field.h"
 #include "support/random/random_parts.h"
 
@@ -118,7 +118,7 @@ TEST(WholePart, IsCleanWithFinishing) {
 
 /// Stock of each step's own on walls and floors; pockets under others begin at their floors.
 void leave_stock(Part& part, Random& random) {
-  stock::stack_tops(part, {});
+  features::stack_tops(part, {});
   for (Workingstep& step : part.workplan) {
     if (random.below(3) > 0) step.operation.allowance_side = random.between(0.1, 1.2);
     if (random.below(3) == 0) step.operation.allowance_floor = random.between(0.1, 0.5);
@@ -134,7 +134,7 @@ TEST(WholePart, IsCleanWithStockThatIsFinishedAfterwards) {
   options.shop.finish = "all";
   options.shop.finish_stock = 0.8;
   options.shop.finish_stock_floor = 0.4;
-  const auto stacked = [](Part& part, Random&) { stock::stack_tops(part, {}); };
+  const auto stacked = [](Part& part, Random&) { features::stack_tops(part, {}); };
   expect_clean_parts(options, test_support::random_count(4), stacked);
 }
 

@@ -20,7 +20,7 @@ struct Reach {
 };
 
 Reach reach_of(const std::string& dialect) {
-  const auto file = std::filesystem::path(CLEARCUT_SOURCE_DIR) / "tests/wrong_programs/parts/pocket.json";
+  const auto file = std::filesystem::path(CLEARCUT_BINARY_DIR) / "tests/wrong_programs/parts/pocket.json";
   resolve::PlanOptions options;
   options.tools.push_back(resolve::parse_tool("endmill:6"));
   options.post.dialect = dialect;

@@ -1,12 +1,10 @@
-// The examples, planned for every controller in millimetres and inches: byte for byte as in
-// tests/golden/examples, read back from there and certified clean. bracket.json, .svg and .step are the same part as
+// The examples, planned for every controller in millimetres and inches: byte for byte as those of
+// tests/golden/examples, read back and certified clean. bracket.json, .svg and .step are the same part as
 // bracket.dxf and need its programs only; flange.toml has every kind of hole; gland.toml threads inside and outside; two_sided.toml, which has two set-ups, is in
 // tests/command/setups_test.cpp; five_pockets.toml is a job of elements, whose grid leaves corners by design.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <ostream>
 #include <set>
 #include <sstream>
@@ -23,6 +21,7 @@
 #include "read/job/job_file.h"
 #include "read/read_part.h"
 #include "read/step_solid/solid_model.h"
+#include "support/golden.h"
 #include "support/independent/grbl.h"
 #include "support/independent/rs274.h"
 #include "support/programs.h"
@@ -97,14 +96,15 @@ resolve::PlanOptions options_of(const Case& c, bool inch) {
   return options;
 }
 
-std::string golden(const Case& c, bool inch, const std::string& program) {
-  const fs::path file = fs::path(CLEARCUT_SOURCE_DIR) / "tests/golden/examples" / c.example.folder /
-                        (c.dialect + (inch ? "-inch" : "-mm") + post::file_extension_of(c.dialect));
-  if (std::getenv("CLEARCUT_UPDATE_GOLDEN")) {
-    fs::create_directories(file.parent_path());
-    std::ofstream(file, std::ios::binary) << program;
-  }
-  return read_file(file.string());
+/// The shortest example for every controller, and every example for one: those are kept as text.
+bool is_kept_as_text(const Case& c, bool inch) {
+  return c.example.folder == std::string("table") || (c.dialect == "linuxcnc" && !inch);
+}
+
+std::string difference_from_golden(const Case& c, bool inch, const std::string& program) {
+  const std::string name = std::string(c.example.folder) + "/" + c.dialect + (inch ? "-inch" : "-mm") +
+                           test_support::ending_in_tests(c.dialect);
+  return test_support::difference_from_golden(name, program, is_kept_as_text(c, inch));
 }
 
 class ExampleProgram : public ::testing::TestWithParam<Case> {};
@@ -126,17 +126,16 @@ Toolpath checked_program(const Case& c, bool inch) {
   const Part part = read::read_part(file_of(c.example), {});
   const resolve::PlanOptions options = options_of(c, inch);
   const pipeline::PlanResult planned = pipeline::plan_part(part, options);
-  const std::string wanted = golden(c, inch, planned.program);
-  EXPECT_EQ(test_support::first_difference(planned.program, wanted), "");
+  EXPECT_EQ(difference_from_golden(c, inch, planned.program), "");
   if (c.dialect == "marlin" && c.example.has_many_holes) {
     // Its programs name no tools: read back they are checked with those of the workplan in its order, holes run in another.
     EXPECT_TRUE(planned.findings.all.clean);
     return planned.toolpath;
   }
-  const pipeline::CheckResult checked =
-      pipeline::check_program(part, wanted, "golden", options, read::gcode::dialect_named(c.dialect));
+  const pipeline::CheckResult checked = pipeline::check_program(part, planned.program, "golden", options,
+                                                                read::gcode::dialect_named(c.dialect));
   EXPECT_EQ(verdict_and_reasons(checked.findings), "CLEAN\n");
-  expect_accepted(c.dialect, wanted);
+  expect_accepted(c.dialect, planned.program);
   return checked.toolpath;
 }
 
@@ -197,16 +196,13 @@ TEST(OtherFormsOfTheBracket, GiveItsGoldenProgram) {
   }
 }
 
-/// The verdict on a golden program in mm with `from` replaced by `to` wherever it stands.
+/// The verdict on an example's program in mm with `from` replaced by `to` wherever it stands.
 std::string verdict_with(const Case& c, const std::string& from, const std::string& to) {
-  std::string program =
-      read_file((fs::path(CLEARCUT_SOURCE_DIR) / "tests/golden/examples" / c.example.folder /
-                 (c.dialect + "-mm" + post::file_extension_of(c.dialect)))
-                    .string());
+  const Part part = read::read_part(file_of(c.example), {});
+  std::string program = pipeline::plan_part(part, options_of(c, false)).program;
   EXPECT_NE(program.find(from), std::string::npos) << from;
   for (std::size_t at = 0; (at = program.find(from, at)) != std::string::npos; at += to.size())
     program.replace(at, from.size(), to);
-  const Part part = read::read_part(file_of(c.example), {});
   const auto found = pipeline::check_program(part, program, "changed", options_of(c, false),
                                              read::gcode::dialect_named(c.dialect));
   return verdict_and_reasons(found.findings);
@@ -231,11 +227,10 @@ Toolpath checked_elements(const std::string& dialect, bool inch) {
   const Case c{kFivePockets, dialect};
   const pipeline::ElementsResult result =
       pipeline::plan_elements(read::read_elements(file_of(kFivePockets)), options_of(c, inch));
-  const std::string wanted = golden(c, inch, result.plan.program);
-  EXPECT_EQ(test_support::first_difference(result.plan.program, wanted), "");
+  EXPECT_EQ(difference_from_golden(c, inch, result.plan.program), "");
   for (const Fault& fault : result.plan.findings.faults)
     EXPECT_EQ(fault.kind, FaultKind::kUncut) << fault.text;
-  expect_accepted(dialect, wanted);
+  expect_accepted(dialect, result.plan.program);
   return result.plan.toolpath;
 }
 

@@ -8,6 +8,7 @@
 #include "base/files/file.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
+#include "support/golden.h"
 #include "support/independent/grbl.h"
 #include "support/independent/rs274.h"
 #include "support/programs.h"
@@ -91,7 +92,7 @@ void expect_same(const Toolpath& wanted, const Toolpath& got, double tolerance) 
 void check(const Case& c, const std::string& dialect, bool inch) {
   const PostOptions options = options_of(c, dialect, inch);
   const fs::path file =
-      folder_of(c) / (dialect + (inch ? "-inch" : "-mm") + post::file_extension_of(dialect));
+      folder_of(c) / (dialect + (inch ? "-inch" : "-mm") + test_support::ending_in_tests(dialect));
   SCOPED_TRACE(file);
   const Toolpath input =
       read::gcode::read_gcode(read_file((folder_of(c) / "input.ngc").string()), "input.ngc").toolpath;

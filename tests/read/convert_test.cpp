@@ -7,7 +7,7 @@
 #include "post/part/stepnc_writer.h"
 #include "read/read_part.h"
 #include "resolve/prepare.h"
-#include "stock/kerf.h"
+#include "features/kerf.h"
 #include "support/data.h"
 #include "support/drawings.h"
 #include "support/programs.h"
@@ -97,9 +97,9 @@ Part part_of(FeatureKind kind) {
   }
   if (kind == FeatureKind::kOpenPocket) feature.allowed = {rectangle(0, 0, 1030, 20)};
   feature.through = kind == FeatureKind::kInsideProfile;
-  if (kind == FeatureKind::kInsideProfile) stock::follow(feature, along(ProfileSide::kInside, true), tol);
-  if (kind == FeatureKind::kOutsideProfile) stock::follow(feature, along(ProfileSide::kOutside, true), tol);
-  if (kind == FeatureKind::kEngraving) stock::follow(feature, along(ProfileSide::kOn, false), tol);
+  if (kind == FeatureKind::kInsideProfile) features::follow(feature, along(ProfileSide::kInside, true), tol);
+  if (kind == FeatureKind::kOutsideProfile) features::follow(feature, along(ProfileSide::kOutside, true), tol);
+  if (kind == FeatureKind::kEngraving) features::follow(feature, along(ProfileSide::kOn, false), tol);
   Part part;
   part.name = "kinds";
   part.features = {std::move(feature)};

@@ -100,9 +100,9 @@ TEST(GcodeCorpus, OtherDialectsMeanWhatTheySay) {
       {"marlin.gcode", 1, {0}, 6 + 20 + kPi / 2 * 10, true},
       {"mach.tap", 1, {1}, 25.4 * (0.3 + kPi / 2 + 0.5 + 1), true},
       {"vertical_lead.nc", 1, {4}, 1 + kPi / 2 + 19 + kPi / 2 * 5 + kPi / 2, true},
-      {"klartext.h", 1, {3}, std::hypot(4 * kPi * 5, 4) + 2 * kPi * 5 + 10 + kPi / 2 * 10 + 10, true},
-      {"klartext_inch.h", 1, {1}, 25.4 * 3.1, true},
-      {"klartext_holes.h", 2, {5, 6}, 3 * (6 * 9 + 5.4) + 13 + 9.36 + 13 + 2.36 + 2 * 20, true},
+      {"klartext.H", 1, {3}, std::hypot(4 * kPi * 5, 4) + 2 * kPi * 5 + 10 + kPi / 2 * 10 + 10, true},
+      {"klartext_inch.H", 1, {1}, 25.4 * 3.1, true},
+      {"klartext_holes.H", 2, {5, 6}, 3 * (6 * 9 + 5.4) + 13 + 9.36 + 13 + 2.36 + 2 * 20, true},
       {"no_motion.nc", 0, {}, 0, true},
   };
   for (const Row& row : rows) {

@@ -8,7 +8,7 @@
 #include "geometry/boolean.h"
 #include "post/part/stepnc_writer.h"
 #include "read/stepnc/stepnc.h"
-#include "stock/stacking.h"
+#include "features/stacking.h"
 #include "studies/fishhead.h"
 #include "support/data.h"
 #include "support/plate.h"
@@ -91,7 +91,7 @@ class RandomPart {
     make_tools();
     const auto features = 1 + random_.below(5);
     for (std::uint64_t i = 0; i < features; ++i) make_feature();
-    stock::stack_tops(part_, {});
+    features::stack_tops(part_, {});
     for (Workingstep& step : part_.workplan)
       if (step.operation.retract_z)
         *step.operation.retract_z = part_.features[static_cast<std::size_t>(step.feature)].top_z + 2;

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "geometry/boolean.h"
-#include "stock/stacking.h"
+#include "features/stacking.h"
 
 namespace clearcut::test_support {
 namespace {
@@ -91,7 +91,7 @@ Part plate() {
                    step("MILL STEP", 2, 0, OperationKind::kRoughing),
                    step("MILL POCKET", 3, 0, OperationKind::kRoughing),
                    step("MILL ROUNDED SLOT", 4, 0, OperationKind::kRoughing)};
-  stock::stack_tops(part, {});
+  features::stack_tops(part, {});
   part.diagnostics = {};
   return part;
 }

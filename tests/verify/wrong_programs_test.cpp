@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path folder() {
-  return fs::path(CLEARCUT_SOURCE_DIR) / "tests/wrong_programs";
+  return fs::path(CLEARCUT_BINARY_DIR) / "tests/wrong_programs";
 }
 
 struct VerdictFound {

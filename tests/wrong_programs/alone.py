@@ -2,7 +2,7 @@
 import re
 
 from holes import CYCLES, tap
-from writer import ALL, CHANGER, HERE, WORD, Class, nothing, rings
+from writer import ALL, CHANGER, OUT, WORD, Class, nothing, rings
 
 #: Wider than the pocket that the right program clears.
 STOCK = {"part": "", "asked": {"stock": "-20:60,-20:60,-10:0"}}
@@ -26,7 +26,7 @@ MACHINES = {
 
 def write_machines():
     for name, text in MACHINES.items():
-        (HERE / "parts" / name).write_text(text)
+        (OUT / "parts" / name).write_text(text)
 
 
 def asked(**more):

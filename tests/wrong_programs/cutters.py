@@ -3,7 +3,7 @@ import json
 
 from alone import STOCK
 from holes import CYCLES, cycle, drawing, second_tool, two_tools
-from writer import HERE, Class
+from writer import OUT, Class
 
 PARTS = {
     "round-floor.json": {"name": "ROUND", "units": "mm", "pockets": [
@@ -14,8 +14,8 @@ PARTS = {
 def write_cutters():
     """The parts, beside the others."""
     for name, part in PARTS.items():
-        (HERE / "parts" / name).write_text(json.dumps(part, indent=1) + "\n")
-    (HERE / "parts" / "through.dxf").write_text(drawing(12, ("DRILL_THRU", 6)))
+        (OUT / "parts" / name).write_text(json.dumps(part, indent=1) + "\n")
+    (OUT / "parts" / "through.dxf").write_text(drawing(12, ("DRILL_THRU", 6)))
 
 
 def down(z, feed=None):

@@ -3,7 +3,7 @@ a part."""
 import json
 import shutil
 
-from writer import HERE
+from writer import OUT
 
 FUSION_GRBL = """(pocket)
 (T1  D=6 CR=0 - ZMIN=-2 - flat end mill)
@@ -411,7 +411,7 @@ SYSTEMS = [
 
 
 def habits():
-    folder = HERE / "habits"
+    folder = OUT / "habits"
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir()
     cases = []

@@ -1,5 +1,5 @@
 """Taps, milled threads and countersinks: programs of two tools, each about one hole."""
-from writer import HERE, Class
+from writer import OUT, Class
 
 #: Controls with tool changers and cycles.
 CYCLES = ["linuxcnc", "fanuc", "haas", "mach3", "mach4"]
@@ -27,7 +27,7 @@ PARTS = {
 def write_holes():
     """The drawings, beside the other parts."""
     for name, text in PARTS.items():
-        (HERE / "parts" / name).write_text(text)
+        (OUT / "parts" / name).write_text(text)
 
 
 def cycle(p, word, z, r, f):

@@ -1,7 +1,7 @@
 """Canned cycles, what tools and machines may do, and what controls differ in: the libraries, machines and cases of these."""
 import math
 
-from writer import ALL, CHANGER, HERE, WORD, Class, nothing, rings
+from writer import ALL, CHANGER, OUT, WORD, Class, nothing, rings
 
 TOOLS = {
     "short.toml": "flute_length = 1.5\n",
@@ -38,12 +38,12 @@ MACHINES = {
 def write_limits():
     """Libraries and machine files, beside the parts."""
     for name, line in {**TOOLS, **DRIVES}.items():
-        (HERE / "parts" / name).write_text('[[tool]]\nkind = "endmill"\nnumber = 1\ndiameter = 6\n' + line)
+        (OUT / "parts" / name).write_text('[[tool]]\nkind = "endmill"\nnumber = 1\ndiameter = 6\n' + line)
     for name, line in PAIRS.items():
         larger = '[[tool]]\nkind = "endmill"\nnumber = 2\ndiameter = 6.1\nstepdown = 5\n'
-        (HERE / "parts" / name).write_text('[[tool]]\nkind = "endmill"\nnumber = 1\ndiameter = 6\n' + line + "\n" + larger)
+        (OUT / "parts" / name).write_text('[[tool]]\nkind = "endmill"\nnumber = 1\ndiameter = 6\n' + line + "\n" + larger)
     for name, line in MACHINES.items():
-        (HERE / "parts" / name).write_text(line)
+        (OUT / "parts" / name).write_text(line)
 
 
 def cycles():

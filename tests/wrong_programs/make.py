@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Writes the programs of this folder and the cases.json of each class.
+"""Writes wrong programs, their right twins, parts and the cases.json of each class into a folder: `make.py FOLDER`.
 
 Each case says what a real controller does with the program and which verdict that deserves. A program that is wrong has
-a right twin beside it. Run it again after a change: `python3 tests/wrong_programs/make.py`.
+a right twin beside it. The build of the tests runs it; tests/verify/wrong_programs_test.cpp reads what it has written.
 """
 import json
 
@@ -13,7 +13,7 @@ from habits import habits
 from holes import holes, write_holes
 from limits import cycles, limits, worst, write_limits
 from takes import entries, leaves, takes, taps, write_takes
-from writer import ALL, CHANGER, HERE, WORD, Class, nothing, rings
+from writer import ALL, CHANGER, OUT, WORD, Class, nothing, rings
 
 
 def square(x0, y0, x1, y1):
@@ -450,9 +450,9 @@ def small():
 
 
 def main():
-    (HERE / "parts").mkdir(exist_ok=True)
+    (OUT / "parts").mkdir(parents=True, exist_ok=True)
     for name, part in PARTS.items():
-        (HERE / "parts" / name).write_text(json.dumps(part, indent=1) + "\n")
+        (OUT / "parts" / name).write_text(json.dumps(part, indent=1) + "\n")
     write_limits()
     write_holes()
     write_cutters()

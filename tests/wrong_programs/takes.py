@@ -2,7 +2,7 @@
 import math
 
 from holes import CYCLES, cycle, drawing, second_tool, tap, thread, two_tools
-from writer import ALL, HERE, Class, rings
+from writer import ALL, OUT, Class, rings
 
 
 PARTS = {
@@ -15,7 +15,7 @@ PARTS = {
 def write_takes():
     """The drawings, beside the other parts."""
     for name, text in PARTS.items():
-        (HERE / "parts" / name).write_text(text)
+        (OUT / "parts" / name).write_text(text)
 
 
 def leaves():

@@ -1,9 +1,10 @@
 """Right programs for every controller, in chunks that a case may change, and the folders they are written into."""
 import json
 import shutil
+import sys
 from pathlib import Path
 
-HERE = Path(__file__).parent
+OUT = Path(sys.argv[1])  # the folder that everything is written into
 WORD = ["linuxcnc", "grbl", "fanuc", "haas", "mach3", "mach4", "marlin"]
 ALL = WORD + ["heidenhain"]
 CHANGER = ["linuxcnc", "fanuc", "haas", "mach3", "mach4"]
@@ -108,7 +109,7 @@ class Class:
     """One folder: programs and the list of what is to be said about them."""
 
     def __init__(self, name):
-        self.folder = HERE / name
+        self.folder = OUT / name
         shutil.rmtree(self.folder, ignore_errors=True)
         self.folder.mkdir()
         self.cases = []

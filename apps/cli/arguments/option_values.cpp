@@ -7,11 +7,6 @@
 namespace clearcut::cli {
 namespace {
 
-std::string unit_of(const Row& row) {
-  if (row.kind == ValueKind::kLength) return "mm";
-  return row.kind == ValueKind::kFeed ? "mm/min" : row.unit;
-}
-
 std::string type_of(const Row& row) {
   if (!row.type.empty()) return row.type;
   if (row.kind == ValueKind::kFile || row.kind == ValueKind::kFiles) return "FILE";
@@ -33,23 +28,15 @@ CLI::Validator understood(const Row& row) {
 
 }  // namespace
 
-std::string help_of(const Row& row) {
-  const std::string unit = unit_of(row);
-  std::string text = row.sentence;
-  if (!unit.empty()) text += ", " + unit;
-  if (!row.fallback.empty()) text += " (default " + row.fallback + ")";
-  return text;
-}
-
 void OptionValues::add_row(CLI::App& command, const Row& row) {
   command.option_defaults()->group(name_of(row.group));
   const std::string typed = "--" + row.name;
   if (row.kind == ValueKind::kFlag) {
-    command.add_flag(typed, flags_[row.name], help_of(row));
+    command.add_flag(typed, flags_[row.name], row.described());
     return;
   }
   auto& texts = texts_[row.name];
-  CLI::Option* option = command.add_option(typed, texts, help_of(row))->type_name(type_of(row));
+  CLI::Option* option = command.add_option(typed, texts, row.described())->type_name(type_of(row));
   if (!takes_several(row.kind)) option->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
   if (row.kind == ValueKind::kPoints) option->allow_extra_args(false);
   option->check(understood(row));

@@ -31,7 +31,4 @@ class OptionValues {
   std::map<std::string, bool> flags_;
 };
 
-/// The sentence of help: what it does, its unit and its default.
-std::string help_of(const Row& row);
-
 }  // namespace clearcut::cli

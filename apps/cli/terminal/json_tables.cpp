@@ -190,10 +190,9 @@ namespace {
 /// Where a job says the same: its table and key, whether the key means the opposite, and whether the value is a number. Null where a
 /// job has no key for it.
 Json job_key_json(const OptionText& option) {
-  static constexpr const char* kTables[] = {"", "part", "tools", "plan", "machine", "output"};
   const Row* row = option.positional ? nullptr : row_named(option.names.back().substr(2));
   if (!row || row->table == JobTable::kNone) return nullptr;
-  return {{"table", kTables[static_cast<std::size_t>(row->table)]},
+  return {{"table", name_of(row->table)},
           {"key", row->job_key()},
           {"opposite", row->key_is_opposite},
           {"number", is_number(row->kind) || row->kind == ValueKind::kSeed}};

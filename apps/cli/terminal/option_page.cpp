@@ -10,19 +10,15 @@ namespace {
 std::string value_text(const Row& row) {
   if (row.kind == ValueKind::kFlag) return "";
   if (row.kind == ValueKind::kChoice) return fmt::format("{}", fmt::join(row.names, ", "));
-  if (row.kind == ValueKind::kLength) return "mm";
-  if (row.kind == ValueKind::kFeed) return "mm/min";
-  if (!row.unit.empty()) return row.unit;
+  if (!row.counted_in().empty()) return row.counted_in();
   if (row.kind == ValueKind::kPoint || row.kind == ValueKind::kPoints) return "X,Y";
   if (row.kind == ValueKind::kFile || row.kind == ValueKind::kFiles) return "file";
   return is_number(row.kind) || row.kind == ValueKind::kSeed ? "number" : "text";
 }
 
 std::string job_text_of(const Row& row) {
-  static constexpr const char* kTables[] = {"", "part", "tools", "plan", "machine", "output"};
   if (row.table == JobTable::kNone) return "";
-  const std::string key =
-      fmt::format("`[{}] {}`", kTables[static_cast<std::size_t>(row.table)], row.job_key());
+  const std::string key = fmt::format("`[{}] {}`", name_of(row.table), row.job_key());
   return row.key_is_opposite ? key + " (opposite)" : key;
 }
 

@@ -18,36 +18,54 @@ struct Place {
   int line = 0;  ///< of the program text; 0 if unknown
 };
 
+/// What can be wrong with a program. What is known of each stands in its row, see row_of().
 enum class FaultKind {
-  kUncut,            ///< reachable material left, thicker than the tolerance
-  kGouge,            ///< the part itself was cut: a wall, an island, or a floor cut too deep
-  kRapidInMaterial,  ///< a rapid passes through stock
-  kPlungeTooFast,    ///< down into material faster than the tool's plunge feed, or steeper than the tool may
-  kTooDeep,          ///< more axial depth in one pass than the stepdown allows (a level was never cut)
-  kOutsideTravel,    ///< beyond the machine's limits
-  kNoFeed,           ///< a feed move without a feed
-  kNothingCut,       ///< a feature asked for is not cut at all
-  kWrongTool,        ///< tool unknown, so nothing can be said
-  kToolLength,       ///< the length in force is not that of the tool that cuts
-  kSpindleOff,  ///< a feed move in material while the spindle stands, has no speed or has not had its time to start
+  kUncut,
+  kGouge,
+  kRapidInMaterial,
+  kPlungeTooFast,
+  kTooDeep,
+  kOutsideTravel,
+  kNoFeed,
+  kNothingCut,
+  kWrongTool,
+  kToolLength,
+  kSpindleOff,
   kSpindleDirection,
-  kSpindleSpeed,    ///< above what the tool or the machine may, or below what the machine can
-  kBeyondFlutes,    ///< deeper than the flutes are long
-  kBeyondStock,     ///< below the bottom of the stock, farther than a way through needs
-  kOverEngagement,  ///< more of the cutter's circle in material than the limit asked for
-  kMissingTab,      ///< a tab that was asked for is cut away
-  kTabHeight,       ///< a tab stands, but not as high as asked, or higher
-  kThread,          ///< a milled thread of another pitch, hand or size, or cut across on the way in or out
-  kHolder,          ///< the holder or the shank runs into material that stands
-  kKeepOut,         ///< the tool or its holder comes where a clamp is
-  kLoosePart,       ///< cut where a profile has cut the piece free before
-  kFeedTooFast,     ///< above the machine's highest feed
-  kTapping,  ///< a tap whose feed is not its pitch times the speed, or that does not turn back on its way out
-  kStockToLeave,  ///< stock that was to be left on a wall or a floor is cut away
-  kMoreThanItCuts,  ///< a tool takes more than its kind can: sideways, or straight down without the hole that it needs
-  kUnits  ///< inches taken for mm, or the other way round: the program is 25.4 times too large or too small
+  kSpindleSpeed,
+  kBeyondFlutes,
+  kBeyondStock,
+  kOverEngagement,
+  kMissingTab,
+  kTabHeight,
+  kThread,
+  kHolder,
+  kKeepOut,
+  kLoosePart,
+  kFeedTooFast,
+  kTapping,
+  kStockToLeave,
+  kMoreThanItCuts,
+  kUnits
 };
-const char* name_of(FaultKind kind);
+
+/// Everything that is known of a kind of fault.
+struct FaultRow {
+  FaultKind kind = FaultKind::kUncut;
+  const char* name = "";     ///< short and stable, in certificates and reports
+  int rank = 0;              ///< the gravest is listed first: 1
+  const char* meaning = "";  ///< what is wrong, in words for documents
+  bool has_length = true;    ///< Fault::size is in mm
+  bool by_strategy = true;   ///< another strategy may do without it
+  bool of_state = false;     ///< about the control and the tool alone: one mistake makes it in all features
+  bool of_missing_cuts = false;  ///< says that something was not cut
+};
+const FaultRow& row_of(FaultKind kind);
+/// In the order of FaultKind.
+const std::vector<FaultRow>& fault_rows();
+inline const char* name_of(FaultKind kind) {
+  return row_of(kind).name;
+}
 
 struct Fault {
   FaultKind kind = FaultKind::kUncut;

@@ -9,7 +9,7 @@
 #include "pipeline/run.h"
 #include "pipeline/setups/sweeps.h"
 #include "read/moved_part.h"
-#include "stock/tools/fitting.h"
+#include "features/fitting.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -50,7 +50,7 @@ Part moved_onto(Part stock, const Stock& block) {
 /// Leaves what the mill does not go into.
 void keep_reachable(Part& stock, const Tool& mill, const Tolerances& tol) {
   std::erase_if(stock.workplan, [&](const Workingstep& step) {
-    return stock::largest_fitting_diameter(feature_of(stock, step), tol) < mill.diameter;
+    return features::largest_fitting_diameter(feature_of(stock, step), tol) < mill.diameter;
   });
 }
 

@@ -5,19 +5,19 @@
 #include "link/hole.h"
 #include "pipeline/certify.h"
 #include "plan/common/layers.h"
-#include "stock/round_hole.h"
+#include "features/round_hole.h"
 
 namespace clearcut::pipeline {
 namespace {
 
-link::HoleWork work_of(const stock::RoundHole& hole, const std::vector<Layer>& layers) {
+link::HoleWork work_of(const features::RoundHole& hole, const std::vector<Layer>& layers) {
   return {hole.center, hole.radius - layers.back().wall_stock, layers.front().z_top, layers.back().z};
 }
 
-bool is_drilled(const stock::RoundHole& hole, const ResolvedStep& step, const Tool& tool,
+bool is_drilled(const features::RoundHole& hole, const ResolvedStep& step, const Tool& tool,
                 const Tolerances& tol) {
-  if (stock::only_plunges(tool)) return tool.radius() <= hole.radius + tol.fit;
-  return tool.center_cutting && step.allowance_side == 0 && stock::makes_hole(tool, hole, tol);
+  if (features::only_plunges(tool)) return tool.radius() <= hole.radius + tol.fit;
+  return tool.center_cutting && step.allowance_side == 0 && features::makes_hole(tool, hole, tol);
 }
 
 /// Whether a layer was widened into features that take some of the hole's wall away: there no stock may stay.
@@ -40,7 +40,7 @@ std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingst
   const auto& planned = plan.part.workplan.at(static_cast<std::size_t>(workingstep));
   const auto& feature = feature_of(plan.part, planned);
   const auto& tool = tool_of(plan.part, planned);
-  const auto hole = stock::round_hole_of(feature, plan.tol);
+  const auto hole = features::round_hole_of(feature, plan.tol);
   std::optional<Section> section;
   if (hole && !layers.empty()) {
     const link::HoleWork work = work_of(*hole, layers);
@@ -58,7 +58,7 @@ std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingst
       section = link::bore_hole(work, step.stepdown, link);
     }
   }
-  if (!section && stock::only_plunges(tool)) section = Section{};
+  if (!section && features::only_plunges(tool)) section = Section{};
   if (section) describe(*section, workingstep, plan);
   return section;
 }

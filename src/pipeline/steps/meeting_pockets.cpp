@@ -11,9 +11,9 @@
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "resolve/left_over.h"
-#include "stock/at_depth.h"
-#include "stock/cutter_sweep.h"
-#include "stock/round_hole.h"
+#include "features/at_depth.h"
+#include "model/cutter_profile.h"
+#include "features/round_hole.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -41,11 +41,11 @@ Regions cleared_before(const Part& part, int workingstep, const Tolerances& tol)
     const Feature& other = feature_of(part, step);
     const bool deep = other.floor_z + step.operation.allowance_floor <= pocket.top_z + tol.coincident;
     if (!deep || &other == &pocket || other.wall_slope.radians() != 0 || other.profile || other.chamfer ||
-        stock::only_plunges(tool_of(part, step)))
+        features::only_plunges(tool_of(part, step)))
       continue;
     const Tool& tool = tool_of(part, step);
     const double above = pocket.top_z - other.floor_z - step.operation.allowance_floor;
-    const double narrower = std::max(0.0, tool.radius() - stock::radius_cleared(tool, above));
+    const double narrower = std::max(0.0, tool.radius() - radius_cleared(tool, above));
     cleared = unite(
         cleared, resolve::swept(other.allowed, tool.radius(), step.operation.allowance_side, -narrower, tol),
         tol);
@@ -82,7 +82,7 @@ MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Toleranc
 }
 
 Regions MeetingPockets::room_of(const Feature& other, double z) const {
-  Regions room = stock::at_depth(other.allowed, other.wall_slope, other.top_z - z, tol_);
+  Regions room = features::at_depth(other.allowed, other.wall_slope, other.top_z - z, tol_);
   const bool higher = std::find(higher_.begin(), higher_.end(), &other) != higher_.end();
   return higher ? intersect(room, cleared_, tol_) : room;
 }

@@ -3,8 +3,8 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "resolve/left_over.h"
-#include "stock/cutter_sweep.h"
-#include "stock/round_hole.h"
+#include "model/cutter_profile.h"
+#include "features/round_hole.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -24,9 +24,9 @@ Regions reached_by(const Part& part, const Workingstep& step, double z, const To
   const bool reaches = tip <= z + tol.coincident && step.operation.kind != OperationKind::kSideFinishing &&
                        !feature.chamfer && feature.kind != FeatureKind::kTSlot && !is_formed(feature);
   if (!reaches) return {};
-  if (stock::only_plunges(tool))
-    return stock::full_depth(part, step) <= z + tol.coincident ? feature.target : Regions{};
-  const double narrower = std::max(0.0, tool.radius() - stock::radius_cleared(tool, z - tip));
+  if (features::only_plunges(tool))
+    return features::full_depth(part, step) <= z + tol.coincident ? feature.target : Regions{};
+  const double narrower = std::max(0.0, tool.radius() - radius_cleared(tool, z - tip));
   return resolve::swept(feature.allowed, tool.radius(), step.operation.allowance_side, -kSpare - narrower,
                         tol);
 }

@@ -18,8 +18,8 @@
 #include "plan/common/layers.h"
 #include "post/post.h"
 #include "resolve/left_over.h"
-#include "stock/round_hole.h"
-#include "stock/standing.h"
+#include "features/round_hole.h"
+#include "features/standing.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -69,8 +69,8 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
   MeetingPockets met(part, index, plan.tol);
   // Where layers are widened by pockets of other depths, passes of one begin elsewhere than those of the layer above.
   const bool bare = is_bare(part, feature) || !met.empty();
-  const auto holes = stock::holes_before(part, index, plan.tol);
-  const stock::Standing standing(part, index, plan.tol);
+  const auto holes = features::holes_before(part, index, plan.tol);
+  const features::Standing standing(part, index, plan.tol);
   auto layers = plan::layers_of(feature, operation, tool.radius(), plan.tol, tool.corner_radius,
                                 standing.top() - feature.top_z);
   for (auto& layer : layers) {

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "geometry/boolean.h"
-#include "stock/at_depth.h"
+#include "features/at_depth.h"
 
 namespace clearcut::plan {
 namespace {
@@ -41,7 +41,7 @@ Layer outline_at(const Feature& feature, double z, const Tolerances& tol) {
     layer.allowed = feature.allowed;
     return layer;
   }
-  layer.allowed = stock::at_depth(feature.allowed, feature.wall_slope, feature.top_z - z, tol);
+  layer.allowed = features::at_depth(feature.allowed, feature.wall_slope, feature.top_z - z, tol);
   // Open sides have no draft: only walls, which bound `allowed`, move inwards with depth.
   layer.target = closed_all_round(feature) ? layer.allowed : intersect(feature.target, layer.allowed, tol);
   return layer;

@@ -8,7 +8,7 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "plan/common/rings.h"
-#include "stock/kerf.h"
+#include "features/kerf.h"
 
 namespace clearcut::plan::profile {
 namespace {
@@ -72,7 +72,7 @@ void add_runs(const Loop& loop, const Path& line, double reach, LayerPasses& res
 /// there is room beside the contour, but nothing is cut there that does not lie in either kerf.
 Regions along_contour(const Region& inside, const ProfileCut& cut, double reach, double radius,
                       const Tolerances& tol) {
-  const Regions beside = stock::kerf_of(cut, reach + kBesideContour * radius + kBesideSpare, tol);
+  const Regions beside = features::kerf_of(cut, reach + kBesideContour * radius + kBesideSpare, tol);
   if (area(subtract({inside}, beside, tol)) < kSpeck) return {inside};
   return intersect({inside}, beside, tol);
 }

@@ -7,6 +7,8 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "features/kerf.h"
+#include "features/stacking.h"
 #include "geometry/boolean.h"
 #include "geometry/contours/loops.h"
 #include "read/common/features/area_features.h"
@@ -15,12 +17,11 @@
 #include "read/common/islands/islands.h"
 #include "read/common/layers/layer_overlaps.h"
 #include "read/common/layers/outline_roles.h"
+#include "read/common/not_as_drawn.h"
 #include "read/common/stock_edge.h"
 #include "read/common/text.h"
 #include "read/repair/crossings/nesting.h"
 #include "read/repair/mends.h"
-#include "stock/kerf.h"
-#include "stock/stacking.h"
 
 namespace clearcut::read {
 namespace {
@@ -93,7 +94,7 @@ Feature profile_of(const DrawnGroup& group, Path line, ProfileSide side, double 
   feature.through = side != ProfileSide::kOn;
   if (feature.through) cut.beyond = options.solid.breakthrough.value_or(0);
   feature.floor_z -= cut.beyond;
-  stock::follow(feature, std::move(cut), options.tol);
+  features::follow(feature, std::move(cut), options.tol);
   return feature;
 }
 
@@ -290,7 +291,7 @@ std::string what_was_left_out(const Diagnostics& diagnostics) {
   std::string all;
   int count = 0;
   for (const Diagnostic& item : diagnostics.items())
-    if (item.severity == Severity::kSkipped && ++count <= kListed)
+    if ((item.severity == Severity::kSkipped || item.condition == kLeftOut) && ++count <= kListed)
       all += (all.empty() ? "" : "; ") + item.what;
   if (count > kListed) all += "; and " + std::to_string(count - kListed) + " more";
   return all.empty() ? "" : " (" + all + ")";
@@ -407,11 +408,16 @@ void add_features(Part& part, std::vector<Feature> features) {
   part.order_free = true;  // as drawn is as it happened to be drawn
 }
 
-void report_left_out(Diagnostics& diagnostics, const std::string& file, const LeftOut& left_out,
-                     const std::string& what) {
+std::string listed(const LeftOut& left_out) {
   std::string text;
   for (const auto& [name, count] : left_out)
     text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + printable(name);
+  return text;
+}
+
+void report_left_out(Diagnostics& diagnostics, const std::string& file, const LeftOut& left_out,
+                     const std::string& what) {
+  const std::string text = listed(left_out);
   if (!text.empty()) diagnostics.skip(file, what + " " + text);
 }
 
@@ -436,7 +442,7 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   add_features(part, std::move(features));
   open_at_stock_edge(part, options.tol);
   // A deep pocket within a shallow one begins on its floor.
-  if (several_floors) stock::stack_tops(part, options.tol);
+  if (several_floors) features::stack_tops(part, options.tol);
 }
 
 }  // namespace clearcut::read

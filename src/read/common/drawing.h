@@ -59,6 +59,8 @@ void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, D
 
 /// How many entities were left out, by name.
 using LeftOut = std::map<std::string, int>;
+/// "2 IMAGE, 1 3DFACE on layer D5"; "" for nothing.
+std::string listed(const LeftOut& left_out);
 /// Says what of `file` was left out, if anything; `what` ends in a colon.
 void report_left_out(Diagnostics& diagnostics, const std::string& file, const LeftOut& left_out,
                      const std::string& what);

@@ -28,6 +28,41 @@ constexpr double kFlat = 1e-6;
 /// Entities after all blocks are put in place: beyond this the drawing is a trap.
 constexpr int kMostEntities = 2'000'000;
 
+/// Kinds that show or say something of the drawing and are no part of what is drawn: dimensions, notes, views, pictures, lines of
+/// construction. Whatever else is not read may be part of the work.
+constexpr std::array<std::string_view, 28> kAnnotations{"DIMENSION",
+                                                        "ARC_DIMENSION",
+                                                        "LARGE_RADIAL_DIMENSION",
+                                                        "LEADER",
+                                                        "MULTILEADER",
+                                                        "MLEADER",
+                                                        "TOLERANCE",
+                                                        "ATTDEF",
+                                                        "RTEXT",
+                                                        "ARCALIGNEDTEXT",
+                                                        "ACAD_TABLE",
+                                                        "VIEWPORT",
+                                                        "IMAGE",
+                                                        "WIPEOUT",
+                                                        "OLEFRAME",
+                                                        "OLE2FRAME",
+                                                        "PDFUNDERLAY",
+                                                        "DGNUNDERLAY",
+                                                        "DWFUNDERLAY",
+                                                        "POINT",
+                                                        "XLINE",
+                                                        "RAY",
+                                                        "LIGHT",
+                                                        "SUN",
+                                                        "CAMERA",
+                                                        "SECTION",
+                                                        "POINTCLOUD",
+                                                        "GEOPOSITIONMARKER"};
+
+bool is_annotation(std::string_view dxf_type) {
+  return std::find(kAnnotations.begin(), kAnnotations.end(), dxf_type) != kAnnotations.end();
+}
+
 /// Curves by layer while a document is walked through.
 class Collector {
  public:
@@ -98,15 +133,22 @@ class Collector {
       diagnostics_.note(document_.file, "read, though not plotted: the layer(s) " + unplotted_ +
                                             " (--op ignore:LAYER leaves one out)");
     report_left_out(diagnostics_, document_.file, not_read_, "not read, because they are no outlines:");
+    if (const std::string shapes = listed(shapes_not_read_); !shapes.empty())
+      diagnostics_.doubt(
+          document_.file, kLeftOut,
+          "not read, because they are no outlines: " + shapes +
+              "; draw what of them is to be cut as outlines (--op ignore:LAYER says that none is)");
     lettering_.report(diagnostics_);
     report_left_out(diagnostics_, document_.file, texts_not_read_,
                     "not read, because letters are no outlines (--text outlines draws them):");
     report_left_out(
         diagnostics_, document_.file, fills_not_read_,
         "not read, because lines are drawn elsewhere (--op pocket:LAYER reads the boundaries of fills):");
-    report_left_out(
-        diagnostics_, document_.file, external_,
-        "not read, because they are drawings in files of their own (bind them, then export again):");
+    if (const std::string drawings = listed(external_); !drawings.empty())
+      diagnostics_.doubt(
+          document_.file, kLeftOut,
+          "not read, because they are drawings in files of their own (bind them, then export again): " +
+              drawings);
     report_left_out(diagnostics_, document_.file, hidden_,
                     "not read, because their layers are off or frozen, or they are invisible:");
     report_left_out(diagnostics_, document_.file, not_chosen_,
@@ -154,7 +196,11 @@ class Collector {
     } else if (is_text(entity.type)) {
       take_text(entity, map, layer);
     } else if (!is_curve(entity.type)) {
-      leave_out(std::string(entity.type), layer);
+      if (is_annotation(entity.type)) {
+        leave_out(std::string(entity.type), layer);
+      } else {
+        leave_out_shape(std::string(entity.type), layer);
+      }
     } else {
       take_curve(entity, followers, map, layer);
     }
@@ -163,6 +209,14 @@ class Collector {
   void leave_out(const std::string& what, const std::string& layer) {
     unread_.try_emplace(capitals(layer), layer);
     ++not_read_[layer == "0" ? what : what + " on layer " + layer];
+  }
+
+  /// What may be part of the work.
+  void leave_out_shape(const std::string& what, const std::string& layer) {
+    const bool counts = is_chosen(layer) && new_group(layer).role != LayerRole::kIgnore;
+    if (!counts) return leave_out(what, layer);
+    unread_.try_emplace(capitals(layer), layer);
+    ++shapes_not_read_[layer == "0" ? what : what + " on layer " + layer];
   }
 
   /// What a block's place says beside its drawing: a part's number.
@@ -213,7 +267,7 @@ class Collector {
     DrawnGroup& group = group_of(layer);
     auto curve = curve_of(document_, entity, followers, map);
     if (!curve) {
-      leave_out(std::string(entity.type) + " that is not flat or has no points", layer);
+      leave_out_shape(std::string(entity.type) + " that is not flat or has no points", layer);
     } else if (curve->edges.empty()) {
       leave_out(std::string(entity.type) + " without length", layer);
     } else {
@@ -364,7 +418,7 @@ class Collector {
     if (document_.clipped.contains(entity.text(5))) ++clipped_[name];
     const auto own = entity_map(document_, entity);
     if (!own) {
-      leave_out("INSERT that is not parallel to the plane", layer);
+      leave_out_shape("INSERT that is not parallel to the plane", layer);
       return;
     }
     const int columns = std::max(1, document_.integer(entity, 70, 1)),
@@ -398,6 +452,7 @@ class Collector {
   LeftOut fills_not_read_, texts_not_read_;
   LeftOut clipped_;  ///< places of blocks, by their names
   LeftOut not_read_, external_, hidden_, not_chosen_, ignored_;
+  LeftOut shapes_not_read_;                    ///< of what may be part of the work
   std::map<std::string, std::string> seen_;    ///< layers with curves, as written, by their names in capitals
   std::map<std::string, std::string> unread_;  ///< likewise those with anything that is not read
   int risen_ = 0;                              ///< curves that are not flat

@@ -13,8 +13,8 @@
 #include "read/job/job_file.h"
 #include "read/read_part.h"
 #include "read/step_solid/step_solid.h"
-#include "stock/kerf.h"
-#include "stock/tools/tool_choice.h"
+#include "features/kerf.h"
+#include "features/tool_choice.h"
 
 namespace clearcut::read {
 namespace {
@@ -304,9 +304,9 @@ class Dresser {
     }
     if (operation.tool == kOpenTool) {
       const Feature& feature = feature_of(part_, planned.step);
-      operation.tool = stock::tool_for(feature, part_.tools, {}, tol_);
-      if (job_.whole.tabs.any() && stock::profiles_through(part_).contains(planned.step.feature))
-        operation.tool = stock::tool_for_tabs(feature, operation.tool, part_.tools);
+      operation.tool = features::tool_for(feature, part_.tools, {}, tol_);
+      if (job_.whole.tabs.any() && features::profiles_through(part_).contains(planned.step.feature))
+        operation.tool = features::tool_for_tabs(feature, operation.tool, part_.tools);
       operation.is_tool_chosen = true;
       sources.set("tool", {Origin::kDerived, "the job's largest that fits"});
     }

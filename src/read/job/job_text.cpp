@@ -59,14 +59,6 @@ std::string example_of(const Row& row) {
                                                              : quoted(row.shown_example());
 }
 
-std::string comment_of(const Row& row) {
-  std::string text = row.sentence;
-  if (row.kind == ValueKind::kLength) text += ", mm";
-  if (row.kind == ValueKind::kFeed) text += ", mm/min";
-  if (!row.unit.empty()) text += ", " + row.unit;
-  return row.fallback.empty() ? text : text + " (default " + row.fallback + ")";
-}
-
 /// The lines of a table's options: those that were stated as keys, the others as comments that show how.
 std::string option_lines(JobTable table, const StatedOptions& stated) {
   std::string out;
@@ -76,7 +68,7 @@ std::string option_lines(JobTable table, const StatedOptions& stated) {
         stated.names.contains(row.name) ? row.field.get(stated.asked, row.names) : std::nullopt;
     out += value ? row.job_key() + " = " + toml_of(row, *value)
                  : fmt::format("# {} = {}", row.job_key(), example_of(row));
-    out += "   # " + comment_of(row) + "\n";
+    out += "   # " + row.described() + "\n";
   }
   return out;
 }

@@ -16,8 +16,8 @@
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/repair/repair.h"
-#include "stock/kerf.h"
-#include "stock/stacking.h"
+#include "features/kerf.h"
+#include "features/stacking.h"
 
 namespace clearcut::read {
 namespace {
@@ -250,7 +250,7 @@ void set_areas(const Context& context, const DataValue& outline, double unit, Fe
   if (feature.kind != FeatureKind::kOutsideProfile && !follows_line(feature.kind))
     context.fail(*outline.find("line"),
                  "only profiles and engravings have a \"line\"; give \"outer\" instead");
-  stock::follow(feature, profile_of(context, outline, unit, feature.kind), context.options.tol);
+  features::follow(feature, profile_of(context, outline, unit, feature.kind), context.options.tol);
 }
 
 Feature feature_of(const Context& context, const DataValue& outline, double unit, const std::string& name) {
@@ -312,7 +312,7 @@ void add_pockets(const Context& context, const DataValue& pockets, double unit, 
     features.push_back(feature_of(context, pocket, unit, name));
   }
   add_features(part, std::move(features));
-  if (part.features.size() > 1) stock::stack_tops(part, context.options.tol);
+  if (part.features.size() > 1) features::stack_tops(part, context.options.tol);
 }
 
 }  // namespace

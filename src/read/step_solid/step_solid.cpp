@@ -8,17 +8,18 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "features/round_hole.h"
 #include "geometry/boolean.h"
 #include "geometry/rectangle.h"
 #include "read/common/curve_fit.h"
 #include "read/common/drawing.h"
+#include "read/common/not_as_drawn.h"
 #include "read/step_solid/face_curves.h"
 #include "read/step_solid/floor_sweep.h"
 #include "read/step_solid/height_map.h"
 #include "read/step_solid/lie.h"
 #include "read/step_solid/solid_model.h"
 #include "read/step_solid/tops.h"
-#include "stock/round_hole.h"
 
 namespace clearcut::read {
 namespace {
@@ -38,7 +39,6 @@ constexpr int kMostDescribed = 10;
 /// mm. Faces that are not flat and end at heights nearer than this are cut down to the highest of these together.
 constexpr double kOneLevel = 0.1;
 /// The condition of a solid that is not made whole, docs/conditions.md.
-constexpr const char* kLeftOut = "left-out";
 /// That of a part that nothing holds at the end.
 constexpr const char* kLoosePart = "loose-part";
 
@@ -346,7 +346,7 @@ std::vector<int> Finder::floors_in(const Region& region, double z) const {
 /// mm. How far the point of the drill at hand that makes the hole stands before its full width; 0 without one.
 double Finder::point_below(const Feature& hole) const {
   const auto drills = [&](double diameter) {
-    return hole.hole_diameter && stock::is_near_size(diameter, *hole.hole_diameter);
+    return hole.hole_diameter && features::is_near_size(diameter, *hole.hole_diameter);
   };
   return std::any_of(drills_.begin(), drills_.end(), drills) ? kDrillPoint * *hole.hole_diameter : 0;
 }

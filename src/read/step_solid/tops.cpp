@@ -6,7 +6,7 @@
 
 #include "read/common/drawing.h"
 #include "read/step_solid/height_map.h"
-#include "stock/stacking.h"
+#include "features/stacking.h"
 
 namespace clearcut::read {
 
@@ -16,7 +16,7 @@ std::vector<Feature> settle_tops(std::vector<Feature>& features, const Stock& st
     Part part;
     part.stock = stock;
     add_features(part, features);
-    const std::vector<double> tops = stock::stacked_tops(part, tol);
+    const std::vector<double> tops = features::stacked_tops(part, tol);
     for (std::size_t i = 0; i < tops.size(); ++i) features[i].top_z = tops[i];
     const auto first = std::find_if(features.begin(), features.end(), [&](const Feature& feature) {
       return feature.top_z - feature.floor_z < tol.gouge + kSameHeight;

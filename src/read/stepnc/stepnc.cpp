@@ -14,8 +14,8 @@
 #include "read/stepnc/not_used.h"
 #include "read/stepnc/parts.h"
 #include "read/stepnc/reader.h"
-#include "stock/at_depth.h"
-#include "stock/stacking.h"
+#include "features/at_depth.h"
+#include "features/stacking.h"
 
 namespace clearcut::read::stepnc {
 namespace {
@@ -252,8 +252,8 @@ std::vector<FeatureRegions> Reader::zone_regions(const Draft& draft, double top,
     } else {
       FeatureRegions next = regions.back();
       const double drop = above - regions_top_;
-      next.target = stock::at_depth(next.target, draft.wall_slope, drop, context_.tol);
-      next.allowed = stock::at_depth(next.allowed, draft.wall_slope, drop, context_.tol);
+      next.target = features::at_depth(next.target, draft.wall_slope, drop, context_.tol);
+      next.allowed = features::at_depth(next.allowed, draft.wall_slope, drop, context_.tol);
       for (std::size_t i = 0; i < draft.bosses.size(); ++i) {
         if (!stands_over(i, floor) || stands_over(i, above)) continue;
         Loop boss = draft.bosses[i];
@@ -477,13 +477,13 @@ void Reader::drop_unused_features() {
 /// Tops from stacking; retract planes follow, and stay below the security plane.
 void Reader::set_tops() {
   if (absolute_depths_) {
-    const std::vector<double> tops = stock::stacked_tops(part_, context_.tol);
+    const std::vector<double> tops = features::stacked_tops(part_, context_.tol);
     for (Workingstep& step : part_.workplan)
       if (step.operation.retract_z)
         *step.operation.retract_z += tops[static_cast<std::size_t>(step.feature)] - feature_of(step).top_z;
     for (std::size_t i = 0; i < tops.size(); ++i) part_.features[i].top_z = tops[i];
   } else {
-    stock::stack_tops(part_, context_.tol);
+    features::stack_tops(part_, context_.tol);
     context_.diagnostics.append(part_.diagnostics);
   }
   for (Workingstep& step : part_.workplan)

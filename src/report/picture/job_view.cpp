@@ -114,10 +114,8 @@ double depth_fraction(const Part& part, double z) {
 }
 
 std::string headline_of(const Fault& fault) {
-  const bool has_length = fault.kind != FaultKind::kNothingCut && fault.kind != FaultKind::kNoFeed &&
-                          fault.kind != FaultKind::kWrongTool;
-  return has_length ? fmt::format("{} {} mm", name_of(fault.kind), fixed(fault.size, 3))
-                    : name_of(fault.kind);
+  const FaultRow& row = row_of(fault.kind);
+  return row.has_length ? fmt::format("{} {} mm", row.name, fixed(fault.size, 3)) : row.name;
 }
 
 std::string description_of(const Tool& tool) {

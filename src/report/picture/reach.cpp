@@ -6,7 +6,7 @@
 
 #include "geometry/clearance.h"
 #include "report/picture/job_view.h"
-#include "stock/at_depth.h"
+#include "features/at_depth.h"
 
 namespace clearcut::report {
 
@@ -44,7 +44,7 @@ double smallest_diameter(const Job& job, int feature) {
 
 Regions at_floor(const Regions& regions, const Feature& feature) {
   if (!(feature.wall_slope.radians() > 0)) return regions;
-  return stock::at_depth(regions, feature.wall_slope, feature.top_z - feature.floor_z, kTolerances);
+  return features::at_depth(regions, feature.wall_slope, feature.top_z - feature.floor_z, kTolerances);
 }
 
 }  // namespace

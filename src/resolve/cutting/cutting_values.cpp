@@ -14,7 +14,7 @@
 #include "base/elementary.h"
 #include "base/text/format.h"
 #include "model/work_material.h"
-#include "stock/round_hole.h"
+#include "features/round_hole.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -46,7 +46,7 @@ double at_diameter(const std::array<double, 4>& feeds, double diameter) {
 }
 
 bool plunges(const Tool& tool) {
-  return stock::only_plunges(tool) || tool.kind == ToolKind::kSpotDrill || tool.kind == ToolKind::kTap;
+  return features::only_plunges(tool) || tool.kind == ToolKind::kSpotDrill || tool.kind == ToolKind::kTap;
 }
 
 struct Suggestion {

@@ -11,7 +11,7 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "geometry/rectangle.h"
-#include "stock/round_hole.h"
+#include "features/round_hole.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -75,7 +75,7 @@ class WallFinder {
     bool cut_out = false;
     for (const int i : beside_line()) {
       const Feature& other = part_.features[static_cast<std::size_t>(i)];
-      const auto hole = stock::round_hole_of(other, tol_);
+      const auto hole = features::round_hole_of(other, tol_);
       const auto radius = hole ? std::nullopt : corner_radius_of(part_, i);
       const Regions cleared = radius ? cleared_of(other, *radius, tol_) : other.target;
       chamfer.free_beside = joined(chamfer.free_beside, cleared, tol_);

@@ -13,7 +13,7 @@
 #include "geometry/rectangle.h"
 #include "resolve/features/hole_tools.h"
 #include "resolve/tool_cutting.h"
-#include "stock/round_hole.h"
+#include "features/round_hole.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -77,7 +77,7 @@ class HoleShaper {
   std::optional<Vec2> axis_of(std::size_t step) const {
     const Feature& feature = part_.features[static_cast<std::size_t>(part_.workplan[step].feature)];
     if (feature.hole) return feature.hole->center;
-    const auto round = stock::round_hole_of(feature, options_.tol);
+    const auto round = features::round_hole_of(feature, options_.tol);
     return round ? std::optional(round->center) : std::nullopt;
   }
 
@@ -136,10 +136,10 @@ class HoleShaper {
   /// A hole without more words, where a drill makes it.
   void shape_plain(Workingstep& step) {
     Feature& feature = feature_of(step);
-    const auto round = stock::round_hole_of(feature, options_.tol);
+    const auto round = features::round_hole_of(feature, options_.tol);
     if (!part_.order_free || feature.kind != FeatureKind::kRoundHole || !round) return;
     const Tool& tool = part_.tools[static_cast<std::size_t>(step.operation.tool)];
-    if (tool.kind != ToolKind::kDrill || feature.through || !stock::makes_hole(tool, *round, options_.tol))
+    if (tool.kind != ToolKind::kDrill || feature.through || !features::makes_hole(tool, *round, options_.tol))
       return;
     const bool reaches = part_.stock && std::abs(feature.floor_z - part_.stock->z_bottom) < kSame;
     if (!reaches && !tool.tip_angle && spot_ < 0) return;
@@ -282,7 +282,7 @@ class HoleShaper {
   double widest_hole_in(const Feature& cone) {
     double widest = 0;
     for (const Feature& other : part_.features) {
-      const auto round = stock::round_hole_of(other, options_.tol);
+      const auto round = features::round_hole_of(other, options_.tol);
       if (&other == &cone || !round || is_cone(other)) continue;
       if (distance(round->center, cone.hole->center) < kSame && 2 * round->radius < cone.hole->diameter)
         widest = std::max(widest, round->radius);
@@ -292,7 +292,7 @@ class HoleShaper {
 
   bool lies_in_a_hole(const Feature& cone) const {
     return std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
-      const auto round = stock::round_hole_of(other, options_.tol);
+      const auto round = features::round_hole_of(other, options_.tol);
       return round && &other != &cone && !is_cone(other) &&
              distance(round->center, cone.hole->center) < kSame &&
              round->radius > cone.hole->diameter / 2 - kSame;
@@ -314,7 +314,7 @@ class HoleShaper {
 
   bool has_pilot(const Feature& feature, const Pilot& pilot, double down_to) const {
     return std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
-      const auto round = stock::round_hole_of(other, options_.tol);
+      const auto round = features::round_hole_of(other, options_.tol);
       return round && !is_formed(other) && distance(round->center, feature.hole->center) < kSame &&
              2 * round->radius > pilot.least - kSame && 2 * round->radius < pilot.most + kSame &&
              (other.floor_z <= down_to + kSame || other.through);
@@ -354,7 +354,7 @@ class HoleShaper {
     const double depth = (width / 2 - tool.tip_diameter / 2) / flank_slope(tool);
     const double top = feature_of(step).top_z;
     if (depth <= 0 || top - depth < full_z) return;
-    const Vec2 center = stock::round_hole_of(feature_of(step), options_.tol)->center;
+    const Vec2 center = features::round_hole_of(feature_of(step), options_.tol)->center;
     const bool spotted = std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
       return other.hole && other.hole->kind == HoleKind::kSpotted &&
              distance(other.hole->center, center) < kSame;
@@ -375,7 +375,7 @@ class HoleShaper {
     feature.floor_z = floor;
     feature.through = of.through;
     feature.hole_diameter = width;
-    const auto round = stock::round_hole_of(of, options_.tol);
+    const auto round = features::round_hole_of(of, options_.tol);
     feature.target = feature.allowed = {disc_about(of.hole ? of.hole->center : round->center, width / 2)};
     return feature;
   }

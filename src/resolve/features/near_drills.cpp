@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/text/format.h"
-#include "stock/round_hole.h"
+#include "features/round_hole.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -25,19 +25,19 @@ Regions disc(Vec2 center, double radius) {
 }
 
 /// mm. The diameter of the drill that comes nearest; 0 where none is near enough, or a tool makes the hole as it is.
-double near_drill(const stock::RoundHole& hole, const std::vector<Tool>& tools, const Tolerances& tol) {
+double near_drill(const features::RoundHole& hole, const std::vector<Tool>& tools, const Tolerances& tol) {
   const double wanted = 2 * hole.radius;
   double nearest = 0;
   for (const Tool& tool : tools) {
     const bool mills = clears_floors(tool) && tool.diameter <= wanted + tol.fit;
-    if (mills || (stock::only_plunges(tool) && stock::makes_hole(tool, hole, tol))) return 0;
-    if (tool.kind != ToolKind::kDrill || !stock::is_near_size(tool.diameter, wanted)) continue;
+    if (mills || (features::only_plunges(tool) && features::makes_hole(tool, hole, tol))) return 0;
+    if (tool.kind != ToolKind::kDrill || !features::is_near_size(tool.diameter, wanted)) continue;
     if (std::abs(tool.diameter - wanted) < std::abs(nearest - wanted)) nearest = tool.diameter;
   }
   return nearest;
 }
 
-void widen_to(Feature& feature, const stock::RoundHole& hole, double diameter) {
+void widen_to(Feature& feature, const features::RoundHole& hole, double diameter) {
   feature.target = feature.allowed = disc(hole.center, diameter / 2);
   if (feature.hole_diameter) feature.hole_diameter = diameter;
   if (feature.hole) feature.hole->diameter = diameter;
@@ -53,7 +53,7 @@ void take_near_drills(Part& part, const PlanOptions& options) {
   std::map<std::pair<double, double>, Taken> taken;  // by the diameters drawn and drilled
   for (Feature& feature : part.features) {
     if (!is_plain_hole(feature)) continue;
-    const auto hole = stock::round_hole_of(feature, options.tol);
+    const auto hole = features::round_hole_of(feature, options.tol);
     const double drill = hole ? near_drill(*hole, options.tools, options.tol) : 0;
     if (drill <= 0) continue;
     Taken& one = taken[{2 * hole->radius, drill}];
@@ -68,7 +68,7 @@ void take_near_drills(Part& part, const PlanOptions& options) {
                                          " mm: " + trimmed(std::abs(drilled - drawn), 4) + " mm " +
                                          (drilled > drawn ? "wider" : "narrower") +
                                          ", and no tool at hand makes its size (drills are taken within " +
-                                         trimmed(stock::kNearDrill, 3) + " mm)");
+                                         trimmed(features::kNearDrill, 3) + " mm)");
   }
 }
 

@@ -11,8 +11,8 @@
 #include "geometry/boolean.h"
 #include "geometry/rectangle.h"
 #include "resolve/tool_cutting.h"
-#include "stock/kerf.h"
-#include "stock/tools/tool_choice.h"
+#include "features/kerf.h"
+#include "features/tool_choice.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -89,7 +89,7 @@ class TSlotShaper {
     neck.kind = FeatureKind::kEngraving;
     ProfileCut cut = *neck.profile;
     cut.line = drawn_out(cut.line, part_.tools[static_cast<std::size_t>(mill)].radius(), part_.stock);
-    stock::follow(neck, std::move(cut), options_.tol);
+    features::follow(neck, std::move(cut), options_.tol);
     return step_on(std::move(neck), step, mill);
   }
 

@@ -7,7 +7,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
-#include "stock/tools/tool_choice.h"
+#include "features/tool_choice.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -51,7 +51,7 @@ void lean_walls(Part& part) {
     if (tool.kind != ToolKind::kTapered) continue;
     Feature& feature = part.features[static_cast<std::size_t>(step.feature)];
     refuse_without_walls(feature, tool);
-    if (feature.kind == FeatureKind::kPlanarFace || stock::keeps_walls(tool, feature)) continue;
+    if (feature.kind == FeatureKind::kPlanarFace || features::keeps_walls(tool, feature)) continue;
     refuse_among_upright_mills(part, step);
     const double drawn = base::tan(feature.wall_slope.radians());
     feature.wall_slope = taper_of(tool);

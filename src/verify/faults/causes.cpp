@@ -24,21 +24,6 @@ constexpr double kLeastShare = 0.25;
 /// Times the size of what is cut that no program of the right size has, or that its size is less.
 constexpr double kOtherSize = 4;
 
-/// Kinds that are about the control and the tool alone: one mistake makes them in all features.
-constexpr FaultKind kOfState[] = {
-    FaultKind::kToolLength, FaultKind::kSpindleOff, FaultKind::kSpindleDirection, FaultKind::kSpindleSpeed,
-    FaultKind::kWrongTool,  FaultKind::kNoFeed,     FaultKind::kFeedTooFast,      FaultKind::kBeyondFlutes};
-/// Kinds that say that something was not cut.
-constexpr FaultKind kOfMissingCuts[] = {FaultKind::kUncut, FaultKind::kNothingCut, FaultKind::kThread,
-                                        FaultKind::kTabHeight};
-
-bool is_of_state(FaultKind kind) {
-  return std::find(std::begin(kOfState), std::end(kOfState), kind) != std::end(kOfState);
-}
-bool is_of_missing_cuts(FaultKind kind) {
-  return std::find(std::begin(kOfMissingCuts), std::end(kOfMissingCuts), kind) != std::end(kOfMissingCuts);
-}
-
 std::string counted_faults(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " fault that follows is" : " faults that follow are") +
          " not listed.";
@@ -73,7 +58,7 @@ void fold_alike(std::vector<Fault>& faults) {
   using Key = std::tuple<FaultKind, std::string, std::string>;
   std::map<Key, Group> groups;
   const auto key = [](const Fault& fault) {
-    return Key{fault.kind, fault.cause, is_of_state(fault.kind) ? std::string() : fault.feature};
+    return Key{fault.kind, fault.cause, row_of(fault.kind).of_state ? std::string() : fault.feature};
   };
   for (std::size_t i = 0; i < faults.size(); ++i)
     if (!faults[i].cause.empty()) groups[key(faults[i])].add(faults, i);
@@ -134,7 +119,7 @@ void fold_unknown_tools(const Part& part, const CheckedProgram& program, std::ve
   if (cause == faults.end() || !part.is_shape_stated) return;
   const std::set<std::string> names = cut_by_unknown_tools(part, program);
   const std::size_t count = mark_followers(faults, FaultKind::kWrongTool, [&](const Fault& fault) {
-    return is_of_missing_cuts(fault.kind) && names.count(fault.feature) > 0;
+    return row_of(fault.kind).of_missing_cuts && names.count(fault.feature) > 0;
   });
   if (count > 0) cause->text += " What it cuts counts as uncut; " + counted_faults(count);
 }
@@ -230,8 +215,8 @@ void fold_causes(const Part& part, const CheckedProgram& program, const VerifyOp
   fold_unknown_tools(part, program, faults);
   std::optional<Fault> units = wrong_units(part, program, options);
   if (!units) return;
-  const std::size_t count =
-      mark_followers(faults, FaultKind::kUnits, [](const Fault& fault) { return !is_of_state(fault.kind); });
+  const std::size_t count = mark_followers(faults, FaultKind::kUnits,
+                                           [](const Fault& fault) { return !row_of(fault.kind).of_state; });
   if (count > 0) units->text += " " + counted_faults(count);
   faults.insert(faults.begin(), *std::move(units));
 }

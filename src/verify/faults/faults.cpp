@@ -263,26 +263,6 @@ std::string why_nothing_is_cut(const FeatureWork& work, bool unreachable) {
          std::to_string(work.deepest->line);
 }
 
-/// The order of faults: the causes of others, then by severity, what breaks things first.
-constexpr FaultKind kBySeverity[] = {FaultKind::kUnits,         FaultKind::kWrongTool,
-                                     FaultKind::kKeepOut,       FaultKind::kRapidInMaterial,
-                                     FaultKind::kHolder,        FaultKind::kGouge,
-                                     FaultKind::kLoosePart,     FaultKind::kTapping,
-                                     FaultKind::kThread,        FaultKind::kMoreThanItCuts,
-                                     FaultKind::kStockToLeave,  FaultKind::kMissingTab,
-                                     FaultKind::kTabHeight,     FaultKind::kToolLength,
-                                     FaultKind::kSpindleOff,    FaultKind::kBeyondStock,
-                                     FaultKind::kBeyondFlutes,  FaultKind::kPlungeTooFast,
-                                     FaultKind::kTooDeep,       FaultKind::kOverEngagement,
-                                     FaultKind::kSpindleSpeed,  FaultKind::kSpindleDirection,
-                                     FaultKind::kOutsideTravel, FaultKind::kFeedTooFast,
-                                     FaultKind::kNoFeed,        FaultKind::kNothingCut,
-                                     FaultKind::kUncut};
-
-std::ptrdiff_t severity(FaultKind kind) {
-  return std::find(std::begin(kBySeverity), std::end(kBySeverity), kind) - std::begin(kBySeverity);
-}
-
 }  // namespace
 
 Fault fault_of(const Part& part, FaultKind kind, const CheckedMove& checked, const Place& place, double size,
@@ -366,7 +346,7 @@ std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& wor
 void sort_worst_first(std::vector<Fault>& faults) {
   std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) {
     if (a.cause.empty() != b.cause.empty()) return a.cause.empty();  // what follows from others comes last
-    if (a.kind != b.kind) return severity(a.kind) < severity(b.kind);
+    if (a.kind != b.kind) return row_of(a.kind).rank < row_of(b.kind).rank;
     return a.size > b.size;
   });
 }

@@ -6,7 +6,7 @@
 #include "geometry/clearance.h"
 #include "geometry/contours/loops.h"
 #include "geometry/rectangle.h"
-#include "stock/kerf.h"
+#include "features/kerf.h"
 
 namespace clearcut::read {
 namespace {
@@ -75,7 +75,7 @@ void add_chamfers(const ShapedGroup& shaped, const ReadOptions& options, Diagnos
       Feature feature = blank_feature(shaped.group, depth, options);
       feature.kind = FeatureKind::kChamfer;
       feature.target = feature.allowed =
-          stock::kerf_of({ProfileSide::kOn, loop, true, 0, {}}, depth, options.tol);
+          features::kerf_of({ProfileSide::kOn, loop, true, 0, {}}, depth, options.tol);
       feature.chamfer = Chamfer{std::move(loop), depth, true, {}, 0, 0};
       out.push_back(std::move(feature));
     }

@@ -421,7 +421,9 @@ void fill_overview(const std::vector<ShapedGroup>& groups, const std::vector<Out
     one.box = box(outline.loop);
     one.loop = outline.loop;
     one.area = std::abs(signed_area(outline.loop));
-    one.diameter = circle_diameter(Region::from_valid_loops(outline.loop, {}), options.tol);
+    // An outline that crosses itself bounds no region, and is no circle.
+    if (!outline.crossing)
+      one.diameter = circle_diameter(Region::from_valid_loops(outline.loop, {}), options.tol);
     one.within = outline.about.empty() ? 0 : outline.about.back() + 1;
     overview.outlines.push_back(std::move(one));
   }

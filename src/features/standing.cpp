@@ -1,0 +1,126 @@
+#include "features/standing.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "geometry/boolean.h"
+#include "geometry/clearance.h"
+#include "geometry/spatial/apart.h"
+#include "features/at_depth.h"
+#include "features/round_hole.h"
+
+namespace clearcut::features {
+namespace {
+
+/// By how much, as a multiple of the step's stock, a target reaches into that stock beyond what must be
+/// cleared: planners expect targets that end at walls or where everything is cut.
+constexpr double kIntoStock = 1.5;
+
+/// mm. The least stock to leave of all steps of one feature so far.
+struct StockLeft {
+  std::optional<double> side;
+  std::optional<double> floor;
+
+  void add(const Operation& operation, const Tool& tool) {
+    side = std::min(side.value_or(operation.allowance_side), operation.allowance_side);
+    // If something was cleared before, finishing of walls does not reach the floor.
+    if (operation.kind == OperationKind::kSideFinishing && floor) return;
+    const double left =
+        operation.allowance_floor + point_length(tool);  // a drill leaves the cone of its point
+    floor = std::min(floor.value_or(left), left);
+  }
+};
+
+/// Whether the step clears its feature's target; a drill clears only a hole of its own size, and over an undercut material stands.
+bool clears(const Part& part, const Workingstep& step, const Tolerances& tol) {
+  if (feature_of(part, step).kind == FeatureKind::kTSlot) return false;
+  if (!only_plunges(tool_of(part, step))) return true;
+  const auto hole = round_hole_of(feature_of(part, step), tol);
+  return hole && makes_hole(tool_of(part, step), *hole, tol);
+}
+
+/// `regions` without what lies within `distance` mm of the walls, which bound `allowed`.
+Regions off_the_walls(const Regions& regions, const Regions& allowed, double distance,
+                      const Tolerances& tol) {
+  if (distance <= 0) return regions;
+  return intersect(regions, inset(allowed, distance, tol), tol);
+}
+
+Cleared cleared_by(const Feature& feature, const StockLeft& stock, const Tolerances& tol) {
+  const double deep = feature.top_z - feature.floor_z;
+  const Regions target = at_depth(feature.target, feature.wall_slope, deep, tol);
+  const double side = stock.side.value_or(0);
+  if (side <= 0) return {feature.floor_z + stock.floor.value_or(0), target};
+  const Regions allowed = at_depth(feature.allowed, feature.wall_slope, deep, tol);
+  return {feature.floor_z + stock.floor.value_or(0), off_the_walls(target, allowed, side, tol)};
+}
+
+void sort_deepest_first(std::vector<Cleared>& areas) {
+  std::stable_sort(areas.begin(), areas.end(),
+                   [](const Cleared& a, const Cleared& b) { return a.floor_z < b.floor_z; });
+}
+
+void erase_slivers(Regions& regions, double width) {
+  std::erase_if(regions, [&](const Region& region) { return is_sliver(region, width); });
+}
+
+}  // namespace
+
+Standing::Standing(const Part& part, int workingstep, const Tolerances& tol)
+    : feature_(feature_of(part, part.workplan.at(static_cast<std::size_t>(workingstep)))),
+      stock_(part.workplan[static_cast<std::size_t>(workingstep)].operation.allowance_side),
+      tol_(tol),
+      start_(feature_.top_z) {
+  std::vector<StockLeft> stock(part.features.size());
+  for (int i = 0; i < workingstep; ++i) {
+    const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
+    if (clears(part, step, tol))
+      stock[static_cast<std::size_t>(step.feature)].add(step.operation, tool_of(part, step));
+  }
+  const Box here = box(feature_.target);
+  for (std::size_t i = 0; i < part.features.size(); ++i) {
+    const Feature& other = part.features[i];
+    if (&other == &feature_ || !stock[i].side || !box(other.target).overlaps(here)) continue;
+    start_ = std::max(start_, other.top_z);
+    stock_left_ = stock_left_ || *stock[i].side > 0 || stock[i].floor.value_or(0) > 0;
+    // Of what only looks near the height counts, and no area.
+    if (are_apart(other.target, feature_.target, 2 * tol.chord)) {
+      by_work_.push_back({other.floor_z + stock[i].floor.value_or(0), {}});
+      continue;
+    }
+    by_design_.push_back(cleared_by(other, {}, tol));
+    by_work_.push_back(cleared_by(other, stock[i], tol));
+  }
+  sort_deepest_first(by_design_);
+  sort_deepest_first(by_work_);
+}
+
+double Standing::top() const {
+  if (!stock_left_) return feature_.top_z;
+  const double left = top_over(wanted(feature_.target), by_work_, start_, tol_);
+  const double designed = top_over(feature_.target, by_design_, start_, tol_);
+  return left > designed ? std::max(left, feature_.top_z) : feature_.top_z;
+}
+
+Regions Standing::above(double z) const {
+  Regions standing = feature_.target;
+  bool whole = true;
+  for (const Cleared& cleared : by_work_) {
+    if (cleared.floor_z > z + tol_.coincident) break;
+    standing = without(standing, cleared, tol_);
+    whole = false;
+  }
+  const double width = sliver_width(feature_.target);
+  erase_slivers(standing, width);
+  if (whole || stock_ <= 0 || standing.empty()) return standing;
+  Regions asked = wanted(standing);
+  erase_slivers(asked, width);
+  if (asked.empty()) return asked;
+  return intersect(standing, dilate(asked, kIntoStock * stock_, tol_), tol_);
+}
+
+Regions Standing::wanted(const Regions& regions) const {
+  return off_the_walls(regions, feature_.allowed, stock_, tol_);
+}
+
+}  // namespace clearcut::features

@@ -1,0 +1,62 @@
+// The rows of faults and conditions: complete, in order, and named in the documents that list them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+
+#include "model/results/condition_kinds.h"
+#include "model/results/findings.h"
+
+namespace clearcut {
+namespace {
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(std::string(CLEARCUT_SOURCE_DIR) + "/" + path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+TEST(FaultRows, StandInTheOrderOfTheirKindsWithOneRankEach) {
+  std::set<int> ranks;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < fault_rows().size(); ++i) {
+    const FaultRow& row = fault_rows()[i];
+    EXPECT_EQ(static_cast<std::size_t>(row.kind), i) << row.name;
+    EXPECT_TRUE(ranks.insert(row.rank).second) << row.name;
+    EXPECT_TRUE(names.insert(row.name).second) << row.name;
+    EXPECT_GT(std::string(row.meaning).size(), 10U) << row.name;
+  }
+  EXPECT_EQ(*ranks.begin(), 1);
+  EXPECT_EQ(*ranks.rbegin(), static_cast<int>(ranks.size()));
+}
+
+TEST(FaultRows, AreInTheSchemaOfCertificatesAndInTheDocumentOfReports) {
+  const std::string schema = text_of("docs/certificate.schema.json"), report = text_of("docs/report.md");
+  ASSERT_FALSE(schema.empty());
+  for (const FaultRow& row : fault_rows()) {
+    EXPECT_THAT(schema, testing::HasSubstr("\"" + std::string(row.name) + "\""));
+    EXPECT_THAT(report, testing::HasSubstr("`" + std::string(row.name) + "`"));
+  }
+}
+
+TEST(ConditionRows, AreThoseOfTheDocument) {
+  const std::string document = text_of("docs/conditions.md");
+  for (const ConditionRow& row : condition_rows()) {
+    const std::string name(row.example.empty() ? row.name : row.example);
+    EXPECT_TRUE(is_condition(name)) << name;
+    EXPECT_THAT(document, testing::HasSubstr("`" + name + "`"));
+  }
+}
+
+TEST(ConditionRows, NumbersStandForThemselves) {
+  for (const char* name :
+       {"g59.3", "g154-p12", "m130", "g30-home", "tool-length-h99", "tool-length-g43.1", "datum-1"})
+    EXPECT_TRUE(is_condition(name)) << name;
+  for (const char* name : {"", "g", "g54-p", "gg55", "blend", "blending ", "tool-length-h", "m6a", "g#"})
+    EXPECT_FALSE(is_condition(name)) << name;
+}
+
+}  // namespace
+}  // namespace clearcut
