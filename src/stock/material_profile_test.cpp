@@ -82,7 +82,7 @@ TEST(MaterialProfile, RampsOfConesAreLowestWhereTheFlankPassesLast) {
   EXPECT_NEAR(groove.height({10, 1}), -x / 2 + std::hypot(x - 10, 1), 1e-9);
 }
 
-/// What a cutter's own shape has cut it passes through, and any other meets what stands beside it.
+/// A cutter passes through the groove that a cutter of its shape has cut; a wider one meets the material beside the groove.
 TEST(MaterialProfile, ACutterPassesThroughItsOwnGroove) {
   const Tool ball = tool_of(ToolKind::kBallEndMill, 8, 4), mill = tool_of(ToolKind::kEndMill, 8);
   const Move way = level({-10, 0}, {10, 0}, -3);

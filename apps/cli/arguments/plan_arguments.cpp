@@ -212,7 +212,7 @@ Part PlanArguments::on_what_is_left(Part part, Block block) const {
   return part;
 }
 
-/// From the programs that --earlier-setup names, each of which is checked on what those before it leave.
+/// The set-ups whose programs --earlier-setup names. Each program is checked on the stock that the ones before it leave.
 std::vector<MachinedSetup> PlanArguments::machined_before() const {
   const bool is_job = std::filesystem::path(input_).extension() == ".toml";
   const JobFile whole = is_job ? read_job(input_) : JobFile{};

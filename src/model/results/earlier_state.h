@@ -1,4 +1,4 @@
-// What is known of programs that ran before, besides what they cut.
+// The state of programs that ran before: control, conditions, faults. Their cuts are in the toolpath.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace clearcut::inline model {
 
-/// What they cut is as it was read only where all of this is so: it belongs to the question that rests on their cuts.
+/// The conditions and faults of earlier programs. A verdict that rests on their cuts holds only where these conditions held, and is FAULTY
+/// where there are such faults.
 struct EarlierState {
   ControlTable control;  ///< what the control held at each of their moves; no spans: it was checked elsewhere
   std::vector<Condition> conditions;  ///< what must have held at the machine; the text names the program

@@ -6,10 +6,11 @@
 
 namespace clearcut::pipeline {
 
-/// Its path; empty where it is not beside this program.
+/// The path of clearcut-check; empty where it is not beside this program.
 std::string checker_program();
 
-/// What it proves, as it says it; nothing where it does not accept. `uncut` in mm.
+/// The line in which the checker names the claims that it has proved; nothing where it does not accept the witness. `uncut`: the
+/// thickness that may stay, mm.
 std::optional<std::string> claims_by_checker(const std::string& program_file, const std::string& part_file,
                                              const std::string& witness_file, double uncut);
 

@@ -14,7 +14,7 @@ struct Filleted {
 };
 
 /// `path` with an arc of `radius`, mm, in each corner at which it turns to the left (counter-clockwise loops: the corners of a pocket, not
-/// those of what stands in it); `closed`: also where its end meets its start. Edges that go on in one direction are no corner.
+/// those of an island in it); `closed`: also where its end meets its start. Edges that go on in one direction are no corner.
 ///
 /// Error   exact but for rounding: an arc touches both edges.
 /// Cost    O(edges).
