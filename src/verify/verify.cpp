@@ -5,6 +5,7 @@
 #include "base/elementary.h"
 #include "base/parallel.h"
 #include "base/progress_meter.h"
+#include "model/cutter_profile.h"
 #include "verify/blend.h"
 #include "verify/checked_move.h"
 #include "verify/coverage/carving.h"
@@ -33,18 +34,15 @@ namespace {
 /// Number of moves that are checked as one task.
 constexpr std::size_t kChunk = 2000;
 
-/// The deepest gouge of a cutter that may be `aside` mm off its path. Where the cylinder around a ball end would gouge, a level
-/// or vertical move is checked with the ball's own shape; on sloping moves the cylinder counts, which is on the safe side.
+/// The deepest gouge of a cutter that may be `aside` mm off its path. Where the cylinder around it would gouge, the cutter's own
+/// shape decides.
 std::optional<Gouge> gouge_of_mill(const FinishedPart& finished, const Move& move, const Tool& tool,
                                    double aside, double slack, bool joined) {
   const auto gouge = gouge_of(finished, move, tool.radius() + aside, slack, joined);
-  const bool slopes = !move.is_vertical() && move.z_from != move.z_to;
-  if (!gouge || tool.kind != ToolKind::kBallEndMill || slopes) return gouge;
-  Tool wider = tool;
-  wider.kind = ToolKind::kBullNoseEndMill;
-  wider.corner_radius = tool.radius();
-  wider.diameter += 2 * aside;
-  return shaped_gouge_of(finished, move, wider, slack);
+  const CutterProfile cutter = outer_profile(tool);
+  if (!gouge || cutter.is_cylinder()) return gouge;
+  const auto shaped = shaped_gouge_of(finished, move, cutter.narrowed(-aside), slack);
+  return shaped && shaped->depth < gouge->depth ? shaped : shaped ? gouge : std::nullopt;
 }
 
 /// The gouge that `check` finds of a cutter's move into a part. A wall with draft counts as standing where another feature cuts into
@@ -80,8 +78,9 @@ void check_gouges(const FinishedParts& finished, std::span<CheckedMove> moves, c
       continue;
     }
     if (has_flanks(*checked.tool)) {
+      const CutterProfile cutter = outer_profile(*checked.tool);
       checked.gouge = least_gouge(finished, checked, [&](const FinishedPart& part) {
-        return shaped_gouge_of(part, *checked.move, *checked.tool, tol.gouge);
+        return shaped_gouge_of(part, *checked.move, cutter, tol.gouge);
       });
       before = nullptr;
       continue;
@@ -107,9 +106,7 @@ void check_shaped_liberty(const FinishedParts& finished, const std::vector<Check
   if (off <= 0) return;
   // Off its path in any direction of space, also downwards, a flank comes nearer sideways by this at most.
   const double aside = off * base::hypot(1.0, flank_slope(*checked.tool));
-  Tool wider = *checked.tool;
-  wider.diameter += 2 * aside;
-  wider.tip_diameter += 2 * aside;
+  const CutterProfile wider = outer_profile(*checked.tool).narrowed(-aside);
   keep_deeper(checked.gouge, least_gouge(finished, checked, [&](const FinishedPart& part) {
                 return shaped_gouge_of(part, *checked.move, wider, tol.gouge);
               }));

@@ -263,6 +263,7 @@ TEST(TrueProfiles, RapidsAndPlungesMeetWhatStandsAndNothingElse) {
 struct Pocket {
   bool is_disc = false, is_hole = false;
   double width = 0, height = 0, depth = 0;
+  double lean = 0;  ///< radians that its walls lean
 
   double to_wall(double x, double y) const {
     if (is_disc) return width / 2 - std::hypot(x - width / 2, y - width / 2);
@@ -294,6 +295,7 @@ Part part_of(const Pocket& pocket) {
   if (pocket.is_hole) feature.hole_diameter = w;
   feature.target = feature.allowed = {Region::from_valid_loops(outline, {})};
   feature.floor_z = -pocket.depth;
+  feature.wall_slope = Radians::of(pocket.lean);
   part.features.push_back(feature);
   part.workplan.push_back({});
   part.stock = Stock{Box{{-10, -10}, {40, 40}}, -40, 0};
@@ -371,30 +373,42 @@ std::vector<BodyWay> ways_of_move(const Move& move) {
 /// mm. What chords, printed digits and the tolerances of the product may make of a surface.
 constexpr double kSpare = 0.03;
 
-/// Why the field is certain that the program is wrong; "" where it is not.
-std::string certainly_wrong(const Job& job, const Toolpath& toolpath) {
+/// What the program's cutters leave of the block, and the first rapid that meets something for certain.
+struct Cut {
+  ProfileField field;
+  std::string rapids;
+};
+
+Cut cut_by(const Job& job, const Toolpath& toolpath) {
   const Pocket& pocket = job.pocket;
   const double margin = 4 * kCell;
-  ProfileField field(-margin, -margin, pocket.width + margin, pocket.height + margin, kCell);
-  std::string rapids;
-  double flat = 0;
+  Cut cut{ProfileField(-margin, -margin, pocket.width + margin, pocket.height + margin, kCell), ""};
   for (const Section& section : toolpath.sections) {
     const auto at = static_cast<std::size_t>(section.tool_number - 1);
-    if (at >= job.bodies.size()) return "an unknown tool";
+    if (at >= job.bodies.size()) return {cut.field, "an unknown tool"};
     const TurnedBody& body = job.bodies[at].body;
     for (const Move& move : section.moves) {
       for (const BodyWay& way : ways_of_move(move)) {
         if (!is_rapid(move.kind)) {
-          field.cut(body, way);
-        } else if (std::min(way.z0, way.z1) < 0 && rapids.empty()) {
-          const double met = field.hit(body, way).certain;
+          cut.field.cut(body, way);
+        } else if (std::min(way.z0, way.z1) < 0 && cut.rapids.empty()) {
+          const double met = cut.field.hit(body, way).certain;
           if (met > kSpare)
-            rapids = fmt::format("a rapid meets {:.3f} mm at x {:.2f} y {:.2f} z {:.2f}", met, way.x1, way.y1,
-                                 way.z1);
+            cut.rapids = fmt::format("a rapid meets {:.3f} mm at x {:.2f} y {:.2f} z {:.2f}", met, way.x1,
+                                     way.y1, way.z1);
         }
       }
     }
   }
+  return cut;
+}
+
+/// Why the field is certain that the program is wrong; "" where it is not.
+std::string certainly_wrong(const Job& job, const Toolpath& toolpath) {
+  const Pocket& pocket = job.pocket;
+  const double margin = 4 * kCell;
+  double flat = 0;
+  const auto& [field, rapids] = cut_by(job, toolpath);
   if (!rapids.empty()) return rapids;
   // A program is asked for what the tools reach that it cuts with.
   for (const Section& section : toolpath.sections) {
@@ -510,6 +524,100 @@ TEST(TrueProfiles, PlansAreCleanAndMutantsFaultyWhereTheFieldSaysSo) {
   }
   std::cout << plans << " plans; " << wrong << " of " << mutants << " mutants certainly wrong\n";
   EXPECT_GT(wrong, mutants / 4);
+}
+
+/// A pocket with leaning walls and what clears it: flat, rounded or tapered ends of one size.
+Job leaning_job(Random& random) {
+  Job job;
+  Pocket& pocket = job.pocket;
+  pocket.is_disc = random.below(3) == 0;
+  pocket.width = size_between(random, 14, 22);
+  pocket.height = pocket.is_disc ? pocket.width : size_between(random, 14, 22);
+  pocket.lean = rounded(random.between(0.05, 0.9), 0.01);
+  pocket.depth = std::min(size_between(random, 1, 6), rounded(4 / std::tan(pocket.lean), 0.1));
+  const double d = size_between(random, 3, 5), corner = rounded(random.between(0.3, d / 2 - 0.7), 0.01);
+  switch (random.below(3)) {
+    case 0:
+      job.bodies.push_back({fmt::format("endmill:{:.1f}:T1", d), {End::kFlat, d}});
+      break;
+    case 1:
+      job.bodies.push_back(
+          {fmt::format("bullnose:{:.1f}:corner={:.2f}:T1", d, corner), {End::kRounded, d, corner}});
+      break;
+    default:
+      job.bodies.push_back({fmt::format("ball:{:.1f}:T1", d), {End::kRounded, d, d / 2}});
+  }
+  return job;
+}
+
+/// The same of a pocket with leaning walls: on them `scallop` mm may stand, square to them.
+std::string wrong_on_leaning_walls(const Job& job, const Toolpath& toolpath, double scallop) {
+  const Pocket& pocket = job.pocket;
+  const double margin = 4 * kCell, half = kCell * 0.70711, lean = std::tan(pocket.lean);
+  const TurnedBody& body = job.bodies.front().body;
+  const double radius = body.diameter / 2;
+  const auto& [field, rapids] = cut_by(job, toolpath);
+  if (!rapids.empty()) return rapids;
+  const auto wall_at = [&](double inside) { return std::max(-pocket.depth, -std::max(0.0, inside) / lean); };
+  for (double x = -margin + kCell / 2; x < pocket.width + margin; x += kCell) {
+    for (double y = -margin + kCell / 2; y < pocket.height + margin; y += kCell) {
+      const double inside = pocket.to_wall(x, y), stands = field.certain_at(x, y),
+                   gone = field.possible_at(x, y);
+      const double lowest = inside < -half ? 0 : wall_at(inside + half);
+      if (gone < lowest - kSpare)
+        return fmt::format("cut {:.3f} mm into the part at {:.2f} {:.2f}", lowest - gone, x, y);
+      const double across =
+          pocket.is_disc ? HUGE_VAL : std::max(std::min(x, pocket.width - x), std::min(y, pocket.height - y));
+      const double foot = pocket.depth * lean, highest = wall_at(inside - half);
+      const bool is_corner = across<foot + radius + kCell, is_floor = inside> foot + half;
+      if (inside < half || is_corner) continue;
+      // Rounded ends leave their rounding in the corner of the floor.
+      if (!is_floor && highest < -pocket.depth + body.round) continue;
+      if (is_floor && (body.round >= radius || inside < foot + radius + kCell)) continue;
+      const double most = is_floor ? -pocket.depth : highest + scallop / std::sin(pocket.lean);
+      if (stands > most + kSpare) return fmt::format("{:.3f} mm stand at {:.2f} {:.2f}", stands - most, x, y);
+    }
+  }
+  return "";
+}
+
+TEST(TrueProfiles, PlansOnLeaningWallsAreCleanAndMutantsFaulty) {
+  int wrong = 0, mutants = 0;
+  for (int seed = 1; seed <= profile_count(4); ++seed) {
+    Random random(static_cast<std::uint64_t>(seed) + 90000);
+    const Job job = leaning_job(random);
+    resolve::PlanOptions options = options_of(job, random);
+    options.shop.rest = false;
+    const double scallop = random.below(2) == 0 ? 0.2 : rounded(random.between(0.05, 0.4), 0.01);
+    options.scallop = scallop;
+    const std::string what = fmt::format("seed {}: {} leaning {} scallop {} by {}", seed, text_of(job),
+                                         job.pocket.lean, scallop, *options.strategy);
+    const pipeline::PlanResult plan = pipeline::plan_part(part_of(job.pocket), options);
+    EXPECT_NE(verdict_of(plan.findings), Verdict::kFaulty) << what << "\n"
+                                                           << verdict_and_reasons(plan.findings);
+    EXPECT_EQ(wrong_on_leaning_walls(job, plan.toolpath, scallop), "") << what << "\n" << plan.program;
+    for (int n = 0; n < 3; ++n) {
+      const std::string text = mutant_of(plan.program, random);
+      pipeline::CheckResult checked;
+      try {
+        resolve::PlanOptions tools;
+        tools.tools = options.tools;
+        tools.accept = options.accept;
+        tools.scallop = scallop;
+        checked = pipeline::check_program(plan.part, text, "mutant", tools, read::gcode::Dialect::kLinuxCnc);
+      } catch (const InputError&) {
+        continue;
+      }
+      ++mutants;
+      const std::string why = wrong_on_leaning_walls(job, checked.toolpath, scallop);
+      wrong += !why.empty();
+      EXPECT_TRUE(why.empty() || verdict_of(checked.findings) == Verdict::kFaulty)
+          << what << ", " << why << ", called " << name_of(verdict_of(checked.findings)) << "\n"
+          << text;
+    }
+  }
+  std::cout << wrong << " of " << mutants << " mutants certainly wrong\n";
+  EXPECT_GT(wrong, 0);
 }
 
 }  // namespace

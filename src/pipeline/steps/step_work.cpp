@@ -9,6 +9,7 @@
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "geometry/spatial/apart.h"
+#include "model/cutter_profile.h"
 #include "pipeline/steps/carve_step.h"
 #include "pipeline/steps/formed_holes.h"
 #include "pipeline/steps/holes.h"
@@ -71,8 +72,11 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
   const bool bare = is_bare(part, feature) || !met.empty();
   const auto holes = features::holes_before(part, index, plan.tol);
   const features::Standing standing(part, index, plan.tol);
-  auto layers = plan::layers_of(feature, operation, tool.radius(), plan.tol, tool.corner_radius,
-                                standing.top() - feature.top_z);
+  // Upright walls, of other pockets or of what stands above, it has to keep off by its whole radius.
+  const bool leans_alone = met.empty() && feature.top_z >= part.top_z();
+  const plan::RoundedEnd end{outer_profile(tool).round, leans_alone};
+  auto layers =
+      plan::layers_of(feature, operation, tool.radius(), plan.tol, end, standing.top() - feature.top_z);
   for (auto& layer : layers) {
     layer.reserve = reserve;
     layer.holes = holes;

@@ -20,17 +20,42 @@ constexpr double kMostLayers = 10000;
 /// Relative. Rounding of decimal depths: 10.1 - 0.1 are ten steps of 1.
 constexpr double kRounding = 1e-9;
 
+/// How a cutter with a rounded end touches a wall that leans by `draft` radians.
+struct RoundOnWall {
+  double round = 0, draft = 0;
+
+  /// mm that the wall at the height of the tip lies beside the middle of the rounding: as much as the round itself at upright walls.
+  double beside() const { return round * (1 - base::sin(draft)) / base::cos(draft); }
+
+  /// mm of height along which no more than `left` mm stand off the wall, square to it. Square to the wall the end at an angle of
+  /// d to where it touches leaves round (1 - cos d); above the rounding its side leaves the more the higher.
+  double height_within(double left) const {
+    const double wide = base::acos(std::max(-1.0, 1 - left / round));
+    const double low = round - round * base::sin(std::min(kPi / 2, draft + wide));
+    const double side = round + (left - round * (1 - base::cos(draft))) / base::sin(draft);
+    return (wide < draft ? round - round * base::sin(draft - wide) : side) - low;
+  }
+};
+
 /// Share of the step that the scallop alone gives. Where rounded ends need less than that, no step is small enough.
 constexpr double kLeastStep = 0.1;
 
-/// mm; no more than leaves the scallop on leaning walls. Rounded ends come nearest to such a wall at some height over the tip: below
-/// it the next layer cuts.
-double step_for(const Feature& feature, const Operation& operation, double tool_radius, double rounded) {
-  const double step = operation.stepdown.value_or(tool_radius);
-  const double draft = base::sin(feature.wall_slope.radians());
+/// mm; the height that a layer may take on leaning walls, of a rounded end that touches them, or keeps off as if it were flat.
+double height_for(double scallop, double draft, const RoundedEnd& end) {
+  const double flat = scallop / base::sin(draft);
+  if (end.round <= 0) return flat;
+  if (end.touches_walls) return RoundOnWall{end.round, draft}.height_within(scallop);
+  // It comes nearest to the wall at some height over the tip: below it the next layer cuts.
+  const double less = flat - end.round * (1 - base::sin(draft));
+  return less > kLeastStep * flat ? less : flat;
+}
+
+/// mm; no more than leaves the scallop on leaning walls.
+double step_for(const Feature& feature, const Operation& operation, double tool_radius,
+                const RoundedEnd& end) {
+  const double step = operation.stepdown.value_or(tool_radius), draft = feature.wall_slope.radians();
   if (!operation.scallop || *operation.scallop <= 0 || draft <= 0) return step;
-  const double flat = *operation.scallop / draft, less = flat - rounded * (1 - draft);
-  return std::min(step, less > kLeastStep * flat ? less : flat);
+  return std::min(step, height_for(*operation.scallop, draft, end));
 }
 
 Layer outline_at(const Feature& feature, double z, const Tolerances& tol) {
@@ -74,16 +99,19 @@ std::vector<double> layer_heights(double top_z, double floor_z, double stepdown)
 }
 
 std::vector<Layer> layers_of(const Feature& feature, const Operation& operation, double tool_radius,
-                             const Tolerances& tol, double corner_radius, double stock_above) {
-  const double rounded = corner_radius < tool_radius ? corner_radius : 0.0;
+                             const Tolerances& tol, const RoundedEnd& end, double stock_above) {
+  const double draft = feature.wall_slope.radians();
+  const bool is_ball = end.round >= tool_radius, is_near = end.touches_walls && draft > 0 && end.round > 0;
+  const double rounded = is_ball ? 0.0 : end.round;
+  const double beside = is_near ? RoundOnWall{end.round, draft}.beside() : end.round;
   const double floor_z = feature.floor_z + operation.allowance_floor;
   std::vector<Layer> layers;
   double top = feature.top_z + stock_above;
-  for (const double z : layer_heights(top, floor_z, step_for(feature, operation, tool_radius, rounded))) {
+  for (const double z : layer_heights(top, floor_z, step_for(feature, operation, tool_radius, end))) {
     Layer layer = outline_at(feature, z, tol);
     layer.z_top = top;
-    layer.tool_radius = tool_radius - rounded;
-    layer.wall_stock = operation.allowance_side + rounded;
+    layer.tool_radius = is_ball ? beside : tool_radius - rounded;
+    layer.wall_stock = operation.allowance_side + (is_ball ? 0.0 : beside);
     layer.rounded = rounded;
     top = z;
     if (!layer.target.empty() && !layer.allowed.empty()) layers.push_back(std::move(layer));

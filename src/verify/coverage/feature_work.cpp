@@ -232,6 +232,17 @@ const Tool* known_tool(const Part& part, const Operation& operation) {
 constexpr double kHeightShare = 0.125;
 constexpr int kMostHeights = 200;
 
+/// mm; radius of a cutter's rounded end, 0 for flat ends.
+double rounding_of(const Tool* tool) {
+  if (!tool || has_flanks(*tool)) return 0;
+  return tool->kind == ToolKind::kBallEndMill ? tool->radius() : tool->corner_radius;
+}
+
+/// mm over its tip at which a cutter comes nearest to such a wall: more than 0 for rounded ends alone.
+double nearest_height(const Tool* tool, double draft) {
+  return rounding_of(tool) * (1 - base::sin(draft));
+}
+
 class WorkCheck {
  public:
   WorkCheck(const Part& part, const FinishedParts& finished, const CheckedProgram& program,
@@ -242,7 +253,8 @@ class WorkCheck {
         options_(options),
         moves_(program.moves, options.tol) {}
 
-  /// `scallop_left`: mm, square to walls with draft, that may stand on them.
+  /// `scallop_left`: mm, square to walls with draft, that may stand on them; where that is more than 0 the level is one above the
+  /// cutters' ends, at which they clear their whole radius.
   void check_level(const FeatureWork& work, LevelCoverage& level, double scallop_left = 0) const {
     if (work.smallest_radius <= 0) return;
     const Tolerances& tol = options_.tol;
@@ -263,7 +275,7 @@ class WorkCheck {
       question.path_tolerance = liberty_at(highest_counted(z, tol), target, moves_, near, tol);
       question.above = height_above(z, target, moves_, near, tol);
       question.radius = finest.radius;
-      question.flat = finest.flat;
+      question.flat = scallop_left > 0 ? finest.radius : finest.flat;
       question.allowance = finest.allowance_side + kept;
       level.any_cut = level.any_cut || !question.swaths.empty();
       const Coverage one = coverage_of(question, tol);
@@ -297,15 +309,21 @@ class WorkCheck {
     const Feature& feature = part_.features[static_cast<std::size_t>(work.feature)];
     const auto scallop = scallop_of(feature, work, options_.tol);
     const bool leaves_more = scallop && scallop->height_mm > *scallop->asked_mm + options_.tol.uncut;
-    // What rounded ends reach between heights the proof of coverage, which knows flat ends, cannot say.
-    if (!leaves_more || work.smallest_flat < work.smallest_radius || !any_slopes(feature)) return;
-    const double apart = kHeightShare * *scallop->asked_mm / base::sin(feature.wall_slope.radians());
+    if (!leaves_more || !work.smallest) return;
+    const bool is_rounded = rounding_of(work.smallest) > 0,
+               is_flat = work.smallest_flat >= work.smallest_radius;
+    // Rounded ends may also run nearer to the wall than a flat end could.
+    if (!is_rounded && (!is_flat || !any_slopes(feature))) return;
+    const double draft = feature.wall_slope.radians(),
+                 apart = kHeightShare * *scallop->asked_mm / base::sin(draft);
+    const double round_corner = work.floor.z + nearest_height(work.smallest, draft);
     const double depth = feature.top_z - work.floor.z;
     const int heights = static_cast<int>(std::clamp(std::ceil(depth / apart), 1.0, 1.0 * kMostHeights));
     // From the top, which itself is left out, because nothing stands over it.
     for (int i = heights - 1; i > 0; --i) {
       LevelCoverage level;
       level.z = work.floor.z + depth * i / heights;
+      if (is_rounded && level.z < round_corner) break;
       check_level(work, level, *scallop->asked_mm + options_.tol.uncut);
       if (level.coverage.reachable &&
           (!level.any_cut || level.coverage.thickness_mm > widest_left(options_.tol)))
@@ -353,17 +371,6 @@ struct LayerOnWall {
   double z = 0;
   const Tool* tool = nullptr;
 };
-
-/// mm; radius of a cutter's rounded end, 0 for flat ends.
-double rounding_of(const Tool* tool) {
-  if (!tool || has_flanks(*tool)) return 0;
-  return tool->kind == ToolKind::kBallEndMill ? tool->radius() : tool->corner_radius;
-}
-
-/// mm over its tip at which a cutter comes nearest to such a wall: more than 0 for rounded ends alone.
-double nearest_height(const Tool* tool, double draft) {
-  return rounding_of(tool) * (1 - base::sin(draft));
-}
 
 /// mm, square to the wall, that the cutter leaves `over` mm above its tip: its radius there, against the wall that leans away.
 double left_over_tip(const Tool* tool, double over, double draft) {
@@ -425,6 +432,8 @@ std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& wor
     if (left > scallop.height_mm) scallop.height_mm = left, scallop.z = layers[i].z;
     above = layers[i].z;
   }
+  // Looked at place by place no more than may stand was found.
+  if (work.is_cut_between_layers) scallop.height_mm = std::min(scallop.height_mm, *scallop.asked_mm);
   return scallop;
 }
 

@@ -323,12 +323,17 @@ std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& wor
   const bool unreachable =
       !bottom.reachable || is_nothing_in_reach(bottom.unreachable_mm2, bottom.target_mm2);
   if (!floor.any_cut || unreachable) {
-    return {{FaultKind::kNothingCut,
-             feature.name,
-             {middle, floor.z, 0},
-             std::sqrt(bottom.target_mm2),
-             feature.name + ": nothing is cut at z " + trimmed(floor.z, 3) + "; " +
-                 why_nothing_is_cut(work, unreachable) + "."}};
+    // A ball leaves cusps on the floor, and yet its walls are to be cut.
+    std::vector<Fault> faults;
+    if (work.smallest_flat <= 0 && !work.ends_in_point && !work.layers.empty())
+      faults = faults_of_steps(feature, work, tol);
+    faults.push_back({FaultKind::kNothingCut,
+                      feature.name,
+                      {middle, floor.z, 0},
+                      std::sqrt(bottom.target_mm2),
+                      feature.name + ": nothing is cut at z " + trimmed(floor.z, 3) + "; " +
+                          why_nothing_is_cut(work, unreachable) + "."});
+    return faults;
   }
   std::vector<Fault> faults = faults_of_steps(feature, work, tol);
   const LevelCoverage& worst = worst_level(work);

@@ -1,10 +1,11 @@
-// Cutters that cut by their shape: how deep cones and balls go into the finished part, and what they leave.
+// Cutters that cut by their shape: how deep they go into the finished part, and what they leave.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "geometry/spatial/cell_grid.h"
+#include "model/cutter_profile.h"
 #include "model/move.h"
 #include "model/tool.h"
 #include "verify/faults/gouge.h"
@@ -13,13 +14,14 @@
 
 namespace clearcut::verify {
 
-/// The deepest cut of a cone or a ball into the part along `move`: how far, sideways or upwards, it would have to be shifted.
+/// The deepest cut of a cutter of that profile into the part along `move`: how far, sideways or upwards, it would have to be shifted.
 ///
 /// For each wall near, the excess is the cutter's radius at the height of the wall's top, less the distance of the path from the
-/// wall; for walls with draft at the height where the cutter comes nearest. Along straight paths beside straight walls it
-/// has one maximum, found by golden section; else the path is halved until a bound of the excess's change decides.
+/// wall; for walls with draft at the height where the cutter comes nearest. On level moves the least distance decides. On straight
+/// sloping ones beside straight walls the excess has one maximum, found by golden section; else the path is halved until the
+/// excess of its lowest tip at its least distance decides.
 /// `slack`: mm; gouges less deep need not be found.
-std::optional<Gouge> shaped_gouge_of(const FinishedPart& part, const Move& move, const Tool& tool,
+std::optional<Gouge> shaped_gouge_of(const FinishedPart& part, const Move& move, const CutterProfile& cutter,
                                      double slack);
 
 /// mm; height over its tip at which a cutter's surface is `distance` mm from its axis; nothing beyond its radius.
