@@ -265,19 +265,6 @@ read::gcode::Program read_back(const std::string& program, const Toolpath& plann
   return read::gcode::read_gcode(program, "program", reading);
 }
 
-/// Whether the control has lengths for its tools, and cuts at wrong heights without.
-bool has_tool_lengths(read::gcode::Dialect dialect) {
-  using read::gcode::Dialect;
-  return dialect == Dialect::kFanuc || dialect == Dialect::kHaas || dialect == Dialect::kMach3 ||
-         dialect == Dialect::kMach4;
-}
-
-/// Whether tools are changed by a changer and not by somebody who stands there, as LinuxCNC and Mach do it as they are delivered.
-bool has_changer(read::gcode::Dialect dialect) {
-  using read::gcode::Dialect;
-  return dialect == Dialect::kFanuc || dialect == Dialect::kHaas || dialect == Dialect::kHeidenhain;
-}
-
 bool has_wrong_units(const Findings& findings) {
   return std::any_of(findings.faults.begin(), findings.faults.end(),
                      [](const Fault& fault) { return fault.kind == FaultKind::kUnits; });
@@ -337,9 +324,10 @@ Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& c
   verify.stated = std::move(stated.drives);
   verify.control = &control;
   verify.accepted = plan.accept;
-  verify.speed_may_be_power = dialect == read::gcode::Dialect::kMarlin;
-  verify.needs_tool_length = has_tool_lengths(dialect);
-  verify.changes_tools_alone = has_changer(dialect);
+  const read::gcode::DialectRules& rules = read::gcode::rules_of(dialect);
+  verify.speed_may_be_power = rules.speed_may_be_power;
+  verify.needs_tool_length = rules.needs_lengths;
+  verify.changes_tools_alone = rules.changer_alone;
   Findings findings = verify::verify_program(part, toolpath, verify);
   findings.conditions.insert(findings.conditions.begin(), conditions.begin(), conditions.end());
   if (auto far = far_move(part, toolpath)) findings.conditions.push_back(*std::move(far));

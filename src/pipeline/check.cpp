@@ -194,7 +194,7 @@ struct ProgramText {
   std::optional<read::gcode::Dialect> dialect;
 
   /// Whether it has no words for tools: they are put in by hand.
-  bool names_no_tools() const { return dialect == read::gcode::Dialect::kMarlin; }
+  bool names_no_tools() const { return dialect && read::gcode::rules_of(*dialect).names_no_tools; }
 };
 
 /// What the comments of a program call its tools, as options: "--tool endmill:6:T1 --tool drill:3:T2"; "" where none does. `called`:

@@ -1,7 +1,9 @@
-// The controllers whose programs are read, and what they take differently.
+// The controllers whose programs are read, and what they take differently. Each is one row of dialect.cpp; nothing else compares
+// controllers. docs/adding-a-controller.md tells how one is added.
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +19,16 @@ std::optional<Dialect> dialect_named(std::string_view name);
 /// Whose rules of motion the control has.
 MotionPlanner planner_of(Dialect dialect);
 
+/// The language of a program; each has a reader of its own.
+enum class Language : unsigned char { kWordAddress, kKlartext };
+
+/// How a program of the control ends.
+enum class ProgramEnd : unsigned char {
+  kWord,        ///< by M2 or M30; without one the text may have been cut short
+  kWordOrText,  ///< the same words, and many programs leave them out
+  kText         ///< the control has no word for it
+};
+
 /// How G74 and G84 tap.
 enum class TapRule : unsigned char {
   kAsItTurns,  ///< as the spindle turns, which has to be the way of the cycle; the feed is its own
@@ -24,43 +36,100 @@ enum class TapRule : unsigned char {
   kTied        ///< the control turns the spindle and ties the feed to it
 };
 
-/// What a word-address control does where others do otherwise.
+/// Which words a control stops at where no other word of their block uses them.
+enum class StrayWords : unsigned char { kIgnored, kLinuxCnc, kGrbl };
+
+/// G words that only some controls have, by what they are for. A row adds those that its control has.
+enum GWordSet : unsigned {
+  kDrillCycles = 1U << 0U,          ///< G73, G74, G76, G81 to G89
+  kToolLengths = 1U << 1U,          ///< G43
+  kStatedLengths = 1U << 2U,        ///< G43.1
+  kHaasWords = 1U << 3U,            ///< G110 to G129, G154, G187
+  kOffsetsByNumber = 1U << 4U,      ///< G54.1
+  kFractionalOffsets = 1U << 5U,    ///< G59.1 to G59.3
+  kKeptShifts = 1U << 6U,           ///< G92.2, G92.3
+  kExactStopBesidePath = 1U << 7U,  ///< G61.1
+  kStoredPlaces = 1U << 8U,         ///< G28.1, G30.1
+  kAbsoluteCenters = 1U << 9U       ///< G90.1
+};
+
+/// Which G words a control has.
+struct GWords {
+  unsigned sets = 0;               ///< of GWordSet
+  std::span<const int> only = {};  ///< in tenths; not empty: all that it has, whatever `sets` says
+};
+
+/// Which M words a control has. Where both lists are empty it has all.
+struct MWords {
+  std::span<const int> only = {};     ///< in tenths; not empty: all that it has
+  bool user_words = false;            ///< and M100 to M199, which are programs of the user's
+  std::span<const int> missing = {};  ///< in tenths
+  /// What the control does at a word that it does not have.
+  std::string_view at_others = " that milling needs; it does nothing there";
+};
+
+/// What a control does where others do otherwise.
 struct DialectRules {
   Dialect dialect = Dialect::kLinuxCnc;
-  bool cycles = true;  ///< G73, G81 and so on exist
-  bool tool_lengths = true;
+  std::string_view name = {};   ///< as options say it
+  std::string_view title = {};  ///< as people say it
+  MotionPlanner planner = MotionPlanner::kJerkLimited;
+  Language language = Language::kWordAddress;
+  ProgramEnd end = ProgramEnd::kWord;
+
+  // What the verdict asks of its programs.
+  bool needs_lengths = false;       ///< without a word for the tool's length it cuts at wrong heights
+  bool changer_alone = false;       ///< changes tools with nobody there
+  bool speed_may_be_power = false;  ///< S may be a share of the full power and no rpm
+  bool names_no_tools = false;      ///< its programs have no words for tools
+
+  GWords g = {};
+  MWords m = {};
+  StrayWords stray_words = StrayWords::kIgnored;
   bool lengths_by_number = false;  ///< G43 without H takes the H word before it, not the tool's own
+  bool zero_length_is_off = true;  ///< G43 H0 is G49; else it is the length of the tool
   bool changer = true;             ///< M6 and T exist
   bool path_words = true;          ///< G61, G64; without them the control keeps to the path
+  bool bounded_blending = false;   ///< P of G64 bounds what it rounds
   bool returns_to_r = false;       ///< cycles return to R until a G98 is seen
   bool cycle_rises_over =
       false;  ///< the way over the next hole goes up to the height before the cycles at once
+  bool cycle_needs_dwell = false;   ///< G82, G86, G88 and G89 stop the control without their P word
   bool feeds_out_to_clear = false;  ///< G89, G74, G84 feed up to the clear height, not to R
   TapRule taps = TapRule::kAsItTurns;
   bool keeps_cycle_words = true;  ///< Z, R and Q hold from one cycle word to another
   bool rereads_cycle_numbers =
       false;                         ///< G20, G21 within a cycle: the numbers it holds count in the new units
+  bool feed_in_unit_before = false;  ///< F beside G20 or G21 counts in the unit before them
   bool radius_beats_center = false;  ///< R with I, J: R is taken
   bool home_is_top = false;          ///< machine Z zero is the upper end of the travel
+  bool home_is_switches = false;     ///< G28 drives to the end switches, past no place on the way
+  bool no_home_in_cycle = false;     ///< G28 and G30 within a drilling cycle are an alarm
+  bool adds_to_offsets = false;      ///< G10 L2 in G91 adds to the offset
   bool resets_modes = false;         ///< begins in G17, G90, G94, G54, G80 whatever ran before
+  bool always_in_xy = false;         ///< arcs and cycles are in the XY plane unless a word says otherwise
   bool always_mm = false;            ///< begins in mm
   bool points_matter = false;        ///< X10 may mean 10 increments
   bool centers_set_up = false;       ///< without G90.1, G91.1 its set-up says which
   bool dwell_by_x = false;           ///< G4 X: seconds
   bool dwell_in_ms = false;          ///< G4 P: milliseconds
-  bool dwell_by_s = false;           ///< G4 S: seconds
-  bool saves_modes = false;          ///< M70 to M73
-  bool has_old_units = false;        ///< G70 and G71 are G20 and G21
-  int numbered_offsets = 0;          ///< most P of G54.1, G154, G59
-  int mist_on = 70;                  ///< M word in tenths
-  int mist_off = 90;                 ///< where it is not M9, that ends flood alone
-  std::string_view inch_needs = {};  ///< what must hold for G20; empty: nothing
-  bool pause_says_text = false;      ///< M0 and M1 show the text behind them
-  std::string_view mist_needs = {};  ///< what must hold for them; empty: every such control has them
+  bool dwell_with_point_in_s = false;  ///< where P has a decimal point: seconds
+  bool dwell_by_s = false;             ///< G4 S: seconds
+  bool saves_modes = false;            ///< M70 to M73
+  bool has_old_units = false;          ///< G70 and G71 are G20 and G21
+  int numbered_offsets = 0;            ///< most P of G54.1, G154, G59
+  int offset_with_number = 0;          ///< plain work offset, in tenths, that takes a P word, too; 0: none
+  int mist_on = 70;                    ///< M word in tenths
+  int mist_off = 90;                   ///< where it is not M9, that ends flood alone
+  std::string_view inch_needs = {};    ///< what must hold for G20; empty: nothing
+  bool pause_says_text = false;        ///< M0 and M1 show the text behind them
+  std::string_view mist_needs = {};    ///< what must hold for them; empty: every such control has them
 };
 
 const DialectRules& rules_of(Dialect dialect);
-/// All but Klartext.
+/// The control whose programs are in that language; of several the first.
+Dialect dialect_of(Language language);
+/// All whose programs are words of one letter each.
 std::vector<Dialect> word_address_dialects();
 /// Whether the control has the G word; codes in tenths. True for words that are nobody's business here.
 bool knows_g(const DialectRules& rules, int code);

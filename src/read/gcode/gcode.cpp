@@ -100,17 +100,18 @@ Reading read_as(Dialect dialect, std::string_view text, const std::string& file_
   program.dialect_stated = options.dialect.has_value();
   read::gcode::ToolpathBuilder builder({file_name, options.home_z, options.safe_z}, program.diagnostics,
                                        program.conditions);
-  if (dialect == Dialect::kHeidenhain) {
+  const DialectRules& rules = rules_of(dialect);
+  if (rules.language == Language::kKlartext) {
     program.ended = read::gcode::read_klartext(text, builder);
   } else {
-    read::gcode::Interpreter interpreter(builder, read::gcode::rules_of(dialect), options);
+    read::gcode::Interpreter interpreter(builder, rules, options);
     program.ended = read_words(text, file_name, interpreter, builder);
     reading.depends_on_dialect = interpreter.depends_on_dialect();
   }
-  program.ended = program.ended || dialect == Dialect::kMarlin;  // has no word for it
+  program.ended = program.ended || rules.end == ProgramEnd::kText;
   if (!program.ended) {
     program.diagnostics.warn(file_name, "the program has no end word (M2, M30, END PGM)");
-    if (dialect != Dialect::kGrbl)
+    if (rules.end == ProgramEnd::kWord)
       program.conditions.push_back({"program-end",
                                     "the program has no end word and is whole; it may have been cut short",
                                     last_line(text)});
@@ -118,7 +119,7 @@ Reading read_as(Dialect dialect, std::string_view text, const std::string& file_
   note_low_end(builder, last_line(text));
   program.toolpath = builder.take();
   program.control = builder.take_control();
-  program.control.planner = planner_of(dialect);
+  program.control.planner = rules.planner;
   return reading;
 }
 
@@ -218,13 +219,15 @@ Program read_gcode(std::string_view text, const std::string& file_name,
                    const ReadControllerOptions& options) {
   refuse_what_is_no_program(text, file_name);
   const bool klartext = read::gcode::is_klartext(text);
-  if (options.dialect && klartext != (*options.dialect == Dialect::kHeidenhain)) {
+  if (options.dialect && klartext != (rules_of(*options.dialect).language == Language::kKlartext)) {
     throw InputError(file_name,
-                     klartext ? "the program is Klartext; name the dialect heidenhain"
+                     klartext ? "the program is Klartext; name the dialect " +
+                                    std::string(name_of(dialect_of(Language::kKlartext)))
                               : "the program is no Klartext (BEGIN PGM is missing); name another dialect");
   }
   if (options.dialect || klartext) {
-    return read_as(options.dialect.value_or(Dialect::kHeidenhain), text, file_name, options).program;
+    return read_as(options.dialect.value_or(dialect_of(Language::kKlartext)), text, file_name, options)
+        .program;
   }
   return read_unnamed(text, file_name, options);
 }

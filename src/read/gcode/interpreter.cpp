@@ -17,7 +17,7 @@ void Interpreter::execute(const Block& block) {
   for (const int m : block.m) {
     if (m >= 700 && m <= 730) mode_words_.save_or_restore(m);
   }
-  const bool keeps_unit = control_.rules.dialect == Dialect::kLinuxCnc && control_.units_said;
+  const bool keeps_unit = control_.rules.feed_in_unit_before && control_.units_said;
   const double unit_before = control_.modes.unit;
   mode_words_.set_modes(block);
   mode_words_.set_feed_and_drive(block, keeps_unit ? unit_before : control_.modes.unit);
@@ -31,7 +31,7 @@ void Interpreter::check(const Block& block) const {
   for (const int code : block.g) {
     const Group group = group_of(code);
     if (group != Group::kUnknown && !knows_g(control_.rules, code)) {
-      control_.refuse(g_word(code) + " is no word of " + std::string(name_of(control_.rules.dialect)) +
+      control_.refuse(g_word(code) + " is no word of " + std::string(control_.rules.name) +
                       "; post the program for this control, or name another");
     }
     if (!is_modal(group)) continue;

@@ -85,19 +85,27 @@ bool is_grbl_or_marlin(const Traits& traits) {
   return traits.semicolons && !traits.parentheses && !traits.end && !traits.tool && !traits.beyond_grbl;
 }
 
-Dialect likeliest(const Traits& traits) {
-  if (traits.haas) return Dialect::kHaas;
-  if (traits.tape && traits.long_number) return Dialect::kHaas;
-  if (traits.fanuc || traits.dwell_x || traits.tape) return Dialect::kFanuc;
-  if (traits.linuxcnc || traits.blend_bound) return Dialect::kLinuxCnc;
-  if (traits.old_units) return Dialect::kMach3;
-  if (traits.length_plain) return Dialect::kLinuxCnc;
-  if (traits.blend_plain && traits.length_numbered) return Dialect::kMach3;
-  if (is_grbl_or_marlin(traits))
-    return traits.turns_said && !traits.marlin ? Dialect::kGrbl : Dialect::kMarlin;
-  const bool grbl = !traits.beyond_grbl && traits.last_m30 && traits.arcs_stated && !traits.blend_plain;
-  return grbl ? Dialect::kGrbl : Dialect::kLinuxCnc;
-}
+/// What a program uses, and whose program that makes it.
+struct Clue {
+  bool (*is_there)(const Traits&);
+  Recognised points_to;
+};
+
+/// The first clue that is there counts. Words of one control alone come first, habits of posts last.
+constexpr Clue kClues[] = {
+    {[](const Traits& of) { return of.haas || (of.tape && of.long_number); }, {Dialect::kHaas, false, {}}},
+    {[](const Traits& of) { return of.fanuc || of.dwell_x || of.tape; }, {Dialect::kFanuc, false, {}}},
+    {[](const Traits& of) { return of.linuxcnc || of.blend_bound; }, {Dialect::kLinuxCnc, true, {}}},
+    {[](const Traits& of) { return of.old_units; }, {Dialect::kMach3, false, {}}},
+    {[](const Traits& of) { return of.length_plain; }, {Dialect::kLinuxCnc, false, {}}},
+    {[](const Traits& of) { return of.blend_plain && of.length_numbered; }, {Dialect::kMach3, false, {}}},
+    {[](const Traits& of) { return is_grbl_or_marlin(of) && of.marlin; }, {Dialect::kMarlin, false, {}}},
+    {[](const Traits& of) { return is_grbl_or_marlin(of) && of.turns_said; },
+     {Dialect::kGrbl, false, Dialect::kMarlin}},
+    {is_grbl_or_marlin, {Dialect::kMarlin, false, Dialect::kGrbl}},
+    {[](const Traits& of) { return !of.beyond_grbl && of.last_m30 && of.arcs_stated && !of.blend_plain; },
+     {Dialect::kGrbl, false, {}}},
+    {[](const Traits&) { return true; }, {Dialect::kLinuxCnc, false, {}}}};
 
 }  // namespace
 
@@ -112,13 +120,9 @@ Recognised recognised(std::string_view text, const std::string& file_name) {
   } catch (const InputError&) {
     // The reader itself says what is wrong, where it is not behind the end.
   }
-  const Dialect dialect = likeliest(traits);
-  Recognised found{dialect, dialect == Dialect::kLinuxCnc && (traits.linuxcnc || traits.blend_bound), {}};
-  if (is_grbl_or_marlin(traits) && !traits.marlin && dialect == Dialect::kGrbl)
-    found.rival = Dialect::kMarlin;
-  if (is_grbl_or_marlin(traits) && !traits.marlin && dialect == Dialect::kMarlin)
-    found.rival = Dialect::kGrbl;
-  return found;
+  const auto* const clue = std::find_if(std::begin(kClues), std::end(kClues),
+                                        [&](const Clue& one) { return one.is_there(traits); });
+  return clue->points_to;
 }
 
 }  // namespace clearcut::read::gcode

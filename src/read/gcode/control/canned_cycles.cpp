@@ -40,10 +40,9 @@ void CannedCycles::set_cycle_words(const Block& block) {
 void CannedCycles::check_dwell(const Block& block) const {
   const int code = control_.motion;
   const bool dwells = code == 820 || code == 860 || code == 880 || code == 890;
-  if (dwells && control_.rules.dialect == Dialect::kLinuxCnc && control_.cycle.code != code &&
-      !block.has('P'))
-    control_.refuse(g_word(code) +
-                    " without its P word, which LinuxCNC asks for; add the seconds of the dwell");
+  if (dwells && control_.rules.cycle_needs_dwell && control_.cycle.code != code && !block.has('P'))
+    control_.refuse(g_word(code) + " without its P word, which " + std::string(control_.rules.title) +
+                    " asks for; add the seconds of the dwell");
 }
 
 /// In G91, R counts from a height before the cycle and Z from R.

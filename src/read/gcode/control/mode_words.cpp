@@ -122,7 +122,7 @@ void ModeWords::set_path(int code, const Block& block) {
   } else if (code == 611) {
     path.mode = PathMode::kExactStop;
   } else if (code == 640) {
-    const bool bounded = block.has('P') && control_.rules.dialect == Dialect::kLinuxCnc;
+    const bool bounded = block.has('P') && control_.rules.bounded_blending;
     path.mode = bounded ? PathMode::kTolerance : PathMode::kContinuous;
     if (bounded) path.tolerance_mm = control_.mm(block.value('P'));
     if (bounded && block.has('Q')) path.merging_mm = control_.mm(block.value('Q'));
@@ -201,7 +201,7 @@ void ModeWords::load_tool() {
 /// A pause is where tools are changed by hand.
 void ModeWords::pause(const Block& block) {
   if (block.has_text && !control_.rules.pause_says_text)
-    control_.refuse("text behind a pause, which " + std::string(name_of(control_.rules.dialect)) +
+    control_.refuse("text behind a pause, which " + std::string(control_.rules.name) +
                     " reads as words; make it a comment");
   control_.tool_put_in = true;
   control_.builder.add_event(ControlEventKind::kPause, control_.line);
@@ -257,13 +257,8 @@ void ModeWords::set_drive(int m, const Block& block) {
 /// A word that the control does not have.
 void ModeWords::note_unknown(int m) {
   const std::string word = m_word(m);
-  const Dialect dialect = control_.rules.dialect;
-  const std::string what = dialect == Dialect::kGrbl
-                               ? ", which stops there; what sends the program leaves it out"
-                           : dialect == Dialect::kLinuxCnc
-                               ? ", which stops there; its set-up has a REMAP for it that moves nothing"
-                               : " that milling needs; it does nothing there";
-  control_.condition("m" + word.substr(1), word + " is no word of the control" + what);
+  control_.condition("m" + word.substr(1),
+                     word + " is no word of the control" + std::string(control_.rules.m.at_others));
 }
 
 /// Not a word of Fanuc's own, but what most builders give it.
@@ -289,7 +284,7 @@ void ModeWords::dwell(const Block& block) {
   const DialectRules& rules = control_.rules;
   if (block.has('P')) {
     written = block.value('P');
-    in_ms = rules.dwell_in_ms && (rules.dialect != Dialect::kHaas || block.is_whole('P'));
+    in_ms = rules.dwell_in_ms && (!rules.dwell_with_point_in_s || block.is_whole('P'));
   } else if (rules.dwell_by_x && block.has('X')) {
     written = block.value('X');
   } else if (rules.dwell_by_s && block.has('S')) {

@@ -71,8 +71,7 @@ void MotionWords::check_words_said(const Block& block) {
                        "the program states neither G90 nor G91 before it moves; the control is in G90");
   }
   const bool plane_matters = control_.motion != 0 && control_.motion != 10;
-  if (!control_.plane_said && !control_.rules.resets_modes && plane_matters &&
-      control_.rules.dialect != Dialect::kMarlin) {
+  if (!control_.plane_said && !control_.rules.resets_modes && plane_matters && !control_.rules.always_in_xy) {
     control_.condition("g17", "the program states no plane before its arcs or cycles; the control is in G17");
   }
   if (!control_.rules.points_matter) return;

@@ -52,10 +52,10 @@ bool PlaceWords::move_specially(const Block& block) {
 void PlaceWords::go_home(const Block& block, bool first) {
   const std::string name = first ? "g28-home" : "g30-home";
   const bool all = !block.has_axis();
-  if (control_.rules.dialect == Dialect::kFanuc && is_drill_cycle(control_.motion))
+  if (control_.rules.no_home_in_cycle && is_drill_cycle(control_.motion))
     control_.refuse(
         "G28 and G30 within a drilling cycle stop the control with an alarm; end it by G80 before");
-  if (control_.rules.dialect == Dialect::kMarlin) return go_to_unknown(block, name, all, false);
+  if (control_.rules.home_is_switches) return go_to_unknown(block, name, all, false);
   // The way goes through the place stated, straight, whatever lies there.
   if (!all) control_.builder.rapid(stated_way(block), control_.line);
   const auto& stored = control_.references[first ? 0 : 1];
@@ -146,7 +146,7 @@ void PlaceWords::set_offset_table(const Block& block) {
   const int number = block.has('P') ? static_cast<int>(block.value('P')) : 0;
   const int system = number == 0 ? control_.frame.system() : number;
   if (system < 1 || system > Frame::kSystems) control_.refuse("G10 with an impossible P word; correct it");
-  const bool adds = !control_.modes.absolute && control_.rules.dialect == Dialect::kFanuc && kind == 2;
+  const bool adds = !control_.modes.absolute && control_.rules.adds_to_offsets && kind == 2;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!block.has("XYZ"[axis])) continue;
     double value = control_.mm(block.value("XYZ"[axis]));
@@ -199,8 +199,7 @@ void PlaceWords::clear_shift(int code) {
 /// G59 P.
 bool PlaceWords::uses_numbered_system(int code, const Block& block) const {
   if (code == 541 || code >= 1100) return true;
-  const bool takes_number = (code == 540 && control_.rules.dialect == Dialect::kFanuc) ||
-                            (code == 590 && control_.rules.dialect == Dialect::kMach3);
+  const bool takes_number = code == control_.rules.offset_with_number;
   const bool is_of_another = has_g(block, 40) || has_g(block, 100) || has_g(block, 640);
   return takes_number && block.has('P') && !is_of_another;
 }
@@ -251,9 +250,8 @@ void PlaceWords::set_length(int code, const Block& block) {
     control_.condition("tool-length-g43.1",
                        "the tool stood at its stated height when the work was touched off without G43.1");
   } else if (block.has('H')) {
-    length.kind = block.value('H') == 0 && control_.rules.dialect != Dialect::kLinuxCnc
-                      ? LengthKind::kOff
-                      : LengthKind::kNumbered;
+    length.kind =
+        block.value('H') == 0 && control_.rules.zero_length_is_off ? LengthKind::kOff : LengthKind::kNumbered;
     length.h = control_.last_length = static_cast<int>(block.value('H'));
   } else if (control_.rules.lengths_by_number) {
     length.kind = control_.last_length > 0 ? LengthKind::kNumbered : LengthKind::kOff;

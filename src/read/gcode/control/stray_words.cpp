@@ -86,7 +86,7 @@ const std::vector<Codes>& groups_of_m() {
 /// What the control stops at, "" if it takes the block.
 std::string stray_word(const Control& control, const Block& block) {
   const int said = motion_in(block), motion = said >= 0 ? said : control.motion;
-  const bool is_grbl = control.rules.dialect == Dialect::kGrbl;
+  const bool is_grbl = control.rules.stray_words == StrayWords::kGrbl;
   for (const char letter : std::string_view("DEHIJKLPQR")) {
     const bool used =
         is_grbl ? is_used_on_grbl(letter, block, motion) : is_used_on_linuxcnc(letter, block, motion);
@@ -105,12 +105,11 @@ std::string stray_word(const Control& control, const Block& block) {
 }  // namespace
 
 void note_stray_words(Control& control, const Block& block) {
-  const Dialect dialect = control.rules.dialect;
-  if (dialect != Dialect::kLinuxCnc && dialect != Dialect::kGrbl) return;
+  if (control.rules.stray_words == StrayWords::kIgnored) return;
   const std::string stray = stray_word(control, block);
   if (stray.empty()) return;
-  const std::string name = dialect == Dialect::kGrbl ? "Grbl" : "LinuxCNC";
-  control.condition("stray-word", name + " stops at " + stray + "; something is missing there, or too much");
+  control.condition("stray-word", std::string(control.rules.title) + " stops at " + stray +
+                                      "; something is missing there, or too much");
 }
 
 }  // namespace clearcut::read::gcode
