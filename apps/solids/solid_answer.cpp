@@ -136,6 +136,86 @@ std::optional<read::WallFront> front_of(const gp_Vec& normal, const Box& plan) {
   return read::WallFront{outward_plan, plan.center() + outward_plan * 0.01};
 }
 
+void take_nearest(double& value, double candidate) {
+  if (std::abs(value - candidate) < kBoxSlack) value = candidate;
+}
+
+/// Radians between the vertical and a plane or an upright cone; 0 for other surfaces, and for level and upright planes.
+double lean_of(const BRepAdaptor_Surface& surface, const read::SolidFace& face, const gp_Vec& normal) {
+  if (face.facing != read::Facing::kUp || face.level) return 0;
+  if (surface.GetType() == GeomAbs_Plane) return kPi / 2 - normal.Angle(gp_Vec(0, 0, 1));
+  const bool is_upright_cone = surface.GetType() == GeomAbs_Cone &&
+                               std::abs(surface.Cone().Axis().Direction().Z()) > 1 - kSquare * kSquare;
+  return is_upright_cone ? std::abs(surface.Cone().SemiAngle()) : 0;
+}
+
+/// mm; of the circle of a cylinder, torus or ball.
+double radius_of(const BRepAdaptor_Surface& surface) {
+  switch (surface.GetType()) {
+    case GeomAbs_Cylinder:
+      return surface.Cylinder().Radius();
+    case GeomAbs_Sphere:
+      return surface.Sphere().Radius();
+    case GeomAbs_Torus:
+      return surface.Torus().MinorRadius();
+    default:
+      return 0;
+  }
+}
+
+/// mm; the radius of a face that is level at its lowest place and upright at its highest, a radius above; 0 for all others.
+double fillet_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& shape, const read::SolidFace& face) {
+  const double radius = radius_of(surface);
+  if (radius <= 0 || face.facing != read::Facing::kUp ||
+      std::abs(face.z_high - face.z_low - radius) > kBoxSlack)
+    return 0;
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  BRepTools::UVBounds(shape, u0, u1, v0, v1);
+  constexpr int kSteps = 16;
+  constexpr double kLevel = 0.99;
+  double lowest = HUGE_VAL, up = 0;
+  for (int i = 0; i <= kSteps; ++i) {
+    for (int j = 0; j <= kSteps; ++j) {
+      const double u = u0 + (u1 - u0) * i / kSteps, v = v0 + (v1 - v0) * j / kSteps;
+      const double z = surface.Value(u, v).Z();
+      const gp_Vec normal = outward(surface, shape, u, v);
+      // The pole of a ball has no normal there.
+      if (z < lowest - kBoxSlack || (z < lowest + kBoxSlack && normal.Z() > up)) {
+        lowest = std::min(lowest, z);
+        up = normal.Magnitude() > 0 ? normal.Z() : 1;
+      }
+    }
+  }
+  return up > kLevel ? radius : 0;
+}
+
+/// Whether all of an edge lies at a height.
+bool is_at(const TopoDS_Edge& edge, double z) {
+  if (BRep_Tool::Degenerated(edge)) return false;
+  const BRepAdaptor_Curve curve(edge);
+  const double first = curve.FirstParameter(), last = curve.LastParameter();
+  for (const double t : {first, (first + last) / 2, last})
+    if (std::abs(curve.Value(t).Z() - z) > kBoxSlack / 10) return false;
+  return true;
+}
+
+/// Takes the heights of a plane or cone from its edges, for the kernel's boxes may be larger; z of the lowest, mm.
+double take_heights(const TopoDS_Face& face, read::SolidFace& out) {
+  double lowest = HUGE_VAL, highest = -HUGE_VAL;
+  for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+    if (BRep_Tool::Degenerated(edge)) continue;
+    const BRepAdaptor_Curve curve(edge);
+    for (const double t : {curve.FirstParameter(), curve.LastParameter()}) {
+      lowest = std::min(lowest, curve.Value(t).Z());
+      highest = std::max(highest, curve.Value(t).Z());
+    }
+  }
+  take_nearest(out.z_low, lowest);
+  take_nearest(out.z_high, highest);
+  return lowest;
+}
+
 read::SolidFace face_of(const TopoDS_Face& face, int number) {
   const BRepAdaptor_Surface surface(face);
   read::SolidFace out;
@@ -154,15 +234,16 @@ read::SolidFace face_of(const TopoDS_Face& face, int number) {
   }
   if (out.facing == read::Facing::kMixed) out.outline = shadow_of(face);
   if (out.facing != read::Facing::kUp) return out;
+  out.lean = lean_of(surface, out, outward(surface, face, 0, 0));
+  out.fillet = fillet_of(surface, face, out);
+  const double foot = out.lean > 0 ? take_heights(face, out) : 0;
   for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) {
     Path path = projected(TopoDS::Edge(edges.Current()));
-    if (!path.empty()) out.outline.push_back(std::move(path));
+    if (path.empty()) continue;
+    if (out.lean > 0 && is_at(TopoDS::Edge(edges.Current()), foot)) out.foot.push_back(path);
+    out.outline.push_back(std::move(path));
   }
   return out;
-}
-
-void take_nearest(double& value, double candidate) {
-  if (std::abs(value - candidate) < kBoxSlack) value = candidate;
 }
 
 /// The box of the whole, exact where lines, circles and levels make it.

@@ -75,6 +75,50 @@ int tool_for_tabs(const Feature& feature, int chosen, const std::vector<Tool>& t
   return mills.empty() ? chosen : mills.back();
 }
 
+namespace {
+
+/// mm, radians. An end as round as a fillet, and a cone that leans as a solid's broken edge does.
+constexpr double kSameEndRadius = 0.002, kSameConeLean = 0.002;
+
+/// mm; radius of what the tool's end leaves between a floor and a wall.
+double end_radius_of(const Tool& tool) {
+  if (tool.kind == ToolKind::kBallEndMill) return tool.radius();
+  return mills_upright(tool) ? tool.corner_radius : 0;
+}
+
+/// The largest mill whose end is as round as the fillet between the feature's floor and walls; -1 where there is none.
+int fillet_tool(const Feature& feature, const std::vector<Tool>& tools, double fits) {
+  int best = -1;
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    if (std::abs(end_radius_of(tools[i]) - feature.floor_fillet) > kSameEndRadius || tools[i].diameter > fits)
+      continue;
+    if (best < 0 || tools[i].diameter > tools[static_cast<std::size_t>(best)].diameter)
+      best = static_cast<int>(i);
+  }
+  return best;
+}
+
+/// Whether the cone leans as the edge is asked to; any does where nothing is asked.
+bool leans_as_asked(const Tool& cone, const Feature& edge) {
+  if (edge.wall_slope.radians() == 0) return true;
+  return std::abs(cone.tip_angle->radians() / 2 - edge.wall_slope.radians()) < kSameConeLean;
+}
+
+/// The first chamfer mill or V-bit that leans as the edge does and is long enough, else the first of all.
+int cone_of_edge(const Feature& edge, const std::vector<Tool>& tools) {
+  for (const ToolKind kind : {ToolKind::kChamferMill, ToolKind::kVBit}) {
+    for (std::size_t i = 0; i < tools.size(); ++i) {
+      const bool fits = tools[i].kind == kind && is_conical(tools[i]) && leans_as_asked(tools[i], edge);
+      if (fits && edge.wall_slope.radians() > 0 &&
+          edge.chamfer->depth <= flank_height(tools[i]) + kSameEndRadius)
+        return static_cast<int>(i);
+    }
+  }
+  return std::max(0, chamfer_tool(tools));
+}
+
+}  // namespace
+
 int chamfer_tool(const std::vector<Tool>& tools) {
   for (const ToolKind kind : {ToolKind::kChamferMill, ToolKind::kVBit}) {
     for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -93,23 +137,29 @@ int t_slot_tool(const std::vector<Tool>& tools) {
 int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::vector<char>& passed_over,
              const Tolerances& tol) {
   if (tools.size() == 1) return 0;
-  if (feature.chamfer) return std::max(0, chamfer_tool(tools));
+  if (feature.chamfer) return cone_of_edge(feature, tools);
   if (const int carver = carving_tool(feature, tools); carver >= 0) return carver;
   if (feature.kind == FeatureKind::kTSlot) return std::max(0, t_slot_tool(tools));
   if (feature.profile) return profile_tool(*feature.profile, tools, tol);
   const double fits = largest_fitting_diameter(feature, tol) + tol.fit;
   // A drill leaves its cone on the floor: pockets are flat down to theirs, and only holes may end so.
   const auto hole = feature.kind == FeatureKind::kRoundHole ? round_hole_of(feature, tol) : std::nullopt;
+  if (feature.floor_fillet > 0) {
+    if (const int round = fillet_tool(feature, tools, fits); round >= 0) return round;
+  }
   int best = 0;
   const auto drills = [&](const Tool& tool) {
     return hole && tool.kind == ToolKind::kDrill && makes_hole(tool, *hole, tol);
   };
+  const auto leaves_corner = [](const Tool& tool) { return end_radius_of(tool) < kSameEndRadius; };
   const auto better = [&](const Tool& a, const Tool& b) {
     if (drills(a) != drills(b)) return drills(a);
     if (clears_floors(a) != clears_floors(b)) return clears_floors(a);
     if (keeps_walls(a, feature) != keeps_walls(b, feature)) return keeps_walls(a, feature);
     const bool a_fits = a.diameter <= fits, b_fits = b.diameter <= fits;
     if (a_fits != b_fits) return a_fits;
+    // A rounded end leaves its own shape between floor and walls, where the part has a corner.
+    if (a_fits && leaves_corner(a) != leaves_corner(b)) return leaves_corner(a);
     return a_fits ? a.diameter > b.diameter : a.diameter < b.diameter;
   };
   const auto is_open = [&](std::size_t i) { return passed_over.empty() || !passed_over[i]; };

@@ -212,16 +212,19 @@ std::vector<Row> drawing_rows() {
        .group = Group::kDrawings,
        .level = Level::kFirst,
        .kind = kTexts,
-       .sentence = "KIND:SELECTION, what outlines of a drawing are for: pocket, step, profile, inside, "
-                   "drill, engrave, tslot, "
-                   "vcarve, isolate, chamfer, face, island or ignore, with a depth as in profile_d6; the "
-                   "selection is a layer, "
-                   "a colour, outer or numbers of `info` (repeatable)",
+       .sentence =
+           "KIND:SELECTION, what outlines of a drawing or features of a solid are for: pocket, step, "
+           "profile, inside, "
+           "drill, engrave, tslot, "
+           "vcarve, isolate, chamfer, face, island or ignore, with a depth as in profile_d6; the "
+           "selection is a layer, "
+           "a colour, outer or numbers of `info`; of a solid a feature's name, * for anything, to be tapped, "
+           "reamed, cut out and so on (repeatable)",
        .field = CLEARCUT_FIELD(input.operations),
        .table = JobTable::kPart,
        .key = "op",
        .example = "pocket:outer",
-       .effect = {kDrawingInputs}},
+       .effect = {kDrawingInputs | kSolidInput}},
       {.name = "tabs",
        .group = Group::kDrawings,
        .level = Level::kFirst,

@@ -234,6 +234,10 @@ std::vector<int> tools_by_hand(std::vector<int> in_order) {
   return in_order;
 }
 
+Condition hand_tools_condition(const std::string& order) {
+  return {"tool-by-hand", "the tools are put in by hand in the order " + order + ", one at each pause", 0};
+}
+
 verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
   verify::VerifyOptions verify;
   verify.tol = plan.tol;
@@ -262,7 +266,10 @@ read::gcode::Program read_back(const std::string& program, const Toolpath& plann
   std::vector<int> tools;
   for (const Section& section : planned.sections) tools.push_back(section.tool_number);
   reading.hand_tools = tools_by_hand(std::move(tools));
-  return read::gcode::read_gcode(program, "program", reading);
+  auto read = read::gcode::read_gcode(program, "program", reading);
+  if (reading.hand_tools.size() > 1 && reading.dialect == read::gcode::Dialect::kMarlin)
+    read.conditions.push_back(hand_tools_condition("of the part's work"));
+  return read;
 }
 
 bool has_wrong_units(const Findings& findings) {

@@ -27,6 +27,8 @@ Section link_step(const std::vector<LayerPasses>& passes, int workingstep, Entry
 /// The tools that somebody puts in, one at each pause, where the control has no words for them: the numbers of those of each
 /// piece of work without what needs no change.
 std::vector<int> tools_by_hand(std::vector<int> in_order);
+/// What has to hold where a program names none of its several tools; `order`: "of the part's work".
+Condition hand_tools_condition(const std::string& order);
 
 /// How the program is written: what was asked for, and what the machine needs where nobody has asked for something else.
 PostOptions post_options_of(const ResolvedPlan& plan);

@@ -290,10 +290,7 @@ read::gcode::Program read_program(const ProgramText& program, const resolve::Pla
   reading.places = options.machine.places;
   reading.hand_tools = tools_by_hand(by_hand.numbers);
   auto read = read::gcode::read_gcode(program.text, program.name, reading);
-  if (reading.hand_tools.size() > 1)
-    read.conditions.push_back(
-        {"tool-by-hand", "the tools are put in by hand in the order " + by_hand.order + ", one at each pause",
-         0});
+  if (reading.hand_tools.size() > 1) read.conditions.push_back(hand_tools_condition(by_hand.order));
   return read;
 }
 

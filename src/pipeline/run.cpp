@@ -422,6 +422,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   result.values = plan.values;
   result.earlier = plan.earlier;
   resolve::refuse_what_cannot_be(result.part, options);
+  resolve::tell_of_shallow(result.part, options.tol);
   refuse_what_means_nothing(plan, result.part.diagnostics);
   warn_of_both_ways(plan, result.part.diagnostics);
   ProgressMeter meter(options.progress, options.cancel);

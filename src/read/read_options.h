@@ -104,8 +104,10 @@ struct SolidOptions {
   double turn_deg = 0;  ///< counter-clockwise about the vertical, after that
   std::string body;     ///< name or number from 1 of the body to make; "all": all as one part
   std::optional<double> breakthrough;  ///< mm, >= 0; absent: kBreakthrough
-  std::vector<double>
-      drills;  ///< mm; diameters at hand: through holes of theirs go deeper by the drill's point
+  std::vector<double> drills;          ///< mm; diameters at hand, beside those of `tools`
+  /// At hand. Through holes of a drill's width go deeper by its point; edges broken as a cone leans, and fillets as round as a
+  /// cutter's end, are features.
+  std::vector<Tool> tools = {};
   std::optional<StockRequest> stock;  ///< absent: the solid's bounding box
   bool has_other_setups = false;      ///< of the same job: they make what looks another way
   bool is_stock =

@@ -263,6 +263,23 @@ std::optional<Part> without_impossible_steps(const Part& asked, const Part& prep
   return rest;
 }
 
+void tell_of_shallow(Part& part, const Tolerances& tol) {
+  std::string first;
+  int count = 0;
+  for (const Workingstep& step : part.workplan) {
+    const Feature& feature = feature_of(part, step);
+    const double depth = feature.top_z - feature.floor_z;
+    if (depth <= 0 || depth > tol.uncut || feature.chamfer || feature.hole) continue;
+    if (count++ == 0) first = name_and_place(feature) + ": it is " + trimmed(depth, 4) + " mm deep";
+  }
+  if (count == 0) return;
+  part.diagnostics.warn(part.source_file,
+                        first + (count > 1 ? fmt::format(" (and {} more as shallow)", count - 1) : "") +
+                            fmt::format(", no more than the {} mm that may stay uncut: the check cannot tell "
+                                        "whether it is cut at all; is the unit right?",
+                                        trimmed(tol.uncut, 4)));
+}
+
 void refuse_what_cannot_be(const Part& part, const PlanOptions& options) {
   refuse_low_rapids(part);
   for (const Workingstep& step : part.workplan) {

@@ -17,6 +17,9 @@ void refuse_above_stock(const Part& part);
 /// months of cutting; starts and predrilled holes that lie in no feature.
 void refuse_what_cannot_be(const Part& part, const PlanOptions& options);
 
+/// Warns of features no deeper than what may stay uncut: to the checks they are cut as they stand.
+void tell_of_shallow(Part& part, const Tolerances& tol);
+
 /// Of a STEP-NC program: `asked` without the workingsteps of which refuse_what_cannot_be() would refuse the whole part, each said to be not
 /// machined; tops follow from what is left. Nothing where there are none, or no others. `prepared`: `asked` with its tools.
 std::optional<Part> without_impossible_steps(const Part& asked, const Part& prepared, const Tolerances& tol);

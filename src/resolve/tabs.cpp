@@ -310,12 +310,16 @@ std::vector<double> chosen_places(const Feature& feature, const TabPlacer& place
   return chosen;
 }
 
-/// Says, or throws where the profile frees the part itself, that not all that was asked for is possible.
+/// Says, or throws where the profile frees the part itself, that not all that was asked for is possible. Where nothing is left that
+/// holds what it cuts free, that is a condition.
 void refuse_or_warn(const Feature& feature, const char* option, const std::string& what,
-                    const std::string& instead, Part& part) {
+                    const std::string& instead, bool holds_nothing, Part& part) {
   if (frees_part(feature, part)) throw InputError(option, what + instead);
-  part.diagnostics.warn(feature.name,
-                        what + (feature.profile->closed ? "; what it cuts free is held by no more" : ""));
+  if (holds_nothing && feature.profile->closed)
+    part.diagnostics.doubt(feature.name, "loose-part", what + "; what it cuts free comes loose");
+  else
+    part.diagnostics.warn(feature.name,
+                          what + (feature.profile->closed ? "; what it cuts free is held by no more" : ""));
 }
 
 /// Middles of all tabs of a profile, mm along its outline.
@@ -329,12 +333,12 @@ std::vector<double> places_on(const Feature& feature, const TabPlacer& placer, c
     refuse_or_warn(feature, options.spacing ? "--tab-spacing" : "--tabs",
                    "only " + std::to_string(count) + " of " + std::to_string(wanted) + " tabs of " + width +
                        " fit on straight stretches and wide arcs of " + feature.name,
-                   "; ask for fewer or narrower ones (--tab-width)", part);
+                   "; ask for fewer or narrower ones (--tab-width)", count == 0, part);
   } else if (options.spacing && placer.widest_gap(places) > *options.spacing + kRounding) {
     refuse_or_warn(feature, "--tab-spacing",
                    "tabs of " + width + " on straight stretches and wide arcs of " + feature.name + " are " +
                        trimmed(std::ceil(100 * placer.widest_gap(places)) / 100, 2) + " mm apart at best",
-                   "; ask for a wider spacing or narrower ones (--tab-width)", part);
+                   "; ask for a wider spacing or narrower ones (--tab-width)", false, part);
   }
   return places;
 }

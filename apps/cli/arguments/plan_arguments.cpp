@@ -67,9 +67,10 @@ void PlanArguments::add_tool_list_options(CLI::App& command) {
 
 namespace {
 
-/// Of the machine and what a program is checked by.
+/// Of the machine and what a program is checked by; the relief of corners belongs to the part that is asked for.
 bool is_of_question(const Row& row) {
-  return row.group == Group::kMachine || row.group == Group::kLimits || row.name == "threads";
+  return row.group == Group::kMachine || row.group == Group::kLimits || row.name == "threads" ||
+         row.name == "dogbones";
 }
 
 }  // namespace
@@ -114,8 +115,7 @@ SolidOptions PlanArguments::solid() const {
 ReadOptions PlanArguments::read_options() const {
   ReadOptions options = read::read_options_of(typed_.input);
   options.ask_if_unclear = true;
-  for (const Tool& tool : tools())
-    if (tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.diameter);
+  options.solid.tools = tools();
   if (stock_.has_solid()) options.block = stock_.solid(lies(job(), setup_, solid())).stock;
   return options;
 }

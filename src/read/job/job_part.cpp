@@ -41,6 +41,7 @@ ReadOptions merged(ReadOptions options, const ReadOptions& over) {
   if (!over.solid.up.empty()) options.solid.up = over.solid.up;
   if (over.solid.turn_deg != 0) options.solid.turn_deg = over.solid.turn_deg;
   if (!over.solid.body.empty()) options.solid.body = over.solid.body;
+  options.solid.tools = over.solid.tools;
   options.solid.drills = over.solid.drills;
   options.solid.has_other_setups = over.solid.has_other_setups;
   if (over.solid.breakthrough) options.solid.breakthrough = over.solid.breakthrough;
@@ -357,8 +358,7 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
   ReadOptions options = merged(job.read, over);
   // What stands around a solid belongs to its features: its reader sets the stock itself.
   if (job.stock) options.solid.stock = requested(*job.stock);
-  for (const LibraryTool& tool : tools_of(job).tools)
-    if (tool.tool.kind == ToolKind::kDrill) options.solid.drills.push_back(tool.tool.diameter);
+  for (const LibraryTool& tool : tools_of(job).tools) options.solid.tools.push_back(tool.tool);
   const std::string text = read_file(job.part_file.string(), kLargestPart);
   Part part = read_part_text(text, job.part_file.string(), options);
   if (options.overview && part.features.empty()) return part;

@@ -52,6 +52,8 @@ void each_value(Face& face, Each each) {
   each(face.z_high);
   each(face.plan);
   each(face.front);
+  each(face.lean);
+  each(face.fillet);
 }
 
 void put(Writer& out, const std::string& text) {
@@ -94,24 +96,34 @@ void get(Reader& in, FlatSide& side) {
   in.get(side.thickness);
 }
 
-void put(Writer& out, const SolidFace& face) {
-  each_value(face, [&](const auto& value) { out.put(value); });
-  put(out, face.surface);
-  out.put(face.outline.size());
-  for (const Path& path : face.outline) {
+void put(Writer& out, const std::vector<Path>& paths) {
+  out.put(paths.size());
+  for (const Path& path : paths) {
     out.put(path.size());
     for (const Edge& edge : path) out.put(edge);
   }
 }
 
-void get(Reader& in, SolidFace& face) {
-  each_value(face, [&](auto& value) { in.get(value); });
-  get(in, face.surface);
-  face.outline.resize(in.count());
-  for (Path& path : face.outline) {
+void get(Reader& in, std::vector<Path>& paths) {
+  paths.resize(in.count());
+  for (Path& path : paths) {
     path.resize(in.count());
     for (Edge& edge : path) in.get(edge);
   }
+}
+
+void put(Writer& out, const SolidFace& face) {
+  each_value(face, [&](const auto& value) { out.put(value); });
+  put(out, face.surface);
+  put(out, face.outline);
+  put(out, face.foot);
+}
+
+void get(Reader& in, SolidFace& face) {
+  each_value(face, [&](auto& value) { in.get(value); });
+  get(in, face.surface);
+  get(in, face.outline);
+  get(in, face.foot);
 }
 
 template <typename Value>

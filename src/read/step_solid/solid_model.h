@@ -37,6 +37,13 @@ struct SolidFace {
   /// counter-clockwise and may overlap; their outer edge lies within kCurveTolerance of the shadow's.
   std::vector<Path> outline;
   std::optional<WallFront> front;
+  double lean =
+      0;  ///< radians between the face and the vertical; of planes and upright cones that look up, else 0
+  /// mm; of the circle that the face is swept along, or of the ball, where it rises with it from level to upright: a hollow fillet. 0 for
+  /// all others.
+  double fillet = 0;
+  std::vector<Path>
+      foot;  ///< of faces with a lean: their edges at z_low in plan view, in the sense of `outline`
 };
 
 /// One solid of the file.

@@ -14,9 +14,11 @@
 #include "read/common/curve_fit.h"
 #include "read/common/drawing.h"
 #include "read/common/not_as_drawn.h"
+#include "read/step_solid/asked_features.h"
 #include "read/step_solid/face_curves.h"
 #include "read/step_solid/floor_sweep.h"
 #include "read/step_solid/height_map.h"
+#include "read/step_solid/leaning_faces.h"
 #include "read/step_solid/lie.h"
 #include "read/step_solid/solid_model.h"
 #include "read/step_solid/tops.h"
@@ -38,7 +40,7 @@ constexpr double kDrillPoint = 0.3004;
 constexpr int kMostDescribed = 10;
 /// mm. Faces that are not flat and end at heights nearer than this are cut down to the highest of these together.
 constexpr double kOneLevel = 0.1;
-/// The condition of a solid that is not made whole, docs/conditions.md.
+constexpr const char* kSetUps[] = {"-Z", "+X", "-X", "+Y", "-Y"};
 /// That of a part that nothing holds at the end.
 constexpr const char* kLoosePart = "loose-part";
 
@@ -149,6 +151,14 @@ bool goes_round(const Feature& feature, const Box& box) {
   });
 }
 
+/// mm; diameters of the drills at hand.
+std::vector<double> drills_of(const SolidOptions& solid) {
+  std::vector<double> drills = solid.drills;
+  for (const Tool& tool : solid.tools)
+    if (tool.kind == ToolKind::kDrill) drills.push_back(tool.diameter);
+  return drills;
+}
+
 /// One solid while its features are found.
 class Finder {
  public:
@@ -157,8 +167,9 @@ class Finder {
         file_name_(file_name),
         tol_(options.tol),
         stock_(stock_around(solid, options.solid.stock, file_name)),
+        options_(options),
         breakthrough_(options.solid.breakthrough.value_or(kBreakthrough)),
-        drills_(options.solid.drills),
+        drills_(drills_of(options.solid)),
         has_other_setups_(options.solid.has_other_setups),
         map_(solid, file_name, options.tol) {}
 
@@ -167,6 +178,8 @@ class Finder {
   /// Why there is nothing, where that is so.
   std::string why_nothing() const;
   Part part(bool stated_stock);
+  /// Adds what cutters' own shapes make, and does with features what was asked.
+  void take_asked();
 
  private:
   std::vector<double> levels();
@@ -180,10 +193,15 @@ class Finder {
   double point_below(const Feature& hole) const;
   FeatureKind kind_of(const Region& target, bool open, bool through) const;
   void leave_out_thin();
+  void shape_faces();
   void doubt(const std::string& what);
   void report_hidden_floors();
   void report_left_out();
+  std::string kinds_of(const std::set<int>& faces) const;
   void report_set_ups();
+  void propose_side(const std::array<std::vector<int>, 5>& floors);
+  void propose_taps();
+  bool is_threaded(const Feature& hole) const;
   void report_cone(const Cell& cell);
   bool is_reached(const SolidFace& wall) const;
   bool is_faced(const SolidFace& wall) const;
@@ -194,6 +212,7 @@ class Finder {
   const std::string& file_name_;
   Tolerances tol_;
   Stock stock_;
+  const ReadOptions& options_;
   double breakthrough_;         ///< mm
   std::vector<double> drills_;  ///< mm
   bool has_other_setups_;
@@ -205,6 +224,9 @@ class Finder {
   Diagnostics thin_;         ///< floors that are not worth a cut
   double deepest_thin_ = 0;  ///< mm; how deep the deepest of them is
   std::set<int> reached_;    ///< indices of cells
+  std::set<int> shaped_;     ///< numbers of faces that cutters' own shapes make
+  std::vector<std::string> proposals_;
+  Diagnostics asked_;
 };
 
 bool Finder::find() {
@@ -234,11 +256,13 @@ Part Finder::part(bool stated_stock) {
                            std::to_string(solid_.bodies.size()) + " solids are taken as one part");
   part_.diagnostics.append(cones_);
   part_.diagnostics.append(thin_);
+  part_.diagnostics.append(asked_);
   add_features(part_, std::move(found_));
   report_hidden_floors();
   report_left_out();
   report_set_ups();
   report_through();
+  propose_taps();
   return std::move(part_);
 }
 
@@ -400,6 +424,24 @@ void Finder::leave_out_thin() {
   }
 }
 
+void Finder::shape_faces() {
+  const SolidWork work{solid_, map_.cells(), found_, stock_, options_.solid.tools};
+  for (ShapedFaces made : {broken_edges_of(work, tol_), fillets_of(work, tol_)}) {
+    shaped_.merge(made.faces);
+    proposals_.insert(proposals_.end(), made.proposals.begin(), made.proposals.end());
+    std::move(made.features.begin(), made.features.end(), std::back_inserter(found_));
+  }
+}
+
+void Finder::take_asked() {
+  shape_faces();
+  name_features(found_);
+  if (options_.layer_rules.empty()) return;
+  apply_operations(found_, stock_, options_, asked_);
+  if (found_.empty()) throw InputError(file_name_, "all of its features are to be left out (--op ignore)");
+  settle_tops(found_, stock_, tol_);
+}
+
 void Finder::report_cone(const Cell& cell) {
   const SolidFace& face = solid_.faces[static_cast<std::size_t>(cell.face)];
   cones_.skip(file_name_, described(face) + " is a drill's point: the hole is cut flat at z " +
@@ -409,6 +451,45 @@ void Finder::report_cone(const Cell& cell) {
 /// What the solid has and the program does not make: a condition.
 void Finder::doubt(const std::string& what) {
   part_.diagnostics.doubt(file_name_, kLeftOut, what);
+}
+
+/// Names of features, a few.
+std::string some_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kNamed = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i) text += (i ? ", " : "") + names[i];
+  return names.size() > kNamed ? text + ", ..." : text;
+}
+
+/// Whether a thread is asked for in the hole.
+bool Finder::is_threaded(const Feature& hole) const {
+  const Vec2 center = box(hole.target).center();
+  return std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
+    return other.hole && other.hole->thread && distance(other.hole->center, center) < kSlack;
+  });
+}
+
+/// Plain holes as wide as the drill before a coarse metric thread: nothing of a solid says whether they are tapped.
+void Finder::propose_taps() {
+  constexpr double kSameWidth = 0.011;  // mm
+  for (const char* name : {"M2", "M2.5", "M3", "M4", "M5", "M6", "M8", "M10", "M12", "M16", "M20"}) {
+    const std::optional<Thread> thread = thread_named(name);
+    if (!thread) continue;
+    std::vector<std::string> holes;
+    bool all_through = true;
+    for (const Feature& feature : part_.features) {
+      if (feature.hole || !feature.hole_diameter || is_threaded(feature) ||
+          std::abs(*feature.hole_diameter - (thread->diameter - thread->pitch)) > kSameWidth)
+        continue;
+      holes.push_back(feature.name);
+      all_through = all_through && feature.through;
+    }
+    if (holes.empty()) continue;
+    const std::string kind = "tap_m" + std::string(name).substr(1) + (all_through ? "_thru" : "");
+    part_.diagnostics.note(file_name_, some_of(holes) + (holes.size() == 1 ? " is" : " are") +
+                                           " as wide as the drill before " + name + ": --op " + kind + ":" +
+                                           holes.front() + " if it is tapped");
+  }
 }
 
 void Finder::report_hidden_floors() {
@@ -424,22 +505,36 @@ void Finder::report_hidden_floors() {
   if (!hidden.empty() && !has_other_setups_) doubt(subject(hidden) + " under an overhang and left out");
 }
 
+/// " (cylinder, sphere)": the surfaces of faces; "" where all are planes.
+std::string Finder::kinds_of(const std::set<int>& faces) const {
+  std::set<std::string> kinds;
+  for (const int number : faces) kinds.insert(solid_.faces[static_cast<std::size_t>(number - 1)].surface);
+  if (kinds == std::set<std::string>{"plane"}) return "";
+  std::string text;
+  for (const std::string& kind : kinds) text += (text.empty() ? " (" : ", ") + kind;
+  return text + ")";
+}
+
 void Finder::report_left_out() {
   std::set<int> floors;
   for (const Cell& cell : map_.cells())
     if (cell.floor && cell.z < solid_.z_top - kSameHeight) floors.insert(cell.face);
   std::set<int> left_out;
   for (const SolidFace& face : solid_.faces) {
-    if (face.facing == Facing::kUpright || face.level || floors.count(face.number - 1)) continue;
+    if (face.facing == Facing::kUpright || face.level || floors.count(face.number - 1) ||
+        shaped_.count(face.number))
+      continue;
     left_out.insert(face.number);
     if (left_out.size() <= kMostDescribed)
       part_.diagnostics.skip(
           file_name_,
           described(face) + " is neither a flat floor nor a vertical wall: left out, its material stays");
   }
-  if (!left_out.empty())
-    doubt(subject(left_out) +
-          " neither flat and level nor upright: the material up to the top of each stays");
+  if (left_out.empty()) return;
+  std::string tools;
+  for (const std::string& one : proposals_) tools += "; " + one;
+  doubt(subject(left_out) + " neither flat and level nor upright" + kinds_of(left_out) +
+        ": the material up to the top of each stays" + tools);
 }
 
 /// Whether the cutter comes by right in front of a wall, down to its foot.
@@ -478,8 +573,6 @@ bool Finder::is_undermined(const SolidFace& ceiling) const {
   });
 }
 
-constexpr const char* kSetUps[] = {"-Z", "+X", "-X", "+Y", "-Y"};
-
 /// Index into kSetUps of the direction that the face is a floor for; -1 for none.
 int Finder::set_up_of(const SolidFace& face) const {
   if (face.level && face.facing == Facing::kDown)
@@ -488,6 +581,22 @@ int Finder::set_up_of(const SolidFace& face) const {
   const Vec2 out = face.front->outward;
   if (out.x != 0) return out.x > 0 ? 1 : 2;
   return out.y > 0 ? 3 : 4;
+}
+
+/// Says so where more floors look another way than this.
+void Finder::propose_side(const std::array<std::vector<int>, 5>& floors) {
+  if (has_other_setups_) return;
+  const auto most = std::max_element(floors.begin(), floors.end(),
+                                     [](const auto& a, const auto& b) { return a.size() < b.size(); });
+  std::set<int> here;
+  for (const int index : reached_) here.insert(map_.cells()[static_cast<std::size_t>(index)].face);
+  if (most->size() <= here.size()) return;
+  const std::string side = kSetUps[static_cast<std::size_t>(most - floors.begin())];
+  const bool is_turned = !options_.solid.up.empty() && options_.solid.up != "+Z";
+  part_.diagnostics.warn(file_name_, std::to_string(most->size()) + " floors look along " + side +
+                                         (is_turned ? " as it is turned" : "") + ", and " +
+                                         std::to_string(here.size()) + " up: most is made with that side up" +
+                                         (is_turned ? "" : " (--up " + side + ")"));
 }
 
 /// Floors that look another way, one line for each direction.
@@ -509,6 +618,7 @@ void Finder::report_set_ups() {
                                            "): they need another set-up, with the solid turned");
     sideways.insert(floors[i].begin(), floors[i].end());
   }
+  propose_side(floors);
   if (!sideways.empty() && !has_other_setups_)
     doubt(subject(sideways) + " not made from this side: " +
           (sideways.size() == 1 ? "it needs" : "they need") + " another set-up");
@@ -533,6 +643,7 @@ Part read_step_solid(std::string_view text, const std::string& file_name, const 
   Finder finder(solid, file_name, options);
   if (!finder.find() && !how.is_stock)
     refuse_without_floor(solid, file_name, how.up, finder.why_nothing(), offers);
+  if (!how.is_stock) finder.take_asked();
   Part part = finder.part(how.stock.has_value());
   part.is_solid = true;
   if (options.unit || options.depth || options.top || !options.layers.empty()) {

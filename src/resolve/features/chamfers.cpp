@@ -196,6 +196,20 @@ void refuse_narrow_cone(const Feature& feature, const Tool& tool) {
                                trimmed(tool.diameter, 4), trimmed(flank_height(tool), 3)));
 }
 
+/// An edge of a solid leans as it is modelled.
+void refuse_other_lean(const Feature& feature, const Tool& tool) {
+  constexpr double kSameLean = 0.002;  // radians
+  const double asked = feature.wall_slope.radians();
+  if (asked == 0 || std::abs(tool.tip_angle->radians() / 2 - asked) < kSameLean) return;
+  throw InputError(
+      feature.name,
+      fmt::format("its edge leans {} degrees and T{} is a cone of {}; give a cone of {} degrees, or leave "
+                  "the edge out (--op ignore:{})",
+                  trimmed(asked * 180 / kPi, 2), tool.number,
+                  trimmed(tool.tip_angle->radians() * 180 / kPi, 2), trimmed(2 * asked * 180 / kPi, 2),
+                  feature.name));
+}
+
 /// Where the chamfer would take more of the top than stands there.
 void refuse_thin_top(const Part& part, int index, const Tolerances& tol) {
   const Feature& feature = part.features[static_cast<std::size_t>(index)];
@@ -227,6 +241,7 @@ void shape_chamfers(Part& part, const Tolerances& tol) {
     }
     const Tool& tool = tool_of(part, step);
     refuse_narrow_cone(feature, tool);
+    refuse_other_lean(feature, tool);
     feature.wall_slope = Radians::of(tool.tip_angle->radians() / 2);
     feature.floor_z = feature.top_z - feature.chamfer->depth;
     const bool cut_out = WallFinder(part, step.feature, tol).find();

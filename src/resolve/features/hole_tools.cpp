@@ -80,10 +80,15 @@ int thread_mill_for(const std::vector<Tool>& tools, const Thread& thread, bool e
       [external](const Tool& tool) { return external ? tool.diameter : -tool.diameter; });
 }
 
-int cone_for(const std::vector<Tool>& tools, const HoleForm& hole) {
+int cone_for(const std::vector<Tool>& tools, const HoleForm& hole, Radians lean) {
+  constexpr double kSameLean = 0.002;  // radians
   const ToolKind first = hole.kind == HoleKind::kSpotted ? ToolKind::kSpotDrill : ToolKind::kChamferMill;
   return best_tool(
-      tools, [&](const Tool& tool) { return is_conical(tool) && tool.diameter > hole.diameter - kSameWidth; },
+      tools,
+      [&](const Tool& tool) {
+        return is_conical(tool) && tool.diameter > hole.diameter - kSameWidth &&
+               (lean.radians() == 0 || std::abs(tool.tip_angle->radians() / 2 - lean.radians()) < kSameLean);
+      },
       [&](const Tool& tool) { return tool.diameter + (tool.kind == first ? 0 : 1000); });
 }
 

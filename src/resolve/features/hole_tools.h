@@ -27,7 +27,7 @@ int tap_for(const std::vector<Tool>& tools, const Thread& thread);
 /// The widest that fits the thread's pitch and its minor diameter; about a boss the narrowest that fits its pitch.
 int thread_mill_for(const std::vector<Tool>& tools, const Thread& thread, bool external = false);
 /// The smallest cone as wide as the hole: countersinks rather by a chamfer mill, spots by a spot drill.
-int cone_for(const std::vector<Tool>& tools, const HoleForm& hole);
+int cone_for(const std::vector<Tool>& tools, const HoleForm& hole, Radians lean);
 /// The drill nearest to the best width among those that may be.
 int drill_for(const std::vector<Tool>& tools, const Pilot& pilot);
 /// The widest mill that bores the best width along a helix, or clears it.

@@ -258,7 +258,7 @@ class HoleShaper {
   void shape_cone(Workingstep& step) {
     Feature& feature = feature_of(step);
     HoleForm& hole = *feature.hole;
-    const int cutter = cone_for(part_.tools, hole);
+    const int cutter = cone_for(part_.tools, hole, feature.wall_slope);
     if (cutter < 0)
       throw InputError(feature.name,
                        fmt::format("it needs a cone at least {0} mm wide; give one, for example --tool "

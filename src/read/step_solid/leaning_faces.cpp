@@ -1,0 +1,377 @@
+#include "read/step_solid/leaning_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "base/elementary.h"
+#include "base/error.h"
+#include "base/text/format.h"
+#include "geometry/boolean.h"
+#include "geometry/clearance.h"
+#include "geometry/contours/loops.h"
+#include "geometry/rectangle.h"
+#include "read/common/drawing.h"
+#include "read/repair/repair.h"
+#include "read/step_solid/face_curves.h"
+#include "features/kerf.h"
+#include "features/round_hole.h"
+
+namespace clearcut::read {
+namespace {
+
+/// Radians. A cone that leans so much otherwise makes no face: 2 um over a chamfer of 1 mm.
+constexpr double kSameLean = 0.002;
+/// mm. A cutter's end that is so much rounder or less round makes no fillet.
+constexpr double kSameRound = 0.002;
+/// mm. Faces whose ends lie at heights nearer than this are of one broken edge.
+constexpr double kSameEnd = 1e-3;
+/// mm beside a foot where is looked for what is cut there.
+constexpr double kBesideFoot = 0.02;
+/// mm of a wall that has to stand under a broken edge.
+constexpr double kWallUnder = 0.01;
+/// mm along a foot between the places where is looked.
+constexpr double kFootStep = 2;
+/// mm. Half the width of what booleans leave between areas that touch.
+constexpr double kSeamOfFaces = 0.003;
+/// mm2. Fillets of less are rounding.
+constexpr double kLeastFillet = 0.01;
+constexpr double kLevelStep = 1e-5;
+/// Degrees. Cones of edges that are broken; what leans otherwise is a drafted wall or a slanted floor.
+constexpr int kSharpest = 50, kBluntest = 150;
+
+/// Faces that lean alike between the same heights.
+struct LeaningFaces {
+  double lean = 0;           // radians
+  double foot = 0, top = 0;  // z, mm
+  std::vector<const SolidFace*> faces;
+};
+
+std::vector<LeaningFaces> leaning_alike(const SolidModel& solid) {
+  std::vector<LeaningFaces> groups;
+  for (const SolidFace& face : solid.faces) {
+    if (face.lean <= 0 || face.foot.empty()) continue;
+    const auto is_alike = [&](const LeaningFaces& group) {
+      return std::abs(group.lean - face.lean) < kSameLean && std::abs(group.foot - face.z_low) < kSameEnd &&
+             std::abs(group.top - face.z_high) < kSameEnd;
+    };
+    auto group = std::find_if(groups.begin(), groups.end(), is_alike);
+    if (group == groups.end()) group = groups.insert(groups.end(), {face.lean, face.z_low, face.z_high, {}});
+    group->faces.push_back(&face);
+  }
+  return groups;
+}
+
+/// The first point near `p` that was met, so that ends that meet are equal.
+Vec2 met(Vec2 p, std::vector<Vec2>& points) {
+  for (const Vec2 q : points)
+    if (distance(p, q) < kSamePlace) return q;
+  points.push_back(p);
+  return p;
+}
+
+/// A closed foot and the faces over it.
+struct Foot {
+  Loop line;  ///< counter-clockwise
+  std::set<int> faces;
+};
+
+/// The feet of a group that close; those that do not are left out.
+std::vector<Foot> feet_of(const LeaningFaces& group, const Tolerances& tol) {
+  std::vector<Path> paths;
+  std::vector<std::pair<Vec2, int>> owners;
+  std::vector<Vec2> points;
+  for (const SolidFace* face : group.faces) {
+    for (Path path : face->foot) {
+      for (Edge& edge : path) {
+        edge.from = met(edge.from, points);
+        edge.to = met(edge.to, points);
+      }
+      owners.emplace_back(path.front().from, face->number);
+      paths.push_back(std::move(path));
+    }
+  }
+  std::vector<Foot> feet;
+  for (RawCurve& curve : chained(paths, "the foot of a broken edge")) {
+    if (!curve.closed) continue;
+    Foot foot;
+    for (const Edge& edge : curve.edges)
+      for (const auto& [from, number] : owners)
+        if (from == edge.from) foot.faces.insert(number);
+    RepairOptions how;
+    how.tol = tol;
+    how.where = "the foot of a broken edge";
+    how.may_be_empty = true;
+    Diagnostics unused;
+    const Regions within = repair({std::move(curve)}, how, unused);
+    if (within.size() != 1 || !within.front().islands().empty()) continue;
+    foot.line = within.front().outer();
+    feet.push_back(std::move(foot));
+  }
+  return feet;
+}
+
+/// Which side of a foot is cut deeper; nothing where it is not one and the same all along.
+std::optional<bool> is_open_inside(const Foot& foot, double foot_z, const SolidWork& work) {
+  const auto is_open = [&](Vec2 p) {
+    if (!work.stock.plan.contains(p)) return true;
+    return std::any_of(work.found.begin(), work.found.end(), [&](const Feature& other) {
+      return other.floor_z < foot_z - kWallUnder && other.top_z > foot_z && contains(other.target, p);
+    });
+  };
+  int inside = 0, outside = 0;
+  for (const Edge& edge : foot.line) {
+    const int pieces = std::max(1, static_cast<int>(std::ceil(edge.length() / kFootStep)));
+    for (int i = 0; i < pieces; ++i) {
+      const double t = (i + 0.5) / pieces;
+      const Vec2 aside = left_of(edge.tangent_at(t)) * kBesideFoot;
+      const bool left = is_open(edge.at(t) + aside), right = is_open(edge.at(t) - aside);
+      if (left == right) return std::nullopt;
+      ++(left ? inside : outside);
+    }
+  }
+  if (inside > 0 && outside > 0) return std::nullopt;
+  return inside > 0;
+}
+
+/// What a broken edge takes of the top.
+Regions top_of(const Foot& foot, double width, bool open_inside, const Tolerances& tol) {
+  const Regions within{Region::from_valid_loops(foot.line, {})};
+  if (open_inside) return subtract(dilate(within, width, tol), within, tol);
+  const Regions rest = inset(within.front(), width, tol);
+  return rest.empty() ? within : subtract(within, rest, tol);
+}
+
+/// Whether all of what it takes stands before: another feature that goes deeper there would leave part of an edge.
+bool stands_whole(const Regions& top, double top_z, const SolidWork& work, const Tolerances& tol) {
+  return std::none_of(work.found.begin(), work.found.end(), [&](const Feature& other) {
+    if (other.floor_z >= top_z - kWallUnder || !box(other.target).overlaps(box(top))) return false;
+    return !inset(intersect(top, other.target, tol), kSeamOfFaces, tol).empty();
+  });
+}
+
+bool leans_so(const Tool& tool, double lean) {
+  return is_conical(tool) && std::abs(tool.tip_angle->radians() / 2 - lean) < kSameLean;
+}
+
+/// Radius of the circle that a line is; nothing for other lines.
+std::optional<double> circle_of(const Loop& line) {
+  const Vec2 center = line.front().center;
+  for (const Edge& edge : line)
+    if (!edge.is_arc() || distance(edge.center, center) > kSamePlace) return std::nullopt;
+  return line.front().radius();
+}
+
+Feature chamfer_along(const LeaningFaces& group, const Foot& foot, bool open_inside, const Tolerances& tol) {
+  Feature feature;
+  feature.kind = FeatureKind::kChamfer;
+  feature.name = name_of(feature.kind);
+  feature.top_z = group.top;
+  feature.floor_z = group.foot;
+  feature.wall_slope = Radians::of(group.lean);
+  const double depth = group.top - group.foot;
+  feature.target = feature.allowed = features::kerf_of({ProfileSide::kOn, foot.line, true, 0, {}}, depth, tol);
+  feature.chamfer = Chamfer{foot.line, depth, open_inside, {}, 0, 0};
+  return feature;
+}
+
+Feature countersink_over(const LeaningFaces& group, Vec2 center, double radius) {
+  Feature feature;
+  feature.kind = FeatureKind::kRoundHole;
+  feature.name = "countersink";
+  feature.top_z = group.top;
+  feature.floor_z = group.foot;
+  feature.wall_slope = Radians::of(group.lean);
+  feature.hole_diameter = 2 * radius;
+  feature.target = feature.allowed = {disc_about(center, radius)};
+  HoleForm hole;
+  hole.kind = HoleKind::kCountersunk;
+  hole.center = center;
+  hole.diameter = 2 * radius;
+  hole.full_z = group.top;
+  feature.hole = hole;
+  return feature;
+}
+
+/// Whether a feature is the hole whose edge a circle is.
+bool is_hole_at(const Feature& feature, Vec2 center, double radius, const Tolerances& tol) {
+  const auto round = features::round_hole_of(feature, tol);
+  return round && distance(round->center, center) < kSameEnd && std::abs(round->radius - radius) < kSameEnd;
+}
+
+std::string faces_text(const std::set<int>& numbers) {
+  std::string text = numbers.size() == 1 ? "face " : "faces ";
+  for (auto first = numbers.begin(); first != numbers.end();) {
+    auto last = first;
+    for (auto next = std::next(last); next != numbers.end() && *next == *last + 1; ++next) last = next;
+    text += (first == numbers.begin() ? "" : ", ") + std::to_string(*first);
+    if (last != first) text += (*last == *first + 1 ? ", " : "-") + std::to_string(*last);
+    first = std::next(last);
+  }
+  return text;
+}
+
+/// The broken edge over one foot, as what is at hand makes it; nothing where nothing does.
+std::optional<Feature> edge_over(const LeaningFaces& group, const Foot& foot, bool open_inside,
+                                 const SolidWork& work, const Tolerances& tol) {
+  const double depth = group.top - group.foot;
+  const double width = depth * base::tan(group.lean);
+  const auto any_tool = [&](const auto& does) {
+    return std::any_of(work.tools.begin(), work.tools.end(),
+                       [&](const Tool& tool) { return leans_so(tool, group.lean) && does(tool); });
+  };
+  const auto radius = circle_of(foot.line);
+  if (radius && open_inside) {
+    const Vec2 center = foot.line.front().center;
+    const bool is_hole = std::any_of(work.found.begin(), work.found.end(), [&](const Feature& feature) {
+      return is_hole_at(feature, center, *radius, tol);
+    });
+    const auto is_wide = [&](const Tool& tool) {
+      return tool.diameter > 2 * (*radius + width) - kSameEnd && tool.tip_diameter < 2 * *radius - kSameEnd;
+    };
+    if (is_hole && any_tool(is_wide)) return countersink_over(group, center, *radius + width);
+  }
+  const auto goes_along = [&](const Tool& tool) {
+    return tool.kind != ToolKind::kSpotDrill && depth <= flank_height(tool) + kSameEnd;
+  };
+  if (!any_tool(goes_along)) return std::nullopt;
+  return chamfer_along(group, foot, open_inside, tol);
+}
+
+/// mm; radius of what a cutter's end leaves between a floor and a wall, 0 for a sharp corner.
+double end_radius(const Tool& tool) {
+  if (tool.kind == ToolKind::kBallEndMill) return tool.radius();
+  return mills_upright(tool) ? tool.corner_radius : 0;
+}
+
+/// Cells of fillets of one radius over one floor.
+struct FilletCells {
+  double radius = 0, floor = 0;  // mm
+  std::vector<const Cell*> cells;
+};
+
+std::vector<FilletCells> fillets_alike(const SolidWork& work) {
+  std::vector<FilletCells> groups;
+  for (const Cell& cell : work.cells) {
+    const SolidFace& face = work.solid.faces[static_cast<std::size_t>(cell.face)];
+    if (face.fillet <= 0 || cell.area.empty()) continue;
+    const double floor = face.z_high - face.fillet;
+    const auto is_alike = [&](const FilletCells& group) {
+      return std::abs(group.radius - face.fillet) < kSameRound && std::abs(group.floor - floor) < kLevelStep;
+    };
+    auto group = std::find_if(groups.begin(), groups.end(), is_alike);
+    if (group == groups.end()) group = groups.insert(groups.end(), {face.fillet, floor, {}});
+    group->cells.push_back(&cell);
+  }
+  return groups;
+}
+
+/// What else stands between the floor of fillets and their top.
+Regions standing_beside(const FilletCells& group, const SolidWork& work, const Tolerances& tol) {
+  Regions standing;
+  for (const Cell& cell : work.cells) {
+    const bool is_own = std::find(group.cells.begin(), group.cells.end(), &cell) != group.cells.end();
+    if (is_own || cell.area.empty() || cell.z <= group.floor + kLevelStep ||
+        cell.z > group.floor + group.radius + kLevelStep)
+      continue;
+    standing = standing.empty() ? cell.area : unite(standing, cell.area, tol);
+  }
+  return standing;
+}
+
+bool has_point_in(const Cell& cell, const Feature& feature) {
+  return std::any_of(cell.inside.begin(), cell.inside.end(),
+                     [&](Vec2 p) { return contains(feature.target, p); });
+}
+
+/// What a rounded end cuts in one area that is cut down to the top of the fillets.
+std::optional<Feature> fillet_in(const Feature& above, const FilletCells& group, const Regions& standing,
+                                 std::set<int>& faces, const SolidWork& work, const Tolerances& tol) {
+  Regions target;
+  for (const Cell* cell : group.cells) {
+    if (!has_point_in(*cell, above)) continue;
+    target = target.empty() ? cell->area : unite(target, cell->area, tol);
+    faces.insert(work.solid.faces[static_cast<std::size_t>(cell->face)].number);
+  }
+  if (area(target) < kLeastFillet) return std::nullopt;
+  Feature feature;
+  feature.allowed = standing.empty() ? above.allowed : subtract(above.allowed, standing, tol);
+  feature.target = intersect(target, feature.allowed, tol);
+  if (area(feature.target) < kLeastFillet) return std::nullopt;
+  feature.kind = above.kind == FeatureKind::kRoundHole || above.kind == FeatureKind::kClosedPocket
+                     ? FeatureKind::kClosedPocket
+                     : FeatureKind::kOpenPocket;
+  feature.name = "fillet";
+  feature.top_z = group.floor + group.radius;
+  feature.floor_z = group.floor;
+  feature.floor_fillet = group.radius;
+  feature.source = faces_text(faces);
+  return feature;
+}
+
+}  // namespace
+
+ShapedFaces broken_edges_of(const SolidWork& work, const Tolerances& tol) {
+  ShapedFaces out;
+  std::map<int, std::set<int>> wanted;  // faces by the whole degrees of the cone that makes them
+  for (const LeaningFaces& group : leaning_alike(work.solid)) {
+    for (const Foot& foot : feet_of(group, tol)) {
+      const auto open_inside = is_open_inside(foot, group.foot, work);
+      if (!open_inside) continue;
+      const double width = (group.top - group.foot) * base::tan(group.lean);
+      if (!stands_whole(top_of(foot, width, *open_inside, tol), group.top, work, tol)) continue;
+      auto feature = edge_over(group, foot, *open_inside, work, tol);
+      if (!feature) {
+        wanted[static_cast<int>(std::lround(2 * group.lean * 180 / kPi))].insert(foot.faces.begin(),
+                                                                                 foot.faces.end());
+        continue;
+      }
+      feature->source = faces_text(foot.faces);
+      out.faces.insert(foot.faces.begin(), foot.faces.end());
+      out.features.push_back(std::move(*feature));
+    }
+  }
+  for (const auto& [degrees, faces] : wanted) {
+    if (degrees < kSharpest || degrees > kBluntest) continue;
+    out.proposals.push_back("a cone of " + std::to_string(degrees) +
+                            " degrees, long and wide enough, breaks the edges of " + faces_text(faces) +
+                            " (--tool chamfer:" + std::to_string(degrees) + "deg:6)");
+  }
+  return out;
+}
+
+ShapedFaces fillets_of(const SolidWork& work, const Tolerances& tol) {
+  ShapedFaces out;
+  for (const FilletCells& group : fillets_alike(work)) {
+    const bool has_end = std::any_of(work.tools.begin(), work.tools.end(), [&](const Tool& tool) {
+      return std::abs(end_radius(tool) - group.radius) < kSameRound;
+    });
+    if (!has_end) {
+      std::set<int> faces;
+      for (const Cell* cell : group.cells)
+        faces.insert(work.solid.faces[static_cast<std::size_t>(cell->face)].number);
+      const std::string radius = trimmed(group.radius, 3);
+      const bool is_ball = std::all_of(group.cells.begin(), group.cells.end(), [&](const Cell* cell) {
+        return work.solid.faces[static_cast<std::size_t>(cell->face)].surface == "sphere";
+      });
+      const std::string tool = is_ball ? "ball:" + trimmed(2 * group.radius, 3)
+                                       : "bullnose:" + trimmed(4 * group.radius, 3) + ":corner=" + radius;
+      out.proposals.push_back("a ball or bull-nose end mill with a radius of " + radius + " mm makes " +
+                              faces_text(faces) + " (--tool " + tool + ")");
+      continue;
+    }
+    const Regions standing = standing_beside(group, work, tol);
+    for (const Feature& above : work.found) {
+      if (std::abs(above.floor_z - group.floor - group.radius) > kLevelStep) continue;
+      std::set<int> faces;
+      auto feature = fillet_in(above, group, standing, faces, work, tol);
+      if (!feature) continue;
+      out.faces.insert(faces.begin(), faces.end());
+      out.features.push_back(std::move(*feature));
+    }
+  }
+  return out;
+}
+
+}  // namespace clearcut::read
