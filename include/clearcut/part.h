@@ -14,6 +14,7 @@
 #include "read/job/machine_file.h"
 #include "read/job/machine_library.h"
 #include "read/read_part.h"
+#include "read/stepnc/ap238.h"
 #include "read/tools/tool_library.h"
 
 namespace clearcut {
@@ -49,6 +50,7 @@ using read::tools_of_job;
 using read::with_zero_at;
 using read::zero_of;
 using read::ZeroPoint;
+using read::stepnc::ap238_lines;
 
 // Tools and machines.
 using read::CuttingPreset;

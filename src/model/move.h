@@ -1,6 +1,7 @@
 // One motion of the machine.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,12 @@ struct Move {
   double length() const;
 };
 
+/// The cutter stands still.
+struct Dwell {
+  std::size_t after = 0;  ///< index into Section::moves
+  double seconds = 0;
+};
+
 /// Where two passes in one layer meet nothing else is promised. A Section is all work of one tool on one feature.
 struct Section {
   std::string label;     ///< feature or operation name; "" when unknown
@@ -47,6 +54,7 @@ struct Section {
   std::optional<double> carried_below{};
   bool is_of_stock =
       false;  ///< with carried_below: nobody cut it, a stock that is stated as a solid lacks it
+  std::vector<Dwell> dwells{};  ///< besides those at the floors of holes; in the order of moves
   /// mm from the walls, ascending: where contours of offset outlines run; not part of the program.
   std::vector<double> contours{};
 

@@ -63,6 +63,10 @@ const Feature& feature_of(const Part& part, const Workingstep& step) {
   return part.features.at(static_cast<std::size_t>(step.feature));
 }
 
+const StatedPath* path_of(const Workingstep& step) {
+  return step.stated_path && step.stated_path->is_used ? &*step.stated_path : nullptr;
+}
+
 bool is_carved(const Feature& feature, const Tool& tool) {
   if (feature.carving || feature.chamfer) return is_conical(tool);
   return feature.kind == FeatureKind::kEngraving && (is_conical(tool) || tool.kind == ToolKind::kBallEndMill);

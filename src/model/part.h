@@ -10,6 +10,7 @@
 #include "geometry/region.h"
 #include "model/hole.h"
 #include "model/options/tab_options.h"
+#include "model/stated_path.h"
 #include "model/tool.h"
 
 namespace clearcut::inline model {
@@ -187,6 +188,8 @@ struct Workingstep {
   int feature = 0;  ///< index into Part::features
   Operation operation;
   std::vector<ProgramStop> stops = {};  ///< before it
+  /// The way that the input states for its tool.
+  std::optional<StatedPath> stated_path = {};
 };
 
 /// A hole that is there before the work begins: a way down for cutters that are no wider. mm.
@@ -227,6 +230,9 @@ struct Part {
 /// What a step works with and on.
 const Tool& tool_of(const Part& part, const Workingstep& step);
 const Feature& feature_of(const Part& part, const Workingstep& step);
+
+/// The stated path that the step is cut by; null where a strategy decides.
+const StatedPath* path_of(const Workingstep& step);
 
 /// Whether the cutter makes the feature by its own shape along lines in space, rather than clearing it layer by layer.
 bool is_carved(const Feature& feature, const Tool& tool);

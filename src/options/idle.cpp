@@ -297,6 +297,12 @@ std::string without_leaning_walls(const Situation& at) {
                 "no wall leans");
 }
 
+std::string states_no_toolpaths(const Situation& at) {
+  return unless(
+      any_step(at, [](const Workingstep& step, const ResolvedStep&) { return step.stated_path.has_value(); }),
+      "the file states no toolpaths");
+}
+
 namespace {
 
 /// Whether two edges of a line meet at an angle.

@@ -56,6 +56,8 @@ struct PlanOptions {
   std::optional<Toolpath> earlier;         ///< a program that has run before on this stock
   EarlierState earlier_state;              ///< what is known of `earlier` besides its moves
   std::vector<Condition> conditions;  ///< what the caller knows that must hold, besides what is found here
+  /// Absent: the input's where it asks for them by its strategy.
+  std::optional<ToolpathSource> toolpaths;
   std::optional<CutDirection> direction;
   bool outside_in = false;    ///< contours from the wall inwards; false: inside-out
   std::optional<Vec2> start;  ///< where the cutting of contours should begin, or adaptive clearing go down

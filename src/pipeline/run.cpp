@@ -225,8 +225,11 @@ void slow_down_slots(Toolpath& toolpath, const ResolvedPlan& plan) {
   stock::Material material(part.stock ? std::optional(part.stock->plan) : std::nullopt, part.top_z(), radii);
   for (auto& section : toolpath.sections) {
     const ResolvedStep& step = step_of(section);
-    const Tool& tool = tool_of(part, part.workplan[static_cast<std::size_t>(section.workingstep)]);
-    link::slow_down_slots(section, tool, {plan.slot_angle, step.slot_feed, step.feed}, material);
+    const Workingstep& work = part.workplan[static_cast<std::size_t>(section.workingstep)];
+    Section slowed = section;
+    link::slow_down_slots(slowed, tool_of(part, work), {plan.slot_angle, step.slot_feed, step.feed},
+                          material);
+    if (path_of(work) == nullptr) section = std::move(slowed);
   }
 }
 
@@ -308,7 +311,7 @@ void report_what_does_not_fit(Part& part, const Selection& selection, const std:
   }
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const auto& step = part.workplan[i];
-    if (!selection.section(i).moves.empty() || works[i].done_before) continue;
+    if (!selection.section(i).moves.empty() || works[i].done_before || path_of(step)) continue;
     const bool fits =
         tool_of(part, step).diameter <= features::largest_fitting_diameter(feature_of(part, step), plan.tol);
     if (fits && works[i].layers.empty()) continue;
@@ -455,6 +458,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   report_rho(result.contours, plan, result.part);
   result.selections = selection.selections();
   refuse_idle_options(result, toolpath, plan, options);
+  result.planned = std::move(toolpath);
   return result;
 }
 

@@ -20,6 +20,7 @@ struct PlanResult {
   Part part;             ///< as prepared: every default filled in, everything noticed in its diagnostics
   std::string program;   ///< text for the controller
   Toolpath toolpath;     ///< read back from `program`
+  Toolpath planned;      ///< before it was printed
   Findings findings;     ///< of `toolpath`, with the conditions under which the control moves so
   ControlTable control;  ///< what the control holds at each move of `toolpath`
   std::vector<report::ContourLevels> contours;  ///< of each section planned by contours

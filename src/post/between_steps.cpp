@@ -13,9 +13,14 @@ const Workingstep* step_of(const Section& section, const Part& part) {
 }  // namespace
 
 std::vector<ProgramStop> Stops::before(const Section& section) {
-  const Workingstep* step = step_of(section, part_);
-  if (step == nullptr || !said_.insert(section.workingstep).second) return {};
-  return step->stops;
+  if (step_of(section, part_) == nullptr) return {};
+  std::vector<ProgramStop> stops;
+  for (int i = 0; i <= section.workingstep; ++i) {
+    if (!said_.insert(i).second) continue;
+    const std::vector<ProgramStop>& own = part_.workplan[static_cast<std::size_t>(i)].stops;
+    stops.insert(stops.end(), own.begin(), own.end());
+  }
+  return stops;
 }
 
 bool halts(const std::vector<ProgramStop>& stops) {
@@ -28,6 +33,21 @@ std::string stop_comment(const ProgramStop& stop) {
                      : stop.kind == StopKind::kOptional ? "OPTIONAL STOP"
                                                         : "MESSAGE";
   return stop.text.empty() ? word : std::string(word) + ": " + stop.text;
+}
+
+std::vector<MoveRun> runs_of(const Section& section) {
+  std::vector<MoveRun> runs;
+  std::size_t first = 0;
+  const auto add = [&](std::size_t end, double dwell_s) {
+    if (end <= first) return;
+    const auto at = [&](std::size_t i) { return section.moves.begin() + static_cast<std::ptrdiff_t>(i); };
+    runs.push_back({{at(first), at(end)}, dwell_s});
+    first = end;
+  };
+  for (const Dwell& dwell : section.dwells)
+    add(std::min(dwell.after + 1, section.moves.size()), dwell.seconds);
+  add(section.moves.size(), 0);
+  return runs;
 }
 
 double dwell_of(const Section& section, const Part& part) {

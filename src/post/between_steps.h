@@ -15,7 +15,7 @@ class Stops {
  public:
   explicit Stops(const Part& part) : part_(part) {}
 
-  /// Those that come before `section`; none the second time.
+  /// Those that come before `section`, with those of earlier workingsteps of which nothing is cut; none the second time.
   std::vector<ProgramStop> before(const Section& section);
 
  private:
@@ -27,6 +27,14 @@ class Stops {
 bool halts(const std::vector<ProgramStop>& stops);
 /// "STOP: TURN THE CLAMP", "OPTIONAL STOP", "MESSAGE: ...".
 std::string stop_comment(const ProgramStop& stop);
+
+/// Moves of a section that are written one after the other, with the time that the tool stands after them.
+struct MoveRun {
+  std::vector<Move> moves;
+  double dwell_s = 0;
+};
+/// The moves of the section, divided where the tool stands.
+std::vector<MoveRun> runs_of(const Section& section);
 
 /// s that the tool stays at the floor of the hole that the section makes; 0 for most.
 double dwell_of(const Section& section, const Part& part);

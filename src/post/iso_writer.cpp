@@ -53,6 +53,7 @@ class IsoWriter {
   void begin_program();
   void set_path_control(bool first);
   void write_section(const Section& section);
+  void write_moves(std::span<const Move> run, const Section& section, const Tool* tap);
   void write_stops(const std::vector<ProgramStop>& stops);
   void end_program();
 
@@ -174,8 +175,15 @@ void IsoWriter::write_section(const Section& section) {
   approach(section.moves.front());
   const Tool* tap = tap_of(section, part_);
   if (tap) refuse_tap(*tap, dialect_.tapping, dialect_.name);
+  for (const MoveRun& run : runs_of(section)) {
+    write_moves(run.moves, section, tap);
+    if (run.dwell_s > 0) dwell(run.dwell_s);
+  }
+}
+
+void IsoWriter::write_moves(std::span<const Move> run, const Section& section, const Tool* tap) {
   const double at_floor = dwell_of(section, part_);
-  const std::vector<Move> joined = with_lines_joined(section.moves, rules_.grid);
+  const std::vector<Move> joined = with_lines_joined(run, rules_.grid);
   const std::span<const Move> moves(joined);
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const auto hole =

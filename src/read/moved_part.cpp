@@ -28,6 +28,15 @@ class Mover {
     bottom += up_;
     top += up_;
   }
+  void move(StatedPath& stated) const {
+    for (StatedMove& move : stated.moves) {
+      Path path{move.path};
+      this->move(path);
+      move.path = path.front();
+      move.z_from += up_;
+      move.z_to += up_;
+    }
+  }
   void move(PredrilledHole& hole) const { hole.center = hole.center + by_; }
   double up() const { return up_; }
 
@@ -106,8 +115,10 @@ Part with_zero_at(Part part, const std::array<double, 3>& zero) {
   if (part.stock) mover.move(part.stock->plan, part.stock->z_bottom, part.stock->z_top);
   for (KeepOut& clamp : part.keep_outs) mover.move(clamp.plan, clamp.bottom_z, clamp.top_z);
   for (PredrilledHole& hole : part.predrilled) mover.move(hole);
-  for (Workingstep& step : part.workplan)
+  for (Workingstep& step : part.workplan) {
     if (step.operation.retract_z) *step.operation.retract_z += mover.up();
+    if (step.stated_path) mover.move(*step.stated_path);
+  }
   if (part.clearance_z) *part.clearance_z += mover.up();
   return part;
 }

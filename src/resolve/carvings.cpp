@@ -92,6 +92,7 @@ void widen_to_start(Feature& feature, const Tool& bit, const Tolerances& tol) {
 Workingstep floor_step(const Workingstep& step, int mill, const Part& part, const PlanOptions& options,
                        StepSources& sources) {
   Workingstep out = step;
+  out.stated_path.reset();
   out.name += "_floor";
   out.operation.name = out.name;
   sources[step_key(out)] = sources[step_key(step)];

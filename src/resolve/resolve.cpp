@@ -48,6 +48,19 @@ const Source* find(const StepSources& sources, const Workingstep& step, const ch
   return found == sources.end() ? nullptr : found->second.find(name);
 }
 
+/// Whose toolpaths are used: those that the input states where the user or the strategy of the input says so.
+void choose_toolpaths(Part& part, const PlanOptions& options) {
+  for (Workingstep& step : part.workplan) {
+    if (!step.stated_path) continue;
+    StatedPath& stated = *step.stated_path;
+    stated.is_used = options.toolpaths ? *options.toolpaths == ToolpathSource::kFile : stated.is_explicit;
+    if (stated.is_used || options.toolpaths) continue;
+    part.diagnostics.doubt(step.name.empty() ? step.source : step.name, "not-followed",
+                           "the file states a toolpath that is not used: its strategy is not EXPLICIT; "
+                           "--toolpaths file uses it, --toolpaths ours says that a new one is wanted");
+  }
+}
+
 /// The strategy that the part's file names for a step; one that is not among ours is noted.
 Sourced<const StrategyEntry*> strategy_of_part(const Workingstep& step, const StrategyTable& strategies,
                                                Diagnostics& diagnostics, const Source& read_from) {
@@ -65,6 +78,7 @@ Sourced<const StrategyEntry*> strategy_of_part(const Workingstep& step, const St
 Sourced<const StrategyEntry*> strategy_of(const Workingstep& step, const PlanOptions& options,
                                           const StrategyTable& strategies, Diagnostics& diagnostics,
                                           const Source* of_job, const Source& read_from) {
+  if (path_of(step) != nullptr) return {nullptr, {Origin::kDerived, "the toolpath that the file states"}};
   const Operation& operation = step.operation;
   const StrategyEntry* by_job =
       of_job ? strategy_named(operation.strategy_hint, strategies, of_job->text) : nullptr;
@@ -229,6 +243,7 @@ ResolvedPlan resolve(const Part& part, const PlanOptions& options, const Strateg
   ResolvedPlan plan = resolve_whole(options);
   StepSources sources;
   plan.part = prepare(part, options, sources);
+  choose_toolpaths(plan.part, options);
   for (std::size_t i = 0; i < plan.part.workplan.size(); ++i) {
     const Workingstep& planned = plan.part.workplan[i];
     const auto strategy = strategy_of(planned, options, strategies, plan.part.diagnostics,

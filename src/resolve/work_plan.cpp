@@ -85,6 +85,7 @@ bool reaches_more_than_before(const Part& part, const Workingstep& step, const T
 Workingstep named_step(const Workingstep& step, const char* ending, OperationKind kind,
                        StepSources& sources) {
   Workingstep out = step;
+  out.stated_path.reset();
   out.name += ending;
   sources[step_key(out)] = sources[step_key(step)];
   out.operation.name = out.name;
@@ -153,6 +154,7 @@ Workingstep rest_step(const Workingstep& step, int mill, const Part& part, const
                       StepSources& sources) {
   const Tool& tool = part.tools[static_cast<std::size_t>(mill)];
   Workingstep rest = step;
+  rest.stated_path.reset();
   change_tool(rest.operation, mill, part, options);
   rest.name += "_rest_T" + std::to_string(tool.number);
   rest.operation.name = rest.name;

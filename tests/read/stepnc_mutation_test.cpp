@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/files/file.h"
 #include "pipeline/run.h"
+#include "read/stepnc/entity_list.h"
 #include "read/stepnc/not_used.h"
 #include "read/stepnc/stepnc.h"
 
@@ -299,6 +300,11 @@ TEST(StepNcMutation, TheDocumentationListsTheSameAttributes) {
       line += (i == 0 ? "" : " ") + row_word(std::string(row.keyword), i);
     EXPECT_THAT(page, ::testing::HasSubstr(line + " |\n"));
   }
+}
+
+TEST(StepNcMutation, TheDocumentationSaysWhatBecomesOfEachEntity) {
+  const std::string page = read_file(CLEARCUT_SOURCE_DIR "/docs/stepnc.md", 1 << 20);
+  EXPECT_THAT(page, ::testing::HasSubstr(read::stepnc::entity_tables()));
 }
 
 /// Whether the file with another value is seen to be another.

@@ -90,6 +90,13 @@ void PlanArguments::add_cutting_options(CLI::App& command) {
   values_.add(command, [](const Row& row) { return row.group >= Group::kStrategy && !is_of_question(row); });
 }
 
+std::string PlanArguments::typed_for_planning() const {
+  const std::set<std::string> typed = values_.names();
+  for (const Row& row : rows())
+    if ((row.group >= Group::kStrategy || is_of_question(row)) && typed.contains(row.name)) return row.name;
+  return "";
+}
+
 void PlanArguments::take_values() {
   typed_ = values_.asked();
   setup_.number = typed_.input.setup.value_or(0);

@@ -57,6 +57,8 @@ class PlanArguments {
   void let_options_be_idle() { refuses_idle_ = false; }
   /// What was typed of the options' table.
   StatedOptions stated() const { return {typed_, values_.names()}; }
+  /// An option that was typed and serves planning alone; "" where none was.
+  std::string typed_for_planning() const;
   /// The part with the tools that were typed one by one in place of its own.
   Part with_typed_tools(Part part) const;
   /// Of a command that reads programs and writes none: --dialect, which control runs them.

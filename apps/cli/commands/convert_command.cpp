@@ -2,6 +2,7 @@
 #include <clearcut/file.h>
 #include <clearcut/part.h>
 #include <clearcut/plan.h>
+#include <clearcut/report.h>
 
 #include <filesystem>
 #include <memory>
@@ -9,6 +10,7 @@
 #include "arguments/plan_arguments.h"
 #include "commands/commands.h"
 #include "terminal/output.h"
+#include "terminal/terminal.h"
 
 namespace clearcut::cli {
 namespace {
@@ -26,15 +28,59 @@ void refuse_shaped(const Part& part, const std::string& output) {
   }
 }
 
-std::string converted(Part& part, const PlanArguments& arguments, const std::string& output) {
+bool is_stepnc(const std::string& output) {
   const auto extension = std::filesystem::path(output).extension();
+  return extension == ".p21" || extension == ".stpnc";
+}
+
+std::string converted(Part& part, const PlanArguments& arguments, const std::string& output) {
   refuse_shaped(part, output);
-  if (extension == ".json") return write_outline_json(part);
-  if (extension == ".p21" || extension == ".stpnc") {
+  if (std::filesystem::path(output).extension() == ".json") return write_outline_json(part);
+  if (is_stepnc(output)) {
     part = with_tools(std::move(part), arguments.options());
     return write_stepnc(part);
   }
   throw InputError(output, "the kind of file is unknown; name it .json (outline) or .p21 (STEP-NC)");
+}
+
+struct ConvertCommand {
+  PlanArguments arguments;
+  std::string output;
+  bool with_toolpaths = false;
+};
+
+int convert(const ConvertCommand& command) {
+  if (const std::string idle = command.arguments.typed_for_planning(); !idle.empty())
+    throw InputError("--" + idle, "has no effect: nothing is planned without --with-toolpaths; leave it out");
+  Part part = command.arguments.read();
+  write_outputs({{command.output, converted(part, command.arguments, command.output)}},
+                paths_of(command.arguments.input_files()));
+  print(part.diagnostics, true);
+  return kClean;
+}
+
+void refuse_several_setups(const PlanArguments& arguments) {
+  const int setups = setup_count_of(arguments.input());
+  if (setups < 2 || arguments.setup().number > 0) return;
+  throw InputError("--with-toolpaths",
+                   "the part is cut in " + std::to_string(setups) +
+                       " set-ups, each with toolpaths of its own; choose one with --setup");
+}
+
+/// The part as it is planned, with the moves of its program.
+int convert_with_toolpaths(const ConvertCommand& command) {
+  if (!is_stepnc(command.output))
+    throw InputError(command.output,
+                     "holds no toolpaths; name it .p21 (STEP-NC), or leave --with-toolpaths out");
+  refuse_several_setups(command.arguments);
+  const Part part = command.arguments.read();
+  const PlanResult result = plan_part(part, command.arguments.options());
+  refuse_shaped(result.part, command.output);
+  write_outputs({{command.output, write_stepnc(result.part, result.planned)}},
+                paths_of(command.arguments.input_files()));
+  print(result.part.diagnostics, true);
+  print_line(with_colours(verdict_and_reasons(result.findings)));
+  return exit_code_of(result.findings);
 }
 
 }  // namespace
@@ -42,17 +88,19 @@ std::string converted(Part& part, const PlanArguments& arguments, const std::str
 void add_convert_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("convert", "Write a part as outline JSON or STEP-NC");
   command->group("Reading");
-  auto state = std::make_shared<PlanArguments>();
-  auto output = std::make_shared<std::string>();
-  state->add_part_options(*command, "INPUT");
-  state->add_tool_list_options(*command);
+  auto state = std::make_shared<ConvertCommand>();
+  state->arguments.add_part_options(*command, "INPUT");
+  state->arguments.add_tool_options(*command);
+  state->arguments.add_cutting_options(*command);
   command->option_defaults()->group("Output");
-  command->add_option("-o,--output", *output, "File to write: .json or .p21")->required()->type_name("FILE");
-  command->callback([state, output, &exit_code] {
-    Part part = state->read();
-    write_outputs({{*output, converted(part, *state, *output)}}, paths_of(state->input_files()));
-    print(part.diagnostics, true);
-    exit_code = kClean;
+  command->add_option("-o,--output", state->output, "File to write: .json or .p21")
+      ->required()
+      ->type_name("FILE");
+  command->add_flag("--with-toolpaths", state->with_toolpaths,
+                    "Plan the part and write the moves into the STEP-NC file, which then can be cut by them");
+  command->callback([state, command, &exit_code] {
+    state->arguments.take_sources(*command);
+    exit_code = state->with_toolpaths ? convert_with_toolpaths(*state) : convert(*state);
   });
 }
 

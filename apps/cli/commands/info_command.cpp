@@ -1,8 +1,12 @@
+#include <clearcut/error.h>
+#include <clearcut/file.h>
+#include <clearcut/part.h>
 #include <clearcut/plan.h>
 #include <clearcut/text.h>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -147,6 +151,19 @@ void print_info(const PartInfo& info) {
   if (info.asks.empty()) print_part(info.part);
 }
 
+/// Files that are refused all the same are listed before: of the command's reading follows why.
+void print_workplans_of_ap238(const std::string& input) {
+  const std::string extension = std::filesystem::path(input).extension().string();
+  if (extension == ".dxf" || extension == ".svg" || extension == ".toml" || extension == ".json") return;
+  std::vector<std::string> lines;
+  try {
+    lines = ap238_lines(read_file(input), input);
+  } catch (const InputError&) {
+    return;  // said where the part is read
+  }
+  for (const std::string& line : lines) print_line(line);
+}
+
 void print_infos(const std::vector<PartInfo>& infos, bool as_json) {
   if (as_json) return print_line(infos_json(infos));
   for (std::size_t i = 0; i < infos.size(); ++i) {
@@ -168,6 +185,7 @@ void add_info_command(CLI::App& app, int& exit_code) {
   command->option_defaults()->group("Output");
   command->add_flag("--json", *as_json, "Print JSON");
   command->callback([state, as_json, &exit_code] {
+    print_workplans_of_ap238(state->input());
     print_infos(infos_of(*state), *as_json);
     exit_code = kClean;
   });

@@ -48,7 +48,9 @@ void keep_rapids_high(Toolpath& toolpath, const ResolvedPlan& plan) {
     const auto& step = plan.part.workplan[static_cast<std::size_t>(section.workingstep)];
     const Tool& tool = tool_of(plan.part, step);
     const MmPerMin plunge_feed = plan.steps[static_cast<std::size_t>(section.workingstep)].plunge_feed;
-    link::keep_rapids_high(section, tool, {defaults.above_material, plunge_feed}, material);
+    Section higher = section;
+    link::keep_rapids_high(higher, tool, {defaults.above_material, plunge_feed}, material);
+    if (path_of(step) == nullptr) section = std::move(higher);
   }
 }
 

@@ -15,6 +15,7 @@
 #include "pipeline/steps/holes.h"
 #include "pipeline/steps/meeting_pockets.h"
 #include "pipeline/steps/missed_by_others.h"
+#include "pipeline/steps/stated_step.h"
 #include "pipeline/steps/t_slots/t_slot_step.h"
 #include "plan/common/layers.h"
 #include "post/post.h"
@@ -207,7 +208,8 @@ StepWork step_work(int index, const ResolvedPlan& plan) {
   const Feature& feature = feature_of(part, part.workplan[static_cast<std::size_t>(index)]);
   work.meets_others = meets_others(part, feature);
   work.wall_top = top_of_flush_walls(part, feature, plan.tol);
-  work.hole = carve_step(index, plan);
+  work.hole = stated_step(index, plan);
+  if (!work.hole) work.hole = carve_step(index, plan);
   if (!work.hole) work.hole = formed_hole_step(index, plan);
   if (!work.hole) work.hole = t_slot_step(index, plan);
   if (work.hole) return work;

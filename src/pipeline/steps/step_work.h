@@ -20,8 +20,9 @@ struct LayerLeft {
 /// One workingstep, ready for any strategy.
 struct StepWork {
   int workingstep = 0;
-  std::vector<LayerLeft> layers;   ///< over which something still stands, from the top down
-  std::optional<Section> hole;     ///< where it is made as a round hole or carved, whatever the strategy
+  std::vector<LayerLeft> layers;  ///< over which something still stands, from the top down
+  std::optional<Section>
+      hole;  ///< where it is made as a round hole, carved, or by a stated path, whatever the strategy
   std::optional<double> wall_top;  ///< height of walls above that stand as near as its own
   /// Other features lie in its area: they may take what is left here, and then the finished part shows nothing of it.
   bool meets_others = false;

@@ -91,6 +91,7 @@ class KlartextWriter {
   void begin_program(const Toolpath& toolpath);
   void blank_form(const Toolpath& toolpath);
   void write_section(const Section& section);
+  void write_moves(std::span<const Move> run, const Section& section, const Tool* tap);
   void write_stops(const std::vector<ProgramStop>& stops);
   void dwell(double seconds);
   void end_program();
@@ -206,8 +207,15 @@ void KlartextWriter::write_section(const Section& section) {
   const Tool* tap = tap_of(section, part_);
   if (tap)
     refuse_tap(*tap, taps_rigidly(*tap, options_.inch) ? Tapping::kRigid : Tapping::kByWords, "heidenhain");
+  for (const MoveRun& run : runs_of(section)) {
+    write_moves(run.moves, section, tap);
+    if (run.dwell_s > 0) dwell(run.dwell_s);
+  }
+}
+
+void KlartextWriter::write_moves(std::span<const Move> run, const Section& section, const Tool* tap) {
   const double at_floor = dwell_of(section, part_);
-  const std::vector<Move> joined = with_lines_joined(section.moves, rules_.grid);
+  const std::vector<Move> joined = with_lines_joined(run, rules_.grid);
   const std::span<const Move> moves(joined);
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const auto hole = at_floor > 0 ? std::nullopt : drill_block(moves.subspan(i), rules_.grid);

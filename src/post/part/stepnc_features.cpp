@@ -307,6 +307,11 @@ class FeatureWriter {
 
 }  // namespace
 
+Vec2 placement_of(const FeaturePiece& piece) {
+  if (piece.feature->kind != FeatureKind::kRoundHole) return {};
+  return circle_center(piece.region->outer()).value_or(Vec2{});
+}
+
 std::string p21_placement(P21Writer& out, const P21Common& common, Vec2 at, double z) {
   return out.add("AXIS2_PLACEMENT_3D", {"''", point(out, at, z), common.z_axis, common.x_axis});
 }

@@ -29,6 +29,9 @@ struct FeaturePiece {
   std::string name;
 };
 
+/// Where the placement of its entity lies in plan: at the centre of round holes, else at zero.
+Vec2 placement_of(const FeaturePiece& piece);
+
 /// Writes the entity of `piece` and returns its reference. `operations` are the references of its operations.
 std::string write_feature(P21Writer& out, const P21Common& common, const FeaturePiece& piece,
                           const std::optional<Stock>& stock, const std::vector<std::string>& operations);

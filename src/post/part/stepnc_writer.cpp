@@ -5,12 +5,11 @@
 #include "base/error.h"
 #include "post/part/p21_text.h"
 #include "post/part/stepnc_features.h"
+#include "post/part/stepnc_toolpaths.h"
 
 namespace clearcut::post {
 
 namespace {
-
-constexpr double kMmPerMinPerMPerS = 60000;
 
 std::string optional_real(std::optional<double> value) {
   return value ? p21_real(*value) : kUnset;
@@ -111,7 +110,9 @@ std::string top_angle_of(const Tool& tool) {
 
 class Writer {
  public:
-  explicit Writer(const Part& part) : part_(part) {}
+  /// `toolpath`: null where none is written.
+  explicit Writer(const Part& part, const Toolpath* toolpath = nullptr)
+      : part_(part), toolpath_(toolpath), paths_(out_, common_, part.safe_z()) {}
 
   std::string write() {
     project_ = out_.reserve();
@@ -149,14 +150,42 @@ class Writer {
           "BLOCK", {"'stock'", p21_placement(out_, common_, s.plan.min, s.z_bottom), p21_real(s.plan.width()),
                     p21_real(s.plan.height()), p21_real(s.z_top - s.z_bottom)});
     }
-    out_.put(workpiece_, "WORKPIECE", {"'workpiece'", kUnset, kUnset, kUnset, kUnset, block, "()"});
+    out_.put(workpiece_, "WORKPIECE",
+             {"'workpiece'", kUnset, kUnset, kUnset, kUnset, block, p21_list(clamping_positions())});
+  }
+
+  static bool is_point(const KeepOut& clamp) {
+    return clamp.plan.min == clamp.plan.max && clamp.bottom_z == clamp.top_z;
+  }
+
+  std::vector<std::string> clamping_positions() {
+    std::vector<std::string> points;
+    for (const KeepOut& clamp : part_.keep_outs)
+      if (is_point(clamp))
+        points.push_back(out_.add(
+            "CARTESIAN_POINT", {"'clamp'", p21_list({p21_real(clamp.plan.min.x), p21_real(clamp.plan.min.y),
+                                                     p21_real(clamp.bottom_z)})}));
+    return points;
+  }
+
+  /// Blocks; several of them as a list.
+  std::string restricted_area() {
+    std::vector<std::string> blocks;
+    for (const KeepOut& clamp : part_.keep_outs)
+      if (!is_point(clamp))
+        blocks.push_back(out_.add(
+            "BLOCK", {"'restricted area'", p21_placement(out_, common_, clamp.plan.min, clamp.bottom_z),
+                      p21_real(clamp.plan.width()), p21_real(clamp.plan.height()),
+                      p21_real(clamp.top_z - clamp.bottom_z)}));
+    if (blocks.empty()) return kUnset;
+    return blocks.size() == 1 ? blocks.front() : p21_list(blocks);
   }
 
   std::string write_setup() {
     security_ = p21_plane(out_, common_, "security plane", part_.safe_z());
     const std::string origin = p21_placement(out_, common_, {}, 0);
     const std::string mounted =
-        out_.add("WORKPIECE_SETUP", {common_.workpiece, origin, kUnset, kUnset, "()"});
+        out_.add("WORKPIECE_SETUP", {common_.workpiece, origin, kUnset, restricted_area(), "()"});
     return out_.add("SETUP", {"'setup'", origin, security_, p21_list({mounted})});
   }
 
@@ -189,14 +218,55 @@ class Writer {
   void write_workingsteps() {
     operations_.resize(part_.workplan.size());
     std::vector<std::vector<std::string>> features(part_.features.size());
-    for (std::size_t i = 0; i < part_.workplan.size(); ++i) {
+    for (const std::size_t i : order_of_steps()) {
       const auto index = static_cast<std::size_t>(part_.workplan[i].feature);
       if (features[index].empty()) features[index] = write_feature_with_operations(static_cast<int>(index));
+      write_stops(part_.workplan[i]);
       for (std::size_t piece = 0; piece < features[index].size(); ++piece)
         steps_.push_back(
             out_.add("MACHINING_WORKINGSTEP", {p21_string(piece_name(part_.workplan[i].name, piece)),
                                                security_, features[index][piece], operations_[i], kUnset}));
     }
+  }
+
+  void write_stops(const Workingstep& step) {
+    for (const ProgramStop& stop : step.stops) {
+      if (stop.kind == StopKind::kMessage)
+        steps_.push_back(out_.add("DISPLAY_MESSAGE", {p21_string(stop.text), p21_string(stop.text)}));
+      else
+        steps_.push_back(out_.add(stop.kind == StopKind::kHalt ? "PROGRAM_STOP" : "OPTIONAL_STOP",
+                                  {p21_string(stop.text)}));
+    }
+  }
+
+  /// As they are cut; those that are not cut after the others.
+  std::vector<std::size_t> order_of_steps() const {
+    std::vector<std::size_t> order;
+    const auto add = [&](std::size_t i) {
+      if (std::find(order.begin(), order.end(), i) == order.end()) order.push_back(i);
+    };
+    if (toolpath_ != nullptr)
+      for (const Section& section : toolpath_->sections)
+        if (section.workingstep >= 0) add(static_cast<std::size_t>(section.workingstep));
+    for (std::size_t i = 0; i < part_.workplan.size(); ++i) add(i);
+    return order;
+  }
+
+  /// All that the program cuts for a workingstep; nothing where it cuts nothing.
+  std::optional<Section> section_of(std::size_t step) const {
+    std::optional<Section> whole;
+    if (toolpath_ == nullptr) return whole;
+    for (const Section& section : toolpath_->sections) {
+      if (section.workingstep != static_cast<int>(step)) continue;
+      if (!whole) {
+        whole = section;
+        continue;
+      }
+      for (const Dwell& dwell : section.dwells)
+        whole->dwells.push_back({whole->moves.size() + dwell.after, dwell.seconds});
+      whole->moves.insert(whole->moves.end(), section.moves.begin(), section.moves.end());
+    }
+    return whole;
   }
 
   static std::string piece_name(const std::string& name, std::size_t piece) {
@@ -208,7 +278,7 @@ class Writer {
     std::vector<std::string> its_operations;
     for (std::size_t i = 0; i < part_.workplan.size(); ++i) {
       if (part_.workplan[i].feature != index) continue;
-      operations_[i] = write_operation(part_.workplan[i].operation, feature);
+      operations_[i] = write_operation(i, feature);
       its_operations.push_back(operations_[i]);
     }
     std::vector<std::string> pieces;
@@ -216,12 +286,26 @@ class Writer {
       pieces.push_back(write_feature(out_, common_,
                                      {&feature, &region, piece_name(feature.name, pieces.size())},
                                      part_.stock, its_operations));
-    return pieces;
+    if (toolpath_ == nullptr || pieces.size() < 2) return pieces;
+    return {
+        out_.add("COMPOUND_FEATURE", {p21_string(feature.name), common_.workpiece, p21_list(its_operations),
+                                      p21_placement(out_, common_, {}, 0), p21_list(pieces)})};
   }
 
-  std::string write_operation(const Operation& operation, const Feature& feature) {
+  /// The frame of the feature's entity, in which its toolpaths are written.
+  static PathOrigin path_origin(const Feature& feature) {
+    if (feature.target.size() != 1) return {};
+    return {placement_of({&feature, &feature.target.front(), feature.name}), feature.top_z};
+  }
+
+  std::string write_operation(std::size_t step, const Feature& feature) {
+    const Operation& operation = part_.workplan[step].operation;
     const std::string retract = operation.retract_z ? p21_real(*operation.retract_z - feature.top_z) : kUnset;
-    std::vector<std::string> arguments = {kUnset,
+    const auto section = section_of(step);
+    const std::string path =
+        section ? paths_.write(*section, path_origin(feature), spindle_of(operation.cutting)) : kUnset;
+    is_explicit_ = path != kUnset;
+    std::vector<std::string> arguments = {path,
                                           kUnset,
                                           p21_string(operation.name),
                                           retract,
@@ -238,8 +322,20 @@ class Writer {
     return out_.add(operation_keyword(operation.kind), arguments);
   }
 
-  static std::vector<std::string> drilling_arguments(const Operation& operation) {
+  /// A share of a feed of which nothing is taken.
+  static bool is_reduced(double depth, double share) { return depth > 0 && share != 1; }
+
+  std::vector<std::string> drilling_arguments(const Operation& operation) {
     std::vector<std::string> arguments(5, kUnset);
+    if (const auto& feeds = operation.hole_feeds) {
+      if (feeds->dwell_s > 0) arguments[2] = p21_real(feeds->dwell_s);
+      if (feeds->retract_share) arguments[3] = p21_real(*feeds->retract_share);
+      if (is_reduced(feeds->start_depth, feeds->start_share) ||
+          is_reduced(feeds->end_depth, feeds->end_share))
+        arguments[4] = out_.add("DRILLING_TYPE_STRATEGY",
+                                {kUnset, p21_real(feeds->start_share), p21_real(feeds->start_depth), kUnset,
+                                 p21_real(feeds->end_share), p21_real(feeds->end_depth)});
+    }
     if (operation.kind == OperationKind::kReaming) arguments.insert(arguments.end(), {".F.", kUnset, kUnset});
     return arguments;
   }
@@ -294,6 +390,7 @@ class Writer {
   }
 
   std::string write_strategy(const Operation& operation) {
+    if (is_explicit_) return out_.add("EXPLICIT_STRATEGY", {kUnset, kUnset});
     const Strategy* strategy = strategy_of(operation);
     if (strategy == nullptr) return kUnset;
     std::vector<std::string> arguments(static_cast<std::size_t>(strategy->arguments), kUnset);
@@ -313,11 +410,14 @@ class Writer {
   }
 
   std::string write_technology(const CuttingData& cutting) {
-    const std::string feed = cutting.feed ? p21_real(cutting.feed->mm_per_min() / kMmPerMinPerMPerS) : kUnset;
-    const double sign = cutting.spindle_clockwise ? -1 : 1;
-    const std::string spindle = cutting.spindle_rpm ? p21_real(sign * *cutting.spindle_rpm / 60) : kUnset;
+    const std::string feed = cutting.feed ? p21_feed(*cutting.feed) : kUnset;
     return out_.add("MILLING_TECHNOLOGY",
-                    {feed, ".TCP.", kUnset, spindle, kUnset, ".F.", ".F.", ".F.", kUnset});
+                    {feed, ".TCP.", kUnset, spindle_of(cutting), kUnset, ".F.", ".F.", ".F.", kUnset});
+  }
+
+  static std::string spindle_of(const CuttingData& cutting) {
+    const double sign = cutting.spindle_clockwise ? -1 : 1;
+    return cutting.spindle_rpm ? p21_real(sign * *cutting.spindle_rpm / 60) : kUnset;
   }
 
   std::string write_functions(const Operation& operation) {
@@ -349,8 +449,11 @@ class Writer {
   }
 
   const Part& part_;
+  const Toolpath* toolpath_;
   P21Writer out_;
   P21Common common_;
+  ToolpathWriter paths_;
+  bool is_explicit_ = false;  // the operation that is written has a toolpath
   int project_ = 0;
   int workplan_ = 0;
   int workpiece_ = 0;
@@ -373,15 +476,25 @@ void refuse_profiles(const Part& part) {
   }
 }
 
-}  // namespace
-
-std::string write_stepnc(const Part& part) {
-  refuse_profiles(part);
+void refuse_without_tools(const Part& part) {
   for (const auto& step : part.workplan) {
     if (step.operation.tool >= 0 && step.operation.tool < static_cast<int>(part.tools.size())) continue;
     throw InputError(part.source_file, "names no tool for " + step.name + "; STEP-NC needs one: give --tool");
   }
+}
+
+}  // namespace
+
+std::string write_stepnc(const Part& part) {
+  refuse_profiles(part);
+  refuse_without_tools(part);
   return Writer(part).write();
+}
+
+std::string write_stepnc(const Part& part, const Toolpath& toolpath) {
+  refuse_profiles(part);
+  refuse_without_tools(part);
+  return Writer(part, &toolpath).write();
 }
 
 }  // namespace clearcut::post

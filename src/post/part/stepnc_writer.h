@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "model/move.h"
 #include "model/part.h"
 
 namespace clearcut::post {
@@ -23,5 +24,10 @@ namespace clearcut::post {
 ///         engraving).
 /// The same part gives the same bytes.
 std::string write_stepnc(const Part& part);
+
+/// The same with the toolpath of every workingstep: EXPLICIT_STRATEGY and a TOOLPATH_LIST, which whoever reads it can use as it stands. The
+/// workingsteps come in the order of `toolpath`, after them those that it does not cut; a feature of several regions is a compound.
+/// `toolpath`: planned for `part`, whose sections name their workingsteps; before it was printed, so that printing it again gives the same digits.
+std::string write_stepnc(const Part& part, const Toolpath& toolpath);
 
 }  // namespace clearcut::post

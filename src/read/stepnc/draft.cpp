@@ -5,7 +5,7 @@
 
 #include "base/elementary.h"
 #include "base/text/format.h"
-#include "read/stepnc/refusal.h"
+#include "read/stepnc/entity_list.h"
 #include "read/stepnc/shapes/fillet.h"
 
 namespace clearcut::read::stepnc {
@@ -84,14 +84,7 @@ void read_pocket_walls(const Node& feature, Draft& draft, Context& context) {
   draft.wall_slope = Radians::of(slope);
   const auto bottom = feature.ref(7);
   if (!bottom) context.note("no bottom condition; the floor is taken as flat", feature);
-  if (bottom && bottom->is("GENERAL_POCKET_BOTTOM_CONDITION"))
-    bottom->fail(
-        "the pocket's bottom is a free-form surface and cannot be machined yet; write what lies above it as "
-        "a flat pocket");
-  if (bottom && bottom->is("RADIUSED_POCKET_BOTTOM_CONDITION"))
-    bottom->fail(
-        "the pocket's bottom is rounded and cannot be machined yet; write what lies above it as a flat "
-        "pocket");
+  if (bottom) refuse_listed(*bottom);
   draft.through = bottom && bottom->is("THROUGH_POCKET_BOTTOM_CONDITION");
   if (!feature.unset(8)) draft.floor_fillet = toleranced(feature, 8);
   if (draft.floor_fillet && draft.floor_fillet->size <= 0) draft.floor_fillet.reset();
@@ -220,6 +213,7 @@ SlotEnd slot_end(const Node& end) {
   if (end.is("OPEN_SLOT_END_TYPE")) return SlotEnd::kOpen;
   if (end.is("RADIUSED_SLOT_END_TYPE")) return SlotEnd::kRound;
   if (end.is("FLAT_SLOT_END_TYPE")) return SlotEnd::kFlat;
+  refuse_listed(end);
   end.fail("a slot with this kind of end cannot be machined yet; write the end as open, round or flat");
 }
 
@@ -323,6 +317,61 @@ void read_round_hole(const Node& feature, const Frame& frame, Draft& draft, Cont
                     Edge::arc(c - r, c + r, c, Turn::kCounterClockwise)};
 }
 
+constexpr double kMmInInch = 25.4;
+
+/// Of a METRIC thread the pitch, of others how many threads an inch has.
+double pitch_of(const Node& thread, double major) {
+  const Node number = thread.needed_ref(12, "number of threads");
+  const double value = number.needed_number(1, "number of threads");
+  const std::string unit = number.text(2);
+  number.use(2);
+  const bool per_inch = unit.find("IN") != std::string::npos || unit.find("in") != std::string::npos ||
+                        unit.find("TPI") != std::string::npos;
+  const double pitch = per_inch ? kMmInInch / value : value;
+  if (!(pitch > 0 && pitch < major / 2)) number.fail("it is no pitch of a thread so wide; give it in mm");
+  return pitch;
+}
+
+/// Words in which a thread's form is one of 60 degrees: metric and unified threads.
+bool is_of_60_degrees(const std::string& form) {
+  return form.empty() || form.front() == 'M' || form.front() == 'm' || form.rfind("ISO", 0) == 0 ||
+         form.rfind("UN", 0) == 0 || form.find("60") != std::string::npos;
+}
+
+std::string described(const Node& feature, std::size_t argument) {
+  const auto text = feature.sound_ref(argument);
+  return text ? text->text(1) : "";
+}
+
+/// What a tap makes in a hole that other features drill.
+void read_thread(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
+  draft.kind = FeatureKind::kRoundHole;
+  if (feature.flag(7) == false)
+    feature.fail("external threads are not planned from STEP-NC; cut it elsewhere");
+  Thread thread;
+  thread.diameter = feature.needed_length(11, "major diameter");
+  if (thread.diameter <= 0) feature.fail("the major diameter is not above zero; correct it");
+  thread.pitch = pitch_of(feature, thread.diameter);
+  const std::string hand = described(feature, 13);
+  thread.left_hand = hand == "LEFT" || hand == "left";
+  if (!is_of_60_degrees(described(feature, 10)))
+    feature.fail("its form is " + described(feature, 10) +
+                 "; threads of 60 degrees are cut (metric, unified)");
+  thread.name =
+      "M" + trimmed(thread.diameter, 3) + "x" + trimmed(thread.pitch, 3) + (thread.left_hand ? "LH" : "");
+  for (const Node& shape : feature.refs(6)) (void)shape;  // its placement says where it is
+  if (const auto area = feature.sound_ref(5))
+    if (const auto length = area->length(0); length && *length > 0) draft.depth_z = -*length;
+  draft.thread = thread;
+  draft.hole_diameter = minor_diameter(thread);
+  draft.hole = {*draft.hole_diameter, 0, 0};
+  const Vec2 c{frame.origin.x, frame.origin.y};
+  const Vec2 r{thread.diameter / 2, 0};
+  draft.boundary = {Edge::arc(c + r, c - r, c, Turn::kCounterClockwise),
+                    Edge::arc(c - r, c + r, c, Turn::kCounterClockwise)};
+  context.note("a thread of 60 degrees, " + thread.name, feature);
+}
+
 void read_outside_profile(const Node& feature, const Frame& frame, std::size_t argument, Draft& draft,
                           Context& context) {
   draft.kind = FeatureKind::kOutsideProfile;
@@ -340,24 +389,8 @@ void read_outside_profile(const Node& feature, const Frame& frame, std::size_t a
   context.note("everything of the stock outside the profile is removed", feature);
 }
 
-constexpr Refusal kRefusedFeatures[] = {
-    {"CHAMFER",
-     "an edge is broken with a chamfering cutter along it, which is not planned; deburr it by hand or add a "
-     "V-cutter pass"},
-    {"EDGE_ROUND",
-     "an edge is rounded with a form cutter along it, which is not planned; round it by hand or add the "
-     "pass"},
-    {"THREAD", "threads are not cut; drill the core hole here and tap it elsewhere"},
-    {"CATALOGUE_THREAD", "threads are not cut; drill the core hole here and tap it elsewhere"},
-    {"DEFINED_THREAD", "threads are not cut; drill the core hole here and tap it elsewhere"},
-    {"ROUNDED_END", "its wall is round from the side and is no 2.5-D feature; write it as a pocket or step"},
-    {"SPHERICAL_CAP", "a ball is no 2.5-D feature; it needs free-form milling"},
-    {"TOOLPATH_FEATURE", "it is only a path; write what is to be removed as a pocket, face, slot or step"},
-    {"REGION_PROJECTION", "it is a free-form surface; write flat parts of it as pockets or faces"},
-    {"GENERAL_FREEFORM", "it is a free-form surface; write flat parts of it as pockets or faces"}};
-
 [[noreturn]] void refuse(const Node& feature) {
-  refuse_listed(feature, kRefusedFeatures);
+  refuse_listed(feature);
   feature.fail(
       "features of this kind cannot be machined yet; write it as pockets, faces, slots, steps or round "
       "holes");
@@ -370,8 +403,10 @@ void read_kind(const Node& feature, const Frame& frame, Draft& draft, Context& c
   if (feature.is("SLOT")) return read_slot(feature, frame, draft, context);
   if (feature.is("STEP")) return read_step(feature, frame, draft, context);
   if (feature.is("ROUND_HOLE")) return read_round_hole(feature, frame, draft, context);
+  if (feature.is_any("CATALOGUE_THREAD", "DEFINED_THREAD"))
+    return read_thread(feature, frame, draft, context);
   if (feature.is("GENERAL_OUTSIDE_PROFILE")) return read_outside_profile(feature, frame, 6, draft, context);
-  if (feature.is_any("CIRCULAR_CLOSED_SHAPE_PROFILE", "RECTANGULAR_CLOSED_SHAPE_PROFILE"))
+  if (feature.keyword().find("_SHAPE_PROFILE") != std::string::npos)
     return read_outside_profile(feature, frame, 8, draft, context);
   refuse(feature);
 }
@@ -386,7 +421,8 @@ Draft draft_feature(const Member& member, Context& context) {
   check_upright(member);
   draft.placement = member.placement;
   draft.placement_z = member.placement.origin.z;
-  draft.depth_z = depth_of(feature);
+  const bool has_length = feature.is_any("CATALOGUE_THREAD", "DEFINED_THREAD") && feature.sound_ref(5);
+  draft.depth_z = has_length && feature.unset(4) ? 0 : depth_of(feature);
   read_kind(feature, member.placement, draft, context);
   return draft;
 }

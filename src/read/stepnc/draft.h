@@ -42,6 +42,7 @@ struct Draft {
   std::optional<double> hole_diameter;
   Toleranced hole;                         ///< of round holes: what their diameter may be
   HoleEnd hole_end;                        ///< of round holes
+  std::optional<Thread> thread;            ///< of threads: their hole is made by other features
   std::optional<Toleranced> floor_fillet;  ///< between floor and walls
 
   Loop boundary;           ///< closed outline; empty where there is none

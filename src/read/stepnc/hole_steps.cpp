@@ -27,6 +27,9 @@ void Reader::use_overcut(const Node& operation, const std::vector<std::size_t>& 
 std::vector<int> Reader::features_for(std::size_t draft, const StatedOperation& stated, const Node& node) {
   if (!goes_straight_down(stated.operation)) return features_of_draft_[draft];
   check_previous(draft, stated, node);
+  if (stated.hole == HoleKind::kTapped) return {thread_for(draft, stated, node)};
+  if (drafts_[draft].thread)
+    node.fail("a thread is made by TAPPING; correct the operation, or write the hole as a ROUND_HOLE");
   return {hole_for(draft, stated, node)};
 }
 
@@ -140,6 +143,86 @@ int Reader::countersink_for(const Draft& draft, const Feature& hole, const State
   form.full_z = like.top_z;
   part_.features[static_cast<std::size_t>(index)].hole = form;
   return index;
+}
+
+namespace {
+
+constexpr double kSameTap = 0.05;  // mm
+/// A pitch that follows from feed and speed is one of a hundredth of a millimetre.
+constexpr double kPitchStep = 0.01;
+
+/// Of a tapped hole whose thread nobody states: what the tap's feed and speed make.
+std::optional<Thread> thread_of_feed(const Operation& operation, const Tool& tap) {
+  if (!operation.cutting.feed || !operation.cutting.spindle_rpm) return std::nullopt;
+  Thread thread;
+  thread.diameter = tap.diameter;
+  const double pitch = operation.cutting.feed->mm_per_min() / *operation.cutting.spindle_rpm;
+  thread.pitch = std::round(pitch / kPitchStep) * kPitchStep;
+  thread.name = "M" + trimmed(thread.diameter, 3) + "x" + trimmed(thread.pitch, 3);
+  if (!(thread.pitch > 0 && thread.pitch < tap.diameter / 2)) return std::nullopt;
+  return thread;
+}
+
+/// Pitches below the full thread that a tap's lead and its room take.
+constexpr double kBelowThread = 3;
+
+}  // namespace
+
+/// Before a tap comes a hole of the minor diameter, deep enough for its lead.
+void Reader::check_core(const Feature& like, const Thread& thread, double full_z, const Node& node) const {
+  const double needed = full_z - kBelowThread * thread.pitch;
+  const Vec2 center = box(like.target).center();
+  const bool is_there = std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
+    if (other.kind != FeatureKind::kRoundHole || !other.hole_diameter || other.hole) return false;
+    return distance(box(other.target).center(), center)<kLevel&& * other.hole_diameter> minor_diameter(
+               thread) -
+               kSameTap &&
+           *other.hole_diameter < minor_diameter(thread) + minor_tolerance(thread) + kSameTap &&
+           (other.through || other.floor_z < needed + kLevel);
+  });
+  if (is_there) return;
+  node.fail("before the tap " + thread.name + " comes a hole of " + trimmed(minor_diameter(thread), 2) +
+            " to " + trimmed(minor_diameter(thread) + minor_tolerance(thread), 2) + " mm down to " +
+            trimmed(like.top_z - needed, 2) +
+            " mm below its top, for its lead; add it, or make the thread shorter");
+}
+
+/// The thread of one tapping operation. Its tap gets the pitch, which the standard states of threads alone.
+int Reader::thread_for(std::size_t index, const StatedOperation& stated, const Node& node) {
+  const Draft& draft = drafts_[index];
+  Tool& tap = part_.tools[static_cast<std::size_t>(stated.operation.tool)];
+  const auto thread = draft.thread ? draft.thread : thread_of_feed(stated.operation, tap);
+  if (!thread)
+    node.fail(
+        "nothing states the thread; give a CATALOGUE_THREAD or DEFINED_THREAD as the feature, or feed and "
+        "speed");
+  if (!draft.thread) context_.note("the thread follows from feed and speed: " + thread->name, node);
+  if (std::abs(tap.diameter - thread->diameter) > kSameTap)
+    node.fail("the tap has " + trimmed(tap.diameter, 3) + " mm and the thread " +
+              trimmed(thread->diameter, 3) + " mm; correct the tool");
+  if (tap.pitch > 0 &&
+      (std::abs(tap.pitch - thread->pitch) > kPitchStep || tap.left_hand != thread->left_hand))
+    node.fail("its tap cuts a thread of " + trimmed(tap.pitch, 3) +
+              " mm pitch before; give each thread a tap");
+  tap.pitch = thread->pitch;
+  tap.left_hand = thread->left_hand;
+  tap.floating = tap.floating || stated.is_floating;
+  tap.diameter = thread->diameter;
+  const Feature like = feature_of_draft(index);
+  check_core(like, *thread, like.top_z - stated.depth.value_or(like.top_z - like.floor_z), node);
+  const double full = like.top_z - stated.depth.value_or(like.top_z - like.floor_z);
+  const int added =
+      add_hole(like, draft, draft.thread ? like.name : like.name + " thread", thread->diameter, full);
+  HoleForm form;
+  form.kind = HoleKind::kTapped;
+  form.center = {draft.placement.origin.x, draft.placement.origin.y};
+  form.diameter = thread->diameter;
+  form.full_z = full;
+  form.thread = thread;
+  Feature& feature = part_.features[static_cast<std::size_t>(added)];
+  feature.hole = form;
+  feature.through = like.through || (part_.stock && full < part_.stock->z_bottom + kLevel);
+  return added;
 }
 
 /// A hole that is to be there before has to be made by an earlier step.

@@ -307,7 +307,9 @@ class Expansion {
 bool is_simple_feature(const Node& node) {
   return node.is_any("CLOSED_POCKET", "OPEN_POCKET", "PLANAR_FACE", "SLOT", "STEP", "ROUND_HOLE",
                      "GENERAL_OUTSIDE_PROFILE", "CIRCULAR_CLOSED_SHAPE_PROFILE",
-                     "RECTANGULAR_CLOSED_SHAPE_PROFILE");
+                     "RECTANGULAR_CLOSED_SHAPE_PROFILE", "GENERAL_SHAPE_PROFILE",
+                     "PARTIAL_CIRCULAR_SHAPE_PROFILE", "RECTANGULAR_OPEN_SHAPE_PROFILE", "CATALOGUE_THREAD",
+                     "DEFINED_THREAD");
 }
 
 Members::Members(Context& context, const Frame& turn) : context_(&context), turn_(turn) {

@@ -15,6 +15,9 @@ constexpr std::size_t kShownOfAnnotations = 60;
 
 // Heads that many kinds of entities have in common.
 #define FEATURE_HEAD "~its_id its_workpiece ~its_operations feature_placement depth "
+#define THREAD_TAIL                                                                                \
+  "partial_profile applied_shape inner_or_outer_thread ~qualifier ?fit_class form major_diameter " \
+  "number_of_threads thread_hand "
 #define OPERATION_HEAD                                                                         \
   "its_toolpath its_tool_direction ~its_id retract_plane start_point its_tool its_technology " \
   "its_machine_functions overcut_length "
@@ -23,6 +26,7 @@ constexpr std::size_t kShownOfAnnotations = 60;
   OPERATION_HEAD      \
   "cutting_depth previous_diameter dwell_time_bottom feed_on_retract its_machining_strategy "
 #define STRATEGY_HEAD "?overlap ?allow_multiple_passes "
+#define TOOLPATH_HEAD "its_priority its_type its_speed its_technology its_machine_functions "
 #define BODY_HEAD "dimension number_of_teeth hand_of_cut ~coolant_through_tool ~pilot_length "
 
 constexpr EntityRow kEntities[] = {
@@ -53,12 +57,21 @@ constexpr EntityRow kEntities[] = {
     {"STEP", FEATURE_HEAD "open_boundary wall_boundary its_boss"},
     {"SLOT", FEATURE_HEAD "course_of_travel swept_shape end_conditions"},
     {"ROUND_HOLE", FEATURE_HEAD "diameter change_in_diameter bottom_condition"},
+    {"CATALOGUE_THREAD", FEATURE_HEAD THREAD_TAIL "~documentation"},
+    {"DEFINED_THREAD", FEATURE_HEAD THREAD_TAIL "?pitch_diameter ?minor_diameter ?crest"},
+    {"PARTIAL_AREA_DEFINITION", "effective_length ?placement ?maximum_length"},
     {"BOSS", "~its_id its_workpiece ~its_operations feature_placement ~depth its_boundary slope"},
     {"GENERAL_OUTSIDE_PROFILE", FEATURE_HEAD "~profile_swept_shape feature_boundary"},
     {"CIRCULAR_CLOSED_SHAPE_PROFILE",
      FEATURE_HEAD "~profile_swept_shape floor_condition ~removal_direction closed_boundary"},
     {"RECTANGULAR_CLOSED_SHAPE_PROFILE",
      FEATURE_HEAD "~profile_swept_shape floor_condition ~removal_direction closed_boundary"},
+    {"GENERAL_SHAPE_PROFILE",
+     FEATURE_HEAD "~profile_swept_shape floor_condition ~removal_direction profile_boundary"},
+    {"PARTIAL_CIRCULAR_SHAPE_PROFILE",
+     FEATURE_HEAD "~profile_swept_shape floor_condition ~removal_direction open_boundary"},
+    {"RECTANGULAR_OPEN_SHAPE_PROFILE",
+     FEATURE_HEAD "~profile_swept_shape floor_condition ~removal_direction open_boundary"},
     {"CIRCULAR_PATTERN",
      "~its_id its_workpiece ~its_operations feature_placement replicate_base_feature angle_increment "
      "number_of_feature relocated_base_feature missing_base_feature base_feature_diameter "
@@ -108,6 +121,7 @@ constexpr EntityRow kEntities[] = {
     {"MULTISTEP_DRILLING", DRILLING_HEAD "?retract_distance ?first_depth depth_of_step ?dwell_time_step"},
     {"BORING", DRILLING_HEAD "?spindle_stop_at_bottom ?depth_of_testcut ?waiting_position"},
     {"REAMING", DRILLING_HEAD "?spindle_stop_at_bottom ?depth_of_testcut ?waiting_position"},
+    {"TAPPING", DRILLING_HEAD "compensation_chuck"},
     {"DRILLING_TYPE_STRATEGY",
      "?reduced_cut_at_start reduced_feed_at_start depth_of_start ?reduced_cut_at_end reduced_feed_at_end "
      "depth_of_end"},
@@ -162,6 +176,15 @@ constexpr EntityRow kEntities[] = {
     {"TAPERED_REAMER", BODY_HEAD "?taper_angle"},
     {"COUNTERSINK", BODY_HEAD "?countersink_radius"},
     {"BORING_TOOL", BODY_HEAD},
+    {"TAP", BODY_HEAD},
+    {"COUNTERBORE", BODY_HEAD},
+    {"TOOLPATH_LIST", "its_list"},
+    {"CUTTER_LOCATION_TRAJECTORY", TOOLPATH_HEAD "its_direction basiccurve its_toolaxis ~surface_normal"},
+    {"CUTTER_CONTACT_TRAJECTORY", TOOLPATH_HEAD "its_direction basiccurve its_toolaxis ?its_contact_type"},
+    {"CURVE_WITH_NORMAL", "basiccurve ~surface_normal"},
+    {"CONNECT_DIRECT", TOOLPATH_HEAD},
+    {"FEEDSTOP", TOOLPATH_HEAD "dwell"},
+    {"TOOLPATH_SPEED", "speed"},
     {"CARTESIAN_POINT", "~name coordinates"},
     {"DIRECTION", "~name direction_ratios"},
     {"VECTOR", "~name orientation magnitude"},
@@ -189,11 +212,13 @@ constexpr EntityRow kEntities[] = {
 };
 
 #undef FEATURE_HEAD
+#undef THREAD_TAIL
 #undef OPERATION_HEAD
 #undef MILLING_HEAD
 #undef DRILLING_HEAD
 #undef STRATEGY_HEAD
 #undef BODY_HEAD
+#undef TOOLPATH_HEAD
 
 struct Attribute {
   std::string name;

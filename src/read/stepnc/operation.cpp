@@ -6,8 +6,9 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
+#include "read/stepnc/entity_list.h"
 #include "read/stepnc/parts.h"
-#include "read/stepnc/refusal.h"
+#include "read/stepnc/toolpaths.h"
 
 namespace clearcut::read::stepnc {
 
@@ -36,18 +37,13 @@ constexpr OperationEntity kOperations[] = {
     {"CENTER_DRILLING", OperationKind::kDrilling, HoleKind::kSpotted},
     {"COUNTER_SINKING", OperationKind::kDrilling, HoleKind::kCountersunk},
     {"BORING", OperationKind::kReaming, HoleKind::kBored},
-    {"REAMING", OperationKind::kReaming, HoleKind::kReamed}};
-
-constexpr Refusal kRefusedOperations[] = {
-    {"FREEFORM_OPERATION", "free-form milling cannot be machined yet; mill flat parts as pockets or faces"},
-    {"BACK_BORING", "boring from below is not planned; bore it afterwards"},
-    {"TAPPING", "threads are not cut; drill the core hole and tap it afterwards"},
-    {"THREAD_DRILLING", "threads are not cut; drill the core hole and tap it afterwards"}};
+    {"REAMING", OperationKind::kReaming, HoleKind::kReamed},
+    {"TAPPING", OperationKind::kDrilling, HoleKind::kTapped}};
 
 const OperationEntity& row_of_operation(const Node& node) {
   for (const OperationEntity& entry : kOperations)
     if (node.is(entry.keyword)) return entry;
-  refuse_listed(node, kRefusedOperations);
+  refuse_listed(node);
   node.fail(
       "operations of this kind cannot be machined yet; give plane, side or bottom-and-side milling, or "
       "drilling");
@@ -80,12 +76,10 @@ void read_spindle(const Node& technology, const Tool& tool, bool left_handed, Cu
 }
 
 void read_feed(const Node& technology, const Tool& tool, CuttingData& cutting, Context& context) {
-  const auto feed = technology.number(0);
+  const auto feed = feed_of_technology(technology, context);
   const auto per_tooth = technology.length(4);
-  if (feed && *feed > 0) {
-    const bool per_minute = *feed > kFastestFeed;
-    if (per_minute) context.note("the feed is read as mm/min: it is too fast for m/s", technology);
-    cutting.feed = MmPerMin::of(*feed * (per_minute ? 1 : 60000));
+  if (feed) {
+    cutting.feed = feed;
   } else if (per_tooth && *per_tooth > 0 && cutting.spindle_rpm) {
     cutting.feed = MmPerMin::of(*per_tooth * tool.teeth * *cutting.spindle_rpm);
   } else {
@@ -354,6 +348,7 @@ void read_drilling(const Node& node, StatedOperation& stated) {
   if (!node.unset(12) && node.number(12) != 0.0) feeds.retract_share = share_of(node, 12);
   read_drilling_strategy(node, feeds);
   if (differs_from_one_feed(feeds)) stated.operation.hole_feeds = feeds;
+  if (node.is("TAPPING")) stated.is_floating = node.flag(14) == true;
   if (!node.is("MULTISTEP_DRILLING")) return;
   stated.operation.stepdown = positive(node.length(16));
   if (!node.unset(15) && node.peek(15).number == node.peek(16).number) node.use(15);
@@ -361,7 +356,11 @@ void read_drilling(const Node& node, StatedOperation& stated) {
 
 void check_cutter(const Node& node, const Operation& operation, const Tool& tool) {
   const bool drill = tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kReamer ||
-                     tool.kind == ToolKind::kSpotDrill || tool.kind == ToolKind::kBoringBar;
+                     tool.kind == ToolKind::kSpotDrill || tool.kind == ToolKind::kBoringBar ||
+                     tool.kind == ToolKind::kCounterbore || tool.kind == ToolKind::kTap;
+  if ((tool.kind == ToolKind::kTap) != node.is("TAPPING"))
+    node.fail(tool.kind == ToolKind::kTap ? "a tap is for TAPPING alone; correct the operation"
+                                          : "tapping needs a TAP; correct the tool");
   if (goes_straight_down(operation)) {
     if (tool.kind == ToolKind::kOther)
       node.fail("drilling with this kind of tool cannot be machined yet; give a drill, reamer or end mill");
@@ -373,6 +372,14 @@ void check_cutter(const Node& node, const Operation& operation, const Tool& tool
 }
 
 }  // namespace
+
+std::optional<MmPerMin> feed_of_technology(const Node& technology, Context& context) {
+  const auto feed = technology.number(0);
+  if (!feed || *feed <= 0) return std::nullopt;
+  const bool per_minute = *feed > kFastestFeed;
+  if (per_minute) context.note("the feed is read as mm/min: it is too fast for m/s", technology);
+  return MmPerMin::of(*feed * (per_minute ? 1 : 60000));
+}
 
 StatedOperation read_operation(const Node& node, const Tools& tools, Context& context) {
   const OperationEntity& row = row_of_operation(node);
@@ -389,6 +396,8 @@ StatedOperation read_operation(const Node& node, const Tools& tools, Context& co
   const Node tool_node = node.needed_ref(5, "tool");
   operation.tool = tools.find(tool_node, context);
   const Tool& tool = tools.list()[static_cast<std::size_t>(operation.tool)];
+  if (tool.kind == ToolKind::kOther)
+    if (const auto body = tool_node.sound_ref(1)) refuse_listed(*body);
   check_cutter(node, operation, tool);
   if (goes_straight_down(operation)) {
     read_drilling(node, stated);

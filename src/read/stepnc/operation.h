@@ -12,6 +12,7 @@ struct StatedOperation {
   Operation operation;  ///< its retract_z is above the top of the feature
   HoleKind hole = HoleKind::kDrilled;
   std::optional<double> depth;              ///< mm below the top of the hole; absent: down to its floor
+  bool is_floating = false;                 ///< the tap is held with play
   std::optional<double> previous_diameter;  ///< mm; of the hole that is there before
 };
 

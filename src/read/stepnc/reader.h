@@ -51,7 +51,10 @@ class Reader {
   }
   void report_left_out(const std::vector<std::size_t>& drafts);
   void make_workingsteps(const Tools& tools);
+  void tell_stops_after_the_last(const std::vector<ProgramStop>& stops);
   void make_workingstep(const Node& step, const Tools& tools);
+  std::optional<StatedPath> stated_path(const Node& feature, const Node& node, const Operation& operation,
+                                        const std::vector<std::size_t>& drafts);
   std::vector<std::size_t> sound_drafts(const Node& feature) const;
   void check_part(const Draft& draft, const Node& step, const StatedOperation& stated) const;
   void use_overcut(const Node& operation, const std::vector<std::size_t>& drafts);
@@ -59,6 +62,8 @@ class Reader {
   int hole_for(std::size_t draft, const StatedOperation& stated, const Node& node);
   std::size_t operations_on(const Node& feature) const;
   int spot_for(const Draft& draft, const Feature& hole, const StatedOperation& stated, const Node& node);
+  void check_core(const Feature& like, const Thread& thread, double full_z, const Node& node) const;
+  int thread_for(std::size_t draft, const StatedOperation& stated, const Node& node);
   int countersink_for(const Draft& draft, const Feature& hole, const StatedOperation& stated,
                       const Node& node);
   int add_hole(const Feature& like, const Draft& draft, const std::string& name, double width, double floor);

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "read/stepnc/ap238.h"
 
 namespace clearcut::read::stepnc {
 
@@ -312,17 +313,16 @@ void add_clamps(const Program& program, const std::optional<Stock>& stock, Conte
   }
 }
 
-void add_restricted_area(const Program& program, Context& context, std::vector<KeepOut>& out) {
-  const auto area = program.chosen().mounted->ref(3);
-  if (!area) return;
-  if (area->is("BLOCK")) {
-    out.push_back(keep_out_of(block_extent(*area, program.chosen().turn, context)));
-  } else if (area->is("RIGHT_CIRCULAR_CYLINDER")) {
-    out.push_back(keep_out_of(cylinder_extent(*area, program.chosen().turn)));
+void add_restricted_area(const Node& area, const Program& program, Context& context,
+                         std::vector<KeepOut>& out) {
+  if (area.is("BLOCK")) {
+    out.push_back(keep_out_of(block_extent(area, program.chosen().turn, context)));
+  } else if (area.is("RIGHT_CIRCULAR_CYLINDER")) {
+    out.push_back(keep_out_of(cylinder_extent(area, program.chosen().turn)));
   } else {
-    context.said(*area);
-    return context.diagnostics.doubt(context.file.place(area->line()), kNotFollowed,
-                                     area->label() +
+    context.said(area);
+    return context.diagnostics.doubt(context.file.place(area.line()), kNotFollowed,
+                                     area.label() +
                                          " is a restricted area that cannot be read; the tool may come into "
                                          "it: give a BLOCK");
   }
@@ -331,7 +331,7 @@ void add_restricted_area(const Program& program, Context& context, std::vector<K
                    trimmed(block.plan.min.x, 3) + " to " + trimmed(block.plan.max.x, 3) + ", y " +
                    trimmed(block.plan.min.y, 3) + " to " + trimmed(block.plan.max.y, 3) + ", z " +
                    trimmed(block.bottom_z, 3) + " to " + trimmed(block.top_z, 3),
-               *area);
+               area);
 }
 
 }  // namespace
@@ -341,7 +341,9 @@ std::vector<KeepOut> read_keep_outs(const Program& program, const std::optional<
   std::vector<KeepOut> keep_outs;
   add_clamps(program, stock, context, keep_outs);
   if (!program.chosen().mounted) return keep_outs;
-  add_restricted_area(program, context, keep_outs);
+  // The standard has one; a list of them is read as well.
+  for (const Node& area : program.chosen().mounted->refs(3))
+    add_restricted_area(area, program, context, keep_outs);
   for (const Node& instruction : program.chosen().mounted->refs(4)) {
     const std::string document = instruction.text(1);
     context.warn("the set-up's instruction: " + instruction.text(0) +
@@ -356,10 +358,15 @@ void check_schema(const P21File& file) {
     return std::any_of(file.schemas.begin(), file.schemas.end(),
                        [&](const std::string& schema) { return schema.find(part) != std::string::npos; });
   };
-  if (has("INTEGRATED_CNC_SCHEMA"))
+  if (is_ap238(file)) {
+    const std::size_t steps = nodes_called(file, "MACHINING_WORKINGSTEP").size();
     throw InputError(file.name,
                      "an AP238 file (INTEGRATED_CNC_SCHEMA), a different data model from ISO 14649; "
-                     "export the program as ISO 14649 (ARM) STEP-NC");
+                     "export the program as ISO 14649 (ARM) STEP-NC" +
+                         (steps == 0 ? ""
+                                     : "; it holds " + std::to_string(steps) +
+                                           " workingsteps, which `clearcut info` lists"));
+  }
   for (const std::string_view solid :
        {"AUTOMOTIVE_DESIGN", "CONFIG_CONTROL_DESIGN", "AP203", "AP214", "AP242"})
     if (has(solid))

@@ -9,13 +9,14 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
+#include "features/at_depth.h"
+#include "features/stacking.h"
 #include "geometry/boolean.h"
 #include "model/results/not_machined.h"
 #include "read/stepnc/not_used.h"
 #include "read/stepnc/parts.h"
 #include "read/stepnc/reader.h"
-#include "features/at_depth.h"
-#include "features/stacking.h"
+#include "read/stepnc/toolpaths.h"
 
 namespace clearcut::read::stepnc {
 namespace {
@@ -324,6 +325,14 @@ void Reader::leave_out(const Node& step, const InputError& error) {
                        "' is left out: " + within_file(error));
 }
 
+void Reader::tell_stops_after_the_last(const std::vector<ProgramStop>& stops) {
+  if (stops.empty() || part_.workplan.empty()) return;
+  context_.diagnostics.note(
+      context_.file.name,
+      "stops and messages after the last workingstep that is machined are not in the program, "
+      "which ends there");
+}
+
 void Reader::make_workingsteps(const Tools& tools) {
   std::vector<ProgramStop> stops;  // of steps that were left out
   for (const OrderedStep& step : program_.steps) {
@@ -338,6 +347,7 @@ void Reader::make_workingsteps(const Tools& tools) {
     part_.workplan[before].stops = std::move(stops);
     stops.clear();
   }
+  tell_stops_after_the_last(stops);
   if (!part_.workplan.empty()) return;
   if (program_.steps.size() == 1) throw *first_error_;
   throw InputError("", std::string(first_error_->what()) + " (and none of the other " +
@@ -379,11 +389,63 @@ void Reader::make_workingstep(const Node& step, const Tools& tools) {
   for (const std::size_t i : chosen) of.push_back(drafts[i]);
   for (const std::size_t draft : of) check_part(drafts_[draft], step, stated);
   use_overcut(node, of);
+  std::optional<StatedPath> path = stated_path(feature, node, operation, of);
   for (const std::size_t draft : of) {
     for (const int index : features_for(draft, stated, node)) {
       steps_of_draft_[draft].push_back(part_.workplan.size());
       part_.workplan.push_back({step.text(0), "#" + std::to_string(step.id()), index, operation});
+      part_.workplan.back().stated_path = path;
+      if (path) path->moves.clear();  // the one path makes all parts of the feature
     }
+  }
+}
+
+namespace {
+
+/// Where the path cuts, in plan.
+Box cut_box(const StatedPath& path) {
+  Box cut;
+  for (const StatedMove& move : path.moves)
+    if (!is_rapid(move.kind)) cut.add(move.path.box());
+  return cut;
+}
+
+}  // namespace
+
+/// What the operation states in its_toolpath. One that cannot be followed leaves its workingstep out where the strategy is EXPLICIT; else it
+/// is named.
+std::optional<StatedPath> Reader::stated_path(const Node& feature, const Node& node,
+                                              const Operation& operation,
+                                              const std::vector<std::size_t>& drafts) {
+  if (node.unset(0)) return std::nullopt;
+  // Nothing that drills has a strategy that could say so.
+  const bool is_explicit = operation.strategy_hint == "explicit_strategy" || goes_straight_down(operation);
+  ToolpathSetting setting;
+  setting.tool = part_.tools[static_cast<std::size_t>(operation.tool)];
+  setting.placement = is_simple_feature(feature)
+                          ? drafts_[drafts.front()].placement
+                          : composed(program_.chosen().turn, frame_of(feature.sound_ref(3)));
+  try {
+    std::optional<StatedPath> path = read_toolpath(node, setting, context_);
+    Box area;
+    for (const std::size_t draft : drafts) area.add(box(feature_of_draft(draft).target));
+    if (path && !cut_box(*path).overlaps(area)) {
+      setting.placement = program_.chosen().turn;
+      const auto in_workpiece = read_toolpath(node, setting, context_);
+      if (cut_box(*in_workpiece).overlaps(area)) {
+        context_.warn("its toolpath lies beside its feature; it is taken in the coordinates of the workpiece",
+                      node);
+        path = in_workpiece;
+      }
+    }
+    if (path) path->is_explicit = is_explicit;
+    return path;
+  } catch (const InputError& error) {
+    if (is_explicit) throw;
+    if (const auto list = node.sound_ref(0)) context_.said(*list);
+    context_.diagnostics.doubt(context_.file.place(node.line()), kNotFollowed,
+                               node.label() + ": its toolpath is not followed: " + within_file(error));
+    return std::nullopt;
   }
 }
 
@@ -408,7 +470,9 @@ void Reader::drop_finished_steps() {
            done.floor_z <= asked.floor_z + kSame;
   };
   std::vector<Workingstep> left;
+  std::vector<ProgramStop> stops;  // of steps that are dropped
   for (Workingstep& step : part_.workplan) {
+    stops.insert(stops.end(), step.stops.begin(), step.stops.end());
     const Feature& feature = feature_of(step);
     const bool is_made = std::any_of(left.begin(), left.end(),
                                      [&](const Workingstep& before) { return is_same_hole(before, step); });
@@ -416,6 +480,8 @@ void Reader::drop_finished_steps() {
     const double least = is_made ? point_length(tool_of(part_, step)) + kSame : kSame;
     if (feature.top_z - feature.floor_z > least) {
       left.push_back(std::move(step));
+      left.back().stops = std::move(stops);
+      stops.clear();
       continue;
     }
     context_.diagnostics.note(context_.file.name,
@@ -424,6 +490,7 @@ void Reader::drop_finished_steps() {
                                   feature.name);
   }
   if (left.empty()) return;
+  tell_stops_after_the_last(stops);
   part_.workplan = std::move(left);
   drop_unused_features();
 }

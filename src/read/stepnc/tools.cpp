@@ -27,7 +27,8 @@ constexpr BodyKind kBodies[] = {
     {"SPADE_DRILL", ToolKind::kDrill},        {"CENTER_DRILL", ToolKind::kDrill},
     {"TAPERED_DRILL", ToolKind::kDrill},      {"REAMER", ToolKind::kReamer},
     {"TAPERED_REAMER", ToolKind::kReamer},    {"BORING_TOOL", ToolKind::kBoringBar},
-    {"COUNTERSINK", ToolKind::kSpotDrill}};
+    {"COUNTERSINK", ToolKind::kSpotDrill},    {"TAP", ToolKind::kTap},
+    {"COUNTERBORE", ToolKind::kCounterbore}};
 
 ToolKind kind_of(const Node& body) {
   for (const BodyKind& entry : kBodies)
@@ -49,7 +50,7 @@ std::optional<int> number_in(std::string& name) {
 double corner_radius_of(const Node& tool, const Tool& result, std::optional<double> edge_radius,
                         Context& context) {
   if (result.kind == ToolKind::kBallEndMill) return result.radius();
-  if (makes_holes(result) || result.kind == ToolKind::kSpotDrill) return 0;
+  if (makes_holes(result) || result.kind == ToolKind::kSpotDrill || result.kind == ToolKind::kTap) return 0;
   if (!edge_radius) context.note("no edge radius; the cutter is taken as flat-ended", tool);
   if (edge_radius && *edge_radius > result.radius() + 1e-9)
     tool.fail("its edge radius is larger than half its diameter; correct it");

@@ -5,6 +5,8 @@
 
 #include "base/elementary.h"
 #include "base/units.h"
+#include "model/part.h"
+#include "read/stepnc/entity_list.h"
 
 namespace clearcut::read::stepnc {
 
@@ -115,6 +117,17 @@ Loop closed_profile(const Node& profile, bool placed, Context& context) {
   return placed ? placement_map(profile, 0).path(loop) : loop;
 }
 
+namespace {
+
+/// Three sides, the middle one along X about the origin; the two others lead out of the stock along Y. What stays is between them.
+Path open_rectangle(const Node& profile) {
+  const double half = positive_length(profile, 1, "width") / 2;
+  return {Edge::line({-half, kOpenReach}, {-half, 0}), Edge::line({-half, 0}, {half, 0}),
+          Edge::line({half, 0}, {half, kOpenReach})};
+}
+
+}  // namespace
+
 Path open_profile(const Node& profile, Context& context) {
   const PlanarMap map = placement_map(profile, 0);
   if (profile.is("GENERAL_PROFILE")) return map.path(curve_path(profile.needed_ref(1, "profile"), context));
@@ -122,6 +135,7 @@ Path open_profile(const Node& profile, Context& context) {
     return map.path({Edge::line({}, {positive_length(profile, 1, "profile length"), 0})});
   if (profile.is("PARTIAL_CIRCULAR_PROFILE"))
     return map.path(arc_from_x(positive_length(profile, 1, "radius"), sweep_of(profile, 2, context)));
+  if (profile.is("SQUARE_U_PROFILE")) return map.path(open_rectangle(profile));
   profile.fail("not an open outline that can be read (general, linear, partial circular); use one of those");
 }
 
@@ -146,13 +160,8 @@ CrossSection cross_section(const Node& profile, Context& context) {
     section.width = positive_length(profile, 1, "width");
     section.rounded_below = section.width / 2;
   } else {
-    profile.fail(
-        profile.is("TEE_PROFILE")
-            ? "the undercut of a T slot is planned along lines of drawings (a layer named like TSLOT_D12); "
-              "draw "
-              "it there, or write its neck alone as a slot with SQUARE_U_PROFILE"
-            : "a slot of this cross-section has no flat floor and cannot be machined yet; write its upright "
-              "part as a slot with SQUARE_U_PROFILE");
+    refuse_listed(profile);
+    profile.fail("not a cross-section of slots that can be read (square, rounded, linear); use one of those");
   }
   return section;
 }

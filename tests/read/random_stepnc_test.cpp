@@ -1,0 +1,435 @@
+// Random STEP-NC programs (CLEARCUT_STEPNC says how many) from their text to the text of the machine's program, against the solid that the
+// generator means: heights at points, cut along every way of the program. It shares neither reader nor geometry with what it judges.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <map>
+#include <random>
+#include <sstream>
+
+#include "base/error.h"
+#include "pipeline/run.h"
+#include "post/part/stepnc_writer.h"
+#include "read/read_part.h"
+#include "support/independent/plain_gcode.h"
+
+namespace clearcut {
+namespace {
+
+constexpr double kPiHere = 3.14159265358979323846;
+constexpr double kSagittaOfArcs = 0.0002;  // mm
+constexpr double kMostGouge = 0.012;       // mm; printed digits, chords, tolerances of the plan
+constexpr double kMostLeft = 0.012;        // mm, over floors
+constexpr double kBesideWalls = 0.02;      // mm; nearer points are judged by neither side
+
+int program_count() {
+  const char* set = std::getenv("CLEARCUT_STEPNC");
+  return set != nullptr ? std::atoi(set) : 12;
+}
+
+struct Point {
+  double x = 0, y = 0;
+};
+
+/// A cylinder, cuboid or capsule that is removed, or a boss in it: in its own frame, turned and placed.
+struct Shape {
+  enum class Kind { kCircle, kRectangle, kCapsule } kind = Kind::kCircle;
+  double a = 0, b = 0;  ///< radius; half sides; half length and radius
+  double corner = 0;    ///< kRectangle: radius of its corners
+  Point place;
+  double turn = 0;
+
+  /// mm to its outline, negative inside.
+  double distance(Point p) const {
+    const double c = std::cos(turn), s = std::sin(turn);
+    const double x = c * (p.x - place.x) + s * (p.y - place.y),
+                 y = -s * (p.x - place.x) + c * (p.y - place.y);
+    if (kind == Kind::kCircle) return std::hypot(x, y) - a;
+    if (kind == Kind::kCapsule) return std::hypot(std::max(std::abs(x) - a, 0.0), y) - b;
+    const double u = std::abs(x) - (a - corner), v = std::abs(y) - (b - corner);
+    return std::hypot(std::max(u, 0.0), std::max(v, 0.0)) + std::min(std::max(u, v), 0.0) - corner;
+  }
+};
+
+struct Boss {
+  Shape shape;
+  double top = 0;
+};
+
+struct Volume {
+  Shape shape;
+  double floor = 0;
+  int tool = 1;
+  bool drilled = false;
+  std::vector<Boss> bosses;
+};
+
+/// mm of cutters by T number.
+const std::map<int, double> kCutters{{1, 6}, {2, 4}, {3, 5}};
+constexpr double kDrillPoint = 1.55;  ///< mm; longer than the point of the drill
+
+class Generator {
+ public:
+  explicit Generator(unsigned seed) : random_(seed) {}
+
+  std::vector<Volume> volumes;
+
+  std::string text() {
+    inch_ = chance(0.25);
+    const std::string head = program_head();
+    for (int column = 0; column < 3; ++column)
+      for (int row = 0; row < 2; ++row)
+        if (chance(0.6) || volumes.empty()) add_feature({20 + 40.0 * column, 20 + 40.0 * row});
+    std::string steps;
+    for (const int step : steps_) steps += (steps.empty() ? "#" : ",#") + std::to_string(step);
+    put(2, "WORKPLAN('MAIN',(" + steps + "),$,#4,$)");
+    return head + body_.str() + "ENDSEC;\nEND-ISO-10303-21;\n";
+  }
+
+  /// The same with one attribute of one entity unset.
+  std::string without_one(const std::string& text) {
+    std::vector<std::size_t> commas;
+    for (std::size_t i = text.find("DATA;"); i < text.size(); ++i)
+      if (text[i] == ',' || (text[i] == '(' && text[i - 1] != '(')) commas.push_back(i);
+    const std::size_t begin = commas[below(commas.size())] + 1;
+    const std::size_t end = text.find_first_of(",)(", begin);
+    return text.substr(0, begin) + "$" +
+           (text[end] == '(' ? text.substr(text.find(')', end) + 1) : text.substr(end));
+  }
+
+ private:
+  double between(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+  bool chance(double share) { return between(0, 1) < share; }
+  std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
+
+  std::string length(double mm) const {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.9f", inch_ ? mm / 25.4 : mm);
+    return text;
+  }
+  static std::string real(double value) {
+    char text[40];
+    std::snprintf(text, sizeof text, "%.12f", value);
+    return text;
+  }
+  void put(int id, const std::string& entity) { body_ << "#" << id << "=" << entity << ";\n"; }
+  std::string add(const std::string& entity) {
+    put(++last_, entity);
+    return "#" + std::to_string(last_);
+  }
+  std::string point(double x, double y, double z) {
+    return add("CARTESIAN_POINT('',(" + length(x) + "," + length(y) + "," + length(z) + "))");
+  }
+  std::string placement(Point at, double z, double turn) {
+    const std::string place = point(at.x, at.y, z);
+    if (turn == 0) return add("AXIS2_PLACEMENT_3D(''," + place + ",$,$)");
+    const std::string x = add("DIRECTION('',(" + real(std::cos(turn)) + "," + real(std::sin(turn)) + ",0.))");
+    return add("AXIS2_PLACEMENT_3D(''," + place + ",#50," + x + ")");
+  }
+  std::string measure(double mm) { return add("TOLERANCED_LENGTH_MEASURE(" + length(mm) + ",$)"); }
+  std::string depth_plane(double z) { return add("PLANE('DEPTH'," + placement({}, z, 0) + ")"); }
+
+  std::string program_head() {
+    put(1, "PROJECT('P',#2,(#3),$,$,$)");
+    put(3, "WORKPIECE('WP',$,$,$,$,#5,())");
+    put(4, "SETUP('S',$,#7,(#9))");
+    put(5, "BLOCK('B',#6," + length(120) + "," + length(80) + "," + length(20) + ")");
+    put(6, "AXIS2_PLACEMENT_3D('',#60,$,$)");
+    put(60, "CARTESIAN_POINT('',(0.,0.," + length(-20) + "))");
+    put(7, "PLANE('SECURITY',#8)");
+    put(8, "AXIS2_PLACEMENT_3D('',#61,$,$)");
+    put(61, "CARTESIAN_POINT('',(0.,0.," + length(30) + "))");
+    put(9, "WORKPIECE_SETUP(#3,$,$,$,())");
+    put(50, "DIRECTION('',(0.,0.,1.))");
+    if (inch_) {
+      put(51, "(GLOBAL_UNIT_ASSIGNED_CONTEXT((#52))REPRESENTATION_CONTEXT('',''))");
+      put(52, "(CONVERSION_BASED_UNIT('INCH',#53)LENGTH_UNIT()NAMED_UNIT($))");
+      put(53, "LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(25.4),#54)");
+      put(54, "(LENGTH_UNIT()NAMED_UNIT($)SI_UNIT(.MILLI.,.METRE.))");
+    }
+    for (const auto& [number, diameter] : kCutters) {
+      const std::string n = std::to_string(70 + 3 * number), body = std::to_string(71 + 3 * number),
+                        size = std::to_string(72 + 3 * number);
+      put(70 + 3 * number, "MILLING_CUTTING_TOOL('T" + std::to_string(number) + "',#" + body + ",(),$,$,$)");
+      put(71 + 3 * number,
+          std::string(number == 3 ? "TWIST_DRILL" : "ENDMILL") + "(#" + size + ",2,.RIGHT.,$,$)");
+      put(72 + 3 * number, "MILLING_TOOL_DIMENSION(" + length(diameter) + ",$,$," + length(25) + "," +
+                               (number == 3 ? "$" : "0.") + ",$,$)");
+    }
+    put(90, "MILLING_TECHNOLOGY(0.01,.TCP.,$,-100.,$,$,$,$,$)");
+    put(91, "MILLING_MACHINE_FUNCTIONS(.T.,$,$,.F.,$,(),.F.,$,$,())");
+    last_ = 100;
+    return "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('MACHINING_SCHEMA'));\nENDSEC;\nDATA;\n";
+  }
+
+  std::string strategy() {
+    switch (below(5)) {
+      case 0:
+        return add("CONTOUR_PARALLEL(0.5,.T.,.CCW.,.CLIMB.)");
+      case 1:
+        return add("BIDIRECTIONAL_MILLING(0.5,.T.,$,$,$)");
+      case 2:
+        return add("CONTOUR_SPIRAL($,.T.,.CCW.,$)");
+      default:
+        return "$";
+    }
+  }
+  std::string approach() {
+    switch (below(4)) {
+      case 0:
+        return add("PLUNGE_RAMP($,0.08)");
+      case 1:
+        return add("PLUNGE_HELIX($," + length(1) + ",0.06)");
+      default:
+        return "$";
+    }
+  }
+  std::string milling(int tool, double depth) {
+    const bool finishes = chance(0.2);
+    return add(std::string(finishes ? "BOTTOM_AND_SIDE_FINISH_MILLING" : "BOTTOM_AND_SIDE_ROUGH_MILLING") +
+               "($,$,'OP',$,$,#" + std::to_string(70 + 3 * tool) + ",#90,#91,$," + approach() + ",$," +
+               strategy() + "," + (chance(0.5) ? length(depth / 2) : "$") + ",$,$,$)");
+  }
+  void work_on(const std::string& feature, const std::string& operation) {
+    add("MACHINING_WORKINGSTEP('WS',#7," + feature + "," + operation + ",$)");
+    steps_.push_back(last_);
+  }
+
+  void add_feature(Point middle) {
+    const double depth = between(2, 12);
+    switch (below(4)) {
+      case 0:
+        return add_pocket(middle, depth);
+      case 1:
+        return add_slot(middle, depth);
+      case 2:
+        return add_hole(middle, depth);
+      default:
+        return add_ring_of_holes(middle, depth);
+    }
+  }
+
+  void add_pocket(Point middle, double depth) {
+    Volume volume;
+    volume.floor = -depth;
+    volume.tool = chance(0.5) ? 1 : 2;
+    volume.shape.turn = chance(0.5) ? 0 : between(0, 6);
+    volume.shape.place = middle;
+    const bool is_round = chance(0.4);
+    const double corner = is_round || chance(0.5) ? 0 : 0.5 * kCutters.at(volume.tool) + between(0.1, 1);
+    volume.shape.kind = is_round ? Shape::Kind::kCircle : Shape::Kind::kRectangle;
+    volume.shape.a = between(9, is_round ? 17 : 12.5);
+    volume.shape.b = between(9, 12.5);
+    volume.shape.corner = corner;
+    const std::string place = placement(middle, 0, volume.shape.turn);
+    const std::string profile = is_round
+                                    ? add("CIRCULAR_CLOSED_PROFILE($," + measure(2 * volume.shape.a) + ")")
+                                    : add("RECTANGULAR_CLOSED_PROFILE($," + measure(2 * volume.shape.b) +
+                                          "," + measure(2 * volume.shape.a) + ")");
+    std::string bosses;
+    if (chance(0.4)) {
+      Boss boss;
+      boss.shape.a = between(0.8, 2);
+      boss.shape.place = middle;
+      const double down = chance(0.5) ? 0 : between(0.3, depth - 0.5);
+      boss.top = -down;
+      bosses = add("BOSS('B',#3,()," + placement({}, -down, 0) + "," + depth_plane(-depth + down) + "," +
+                   add("CIRCULAR_CLOSED_PROFILE($," + measure(2 * boss.shape.a) + ")") + ",$)");
+      volume.bosses.push_back(boss);
+    }
+    const std::string operation = milling(volume.tool, depth);
+    work_on(add("CLOSED_POCKET('POCKET',#3,(" + operation + ")," + place + "," + depth_plane(-depth) + ",(" +
+                bosses + "),$," + add("PLANAR_POCKET_BOTTOM_CONDITION()") + ",$," +
+                (corner > 0 ? measure(corner) : "$") + "," + profile + ")"),
+            operation);
+    volumes.push_back(volume);
+  }
+
+  void add_slot(Point middle, double depth) {
+    Volume volume;
+    volume.floor = -depth;
+    volume.tool = chance(0.5) ? 1 : 2;
+    volume.shape.kind = Shape::Kind::kCapsule;
+    volume.shape.turn = chance(0.5) ? 0 : between(0, 6);
+    volume.shape.a = between(3, 9);
+    volume.shape.b = kCutters.at(volume.tool) / 2 + between(0.2, 2);
+    volume.shape.place = middle;
+    const double half = volume.shape.a, c = std::cos(volume.shape.turn), s = std::sin(volume.shape.turn);
+    const std::string place = placement({middle.x - half * c, middle.y - half * s}, 0, volume.shape.turn);
+    const std::string path =
+        add("LINEAR_PATH($," + measure(2 * half) + "," + add("DIRECTION('',(1.,0.,0.))") + ")");
+    const std::string end = add("RADIUSED_SLOT_END_TYPE()");
+    const std::string operation = milling(volume.tool, depth);
+    work_on(add("SLOT('SLOT',#3,(" + operation + ")," + place + "," + depth_plane(-depth) + "," + path + "," +
+                add("SQUARE_U_PROFILE($," + measure(2 * volume.shape.b) + ",$,$,$,$)") + ",(" + end + "," +
+                end + "))"),
+            operation);
+    volumes.push_back(volume);
+  }
+
+  Volume hole_at(Point at, double radius, double depth, int tool) {
+    Volume volume;
+    volume.floor = -depth;
+    volume.tool = tool;
+    volume.drilled = tool == 3;
+    volume.shape.a = radius;
+    volume.shape.place = at;
+    return volume;
+  }
+  std::string hole(const std::string& place, double radius, double depth, const std::string& operation) {
+    return add("ROUND_HOLE('HOLE',#3,(" + operation + ")," + place + "," + depth_plane(-depth) + "," +
+               measure(2 * radius) + ",$," + add("FLAT_HOLE_BOTTOM()") + ")");
+  }
+  std::string drilling() { return add("DRILLING($,$,'DRILL',$,$,#79,#90,#91,$,$,$,$,$,$)"); }
+
+  void add_hole(Point middle, double depth) {
+    const bool drilled = chance(0.5);
+    const int tool = drilled ? 3 : 2;
+    const double radius = drilled ? 2.5 : between(2.4, 9);
+    const std::string place = placement(middle, 0, 0),
+                      operation = drilled ? drilling() : milling(tool, depth);
+    work_on(hole(place, radius, depth, operation), operation);
+    volumes.push_back(hole_at(middle, radius, depth, tool));
+  }
+
+  void add_ring_of_holes(Point middle, double depth) {
+    const int count = 3 + static_cast<int>(below(4));
+    const double ring = between(8, 14), step = 2 * kPiHere / count;
+    const std::string operation = drilling();
+    const std::string base = hole(placement({middle.x + ring, middle.y}, 0, 0), 2.5, depth, operation);
+    work_on(
+        add("CIRCULAR_PATTERN('RING',#3,(" + operation + ")," + placement(middle, 0, 0) + "," + base + "," +
+            real(step) + "," + std::to_string(count) + ",(),()," + measure(2 * ring) + "," + real(0) + ")"),
+        operation);
+    for (int i = 0; i < count; ++i)
+      volumes.push_back(hole_at({middle.x + ring * std::cos(i * step), middle.y + ring * std::sin(i * step)},
+                                2.5, depth, 3));
+  }
+
+  std::mt19937 random_;
+  std::ostringstream body_;
+  std::vector<int> steps_;
+  int last_ = 100;
+  bool inch_ = false;
+};
+
+/// Lowest z of the tip over the part of a way that lies within `radius` of p; nothing where it does not come so near.
+std::optional<double> lowest_within(Point p, const test_support::TipWay& way, double radius) {
+  const double dx = way.x1 - way.x0, dy = way.y1 - way.y0, ex = way.x0 - p.x, ey = way.y0 - p.y;
+  const double aa = dx * dx + dy * dy, bb = ex * dx + ey * dy, cc = ex * ex + ey * ey - radius * radius;
+  double low = 0, high = 1;
+  if (aa > 0) {
+    const double root = bb * bb - aa * cc;
+    if (root < 0) return std::nullopt;
+    low = std::max(0.0, (-bb - std::sqrt(root)) / aa);
+    high = std::min(1.0, (-bb + std::sqrt(root)) / aa);
+    if (low > high) return std::nullopt;
+  } else if (cc > 0) {
+    return std::nullopt;
+  }
+  return std::min(way.z0 + low * (way.z1 - way.z0), way.z0 + high * (way.z1 - way.z0));
+}
+
+/// What stands at p in the end, by cutters a little narrower or wider than they are.
+double height_at(Point p, const std::vector<test_support::TipWay>& ways, double wider) {
+  double height = 0;
+  for (const auto& way : ways) {
+    if (std::min(way.z0, way.z1) >= height) continue;
+    const auto low = lowest_within(p, way, kCutters.at(way.tool) / 2 + wider);
+    if (low) height = std::min(height, *low);
+  }
+  return height;
+}
+
+/// What the generator means to stand at p; nothing where it lies too near a wall, under the point of a drill, or out of the cutter's reach.
+struct Meant {
+  double at_least = 0;
+  std::optional<double> at_most;
+};
+
+std::optional<Meant> meant_at(Point p, const std::vector<Volume>& volumes) {
+  Meant meant{0, 0};
+  for (const Volume& volume : volumes) {
+    const double away = volume.shape.distance(p), radius = kCutters.at(volume.tool) / 2;
+    if (std::abs(away) < kBesideWalls) return std::nullopt;
+    if (away > 0) continue;
+    double height = volume.floor, from_boss = 1000;
+    for (const Boss& boss : volume.bosses) {
+      from_boss = boss.shape.distance(p);
+      if (std::abs(from_boss) < kBesideWalls) return std::nullopt;
+      if (from_boss < 0) height = boss.top;
+    }
+    meant.at_least = std::min(meant.at_least, height);
+    const bool reached = volume.drilled || (-away > radius && std::abs(from_boss) > radius) ||
+                         (-away > radius && from_boss < 0);
+    if (!reached)
+      meant.at_most.reset();
+    else
+      meant.at_most = volume.drilled ? height + kDrillPoint : height;
+  }
+  return meant;
+}
+
+void expect_meant(const std::vector<Volume>& volumes, const std::string& program, unsigned seed) {
+  const auto ways = test_support::ways_of(program, kSagittaOfArcs);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> x(0, 120), y(0, 80);
+  for (int i = 0; i < 1500; ++i) {
+    const Point p{x(random), y(random)};
+    const auto meant = meant_at(p, volumes);
+    if (!meant) continue;
+    const double certain = height_at(p, ways, -0.002), possible = height_at(p, ways, -0.01);
+    ASSERT_GE(possible, meant->at_least - kMostGouge)
+        << "seed " << seed << ": cut too deep at " << p.x << ", " << p.y << "\n";
+    if (meant->at_most)
+      ASSERT_LE(certain, *meant->at_most + kMostLeft)
+          << "seed " << seed << ": left standing at " << p.x << ", " << p.y << "\n";
+  }
+}
+
+pipeline::PlanResult planned(const Part& part) {
+  PlanOptions options;
+  options.accept = {"out-of-reach"};
+  return pipeline::plan_part(part, options);
+}
+
+TEST(RandomStepNc, PlansAreTheSolidsThatTheirFilesMean) {
+  int clean = 0;
+  const int count = program_count();
+  for (int seed = 1; seed <= count; ++seed) {
+    Generator generator(static_cast<unsigned>(seed));
+    const std::string text = generator.text();
+    const pipeline::PlanResult plan = planned(read::read_part_text(text, "random.p21", {}));
+    clean += verdict_of(plan.findings) == Verdict::kClean;
+    EXPECT_EQ(verdict_and_reasons(plan.findings), "CLEAN\n") << "seed " << seed;
+    expect_meant(generator.volumes, plan.program, static_cast<unsigned>(seed));
+    if (seed % 4 != 0) continue;
+    const Part again = read::read_part_text(post::write_stepnc(plan.part, plan.planned), "again.p21", {});
+    expect_meant(generator.volumes, planned(again).program, static_cast<unsigned>(seed));
+  }
+  EXPECT_GT(clean, count / 2);
+}
+
+TEST(RandomStepNc, WithoutAnAttributeTheyAreRefusedInOneLineOrPlanned) {
+  int refused = 0, planned_all_the_same = 0;
+  for (int seed = 1; seed <= program_count(); ++seed) {
+    Generator generator(static_cast<unsigned>(seed));
+    const std::string text = generator.without_one(generator.text());
+    try {
+      planned(read::read_part_text(text, "random.p21", {}));
+      ++planned_all_the_same;
+    } catch (const InputError& error) {
+      ++refused;
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_GT(refused + planned_all_the_same, 0);
+}
+
+}  // namespace
+}  // namespace clearcut
