@@ -45,6 +45,7 @@ using resolve::ToolCutting;
 using resolve::direction_named;
 using resolve::entry_named;
 using resolve::is_bisector_passage;
+using resolve::is_reflex_corner;
 using resolve::is_published_grid;
 using resolve::is_published_solver;
 using resolve::order_named;

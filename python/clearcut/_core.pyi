@@ -111,6 +111,7 @@ class Settings(TypedDict, total=False):
     block_numbers: bool
     optional_stop: bool
     passage: str | None
+    reflex: str | None
     grid: str | None
     solver: str | None
     generations: int | None
@@ -328,6 +329,7 @@ class PlanOptions:
     block_numbers: bool
     optional_stop: bool
     passage: str | None
+    reflex: str | None
     grid: str | None
     solver: str | None
     generations: int | None

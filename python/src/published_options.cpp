@@ -43,6 +43,8 @@ void set_solver(AskedOptions& o, const std::optional<std::string>& name) {
 void add_published_options(OptionsClass& options) {
   add_choice(options, "passage", "From contour to contour: bisector (of a corner) or shortest.", "bisector",
              "shortest", &PublishedChoices::bisector_passages, is_bisector_passage);
+  add_choice(options, "reflex", "Contours at reflex corners: corner or round.", "corner", "round",
+             &PublishedChoices::sharp_reflex, is_reflex_corner);
   add_choice(options, "grid",
              "Of the strategy tour: ours, or published (Tour eq. 4.8; leaves what it leaves).", "published",
              "ours", &PublishedChoices::published_grid, is_published_grid);

@@ -34,6 +34,7 @@ std::string mills_nothing(const Situation& at);
 std::string clears_nothing(const Situation& at);
 std::string without_zigzag(const Situation& at);
 std::string without_contours(const Situation& at);
+std::string without_reflex_corners(const Situation& at);
 std::string without_start(const Situation& at);
 std::string without_tour(const Situation& at);
 std::string without_ramps(const Situation& at);

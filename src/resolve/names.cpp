@@ -129,6 +129,10 @@ bool is_bisector_passage(const std::string& name, const std::string& place) {
   return is_first("bisector", "shortest", name, place);
 }
 
+bool is_reflex_corner(const std::string& name, const std::string& place) {
+  return is_first("corner", "round", name, place);
+}
+
 bool is_published_grid(const std::string& name, const std::string& place) {
   return is_first("published", "ours", name, place);
 }

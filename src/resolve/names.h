@@ -35,9 +35,10 @@ const char* name_of(Finish finish);
 TabShape tab_shape_named(const std::string& name, const std::string& place);
 const char* name_of(TabShape shape);
 
-/// What the texts print, or ours: "bisector" or "shortest" passages, the "published" grid or "ours", the "published" solver or the
+/// What the texts print, or ours: "bisector" or "shortest" passages, a "corner" or "round" contours at reflex corners, the "published" grid or "ours", the "published" solver or the
 /// "modern" one; true for what is printed. Throw InputError at `place`.
 bool is_bisector_passage(const std::string& name, const std::string& place);
+bool is_reflex_corner(const std::string& name, const std::string& place);
 bool is_published_grid(const std::string& name, const std::string& place);
 bool is_published_solver(const std::string& name, const std::string& place);
 

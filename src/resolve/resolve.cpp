@@ -172,6 +172,7 @@ void resolve_published(ResolvedStep& step, const Workingstep& planned, const Pla
   PublishedChoices choices = own == options.step_published.end() ? PublishedChoices{} : own->second;
   choices.merge(options.published);
   step.bisector_passages = choices.bisector_passages;
+  step.sharp_reflex = choices.sharp_reflex;
   step.published_grid = choices.published_grid.value_or(false);
   step.solver = choices.solver.value_or(VisitSolver{});
 }

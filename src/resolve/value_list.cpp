@@ -144,6 +144,8 @@ void list_paths(List& list, const ResolvedStep& step, const Operation& operation
   list.add("passage",
            step.bisector_passages ? (*step.bisector_passages ? "bisector" : "shortest") : "by strategy", "",
            sources.of("passage", step.bisector_passages.has_value(), by_default("the strategy decides")));
+  list.add("reflex", step.sharp_reflex ? (*step.sharp_reflex ? "corner" : "round") : "by strategy", "",
+           sources.of("reflex", step.sharp_reflex.has_value(), by_default("the strategy decides")));
   list.add("grid", step.published_grid ? "published" : "ours", "",
            sources.of("grid", step.published_grid, by_default("ours")));
   list.add("solver", step.solver.is_published ? "published" : "modern", "",

@@ -45,12 +45,14 @@ struct VisitSolver {
 /// Where a user chooses between what the texts print and ours. Absent: nobody says.
 struct PublishedChoices {
   std::optional<bool> bisector_passages;  ///< of contour methods (CPO-kappa eq. 3)
+  std::optional<bool> sharp_reflex;       ///< of contour methods that cut contours alone (CPO-kappa eq. 2)
   std::optional<bool> published_grid;     ///< of the strategy tour: Tour eq. 4.8, nothing else is cut
   std::optional<VisitSolver> solver;      ///< of the strategy tour and of elements
 
   /// Those of `other` go before these.
   void merge(const PublishedChoices& other) {
     if (other.bisector_passages) bisector_passages = other.bisector_passages;
+    if (other.sharp_reflex) sharp_reflex = other.sharp_reflex;
     if (other.published_grid) published_grid = other.published_grid;
     if (other.solver) solver = other.solver;
   }

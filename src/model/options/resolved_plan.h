@@ -60,8 +60,9 @@ struct ResolvedStep {
   std::optional<double> aimed_engagement_deg = {};
   double cross_z = 0;                     ///< where rapids cross between passes; absolute
   std::optional<bool> bisector_passages;  ///< of contour methods; absent: the method decides
-  VisitSolver solver;                     ///< of the strategy tour
-  bool published_grid = false;            ///< of the strategy tour: Tour eq. 4.8, nothing else is cut
+  std::optional<bool> sharp_reflex;  ///< corners of contours at reflex corners; absent: the method decides
+  VisitSolver solver;                ///< of the strategy tour
+  bool published_grid = false;       ///< of the strategy tour: Tour eq. 4.8, nothing else is cut
 
   /// Where the wall is, seen along closed passes.
   bool wall_on_right() const { return (direction == CutDirection::kClimb) == spindle_clockwise; }

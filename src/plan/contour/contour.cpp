@@ -218,6 +218,7 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
   job.first_level = layer.tool_radius + layer.wall_stock;
   job.reserve = layer.reserve;
   job.residuals = options.residuals;
+  job.sharp_reflex = options.sharp_reflex;
   // Where rings fit exactly, as in pockets of round dimensions, accepting a residual saves a pass; on faces it
   // saves nothing.
   const bool bare = layer.bare || !closed_all_round(layer);

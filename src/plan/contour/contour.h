@@ -60,6 +60,9 @@ struct ContourOptions {
   StepRule step;
   ResidualRule residuals = ResidualRule::kOurs;
   Passage passage = Passage::kShortest;
+  /// Reflex corners of contours stay corners (CPO-kappa eq. 2) where the outline has no arcs; false: they are rounded. Of rules that cut
+  /// nothing but contours and passages.
+  bool sharp_reflex = false;
   /// How long to search for shorter paths at the widest step. 0: not at all, under a millisecond; 1: some
   /// tenths of a second for an ordinary pocket.
   double effort = 1;

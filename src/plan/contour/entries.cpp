@@ -47,11 +47,25 @@ Passage passage_of(const ContourMethod& method, const StrategyRequest& request) 
                                                                                          : Passage::kShortest;
 }
 
+/// Methods that cut rests besides need contours with round corners, whose rests they know.
+bool cuts_contours_alone(const ContourMethod& method) {
+  return method.residuals == ResidualRule::kNone || method.residuals == ResidualRule::kPassages;
+}
+
+/// As the texts print them: lom, rho and second have corners.
+bool has_sharp_reflex(const ContourMethod& method, const StrategyRequest& request) {
+  const std::string name = method.name;
+  const bool is_printed_so = name == "lom" || name == "rho" || name == "second";
+  const bool is_corrected = name.ends_with("-corrected");  // its step is that of round corners
+  return cuts_contours_alone(method) && !is_corrected && request.step.sharp_reflex.value_or(is_printed_so);
+}
+
 Strategy make(const ContourMethod& method, const StrategyRequest& request) {
   ContourOptions options;
   options.step = parse_step_rule(request.stepover.is_given() ? request.stepover.text : method.stepover);
   options.residuals = method.residuals;
   options.passage = passage_of(method, request);
+  options.sharp_reflex = has_sharp_reflex(method, request);
   options.machine = request.plan.machine;
   options.feed = request.step.feed;
   if (request.step.lead > 0) options.effort = 0;  // rings stay whole, because leads need a place to begin

@@ -5,8 +5,10 @@
 #include <optional>
 
 #include "geometry/line_path.h"
+#include "geometry/mitred_inset.h"
 #include "plan/common/residual.h"
 #include "plan/contour/corner_loop.h"
+#include "plan/contour/mitred_rings.h"
 
 namespace clearcut::plan::contour {
 namespace {
@@ -87,7 +89,9 @@ class PassBuilder {
   PassBuilder(const RingJob& job, const Tolerances& tol) : job_(job), tol_(tol) {}
 
   void add_domain(const Domain& domain) {
-    const auto nodes = ring_tree(domain.clearance, domain.region, job_.first_level, job_.step, tol_);
+    const auto nodes = job_.sharp_reflex && !has_arcs(domain.region)
+                           ? mitred_ring_tree(domain.region, job_.first_level, job_.step, tol_)
+                           : ring_tree(domain.clearance, domain.region, job_.first_level, job_.step, tol_);
     add_rings(nodes);
     if (job_.residuals == ResidualRule::kOurs || loop_of(job_.residuals)) {
       add_residuals(nodes, domain.region);

@@ -24,6 +24,7 @@ struct RingJob {
   double margin = 0;       ///< mm; overlap with which the material that rings leave is cleared
   StepOf step;
   ResidualRule residuals = ResidualRule::kOurs;
+  bool sharp_reflex = false;  ///< reflex corners of contours stay corners where the area has no arcs
 };
 
 /// The passes of all domains: rings, each after the ring around it, with detours into corners where they

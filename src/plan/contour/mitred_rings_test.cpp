@@ -1,0 +1,93 @@
+// Contours with sharp reflex corners: against the papers' lengths, and against offsets side by side on random polygons.
+#include "plan/contour/mitred_rings.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "base/units.h"
+#include "geometry/mitred_inset.h"
+#include "plan/contour/contour.h"
+#include "plan/contour/side_offsets.h"
+
+namespace clearcut::plan::contour {
+namespace {
+
+/// CPO-kappa figure 9: 12 sides of 60 mm, tips of 90 degrees and reflex corners of 210 in turn.
+SideList star() {
+  SideList list;
+  for (int i = 0; i < 12; ++i) {
+    const double degrees = i % 2 == 0 ? 210 : 90;
+    list.sides.push_back({60, degrees * kPi / 180, 0});
+  }
+  return list;
+}
+
+Region region_of(const SideList& list) {
+  return Region::from_valid_loops(closed_by_compass_rule(traced(list)), {});
+}
+
+double length_of_ring(const RingNode& ring) {
+  double sum = 0;
+  for (const Edge& edge : ring.contour.edges()) sum += edge.length();
+  return sum;
+}
+
+TEST(MitredRings, OfFigureNineAreSixSimilarStars) {
+  const double radius = 8;
+  const auto step_of = [&](const RingNode& ring, const std::vector<AxisPiece>&) {
+    return 2 * radius * kappa(smallest_angle(ring.contour));
+  };
+  const auto rings = mitred_ring_tree(region_of(star()), radius, step_of, {});
+  ASSERT_EQ(rings.size(), 6U);
+  EXPECT_NEAR(rings.back().level, 76.2843, 1e-4);
+  double total = 0;
+  for (const RingNode& ring : rings) {
+    EXPECT_EQ(ring.contour.outer().size(), 12U);
+    EXPECT_FALSE(has_arcs(ring.contour));
+    total += length_of_ring(ring);
+  }
+  const auto step = [&](double angle) { return 2 * radius * kappa(angle); };
+  const PublishedLength published = published_length(star(), radius, 0, step);
+  ASSERT_EQ(published.lengths.size(), 6U);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(length_of_ring(rings[i]), published.lengths[i], 1e-3);
+  EXPECT_NEAR(total + published.passages, 2195.3553, 1e-3);
+}
+
+/// Every side of an inset is a side of the region, moved in; no place of it is nearer to the boundary than the distance.
+TEST(MitredInset, OfRandomPolygonsHasMovedSidesAndKeepsItsDistance) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> share(0, 1);
+  int insets = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const int corners = 5 + trial % 9;
+    std::vector<Vec2> points;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * kPi * (i + 0.8 * share(random)) / corners, from = 10 + 40 * share(random);
+      points.push_back({from * std::cos(angle), from * std::sin(angle)});
+    }
+    Loop loop;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      loop.push_back(Edge::line(points[i], points[(i + 1) % points.size()]));
+    const Region region = Region::from_valid_loops(loop, {});
+    const double distance = 0.5 + 3 * share(random);
+    for (const Region& inset : mitred_inset(region, distance, {})) {
+      ++insets;
+      for (const Edge& edge : inset.edges()) {
+        EXPECT_GT(region.boundary_distance(edge.at(0.5)), distance - 1e-5);
+        EXPECT_TRUE(region.contains(edge.at(0.5)));
+        const bool is_moved_side = std::any_of(loop.begin(), loop.end(), [&](const Edge& side) {
+          const Vec2 along = side.tangent_at(0), to = edge.at(0.5) - side.from;
+          return std::abs(cross(along, to) - distance) < 1e-4 &&
+                 (edge.length() < 1e-3 || std::abs(cross(along, edge.tangent_at(0))) < 1e-2);
+        });
+        EXPECT_TRUE(is_moved_side) << "trial " << trial;
+      }
+    }
+  }
+  EXPECT_GT(insets, 150);
+}
+
+}  // namespace
+}  // namespace clearcut::plan::contour
