@@ -5,6 +5,7 @@
 
 #include "report/picture/job_view.h"
 #include "report/picture/palette.h"
+#include "report/picture/reach.h"
 
 namespace clearcut::report {
 
@@ -115,25 +116,28 @@ void draw_lines_by_depth(SvgWriter& svg, const PlanView& view, const std::vector
   svg.close();
 }
 
-/// Width at height z of what a move cuts: cutters that make a feature by their shape are narrower below.
+/// Width at height z of what a move cuts.
 double width_at(const Job& job, const Section& section, const Tool& tool, const Move& move, double z) {
   const int feature = feature_of(job.part, section);
-  const bool carves = feature >= 0 && is_carved(job.part.features[static_cast<std::size_t>(feature)], tool);
-  return carves ? 2 * radius_at(tool, z - height_cut(move)) : tool.diameter;
+  const double above = std::max(0.0, z - height_cut(move));
+  return feature < 0 ? 2 * radius_at(tool, above)
+                     : width_on_floor(job.part.features[static_cast<std::size_t>(feature)], tool, above);
 }
 
 namespace {
 
 using ByDiameter = std::map<double, PathData>;
 
-void add_sweeps(const Job& job, const Section& section, double z, const Box& seen, ByDiameter& by_diameter) {
+/// Of the moves whose tips come down to `z`, what they clear at `height`.
+void add_sweeps(const Job& job, const Section& section, double z, double height, const Box& seen,
+                ByDiameter& by_diameter) {
   const Tool* tool = tool_of(job.part, section);
   if (tool == nullptr || !(tool->diameter > 0)) return;
-  const Box reach = seen.grown(tool->radius());
+  const Box reach = seen.grown(widest_radius(*tool));
   for (const Move& move : section.moves) {
     const bool counts = !is_rapid(move.kind) && height_cut(move) <= z + kSameDepth;
     if (!counts || !drawable(move.path) || !move.path.box().overlaps(reach)) continue;
-    const double width = width_at(job, section, *tool, move, z);
+    const double width = width_at(job, section, *tool, move, height);
     if (width <= 0) continue;
     if (move.is_vertical()) {
       by_diameter[width].add(move.path.from);
@@ -151,10 +155,12 @@ std::vector<Sweep> sweeps_of(const ByDiameter& by_diameter) {
 
 }  // namespace
 
-std::vector<Sweep> sweeps_at(const Job& job, double z, const Box& seen, std::optional<int> feature) {
+std::vector<Sweep> sweeps_at(const Job& job, double z, const Box& seen, std::optional<int> feature,
+                             std::optional<double> height) {
   ByDiameter by_diameter;
   for (const Section& section : job.toolpath.sections)
-    if (!feature || feature_of(job.part, section) == *feature) add_sweeps(job, section, z, seen, by_diameter);
+    if (!feature || feature_of(job.part, section) == *feature)
+      add_sweeps(job, section, z, height.value_or(z), seen, by_diameter);
   return sweeps_of(by_diameter);
 }
 
@@ -162,7 +168,7 @@ std::vector<Sweep> earlier_sweeps_at(const Job& job, double z, const Box& seen, 
   ByDiameter by_diameter;
   if (!job.earlier) return {};
   for (const Section& section : job.earlier->sections)
-    if (section.counts_below(top)) add_sweeps(job, section, z, seen, by_diameter);
+    if (section.counts_below(top)) add_sweeps(job, section, z, z, seen, by_diameter);
   return sweeps_of(by_diameter);
 }
 

@@ -32,8 +32,9 @@ struct Sweep {
   double diameter = 0;
   std::string data;
 };
-/// Of all sections, or of those that work on one feature.
-std::vector<Sweep> sweeps_at(const Job& job, double z, const Box& seen, std::optional<int> feature = {});
+/// Of all sections, or of those that work on one feature: as wide as their cutters are at `height`, or else at z.
+std::vector<Sweep> sweeps_at(const Job& job, double z, const Box& seen, std::optional<int> feature = {},
+                             std::optional<double> height = {});
 /// The same of what was cut before, for a feature that begins at `top`.
 std::vector<Sweep> earlier_sweeps_at(const Job& job, double z, const Box& seen, double top);
 

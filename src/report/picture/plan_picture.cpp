@@ -178,12 +178,12 @@ void draw_reach(SvgWriter& svg, const PlanView& view, const Reach& reach) {
     for (const Edge& edge : line) data.add(edge);
   }
   for (const Vec2 point : reach.fit_points) data.add(point);
-  if (data.empty()) return;
+  if (data.empty() || !(reach.flat > 0)) return;
   svg.leaf("path", {{"d", data.text()},
                     {"fill", report::palette::kUncut},
                     {"fill-rule", "evenodd"},
                     {"stroke", report::palette::kUncut},
-                    {"stroke-width", svg_number(std::max(reach.diameter - view.mm(1.4), 0.0))},
+                    {"stroke-width", svg_number(std::max(reach.flat - view.mm(1.4), 0.0))},
                     {"stroke-linejoin", "round"},
                     {"stroke-linecap", "round"}});
 }
@@ -282,9 +282,13 @@ std::vector<double> depths_cut(const Job& job) {
 void draw_cut_away(SvgWriter& svg, const PlanView& view, const Job& job) {
   const std::vector<double> depths = depths_cut(job);
   const double top = job.part.top_z(), bottom = depths.empty() ? top - 1 : depths.back();
-  for (const double z : depths)
-    draw_sweeps(svg, sweeps_at(job, z, view.visible()),
+  double above = top;
+  for (const double z : depths) {
+    // Seen from above all is cut that some cutter clears at the upper side of what its tip is below.
+    draw_sweeps(svg, sweeps_at(job, z, view.visible(), {}, above),
                 report::palette::depth_color((top - z) / (top - bottom)));
+    above = z;
+  }
   for (const Section& section : job.toolpath.sections) {
     const Tool* tool = tool_of(job.part, section);
     LineStyle style;

@@ -23,14 +23,14 @@ double wall_stock(const Part& part, int feature) {
   return std::isfinite(least) ? std::max(least, 0.0) : 0;
 }
 
-double smaller(double diameter, const Tool& tool) {
-  if (!(tool.diameter > 0)) return diameter;
-  return diameter > 0 ? std::min(diameter, tool.diameter) : tool.diameter;
+const Tool* smaller(const Tool* tool, const Tool& other) {
+  if (!(other.diameter > 0)) return tool;
+  return tool && tool->diameter <= other.diameter ? tool : &other;
 }
 
-/// Of the cutters that worked on the feature, or else were meant to; 0 when there is none.
-double smallest_diameter(const Job& job, int feature) {
-  double worked = 0, meant = 0;
+/// Of the cutters that worked on the feature, or else were meant to; null when there is none.
+const Tool* smallest_cutter(const Job& job, int feature) {
+  const Tool *worked = nullptr, *meant = nullptr;
   for (const Section& section : job.toolpath.sections) {
     const Tool* tool = tool_of(job.part, section);
     if (tool != nullptr && feature_of(job.part, section) == feature) worked = smaller(worked, *tool);
@@ -39,7 +39,7 @@ double smallest_diameter(const Job& job, int feature) {
     const auto tool = static_cast<std::size_t>(step.operation.tool);
     if (step.feature == feature && tool < job.part.tools.size()) meant = smaller(meant, job.part.tools[tool]);
   }
-  return worked > 0 ? worked : meant;
+  return worked ? worked : meant;
 }
 
 Regions at_floor(const Regions& regions, const Feature& feature) {
@@ -56,10 +56,17 @@ Regions floor_allowed(const Feature& feature) {
   return at_floor(feature.allowed, feature);
 }
 
+double width_on_floor(const Feature& feature, const Tool& tool, double above) {
+  const bool is_hole = feature.kind == FeatureKind::kRoundHole || feature.hole;
+  return is_hole && tool.kind == ToolKind::kDrill ? tool.diameter : 2 * radius_at(tool, above);
+}
+
 Reach reach_of(const Job& job, int feature) {
   Reach reach;
-  reach.diameter = smallest_diameter(job, feature);
-  if (!(reach.diameter > 0)) return reach;
+  const Tool* const cutter = smallest_cutter(job, feature);
+  if (!cutter) return reach;
+  reach.diameter = cutter->diameter;
+  reach.flat = width_on_floor(job.part.features[static_cast<std::size_t>(feature)], *cutter, 0);
   const double distance = reach.diameter / 2 + wall_stock(job.part, feature);
   for (const Region& region : floor_allowed(job.part.features[static_cast<std::size_t>(feature)])) {
     const Clearance clearance(region, kTolerances);

@@ -43,6 +43,29 @@ TEST_F(ReachOfSample, WithoutMovesTheCutterThatWasMeantCounts) {
   EXPECT_EQ(reach(0).diameter, 0);
 }
 
+TEST_F(ReachOfSample, CutAreasAreAsWideAsTheCutterIsAtTheirHeight) {
+  const Job job{part, toolpath, findings};
+  const Box everywhere{{-1000, -1000}, {1000, 1000}};
+  const auto widest = [&](double z, std::optional<double> height) {
+    double most = 0;
+    for (const Sweep& sweep : sweeps_at(job, z, everywhere, 0, height)) most = std::max(most, sweep.diameter);
+    return most;
+  };
+  const double floor = part.features[0].floor_z;
+  EXPECT_NEAR(widest(floor, {}), 10, 1e-9);
+  EXPECT_NEAR(reach(0).flat, 10, 1e-9);
+  part.tools[0].corner_radius = 2;
+  EXPECT_NEAR(widest(floor, {}), 6, 1e-9);
+  EXPECT_NEAR(widest(floor, floor + 2), 10, 1e-9);
+  EXPECT_NEAR(reach(0).flat, 6, 1e-9);
+  part.tools[0].kind = ToolKind::kBallEndMill;
+  EXPECT_EQ(widest(floor, {}), 0);
+  EXPECT_NEAR(widest(floor, floor + 1), 6, 1e-9);
+  part.tools[0].kind = ToolKind::kVBit;
+  part.tools[0].tip_angle = Radians::of_degrees(90);
+  EXPECT_NEAR(widest(floor, floor + 1.5), 3, 1e-9);
+}
+
 TEST_F(ReachOfSample, ACutterThatJustFitsHasALine) {
   part.features[1].target =
       part.features[1].allowed = {Region::from_valid_loops(sample::rectangle(80, 10, 110, 20), {})};

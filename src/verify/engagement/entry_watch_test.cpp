@@ -72,6 +72,32 @@ TEST(Entries, ThatGoDownThroughAirBeginWhereTheyMeetMaterial) {
   EXPECT_TRUE(has(under_limit(square_part(), writer.done()), FaultKind::kOverEngagement));
 }
 
+/// A groove cut in short pieces, each from above down to 2 mm and beside the last; `apart`: mm between them.
+Toolpath stepping_groove(double apart, double deeper = 0) {
+  Writer writer;
+  double z = -2;
+  for (double x = 5; x < 40; x += apart, z -= deeper) {
+    writer.rapid({x, 25}, 10).rapid({x, 25}, 1).feed({x, 25}, 0.05).feed({x + 4, 25}, z).feed({x + 4, 25}, 1);
+  }
+  return writer.done();
+}
+
+TEST(Entries, WaysDownBesideEachOtherIntoOneLayerCount) {
+  for (const double apart : {2.0, 4.0, 8.0})
+    for (const double deeper : {0.0, 0.01, -0.01}) {
+      const Findings found = under_limit(square_part(), stepping_groove(apart, deeper));
+      EXPECT_TRUE(has(found, FaultKind::kOverEngagement)) << apart << " " << deeper;
+    }
+  // Each beside what stays, or each below the last, is an entry of its own.
+  const Findings apart = under_limit(square_part(), stepping_groove(14.2));
+  EXPECT_FALSE(has(apart, FaultKind::kOverEngagement)) << report_of(apart);
+  Writer deeper;
+  deeper.enter({20, 25}, 0, 0.1);
+  for (const double z : {-1.0, -2.0}) deeper.feed({24, 25}, z).feed({20, 25}).feed({24, 25}).feed({20, 25});
+  const Findings below = under_limit(square_part(), deeper.done());
+  EXPECT_FALSE(has(below, FaultKind::kOverEngagement)) << report_of(below);
+}
+
 TEST(Entries, RampsSinkNoFasterThanThePlungeFeed) {
   Part part = square_part();
   part.workplan[0].operation.cutting.plunge_feed = MmPerMin::of(150);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "model/cutter_profile.h"
 #include "stock/material.h"
@@ -43,13 +44,15 @@ Move raised(Move move, double by) {
 class LoadMeter {
  public:
   LoadMeter(const Part& part, stock::Material& material, const LoadOptions& options)
-      : part_(part), material_(material), options_(options) {}
+      : part_(part), material_(material), options_(options), entry_(options.finished) {}
 
-  void measure(CheckedMove& checked) {
+  /// The first of these moves, the next of the program; the others follow.
+  void measure(std::span<CheckedMove> moves) {
+    CheckedMove& checked = moves.front();
     const Move& move = *checked.move;
     const double radius = checked.radius();
     own_ = number_of(checked);
-    follow_entry(checked);
+    follow_entry(moves);
     measure_overcut(checked);
     measure_holder(checked);
     if (checked.feeds() && checked.tool && is_conical(*checked.tool)) {
@@ -67,9 +70,10 @@ class LoadMeter {
   }
 
   /// Runs a move that is measured elsewhere: the same state as after measuring it.
-  void pass_over(const CheckedMove& checked) {
+  void pass_over(std::span<const CheckedMove> moves) {
+    const CheckedMove& checked = moves.front();
     own_ = number_of(checked);
-    follow_entry(checked);
+    follow_entry(moves);
     take_away(checked);
   }
 
@@ -141,14 +145,19 @@ class LoadMeter {
     if (checked.slope() >= kAsPlunge) find_plunge_contact(checked, move.path.to);
   }
 
-  void follow_entry(const CheckedMove& checked) {
+  void follow_entry(std::span<const CheckedMove> moves) {
+    const CheckedMove& checked = moves.front();
     if (checked.tool != stated_for_) {
       stated_for_ = checked.tool;
       stated_ = stated_entry(part_, checked.tool);
       takes_ = checked.tool ? takes_of(*checked.tool, part_) : ToolTakes{};
     }
-    entry_.follow(checked, stated_);
+    entry_.follow(moves, stated_);
     if (entry_.begins()) entered_ = false;
+    if (!entry_.asks_for_material() || !checked.feeds() || checked.radius() <= kSliver) return;
+    const double low = checked.low_z() + kSliver;
+    if (low < material_.z_top() && material_.in_reach(checked.move->path, checked.radius() - kSliver, low))
+      entry_.meets_material(*checked.move);
   }
 
   void measure_overcut(CheckedMove& checked) const {
@@ -197,7 +206,7 @@ class LoadMeter {
 
   /// What an entry meets of its own and of all else.
   void measure_entry(CheckedMove& checked, const CutSample& step) {
-    if (step.contact.angle <= 0) return entry_.meets_nothing_at(step.at.z);
+    if (step.contact.angle <= 0) return entry_.meets_nothing_at(checked.move->path, step.at.z);
     if (!checked.load.entry) checked.load.entry = EntryLoad{};
     EntryLoad& load = *checked.load.entry;
     load.begins = load.begins || !entered_;
@@ -415,9 +424,9 @@ void measure_moves(const Part& part, std::vector<CheckedMove>& moves, std::size_
     throw_if_cancelled(options.cancel);
     if (!moves[i].counts_below(part.top_z())) continue;  // a hollow under material
     if (i < first || moves[i].is_carried()) {
-      meter.pass_over(moves[i]);
+      meter.pass_over(std::span(moves).subspan(i));
     } else {
-      meter.measure(moves[i]);
+      meter.measure(std::span(moves).subspan(i));
     }
     if (i >= first && options.meter) options.meter->add(samples_of(moves[i], part.top_z()));
   }

@@ -11,6 +11,7 @@
 #include "model/part.h"
 #include "model/work_material.h"
 #include "verify/checked_move.h"
+#include "verify/part/finished_part.h"
 
 namespace clearcut::verify {
 
@@ -20,6 +21,7 @@ struct LoadOptions {
   std::optional<WorkMaterial> material;  ///< absent: no forces are computed
   std::stop_token cancel;                ///< asked before each move
   ProgressMeter* meter = nullptr;  ///< counts the samples of each move that was measured; see samples_of
+  const FinishedPart* finished = nullptr;  ///< the part as it has to come out; null: nobody states it
 };
 
 /// About how many samples of engagement the moves are measured at: what measuring them costs.

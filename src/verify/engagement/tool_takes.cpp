@@ -18,14 +18,14 @@ constexpr double kHoleWall = 0.1;
 constexpr double kDownward = 1;
 /// mm in the radius: what usual reamers and boring bars are given to take, at most.
 constexpr double kReamed = 0.25, kBored = 0.5;
-/// Of the diameter of large reamers, where that is more: ISO 14649-11 reams 22 mm after a drill of 20 in its example.
-constexpr double kReamedShare = 0.05;
+/// mm; from this diameter on reamers may take that share of it: ISO 14649-11 reams 22 mm after a drill of 20 in its example.
+constexpr double kLargeReamer = 20, kReamedShare = 0.05;
 /// Of a counterbore's radius: its middle, where it has no edge.
 constexpr double kCounterboreEdge = 0.75;
 /// mm; radius of the flat that points of V-bits are ground to and still cut with.
 constexpr double kCuttingTip = 0.5;
-/// Of the radius: mm over the tip of reamers, boring bars and taps below which nothing counts. Their ends are chamfered, and holes before
-/// them end in the point of a drill, 0.6 of its radius at 118 degrees.
+/// mm over the tip of reamers, boring bars and taps for each mm from their axis: what stands lower does not count. Their ends are
+/// chamfered, and holes before them end in the point of a drill, 0.6 mm for each mm at 118 degrees.
 constexpr double kLead = 0.65;
 /// Shares of the pitch, for tapped holes and for thread mills, which cut about bosses, too, with what a hole may be narrower.
 constexpr double kTapped = 0.5413 * 1.05, kThreadMilled = 0.6134 * 1.05;
@@ -49,16 +49,13 @@ ToolTakes drill_row(const Tool& /*tool*/, const Part& /*part*/) {
 }
 ToolTakes reamer_row(const Tool& tool, const Part& /*part*/) {
   return {.sideways = 0,
-          .down = std::max(kReamed, kReamedShare * tool.diameter),
-          .lead = kLead * tool.radius(),
+          .down = tool.diameter > kLargeReamer ? kReamedShare * tool.diameter : kReamed,
+          .lead = kLead,
           .feeds_out = true,
           .needs = "a hole a little narrower than it"};
 }
-ToolTakes boring_bar_row(const Tool& tool, const Part& /*part*/) {
-  return {.sideways = 0,
-          .down = kBored,
-          .lead = kLead * tool.radius(),
-          .needs = "a hole a little narrower than it"};
+ToolTakes boring_bar_row(const Tool& /*tool*/, const Part& /*part*/) {
+  return {.sideways = 0, .down = kBored, .lead = kLead, .needs = "a hole a little narrower than it"};
 }
 ToolTakes counterbore_row(const Tool& tool, const Part& /*part*/) {
   return {.sideways = 0, .down = kCounterboreEdge * tool.radius(), .needs = "a hole on its axis"};
@@ -66,7 +63,7 @@ ToolTakes counterbore_row(const Tool& tool, const Part& /*part*/) {
 ToolTakes tap_row(const Tool& tool, const Part& /*part*/) {
   return {.sideways = 0,
           .down = thread_ring(tool.pitch, kTapped, tool),
-          .lead = kLead * tool.radius(),
+          .lead = kLead,
           .needs = "the hole of its thread"};
 }
 ToolTakes thread_mill_row(const Tool& tool, const Part& part) {
@@ -98,14 +95,20 @@ constexpr TakesRow kRows[] = {{ToolKind::kDrill, drill_row},
                               {ToolKind::kSpotDrill, vbit_row},
                               {ToolKind::kVBit, vbit_row}};
 
-/// Material within `radius` mm of the way, above the tip as it passes; nothing for radii that no material can tell from none.
+/// Material within `radius` mm of the way, above the tip as it passes, by `lead` mm for each mm from the axis; nothing for radii that
+/// no material can tell from none.
 std::optional<Place> within(const stock::Material& material, const Move& move, double radius,
                             double lead = 0) {
   if (radius <= kTakenSliver) return std::nullopt;
   const double inner = radius - kTakenSliver;
+  const CutterProfile pointed = CutterProfile{0, 0, lead > 0 ? 1 / lead : 0, radius}.narrowed(kTakenSliver);
+  const auto met = [&](const Edge& path, double z) {
+    return lead > 0 ? material.in_reach(path, pointed, z + kTakenSliver)
+                    : material.in_reach(path, inner, z + kTakenSliver);
+  };
   if (move.is_vertical() || move.z_from == move.z_to) {
     const double z = std::min(move.z_from, move.z_to);
-    const auto hit = material.in_reach(move.path, inner, z + lead + kTakenSliver);
+    const auto hit = met(move.path, z);
     if (!hit) return std::nullopt;
     return Place{move.is_vertical() ? move.path.from : move.path.at(nearest(move.path, *hit).t), z,
                  move.line};
@@ -114,7 +117,7 @@ std::optional<Place> within(const stock::Material& material, const Move& move, d
   for (int i = 0; i <= steps; ++i) {
     const double t = static_cast<double>(i) / steps, z = move.z_from + (move.z_to - move.z_from) * t;
     const Vec2 p = move.path.at(t);
-    if (material.in_reach(Edge::line(p, p), inner, z + lead + kTakenSliver)) return Place{p, z, move.line};
+    if (met(Edge::line(p, p), z)) return Place{p, z, move.line};
   }
   return std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "model/cutter_profile.h"
 #include "stock/material.h"
 #include "verify/checked_move.h"
 
@@ -14,7 +15,8 @@ namespace clearcut::verify {
 struct ToolTakes {
   double sideways = HUGE_VAL;
   double down = HUGE_VAL;
-  double lead = 0;         ///< mm over the tip below which nothing counts on the way down
+  double lead =
+      0;  ///< mm over the tip for each mm from the axis: what stands lower does not count on the way down
   double idle_tip = 0;     ///< radius of a flat tip that does not cut: it may not go down into material
   bool feeds_out = false;  ///< it comes out of its hole at the feed
   const char* needs = "";  ///< what has to be there before it goes down

@@ -1,0 +1,39 @@
+// What reamers, boring bars and taps may go down into.
+#include <gtest/gtest.h>
+
+#include "verify/test_findings.h"
+#include "verify/verify.h"
+
+namespace clearcut::verify {
+namespace {
+
+using namespace clearcut::testing;
+
+/// A tool of 10 mm, fed to `z` in the middle of a square, where before a drill of that diameter went down with its point to
+/// `drilled`; no drill for 0.
+Findings fed_down(ToolKind kind, double z, double diameter, double drilled) {
+  Part part = square_part();
+  part.tools[0] = Tool{1, "T1", kind, 10, 0, 2, {}, true};
+  part.tools[0].pitch = 1.5;
+  part.tools.push_back(Tool{2, "T2", ToolKind::kDrill, diameter, 0, 2, {}, true});
+  Writer writer(2);
+  if (drilled < 0) writer.enter({25, 25}, 0, drilled).feed({25, 25}, 1, 300).leave();
+  writer.tool_change(1).enter({25, 25}, 0, z).feed({25, 25}, 1, 300);
+  return verify_program(part, writer.done(), {});
+}
+
+TEST(ToolTakes, NothingSolidUnderTheTipHoweverShallow) {
+  for (const ToolKind kind : {ToolKind::kReamer, ToolKind::kBoringBar, ToolKind::kTap}) {
+    for (const double z : {-0.2, -1.0, -3.0}) {
+      const bool is_said = has(fed_down(kind, z, 0, 0), FaultKind::kMoreThanItCuts);
+      EXPECT_TRUE(is_said) << name_of(kind) << " " << z;
+    }
+    EXPECT_TRUE(has(fed_down(kind, -8, 9.6, -5), FaultKind::kMoreThanItCuts)) << name_of(kind);
+    EXPECT_TRUE(has(fed_down(kind, -8, 7, -9), FaultKind::kMoreThanItCuts)) << name_of(kind);
+    // As deep as the drill: its point leaves a cone in the corner of the hole.
+    EXPECT_FALSE(has(fed_down(kind, -8, 9.6, -8), FaultKind::kMoreThanItCuts)) << name_of(kind);
+  }
+}
+
+}  // namespace
+}  // namespace clearcut::verify
