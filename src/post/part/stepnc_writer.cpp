@@ -324,7 +324,9 @@ class Writer {
     arguments.insert(arguments.end(), rest.begin(), rest.end());
     const bool bores = operation.kind == OperationKind::kReaming &&
                        part_.tools[static_cast<std::size_t>(operation.tool)].kind == ToolKind::kBoringBar;
-    return out_.add(bores ? "BORING" : operation_keyword(operation.kind), arguments);
+    const bool spots = feature.hole && feature.hole->kind == HoleKind::kSpotted;
+    const char* keyword = bores ? "BORING" : spots ? "CENTER_DRILLING" : operation_keyword(operation.kind);
+    return out_.add(keyword, arguments);
   }
 
   /// A share of a feed of which nothing is taken.
