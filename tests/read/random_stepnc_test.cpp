@@ -27,7 +27,7 @@ constexpr double kBesideWalls = 0.02;      // mm; nearer points are judged by ne
 
 int program_count() {
   const char* set = std::getenv("CLEARCUT_STEPNC");
-  return set != nullptr ? std::atoi(set) : 12;
+  return set != nullptr ? std::atoi(set) : 6;
 }
 
 struct Point {
@@ -379,22 +379,23 @@ void expect_meant(const std::vector<Volume>& volumes, const std::string& program
   const auto ways = test_support::ways_of(program, kSagittaOfArcs);
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> x(0, 120), y(0, 80);
-  for (int i = 0; i < 1500; ++i) {
+  for (int i = 0; i < 500; ++i) {
     const Point p{x(random), y(random)};
     const auto meant = meant_at(p, volumes);
     if (!meant) continue;
     const double certain = height_at(p, ways, -0.002), possible = height_at(p, ways, -0.01);
     ASSERT_GE(possible, meant->at_least - kMostGouge)
         << "seed " << seed << ": cut too deep at " << p.x << ", " << p.y << "\n";
-    if (meant->at_most)
-      ASSERT_LE(certain, *meant->at_most + kMostLeft)
-          << "seed " << seed << ": left standing at " << p.x << ", " << p.y << "\n";
+    if (!meant->at_most) continue;
+    ASSERT_LE(certain, *meant->at_most + kMostLeft)
+        << "seed " << seed << ": left standing at " << p.x << ", " << p.y << "\n";
   }
 }
 
 pipeline::PlanResult planned(const Part& part) {
   PlanOptions options;
   options.accept = {"out-of-reach"};
+  options.post.dialect = "grbl";  // without cycles
   return pipeline::plan_part(part, options);
 }
 

@@ -28,6 +28,18 @@ void refuse_shaped(const Part& part, const std::string& output) {
   }
 }
 
+/// What moves that are written with a hole say of it. Cones and threads have words of the standard that are not written yet.
+bool is_said_by_moves(const HoleForm& hole) {
+  return hole.kind != HoleKind::kCountersunk && hole.kind != HoleKind::kTapped &&
+         hole.kind != HoleKind::kThreadMilled;
+}
+
+void refuse_shaped_with_toolpaths(Part part, const std::string& output) {
+  for (Feature& feature : part.features)
+    if (feature.hole && is_said_by_moves(*feature.hole)) feature.hole.reset();
+  refuse_shaped(part, output);
+}
+
 bool is_stepnc(const std::string& output) {
   const auto extension = std::filesystem::path(output).extension();
   return extension == ".p21" || extension == ".stpnc";
@@ -75,7 +87,7 @@ int convert_with_toolpaths(const ConvertCommand& command) {
   refuse_several_setups(command.arguments);
   const Part part = command.arguments.read();
   const PlanResult result = plan_part(part, command.arguments.options());
-  refuse_shaped(result.part, command.output);
+  refuse_shaped_with_toolpaths(result.part, command.output);
   write_outputs({{command.output, write_stepnc(result.part, result.planned)}},
                 paths_of(command.arguments.input_files()));
   print(result.part.diagnostics, true);

@@ -217,6 +217,10 @@ class FeatureWriter {
     return out_.add(through ? "THROUGH_POCKET_BOTTOM_CONDITION" : "PLANAR_POCKET_BOTTOM_CONDITION", {});
   }
 
+  std::string fillet() {
+    return feature_.floor_fillet > 0 ? length_measure(out_, feature_.floor_fillet) : kUnset;
+  }
+
   std::string bosses() {
     std::vector<std::string> result;
     for (const Loop& island : region_.islands()) {
@@ -230,7 +234,7 @@ class FeatureWriter {
 
   std::string closed_pocket() {
     const std::string islands = bosses(), boundary = closed_profile(out_, common_, region_.outer());
-    return entity("CLOSED_POCKET", {islands, slope(), bottom(), kUnset, kUnset, boundary});
+    return entity("CLOSED_POCKET", {islands, slope(), bottom(), fillet(), kUnset, boundary});
   }
 
   std::string planar_face() {
@@ -243,7 +247,9 @@ class FeatureWriter {
     const auto band = band_of(out_, region_, stock_);
     if (!band) return open_pocket();
     const std::string draft = slope();
-    const std::string radius = draft == kUnset ? kUnset : length_measure(out_, 0);
+    const std::string radius = feature_.floor_fillet > 0 ? fillet()
+                               : draft == kUnset         ? kUnset
+                                                         : length_measure(out_, 0);
     const std::string profile = out_.add(
         "SQUARE_U_PROFILE", {kUnset, length_measure(out_, band->width), radius, draft, radius, draft});
     const std::string course = linear_path(out_, common_, band->from, band->to);
@@ -293,7 +299,7 @@ class FeatureWriter {
     turned.pop_back();
     const std::string islands = bosses();
     const std::string walls = out_.add("GENERAL_PROFILE", {kUnset, curve(out_, common_, reversed(turned))});
-    return entity("OPEN_POCKET", {islands, slope(), bottom(), kUnset, kUnset, walls, kUnset});
+    return entity("OPEN_POCKET", {islands, slope(), bottom(), fillet(), kUnset, walls, kUnset});
   }
 
   P21Writer& out_;

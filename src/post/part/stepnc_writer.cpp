@@ -36,12 +36,15 @@ const char* body_keyword(ToolKind kind) {
       return "REAMER";
     case ToolKind::kSpotDrill:
       return "CENTER_DRILL";
+    case ToolKind::kTap:
+      return "TAP";
+    case ToolKind::kBoringBar:
+      return "BORING_TOOL";
+    case ToolKind::kCounterbore:
+      return "COUNTERBORE";
     case ToolKind::kVBit:
     case ToolKind::kChamferMill:
-    case ToolKind::kTap:
     case ToolKind::kThreadMill:
-    case ToolKind::kBoringBar:
-    case ToolKind::kCounterbore:
     case ToolKind::kTSlot:
     case ToolKind::kOther:
       break;
@@ -319,7 +322,11 @@ class Writer {
             ? drilling_arguments(operation)
             : milling_arguments(operation);
     arguments.insert(arguments.end(), rest.begin(), rest.end());
-    return out_.add(operation_keyword(operation.kind), arguments);
+    const bool bores = operation.kind == OperationKind::kReaming &&
+                       part_.tools[static_cast<std::size_t>(operation.tool)].kind == ToolKind::kBoringBar;
+    const bool spots = feature.hole && feature.hole->kind == HoleKind::kSpotted;
+    const char* keyword = bores ? "BORING" : spots ? "CENTER_DRILLING" : operation_keyword(operation.kind);
+    return out_.add(keyword, arguments);
   }
 
   /// A share of a feed of which nothing is taken.
