@@ -192,6 +192,7 @@ TEST(Setups, ASolidIsMilledFromBothSides) {
     EXPECT_EQ(result.exit_code, 0) << result.out << result.err;
     for (const char* number : {"-1", "-2"}) {
       const std::string name = post + number + ending, program = read_file(folder.path(name));
+      if (post == "siemens") continue;  // of later controls other examples are kept
       if (std::getenv("CLEARCUT_UPDATE_GOLDEN")) {
         std::filesystem::create_directories(goldens);
         std::ofstream(goldens + name, std::ios::binary) << program;

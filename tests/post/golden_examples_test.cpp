@@ -241,15 +241,24 @@ Toolpath checked_elements(const std::string& dialect, bool inch) {
 
 TEST(FivePockets, AreTheGoldenProgramsInBothUnits) {
   for (const std::string& dialect : post::post_dialects()) {
+    if (dialect == "siemens") continue;
     SCOPED_TRACE(dialect);
     expect_same_path(checked_elements(dialect, false), checked_elements(dialect, true), limit_of(dialect));
   }
 }
 
+/// Of controllers that came later a milled part and one with every kind of hole are kept whole; what else their programs say is read back
+/// by the tests of random toolpaths.
+bool has_goldens(const Example& example, const std::string& dialect) {
+  const std::string folder = example.folder;
+  return dialect != "siemens" || folder == "bracket" || folder == "flange";
+}
+
 std::vector<Case> cases() {
   std::vector<Case> all;
   for (const Example& example : kExamples)
-    for (const std::string& dialect : post::post_dialects()) all.push_back({example, dialect});
+    for (const std::string& dialect : post::post_dialects())
+      if (has_goldens(example, dialect)) all.push_back({example, dialect});
   return all;
 }
 
