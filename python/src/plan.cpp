@@ -53,10 +53,7 @@ Plan plan(const GivenPart& part, AskedOptions options, const std::vector<OwnStra
 std::optional<read::gcode::Dialect> dialect_of(const std::optional<std::string>& name) {
   if (!name) return std::nullopt;
   const auto dialect = read::gcode::dialect_named(*name);
-  if (!dialect)
-    throw InputError("--dialect", "'" + *name +
-                                      "' is unknown; use one of linuxcnc, grbl, fanuc, haas, heidenhain, "
-                                      "mach3, mach4, marlin");
+  if (!dialect) throw InputError("--dialect", "'" + *name + "' is unknown; use one of " + controllers_text());
   return dialect;
 }
 

@@ -14,7 +14,7 @@ constexpr std::array<PlannerName, 5> kPlannerNames{{
     {"linuxcnc", "LinuxCNC 2.9"},
     {"marlin", "Marlin 2"},
     {"mach", "Mach3, Mach4"},
-    {"jerk-limited", "Fanuc, Haas, Heidenhain"},
+    {"jerk-limited", "Fanuc, Haas, Heidenhain, Siemens"},
 }};
 
 const PlannerName& row_of(MotionPlanner planner) {

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "model/coolant.h"
 #include "model/results/condition_kinds.h"
+#include "model/options/controllers.h"
 #include "model/work_material.h"
 #include "options/field.h"
 #include "options/idle.h"
@@ -919,10 +920,10 @@ std::vector<Row> controller_rows() {
        .group = Group::kController,
        .level = Level::kFirst,
        .kind = kChoice,
-       .sentence = "Controller: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin",
+       .sentence = "Controller: " + controllers_text(),
        .fallback = "linuxcnc",
        .field = CLEARCUT_FIELD(plan.post.dialect),
-       .names = {"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"},
+       .names = controller_names(),
        .table = JobTable::kOutput},
       {.name = "inch",
        .group = Group::kController,

@@ -221,6 +221,7 @@ TEST(HolePlan, EachControlTapsInItsWordsOrSaysWhyNot) {
     const std::map<std::string, std::string> rigid{{"linuxcnc", "G33.1 Z-9.5 K1"},
                                                    {"fanuc", "M29 S424\nG98 G84 "},
                                                    {"haas", "G98 G84 "},
+                                                   {"siemens", "MCALL CYCLE84("},
                                                    {"heidenhain", "CYCL DEF 207 RIGID TAPPING NEW ~\n"}};
     if (rigid.count(dialect)) {
       const PlanResult result = plan_part(part, options);

@@ -23,7 +23,10 @@ std::vector<std::string_view> coolant_words(Coolant held, Coolant wanted, const 
 
 bool has_work_offset(const IsoDialect& dialect, const WorkOffset& offset) {
   if (dialect.safe_start.find("G54") == std::string_view::npos) return false;
-  if (offset.number == 0) return offset.code % 10 == 0 || dialect.fractional_offsets;
+  if (offset.number == 0) {
+    if (offset.code >= kFirstSettable) return dialect.settable_offsets;
+    return offset.code % 10 == 0 ? offset.code <= dialect.last_offset : dialect.fractional_offsets;
+  }
   const auto& numbered = dialect.numbered_offsets;
   return std::any_of(numbered.begin(), numbered.end(), [&](const NumberedOffsets& one) {
     return one.code == offset.code && one.first <= offset.number && offset.number <= one.last;
@@ -32,8 +35,10 @@ bool has_work_offset(const IsoDialect& dialect, const WorkOffset& offset) {
 
 std::string work_offsets_of(const IsoDialect& dialect) {
   if (!has_work_offset(dialect, {})) return "";
-  std::string text = "G54 to G59";
+  std::string text = "G54 to " + words_of({dialect.last_offset, 0});
   if (dialect.fractional_offsets) text += ", G59.1 to G59.3";
+  if (dialect.settable_offsets)
+    text += ", " + words_of({kFirstSettable, 0}) + " to " + words_of({kLastSettable, 0});
   for (const NumberedOffsets& one : dialect.numbered_offsets) {
     if (one.last > 0) text += ", " + words_of({one.code, one.first}) + " to P" + std::to_string(one.last);
   }
@@ -60,6 +65,7 @@ std::vector<std::string> later_mode_blocks(const IsoDialect& dialect, const Work
 
 std::vector<std::string> home_blocks(const IsoDialect& dialect) {
   const std::string zero = dialect.always_point ? "0." : "0";
+  if (dialect.home == HomeForm::kSuppressed) return {"SUPA G0 Z0 D0", "SUPA G0 X0 Y0 D0"};
   if (dialect.home == HomeForm::kMachineZero) return {"G53 G0 Z" + zero, "G53 G0 X" + zero + " Y" + zero};
   return {"G91 G28 Z" + zero, "G28 X" + zero + " Y" + zero, "G90"};
 }

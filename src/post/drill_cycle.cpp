@@ -8,8 +8,7 @@
 namespace clearcut::post {
 namespace {
 
-constexpr double kPeckGap = 0.254;  // mm; LinuxCNC feeds again this far above the last depth
-constexpr double kSlack = 1e-6;     // mm
+constexpr double kSlack = 1e-6;  // mm
 
 bool rapid_up(const Move& move) {
   return is_rapid(move.kind) && move.is_vertical() && move.z_to > move.z_from;

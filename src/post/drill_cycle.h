@@ -12,6 +12,9 @@
 
 namespace clearcut::post {
 
+/// mm; so far above the last depth a peck begins to feed again, as LinuxCNC does it.
+inline constexpr double kPeckGap = 0.254;
+
 enum class DrillForm {
   kAtOnce,   ///< G81
   kPecks,    ///< G83: up out of the hole after each peck

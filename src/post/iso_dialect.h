@@ -13,20 +13,23 @@ enum class PathControl {
   kNone,
   kTolerance,       ///< G64 P- Q0
   kCornerRounding,  ///< G187 E-
+  kContour,         ///< G642 CTOL=
   kExactStop        ///< G61: the control states no bound for what it rounds in G64
 };
 enum class LengthOffset {
   kNone,
-  kPlain,        ///< G43
-  kNumbered,     ///< G43 H2
-  kWithApproach  ///< G43 H2 Z25. as the first move down
+  kPlain,         ///< G43
+  kNumbered,      ///< G43 H2
+  kWithApproach,  ///< G43 H2 Z25. as the first move down
+  kEdge           ///< D1 Z25. likewise: the length of the tool's first edge
 };
 /// Where Z goes for tool changes and at the end.
 enum class HomeForm {
   kSafeHeight,   ///< no machine place is used; home is what G28 stores
   kSwitches,     ///< likewise, and G28 drives to the end switches
   kMachineZero,  ///< G53 G0 Z0.
-  kReference     ///< G91 G28 Z0. and G90
+  kReference,    ///< G91 G28 Z0. and G90
+  kSuppressed    ///< SUPA G0 Z0 D0: no frame and no length count in the block
 };
 /// How a control taps.
 enum class Tapping {
@@ -36,7 +39,13 @@ enum class Tapping {
   kRigidByM29,   ///< the same after M29
   kRigidByG33_1  ///< G33.1; G84 with a floating holder
 };
-enum class DwellForm { kPSeconds, kXSeconds, kSSeconds };
+enum class DwellForm { kPSeconds, kXSeconds, kSSeconds, kFSeconds };
+/// How a program calls the cycles that make a hole.
+enum class CycleForm {
+  kNone,   ///< holes are moves
+  kWords,  ///< G81 and its like, ended by G80
+  kCalls   ///< MCALL CYCLE81(...), ended by MCALL
+};
 
 /// Flood is M8 and off by M9 on all of them.
 struct MistWords {
@@ -61,14 +70,18 @@ struct IsoDialect {
   CommentForm comments = CommentForm::kParentheses;
   std::size_t line_length = 80;
   std::string_view metric = "G21";
+  std::string_view inches = "G20";
   std::string_view safe_start = "G17 G40 G49 G54 G80 G90 G91.1 G94";
+  int last_offset = 590;            ///< G54 to this, in tenths
   bool fractional_offsets = false;  ///< G59.1 to G59.3
+  bool settable_offsets = false;    ///< G505 to G599
   std::array<NumberedOffsets, 2> numbered_offsets = {};
   PathControl path_control = PathControl::kNone;
-  bool knows_exact_stop = true;  ///< G61
-  bool changer = true;           ///< M6; else a pause
-  bool tool_word = true;         ///< T
-  bool pause_says_tool = false;  ///< M0 shows the text behind it
+  std::string_view exact_stop = "G61";  ///< empty: none
+  bool exact_stop_halts = false;        ///< it stops at the end of every block, else it keeps to the path
+  bool changer = true;                  ///< M6; else a pause
+  bool tool_word = true;                ///< T
+  bool pause_says_tool = false;         ///< M0 shows the text behind it
   LengthOffset length_offset = LengthOffset::kNone;
   HomeForm home = HomeForm::kSafeHeight;
   DwellForm dwell = DwellForm::kPSeconds;
@@ -77,7 +90,7 @@ struct IsoDialect {
   bool repeats_motion = false;  ///< every block needs its G word
   MistWords mist = {};
   Tapping tapping = Tapping::kByWords;
-  bool drill_cycles = false;      ///< G81 and G83
+  CycleForm cycles = CycleForm::kNone;
   bool entered_at_tools = false;  ///< shops begin at a tool after a reset, which ends the modes of the start
   bool optional_stop = true;      ///< M1, which stops where the operator has asked for it
   bool block_numbers = true;      ///< N words are numbers alone

@@ -12,6 +12,7 @@
 #include "post/block_printer.h"
 #include "post/comment.h"
 #include "post/control_words.h"
+#include "post/cycle_call.h"
 #include "post/drill_cycle.h"
 #include "post/heights.h"
 #include "post/steps.h"
@@ -72,6 +73,8 @@ class IsoWriter {
   void rapid_to_height(long long z);
   void end_rapid();
 
+  std::optional<DrillBlock> hole_at(std::span<const Move> moves, double at_floor) const;
+  void call_cycle(const CycleCall& call);
   void write_hole(const DrillBlock& hole, const Tool* tap);
   void write_tap_move(const Move& move, const Section& section);
   void write_move(const Move& move);
@@ -123,7 +126,7 @@ void IsoWriter::begin_program() {
   out_.title(number, options_.program_name);
   for (const std::string& text : options_.header) out_.comment(text);
   out_.comment(options_.inch ? "UNITS: INCH" : "UNITS: MM");
-  const std::string_view units = options_.inch ? "G20" : dialect_.metric;
+  const std::string_view units = options_.inch ? dialect_.inches : dialect_.metric;
   if (!units.empty()) out_.line(units);
   for (const std::string& block : mode_blocks(dialect_, options_.work_offset)) out_.line(block);
   set_path_control(true);
@@ -132,18 +135,19 @@ void IsoWriter::begin_program() {
 /// Blending may use half of the gouge tolerance; rounding the words needs less than the rest. Q0: no merging.
 void IsoWriter::set_path_control(bool first) {
   if (options_.exact_stop) {
-    if (dialect_.knows_exact_stop) out_.line("G61");
+    if (!dialect_.exact_stop.empty()) out_.line(dialect_.exact_stop);
     return;
   }
   const double blend = options_.tol.gouge / 2 / (options_.inch ? kMmPerInch : 1);
   if (dialect_.path_control == PathControl::kTolerance)
     out_.line(fmt::format("G64 P{} Q0", trimmed(blend, 6)));
   if (dialect_.path_control == PathControl::kCornerRounding) out_.line("G187 E" + trimmed(blend, 6));
+  if (dialect_.path_control == PathControl::kContour) out_.line("G642 CTOL=" + trimmed(blend, 6));
   if (dialect_.path_control != PathControl::kExactStop) return;
   // Said in the program, because a shop asks why the machine stops at every corner.
   if (first && !options_.continuous)
     out_.comment("EXACT STOP: G64 ROUNDS CORNERS BY NO STATED BOUND, --ACCEPT BLENDING GIVES IT");
-  out_.line(options_.continuous ? "G64" : "G61");
+  out_.line(options_.continuous ? "G64" : dialect_.exact_stop);
 }
 
 /// Halts with the tool above the work and the spindle standing.
@@ -186,10 +190,12 @@ void IsoWriter::write_moves(std::span<const Move> run, const Section& section, c
   const std::vector<Move> joined = with_lines_joined(run, rules_.grid);
   const std::span<const Move> moves(joined);
   for (std::size_t i = 0; i < moves.size(); ++i) {
-    const auto hole =
-        dialect_.drill_cycles && at_floor == 0 ? drill_block(moves.subspan(i), rules_.grid) : std::nullopt;
+    const auto hole = hole_at(moves.subspan(i), at_floor);
     if (hole && held_.height && held_.at.z == hole->above) {
-      write_hole(*hole, tap);
+      if (dialect_.cycles == CycleForm::kCalls)
+        call_cycle({*hole, tap, std::llround(section.spindle_rpm), section.spindle_clockwise, at_floor});
+      else
+        write_hole(*hole, tap);
       i += hole->moves - 1;
     } else if (tap) {
       write_tap_move(moves[i], section);
@@ -198,6 +204,31 @@ void IsoWriter::write_moves(std::span<const Move> run, const Section& section, c
       if (at_floor > 0 && ends_at_floor(moves[i], section)) dwell(at_floor);
     }
   }
+}
+
+/// The hole that `moves` begin with, where the control has a cycle for it.
+std::optional<DrillBlock> IsoWriter::hole_at(std::span<const Move> moves, double at_floor) const {
+  if (dialect_.cycles == CycleForm::kNone) return std::nullopt;
+  if (dialect_.cycles == CycleForm::kWords && at_floor > 0) return std::nullopt;
+  const auto hole = drill_block(moves, rules_.grid);
+  const bool is_there = hole && (dialect_.cycles == CycleForm::kWords || has_cycle(*hole, at_floor));
+  return is_there ? hole : std::nullopt;
+}
+
+/// The cycle is called at the end of the block that says the place; a second MCALL ends it.
+void IsoWriter::call_cycle(const CycleCall& call) {
+  held_.feed = -1;
+  feed_word(call.hole.feed);
+  out_.end_block();
+  out_.line(cycle_call(call, rules_.grid, options_.inch));
+  motion_word(0);
+  axis_word('X', call.hole.bottom.x);
+  axis_word('Y', call.hole.bottom.y);
+  out_.end_block();
+  out_.line("MCALL");
+  held_.at = {call.hole.bottom.x, call.hole.bottom.y, call.hole.above};
+  held_.motion = -1;
+  held_.feed = -1;
 }
 
 /// G98: back to the height before it, as the moves do. G33.1 goes from where feeding begins and back there, tied to the
@@ -288,7 +319,9 @@ void IsoWriter::load_by_changer(int number) {
   out_.line(fmt::format("T{} M6", number));
   if (length_offset() == LengthOffset::kPlain) out_.line("G43");
   if (length_offset() == LengthOffset::kNumbered) out_.line(fmt::format("G43 H{}", number));
-  held_.length_due = length_offset() == LengthOffset::kWithApproach;
+  held_.length_due = length_offset() == LengthOffset::kWithApproach || length_offset() == LengthOffset::kEdge;
+  // The first edge counts from the change on, unless a word says otherwise.
+  if (dialect_.length_offset == LengthOffset::kEdge && !held_.length_due) out_.line("D0");
   // Without lengths each tool is touched off once it is in. The first one may have been before the start.
   const bool has_lengths = dialect_.length_offset != LengthOffset::kNone;
   if (!has_lengths || options_.length_offset || held_.tool == 0) return;
@@ -309,6 +342,9 @@ void IsoWriter::home() {
   if (dialect_.home == HomeForm::kSafeHeight || dialect_.home == HomeForm::kSwitches) return;
   if (dialect_.home == HomeForm::kMachineZero) {
     out_.line("G53 G0 Z0.");
+  } else if (dialect_.home == HomeForm::kSuppressed) {
+    out_.line("SUPA G0 Z0 D0");
+    held_.motion = -1;
   } else {
     out_.line("G91 G28 Z0.");
     out_.line("G90");
@@ -327,9 +363,7 @@ void IsoWriter::set_spindle(const Section& section) {
 
 void IsoWriter::dwell(double seconds) {
   if (seconds <= 0) return;
-  const char letter = dialect_.dwell == DwellForm::kPSeconds   ? 'P'
-                      : dialect_.dwell == DwellForm::kXSeconds ? 'X'
-                                                               : 'S';
+  const char letter = "PXSF"[static_cast<int>(dialect_.dwell)];
   out_.word("G4");
   out_.word(letter, PrintGrid(false, 2).ticks(seconds), PrintGrid(false, 2));
   out_.end_block();
@@ -356,7 +390,7 @@ void IsoWriter::approach(const Move& first) {
 /// The spindle is at its upper end after a tool change: the plan first, the tool's length on the way down.
 void IsoWriter::descend_with_length(const Ticks& start) {
   rapid_to_plan(start);
-  out_.word(fmt::format("G43 H{}", held_.tool));
+  out_.word(dialect_.length_offset == LengthOffset::kEdge ? "D1" : fmt::format("G43 H{}", held_.tool));
   axis_word('Z', safe_z_);
   out_.end_block();
   held_.at.z = safe_z_;

@@ -120,7 +120,7 @@ clearcut::PathControl path_control_of(const PostOptions& options) {
   const double within = options.tol.gouge / 2;
   const IsoDialect* const dialect = iso_dialect_named(options.dialect);
   if (dialect == nullptr) return {PathMode::kTolerance, within, std::nullopt};
-  const PathMode stop = dialect->tape ? PathMode::kExactStop : PathMode::kExactPath;
+  const PathMode stop = dialect->exact_stop_halts ? PathMode::kExactStop : PathMode::kExactPath;
   if (options.exact_stop || dialect->path_control == PathControl::kNone) return {stop, {}, {}};
   if (dialect->path_control != PathControl::kExactStop) return {PathMode::kTolerance, within, std::nullopt};
   return {options.continuous ? PathMode::kContinuous : stop, {}, {}};

@@ -51,7 +51,7 @@ TEST_P(WitnessOf, AProgramForEachControllerIsAccepted) {
 
 INSTANTIATE_TEST_SUITE_P(Controllers, WitnessOf,
                          ::testing::Values("linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3",
-                                           "mach4", "marlin"));
+                                           "mach4", "marlin", "siemens"));
 
 TEST(Witness, SaysOfWhichCutterAndProgramItIs) {
   const ScratchFolder folder;

@@ -101,9 +101,9 @@ TEST(CoolantWords, AreReadBackInEveryDialect) {
 
 /// Flood asks for nothing; mist only where not every such control has it.
 TEST(CoolantWords, ThatAControlNeedNotHaveAreConditions) {
-  const std::map<std::string, std::string> wanted{{"linuxcnc", ""}, {"grbl", "m7"},      {"fanuc", "m7"},
-                                                  {"haas", "m83"},  {"mach3", ""},       {"mach4", ""},
-                                                  {"marlin", "m7"}, {"heidenhain", "m7"}};
+  const std::map<std::string, std::string> wanted{{"linuxcnc", ""}, {"grbl", "m7"},       {"fanuc", "m7"},
+                                                  {"haas", "m83"},  {"mach3", ""},        {"mach4", ""},
+                                                  {"marlin", "m7"}, {"heidenhain", "m7"}, {"siemens", "m7"}};
   ASSERT_EQ(wanted.size(), post::post_dialects().size());
   for (const auto& [dialect, condition] : wanted) {
     SCOPED_TRACE(dialect);
@@ -181,9 +181,9 @@ void expect_same_motion(const std::string& text, const std::string& other, const
 
 /// Every offset that a control has is written in its words and is one condition, as G55 is; all others are refused in one line.
 TEST(WorkOffsets, AreThoseOfTheControl) {
-  const std::vector<std::string> offsets{"G55",      "G59",       "G59.1",      "G59.3",
-                                         "G54.1 P1", "G54.1 P99", "G54.1 P300", "G154 P1",
-                                         "G154 P99", "G59 P7",    "G59 P254"};
+  const std::vector<std::string> offsets{"G55",       "G59",        "G59.1",   "G59.3",    "G54.1 P1",
+                                         "G54.1 P99", "G54.1 P300", "G154 P1", "G154 P99", "G59 P7",
+                                         "G59 P254",  "G505",       "G599"};
   const std::map<std::string, std::pair<std::vector<std::string>, std::string>> has{
       {"linuxcnc", {{"G55", "G59", "G59.1", "G59.3"}, "it has G54 to G59, G59.1 to G59.3"}},
       {"grbl", {{"G55", "G59"}, "it has G54 to G59"}},
@@ -195,7 +195,8 @@ TEST(WorkOffsets, AreThoseOfTheControl) {
       {"mach3", {{"G55", "G59", "G59 P7", "G59 P254"}, "it has G54 to G59, G59 P7 to P254"}},
       {"mach4", {{"G55", "G59", "G54.1 P1", "G54.1 P99"}, "it has G54 to G59, G54.1 P1 to P248"}},
       {"marlin", {{}, "its programs have no work offsets; leave it out"}},
-      {"heidenhain", {{}, "its zero is the preset that is active; leave it out"}}};
+      {"heidenhain", {{}, "its zero is the preset that is active; leave it out"}},
+      {"siemens", {{"G55", "G505", "G599"}, "it has G54 to G57, G505 to G599"}}};
   ASSERT_EQ(has.size(), post::post_dialects().size());
   for (const auto& [dialect, words] : has) {
     for (const std::string& offset : offsets) {
@@ -220,8 +221,8 @@ TEST(WorkOffsets, AreThoseOfTheControl) {
 TEST(WorkOffsets, AreNamedInAnyCaseWithOrWithoutBlanks) {
   EXPECT_EQ(words_of(*work_offset_named("g54.1p12")), "G54.1 P12");
   EXPECT_EQ(words_of(*work_offset_named("G154 P 7")), "G154 P7");
-  for (const char* wrong :
-       {"", "G53", "G60", "G59.4", "G54 P2", "G54.1", "G54.1 P0", "G54.1 P-1", "G154 P1.5", "G505"})
+  for (const char* wrong : {"", "G53", "G60", "G59.4", "G54 P2", "G54.1", "G54.1 P0", "G54.1 P-1",
+                            "G154 P1.5", "G504", "G600", "G505 P1"})
     EXPECT_FALSE(work_offset_named(wrong)) << wrong;
 }
 
@@ -233,9 +234,18 @@ std::string program_to(const EndPosition& end, const std::string& dialect) {
   return post::write_program(cuts({kOff, kOff}), Part{}, options);
 }
 
-const std::vector<std::string> kPlaceBlocks{
-    "G91 G28 Z0", "G28 X0 Y0",      "G91 G28 Z0.", "G28 X0. Y0.",       "G90",
-    "G53 G0 Z0.", "G53 G0 X0. Y0.", "M5",          "L Z+0 R0 FMAX M91", "L X+0 Y+0 R0 FMAX M91"};
+const std::vector<std::string> kPlaceBlocks{"G91 G28 Z0",
+                                            "G28 X0 Y0",
+                                            "G91 G28 Z0.",
+                                            "G28 X0. Y0.",
+                                            "G90",
+                                            "SUPA G0 Z0 D0",
+                                            "SUPA G0 X0 Y0 D0",
+                                            "G53 G0 Z0.",
+                                            "G53 G0 X0. Y0.",
+                                            "M5",
+                                            "L Z+0 R0 FMAX M91",
+                                            "L X+0 Y+0 R0 FMAX M91"};
 
 /// What comes after the spindle has stopped for good, of those words.
 std::string after_the_last_stop(const std::string& program) {
@@ -252,6 +262,7 @@ TEST(EndPositions, HomeIsZFirstInTheWordsOfTheControl) {
       {"haas", {" G53 G0 Z0. G53 G0 X0. Y0.", ""}},
       {"mach3", {stored, "g28-home"}},
       {"mach4", {stored, "g28-home"}},
+      {"siemens", {" SUPA G0 Z0 D0 SUPA G0 X0 Y0 D0", ""}},
       {"heidenhain", {" L Z+0 R0 FMAX M91 L X+0 Y+0 R0 FMAX M91", "m91"}}};
   for (const auto& [dialect, words] : wanted) {
     SCOPED_TRACE(dialect);

@@ -82,9 +82,9 @@ TEST(Grbl, TakesEveryLine) {
 }
 
 TEST(Dialects, LinesFitTheControl) {
-  const std::map<std::string, std::size_t> limits{{"linuxcnc", 255}, {"grbl", 79},      {"fanuc", 80},
-                                                  {"haas", 80},      {"mach3", 80},     {"mach4", 80},
-                                                  {"marlin", 96},    {"heidenhain", 80}};
+  const std::map<std::string, std::size_t> limits{{"linuxcnc", 255}, {"grbl", 79},       {"fanuc", 80},
+                                                  {"haas", 80},      {"mach3", 80},      {"mach4", 80},
+                                                  {"marlin", 96},    {"heidenhain", 80}, {"siemens", 80}};
   ASSERT_EQ(limits.size(), post::post_dialects().size());
   for (const auto& [dialect, limit] : limits) {
     for (const bool inch : {false, true}) {
@@ -135,6 +135,7 @@ TEST(Dialects, WordsAControlDoesNotKnowAreNotWritten) {
       {"mach3", {"%"}},
       {"fanuc", {"G91.1", "G64"}},
       {"haas", {"G91.1", "G64", "G28", "M7"}},
+      {"siemens", {"%", "(", "G2 R", "G43", "G49", "G80", "G61", "G28", "G21", "G20", "H"}},
   };
   for (const auto& [dialect, words] : never) {
     const std::string text =

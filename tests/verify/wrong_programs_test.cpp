@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(Classes, WrongPrograms,
                          ::testing::Values("motion", "comments", "dialects", "conditions", "state",
                                            "blending", "small", "cycles", "limits", "worst", "holes", "alone",
                                            "habits", "holder", "cutters", "leaves", "entries", "takes",
-                                           "taps"),
+                                           "taps", "sinumerik"),
                          [](const auto& one) { return one.param; });
 
 /// Every right program that states its dialect is taken, and each class has right twins or accepted ones.
@@ -134,7 +134,8 @@ TEST(WrongPrograms, CoverEveryDialect) {
     for (const read::DataValue& one : cases.items) dialects.insert(one.find("dialect")->text);
   }
   EXPECT_GT(count, 150U);
-  for (const char* name : {"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"}) {
+  for (const char* name :
+       {"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin", "siemens"}) {
     EXPECT_TRUE(dialects.count(name) > 0) << name;
   }
 }

@@ -9,7 +9,7 @@ WORD = ["linuxcnc", "grbl", "fanuc", "haas", "mach3", "mach4", "marlin"]
 ALL = WORD + ["heidenhain"]
 CHANGER = ["linuxcnc", "fanuc", "haas", "mach3", "mach4"]
 ENDING = {"linuxcnc": ".ngc", "grbl": ".nc", "fanuc": ".nc", "haas": ".nc", "mach3": ".tap", "mach4": ".tap",
-          "marlin": ".gcode", "heidenhain": ".H"}
+          "marlin": ".gcode", "heidenhain": ".H", "siemens": ".mpf"}
 TOOL = ["endmill:6:T1"]
 
 
@@ -29,7 +29,7 @@ class Text:
         return text
 
     def comment(self, text):
-        return "; " + text if self.d in ("marlin", "heidenhain") else f"({text})"
+        return "; " + text if self.d in ("marlin", "heidenhain", "siemens") else f"({text})"
 
     def axes(self, to):
         return " ".join(a.upper() + self.n(to[a]) for a in "xyz" if a in to)
@@ -47,7 +47,7 @@ class Text:
     def dwell(self, seconds):
         if self.d == "heidenhain":
             return ["CYCL DEF 9.0 DWELL TIME", f"CYCL DEF 9.1 DWELL {seconds}"]
-        return ["G4 " + {"fanuc": f"X{seconds}.", "haas": f"P{seconds}.", "marlin": f"S{seconds}"}.get(
+        return ["G4 " + {"fanuc": f"X{seconds}.", "haas": f"P{seconds}.", "marlin": f"S{seconds}", "siemens": f"F{seconds}"}.get(
             self.d, f"P{seconds}")]
 
 
@@ -72,13 +72,14 @@ class Program:
         d = self.d = dialect
         klartext = d == "heidenhain"
         self.head = [t.comment("POCKET")]
-        self.units = [] if klartext else ["G21"]
+        self.units = [] if klartext else ["G710"] if d == "siemens" else ["G21"]
         self.modes = {"grbl": ["G17 G40 G49 G54 G80 G90 G91.1 G94"], "marlin": ["G90"], "heidenhain": [],
-                      "fanuc": ["G17 G40 G49 G54 G80 G90 G94"], "haas": ["G17 G40 G49 G54 G80 G90 G94"]}.get(
+                      "fanuc": ["G17 G40 G49 G54 G80 G90 G94"], "haas": ["G17 G40 G49 G54 G80 G90 G94"],
+                      "siemens": ["G17 G40 G54 G90 G94"]}.get(
                           d, ["G17 G40 G49 G54 G80 G90 G91.1 G94"])
-        self.path = {"grbl": [], "marlin": [],
+        self.path = {"grbl": [], "marlin": [], "siemens": ["G60"],
                      "heidenhain": ["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1 T0.0005"]}.get(d, ["G61"])
-        self.home = {"fanuc": ["G91 G28 Z0.", "G90"], "haas": ["G53 G0 Z0."]}.get(d, [])
+        self.home = {"fanuc": ["G91 G28 Z0.", "G90"], "haas": ["G53 G0 Z0."], "siemens": ["SUPA G0 Z0 D0"]}.get(d, [])
         self.tool = {"grbl": ["T1"], "marlin": [], "heidenhain": ["TOOL CALL 1 Z S8000"]}.get(d, ["T1 M6"])
         self.length = {"linuxcnc": ["G43"], "mach3": ["G43 H1"], "mach4": ["G43 H1"]}.get(d, [])
         self.spindle = ["M3"] if klartext else ["M3 S8000"]
@@ -86,6 +87,8 @@ class Program:
         self.approach = [t.rapid(x=10, y=10), t.rapid(z=5)]
         if d in ("fanuc", "haas"):
             self.approach = [t.rapid(x=10, y=10), "G43 H1 Z5."]
+        if d == "siemens":
+            self.approach = [t.rapid(x=10, y=10), "D1 Z5"]
         self.cut = rings(t, [1, 4, 7])
         self.after = []
         self.retract = [t.rapid(z=5)]

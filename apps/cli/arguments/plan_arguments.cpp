@@ -257,19 +257,15 @@ void PlanArguments::add_dialect_option(CLI::App& command) {
   reads_programs_ = true;
   command
       .add_option("--dialect", dialect_,
-                  "Control that runs it: linuxcnc, grbl, fanuc, haas, heidenhain, mach3, mach4, marlin "
-                  "(default: recognised)")
-      ->check(one_of({"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"}));
+                  "Control that runs it: " + controllers_text() + " (default: recognised)")
+      ->check(one_of(controller_names()));
 }
 
 std::optional<read::gcode::Dialect> PlanArguments::dialect() const {
   if (!dialect_) return std::nullopt;
   const auto dialect = read::gcode::dialect_named(*dialect_);
   if (!dialect)
-    throw InputError("--dialect",
-                     "'" + *dialect_ +
-                         "' is unknown; use one of linuxcnc, grbl, fanuc, haas, heidenhain, mach3, "
-                         "mach4, marlin");
+    throw InputError("--dialect", "'" + *dialect_ + "' is unknown; use one of " + controllers_text());
   return dialect;
 }
 

@@ -173,8 +173,8 @@ void add_elements_command(CLI::App& app, int& exit_code, void (*print_reductions
   command->option_defaults()->group("Controller");
   command
       ->add_option("--post", state->options.post.dialect,
-                   "Controller: linuxcnc (default), grbl, fanuc, haas, heidenhain, mach3, mach4, marlin")
-      ->check(one_of({"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin"}));
+                   "Controller: " + controllers_text() + "; default linuxcnc")
+      ->check(one_of(controller_names()));
   command->option_defaults()->group("Search");
   command->add_option("--seed", state->options.seed, "Seed of the search (default 1)")->check(is_seed());
   state->solver.add(

@@ -44,6 +44,13 @@ std::optional<WorkOffset> work_offset_named(std::string_view text) {
   }
   for (const Named& one : kPlain)
     if (plain == one.word) return WorkOffset{one.code, 0};
+  if (plain.size() == 4 && plain.starts_with("G5")) {
+    int number = 0;
+    const char* const end = plain.data() + plain.size();
+    const auto [stopped, error] = std::from_chars(plain.data() + 1, end, number);
+    const bool is_settable = number * 10 >= kFirstSettable && number * 10 <= kLastSettable;
+    if (error == std::errc{} && stopped == end && is_settable) return WorkOffset{number * 10, 0};
+  }
   for (const Named& one : kNumbered) {
     if (!plain.starts_with(one.word)) continue;
     WorkOffset offset{one.code, 0};

@@ -20,7 +20,8 @@ constexpr std::array kRows{
     ConditionRow{"stray-word"}, ConditionRow{"dwell"}, ConditionRow{"chip-load"},
     ConditionRow{"cutting-speed"}, ConditionRow{"stated-feed"}, ConditionRow{"stated-speed"},
     ConditionRow{"rigid-tap"}, ConditionRow{"far-move"}, ConditionRow{"ends-low"},
-    ConditionRow{"program-end"},
+    ConditionRow{"program-end"}, ConditionRow{"d#", "d1"}, ConditionRow{"tool-name-#", "tool-name-1"},
+    ConditionRow{"rtliof"}, ConditionRow{"h"}, ConditionRow{"cycle800"},
     // What is not known without a part.
     ConditionRow{"stock"}, ConditionRow{"below-stock"}, ConditionRow{"arc-radii"},
     ConditionRow{"cuts-nothing"},

@@ -158,6 +158,18 @@ constexpr std::array kRules{
                                "was, and does not take inches for mm",
                  .pause_says_text = true,
                  .mist_needs = "M7 is a word of firmware that was built with COOLANT_MIST; this one was"},
+    DialectRules{.dialect = Dialect::kSiemens,
+                 .name = "siemens",
+                 .title = "Sinumerik",
+                 .language = Language::kSinumerik,
+                 .unit_words = "neither G700 nor G710",
+                 .no_path_word = "neither G60 nor a path tolerance (G642 with CTOL)",
+                 .blends_freely = "G64 (or G641 without ADIS, G644)",
+                 .blends_by_setting = "G642 without CTOL",
+                 .needs_lengths = true,
+                 .changer_alone = true,
+                 .home_is_top = true,
+                 .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on"},
 };
 
 constexpr bool rows_are_in_order() {

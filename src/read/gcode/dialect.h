@@ -8,19 +8,30 @@
 #include <vector>
 
 #include "model/motion_planner.h"
+#include "model/options/controllers.h"
 
 namespace clearcut::read::gcode {
 
-enum class Dialect : unsigned char { kLinuxCnc, kGrbl, kFanuc, kHaas, kHeidenhain, kMach3, kMach4, kMarlin };
+enum class Dialect : unsigned char {
+  kLinuxCnc,
+  kGrbl,
+  kFanuc,
+  kHaas,
+  kHeidenhain,
+  kMach3,
+  kMach4,
+  kMarlin,
+  kSiemens
+};
 
-/// "linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "marlin".
+/// As options say it, one of kControllers: "linuxcnc", "grbl" and so on.
 std::string_view name_of(Dialect dialect);
 std::optional<Dialect> dialect_named(std::string_view name);
 /// Whose rules of motion the control has.
 MotionPlanner planner_of(Dialect dialect);
 
 /// The language of a program; each has a reader of its own.
-enum class Language : unsigned char { kWordAddress, kKlartext };
+enum class Language : unsigned char { kWordAddress, kKlartext, kSinumerik };
 
 /// How a program of the control ends.
 enum class ProgramEnd : unsigned char {
@@ -76,6 +87,12 @@ struct DialectRules {
   MotionPlanner planner = MotionPlanner::kJerkLimited;
   Language language = Language::kWordAddress;
   ProgramEnd end = ProgramEnd::kWord;
+
+  // What conditions name where nothing is said.
+  std::string_view unit_words = "neither G20 nor G21";
+  std::string_view no_path_word = "neither G61 nor a path tolerance";
+  std::string_view blends_freely = "G64 without P";
+  std::string_view blends_by_setting = "G187 without E";
 
   // What the verdict asks of its programs.
   bool needs_lengths = false;       ///< without a word for the tool's length it cuts at wrong heights

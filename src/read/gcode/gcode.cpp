@@ -11,6 +11,8 @@
 #include "read/gcode/marker.h"
 #include "read/gcode/no_program.h"
 #include "read/gcode/recognise.h"
+#include "read/gcode/sinumerik/sinumerik.h"
+#include "read/gcode/sinumerik/words.h"
 
 namespace clearcut::read::gcode {
 
@@ -101,12 +103,18 @@ Reading read_as(Dialect dialect, std::string_view text, const std::string& file_
   read::gcode::ToolpathBuilder builder({file_name, options.home_z, options.safe_z}, program.diagnostics,
                                        program.conditions);
   const DialectRules& rules = rules_of(dialect);
-  if (rules.language == Language::kKlartext) {
-    program.ended = read::gcode::read_klartext(text, builder);
-  } else {
-    read::gcode::Interpreter interpreter(builder, rules, options);
-    program.ended = read_words(text, file_name, interpreter, builder);
-    reading.depends_on_dialect = interpreter.depends_on_dialect();
+  switch (rules.language) {
+    case Language::kKlartext:
+      program.ended = read::gcode::read_klartext(text, builder);
+      break;
+    case Language::kSinumerik:
+      program.ended = read_sinumerik(text, rules, options, builder);
+      break;
+    case Language::kWordAddress: {
+      read::gcode::Interpreter interpreter(builder, rules, options);
+      program.ended = read_words(text, file_name, interpreter, builder);
+      reading.depends_on_dialect = interpreter.depends_on_dialect();
+    }
   }
   program.ended = program.ended || rules.end == ProgramEnd::kText;
   if (!program.ended) {
@@ -229,6 +237,7 @@ Program read_gcode(std::string_view text, const std::string& file_name,
     return read_as(options.dialect.value_or(dialect_of(Language::kKlartext)), text, file_name, options)
         .program;
   }
+  if (is_sinumerik(text)) return read_as(dialect_of(Language::kSinumerik), text, file_name, options).program;
   return read_unnamed(text, file_name, options);
 }
 

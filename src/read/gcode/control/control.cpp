@@ -60,16 +60,14 @@ void Control::before_feed() {
   note_tool_in_spindle();
   const PathMode mode = modes.path.mode;
   if (mode == PathMode::kUnstated) {
-    condition("blending",
-              "neither G61 nor a path tolerance is stated; the control keeps to the path, whatever bound it "
-              "was left "
-              "with");
+    condition("blending", std::string(rules.no_path_word) +
+                              " is stated; the control keeps to the path, whatever bound it was left with");
   } else if (mode == PathMode::kContinuous) {
-    condition("blending",
-              "G64 without P states no bound; the control rounds corners by nothing that matters");
+    condition("blending", std::string(rules.blends_freely) +
+                              " states no bound; the control rounds corners by nothing that matters");
   } else if (mode == PathMode::kSmoothness) {
-    condition("blending",
-              "G187 without E takes the bound from a setting; the control rounds corners within it");
+    condition("blending", std::string(rules.blends_by_setting) +
+                              " takes the bound from a setting; the control rounds corners within it");
   }
 }
 

@@ -64,7 +64,8 @@ void MotionWords::rigid_tap(const Block& block) {
 /// What the program leaves to the state in which the control was left.
 void MotionWords::check_words_said(const Block& block) {
   if (!control_.units_said && !control_.rules.always_mm) {
-    control_.condition("units", "the program states neither G20 nor G21; the control is in mm");
+    control_.condition(
+        "units", "the program states " + std::string(control_.rules.unit_words) + "; the control is in mm");
   }
   if (!control_.distance_said && !control_.rules.resets_modes) {
     control_.condition("g90",

@@ -1,0 +1,25 @@
+// The controllers that programs are written for and read of, by the names that options, jobs and files give them.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace clearcut::inline model {
+
+/// Their rows are in src/post/iso_dialect.cpp (Klartext has a writer of its own) and src/read/gcode/dialect.cpp.
+inline constexpr std::string_view kControllers[] = {"linuxcnc", "grbl",  "fanuc",  "haas",   "heidenhain",
+                                                    "mach3",    "mach4", "marlin", "siemens"};
+
+inline std::vector<std::string> controller_names() {
+  return {std::begin(kControllers), std::end(kControllers)};
+}
+
+/// "linuxcnc, grbl, ..."
+inline std::string controllers_text() {
+  std::string text;
+  for (const std::string_view name : kControllers) text.append(text.empty() ? "" : ", ").append(name);
+  return text;
+}
+
+}  // namespace clearcut::inline model

@@ -1,0 +1,634 @@
+// Order of execution within a block: modes, frames, path control, feed, spindle, tool, edge, motion, cycle, end. Words that mean the same to
+// other controls are handed to their interpreter (control/).
+#include "read/gcode/sinumerik/sinumerik.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "base/text/format.h"
+#include "model/options/work_offset.h"
+#include "read/gcode/control/control.h"
+#include "read/gcode/control/mode_words.h"
+#include "read/gcode/control/motion_words.h"
+#include "read/gcode/control/place_words.h"
+#include "read/gcode/marker.h"
+#include "read/gcode/motion/dwell.h"
+#include "read/gcode/sinumerik/cycles.h"
+#include "read/gcode/sinumerik/words.h"
+#include "read/gcode/words/g_words.h"
+#include "read/gcode/words/lines.h"
+
+namespace clearcut::read::gcode {
+namespace {
+
+constexpr std::string_view kAxes = "XYZ", kCenters = "IJK", kPlaces = "XYZIJK";
+constexpr double kMostTurns = 10000;
+
+/// What a word without a number does.
+enum class NamedUse : unsigned char {
+  kNothing,     ///< bears on neither path nor verdict
+  kEnd,         ///< ends the program
+  kSuppress,    ///< the block is in the machine's own frame
+  kModalCall,   ///< calls a cycle at every place that follows
+  kShift,       ///< moves the zero
+  kShiftMore,   ///< moves it further
+  kFrame,       ///< turns, scales or mirrors; alone it takes the programmed frame away
+  kCompress,    ///< joins short blocks within a tolerance
+  kFreeRapids,  ///< rapids need not be straight
+  kProgram      ///< jumps, loops, variables, calls
+};
+
+struct NamedWord {
+  std::string_view name;
+  NamedUse use;
+};
+
+constexpr NamedWord kNamedWords[] = {{"MSG", NamedUse::kNothing},        {"STOPRE", NamedUse::kNothing},
+                                     {"FFWON", NamedUse::kNothing},      {"FFWOF", NamedUse::kNothing},
+                                     {"SOFT", NamedUse::kNothing},       {"BRISK", NamedUse::kNothing},
+                                     {"DRIVE", NamedUse::kNothing},      {"DYNNORM", NamedUse::kNothing},
+                                     {"DYNPOS", NamedUse::kNothing},     {"DYNROUGH", NamedUse::kNothing},
+                                     {"DYNSEMIFIN", NamedUse::kNothing}, {"DYNFINISH", NamedUse::kNothing},
+                                     {"DYNPREC", NamedUse::kNothing},    {"COMPOF", NamedUse::kNothing},
+                                     {"CFC", NamedUse::kNothing},        {"CFTCP", NamedUse::kNothing},
+                                     {"CFIN", NamedUse::kNothing},       {"NORM", NamedUse::kNothing},
+                                     {"KONT", NamedUse::kNothing},       {"DIAMOF", NamedUse::kNothing},
+                                     {"RTLION", NamedUse::kNothing},     {"WALIMON", NamedUse::kNothing},
+                                     {"WALIMOF", NamedUse::kNothing},    {"TRAFOOF", NamedUse::kNothing},
+                                     {"TOFFOF", NamedUse::kNothing},     {"CUT2D", NamedUse::kNothing},
+                                     {"CUT2DF", NamedUse::kNothing},     {"FNORM", NamedUse::kNothing},
+                                     {"WORKPIECE", NamedUse::kNothing},  {"GROUP_BEGIN", NamedUse::kNothing},
+                                     {"GROUP_END", NamedUse::kNothing},  {"ADISPOS", NamedUse::kNothing},
+                                     {"OTOL", NamedUse::kNothing},       {"RET", NamedUse::kEnd},
+                                     {"SUPA", NamedUse::kSuppress},      {"MCALL", NamedUse::kModalCall},
+                                     {"TRANS", NamedUse::kShift},        {"ATRANS", NamedUse::kShiftMore},
+                                     {"ROT", NamedUse::kFrame},          {"AROT", NamedUse::kFrame},
+                                     {"ROTS", NamedUse::kFrame},         {"AROTS", NamedUse::kFrame},
+                                     {"CROTS", NamedUse::kFrame},        {"SCALE", NamedUse::kFrame},
+                                     {"ASCALE", NamedUse::kFrame},       {"MIRROR", NamedUse::kFrame},
+                                     {"AMIRROR", NamedUse::kFrame},      {"COMPON", NamedUse::kCompress},
+                                     {"COMPCURV", NamedUse::kCompress},  {"COMPCAD", NamedUse::kCompress},
+                                     {"COMPSURF", NamedUse::kCompress},  {"RTLIOF", NamedUse::kFreeRapids},
+                                     {"IF", NamedUse::kProgram},         {"ELSE", NamedUse::kProgram},
+                                     {"ENDIF", NamedUse::kProgram},      {"WHILE", NamedUse::kProgram},
+                                     {"ENDWHILE", NamedUse::kProgram},   {"FOR", NamedUse::kProgram},
+                                     {"ENDFOR", NamedUse::kProgram},     {"LOOP", NamedUse::kProgram},
+                                     {"ENDLOOP", NamedUse::kProgram},    {"REPEAT", NamedUse::kProgram},
+                                     {"REPEATB", NamedUse::kProgram},    {"UNTIL", NamedUse::kProgram},
+                                     {"GOTO", NamedUse::kProgram},       {"GOTOF", NamedUse::kProgram},
+                                     {"GOTOB", NamedUse::kProgram},      {"GOTOC", NamedUse::kProgram},
+                                     {"GOTOS", NamedUse::kProgram},      {"CASE", NamedUse::kProgram},
+                                     {"CALL", NamedUse::kProgram},       {"PCALL", NamedUse::kProgram},
+                                     {"EXTCALL", NamedUse::kProgram},    {"EXTERN", NamedUse::kProgram},
+                                     {"DEF", NamedUse::kProgram},        {"DEFINE", NamedUse::kProgram},
+                                     {"PROC", NamedUse::kProgram},       {"SETAL", NamedUse::kProgram}};
+
+std::optional<NamedUse> use_of(const std::string& name) {
+  for (const NamedWord& one : kNamedWords)
+    if (one.name == name) return one.use;
+  return std::nullopt;
+}
+
+/// G words, whole numbers, that change nothing of a path of the tool's centre: exact stop in one block and its criteria, radius
+/// compensation off and its corners, Siemens mode, speed in rpm, soft approach off.
+constexpr int kStillGWords[] = {9, 40, 97, 290, 450, 451, 460, 461, 462, 601, 602};
+/// G words that other controls take alike, as their interpreter knows them.
+constexpr int kSharedGWords[] = {0, 1, 2, 3, 17, 18, 19, 90, 91, 93, 94, 95, 54, 55, 56, 57};
+
+/// What is told of G words that are refused.
+struct RefusedG {
+  int word;
+  std::string_view why;
+};
+constexpr RefusedG kRefusedG[] = {
+    {41, "cutter radius compensation is not read; post the path of the tool's centre (G40)"},
+    {42, "cutter radius compensation is not read; post the path of the tool's centre (G40)"},
+    {33, "threads by words are not read; post CYCLE84 or CYCLE840"},
+    {63, "threads by words are not read; post CYCLE84 or CYCLE840"},
+    {331, "threads by words are not read; post CYCLE84 or CYCLE840"},
+    {332, "threads by words are not read; post CYCLE84 or CYCLE840"},
+    {58, "shifts single axes on a Sinumerik and is no work offset; post G54 to G57 or G505 to G599"},
+    {59, "shifts single axes on a Sinumerik and is no work offset; post G54 to G57 or G505 to G599"},
+    {74, "drives to reference points; post SUPA with the machine's place"},
+    {75, "drives to a fixed point of the machine; post SUPA with the machine's place"},
+    {96, "is a cutting speed for turning; post G97 with the spindle's speed"},
+    {110, "polar coordinates are not read; post X and Y"},
+    {111, "polar coordinates are not read; post X and Y"},
+    {112, "polar coordinates are not read; post X and Y"},
+    {291, "switches to ISO words; give the program that follows as one of fanuc"}};
+
+class SinumerikReader {
+ public:
+  SinumerikReader(const DialectRules& rules, const ReadControllerOptions& options, ToolpathBuilder& builder)
+      : control_(builder, rules, options), modes_(control_) {}
+
+  bool read(std::string_view text) {
+    Lines lines(text);
+    for (std::string_view line; !control_.ended && lines.next(line);) {
+      control_.line = lines.number();
+      const SinumerikBlock block = sinumerik_block(line, refuse_);
+      read_marker(block.comment, control_.builder);
+      if (!block.words.empty()) execute(block);
+    }
+    if (control_.ended) warn_of_blocks_behind(lines);
+    return control_.ended;
+  }
+
+ private:
+  /// How corners are rounded.
+  enum class Rounding : unsigned char { kUnstated, kExactStop, kFree, kDistance, kContour };
+
+  /// What is gathered of a block before it is executed.
+  struct Gathered {
+    Block block;                               ///< what other controls have, too
+    std::vector<const SinumerikWord*> places;  ///< X, Y, Z, I, J, K
+    const SinumerikWord* call = nullptr;       ///< a cycle
+    std::optional<NamedUse> frame;
+    bool suppressed = false, modal = false, dwells = false, changes_path = false;
+    std::optional<double> dwell_s, dwell_turns;
+    std::optional<int> edge;
+  };
+
+  void execute(const SinumerikBlock& block) {
+    Gathered found;
+    found.block.line = control_.line;
+    if (block.optional)
+      control_.condition("block-delete", "blocks marked '/' are executed; block delete is off");
+    for (const SinumerikWord& word : block.words) gather(word, found);
+    // F and S of a dwell are its time.
+    take_drive_words(block, found);
+    modes_.set_modes(found.block);
+    if (found.changes_path) set_path();
+    modes_.set_feed_and_drive(found.block, feed_unit());
+    follow_tool(found);
+    if (found.dwells) return dwell(found);
+    if (found.frame) return change_frame(found);
+    if (found.modal) return set_modal(found);
+    if (found.call) return run_call(*found.call);
+    move(found);
+    for (const int m : found.block.m) modes_.end(m);
+  }
+
+  // --- gathering
+
+  void gather(const SinumerikWord& word, Gathered& found) {
+    if (word.name == "G") return gather_g(word, found);
+    if (word.name.size() == 1 && kPlaces.find(word.name[0]) != std::string_view::npos)
+      return found.places.push_back(&word);
+    if (gather_drive(word, found) || gather_path(word, found)) return;
+    if (word.kind == SinumerikValue::kArguments &&
+        (is_sinumerik_hole(word.name) || is_setting_cycle(word.name))) {
+      found.call = &word;
+      return;
+    }
+    const auto use = use_of(word.name);
+    if (!use) refuse_word(word);
+    use_named(*use, word, found);
+  }
+
+  static bool is_setting_cycle(const std::string& name) { return name == "CYCLE832" || name == "CYCLE800"; }
+
+  void use_named(NamedUse use, const SinumerikWord& word, Gathered& found) {
+    switch (use) {
+      case NamedUse::kNothing:
+        return;
+      case NamedUse::kEnd:
+        control_.ended = true;
+        return;
+      case NamedUse::kSuppress:
+        found.suppressed = true;
+        return;
+      case NamedUse::kModalCall:
+        found.modal = true;
+        return;
+      case NamedUse::kShift:
+      case NamedUse::kShiftMore:
+      case NamedUse::kFrame:
+        found.frame = use;
+        frame_word_ = word.name;
+        return;
+      case NamedUse::kCompress:
+        compressor_ = word.name;
+        return;
+      case NamedUse::kFreeRapids:
+        control_.condition("rtliof",
+                           "rapids need not be straight after RTLIOF; nothing stands beside their way");
+        return;
+      case NamedUse::kProgram:
+        control_.refuse("jumps, loops, variables and calls of programs (" + word.name +
+                        ") are not read; post the program as plain blocks");
+    }
+  }
+
+  void gather_g(const SinumerikWord& word, Gathered& found) {
+    const int g = static_cast<int>(word.number);
+    if (word.kind != SinumerikValue::kNumber || g != word.number || g < 0)
+      control_.refuse("G word with an impossible number; correct it");
+    for (const RefusedG& one : kRefusedG)
+      if (one.word == g) control_.refuse("G" + std::to_string(g) + " " + std::string(one.why));
+    const auto among = [g](const auto& list) {
+      return std::find(std::begin(list), std::end(list), g) != std::end(list);
+    };
+    if (among(kStillGWords)) return;
+    if (among(kSharedGWords)) {
+      refuse_two_of_one_kind(10 * g, found.block);
+      return found.block.g.push_back(10 * g);
+    }
+    if (g == 4) {
+      found.dwells = true;
+    } else if (g == 53 || g == 153) {
+      found.suppressed = true;
+    } else if (g == 500 || (g >= kFirstSettable / 10 && g <= kLastSettable / 10)) {
+      use_offset(g);
+    } else if (g == 70 || g == 71 || g == 700 || g == 710) {
+      use_units(g, found);
+    } else if (!set_rounding(g, found)) {
+      control_.refuse("G" + std::to_string(g) + " is not read; post the program without it");
+    }
+  }
+
+  void refuse_two_of_one_kind(int code, const Block& block) const {
+    for (const int other : block.g)
+      if (is_modal(group_of(code)) && group_of(code) == group_of(other))
+        control_.refuse(g_word(code) + " contradicts another G word of its block; split the block");
+  }
+
+  /// G700 and G710 are inches and mm for all; G70 and G71 for lengths, while feeds stay in the control's own unit.
+  void use_units(int g, Gathered& found) {
+    found.block.g.push_back(g == 70 || g == 700 ? 200 : 210);
+    feeds_in_mm_ = g == 70 || g == 71;
+    if (feeds_in_mm_)
+      control_.condition("g" + std::to_string(g),
+                         "G" + std::to_string(g) +
+                             " is for lengths alone; the control's own unit is mm, so that "
+                             "F is in mm/min");
+  }
+  double feed_unit() const { return feeds_in_mm_ ? 1 : control_.modes.unit; }
+
+  void use_offset(int g) {
+    control_.frame.use_system(Frame::kElsewhere);
+    const std::string word = "G" + std::to_string(g);
+    control_.condition("g" + std::to_string(g), word + " has its origin where the work's is");
+  }
+
+  bool set_rounding(int g, Gathered& found) {
+    switch (g) {
+      case 60:
+        rounding_ = Rounding::kExactStop;
+        break;
+      case 603:
+        control_.condition(
+            "g603", "G603 goes on before a corner is reached; what the axes lag behind matters to nobody");
+        return true;
+      case 64:
+      case 644:
+        rounding_ = Rounding::kFree;
+        break;
+      case 641:
+        rounding_ = Rounding::kDistance;
+        break;
+      case 642:
+      case 643:
+      case 645:
+        rounding_ = Rounding::kContour;
+        break;
+      default:
+        return false;
+    }
+    found.changes_path = true;
+    return true;
+  }
+
+  bool gather_path(const SinumerikWord& word, Gathered& found) {
+    if (word.name != "CTOL" && word.name != "ADIS") return false;
+    if (word.kind != SinumerikValue::kNumber) control_.refuse(word.name + " without a number; correct it");
+    // Counted once the units of the block are known.
+    (word.name == "CTOL" ? contour_word_ : distance_word_) = word.number;
+    found.changes_path = true;
+    return true;
+  }
+
+  /// Tool, edge, spindle and what belongs to arcs.
+  bool gather_drive(const SinumerikWord& word, Gathered& found) {
+    const std::string& name = word.name;
+    if (name == "CR" || name == "TURN") {
+      if (word.kind != SinumerikValue::kNumber) control_.refuse(name + " without a number; correct it");
+      if (name == "TURN" &&
+          !(word.number >= 0 && word.number < kMostTurns && word.number == std::floor(word.number)))
+        control_.refuse("TURN= is no number of turns; correct it");
+      found.block.set(name == "CR" ? 'R' : 'P', name == "CR" ? word.number : word.number + 1);
+      return true;
+    }
+    if (name == "T") {
+      found.block.set('T', word.kind == SinumerikValue::kText ? number_of_tool(word.text) : word.number);
+      return true;
+    }
+    if (name == "D") {
+      if (!(word.number >= 0 && word.number <= 99))
+        control_.refuse("D word with an impossible edge; correct it");
+      found.edge = static_cast<int>(word.number);
+      return true;
+    }
+    if (name == "M" || name == "M1") {
+      gather_m(word, found);
+      return true;
+    }
+    if (name == "F" || name == "S" || name == "S1") return true;  // see take_drive_words
+    if (name == "SPOS") {
+      found.block.m.push_back(190);
+      return true;
+    }
+    if (name == "H") {
+      control_.condition("h", "H words go to the machine's own program; they move nothing");
+      return true;
+    }
+    if (name == "A" || name == "B" || name == "C" || name == "U" || name == "V" || name == "W") {
+      if (word.number != 0 || word.kind != SinumerikValue::kNumber)
+        control_.refuse("axis word " + name + "; only the three axes X, Y, Z are read");
+      return true;
+    }
+    return false;
+  }
+
+  void gather_m(const SinumerikWord& word, Gathered& found) {
+    const int m = static_cast<int>(word.number);
+    if (word.kind != SinumerikValue::kNumber || m != word.number || m < 0 || m > 999)
+      control_.refuse("M word with an impossible number; correct it");
+    if (m == 17) {
+      control_.ended = true;
+    } else if (m < 40 || m > 45) {  // those choose gears
+      found.block.m.push_back(10 * m);
+    }
+  }
+
+  void take_drive_words(const SinumerikBlock& block, Gathered& found) {
+    for (const SinumerikWord& word : block.words) {
+      const bool feed = word.name == "F", speed = word.name == "S" || word.name == "S1";
+      if (!feed && !speed) continue;
+      if (word.kind != SinumerikValue::kNumber) control_.refuse(word.name + " without a number; correct it");
+      if (found.dwells)
+        (feed ? found.dwell_s : found.dwell_turns) = word.number;
+      else
+        found.block.set(feed ? 'F' : 'S', word.number);
+    }
+  }
+
+  /// Tools that are called by names are numbered as they come; a name that is a number is that tool.
+  int number_of_tool(const std::string& name) {
+    const bool is_number = !name.empty() && name.size() < 7 &&
+                           std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+    if (is_number) return std::stoi(name);
+    const auto [found, is_new] = tool_numbers_.try_emplace(name, static_cast<int>(tool_numbers_.size()) + 1);
+    const std::string number = std::to_string(found->second);
+    if (is_new)
+      control_.condition("tool-name-" + number,
+                         "T=\"" + name + "\" is the tool that is T" + number + " here");
+    return found->second;
+  }
+
+  [[noreturn]] void refuse_word(const SinumerikWord& word) const {
+    const std::string& name = word.name;
+    if (name.size() > 1 && name[0] == 'R' && name[1] >= '0' && name[1] <= '9')
+      control_.refuse("R parameters and expressions are not read; post the program with plain numbers");
+    if (name == "L" || name == "P")
+      control_.refuse("subprogram calls are not read; post the program without them");
+    if (word.kind == SinumerikValue::kArguments)
+      control_.refuse(name + " is a cycle that is not read; post its moves one by one");
+    control_.refuse(name + " is not read; post the program without it");
+  }
+
+  // --- executing
+
+  void set_path() {
+    if (contour_word_)
+      contour_mm_ = *contour_word_ > 0 ? std::optional(control_.mm(*contour_word_)) : std::nullopt;
+    if (distance_word_) distance_mm_ = control_.mm(*distance_word_);
+    contour_word_ = distance_word_ = std::nullopt;
+    PathControl path;
+    switch (rounding_) {
+      case Rounding::kUnstated:
+        break;
+      case Rounding::kExactStop:
+        path.mode = PathMode::kExactStop;
+        break;
+      case Rounding::kFree:
+        path.mode = PathMode::kContinuous;
+        break;
+      case Rounding::kDistance:
+        path.mode = distance_mm_ > 0 ? PathMode::kTolerance : PathMode::kContinuous;
+        if (distance_mm_ > 0) path.tolerance_mm = distance_mm_;
+        break;
+      case Rounding::kContour:
+        path.mode = contour_mm_ ? PathMode::kTolerance : PathMode::kSmoothness;
+        path.tolerance_mm = contour_mm_;
+    }
+    control_.modes.path = control_.builder.path_control = path;
+  }
+
+  /// The first edge holds from a tool change on; D0 takes the length away until another D.
+  void follow_tool(const Gathered& found) {
+    const bool changed = std::find(found.block.m.begin(), found.block.m.end(), 60) != found.block.m.end();
+    if (changed) {
+      edge_said_ = false;
+      use_edge(1);
+    }
+    if (!found.edge) return;
+    edge_said_ = true;
+    use_edge(*found.edge);
+    if (*found.edge > 1) {
+      const std::string word = "D" + std::to_string(*found.edge);
+      control_.condition("d" + std::to_string(*found.edge), word + " holds the length of the tool's tip");
+    }
+  }
+
+  void use_edge(int edge) {
+    ToolLength length;
+    length.kind = edge == 0 ? LengthKind::kOff : LengthKind::kOfTool;
+    length.h = edge == 0 ? 0 : control_.builder.drive.tool;
+    control_.length_used = control_.length_used || (edge > 0 && edge_said_);
+    control_.modes.length = control_.builder.length = length;
+  }
+
+  void dwell(const Gathered& found) {
+    if (found.dwell_s) return add_dwell(control_.builder, control_.line, *found.dwell_s, false);
+    if (!found.dwell_turns) control_.refuse("G4 without F (seconds) or S (turns); add one");
+    if (!(control_.modes.speed > 0)) control_.refuse("G4 S waits for turns of a spindle that has no speed");
+    add_dwell(control_.builder, control_.line, 60 * *found.dwell_turns / control_.modes.speed, false);
+  }
+
+  /// TRANS replaces what was programmed, ATRANS adds to it; any of the words alone takes all of it away.
+  void change_frame(const Gathered& found) {
+    if (found.places.empty()) {
+      for (std::size_t axis = 0; axis < 3; ++axis) shift_axis(axis, 0);
+      return;
+    }
+    if (*found.frame == NamedUse::kFrame)
+      control_.refuse(frame_word_ +
+                      " turns, scales or mirrors what follows, which is not read; post without it");
+    if (*found.frame == NamedUse::kShift)
+      for (std::size_t axis = 0; axis < 3; ++axis) shift_axis(axis, 0);
+    for (const SinumerikWord* word : found.places) {
+      const std::size_t axis = kAxes.find(word->name[0]);
+      if (axis == std::string_view::npos || word->kind != SinumerikValue::kNumber)
+        control_.refuse(frame_word_ + " takes X, Y and Z alone; correct it");
+      const double before = *found.frame == NamedUse::kShiftMore ? shifts_[axis] : 0;
+      shift_axis(axis, before + control_.mm(word->number));
+    }
+  }
+
+  void shift_axis(std::size_t axis, double value) {
+    shifts_[axis] = value;
+    control_.frame.set_local(axis, value);
+  }
+
+  void set_modal(const Gathered& found) {
+    modal_.reset();
+    if (!found.call) return;
+    if (!is_sinumerik_hole(found.call->name))
+      control_.refuse("MCALL of " + found.call->name + " is not read");
+    check_sinumerik_hole(control_, *found.call);
+    modal_ = *found.call;
+  }
+
+  void run_call(const SinumerikWord& call) {
+    if (call.name == "CYCLE832") return set_high_speed(call);
+    if (call.name == "CYCLE800") return leave_plane(call);
+    make_sinumerik_hole(control_, call);
+  }
+
+  /// Tolerance and kind of machining, of which the units say none (0), finishing (1) and so on; _OFF, _FINISH likewise.
+  void set_high_speed(const SinumerikWord& call) {
+    const auto argument = [&](std::size_t k) {
+      return k < call.arguments.size() ? call.arguments[k] : std::string();
+    };
+    const std::string mode = argument(1);
+    const bool is_off = mode.empty() || mode.back() == '0' || mode == "_OFF";
+    double tolerance = 0;
+    if (!argument(0).empty()) {
+      SinumerikBlock parsed = sinumerik_block("CTOL=" + argument(0), refuse_);
+      tolerance = parsed.words.front().number;
+    }
+    rounding_ = is_off ? Rounding::kUnstated : Rounding::kContour;
+    contour_word_ = is_off ? 0 : tolerance;
+    set_path();
+  }
+
+  /// Empty it brings the swivel axes to where they stand for three axes; with anything in it they turn.
+  void leave_plane(const SinumerikWord& call) {
+    if (!call.arguments.empty())
+      control_.refuse("CYCLE800 swivels the plane of machining, which is not read; only X, Y, Z are");
+    control_.condition("cycle800", "the swivel axes stand at their start, so that CYCLE800() moves nothing");
+  }
+
+  void move(Gathered& found) {
+    Block& block = found.block;
+    if (found.suppressed) block.g.push_back(530);
+    const bool absolute_centers = set_places(found);
+    if (found.suppressed) note_length_in_machine_frame(block);
+    const int said = motion_in(block);
+    const int motion = said >= 0 ? said : control_.motion;
+    const bool cuts = block.has_axis() && motion != 0 && !found.suppressed;
+    if (cuts) note_before_cut();
+    control_.modes.absolute_centers = absolute_centers;
+    MotionWords(control_).move(block);
+    control_.modes.absolute_centers = false;
+    if (modal_ && block.has_axis() && !found.suppressed) make_sinumerik_hole(control_, *modal_);
+  }
+
+  void note_before_cut() {
+    const bool by_itself = control_.modes.length.kind == LengthKind::kOfTool && !edge_said_;
+    if (by_itself)
+      control_.condition("d1",
+                         "no D word follows the tool change; the control takes the first edge by itself");
+    if (!compressor_.empty() && !contour_mm_)
+      control_.condition(
+          "compressor",
+          compressor_ +
+              " joins blocks within a bound of its own (no CTOL); it rounds by nothing that matters");
+  }
+
+  /// With a length in force it is the tip that goes to the machine's place.
+  void note_length_in_machine_frame(const Block& block) {
+    const LengthKind kind = control_.modes.length.kind;
+    if (block.has('Z') && kind != LengthKind::kOff && kind != LengthKind::kUnstated)
+      control_.condition("d0",
+                         "Z goes to a place of the machine with the tool's length in force (no D0); the "
+                         "spindle stays within its travel");
+  }
+
+  /// Axis words as the mode of the block has them; whether the centres of arcs are absolute.
+  bool set_places(Gathered& found) {
+    int absolute = 0, centers = 0;
+    for (const SinumerikWord* word : found.places) {
+      const char letter = word->name[0];
+      if (found.block.has(letter))
+        control_.refuse(std::string("two ") + letter + " words in one block; split it");
+      if (word->kind == SinumerikValue::kText || word->kind == SinumerikValue::kNone ||
+          word->kind == SinumerikValue::kArguments)
+        control_.refuse(std::string(1, letter) + " without a number; correct it");
+      const std::size_t center = kCenters.find(letter);
+      if (center != std::string_view::npos) {
+        ++centers;
+        absolute += word->kind == SinumerikValue::kAbsolute ? 1 : 0;
+        found.block.set(letter, word->number);
+      } else {
+        found.block.set(letter, in_mode_of_block(*word, kAxes.find(letter), found.suppressed));
+      }
+    }
+    if (absolute > 0 && absolute < centers)
+      control_.refuse("one centre word with AC() beside one without; give both alike");
+    return absolute > 0;
+  }
+
+  double in_mode_of_block(const SinumerikWord& word, std::size_t axis, bool suppressed) {
+    const bool is_absolute = word.kind == SinumerikValue::kAbsolute, absolute = control_.modes.absolute;
+    if (word.kind == SinumerikValue::kNumber || is_absolute == absolute) return word.number;
+    if (suppressed) control_.refuse("AC() and IC() in the machine's frame are not read; post plain numbers");
+    const double unit = control_.modes.unit;
+    const double here = (control_.builder.known(axis, control_.line) - control_.frame.shift(axis)) / unit;
+    return is_absolute ? word.number - here : word.number + here;
+  }
+
+  /// What a control never runs may be what somebody wanted to be cut.
+  void warn_of_blocks_behind(Lines& lines) {
+    const int end = control_.line;
+    try {
+      for (std::string_view line; lines.next(line);) {
+        if (sinumerik_block(line, refuse_).words.empty()) continue;
+        control_.builder.warn(lines.number(),
+                              "what follows the end word in line " + std::to_string(end) + " is not run");
+        return;
+      }
+    } catch (const InputError&) {
+      return;  // no code
+    }
+  }
+
+  Control control_;
+  ModeWords modes_;
+  RefuseBlock refuse_ = [this](const std::string& why) { control_.refuse(why); };
+  std::optional<SinumerikWord> modal_;
+  std::map<std::string, int> tool_numbers_;
+  Rounding rounding_ = Rounding::kUnstated;
+  std::optional<double> contour_word_, distance_word_;  ///< in the program's unit
+  std::optional<double> contour_mm_;
+  double distance_mm_ = 0;
+  std::array<double, 3> shifts_{};  ///< mm, by TRANS and ATRANS
+  std::string frame_word_, compressor_;
+  bool edge_said_ = false, feeds_in_mm_ = false;
+};
+
+}  // namespace
+
+bool read_sinumerik(std::string_view text, const DialectRules& rules, const ReadControllerOptions& options,
+                    ToolpathBuilder& builder) {
+  return SinumerikReader(rules, options, builder).read(text);
+}
+
+}  // namespace clearcut::read::gcode

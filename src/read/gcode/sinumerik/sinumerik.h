@@ -1,0 +1,17 @@
+// Programs of Siemens Sinumerik 840D and its like, in their own language (G290).
+#pragma once
+
+#include <string_view>
+
+#include "read/gcode/dialect.h"
+#include "read/gcode/gcode.h"
+#include "read/gcode/motion/builder.h"
+
+namespace clearcut::read::gcode {
+
+/// Returns whether an end word (M2, M17, M30, RET) was seen. Throws InputError for blocks that would move the tool in ways that are not
+/// understood.
+bool read_sinumerik(std::string_view text, const DialectRules& rules, const ReadControllerOptions& options,
+                    ToolpathBuilder& builder);
+
+}  // namespace clearcut::read::gcode

@@ -1,0 +1,44 @@
+// Words of a Sinumerik program: addresses of several letters, values behind '=', calls with arguments.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace clearcut::read::gcode {
+
+/// What stands behind a word's name.
+enum class SinumerikValue : unsigned char {
+  kNone,         ///< SUPA
+  kNumber,       ///< X10, CR=5
+  kAbsolute,     ///< X=AC(5)
+  kIncremental,  ///< X=IC(5)
+  kText,         ///< T="MILL6", without the quotes
+  kArguments     ///< CYCLE81(5,0,2,-3)
+};
+
+struct SinumerikWord {
+  std::string name;  ///< in capitals, with the number that an '=' follows: "X", "CTOL", "S1"
+  SinumerikValue kind = SinumerikValue::kNone;
+  double number = 0;
+  std::string text;
+  std::vector<std::string> arguments;  ///< without blanks; texts keep their quotes
+};
+
+struct SinumerikBlock {
+  bool optional = false;  ///< begins with '/'
+  std::string_view comment;
+  std::vector<SinumerikWord> words;
+};
+
+/// Refuses the block for that reason; does not return.
+using RefuseBlock = std::function<void(const std::string& why)>;
+
+/// Takes one line apart. What computes (R parameters, expressions) is refused.
+SinumerikBlock sinumerik_block(std::string_view line, const RefuseBlock& refuse);
+
+/// Whether a program has words that no other control reads: calls of cycles, G700 and G710, words of several letters with '='.
+bool is_sinumerik(std::string_view text);
+
+}  // namespace clearcut::read::gcode
