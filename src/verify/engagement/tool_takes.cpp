@@ -16,6 +16,8 @@ constexpr double kTakenSliver = 0.03;
 constexpr double kHoleWall = 0.1;
 /// mm down for each mm of advance. Steeper moves go down.
 constexpr double kDownward = 1;
+/// mm down for each mm of advance. On gentler ways the flank cuts before the flat tip of a chamfer mill all but as deep as that goes.
+constexpr double kSinking = 0.05;
 /// mm in the radius: what usual reamers and boring bars are given to take, at most.
 constexpr double kReamed = 0.25, kBored = 0.5;
 /// mm; from this diameter on reamers may take that share of it: ISO 14649-11 reams 22 mm after a drill of 20 in its example.
@@ -73,7 +75,8 @@ ToolTakes thread_mill_row(const Tool& tool, const Part& part) {
           .needs = "room beside the thread, cleared before"};
 }
 ToolTakes chamfer_row(const Tool& tool, const Part& /*part*/) {
-  return {.idle_tip = tool.tip_diameter / 2, .needs = "a hole wider than its flat tip"};
+  return {
+      .idle_tip = tool.tip_diameter / 2, .idle_from = kSinking, .needs = "a hole wider than its flat tip"};
 }
 ToolTakes vbit_row(const Tool& tool, const Part& /*part*/) {
   const double tip = tool.tip_diameter / 2;
@@ -140,8 +143,10 @@ std::optional<Overcut> overcut_of(const CheckedMove& checked, const ToolTakes& t
     const auto wall = within(material, move, radius + kHoleWall);
     return wall ? std::optional(Overcut{*wall, kHoleWall, false}) : std::nullopt;
   }
-  const bool down = checked.slope() >= kDownward;
-  if (takes.idle_tip > 0 && down) {
+  // What takes nothing sideways goes down along its axis alone.
+  const bool is_along_axis = move.is_vertical() || move.path.length() <= kTakenSliver;
+  const bool down = checked.slope() >= kDownward && (takes.sideways > 0 || is_along_axis);
+  if (takes.idle_tip > 0 && checked.slope() >= takes.idle_from) {
     const auto met = within(material, move, takes.idle_tip);
     return met ? std::optional(Overcut{*met, takes.idle_tip, false}) : std::nullopt;
   }

@@ -18,6 +18,7 @@ struct ToolTakes {
   double lead =
       0;  ///< mm over the tip for each mm from the axis: what stands lower does not count on the way down
   double idle_tip = 0;     ///< radius of a flat tip that does not cut: it may not go down into material
+  double idle_from = 1;    ///< mm down for each mm of advance from which on that tip counts
   bool feeds_out = false;  ///< it comes out of its hole at the feed
   const char* needs = "";  ///< what has to be there before it goes down
 };

@@ -35,5 +35,34 @@ TEST(ToolTakes, NothingSolidUnderTheTipHoweverShallow) {
   }
 }
 
+TEST(ToolTakes, DrillsGoDownAlongTheirAxisHoweverSteep) {
+  Part part = square_part();
+  part.tools[0] = Tool{1, "T1", ToolKind::kDrill, 10, 0, 2, {}, true};
+  const auto ramp = [&](double aside) {
+    Writer writer;
+    writer.enter({20, 25}, 0, -2).feed({20 + aside, 25}, -4, 100).feed({20 + aside, 25}, 5, 100);
+    return verify_program(part, writer.done(), {});
+  };
+  EXPECT_TRUE(has(ramp(2), FaultKind::kMoreThanItCuts));
+  EXPECT_TRUE(has(ramp(0.3), FaultKind::kMoreThanItCuts));
+  EXPECT_FALSE(has(ramp(0.01), FaultKind::kMoreThanItCuts));
+}
+
+TEST(ToolTakes, FlatTipsOfChamferMillsDoNotSinkIntoMaterial) {
+  Part part = square_part();
+  part.tools[0] = Tool{1, "T1", ToolKind::kChamferMill, 10, 0, 2, {}, true};
+  part.tools[0].tip_angle = Radians::of_degrees(90);
+  part.tools[0].tip_diameter = 4;
+  const auto way = [&](double from, double to) {
+    Writer writer;
+    writer.rapid({-20, 25}, 10).rapid({-20, 25}, from).feed({5, 25}).feed({25, 25}, to, 100);
+    return has(verify_program(part, writer.done(), {}), FaultKind::kMoreThanItCuts);
+  };
+  EXPECT_TRUE(way(0, -2));
+  EXPECT_TRUE(way(0, -8));
+  EXPECT_FALSE(way(-2, -2));
+  EXPECT_FALSE(way(-2, -2.2));
+}
+
 }  // namespace
 }  // namespace clearcut::verify
