@@ -59,6 +59,7 @@ class Settings(TypedDict, total=False):
     direction: str | None
     order: str
     start: tuple[float, float] | None
+    toolpaths: str | None
     feed: Feed | None
     plunge_feed: Feed | None
     ramp_feed: Feed | None
@@ -277,6 +278,7 @@ class PlanOptions:
     direction: str | None
     order: str
     start: tuple[float, float] | None
+    toolpaths: str | None
     feed: Feed | None
     plunge_feed: Feed | None
     ramp_feed: Feed | None

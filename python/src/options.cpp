@@ -244,6 +244,20 @@ void add_search(OptionsClass& options) {
         o.outside_in = order_named(order, "--order") == ContourOrder::kOutsideIn;
       },
       "Contours inside-out or outside-in.");
+  options.def_property(
+      "toolpaths",
+      [](const AskedOptions& o) -> std::optional<std::string> {
+        if (!o.toolpaths) return std::nullopt;
+        return *o.toolpaths == ToolpathSource::kFile ? "file" : "ours";
+      },
+      [](AskedOptions& o, const std::optional<std::string>& source) {
+        o.toolpaths.reset();
+        if (!source) return;
+        if (*source != "file" && *source != "ours")
+          throw InputError("toolpaths", "'" + *source + "' is unknown; use file or ours");
+        o.toolpaths = *source == "file" ? ToolpathSource::kFile : ToolpathSource::kOurs;
+      },
+      "Where a STEP-NC file states toolpaths: file, to use them as they stand, or ours.");
   add_optional(
       options, "start", doc("PlanOptions::start"), [](auto& o) -> auto& { return o.start; },
       [](const py::handle& point, const std::string&) {

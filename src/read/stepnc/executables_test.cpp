@@ -100,7 +100,8 @@ TEST(StepNcLedger, WhatBearsOnThePartIsAnOpenConditionAndAnnotationsAreNotes) {
   program.with(90, "TOOLPATH_LIST((#91))").with(91, "CUTTER_LOCATION_TRAJECTORY(.T.,$,$,$,$,$,$,$,$)");
   const Part part = program.read();
   ASSERT_EQ(open_conditions_of(part).size(), 1U) << all_diagnostics(part);
-  EXPECT_THAT(open_conditions_of(part)[0], HasSubstr("its_toolpath of #30 (line "));
+  EXPECT_THAT(open_conditions_of(part)[0],
+              HasSubstr("#30 BOTTOM_AND_SIDE_ROUGH_MILLING: its toolpath is not followed"));
   EXPECT_THAT(all_diagnostics(part), HasSubstr("an annotation: WORKPIECE: global_tolerance of #3 (line "));
 }
 

@@ -294,7 +294,7 @@ TEST(StepNc, WhatCannotBeMachinedIsSkippedAndTheRestStays) {
   EXPECT_EQ(part.workplan[0].name, "WS1");
   EXPECT_EQ(count_of(part, Severity::kSkipped), 3) << all_diagnostics(part);
   EXPECT_THAT(all_diagnostics(part),
-              HasSubstr("'TAP IT' is left out: line 41: #90 TAPPING: threads are not cut"));
+              HasSubstr("'TAP IT' is left out: line 41: #90 TAPPING: tapping needs a TAP"));
   EXPECT_THAT(all_diagnostics(part), HasSubstr("refers to #99, which is not in the file"));
   EXPECT_THAT(all_diagnostics(part), HasSubstr("CHAMFER: an edge is broken"));
 }

@@ -36,6 +36,7 @@ constexpr TrajectoryType kTrajectoryTypes[] = {{"APPROACH"},          {"LIFT"}, 
                                                {"NONCONTACT", true},  {"TRAJECTORY"}};
 
 const TrajectoryType& type_of(const Node& element) {
+  if (element.unset(kType)) return kTrajectoryTypes[0];
   const std::string name = element.enumeration(kType);
   for (const TrajectoryType& type : kTrajectoryTypes)
     if (name == type.name) return type;
