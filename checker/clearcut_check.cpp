@@ -805,7 +805,7 @@ class Track {
   int line_ = 0;
 };
 
-/// G-code as LinuxCNC, Grbl, Fanuc, Haas, Mach and Marlin read it: absolute, XY plane, arcs by I and J.
+/// G-code as LinuxCNC, Grbl, Fanuc, Haas, Mach, Marlin and, after G700 or G710, Sinumerik read it: absolute, XY plane, arcs by I and J.
 class IsoReader {
  public:
   IsoReader(const Text& file, Program& out, Int top) : file_(file), out_(out), track_(out, top) {}
@@ -840,6 +840,13 @@ class IsoReader {
         return;
       }
       if (c < 'A' || c > 'Z') fail(Text("'") + c + "' is not understood");
+      if (line.compare(at - 1, 5, "SUPA ") == 0) {  // Sinumerik's G53
+        gs_.push_back(530);
+        at += 4;
+        continue;
+      }
+      if (line.compare(at - 1, 5, "CTOL=") == 0)
+        at += 4;  // kept under its first letter, which no other word here has
       const Number value = number_at(line, at, false, track_.where());
       if (c == 'G' || c == 'M') {
         (c == 'G' ? gs_ : ms_).push_back(small(value, 10));
@@ -886,10 +893,11 @@ class IsoReader {
         fail("a dwell with other words");
       return;
     }
-    for (const int code : {200, 210}) {
+    for (const int code : {200, 210, 7000, 7100}) {
       if (!takes_g(code)) continue;
       if (track_.moved()) fail("units change after the first motion");
-      unit_ = code == 200 ? kInch : kMillimetre;
+      unit_ = code == 200 || code == 7000 ? kInch : kMillimetre;
+      sinumerik_ = sinumerik_ || code > 1000;
     }
     for (const int code :
          {170, 400, 911, 940,
@@ -899,6 +907,10 @@ class IsoReader {
     if (up && by_reference != incremental) fail("G28 without G91, or G53 with it");
     if (takes_g(900)) absolute_ = true;
     if (incremental && !up) fail("incremental motion (G91)");
+    if (sinumerik_ && words_.count('D')) {
+      if (!up && !track_.at_home()) fail("the tool's length changes away from the machine's upper end");
+      words_.erase('D');
+    }
     if (up) return go_home(incremental);
     if (takes_g(490) || takes_g(430)) {
       if (!track_.at_home()) fail("the tool's length changes away from the machine's upper end");
@@ -908,6 +920,8 @@ class IsoReader {
     if (takes_g(610)) out_.stated = true;
     if (takes_g(640)) blend('P', 'Q');
     if (takes_g(1870)) blend('E', 'E');
+    if (sinumerik_ && takes_g(6420)) blend('C', 'C');
+    if (sinumerik_ && takes_g(600)) out_.stated = true;
     machine_words();
     for (const int code : {0, 10, 20, 30}) {
       if (!takes_g(code)) continue;
@@ -935,9 +949,12 @@ class IsoReader {
     int offset = 0;
     for (const int code : {540, 550, 560, 570, 580, 590, 591, 592, 593, 541, 1540}) {
       if (!takes_g(code)) continue;
+      if (sinumerik_ && code >= 580) fail("G58 and G59 shift axes on this control, which is not claimed");
       offset = code * 1000;
       if ((code == 541 || code == 1540 || code == 590) && words_.count('P')) offset += small(take('P'), 1);
     }
+    for (int code = 5050; sinumerik_ && code <= 5990; code += 10)
+      if (takes_g(code)) offset = code * 1000;
     if (offset == 0 || offset == offset_) return;
     if (track_.moved()) fail("the work offset changes after the first motion");
     offset_ = offset;
@@ -988,7 +1005,7 @@ class IsoReader {
   std::vector<int> gs_, ms_;  // ten times their numbers
   Int unit_ = kMillimetre;
   int motion_ = -1, offset_ = 0, tool_ = -1;
-  bool absolute_ = false, tape_ = false, changed_ = false, begun_ = false, ended_ = false;
+  bool absolute_ = false, tape_ = false, sinumerik_ = false, changed_ = false, begun_ = false, ended_ = false;
 };
 
 /// Heidenhain Klartext: L, CC, C.

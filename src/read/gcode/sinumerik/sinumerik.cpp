@@ -330,7 +330,7 @@ class SinumerikReader {
       return true;
     }
     if (name == "D") {
-      if (!(word.number >= 0 && word.number <= 99))
+      if (word.kind != SinumerikValue::kNumber || !(word.number >= 0 && word.number <= 99))
         control_.refuse("D word with an impossible edge; correct it");
       found.edge = static_cast<int>(word.number);
       return true;
