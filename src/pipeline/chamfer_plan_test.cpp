@@ -114,6 +114,9 @@ TEST(Chamfering, WhatCannotBeBrokenIsRefused) {
   EXPECT_THAT(
       refusal(drawn(pocket + box("POCKET_D4", 49, 12, 60, 32) + box("CHAMFER_D1.5", 12, 12, 48, 32)), tools),
       HasSubstr("meets POCKET_D4"));
+  EXPECT_THAT(
+      refusal(drawn(pocket + box("POCKET_D4", 28, 16, 29, 28) + box("CHAMFER_D0.6", 28, 16, 29, 28)), tools),
+      HasSubstr("nothing of the top"));
 }
 
 TEST(Chamfering, AnOptionBreaksTheEdgesOfWhatIsMilledBesides) {

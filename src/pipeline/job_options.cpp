@@ -63,6 +63,10 @@ void read_earlier_program(resolve::PlanOptions& options, const std::string& file
   }
 }
 
+bool holds_parts(const Sources& sources) {
+  return sources.find("holding") != nullptr;
+}
+
 resolve::PlanOptions options_of_job(const read::JobFile& job) {
   check_strategies(job);
   resolve::PlanOptions options = job.whole;
@@ -70,6 +74,7 @@ resolve::PlanOptions options_of_job(const read::JobFile& job) {
   options.machine = job.machine;
   // Where the job says which offset the zero is at, that is no open question.
   if (job.sources.find("work-offset")) options.accept.push_back(condition_of(options.post.work_offset));
+  if (holds_parts(job.sources)) options.accept.emplace_back("loose-part");
   options.sources = job.sources;
   for (const std::string& text : job.stated_keep_outs)
     options.keep_outs.push_back(resolve::parse_keep_out(text));

@@ -16,6 +16,9 @@ namespace clearcut::pipeline {
 /// Throws InputError for strategies that nobody knows, also where a later rule puts them aside, and for files that cannot be read.
 resolve::PlanOptions options_of_job(const read::JobFile& job);
 
+/// Whether the machine file or table that the keys come from says what holds parts that come loose: that answers `loose-part`.
+bool holds_parts(const Sources& sources);
+
 /// What a library states for its tools, in their order; `preset` names which of several, "" the first.
 std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::LibraryTool>& tools,
                                                    const std::string& preset);

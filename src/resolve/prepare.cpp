@@ -388,7 +388,9 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   shape_profiles(part, options, sources);
   shape_carvings(part, options, sources);
   lean_walls(part);
+  const std::size_t without_rest = part.workplan.size();
   add_rest_steps(part, options, sources);
+  if (part.workplan.size() > without_rest) put_what_frees_last(part);
   if (finish_of(options.shop) != Finish::kNone) {
     add_finishing_steps(part, options, sources);
     put_what_frees_last(part);

@@ -369,7 +369,11 @@ PlanOptions PlanArguments::options() const {
   if (typed_.input.tool_library || !typed_.input.tools.empty())
     options.tool_cutting = cutting_of_tools(library().tools, "");
   options.machine = machine(from_job ? from_job->machine : Machine{});
-  if (typed_.input.machine_file) options.sources.merge(machine_sources(*typed_.input.machine_file));
+  if (typed_.input.machine_file) {
+    const Sources of_machine = machine_sources(*typed_.input.machine_file);
+    if (pipeline::holds_parts(of_machine)) options.accept.emplace_back("loose-part");
+    options.sources.merge(of_machine);
+  }
   if (typed_.input.machine_kind) name_kind_as_source(options.sources);
   options.step_sources = step_sources_;
   options.sources.merge(sources_);

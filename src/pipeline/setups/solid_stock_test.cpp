@@ -63,6 +63,20 @@ TEST(SolidStock, MaterialOfThePartThatTheStockLacksIsAFault) {
   EXPECT_THAT(faults_of(deeper.findings), HasSubstr("in the stock, which lacks material of the part"));
 }
 
+/// However many features a wrong blank meets, it is one mistake.
+TEST(SolidStock, AWrongBlankIsOneFault) {
+  std::string pockets, missing;
+  for (int i = 0; i < 4; ++i) {
+    pockets += box("POCKET_D4", 4.0 + 19 * i, 5, 17.0 + 19 * i, 20);
+    // Every other one is right, so that what is wrong is not in successive moves.
+    const bool is_right = i % 2 == 1;
+    missing += box(is_right ? "POCKET_D4" : "POCKET_D9", 4.0 + 19 * i, 5, 17.0 + 19 * i, 20);
+  }
+  const PlanResult result = planned(drawn(kBlock + pockets), drawn(kBlock + missing));
+  EXPECT_EQ(result.findings.faults.size(), 1u) << faults_of(result.findings);
+  EXPECT_THAT(faults_of(result.findings), HasSubstr("Likewise in"));
+}
+
 TEST(SolidStock, LiesAtTheBlockWhereverItsZeroIs) {
   const Part stock = drawn(kBlock + box("POCKET_D6", 10, 10, 40, 30));
   const Part moved = read::with_zero_at(drawn(kBlock + kPocket), {40, 30, -12});

@@ -122,6 +122,10 @@ Machine machine_of_section(DataSection section, Machine base) {
   if (const auto wait = section.not_negative("spindle_wait")) base.spindle_wait_s = *wait;
   if (const auto change = section.not_negative("tool_change")) base.tool_change_s = *change;
   if (const auto tolerance = section.not_negative("path_tolerance")) base.path_tolerance = tolerance;
+  if (const auto holding = section.text("holding"); holding && holding->empty())
+    section.fail_at(
+        "holding",
+        "says nothing; name what holds parts that come loose (vacuum, tape, screws), or leave it out");
   if (const auto places = section.section("places")) base.places = places_of(*places);
   if (const auto travel = section.section("travel")) base.travel = travel_of(*travel);
   section.refuse_unknown();

@@ -15,7 +15,7 @@ namespace clearcut::read {
 /// TOML with name, rapid (mm/min), acceleration (mm/s2), each one number or [x, y, z], junction_deviation (mm), planner
 /// (grbl, linuxcnc, marlin, mach, jerk-limited), jerk (mm/s3), speed_jump ([x, y, z], mm/s), arc_tolerance (mm), max_spindle and min_spindle (rpm),
 /// spindle_power (W), spindle_torque (Nm), kind (router, mill),
-/// max_feed (mm/min), spindle_wait (s), tool_change (s), path_tolerance (mm), travel = {x = [low, high], y = ..., z = ...}
+/// max_feed (mm/min), spindle_wait (s), tool_change (s), path_tolerance (mm), holding (what holds parts that come loose: its source alone counts), travel = {x = [low, high], y = ..., z = ...}
 /// (mm) and places = {start, g28, g30, g54 ... g59 = [x, y, z]} (mm, the machine's own); all may be left out. Throws
 /// InputError "file:line: ...".
 Machine read_machine(const std::filesystem::path& file);

@@ -32,10 +32,47 @@ double mean_width(double area, const Loop& loop) {
   return 2 * std::abs(area) / length(loop);
 }
 
+/// Whether a line goes straight back over the one before it.
+bool turns_back(const Edge& before, const Edge& after) {
+  if (before.is_arc() || after.is_arc()) return false;
+  const Vec2 a = before.to - before.from, b = after.to - after.from;
+  return cross(a, b) == 0 && dot(a, b) < 0;
+}
+
+/// The loop without lines that it goes forth and back: these enclose nothing, and thousands over each other take a boolean minutes.
+/// O(n).
+Loop without_ways_back(const Loop& loop) {
+  Loop kept;
+  for (const Edge& edge : loop) {
+    kept.push_back(edge);
+    while (kept.size() > 1 && turns_back(kept[kept.size() - 2], kept.back())) {
+      const Vec2 to = kept.back().to;
+      kept.pop_back();
+      kept.back().to = to;
+      if (kept.back().from == to) kept.pop_back();
+    }
+  }
+  return kept;
+}
+
 /// Lobes of opposite turn may cancel, so a loop without net area is looked at again.
 bool is_thin(const Loop& loop, const Tolerances& tol) {
   return mean_width(signed_area(loop), loop) <= kThinnest &&
          mean_width(area(resolve_even_odd(std::span(&loop, 1), tol)), loop) <= kThinnest;
+}
+
+/// Takes out of each loop what it goes forth and back by the hundred; a few of these are mended with all else that touches.
+void drop_ways_back(std::vector<RawLoop>& loops, const RepairOptions& options, Diagnostics& diagnostics) {
+  constexpr std::size_t kHundred = 100;
+  for (RawLoop& loop : loops) {
+    Loop outline = without_ways_back(loop.loop);
+    const std::size_t gone = loop.loop.size() - outline.size();
+    if (gone < kHundred || outline.size() < 2) continue;
+    diagnostics.repair(options.where + " at " + place_text(outline.front().from),
+                       "an outline (" + loop.source + ") goes forth and back over itself: " +
+                           std::to_string(gone) + " lines that enclose nothing were dropped");
+    loop.loop = std::move(outline);
+  }
 }
 
 std::vector<RawLoop> without_thin(std::vector<RawLoop> loops, const RepairOptions& options,
@@ -75,6 +112,7 @@ Regions repair(std::vector<RawCurve> curves, const RepairOptions& options, Diagn
   const bool nothing_drawn = curves.empty();
   std::vector<RawLoop> loops = join(clean(std::move(curves), options, diagnostics), options, diagnostics);
   trim_joints(loops, options, diagnostics);
+  drop_ways_back(loops, options, diagnostics);
   loops = without_thin(std::move(loops), options, diagnostics);
   if (loops.empty() && !nothing_drawn && options.may_be_empty) return {};
   if (loops.empty()) {

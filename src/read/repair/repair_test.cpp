@@ -31,6 +31,17 @@ RawCurve circle(Vec2 center, double radius) {
   return {full_circle(center, radius), true, "circle", {}};
 }
 
+/// A path of a plotter file over one side of a square, a hundred thousand times.
+TEST(Repair, WhatGoesForthAndBackByTheThousandIsReadAtOnce) {
+  std::vector<Vec2> points{{0, 0}};
+  for (int i = 1; i < 100000; ++i) points.push_back({i % 2 == 1 ? 40.0 : 0.0, 0});
+  points.insert(points.end(), {{40, 40}, {0, 40}});
+  const Repaired result = repaired({closed(points)});
+  ASSERT_EQ(result.regions.size(), 1u);
+  EXPECT_NEAR(area(result.regions), 1600, 1e-6);
+  EXPECT_EQ(result.count(Severity::kRepair, "forth and back"), 1);
+}
+
 TEST(Repair, CleanOutlinesPassUnchangedAndInSilence) {
   const Repaired result = repaired({square(0, 0, 50), circle({25, 25}, 5)});
   ASSERT_EQ(result.regions.size(), 1u);

@@ -230,6 +230,12 @@ std::optional<Feature> edge_over(const LeaningFaces& group, const Foot& foot, bo
     const auto is_wide = [&](const Tool& tool) {
       return tool.diameter > 2 * (*radius + width) - kSameEnd && tool.tip_diameter < 2 * *radius - kSameEnd;
     };
+    // Without its hole a cone has nothing to be about.
+    const bool is_made = std::any_of(work.tools.begin(), work.tools.end(), [&](const Tool& tool) {
+      return stock::is_near_size(tool.diameter, 2 * *radius) ||
+             (mills_upright(tool) && tool.diameter < 2 * *radius);
+    });
+    if (is_hole && !is_made) return std::nullopt;
     if (is_hole && any_tool(is_wide)) return countersink_over(group, center, *radius + width);
   }
   const auto goes_along = [&](const Tool& tool) {

@@ -146,6 +146,10 @@ class WallFinder {
   /// Those that lie beside the line; notes whether the stock ends there.
   std::vector<int> beside_line() {
     std::vector<int> found;
+    // A corner of the line on the stock's side, as of a part that stands askew in its block.
+    if (part_.stock)
+      for (const Edge& edge : feature_.chamfer->line)
+        stock_beside_ = stock_beside_ || !part_.stock->plan.grown(-kBeside).contains(edge.from);
     along([&](Vec2 p, Vec2 aside) {
       for (const Vec2 q : {p + aside, p - aside}) {
         stock_beside_ = stock_beside_ || (part_.stock && !part_.stock->plan.contains(q));
@@ -181,6 +185,19 @@ Regions strip_of(const Chamfer& chamfer, double width, const Tolerances& tol) {
   if (chamfer.air_inside) return subtract(dilate(within, width, tol), within, tol);
   const Regions rest = inset(within.front(), width, tol);
   return rest.empty() ? within : subtract(within, rest, tol);
+}
+
+/// Where what stands is so narrow that chamfers of both its sides would meet.
+void refuse_narrow_top(const Feature& feature, double width, const Tolerances& tol) {
+  if (feature.chamfer->air_inside) return;
+  const Regions rest = inset(Region::from_valid_loops(feature.chamfer->line, {}), width, tol);
+  if (rest.size() == 1) return;
+  throw InputError(
+      feature.name,
+      fmt::format("it is {} mm wide at the top, and what stands between its lines is {}: nothing of the top "
+                  "would be left there; use less depth",
+                  trimmed(width, 3),
+                  rest.empty() ? "no wider than twice that" : "in places no wider than twice that"));
 }
 
 void refuse_narrow_cone(const Feature& feature, const Tool& tool) {
@@ -245,6 +262,7 @@ void shape_chamfers(Part& part, const Tolerances& tol) {
     feature.wall_slope = Radians::of(tool.tip_angle->radians() / 2);
     feature.floor_z = feature.top_z - feature.chamfer->depth;
     const bool cut_out = WallFinder(part, step.feature, tol).find();
+    refuse_narrow_top(feature, feature.chamfer->depth * flank_slope(tool), tol);
     feature.target = strip_of(*feature.chamfer, feature.chamfer->depth * flank_slope(tool), tol);
     feature.allowed = feature.target;
     (cut_out && tool.kind == ToolKind::kChamferMill && tool.tip_diameter > 0 ? late : early).push_back(step);

@@ -58,7 +58,8 @@ void fold_alike(std::vector<Fault>& faults) {
   using Key = std::tuple<FaultKind, std::string, std::string>;
   std::map<Key, Group> groups;
   const auto key = [](const Fault& fault) {
-    return Key{fault.kind, fault.cause, row_of(fault.kind).of_state ? std::string() : fault.feature};
+    const bool is_one = row_of(fault.kind).of_state || fault.cause == kWrongStock;
+    return Key{fault.kind, fault.cause, is_one ? std::string() : fault.feature};
   };
   for (std::size_t i = 0; i < faults.size(); ++i)
     if (!faults[i].cause.empty()) groups[key(faults[i])].add(faults, i);

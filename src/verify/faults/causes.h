@@ -10,6 +10,10 @@
 
 namespace clearcut::verify {
 
+/// While faults are looked for: the cause of those of a stock that lacks material of the part. A wrong blank is one mistake, whatever
+/// features it meets.
+inline constexpr const char* kWrongStock = "stock that lacks material";
+
 /// Faults of one kind and cause become one, the worst of them, whose sentence counts the others. A program that is 25.4 times as large or
 /// as small as what is to be cut has a fault of the kind kUnits, from which all follow that the wrong size makes. Where a tool is not
 /// known, what its work counts as not having cut follows from that. The sentence of a fault says how many follow from it. Afterwards

@@ -9,6 +9,7 @@
 #include "base/text/format.h"
 #include "verify/attribution.h"
 #include "verify/engagement/tool_takes.h"
+#include "verify/faults/causes.h"
 #include "verify/faults/driving/cutting_data.h"
 #include "verify/faults/keep_out.h"
 #include "verify/faults/state_faults.h"
@@ -272,7 +273,7 @@ Fault fault_of(const Part& part, FaultKind kind, const CheckedMove& checked, con
                             : checked.earlier   ? "in the program before: "
                             : feature.empty()   ? ""
                                                 : feature + ": ";
-  return {kind, feature, place, size, whose + what + at(place) + "."};
+  return {kind, feature, place, size, whose + what + at(place) + ".", checked.is_of_stock ? kWrongStock : ""};
 }
 
 std::vector<Fault> faults_of_moves(const Part& part, const CheckedProgram& program,
