@@ -36,6 +36,7 @@ constexpr const char* kFaultNames[] = {"uncut",
                                        "tapping",
                                        "stock to leave",
                                        "more than it cuts",
+                                       "above the reference",
                                        "wrong units"};
 static_assert(std::size(kFaultNames) == static_cast<std::size_t>(FaultKind::kUnits) + 1);
 

@@ -45,6 +45,7 @@ enum class FaultKind {
   kTapping,  ///< a tap whose feed is not its pitch times the speed, or that does not turn back on its way out
   kStockToLeave,  ///< stock that was to be left on a wall or a floor is cut away
   kMoreThanItCuts,  ///< a tool takes more than its kind can: sideways, or straight down without the hole that it needs
+  kAboveReference,  ///< fed so that the load exceeds that of the reference by which feeds were asked to go
   kUnits  ///< inches taken for mm, or the other way round: the program is 25.4 times too large or too small
 };
 const char* name_of(FaultKind kind);
@@ -99,6 +100,12 @@ struct ThinWall {
   Place at;
 };
 
+/// The greatest load of any feed move as a share of that at the reference by which feeds go.
+struct ReferenceLoad {
+  double share = 0;  ///< 1: as much as at the reference, or as fast as the cap
+  Place at;
+};
+
 struct Figures {
   double feed_mm = 0;
   double rapid_mm = 0;
@@ -123,8 +130,9 @@ struct Figures {
   Entries entries;
   double air_cut_mm = 0;  ///< feed length at depth that touches no material
   std::optional<CuttingLoad> load;
-  std::optional<ThinWall> thin_wall;  ///< where it bends by more than 0.02 mm
-  double lower_bound_mm = 0;          ///< no program can cut this with less feed length
+  std::optional<ReferenceLoad> reference_load;  ///< where feeds go by the load
+  std::optional<ThinWall> thin_wall;            ///< where it bends by more than 0.02 mm
+  double lower_bound_mm = 0;                    ///< no program can cut this with less feed length
   bool clean = false;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "model/cutter_profile.h"
+#include "stock/cutting_load.h"
 #include "stock/material.h"
 #include "verify/engagement/entry_watch.h"
 #include "verify/engagement/forces.h"
@@ -168,6 +169,7 @@ class LoadMeter {
     const stock::CutterEngagement whole =
         material_.engagement(raised(move, kResidual), t, checked.radius() - kResidual, own_);
     MoveLoad& load = checked.load;
+    compare_with_reference(checked, whole, {move.path.at(t), z, move.line});
     const double axial = whole.angle > 0 ? measure_axial(checked, move.path.at(t),
                                                          angle_of(direction_at(move, t)), z, whole.angles)
                                          : 0;
@@ -193,6 +195,25 @@ class LoadMeter {
       load.max_deg = angle;
       load.max_at = {move.path.at(t), z, move.line};
     }
+  }
+
+  /// Of mills that clear floors: entries, leads and links count, too. Where they are in material the cap holds as well.
+  void compare_with_reference(CheckedMove& checked, const stock::CutterEngagement& contact,
+                              const Place& place) const {
+    if (!options_.reference || !mills_upright(*checked.tool) || contact.angle <= 0) return;
+    const LoadReference& reference = *options_.reference;
+    const double allowed = reference.feed(checked.workingstep, checked.tool_number) *
+                           stock::load_at_feed_of_one(reference.rule.by, reference.rule.reference);
+    if (allowed <= 0) return;
+    const double feed = checked.move->feed.mm_per_min();
+    const double load = feed * stock::load_at_feed_of_one(reference.rule.by, contact);
+    const double of_cap = feed / reference.cap(checked.workingstep, checked.tool_number);
+    keep_greatest(checked.load.reference, {load / allowed, place});
+    if (of_cap > 1) keep_greatest(checked.load.reference, {of_cap, place});
+  }
+
+  static void keep_greatest(Rare<ReferenceLoad>& kept, const ReferenceLoad& one) {
+    if (!kept || one.share > kept->share) kept = one;
   }
 
   /// What an entry meets of its own and of all else.

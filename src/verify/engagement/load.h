@@ -11,14 +11,16 @@
 #include "model/part.h"
 #include "model/work_material.h"
 #include "verify/checked_move.h"
+#include "verify/load_reference.h"
 
 namespace clearcut::verify {
 
 struct LoadOptions {
   Tolerances tol;
-  std::optional<double> limit_deg;       ///< greater engagement is counted separately
-  std::optional<WorkMaterial> material;  ///< absent: no forces are computed
-  std::stop_token cancel;                ///< asked before each move
+  std::optional<double> limit_deg;           ///< greater engagement is counted separately
+  std::optional<WorkMaterial> material;      ///< absent: no forces are computed
+  std::stop_token cancel;                    ///< asked before each move
+  const LoadReference* reference = nullptr;  ///< null: loads are compared with none
   ProgressMeter* meter = nullptr;  ///< counts the samples of each move that was measured; see samples_of
 };
 

@@ -26,8 +26,9 @@ constexpr double kOtherSize = 4;
 
 /// Kinds that are about the control and the tool alone: one mistake makes them in all features.
 constexpr FaultKind kOfState[] = {
-    FaultKind::kToolLength, FaultKind::kSpindleOff, FaultKind::kSpindleDirection, FaultKind::kSpindleSpeed,
-    FaultKind::kWrongTool,  FaultKind::kNoFeed,     FaultKind::kFeedTooFast,      FaultKind::kBeyondFlutes};
+    FaultKind::kToolLength,   FaultKind::kSpindleOff,   FaultKind::kSpindleDirection,
+    FaultKind::kSpindleSpeed, FaultKind::kWrongTool,    FaultKind::kNoFeed,
+    FaultKind::kFeedTooFast,  FaultKind::kBeyondFlutes, FaultKind::kAboveReference};
 /// Kinds that say that something was not cut.
 constexpr FaultKind kOfMissingCuts[] = {FaultKind::kUncut, FaultKind::kNothingCut, FaultKind::kThread,
                                         FaultKind::kTabHeight};

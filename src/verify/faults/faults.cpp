@@ -21,6 +21,9 @@ namespace {
 /// inch), far below what a cutter notices.
 constexpr double kStepdownSlack = 5.5e-3;
 
+/// By which a load may exceed that of the reference: words of feeds are rounded, and engagement is measured at places a little apart.
+constexpr double kReferenceSlack = 0.005;
+
 std::string mm(double value) {
   return trimmed(value, 3) + " mm";
 }
@@ -99,6 +102,23 @@ class FaultFinder {
     return fault(
         FaultKind::kTooDeep, checked, checked.load.axial_at, checked.load.axial_mm,
         "A pass takes " + mm(checked.load.axial_mm) + " at once where the stepdown is " + mm(*stepdown));
+  }
+
+  std::optional<Fault> above_reference(const CheckedMove& checked) const {
+    if (!options_.reference || !checked.load.reference ||
+        checked.load.reference->share <= 1 + kReferenceSlack)
+      return std::nullopt;
+    const ReferenceLoad& load = *checked.load.reference;
+    const bool is_cap =
+        checked.move->feed.mm_per_min() >=
+        load.share * options_.reference->cap(checked.workingstep, checked.tool_number) * (1 - 1e-9);
+    const std::string what = is_cap ? "the cap of feeds"
+                             : options_.reference->rule.by == FeedBy::kChip
+                                 ? "the chip of the reference"
+                                 : "the removal rate of the reference";
+    return caused(what, fault(FaultKind::kAboveReference, checked, load.at, load.share,
+                              "A feed of " + trimmed(checked.move->feed.mm_per_min(), 0) + " mm/min is " +
+                                  trimmed(100 * load.share, 1) + " % of " + what));
   }
 
   std::optional<Fault> travel(const CheckedMove& checked) const {
@@ -264,19 +284,33 @@ std::string why_nothing_is_cut(const FeatureWork& work, bool unreachable) {
 }
 
 /// The order of faults: the causes of others, then by severity, what breaks things first.
-constexpr FaultKind kBySeverity[] = {FaultKind::kUnits,         FaultKind::kWrongTool,
-                                     FaultKind::kKeepOut,       FaultKind::kRapidInMaterial,
-                                     FaultKind::kHolder,        FaultKind::kGouge,
-                                     FaultKind::kLoosePart,     FaultKind::kTapping,
-                                     FaultKind::kThread,        FaultKind::kMoreThanItCuts,
-                                     FaultKind::kStockToLeave,  FaultKind::kMissingTab,
-                                     FaultKind::kTabHeight,     FaultKind::kToolLength,
-                                     FaultKind::kSpindleOff,    FaultKind::kBeyondStock,
-                                     FaultKind::kBeyondFlutes,  FaultKind::kPlungeTooFast,
-                                     FaultKind::kTooDeep,       FaultKind::kOverEngagement,
-                                     FaultKind::kSpindleSpeed,  FaultKind::kSpindleDirection,
-                                     FaultKind::kOutsideTravel, FaultKind::kFeedTooFast,
-                                     FaultKind::kNoFeed,        FaultKind::kNothingCut,
+constexpr FaultKind kBySeverity[] = {FaultKind::kUnits,
+                                     FaultKind::kWrongTool,
+                                     FaultKind::kKeepOut,
+                                     FaultKind::kRapidInMaterial,
+                                     FaultKind::kHolder,
+                                     FaultKind::kGouge,
+                                     FaultKind::kLoosePart,
+                                     FaultKind::kTapping,
+                                     FaultKind::kThread,
+                                     FaultKind::kMoreThanItCuts,
+                                     FaultKind::kStockToLeave,
+                                     FaultKind::kMissingTab,
+                                     FaultKind::kTabHeight,
+                                     FaultKind::kToolLength,
+                                     FaultKind::kSpindleOff,
+                                     FaultKind::kBeyondStock,
+                                     FaultKind::kBeyondFlutes,
+                                     FaultKind::kPlungeTooFast,
+                                     FaultKind::kTooDeep,
+                                     FaultKind::kOverEngagement,
+                                     FaultKind::kAboveReference,
+                                     FaultKind::kSpindleSpeed,
+                                     FaultKind::kSpindleDirection,
+                                     FaultKind::kOutsideTravel,
+                                     FaultKind::kFeedTooFast,
+                                     FaultKind::kNoFeed,
+                                     FaultKind::kNothingCut,
                                      FaultKind::kUncut};
 
 std::ptrdiff_t severity(FaultKind kind) {
@@ -304,6 +338,7 @@ std::vector<Fault> faults_of_moves(const Part& part, const CheckedProgram& progr
                                 [&](const CheckedMove& m) { return finder.overcut(m); },
                                 [&](const CheckedMove& m) { return keep_out_fault(part, m); },
                                 [&](const CheckedMove& m) { return finder.depth(m); },
+                                [&](const CheckedMove& m) { return finder.above_reference(m); },
                                 [&](const CheckedMove& m) { return finder.travel(m); },
                                 [&](const CheckedMove& m) { return finder.feed(m); },
                                 [&](const CheckedMove& m) { return finder.tool(m); }};
