@@ -25,16 +25,15 @@ def planned(command, shape, strategy, machine, more, post="linuxcnc"):
         words = [command, "plan", shape, "--tool", "endmill:6", "--strategy", strategy, "--feed", str(feed),
                  "--rapid", str(rapid), "--acceleration", str(acceleration), "--post", post,
                  "-o", program, "--certificate", certificate, "--quiet"] + more
-        if "depth" not in json.load(open(shape)) and '"depth"' not in open(shape).read():
+        if '"depth"' not in open(shape).read():
             words += ["--depth", "3"]
         subprocess.run(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
         if not os.path.exists(certificate):
             return None
         found = json.load(open(certificate))
         text = open(program).read()
-    figures = found.get("all", found)
-    return (figures["time_s"], figures["time_naive_s"], found.get("verdict", "?"),
-            len(re.findall(r"^[^(;]*F[0-9]", text, re.M)))
+    return (found["time_s"], found["time_naive_s"], found["verdict"],
+            len(re.findall(r"^[^(;\n]*F[0-9]", text, re.M)))
 
 
 def change(after, before):

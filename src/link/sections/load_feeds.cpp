@@ -11,7 +11,9 @@ namespace clearcut::link {
 namespace {
 
 /// mm, and share of the radius: greatest distance between places at which the load is computed.
-constexpr double kLongestSample = 0.1, kSampleOfRadius = 0.05;
+constexpr double kLongestSample = 0.04, kSampleOfRadius = 0.02;
+/// mm from the beginning of a move, where the load is computed, too.
+constexpr double kCorner = 0.01;
 /// mm. Material thinner than this comes from rounding.
 constexpr double kThinnest = 1e-3;
 /// Share of the reference that may be used: between two samples the load may be a little greater than at both.
@@ -206,7 +208,9 @@ class LoadFeedSetter {
     raised.z_from += kThinnest;
     raised.z_to += kThinnest;
     const bool divides = feeds_.divides && is_raised(move);
-    Sample before{0, feed_at(raised, 0)};
+    // Behind a corner the load is greater than in it.
+    const double corner = std::min(kCorner / move.path.length(), 0.25 / count);
+    Sample before{0, std::min(feed_at(raised, 0), feed_at(raised, corner))};
     Stretch whole{index, 0, 1, move.length(), before.feed, joined};
     for (int k = 1; k <= count; ++k) {
       const double t = static_cast<double>(k) / count;

@@ -22,7 +22,7 @@ struct LoadFeeds {
 
 /// Sets the feed of every feed move of `section`, whose tool is a mill that clears floors. Removes from `material` what it sweeps.
 ///
-/// The load is computed every tenth of a millimetre or twentieth of the radius, at both ends of each move, too; what is between two
+/// The load is computed every 0.04 mm or fiftieth of the radius, at both ends of each move, too; what is between two
 /// places counts as the greater of both, and 1.5 % of the reference are kept free for what is between. Neighbours get one feed, the lower
 /// one, where another word for the feed would gain less than 0.01 s. Cost as queries of Material.
 void set_load_feeds(Section& section, const Tool& tool, const LoadFeeds& feeds, stock::Material& material);
