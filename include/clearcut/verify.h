@@ -5,6 +5,7 @@
 #include "model/move.h"
 #include "model/results/findings.h"
 #include "pipeline/check.h"
+#include "pipeline/feeds/program_feeds.h"
 #include "pipeline/move_figures.h"
 #include "read/gcode/gcode.h"
 #include "resolve/plan_options.h"
@@ -14,8 +15,11 @@ namespace clearcut {
 using pipeline::check_program;
 using pipeline::check_program_alone;
 using pipeline::CheckResult;
+using pipeline::feeds_of_program;
 using pipeline::figures_of_moves;
 using pipeline::MoveFigures;
+using pipeline::ProgramFeeds;
+using pipeline::ProgramQuestion;
 using pipeline::times_of_moves;
 
 using Program = read::gcode::Program;

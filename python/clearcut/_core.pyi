@@ -74,6 +74,10 @@ class Settings(TypedDict, total=False):
     overrun: Length | None
     link_lift: Length | None
     slot_angle: float | None
+    feed_by: str | None
+    reference_engagement: float | None
+    reference_feed: Feed | None
+    feed_cap: Feed | None
     rest: bool | None
     finish: str | None
     finish_stock: Length | None
@@ -293,6 +297,10 @@ class PlanOptions:
     overrun: Length | None
     link_lift: Length | None
     slot_angle: float | None
+    feed_by: str | None
+    reference_engagement: float | None
+    reference_feed: Feed | None
+    feed_cap: Feed | None
     rest: bool | None
     finish: str | None
     finish_stock: Length | None

@@ -125,6 +125,19 @@ void add_shop(OptionsClass& options) {
   add_plain<double>(
       options, "slot_angle", doc("ShopOptions::slot_angle_deg"),
       [](auto& o) -> auto& { return o.shop.slot_angle_deg; });
+  add_named(
+      options, "feed_by", "chip or removal: feeds follow the load.",
+      [](auto& o) -> auto& { return o.shop.feed_by; }, resolve::feed_by_named,
+      [](FeedBy by) { return resolve::name_of(by); });
+  add_plain<double>(
+      options, "reference_engagement", "Engagement at which a feed is meant as stated, degrees.",
+      [](auto& o) -> auto& { return o.shop.reference_engagement_deg; });
+  add_feed(
+      options, "reference_feed", "Feed that is meant at the reference engagement, mm/min.",
+      [](auto& o) -> auto& { return o.shop.reference_feed; });
+  add_feed(
+      options, "feed_cap", "Highest feed where feeds follow the load, mm/min.",
+      [](auto& o) -> auto& { return o.shop.feed_cap; });
   add_plain<bool>(
       options, "rest", doc("ShopOptions::rest"), [](auto& o) -> auto& { return o.shop.rest; });
   add_plain<std::string>(

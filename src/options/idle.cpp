@@ -287,6 +287,12 @@ std::string without_slot_feed(const Situation& at) {
                 "no feed for slots is asked for; see --slot-feed");
 }
 
+std::string without_feed_rule(const Situation& at) {
+  const std::string nothing = mills_nothing(at);
+  if (!nothing.empty()) return nothing;
+  return unless(at.plan.feed_rule.has_value(), "feeds are as stated; see --feed-by");
+}
+
 std::string has_one_mill(const Situation& at) {
   const auto& tools = at.plan.part.tools;
   return unless(std::count_if(tools.begin(), tools.end(), clears_floors) > 1,

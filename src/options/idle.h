@@ -46,6 +46,7 @@ std::string without_links(const Situation& at);
 std::string plunges_nowhere(const Situation& at);
 std::string ramps_nowhere(const Situation& at);
 std::string without_slot_feed(const Situation& at);
+std::string without_feed_rule(const Situation& at);
 std::string has_one_mill(const Situation& at);
 std::string finishes_no_walls(const Situation& at);
 std::string finishes_no_floor(const Situation& at);

@@ -250,6 +250,10 @@ verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
   if (plan.earlier && !plan.earlier_state.control.spans.empty())
     verify.earlier_control = &plan.earlier_state.control;
   verify.material = plan.material;
+  if (plan.feed_rule) {
+    verify.reference.emplace().rule = *plan.feed_rule;
+    for (const ResolvedStep& step : plan.steps) verify.reference->feed_of_step.push_back(step.feed);
+  }
   return verify;
 }
 
@@ -329,6 +333,7 @@ Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& c
   verify::VerifyOptions verify = verify_options(plan);
   verify.tool_limits = std::move(stated.limits);
   verify.stated = std::move(stated.drives);
+  if (verify.reference) verify.reference->feed_of_tool = std::move(stated.reference_feeds);
   verify.control = &control;
   verify.accepted = plan.accept;
   const read::gcode::DialectRules& rules = read::gcode::rules_of(dialect);

@@ -40,6 +40,7 @@ verify::VerifyOptions verify_options(const ResolvedPlan& plan);
 struct StatedOfTools {
   std::map<int, verify::ToolLimits> limits = {};   ///< of those that no workingstep is made with
   std::map<int, verify::StatedDrive> drives = {};  ///< of all
+  std::map<int, MmPerMin> reference_feeds = {};    ///< meant at the reference where feeds follow the load
 };
 
 /// Checks what a control reads: its moves, what it holds meanwhile, and the conditions of both. Marks the conditions that

@@ -294,10 +294,17 @@ read::gcode::Program read_program(const ProgramText& program, const resolve::Pla
   return read;
 }
 
+/// Without a part no operation states a feed.
+void require_reference(const ResolvedPlan& plan, const StatedOfTools& stated) {
+  if (plan.feed_rule && !plan.feed_rule->feed && stated.reference_feeds.empty())
+    throw InputError("--feed-by", "say which feed is meant at the reference: add --reference-feed");
+}
+
 }  // namespace
 
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
-                          const resolve::PlanOptions& options, std::optional<read::gcode::Dialect> dialect) {
+                          const resolve::PlanOptions& options, std::optional<read::gcode::Dialect> dialect,
+                          const std::map<int, MmPerMin>& reference_feeds) {
   const StrategyTable& strategies = strategies_of(options);
   const ProgramText text{program, program_name, dialect};
   std::optional<ResolvedPlan> resolved;
@@ -310,7 +317,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   const ResolvedPlan& plan = *resolved;
   result.part = plan.part;
   result.earlier = plan.earlier;
-  StatedOfTools stated{{}, keep_stated_limits(result.part, part, asked)};
+  StatedOfTools stated{{}, keep_stated_limits(result.part, part, asked), reference_feeds};
   add_other_tools(result.part, asked, stated);
   result.part.diagnostics.append(read.diagnostics);
   result.control = std::move(read.control);
@@ -327,7 +334,8 @@ CheckResult check_program(const Part& part, const std::string& program, const st
 
 CheckResult check_program_alone(const std::optional<Stock>& stock, const std::string& program,
                                 const std::string& program_name, const resolve::PlanOptions& options,
-                                std::optional<read::gcode::Dialect> dialect, std::optional<double> top) {
+                                std::optional<read::gcode::Dialect> dialect, std::optional<double> top,
+                                const std::map<int, MmPerMin>& reference_feeds) {
   const ProgramText text{program, program_name, dialect};
   auto read = read_program(text, options, stock ? stock->z_top : top.value_or(0),
                            text.names_no_tools() ? as_given(options.tools) : HandTools{});
@@ -348,7 +356,8 @@ CheckResult check_program_alone(const std::optional<Stock>& stock, const std::st
   for (const auto& open : {below_stock(result.toolpath, *result.part.stock),
                            doubtful_arcs(result.toolpath, result.control, asked.tol)})
     if (open) conditions.push_back(*open);
-  StatedOfTools stated;
+  StatedOfTools stated{{}, {}, reference_feeds};
+  require_reference(plan, stated);
   add_other_tools(result.part, asked, stated);
   result.findings = check(result.part, result.toolpath, result.control, conditions, result.dialect, plan,
                           std::move(stated));

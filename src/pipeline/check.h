@@ -1,6 +1,7 @@
 // Checking any program against a part, whoever wrote it.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -23,9 +24,11 @@ struct CheckResult {
   std::optional<Toolpath> earlier;  ///< what was cut before
 };
 /// `dialect`: the control that will run it; absent: recognised.
+/// `reference_feeds`: by number of the tool, meant at the reference where feeds follow the load and no option states one.
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
                           const resolve::PlanOptions& options,
-                          std::optional<read::gcode::Dialect> dialect = {});
+                          std::optional<read::gcode::Dialect> dialect = {},
+                          const std::map<int, MmPerMin>& reference_feeds = {});
 
 /// Checks any program text as far as can be said without a part: rapids, plunges, depths and engagement in `stock`, feeds, spindle
 /// and tools, limits and travel, arcs. What is left and what is gouged is not asked (Findings::without_part). Without a stock the
@@ -35,6 +38,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
 CheckResult check_program_alone(const std::optional<Stock>& stock, const std::string& program,
                                 const std::string& program_name, const resolve::PlanOptions& options,
                                 std::optional<read::gcode::Dialect> dialect = {},
-                                std::optional<double> top = {});
+                                std::optional<double> top = {},
+                                const std::map<int, MmPerMin>& reference_feeds = {});
 
 }  // namespace clearcut::pipeline

@@ -24,6 +24,7 @@
 #include "pipeline/selection/rapids_over_rests.h"
 #include "pipeline/selection/selection.h"
 #include "pipeline/selection/strategies.h"
+#include "pipeline/steps/load_feeds.h"
 #include "pipeline/steps/out_of_reach.h"
 #include "pipeline/steps/rounded_places.h"
 #include "pipeline/steps/section_order.h"
@@ -243,6 +244,7 @@ Toolpath toolpath_of(const Selection& selection, const ResolvedPlan& plan, bool 
   if (part.order_free) toolpath.sections = in_short_order(std::move(toolpath.sections), part);
   if (over_rests) keep_rapids_high(toolpath, plan);
   slow_down_slots(toolpath, plan);
+  follow_load(toolpath, plan);
   const SectionNames names(part);
   for (Section& section : toolpath.sections) section.label = names.of(section.workingstep);
   return toolpath;

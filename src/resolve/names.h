@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "model/options/feed_rule.h"
 #include "model/part.h"
 #include "model/strategy_entry.h"
 
@@ -24,6 +25,9 @@ CutDirection direction_named(const std::string& name, const std::string& place);
 /// "off", "flood", "mist", "both".
 Coolant coolant_named(const std::string& name, const std::string& place);
 const char* name_of(CutDirection direction);
+/// "chip", "removal". Throws InputError at `place`.
+FeedBy feed_by_named(const std::string& name, const std::string& place);
+const char* name_of(FeedBy by);
 
 /// "inside-out", "outside-in". Throws InputError at `place`.
 ContourOrder order_named(const std::string& name, const std::string& place);

@@ -330,6 +330,14 @@ void check(const PlanOptions& options) {
   check_values(Asked{options, {}}, "--");
   check(options.tabs);
   if (options.published.solver) check(*options.published.solver, "--solver");
+  const ShopOptions& shop = options.shop;
+  const char* const of_rule = shop.reference_engagement_deg ? "reference-engagement"
+                              : shop.reference_feed         ? "reference-feed"
+                              : shop.feed_cap               ? "feed-cap"
+                                                            : nullptr;
+  if (of_rule && !shop.feed_by)
+    throw InputError(source_of(options, of_rule).text,
+                     "has no effect: feeds are as stated; add --feed-by chip or --feed-by removal");
   require(
       !options.post.inch || options.post.decimals.value_or(4) >= 4, "--decimals",
       "three decimals of an inch are steps of 0.025 mm, coarser than what is certified; use --decimals 4");

@@ -21,6 +21,9 @@ constexpr double kEntryAngle = 3;
 /// Degrees. Above this the cutter is taken to be in a slot.
 constexpr double kSlotAngle = 150;
 
+/// Degrees. Half of the cutter's width is cut there, and below it chips get thinner.
+constexpr double kReferenceEngagement = 90;
+
 /// Where rapids of a step cross: its retract plane, over all that stands.
 double crossing_z(const Part& part, const Operation& operation) {
   const double top = part.top_z();
@@ -199,15 +202,29 @@ void resolve_strokes(ResolvedStep& step, const Operation& operation, const PlanO
   if (options.angle_deg) step.stroke_angle = Radians::of_degrees(*options.angle_deg);
 }
 
+/// How feeds follow the load; nothing where nobody asks. Without --feed-by the other options of it mean nothing.
+std::optional<FeedRule> feed_rule_of(const ShopOptions& shop) {
+  if (!shop.feed_by) return std::nullopt;
+  return FeedRule{*shop.feed_by,
+                  Radians::of_degrees(shop.reference_engagement_deg.value_or(kReferenceEngagement)),
+                  shop.reference_feed, shop.feed_cap};
+}
+
 void resolve_shop(ResolvedPlan& plan, const ShopOptions& shop) {
   plan.lead_overlap = shop.lead_overlap.value_or(0);
   plan.overrun = shop.overrun.value_or(0);
   plan.link_lift = shop.link_lift.value_or(0);
   plan.link_feed = shop.link_feed;
   plan.slot_angle = Radians::of_degrees(shop.slot_angle_deg.value_or(kSlotAngle));
+  plan.feed_rule = feed_rule_of(shop);
   plan.finish = finish_of(shop);
   if (shop.material) plan.material = work_material_named(*shop.material);
   if (plan.material && !plan.material->has_forces()) plan.material.reset();
+}
+
+void limit_feed_rule(FeedRule& rule, const Machine& machine) {
+  if (rule.feed) rule.feed = limited(*rule.feed, machine);
+  if (rule.cap) rule.cap = limited(*rule.cap, machine);
 }
 
 /// Whether the user or a job says so, not the part's own file.
@@ -226,6 +243,7 @@ ResolvedPlan resolve_whole(const PlanOptions& options) {
   plan.threads = thread_count(options);
   resolve_shop(plan, options.shop);
   if (plan.link_feed) plan.link_feed = limited(*plan.link_feed, options.machine);
+  if (plan.feed_rule) limit_feed_rule(*plan.feed_rule, options.machine);
   plan.earlier = options.earlier;
   plan.earlier_state = options.earlier_state;
   plan.conditions = options.conditions;

@@ -211,6 +211,15 @@ void list_shop(PlanList& list, const ResolvedPlan& plan, const ShopOptions& shop
            "the feed, rapid through cut material");
   list.add("slot-angle", trimmed(plan.slot_angle.degrees(), 4), "deg", shop.slot_angle_deg.has_value(),
            "150 deg");
+  if (plan.feed_rule) {
+    list.add("feed-by", name_of(plan.feed_rule->by), "", true, "");
+    list.add("reference-engagement", trimmed(plan.feed_rule->reference.degrees(), 4), "deg",
+             shop.reference_engagement_deg.has_value(), "90 deg");
+    list.add("reference-feed", plan.feed_rule->feed ? text_of(*plan.feed_rule->feed) : "the feed",
+             plan.feed_rule->feed ? "mm/min" : "", shop.reference_feed.has_value(), "the feed");
+    list.add("feed-cap", plan.feed_rule->cap ? text_of(*plan.feed_rule->cap) : "twice the reference feed",
+             plan.feed_rule->cap ? "mm/min" : "", shop.feed_cap.has_value(), "twice the reference feed");
+  }
   list.add("rest", text_of(shop.rest.value_or(false)), "", shop.rest.has_value(), "no");
   list.add("finish", name_of(plan.finish), "", shop.finish.has_value(), "none");
   list.add("dogbones", shop.dogbones.value_or("none"), "", shop.dogbones.has_value(), "none");

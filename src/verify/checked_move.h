@@ -76,10 +76,11 @@ struct MoveLoad {
       holder_contact;  ///< a place where the holder, or a shank wider than the cutter, touches material
   Rare<EntryLoad> entry;
   Rare<Overcut> overcut;
-  bool by_flank = false;     ///< a cone cuts beside its tip alone
-  bool is_shank = false;     ///< which of them: the shank
-  Rare<CuttingLoad> forces;  ///< only if the work's material is known
-  double force_mm_n = 0;     ///< N mm; integral of the force over the length
+  Rare<ReferenceLoad> reference;  ///< only where feeds go by the load
+  bool by_flank = false;          ///< a cone cuts beside its tip alone
+  bool is_shank = false;          ///< which of them: the shank
+  Rare<CuttingLoad> forces;       ///< only if the work's material is known
+  double force_mm_n = 0;          ///< N mm; integral of the force over the length
 };
 
 /// A move of the program, with what is known about it and what checking found.

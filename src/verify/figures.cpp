@@ -92,6 +92,8 @@ void add_load(Figures& figures, const MoveLoad& load) {
   if (load.forces) add_forces(figures, *load.forces);
   figures.air_cut_mm += load.air_mm;
   figures.max_axial_mm = std::max(figures.max_axial_mm, load.axial_mm);
+  if (load.reference && (!figures.reference_load || load.reference->share > figures.reference_load->share))
+    figures.reference_load = *load.reference;
   if (load.rapid_contact) ++figures.rapid_in_material;
 }
 

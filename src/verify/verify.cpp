@@ -304,9 +304,13 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   const std::size_t gouging = part.is_shape_stated ? program.moves.size() : 0;
   ProgressMeter meter(options.progress, options.cancel);
   meter.begin(Stage::kCertifying, samples_of(part, program.moves) + gouging);
-  const LoadOptions load{options.tol,      options.engagement_limit_deg,
-                         options.material, options.cancel,
-                         &meter,           part.is_shape_stated ? &finished.plain() : nullptr};
+  const LoadOptions load{options.tol,
+                         options.engagement_limit_deg,
+                         options.material,
+                         options.cancel,
+                         options.reference ? &*options.reference : nullptr,
+                         &meter,
+                         part.is_shape_stated ? &finished.plain() : nullptr};
   const int threads = options.threads > 0 ? options.threads : available_threads();
   std::vector<std::function<void()>> tasks = load_tasks(part, program.moves, load, threads);
   for (std::size_t i = 0; i < gouging; i += kChunk) {

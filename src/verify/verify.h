@@ -17,6 +17,7 @@
 #include "model/part.h"
 #include "model/results/findings.h"
 #include "model/work_material.h"
+#include "verify/load_reference.h"
 
 namespace clearcut::verify {
 
@@ -51,10 +52,11 @@ struct VerifyOptions {
   std::vector<std::string> accepted;  ///< conditions that somebody has stated to hold: they give no faults
   /// For tools that no workingstep uses, by number. Other tools have to keep to what their operations state.
   std::map<int, ToolLimits> tool_limits;
-  std::map<int, StatedDrive> stated;     ///< by number of the tool
-  std::optional<WorkMaterial> material;  ///< absent: no forces and no wear are computed
-  std::stop_token cancel;                ///< asked between moves and layers
-  ProgressCallback progress;             ///< told how far it is, as Stage::kCertifying; may be empty
+  std::map<int, StatedDrive> stated;       ///< by number of the tool
+  std::optional<WorkMaterial> material;    ///< absent: no forces and no wear are computed
+  std::optional<LoadReference> reference;  ///< absent: feeds do not go by the load
+  std::stop_token cancel;                  ///< asked between moves and layers
+  ProgressCallback progress;               ///< told how far it is, as Stage::kCertifying; may be empty
 };
 
 /// Checks `toolpath`, normally read back from a program's text, against `part`, whoever wrote it.

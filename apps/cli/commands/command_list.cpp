@@ -5,6 +5,7 @@ namespace clearcut::cli {
 void add_commands(CLI::App& app, int& exit_code) {
   add_plan_command(app, exit_code);
   add_batch_command(app, exit_code);
+  add_feeds_command(app, exit_code);
   add_setup_sheet_command(app, exit_code);
   add_serve_command(app, exit_code);
   add_verify_command(app, exit_code);

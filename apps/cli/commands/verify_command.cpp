@@ -1,6 +1,8 @@
 #include <clearcut/file.h>
 #include <clearcut/report.h>
+#include <clearcut/text.h>
 #include <clearcut/verify.h>
+#include <fmt/format.h>
 
 #include <memory>
 #include <optional>
@@ -179,6 +181,76 @@ void add_verify_command(CLI::App& app, int& exit_code) {
   command->group("Checking");
   auto state = declare(*command);
   command->callback([state, &exit_code] { exit_code = run(*state); });
+}
+
+namespace {
+
+/// What feeds follow, and what changed: "feeds go by the chip at 90 degrees and 1000 mm/min (T1)", then words and times.
+std::string feeds_lines(const ProgramFeeds& feeds, const PlanOptions& options) {
+  std::string tools;
+  for (const auto& [number, feed] : feeds.reference_feeds)
+    tools +=
+        fmt::format("{}{} mm/min (T{})", tools.empty() ? "" : ", ", trimmed(feed.mm_per_min(), 3), number);
+  const double before = feeds.before.findings.all.time_s, after = feeds.after.findings.all.time_s;
+  const auto& most = feeds.after.findings.all.reference_load;
+  return fmt::format(
+      "feeds go by the {} at {} degrees and {}\ntime {:.1f} s, {:.1f} s before ({:+.1f} %); {} F words, {} "
+      "before\ngreatest load {} % of the reference's\n",
+      *options.shop.feed_by == FeedBy::kChip ? "chip" : "removal rate",
+      trimmed(options.shop.reference_engagement_deg.value_or(90), 3), tools, after, before,
+      before > 0 ? 100 * (after / before - 1) : 0.0, feeds.words_after, feeds.words_before,
+      most ? fmt::format("{:.1f}", 100 * most->share) : "0");
+}
+
+/// Comments are no F words: what a header of ours certifies is another program.
+void tell_of_header(const std::string& program) {
+  if (program.find("CERTIFICATE: ") != std::string::npos &&
+      program.find("MOTION SHA-256: ") != std::string::npos)
+    print_line("note: the header certifies the program as it was before; what holds now is said below\n");
+}
+
+int run_feeds(const VerifyCommand& command, const std::string& output) {
+  PlanOptions options = command.arguments.options();
+  std::optional<ProgressLine> line;
+  if (!command.quiet) options.progress = line.emplace(kStops).callback();
+  const std::string program = read_file(command.program);
+  ProgramQuestion question;
+  question.dialect = command.arguments.dialect();
+  question.top = command.arguments.top();
+  if (command.stock) question.stock = parse_stock(*command.stock, question.top.value_or(0));
+  std::optional<Part> part;
+  if (!command.arguments.input().empty()) question.part = &part.emplace(command.arguments.read());
+  const ProgramFeeds feeds = feeds_of_program(question, program, command.program, options);
+  std::vector<std::string> inputs = paths_of(command.arguments.input_files());
+  inputs.push_back(command.program);
+  write_outputs({{output, feeds.program}}, inputs);
+  const CheckResult& result = feeds.after;
+  if (!command.quiet) print(result.part.diagnostics, true);
+  if (output != "-") {
+    if (!command.quiet) tell_of_header(feeds.program);
+    print_line(with_colours(command.quiet ? verdict_and_reasons(result.findings)
+                                          : dialect_line(command, result) + feeds_lines(feeds, options) +
+                                                write_table(result, table_width())));
+  }
+  return exit_code_of(result.findings);
+}
+
+}  // namespace
+
+void add_feeds_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("feeds", "Let the feeds of any program follow the load of its mills");
+  command->group("Planning");
+  auto state = declare_question(*command);
+  let_part_be_absent(*command, *state);
+  auto output = std::make_shared<std::string>();
+  command->option_defaults()->group("Output");
+  command
+      ->add_option("-o,--output", *output,
+                   "Program to write: the same with other F words (- for standard output)")
+      ->required()
+      ->type_name("FILE");
+  command->add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
+  command->callback([state, output, &exit_code] { exit_code = run_feeds(*state, *output); });
 }
 
 void add_setup_sheet_command(CLI::App& app, int& exit_code) {

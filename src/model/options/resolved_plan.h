@@ -12,6 +12,7 @@
 #include "model/control.h"
 #include "model/machine.h"
 #include "model/move.h"
+#include "model/options/feed_rule.h"
 #include "model/options/objective.h"
 #include "model/options/origin.h"
 #include "model/options/post_options.h"
@@ -91,6 +92,7 @@ struct ResolvedPlan {
   double lead_overlap = 0, overrun = 0, link_lift = 0;  ///< mm
   std::optional<MmPerMin> link_feed;  ///< absent: the feed, or a rapid within a pass through cut material
   Radians slot_angle;                 ///< engagement above which the slot feed rules
+  std::optional<FeedRule> feed_rule;  ///< absent: feeds are as stated
   Finish finish = Finish::kNone;
   std::optional<WorkMaterial> material;  ///< absent: no forces
   std::optional<Toolpath> earlier;       ///< a program that has run before on this stock

@@ -5,18 +5,23 @@
 #include <string>
 
 #include "base/units.h"
+#include "model/options/feed_rule.h"
 
 namespace clearcut::inline model {
 
 struct ShopOptions {
-  std::optional<double> helix_widest;     ///< mm, diameter of the centre's circle on the way down
-  std::optional<double> helix_narrowest;  ///< mm
-  std::optional<MmPerMin> lead_feed;      ///< arcs and lines into and out of passes
-  std::optional<double> lead_overlap;     ///< mm; passes along walls run on over their start
-  std::optional<MmPerMin> link_feed;      ///< ways at depth through what is cut
-  std::optional<double> overrun;          ///< mm; open sides are cut this far beyond their edge
-  std::optional<double> link_lift;        ///< mm; such ways are run this much higher
-  std::optional<double> slot_angle_deg;   ///< engagement above which the slot feed rules
+  std::optional<double> helix_widest;              ///< mm, diameter of the centre's circle on the way down
+  std::optional<double> helix_narrowest;           ///< mm
+  std::optional<MmPerMin> lead_feed;               ///< arcs and lines into and out of passes
+  std::optional<double> lead_overlap;              ///< mm; passes along walls run on over their start
+  std::optional<MmPerMin> link_feed;               ///< ways at depth through what is cut
+  std::optional<double> overrun;                   ///< mm; open sides are cut this far beyond their edge
+  std::optional<double> link_lift;                 ///< mm; such ways are run this much higher
+  std::optional<double> slot_angle_deg;            ///< engagement above which the slot feed rules
+  std::optional<FeedBy> feed_by;                   ///< feeds follow the load; absent: they are as stated
+  std::optional<double> reference_engagement_deg;  ///< at which a feed is meant as stated
+  std::optional<MmPerMin> reference_feed;          ///< meant there; absent: that of the operation
+  std::optional<MmPerMin> feed_cap;                ///< no move is fed faster then
   std::optional<bool> rest;           ///< all tools given for each pocket, larger first, each on what is left
   std::optional<std::string> finish;  ///< "walls", "floor", "all": finishing after everything else
   std::optional<double> finish_stock;  ///< mm left on walls for it

@@ -46,6 +46,7 @@ enum class FaultKind {
   kTapping,
   kStockToLeave,
   kMoreThanItCuts,
+  kAboveReference,
   kUnits
 };
 
@@ -117,6 +118,12 @@ struct ThinWall {
   Place at;
 };
 
+/// The greatest load of any feed move as a share of that at the reference by which feeds go.
+struct ReferenceLoad {
+  double share = 0;  ///< 1: as much as at the reference, or as fast as the cap
+  Place at;
+};
+
 struct Figures {
   double feed_mm = 0;
   double rapid_mm = 0;
@@ -141,8 +148,9 @@ struct Figures {
   Entries entries;
   double air_cut_mm = 0;  ///< feed length at depth that touches no material
   std::optional<CuttingLoad> load;
-  std::optional<ThinWall> thin_wall;  ///< where it bends by more than 0.02 mm
-  double lower_bound_mm = 0;          ///< no program can cut this with less feed length
+  std::optional<ReferenceLoad> reference_load;  ///< where feeds go by the load
+  std::optional<ThinWall> thin_wall;            ///< where it bends by more than 0.02 mm
+  double lower_bound_mm = 0;                    ///< no program can cut this with less feed length
   bool clean = false;
 };
 

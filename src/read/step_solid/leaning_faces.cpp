@@ -232,7 +232,7 @@ std::optional<Feature> edge_over(const LeaningFaces& group, const Foot& foot, bo
     };
     // Without its hole a cone has nothing to be about.
     const bool is_made = std::any_of(work.tools.begin(), work.tools.end(), [&](const Tool& tool) {
-      return stock::is_near_size(tool.diameter, 2 * *radius) ||
+      return features::is_near_size(tool.diameter, 2 * *radius) ||
              (mills_upright(tool) && tool.diameter < 2 * *radius);
     });
     if (is_hole && !is_made) return std::nullopt;

@@ -67,6 +67,13 @@ Json forces(const CuttingLoad& load) {
   return json;
 }
 
+Json reference_load(const ReferenceLoad& load) {
+  Json json;
+  json["share"] = number(load.share);
+  json["at"] = place(load.at);
+  return json;
+}
+
 Json thin_wall(const ThinWall& wall) {
   Json json;
   json["thickness_mm"] = number(wall.thickness_mm);
@@ -120,6 +127,7 @@ void add_figures(Json& json, const Figures& f) {
   json["air_cut_mm"] = number(f.air_cut_mm);
   json["lower_bound_mm"] = number(f.lower_bound_mm);
   if (f.load) json["load"] = forces(*f.load);
+  if (f.reference_load) json["reference_load"] = reference_load(*f.reference_load);
   if (f.thin_wall) json["thin_wall"] = thin_wall(*f.thin_wall);
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "model/cutter_profile.h"
+#include "stock/cutting_load.h"
 #include "stock/material.h"
 #include "verify/engagement/entry_watch.h"
 #include "verify/engagement/forces.h"
@@ -16,6 +17,11 @@ namespace {
 
 /// mm. Thinner material, beside or below the cutter, comes from rounding of printed coordinates.
 constexpr double kResidual = 1e-3;
+/// mm. Thinner material beside or below the cutter is no load that is compared with a reference: two passes of a program, each rounded,
+/// leave more than kResidual between them, over a wide angle, and a chip is ten times as thick.
+constexpr double kNoChip = 5e-3;
+/// Radians. So little of the circle is in material where a cutter only grazes a sliver.
+constexpr double kGraze = kPi / 180;
 /// mm. Depth of cut is measured this far inside the cutter's circle, because slivers that an earlier cutter
 /// left on a wall are higher, but give no load.
 constexpr double kSliver = 0.05;
@@ -177,6 +183,8 @@ class LoadMeter {
     const stock::CutterEngagement whole =
         material_.engagement(raised(move, kResidual), t, checked.radius() - kResidual, own_);
     MoveLoad& load = checked.load;
+    if (options_.reference && whole.angle > 0)
+      compare_with_reference(checked, t, {move.path.at(t), z, move.line});
     const double axial = whole.angle > 0 ? measure_axial(checked, move.path.at(t),
                                                          angle_of(direction_at(move, t)), z, whole.angles)
                                          : 0;
@@ -202,6 +210,27 @@ class LoadMeter {
       load.max_deg = angle;
       load.max_at = {move.path.at(t), z, move.line};
     }
+  }
+
+  /// Of mills that clear floors: entries, leads and links count, too. Where they are in material the cap holds as well.
+  void compare_with_reference(CheckedMove& checked, double t, const Place& place) const {
+    if (!mills_upright(*checked.tool) || checked.radius() <= kNoChip) return;
+    const stock::CutterEngagement contact =
+        material_.engagement(raised(*checked.move, kNoChip), t, checked.radius() - kNoChip, own_);
+    if (contact.angle <= kGraze) return;
+    const LoadReference& reference = *options_.reference;
+    const double allowed = reference.feed(checked.workingstep, checked.tool_number) *
+                           stock::load_at_feed_of_one(reference.rule.by, reference.rule.reference);
+    if (allowed <= 0) return;
+    const double feed = checked.move->feed.mm_per_min();
+    const double load = feed * stock::load_at_feed_of_one(reference.rule.by, contact);
+    const double of_cap = feed / reference.cap(checked.workingstep, checked.tool_number);
+    keep_greatest(checked.load.reference, {load / allowed, place});
+    if (of_cap > 1) keep_greatest(checked.load.reference, {of_cap, place});
+  }
+
+  static void keep_greatest(Rare<ReferenceLoad>& kept, const ReferenceLoad& one) {
+    if (!kept || one.share > kept->share) kept = one;
   }
 
   /// What an entry meets of its own and of all else.

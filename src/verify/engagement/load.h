@@ -11,15 +11,17 @@
 #include "model/part.h"
 #include "model/work_material.h"
 #include "verify/checked_move.h"
+#include "verify/load_reference.h"
 #include "verify/part/finished_part.h"
 
 namespace clearcut::verify {
 
 struct LoadOptions {
   Tolerances tol;
-  std::optional<double> limit_deg;       ///< greater engagement is counted separately
-  std::optional<WorkMaterial> material;  ///< absent: no forces are computed
-  std::stop_token cancel;                ///< asked before each move
+  std::optional<double> limit_deg;           ///< greater engagement is counted separately
+  std::optional<WorkMaterial> material;      ///< absent: no forces are computed
+  std::stop_token cancel;                    ///< asked before each move
+  const LoadReference* reference = nullptr;  ///< null: loads are compared with none
   ProgressMeter* meter = nullptr;  ///< counts the samples of each move that was measured; see samples_of
   const FinishedPart* finished = nullptr;  ///< the part as it has to come out; null: nobody states it
 };

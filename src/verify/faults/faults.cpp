@@ -22,6 +22,9 @@ namespace {
 /// inch), far below what a cutter notices.
 constexpr double kStepdownSlack = 5.5e-3;
 
+/// By which a load may exceed that of the reference: words of feeds are rounded, and engagement is measured at places a little apart.
+constexpr double kReferenceSlack = 0.005;
+
 std::string mm(double value) {
   return trimmed(value, 3) + " mm";
 }
@@ -100,6 +103,23 @@ class FaultFinder {
     return fault(
         FaultKind::kTooDeep, checked, checked.load.axial_at, checked.load.axial_mm,
         "A pass takes " + mm(checked.load.axial_mm) + " at once where the stepdown is " + mm(*stepdown));
+  }
+
+  std::optional<Fault> above_reference(const CheckedMove& checked) const {
+    if (!options_.reference || !checked.load.reference ||
+        checked.load.reference->share <= 1 + kReferenceSlack)
+      return std::nullopt;
+    const ReferenceLoad& load = *checked.load.reference;
+    const bool is_cap =
+        checked.move->feed.mm_per_min() >=
+        load.share * options_.reference->cap(checked.workingstep, checked.tool_number) * (1 - 1e-9);
+    const std::string what = is_cap ? "the cap of feeds"
+                             : options_.reference->rule.by == FeedBy::kChip
+                                 ? "the chip of the reference"
+                                 : "the removal rate of the reference";
+    return caused(what, fault(FaultKind::kAboveReference, checked, load.at, load.share,
+                              "A feed of " + trimmed(checked.move->feed.mm_per_min(), 0) + " mm/min is " +
+                                  trimmed(100 * load.share, 1) + " % of " + what));
   }
 
   std::optional<Fault> travel(const CheckedMove& checked) const {
@@ -285,6 +305,7 @@ std::vector<Fault> faults_of_moves(const Part& part, const CheckedProgram& progr
                                 [&](const CheckedMove& m) { return finder.overcut(m); },
                                 [&](const CheckedMove& m) { return keep_out_fault(part, m); },
                                 [&](const CheckedMove& m) { return finder.depth(m); },
+                                [&](const CheckedMove& m) { return finder.above_reference(m); },
                                 [&](const CheckedMove& m) { return finder.travel(m); },
                                 [&](const CheckedMove& m) { return finder.feed(m); },
                                 [&](const CheckedMove& m) { return finder.tool(m); }};

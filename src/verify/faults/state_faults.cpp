@@ -170,10 +170,13 @@ class StateCheck {
   std::optional<Fault> engagement(const CheckedMove& checked) const {
     const auto limit = options_.engagement_limit_deg;
     if (!limit || checked.load.max_deg <= *limit + kDegreeSlack) return std::nullopt;
-    return fault_of(part_, FaultKind::kOverEngagement, checked, checked.load.max_at,
-                    checked.load.over_limit_mm,
-                    "The cutter is engaged by " + trimmed(checked.load.max_deg, 1) + " degrees where " +
-                        trimmed(*limit, 1) + " are the limit");
+    Fault found =
+        fault_of(part_, FaultKind::kOverEngagement, checked, checked.load.max_at, checked.load.over_limit_mm,
+                 "The cutter is engaged by " + trimmed(checked.load.max_deg, 1) + " degrees where " +
+                     trimmed(*limit, 1) + " are the limit");
+    found.cause =
+        "the limit of engagement";  // what clears a feature without regard to it does so in many places
+    return found;
   }
 
  private:

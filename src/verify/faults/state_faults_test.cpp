@@ -319,6 +319,22 @@ TEST(StateFaults, EngagementAboveTheLimitAndUnderAWave) {
   EXPECT_TRUE(has(wave, FaultKind::kOverEngagement));
 }
 
+/// Slots side by side with ways through the air between them: one mistake in five places.
+TEST(StateFaults, EngagementAboveTheLimitIsToldOnce) {
+  VerifyOptions options;
+  options.engagement_limit_deg = 90;
+  Writer writer;
+  for (const double y : {-20.0, -10.0, 0.0, 10.0, 20.0}) writer.enter({-16, y}, 0, -2).feed({16, y}).leave();
+  const Findings found =
+      checked(pocket_part(rectangle(-20, -24, 20, 24), 6, -2), writer.done(), table(), options);
+  EXPECT_EQ(std::count_if(found.faults.begin(), found.faults.end(),
+                          [](const Fault& one) { return one.kind == FaultKind::kOverEngagement; }),
+            1);
+  const auto first = std::find_if(found.faults.begin(), found.faults.end(),
+                                  [](const Fault& one) { return one.kind == FaultKind::kOverEngagement; });
+  EXPECT_NE(first->text.find("Likewise in 4 more places"), std::string::npos) << first->text;
+}
+
 /// Corners rounded by the control leave material in the corners of the pocket, and cut the corner of an island.
 TEST(Blending, EntersWhatIsLeftAndGouges) {
   const auto within = [](double tolerance) {

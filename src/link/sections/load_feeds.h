@@ -1,0 +1,30 @@
+// Feeds that follow the load of the cutter: no move loads it more than a straight cut at the reference.
+#pragma once
+
+#include <vector>
+
+#include "base/units.h"
+#include "model/move.h"
+#include "model/options/feed_rule.h"
+#include "model/tool.h"
+#include "stock/material.h"
+
+namespace clearcut::link {
+
+struct LoadFeeds {
+  FeedRule rule;
+  MmPerMin reference;       ///< feed that is meant at the reference's engagement
+  MmPerMin cap;             ///< no move in material is fed faster
+  MmPerMin cutting;         ///< level moves at this feed may go faster; all others only slower
+  double acceleration = 0;  ///< mm/s2; what is too short to gain speed keeps that of its neighbours
+  bool divides = true;      ///< moves may be divided where the load changes
+};
+
+/// Sets the feed of every feed move of `section`, whose tool is a mill that clears floors. Removes from `material` what it sweeps.
+///
+/// The load is computed every 0.04 mm or fiftieth of the radius, at both ends of each move, too; what is between two
+/// places counts as the greater of both, and 1.5 % of the reference are kept free for what is between. Neighbours get one feed, the lower
+/// one, where another word for the feed would gain less than 0.01 s. Cost as queries of Material.
+void set_load_feeds(Section& section, const Tool& tool, const LoadFeeds& feeds, stock::Material& material);
+
+}  // namespace clearcut::link
