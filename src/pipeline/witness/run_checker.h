@@ -3,14 +3,16 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace clearcut::pipeline {
 
 /// Its path; empty where it is not beside this program.
 std::string checker_program();
 
-/// What it proves, as it says it; nothing where it does not accept. `uncut` in mm.
+/// What it proves, as it says it; nothing where it does not accept. `options` are its own.
 std::optional<std::string> claims_by_checker(const std::string& program_file, const std::string& part_file,
-                                             const std::string& witness_file, double uncut);
+                                             const std::string& witness_file,
+                                             const std::vector<std::string>& options);
 
 }  // namespace clearcut::pipeline
