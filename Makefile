@@ -5,7 +5,7 @@ OUT := out
 configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=ON $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
             rm -f build-configure.log
 
-.PHONY: all setup build demo test web test-web python packages reproduce-packages docs pictures format lint-viewer test-browser test-freecad clean
+.PHONY: all setup build demo test web web-checker test-web python packages reproduce-packages docs pictures format lint-viewer test-browser test-freecad clean
 all: build
 
 setup:
@@ -32,6 +32,10 @@ web:
 	@scripts/web/sources.sh build/web-sources
 	@cmake --preset web > build-configure.log 2>&1 || (cat build-configure.log; exit 1); rm -f build-configure.log
 	@cmake --build --preset web --target site
+
+# The independent checker of witnesses as WebAssembly, one source: build/web-checker/clearcut-check.wasm, and .js that runs it.
+web-checker:
+	@scripts/web/checker.sh checker/clearcut_check.cpp build/web-checker
 
 # The same bytes as the command, for the examples and random parts; then the page in a browser, also without a network.
 test-web: web build

@@ -1,22 +1,19 @@
-// clearcut-check PROGRAM PART WITNESS: checks a proof that a milling program makes a pocket. docs/claim.md states what is proven and
-// why (its lemmas are named here, L1 to L6), docs/witness.md the bytes of a witness. This file needs nothing but a C++20 compiler
-// with 128-bit integers:
+// clearcut-check PROGRAM PART WITNESS: checks a proof that a milling program makes a part. docs/claim.md states what is proven and why
+// (its lemmas are named here, L1 to L6), docs/witness.md the bytes of a witness. Needs a C++20 compiler with 128-bit integers alone:
 //
 //     g++ -std=c++20 -o clearcut-check clearcut_check.cpp
 //
-// Lengths are whole nanometres. Coordinates lie below 2^29, centres of arcs below 2^30, so that every product below fits 128 bits.
-// There is no floating-point number in this file. What is not understood is refused.
+// Lengths are whole nanometres below 2^30, so that every product fits 128 bits. There is no floating-point number in this file. What is
+// not understood is refused.
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -26,13 +23,14 @@ using Int = long long;
 __extension__ typedef __int128 Wide;
 using Text = std::string;
 
-constexpr Int kLargest = Int(1) << 29;  // nm; coordinates of a part and a program
+constexpr Int kLargest = Int(1) << 30;  // nm; coordinates and centers of arcs
 constexpr Int kHome = kLargest - 1;     // nm; height that stands for the machine's own upper end
 constexpr Int kEdge = 4;                // nm; how far rounded corners may lie outside an arc's sector (L4)
 constexpr Int kChord = 150;             // nm; how far chords may leave their arcs
 constexpr Int kWidestPiece = 100'000;   // nm; how far a tiling's boundary may be from its wall
 constexpr Int kRadiiDiffer = 20'000;    // nm; between an arc's start and end
 constexpr Int kShortestArc = 2'000;     // nm; shorter ones may be full circles to some controls
+constexpr Int kMillimetre = 1'000'000, kInch = 25'400'000;
 
 /// Why something is not accepted: 1 the proof does not hold, 2 a file cannot be understood.
 struct Refusal {
@@ -48,26 +46,23 @@ struct Refusal {
 Text text(Int value) {
   return std::to_string(value);
 }
-/// A length in mm.
 Text mm(Int nm) {
-  const Int size = nm < 0 ? -nm : nm;
-  Text digits = text(size % 1'000'000 + 1'000'000).substr(1);
+  Text digits = text((nm < 0 ? -nm : nm) % kMillimetre + kMillimetre).substr(1);
   while (digits.size() > 1 && digits.back() == '0') digits.pop_back();
-  return (nm < 0 ? "-" : "") + text(size / 1'000'000) + "." + digits;
+  return (nm < 0 ? "-" : "") + text((nm < 0 ? -nm : nm) / kMillimetre) + "." + digits;
 }
 
-// ---------------------------------------------------------------------------------------------- exact geometry
+// ------------------------------------------------------------------------------------------ exact geometry
 
 struct Point {
   Int x = 0, y = 0;
-  bool operator==(const Point&) const = default;
+  auto operator<=>(const Point&) const = default;
+  Point operator-(Point b) const { return {x - b.x, y - b.y}; }
+  Point operator+(Point b) const { return {x + b.x, y + b.y}; }
+  Point left() const { return {-y, x}; }
+  Text place() const { return "X" + mm(x) + " Y" + mm(y); }
 };
-Point operator-(Point a, Point b) {
-  return {a.x - b.x, a.y - b.y};
-}
-Point operator+(Point a, Point b) {
-  return {a.x + b.x, a.y + b.y};
-}
+using Points = std::vector<Point>;
 Wide cross(Point a, Point b) {
   return Wide(a.x) * b.y - Wide(a.y) * b.x;
 }
@@ -80,7 +75,6 @@ Wide square(Point a) {
 Wide square(Wide a) {
   return a * a;
 }
-
 Wide root_down(Wide value) {
   Wide root = 0;
   for (Wide bit = Wide(1) << 62; bit > 0; bit >>= 1)
@@ -88,28 +82,22 @@ Wide root_down(Wide value) {
   return root;
 }
 Wide root_up(Wide value) {
-  const Wide root = root_down(value);
-  return root * root == value ? root : root + 1;
+  return value > 0 ? root_down(value - 1) + 1 : 0;
 }
 /// value / by, to the nearest integer; by > 0.
 Wide nearest_quotient(Wide value, Wide by) {
-  const Wide half = by / 2;
-  return value >= 0 ? (value + half) / by : -((-value + half) / by);
+  return value >= 0 ? (value + by / 2) / by : -((-value + by / 2) / by);
 }
-/// Whether `value` >= `bound` * |n|, exactly; bound may be negative.
+/// Whether value >= bound * |n|, exactly; bound may be negative.
 bool reaches(Wide value, Wide bound, Point n) {
-  if (value >= 0 && bound <= 0) return true;
-  if (value < 0 && bound >= 0) return false;
-  const bool larger = square(value) >= square(bound) * square(n);
-  return value >= 0 ? larger : square(value) <= square(bound) * square(n);
+  if ((value >= 0) != (bound > 0)) return value >= 0;
+  const Wide own = square(value), other = square(bound) * square(n);
+  return value >= 0 ? own >= other : own <= other;
 }
-
-using Points = std::vector<Point>;
 
 /// The convex hull, counter-clockwise, without collinear points.
 Points hull_of(Points points) {
-  std::sort(points.begin(), points.end(),
-            [](Point a, Point b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.size() < 3) return points;
   Points hull;
@@ -134,68 +122,72 @@ struct Curve {
   Point center{}, first{}, last{};
   Int low = 0, high = 0;
   bool full() const { return first == last; }
-  /// Whether it turns by no more than 90, by no more than 180 degrees.
-  bool quarter() const { return !full() && cross(first, last) >= 0 && dot(first, last) >= 0; }
-  bool half() const {
-    return !full() && (cross(first, last) > 0 || (cross(first, last) == 0 && dot(first, last) < 0));
-  }
+  bool opposite() const { return cross(first, last) == 0 && dot(first, last) < 0; }
+  bool quarter() const { return !full() && cross(first, last) >= 0 && dot(first, last) >= 0; }  // up to 90
+  bool half() const { return !full() && (cross(first, last) > 0 || opposite()); }  // up to 180 degrees
   /// Whether direction v lies in its sector, ends included.
   bool sees(Point v) const {
     if (full()) return true;
-    if (half())
-      return cross(first, v) >= 0 && cross(v, last) >= 0 &&
-             !(cross(first, v) == 0 && dot(first, v) < 0 && dot(last, v) < 0);
-    return !(cross(last, v) > 0 && cross(v, first) > 0);
+    if (!half()) return !(cross(last, v) > 0 && cross(v, first) > 0);
+    return cross(first, v) >= 0 && cross(v, last) >= 0 &&
+           !(cross(first, v) == 0 && dot(first, v) < 0 && dot(last, v) < 0);
   }
 };
-
-/// Whether p is no farther than t from the segment ab.
-bool near_segment(Point p, Point a, Point b, Wide t) {
-  if (t < 0) return false;
-  const Point d = b - a;
-  const Wide along = dot(p - a, d);
-  if (along <= 0) return square(p - a) <= square(t);
-  if (along >= square(d)) return square(p - b) <= square(t);
-  return square(cross(p - a, d)) <= square(t) * square(d);
+/// Names the center and what follows from it; `wider` is added to the distances of the ends from it.
+Curve arc_of(Point a, Point b, Point center, bool clockwise, Int wider, const Text& where) {
+  if (center.x >= kLargest || center.x <= -kLargest || center.y >= kLargest || center.y <= -kLargest)
+    reject(where + ": an arc's center is beyond 1.07 m");
+  Curve c{a, b, true, clockwise, center, (clockwise ? b : a) - center, (clockwise ? a : b) - center};
+  c.low = Int(root_down(std::min(square(c.first), square(c.last)))) - wider;
+  c.high = Int(root_up(std::max(square(c.first), square(c.last)))) + wider;
+  if (c.low < kShortestArc || c.high - c.low > kRadiiDiffer)
+    reject(where + ": an arc whose radii are too small or differ");
+  if (a != b && (square(b - a) < square(kShortestArc) || (cross(c.first, c.last) == 0 && !c.opposite())))
+    reject(where + ": an arc so short that some take it for a full circle");
+  return c;
 }
-bool segments_meet(Point a, Point b, Point c, Point d) {
-  const auto side = [](Point p, Point q, Point r) {
-    const Wide v = cross(q - p, r - p);
-    return v > 0 ? 1 : v < 0 ? -1 : 0;
+
+/// Whether p is no farther than t from the segment ab (L2).
+bool near_segment(Point p, Point a, Point b, Wide t) {
+  const Wide along = dot(p - a, b - a);
+  if (t < 0) return false;
+  if (along <= 0) return square(p - a) <= square(t);
+  if (along >= square(b - a)) return square(p - b) <= square(t);
+  return square(cross(p - a, b - a)) <= square(t) * square(b - a);
+}
+bool segments_cross(Point a, Point b, Point c, Point d) {
+  const auto part = [](Point p, Point q, Point r, Point s) {
+    const Wide u = cross(q - p, r - p), v = cross(q - p, s - p);
+    return (u > 0 && v < 0) || (u < 0 && v > 0);
   };
-  const int c1 = side(a, b, c), d1 = side(a, b, d), a2 = side(c, d, a), b2 = side(c, d, b);
-  if (c1 * d1 < 0 && a2 * b2 < 0) return true;
-  return near_segment(a, c, d, 0) || near_segment(b, c, d, 0) || near_segment(c, a, b, 0) ||
-         near_segment(d, a, b, 0);
+  return part(a, b, c, d) && part(c, d, a, b);
 }
 /// Whether two segments are farther apart than t.
 bool segments_apart(Point a, Point b, Point c, Point d, Wide t) {
-  return !segments_meet(a, b, c, d) && !near_segment(a, c, d, t) && !near_segment(b, c, d, t) &&
+  return !segments_cross(a, b, c, d) && !near_segment(a, c, d, t) && !near_segment(b, c, d, t) &&
          !near_segment(c, a, b, t) && !near_segment(d, a, b, t);
 }
 
-/// Whether all of `hull` (seen from the center) lies in the sector, but for kEdge beyond its first and its last ray (L4).
+/// Whether n . v >= bound * |n| for all corners v, seen from `from`.
+bool all_reach(const Points& corners, Point n, Wide bound, Point from) {
+  return std::all_of(corners.begin(), corners.end(),
+                     [&](Point v) { return reaches(dot(n, v - from), bound, n); });
+}
+/// Whether all of `hull` lies in the sector, but for kEdge beyond its first and its last ray (L4).
 bool in_sector(const Curve& c, const Points& hull) {
-  const auto left_of = [&](Point ray, Int side) {
-    return std::all_of(hull.begin(), hull.end(),
-                       [&](Point v) { return reaches(side * cross(ray, v - c.center), -kEdge, ray); });
-  };
-  const auto before = [&](Point ray) {
-    return std::all_of(hull.begin(), hull.end(),
-                       [&](Point v) { return reaches(dot(ray, v - c.center), -kEdge, ray); });
-  };
   if (c.full()) return true;
-  if (c.half() || c.quarter()) {
-    if (!left_of(c.first, 1) || !left_of(c.last, -1)) return false;
-    return !c.quarter() || (before(c.first) && before(c.last));
-  }
-  if (left_of(c.first, 1) || left_of(c.last, -1)) return true;
+  const bool after = all_reach(hull, c.first.left(), -kEdge, c.center);
+  const bool before = all_reach(hull, Point{} - c.last.left(), -kEdge, c.center);
+  if (c.half() || c.quarter())
+    return after && before &&
+           (!c.quarter() ||
+            (all_reach(hull, c.first, -kEdge, c.center) && all_reach(hull, c.last, -kEdge, c.center)));
+  if (after || before) return true;
   for (const Point n :
        {Point{1, 0}, Point{0, 1}, Point{-1, 0}, Point{0, -1}})  // half planes that the gap stays out of
-    if (dot(n, c.first) <= 0 && dot(n, c.last) <= 0 && before(n)) return true;
+    if (dot(n, c.first) <= 0 && dot(n, c.last) <= 0 && all_reach(hull, n, -kEdge, c.center)) return true;
   return false;
 }
-
 /// Whether all of `hull` lies no farther than t from the curve, whichever curve it is (L2, L4).
 bool hull_within(const Curve& c, const Points& hull, Wide t) {
   if (!c.arc)
@@ -205,47 +197,35 @@ bool hull_within(const Curve& c, const Points& hull, Wide t) {
   for (const Point p : hull)
     if (square(p - c.center) > square(c.low + t)) return false;
   if (c.high <= t) return true;
-  const Wide inside = c.high - t;  // the hull has to stay this far from the center
-  for (std::size_t i = 0; i < hull.size(); ++i) {
-    const Point p = hull[i] - c.center, d = hull[(i + 1) % hull.size()] - hull[i];
-    const Point normal{-d.y, d.x};
-    if (d != Point{} && hull.size() > 2 && reaches(dot(normal, p), inside, normal)) return true;
-    if (p != Point{} && std::all_of(hull.begin(), hull.end(),
-                                    [&](Point v) { return reaches(dot(p, v - c.center), inside, p); }))
-      return true;
-    if (hull.size() == 2 && (reaches(cross(d, p), inside, d) || reaches(-cross(d, p), inside, d)))
-      return true;
+  for (std::size_t i = 0; i < hull.size(); ++i) {  // something separates it from the center
+    const Point side = (hull[(i + 1) % hull.size()] - hull[i]).left();
+    for (const Point n : {hull[i] - c.center, side, Point{} - side})
+      if (n != Point{} && all_reach(hull, n, c.high - t, c.center)) return true;
   }
   return false;
 }
-
 /// The same, or all of it no farther than t from one of the curve's ends (L3).
 bool near_curve(const Curve& c, const Points& hull, Wide t) {
   return hull_within(c, hull, t) || hull_within({c.a, c.a}, hull, t) || hull_within({c.b, c.b}, hull, t);
 }
-
 /// Whether two hulls are at least t apart (L5).
 bool apart(const Points& a, const Points& b, Wide t) {
-  const auto separates = [&](Point n) {  // a on the lower side
+  Points normals{b[0] -
+                 a[0]};  // from a to b; the first one between the corners that are nearest to each other
+  for (const Point p : a)
+    for (const Point q : b)
+      if (square(q - p) < square(normals[0])) normals[0] = q - p;
+  for (const Points* hull : {&a, &b})
+    for (std::size_t i = 0; i < hull->size(); ++i) {
+      const Point side = ((*hull)[(i + 1) % hull->size()] - (*hull)[i]).left();
+      normals.insert(normals.end(), {side, Point{} - side});
+    }
+  return std::any_of(normals.begin(), normals.end(), [&](Point n) {
     Wide most = dot(n, a[0]), least = dot(n, b[0]);
     for (const Point p : a) most = std::max(most, dot(n, p));
     for (const Point p : b) least = std::min(least, dot(n, p));
     return n != Point{} && reaches(least - most, t, n);
-  };
-  Point between = b[0] - a[0];
-  for (const Point p : a)
-    for (const Point q : b)
-      if (square(q - p) < square(between)) between = q - p;
-  if (separates(between)) return true;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const Point d = a[(i + 1) % a.size()] - a[i];
-    if (separates({d.y, -d.x}) || (a.size() == 2 && separates({-d.y, d.x}))) return true;
-  }
-  for (std::size_t i = 0; i < b.size(); ++i) {
-    const Point d = b[(i + 1) % b.size()] - b[i];
-    if (separates({-d.y, d.x}) || (b.size() == 2 && separates({d.y, -d.x}))) return true;
-  }
-  return false;
+  });
 }
 
 /// How far the chord uv, directions from the center, and the part of the curve that it spans are apart at most, measured along rays.
@@ -255,20 +235,17 @@ Wide chord_error(const Curve& c, Point u, Point v) {
   if (dot(u, d) < 0 && dot(v, d) > 0) least = square(cross(u, v)) / square(d);
   return std::max(Wide(c.high) - root_down(least), root_up(std::max(square(u), square(v))) - c.low);
 }
-
 /// Adds the chords from direction u to v (less than 180 degrees on) to `out`, without u: halved until they are near the curve.
 void halve(const Curve& c, Point u, Point v, int depth, Points& out) {
-  if (depth == 0 || (dot(u, v) > 0 && chord_error(c, u, v) <= kChord + (c.high - c.low) + 3))
-    return out.push_back(v);
   const Point sum = u + v;
   const Wide size = root_down(square(sum)), radius = (Wide(c.low) + c.high) / 2;
-  if (size == 0) return out.push_back(v);
+  const bool near = dot(u, v) > 0 && chord_error(c, u, v) <= kChord + (c.high - c.low) + 3;
+  if (depth == 0 || near || size == 0) return out.push_back(v);
   const Point middle{Int(nearest_quotient(sum.x * radius, size)),
                      Int(nearest_quotient(sum.y * radius, size))};
   halve(c, u, middle, depth - 1, out);
   halve(c, middle, v, depth - 1, out);
 }
-
 /// A polyline that stays within `error` of the curve, point by point in order (L6).
 struct Chords {
   Points points;
@@ -276,35 +253,34 @@ struct Chords {
 };
 Chords chords_of(const Curve& c) {
   if (!c.arc) return {{c.a, c.b}, 0};
-  Points rays{c.first};  // from the center, counter-clockwise, ends as they are
   const Int r = (c.low + c.high) / 2;
-  std::array<Point, 4> axes{{{r, 0}, {0, r}, {-r, 0}, {0, -r}}};
-  const auto start = std::find_if(axes.begin(), axes.end(),
-                                  [&](Point a) { return cross(c.first, a) > 0 && dot(c.first, a) >= 0; });
-  if (start == axes.end()) reject("an arc is too small to be divided");
-  std::rotate(axes.begin(), start, axes.end());
-  const Point end = c.last;
+  Points rays{c.first};  // from the center, counter-clockwise, ends as they are
+  Points axes{{r, 0}, {0, r}, {-r, 0}, {0, -r}};
+  std::rotate(axes.begin(),
+              std::find_if(axes.begin(), axes.end(),
+                           [&](Point a) { return cross(c.first, a) > 0 && dot(c.first, a) >= 0; }),
+              axes.end());
   for (const Point axis : axes) {  // those that the curve passes before its end
-    const bool passes_end = cross(rays.back(), end) > 0 && cross(end, axis) >= 0;
-    if (passes_end || axis == end) break;
+    if ((cross(rays.back(), c.last) > 0 && cross(c.last, axis) >= 0) || axis == c.last) break;
     rays.push_back(axis);
   }
+  rays.push_back(c.last);
   Chords out{{c.first}, 0};
   for (std::size_t i = 1; i < rays.size(); ++i) halve(c, rays[i - 1], rays[i], 24, out.points);
-  halve(c, rays.back(), end, 24, out.points);
   for (std::size_t i = 1; i < out.points.size();
-       ++i) {  // nothing of the construction is trusted: turns, sector, distance
+       ++i) {  // nothing of this is trusted: turns, sector, distance
     const Point u = out.points[i - 1], v = out.points[i];
-    const bool past = !c.full() && cross(u, end) >= 0 && dot(u, end) >= 0 && cross(end, v) > 0;
-    if (cross(u, v) <= 0 || !c.sees(v) || past) reject("an arc is too small to be divided");
+    const bool past = !c.full() && cross(u, c.last) >= 0 && dot(u, c.last) >= 0 && cross(c.last, v) > 0;
+    const bool again =
+        c.full() && i + 1 < out.points.size() && cross(u, c.first) > 0 && cross(c.first, v) >= 0;
+    if (cross(u, v) <= 0 || !c.sees(v) || past || again) reject("an arc is too small to be divided");
     out.error = std::max(out.error, chord_error(c, u, v));
   }
-  if (c.full()) {  // exactly one turn: `first` is passed at the end alone
-    for (std::size_t i = 1; i + 1 < out.points.size(); ++i)
-      if (cross(out.points[i - 1], c.first) > 0 && cross(c.first, out.points[i]) >= 0)
-        reject("an arc turns more than once");
+  for (Point& p : out.points) {
+    p = p + c.center;
+    if (p.x >= kLargest || p.x <= -kLargest || p.y >= kLargest || p.y <= -kLargest)
+      reject("an arc reaches beyond 1.07 m");
   }
-  for (Point& p : out.points) p = p + c.center;
   return out;
 }
 
@@ -321,66 +297,50 @@ Box box_of(const Points& points) {
   for (const Point p : points) box.add(p);
   return box;
 }
-
-/// Boxes, and which of them meet one: a tree of halves.
-class BoxTree {
+/// Boxes, and which of them meet one. Some are visited more than once.
+class Grid {
  public:
-  explicit BoxTree(std::vector<Box> boxes)
-      : boxes_(std::move(boxes)), order_(boxes_.size()), nodes_(4 * boxes_.size() + 4) {
-    for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = i;
-    if (!order_.empty()) build(0, 0, order_.size());
+  explicit Grid(std::vector<Box> boxes = {}) : boxes_(std::move(boxes)), cells_(kSide * kSide) {
+    for (const Box& b : boxes_) all_.add({b.x0, b.y0}), all_.add({b.x1, b.y1});
+    for (std::size_t i = 0; i < boxes_.size(); ++i)
+      each_cell(boxes_[i], [&](std::size_t cell) { return cells_[cell].push_back(i), true; });
   }
   /// Stops, and returns false, where `visit` returns false.
   bool visit_all(const Box& box, const std::function<bool(std::size_t)>& visit) const {
-    return order_.empty() || ask(0, 0, order_.size(), box, visit);
+    return boxes_.empty() || each_cell(box, [&](std::size_t cell) {
+             return std::all_of(cells_[cell].begin(), cells_[cell].end(),
+                                [&](std::size_t i) { return !boxes_[i].meets(box) || visit(i); });
+           });
   }
 
  private:
-  void build(std::size_t node, std::size_t from, std::size_t to) {
-    Box& all = nodes_[node];
-    for (std::size_t i = from; i < to; ++i)
-      all.add({boxes_[order_[i]].x0, boxes_[order_[i]].y0}),
-          all.add({boxes_[order_[i]].x1, boxes_[order_[i]].y1});
-    if (to - from < 2) return;
-    const bool wide = all.x1 - all.x0 > all.y1 - all.y0;
-    const std::size_t middle = (from + to) / 2;
-    const auto place = [](std::size_t i) { return static_cast<std::ptrdiff_t>(i); };
-    std::nth_element(order_.begin() + place(from), order_.begin() + place(middle), order_.begin() + place(to),
-                     [&](std::size_t a, std::size_t b) {
-                       return wide ? boxes_[a].x0 + boxes_[a].x1 < boxes_[b].x0 + boxes_[b].x1
-                                   : boxes_[a].y0 + boxes_[a].y1 < boxes_[b].y0 + boxes_[b].y1;
-                     });
-    build(2 * node + 1, from, middle);
-    build(2 * node + 2, middle, to);
-  }
-  bool ask(std::size_t node, std::size_t from, std::size_t to, const Box& box,
-           const std::function<bool(std::size_t)>& visit) const {
-    if (!nodes_[node].meets(box)) return true;
-    if (to - from == 1) return visit(order_[from]);
-    const std::size_t middle = (from + to) / 2;
-    return ask(2 * node + 1, from, middle, box, visit) && ask(2 * node + 2, middle, to, box, visit);
+  static constexpr Int kSide = 128;
+  bool each_cell(const Box& box, const std::function<bool(std::size_t)>& visit) const {
+    const auto place = [](Int at, Int low, Int high) {
+      return std::clamp<Int>((at - low) * kSide / (high - low + 1), 0, kSide - 1);
+    };
+    for (Int i = place(box.x0, all_.x0, all_.x1); i <= place(box.x1, all_.x0, all_.x1); ++i)
+      for (Int k = place(box.y0, all_.y0, all_.y1); k <= place(box.y1, all_.y0, all_.y1); ++k)
+        if (!visit(std::size_t(i * kSide + k))) return false;
+    return true;
   }
   std::vector<Box> boxes_;
-  std::vector<std::size_t> order_;
-  std::vector<Box> nodes_;
+  std::vector<std::vector<std::size_t>> cells_;
+  Box all_;
 };
 
-/// v turned by an angle in 1/10000 degrees, to the nearest place but for 1 nm. Series for sine and cosine of less than 90 degrees in units of 2^-60.
+/// v turned by an angle in 1/10000 degrees, to the nearest place but for 1 nm. Series of sine and cosine in units of 2^-60.
 Point turned(Point v, Int angle) {
   angle = (angle % 3'600'000 + 3'600'000) % 3'600'000;
-  for (; angle >= 900'000; angle -= 900'000) v = {-v.y, v.x};
-  const Wide one = Wide(1) << 60, pi = 3'622'009'729'038'561'421;  // pi * 2^60
-  const Wide x = pi * angle / 1'800'000;
+  for (; angle >= 900'000; angle -= 900'000) v = v.left();
+  const Wide one = Wide(1) << 60, x = Wide(3'622'009'729'038'561'421) * angle / 1'800'000;  // pi * 2^60
   Wide term = one, cosine = 0, sine = 0;
-  for (int n = 0; n < 40; ++n) {
-    (n % 2 ? sine : cosine) += n % 4 < 2 ? term : -term;
-    term = term * x / one / (n + 1);
-  }
+  for (int n = 0; n < 40; term = term * x / one / ++n) (n % 2 ? sine : cosine) += n % 4 < 2 ? term : -term;
   return {Int(nearest_quotient(v.x * cosine - v.y * sine, one)),
           Int(nearest_quotient(v.x * sine + v.y * cosine, one))};
 }
 
-// ---------------------------------------------------------------------------------------------- numbers and files
+// ------------------------------------------------------------------------------------------ numbers and files
 
 /// digits * 10^exponent; `point` where one was written.
 struct Number {
@@ -389,27 +349,21 @@ struct Number {
   bool point = false;
 };
 /// Reads a number at `at` and moves it on; at most 18 digits count, later ones are cut off where `cut`, else refused.
-Number number_at(std::string_view in, std::size_t& at, bool cut, const Text& where) {
+Number number_at(const Text& in, std::size_t& at, bool cut, const Text& where) {
   Number out;
-  bool negative = false, any = false;
-  int count = 0;
-  if (at < in.size() && (in[at] == '+' || in[at] == '-')) negative = in[at++] == '-';
-  for (; at < in.size() && (in[at] == '.' || (in[at] >= '0' && in[at] <= '9')); ++at) {
-    if (in[at] == '.') {
-      if (out.point) reject(where + ": a number with two points");
-      out.point = true;
-      continue;
-    }
+  const bool negative = at < in.size() && in[at] == '-';
+  bool any = false;
+  if (at < in.size() && (in[at] == '+' || in[at] == '-')) ++at;
+  for (int count = 0; at < in.size() && (in[at] == '.' || (in[at] >= '0' && in[at] <= '9')); ++at) {
+    if (in[at] == '.' && out.point) reject(where + ": a number with two points");
+    out.point = out.point || in[at] == '.';
+    if (in[at] == '.') continue;
     any = true;
-    if (count >= 18) {
-      if (!cut) reject(where + ": a number with more than 18 digits");
-      if (!out.point) ++out.exponent;
-      continue;
-    }
-    out.digits = out.digits * 10 + (in[at] - '0');
-    if (out.digits != 0) ++count;
-    if (out.point) --out.exponent;
-    if (out.exponent < -1000) reject(where + ": a number with too many digits");
+    if (count < 18) out.digits = out.digits * 10 + (in[at] - '0');
+    if (count >= 18 && !cut) reject(where + ": a number with more than 18 digits");
+    out.exponent += (count >= 18) - out.point;
+    count += out.digits != 0 && count < 18;
+    if (out.exponent < -1000 || out.exponent > 1000) reject(where + ": a number with too many digits");
   }
   if (!any) reject(where + ": a number is missing");
   if (negative) out.digits = -out.digits;
@@ -417,166 +371,170 @@ Number number_at(std::string_view in, std::size_t& at, bool cut, const Text& whe
 }
 /// The value in units of 1 / `unit`, to the nearest; `exact` refuses what is no whole number of them.
 Int scaled(Number n, Int unit, bool exact, const Text& where) {
-  Wide value = n.digits * unit;
-  for (; n.exponent > 0 && value != 0; --n.exponent) {
-    if (value > (Wide(1) << 100) || value < -(Wide(1) << 100)) reject(where + ": a number is too large");
+  Wide value = n.digits * unit, by = 1;
+  const Wide most = Wide(1) << 60;
+  for (; n.exponent > 0 && value != 0 && value < most * most && value > -most * most / 16; --n.exponent)
     value *= 10;
-  }
-  Wide by = 1;
-  for (; n.exponent < 0 && by < Wide(1'000'000'000'000'000'000) * 1'000'000'000'000'000'000; ++n.exponent)
-    by *= 10;
-  if (n.exponent < 0) value = 0;  // below 1e-12 nm
+  for (; n.exponent < 0 && by < most * most / 16; ++n.exponent) by *= 10;
   if (exact && (value % by != 0 || n.exponent < 0))
     reject(where + ": a length is no whole number of nanometres");
-  value = nearest_quotient(value, by);
-  if (value > (Wide(1) << 60) || value < -(Wide(1) << 60)) reject(where + ": a number is too large");
+  value = n.exponent < 0 ? 0 : nearest_quotient(value, by);
+  if (value > most || value < -most || (n.exponent > 0 && value != 0))
+    reject(where + ": a number is too large");
   return Int(value);
 }
 Int within_range(Int nm, const Text& where) {
-  if (nm >= kLargest || nm <= -kLargest) reject(where + ": a coordinate is beyond 536.87 mm");
+  if (nm >= kLargest || nm <= -kLargest) reject(where + ": a coordinate is beyond 1.07 m");
   return nm;
 }
-constexpr Int kMillimetre = 1'000'000, kInch = 25'400'000;
-
 Text read_file(const Text& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) reject(path + ": cannot be read");
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+  std::FILE* const file = std::fopen(path.c_str(), "rb");
+  if (file == nullptr) reject(path + ": cannot be read");
+  Text out;
+  for (int c = std::fgetc(file); c != EOF; c = std::fgetc(file)) out += char(c);
+  std::fclose(file);
+  return out;
 }
 
 /// SHA-256 (FIPS 180-4) as 32 bytes. Its constants are the first bits of roots of primes, taken here by integers.
 Text sha256(Text data) {
-  std::array<std::uint32_t, 64> k{};
-  std::array<std::uint32_t, 8> h{};
-  std::size_t count = 0;
-  for (Int n = 2; count < 64; ++n) {
+  std::vector<std::uint32_t> k, h;
+  for (Wide n = 2; k.size() < 64; ++n) {
     bool prime = true;
-    for (Int d = 2; d * d <= n; ++d) prime = prime && n % d != 0;
+    for (Wide d = 2; d * d <= n; ++d) prime = prime && n % d != 0;
     if (!prime) continue;
-    if (count < 8) h[count] = static_cast<std::uint32_t>(root_down(Wide(n) << 64));
+    if (h.size() < 8) h.push_back(std::uint32_t(root_down(n << 64)));
     Wide cube_root = 0;
     for (Wide bit = Wide(1) << 35; bit > 0; bit >>= 1)
-      if ((cube_root + bit) * (cube_root + bit) * (cube_root + bit) <= Wide(n) << 96) cube_root += bit;
-    k[count++] = static_cast<std::uint32_t>(cube_root);
+      if (square(cube_root + bit) * (cube_root + bit) <= n << 96) cube_root += bit;
+    k.push_back(std::uint32_t(cube_root));
   }
   const std::uint64_t bits = data.size() * 8;
   data += char(0x80);
   while (data.size() % 64 != 56) data += char(0);
-  for (int shift = 56; shift >= 0; shift -= 8) data += static_cast<char>(bits >> shift);
-  const auto turned = [](std::uint32_t v, int by) { return (v >> by) | (v << (32 - by)); };
+  for (int shift = 56; shift >= 0; shift -= 8) data += char(bits >> shift);
+  const auto turn = [](std::uint32_t v, int by) { return (v >> by) | (v << (32 - by)); };
   for (std::size_t at = 0; at < data.size(); at += 64) {
     std::array<std::uint32_t, 64> w{};
     for (std::size_t i = 0; i < 64; ++i)
-      w[i / 4] = i / 4 < 16 ? (w[i / 4] << 8) | static_cast<unsigned char>(data[at + i]) : 0;
+      w[i / 4] = (w[i / 4] << 8) | static_cast<unsigned char>(data[at + i]);
     for (std::size_t i = 16; i < 64; ++i) {
       const std::uint32_t a = w[i - 15], b = w[i - 2];
-      w[i] = w[i - 16] + (turned(a, 7) ^ turned(a, 18) ^ (a >> 3)) + w[i - 7] +
-             (turned(b, 17) ^ turned(b, 19) ^ (b >> 10));
+      w[i] = w[i - 16] + (turn(a, 7) ^ turn(a, 18) ^ (a >> 3)) + w[i - 7] +
+             (turn(b, 17) ^ turn(b, 19) ^ (b >> 10));
     }
     auto v = h;
     for (std::size_t i = 0; i < 64; ++i) {
       const std::uint32_t e = v[4], a = v[0];
       const std::uint32_t one =
-          v[7] + (turned(e, 6) ^ turned(e, 11) ^ turned(e, 25)) + ((e & v[5]) ^ (~e & v[6])) + k[i] + w[i];
+          v[7] + (turn(e, 6) ^ turn(e, 11) ^ turn(e, 25)) + ((e & v[5]) ^ (~e & v[6])) + k[i] + w[i];
       const std::uint32_t two =
-          (turned(a, 2) ^ turned(a, 13) ^ turned(a, 22)) + ((a & v[1]) ^ (a & v[2]) ^ (v[1] & v[2]));
+          (turn(a, 2) ^ turn(a, 13) ^ turn(a, 22)) + ((a & v[1]) ^ (a & v[2]) ^ (v[1] & v[2]));
       v = {one + two, v[0], v[1], v[2], v[3] + one, v[4], v[5], v[6]};
     }
     for (std::size_t i = 0; i < 8; ++i) h[i] += v[i];
   }
   Text out;
   for (const std::uint32_t word : h)
-    for (int shift = 24; shift >= 0; shift -= 8) out += static_cast<char>(word >> shift);
+    for (int shift = 24; shift >= 0; shift -= 8) out += char(word >> shift);
   return out;
 }
 Text hex(const Text& bytes) {
   Text out;
-  for (const char c : bytes)
-    out += "0123456789abcdef"[static_cast<unsigned char>(c) >> 4], out += "0123456789abcdef"[c & 15];
+  for (const unsigned char c : bytes) out += "0123456789abcdef"[c >> 4], out += "0123456789abcdef"[c & 15];
   return out;
 }
 
-// ---------------------------------------------------------------------------------------------- the part
+// ------------------------------------------------------------------------------------------ the part
 
 struct Json {
   char kind = 'n';          // { [ " 0 t f n
   Text word;                // of texts and numbers
   std::vector<Text> names;  // of the items of an object
   std::vector<Json> items;
-  int line = 0;
+  Text where;
+  const Json* find(const Text& name) const {
+    const auto found = std::find(names.begin(), names.end(), name);
+    return found == names.end() ? nullptr : &items[std::size_t(found - names.begin())];
+  }
+  [[noreturn]] void fail(const Text& what) const { reject(where + ": " + what); }
+  const std::vector<Json>& list() const {
+    if (kind != '[') fail("a list is expected");
+    return items;
+  }
+  Int number(Int unit) const {
+    std::size_t end = 0;
+    Number n = number_at(kind == '0' ? word : "", end, true, where);
+    if (end < word.size() && (word[end] == 'e' || word[end] == 'E')) {
+      const Int power = scaled(number_at(word, ++end, false, where), 1, true, where);
+      if (power > 99 || power < -99) fail("an exponent out of range");
+      n.exponent += int(power);
+    }
+    if (end != word.size()) fail("'" + word + "' is no number");
+    return scaled(n, unit, false, where);
+  }
 };
-
 class JsonReader {
  public:
-  JsonReader(std::string_view in, Text file) : in_(in), file_(std::move(file)) {}
+  JsonReader(const Text& in, const Text& file) : in_(in), file_(file) {}
   Json whole() {
     Json value = read(0);
-    skip();
-    if (at_ != in_.size()) fail("something follows the end");
+    if (takes(0)) reject(where() + ": something follows the end");
     return value;
   }
 
  private:
-  [[noreturn]] void fail(const Text& what) const { reject(file_ + ":" + text(line_) + ": " + what); }
-  void skip() {
-    for (; at_ < in_.size() && (in_[at_] == ' ' || in_[at_] == '\t' || in_[at_] == '\n' || in_[at_] == '\r');
-         ++at_)
-      line_ += in_[at_] == '\n';
-  }
+  Text where() const { return file_ + ":" + text(line_); }
+  /// The next character that is no blank, where it is `c`; any, and not taken, where c is 0.
   bool takes(char c) {
-    skip();
-    if (at_ >= in_.size() || in_[at_] != c) return false;
-    return ++at_, true;
+    for (; at_ < in_.size() && Text(" \t\r\n").find(in_[at_]) != Text::npos; ++at_) line_ += in_[at_] == '\n';
+    if (at_ >= in_.size() || (c != 0 && in_[at_] != c)) return false;
+    at_ += c != 0;
+    return true;
+  }
+  void need(char c) {
+    if (!takes(c)) reject(where() + ": '" + Text(1, c) + "' is missing");
   }
   Text quoted() {
-    Text out;
-    for (; at_ < in_.size() && in_[at_] != '"'; ++at_) {
-      if (in_[at_] == '\n') fail("a text does not end");
-      if (in_[at_] == '\\') out += in_[at_++];  // escapes stay as they are: no name that matters has one
-      if (at_ < in_.size()) out += in_[at_];
-    }
-    if (at_++ >= in_.size()) fail("a text does not end");
+    const std::size_t start = at_;
+    for (; at_ < in_.size() && in_[at_] != '"'; ++at_) at_ += in_[at_] == '\\';
+    const Text out =
+        in_.substr(start, at_ - start);  // escapes stay as they are: no name that matters has one
+    if (at_++ >= in_.size() || out.find('\n') != Text::npos) reject(where() + ": a text does not end");
     return out;
   }
   Json read(int depth) {
-    if (depth > 20) fail("too deeply nested");
-    skip();
     Json out;
-    out.line = line_;
-    if (takes('{')) {
-      for (out.kind = '{'; !takes('}');) {
-        if (!out.names.empty() && !takes(',')) fail("a comma is missing");
-        if (!takes('"')) fail("a name is missing");
-        const Text name = quoted();
-        if (std::find(out.names.begin(), out.names.end(), name) != out.names.end())
-          fail("\"" + name + "\" stands twice");
-        if (!takes(':')) fail("a colon is missing");
-        out.names.push_back(name);
-        out.items.push_back(read(depth + 1));
-      }
-    } else if (takes('[')) {
-      for (out.kind = '['; !takes(']');) {
-        if (!out.items.empty() && !takes(',')) fail("a comma is missing");
+    if (depth > 20 || !takes(0)) reject(where() + ": too deeply nested, or cut off");
+    out.where = where();
+    if (takes('{') || takes('[')) {
+      out.kind = in_[at_ - 1];
+      while (!takes(out.kind == '{' ? '}' : ']')) {
+        if (!out.items.empty()) need(',');
+        if (out.kind == '{') {
+          need('"');
+          out.names.push_back(quoted());
+          if (std::count(out.names.begin(), out.names.end(), out.names.back()) > 1)
+            out.fail("a name stands twice");
+          need(':');
+        }
         out.items.push_back(read(depth + 1));
       }
     } else if (takes('"')) {
       out.kind = '"';
       out.word = quoted();
     } else {
-      while (at_ < in_.size() && (std::string_view("+-.").find(in_[at_]) != std::string_view::npos ||
-                                  (in_[at_] >= '0' && in_[at_] <= '9') ||
-                                  (in_[at_] >= 'a' && in_[at_] <= 'z') || in_[at_] == 'E'))
-        out.word += in_[at_++];
-      if (out.word.empty()) fail("a value is missing");
-      const bool number = out.word[0] == '-' || (out.word[0] >= '0' && out.word[0] <= '9');
-      out.kind = number ? '0' : out.word[0];
-      if (!number && out.word != "true" && out.word != "false" && out.word != "null")
-        fail("'" + out.word + "' is no value");
+      const std::size_t end = std::min(in_.find_first_of(",]} \t\r\n", at_), in_.size());
+      out.word = in_.substr(at_, end - at_);
+      const bool named = out.word == "true" || out.word == "false" || out.word == "null";
+      out.kind = named ? out.word[0] : '0';
+      if (!named) out.number(1);
+      at_ = end;
     }
     return out;
   }
-  std::string_view in_;
-  Text file_;
+  const Text& in_;
+  const Text file_;
   std::size_t at_ = 0;
   int line_ = 1;
 };
@@ -585,247 +543,302 @@ struct Wall {
   Curve curve;
   std::size_t outline = 0;
 };
-struct Part {
-  std::vector<std::vector<Wall>> outlines;  // outer counter-clockwise, islands clockwise
+/// A chord of a wall.
+struct Segment {
+  Point a, b;
+  Wide error;
+  std::size_t wall;
+};
+/// What outlines enclose: outer ones counter-clockwise, islands clockwise.
+struct Region {
+  std::vector<Wall> walls;
+  std::vector<Segment> segments;
+  std::size_t outlines = 0;
+  Grid grid;
+  /// Winding number of the walls' chords about p, without one outline.
+  Int winding(Point p, std::size_t without) const {
+    Int turns = 0;
+    for (const Segment& s : segments) {
+      if (walls[s.wall].outline == without || (s.a.y <= p.y) == (s.b.y <= p.y)) continue;
+      const Wide side = cross(s.b - s.a, p - s.a);
+      turns += s.a.y <= p.y ? side > 0 : -(side < 0);
+    }
+    return turns;
+  }
+};
+/// The wall from a to b with this bulge, tangent of a quarter of its angle, in units of 1e-12. Its true center is at most 0.71 nm from
+/// the one taken here, so that distances from it differ by as much.
+Curve bulged(Point a, Point b, Int bulge, const Text& where) {
+  const Wide p = bulge, q = 1'000'000'000'000, sign = p < 0 ? -1 : 1;
+  if (bulge == 0) return {a, b};
+  if (p > 100 * q || p < -100 * q) reject(where + ": a bulge above 100");
+  const Point across = (b - a).left();
+  const auto middle = [&](Int u, Int v, Int n) {
+    const Wide at =
+        nearest_quotient((Wide(u) + v) * (2 * p * q * sign) + sign * (q * q - p * p) * n, 4 * p * q * sign);
+    return Int(std::clamp<Wide>(at, -kLargest, kLargest));
+  };
+  return arc_of(a, b, {middle(a.x, b.x, across.x), middle(a.y, b.y, across.y)}, bulge < 0, 2, where);
+}
+
+struct Feature {
+  Text name, why_not;  // why it cannot be claimed
   Int top = 0, floor = 0;
+  Region target, allowed;  // what is to be cut, where the cutter may be
+};
+struct Part {
+  std::vector<Feature> features;
+  std::optional<Box> stock;
+  Int top = -kLargest;
 };
 
-class PartReader {
- public:
-  PartReader(std::string_view in, const Text& file) : file_(file), root_(JsonReader(in, file).whole()) {}
-  Part read() {
-    only(root_, {"name", "units", "stock", "pockets", "outer", "islands", "top", "depth", "kind", "through",
-                 "slope_rad"});
-    if (const Json* units = find(root_, "units")) {
-      if (units->word != "mm" && units->word != "inch") fail(*units, "units other than mm and inch");
-      unit_ = units->word == "mm" ? kMillimetre : kInch;
-    }
-    const Json* pockets = find(root_, "pockets");
-    if (pockets && (find(root_, "outer") || pockets->items.size() != 1))
-      fail(*pockets, "one pocket alone can be checked");
-    const Json& pocket = pockets ? pockets->items[0] : root_;
-    if (pockets) only(pocket, {"name", "outer", "islands", "top", "depth", "kind", "through", "slope_rad"});
-    const Json* kind = find(pocket, "kind");
-    if (kind && kind->word != "closed_pocket") fail(*kind, "kinds other than closed_pocket are not claimed");
-    const Json* slope = find(pocket, "slope_rad");
-    if (slope && number(*slope, kMillimetre) != 0) fail(*slope, "leaning walls are not claimed");
-    if (const Json* top = find(pocket, "top")) part_.top = within_range(number(*top, unit_), at(*top));
-    const Json *depth = find(pocket, "depth"), *outer = find(pocket, "outer");
-    if (!depth || !outer) fail(pocket, "\"outer\" or \"depth\" is missing");
-    part_.floor = within_range(part_.top - number(*depth, unit_), at(*depth));
-    if (part_.floor >= part_.top) fail(*depth, "the depth must be above 0");
-    if (const Json* stock = find(root_, "stock")) refuse_higher(*stock);
-    add_outline(*outer);
-    const Json* islands = find(pocket, "islands");
-    if (islands && islands->kind != '[') fail(*islands, "islands are a list of outlines");
-    if (islands)
-      for (const Json& island : islands->items) add_outline(island);
-    return part_;
-  }
-
- private:
-  Text at(const Json& value) const { return file_ + ":" + text(value.line); }
-  [[noreturn]] void fail(const Json& value, const Text& what) const { reject(at(value) + ": " + what); }
-  static const Json* find(const Json& value, std::string_view name) {
-    for (std::size_t i = 0; i < value.names.size(); ++i)
-      if (value.names[i] == name) return &value.items[i];
-    return nullptr;
-  }
-  void only(const Json& value, const std::vector<std::string_view>& names) const {
-    if (value.kind != '{') fail(value, "an object is expected");
-    for (const Text& name : value.names)
-      if (std::find(names.begin(), names.end(), name) == names.end())
-        fail(*find(value, name), "\"" + name + "\" is not claimed");
-  }
-  Int number(const Json& value, Int unit) const {
-    if (value.kind != '0') fail(value, "a number is expected");
-    std::size_t end = 0;
-    Number n = number_at(value.word, end, true, at(value));
-    if (end < value.word.size() && (value.word[end] == 'e' || value.word[end] == 'E')) {
-      const Number power = number_at(value.word, ++end, false, at(value));
-      if (power.point || power.digits > 99 || power.digits < -99) fail(value, "an exponent out of range");
-      n.exponent += int(power.digits);
-    }
-    if (end != value.word.size()) fail(value, "'" + value.word + "' is no number");
-    return scaled(n, unit, false, at(value));
-  }
-  void refuse_higher(const Json& stock) {
-    const Json* z = find(stock, "z");
-    if (!z || z->items.size() != 2 || number(z->items[1], unit_) > part_.top)
-      fail(stock, "a stock above the top is not claimed");
-  }
-  /// The curve from a to b with this bulge, tangent of a quarter of its angle, in units of 1e-12.
-  Curve curve_of(const Json& where, Point a, Point b, Int bulge) const {
-    Curve c{a, b};
-    if (bulge == 0) return c;
-    const Wide p = bulge, q = 1'000'000'000'000;
-    if (bulge > 100 * q || bulge < -100 * q) fail(where, "a bulge above 100");
-    const Point d = b - a;
-    const Wide sign = p < 0 ? -1 : 1, under = 4 * p * q * sign;
-    const auto middle = [&](Int u, Int v, Wide across) {
-      return nearest_quotient((Wide(u) + v) * (2 * p * q * sign) + sign * (q * q - p * p) * across, under);
+/// Adds an outline that runs counter-clockwise, or `island`, clockwise. `far`: beyond the range means as far as that reaches.
+void add_outline(Region& region, const Json& outline, Int unit, bool island, bool far) {
+  std::vector<Wall> walls;
+  std::vector<std::pair<Point, Int>> vertices;
+  for (const Json& item : outline.list()) {
+    if (item.list().size() < 2 || item.items.size() > 3) item.fail("a vertex is [x, y] or [x, y, bulge]");
+    const auto coordinate = [&](std::size_t i) {
+      const Int nm = item.items[i].number(unit);
+      return far ? std::clamp<Int>(nm, 1 - kLargest, kLargest - 1) : within_range(nm, item.where);
     };
-    const Wide x = middle(a.x, b.x, -d.y), y = middle(a.y, b.y, d.x);
-    if (x >= 2 * kLargest || x <= -2 * kLargest || y >= 2 * kLargest || y <= -2 * kLargest)
-      fail(where, "an arc whose center is beyond 1.07 m; write it as a line");
-    c.arc = true;
-    c.clockwise = bulge < 0;
-    c.center = {Int(x), Int(y)};
-    c.first = (c.clockwise ? b : a) - c.center;
-    c.last = (c.clockwise ? a : b) - c.center;
-    // The true center is at most 0.71 nm away, so that radii differ by as much.
-    c.low = Int(root_down(std::min(square(c.first), square(c.last)))) - 2;
-    c.high = Int(root_up(std::max(square(c.first), square(c.last)))) + 2;
-    if (c.low < kShortestArc || square(d) < square(kShortestArc) || cross(c.first, c.last) == 0) {
-      const bool straight = cross(c.first, c.last) == 0 && dot(c.first, c.last) < 0;
-      if (!straight || c.low < kShortestArc) fail(where, "an arc is too small to be checked");
-    }
-    return c;
+    vertices.push_back({{coordinate(0), coordinate(1)},
+                        item.items.size() == 3 ? item.items[2].number(1'000'000'000'000) : 0});
   }
-  void add_outline(const Json& outline) {
-    if (outline.kind != '[') fail(outline, "an outline is a list of vertices");
-    std::vector<std::pair<Point, Int>> vertices;
-    for (const Json& item : outline.items) {
-      if (item.kind != '[' || item.items.size() < 2 || item.items.size() > 3)
-        fail(item, "a vertex is [x, y] or [x, y, bulge]");
-      const Point p{within_range(number(item.items[0], unit_), at(item)),
-                    within_range(number(item.items[1], unit_), at(item))};
-      vertices.emplace_back(p, item.items.size() == 3 ? number(item.items[2], 1'000'000'000'000) : 0);
-    }
-    std::vector<Wall> walls;
+  Wide area = 0;
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const Point a = vertices[i].first, b = vertices[(i + 1) % vertices.size()].first;
+    if (a == b) continue;
+    walls.push_back({bulged(a, b, vertices[i].second, outline.where), region.outlines});
+    const Chords chords = chords_of(walls.back().curve);
+    for (std::size_t k = 1; k < chords.points.size(); ++k)
+      area += cross(chords.points[k - 1], chords.points[k]) * (walls.back().curve.clockwise ? -1 : 1);
+  }
+  if (area == 0) outline.fail("an outline without area");
+  if ((area > 0) == island) {  // turned, so that what is to be cut lies to the left
+    std::reverse(walls.begin(), walls.end());
+    for (Wall& wall : walls)
+      std::swap(wall.curve.a, wall.curve.b), wall.curve.clockwise = wall.curve.arc && !wall.curve.clockwise;
+  }
+  for (const Wall& wall : walls) {
+    Chords chords = chords_of(wall.curve);
+    if (wall.curve.clockwise) std::reverse(chords.points.begin(), chords.points.end());
+    for (std::size_t k = 1; k < chords.points.size(); ++k)
+      region.segments.push_back({chords.points[k - 1], chords.points[k], chords.error, region.walls.size()});
+    region.walls.push_back(wall);
+  }
+  ++region.outlines;
+}
+/// Outlines are simple and apart, each island lies in one outer outline and in no other outline: the winding number is 0 or 1.
+void finish(Region& region, const Json& where) {
+  std::vector<Box> boxes;
+  for (const Segment& s : region.segments) boxes.push_back(box_of({s.a, s.b}).grown(s.error));
+  region.grid = Grid(boxes);
+  const auto fold = [](Point a, Point b, Point c) {
+    return cross(b - a, c - b) == 0 && dot(b - a, c - b) < 0;
+  };
+  for (std::size_t i = 0; i < region.segments.size(); ++i)
+    region.grid.visit_all(boxes[i], [&](std::size_t k) {
+      const Segment &s = region.segments[i], &other = region.segments[k];
+      const bool one = region.walls[s.wall].outline == region.walls[other.wall].outline;
+      const bool before = one && s.b == other.a, after = one && s.a == other.b;
+      const bool meet = before || after
+                            ? (before && fold(s.a, s.b, other.b)) || (after && fold(other.a, other.b, s.b))
+                            : !segments_apart(s.a, s.b, other.a, other.b, 0);
+      if (k > i && meet)
+        where.fail("outlines cross near " + s.a.place() + "; repair them first (clearcut convert)");
+      return true;
+    });
+  for (std::size_t i = 0; i < region.segments.size(); ++i) {
+    const std::size_t outline = region.walls[region.segments[i].wall].outline;
+    if (i > 0 && region.walls[region.segments[i - 1].wall].outline == outline) continue;
     Wide area = 0;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
-      const Point a = vertices[i].first, b = vertices[(i + 1) % vertices.size()].first;
-      if (a == b) continue;
-      walls.push_back({curve_of(outline, a, b, vertices[i].second), part_.outlines.size()});
-      Points points = chords_of(walls.back().curve).points;
-      if (walls.back().curve.clockwise) std::reverse(points.begin(), points.end());
-      for (std::size_t k = 1; k < points.size(); ++k) area += cross(points[k - 1], points[k]);
-    }
-    if (area == 0) fail(outline, "an outline without area");
-    if ((area > 0) != part_.outlines.empty()) {  // turned, so that the pocket lies to the left
-      std::reverse(walls.begin(), walls.end());
-      for (Wall& wall : walls) {
-        std::swap(wall.curve.a, wall.curve.b);
-        wall.curve.clockwise = wall.curve.arc && !wall.curve.clockwise;
-      }
-    }
-    part_.outlines.push_back(std::move(walls));
+    for (const Segment& s : region.segments)
+      if (region.walls[s.wall].outline == outline) area += cross(s.a, s.b);
+    if (region.winding(region.segments[i].a, outline) != (area < 0 ? 1 : 0))
+      where.fail("an outline lies in another one, or an island outside, near " +
+                 region.segments[i].a.place());
   }
-  Text file_;
-  Json root_;
-  Int unit_ = kMillimetre;
-  Part part_;
-};
+}
+Region read_region(const std::vector<const Json*>& parts, Int unit, bool far) {
+  Region region;
+  for (const Json* part : parts) {
+    const Json *outer = part->find("outer"), *islands = part->find("islands");
+    if (!outer) part->fail("\"outer\" is missing");
+    add_outline(region, *outer, unit, false, far);
+    if (islands)
+      for (const Json& island : islands->list()) add_outline(region, island, unit, true, far);
+  }
+  finish(region, *parts[0]);
+  return region;
+}
+Feature read_feature(const Json& pocket, Int unit) {
+  Feature f;
+  for (const Text& name : pocket.names)
+    if (!std::set<Text>{"name", "units", "stock", "outer", "islands", "top", "depth", "kind", "through",
+                        "slope_rad", "allowed", "line", "closed", "beyond"}
+             .count(name))
+      pocket.fail("\"" + name + "\" is not claimed");
+  if (const Json* name = pocket.find("name")) f.name = name->word;
+  if (const Json* top = pocket.find("top")) f.top = within_range(top->number(unit), top->where);
+  if (!pocket.find("depth")) pocket.fail("\"depth\" is missing");
+  f.floor = within_range(f.top - pocket.find("depth")->number(unit), pocket.where);
+  if (f.floor >= f.top) pocket.fail("the depth must be above 0");
+  const Json *slope = pocket.find("slope_rad"), *allowed = pocket.find("allowed");
+  if (slope && slope->number(kMillimetre) != 0) f.why_not = "its walls lean";
+  if (pocket.find("line")) return f.why_not = "the cutter follows a line", f;
+  f.target = read_region({&pocket}, unit, false);
+  std::vector<const Json*> parts;
+  if (allowed)
+    for (const Json& one : allowed->list()) parts.push_back(&one);
+  f.allowed = parts.empty() ? f.target : read_region(parts, unit, true);
+  return f;
+}
+Part read_part(const Text& in, const Text& file) {
+  const Json root = JsonReader(in, file).whole();
+  const Json *units = root.find("units"), *pockets = root.find("pockets"), *stock = root.find("stock");
+  if (units && units->word != "mm" && units->word != "inch") units->fail("units other than mm and inch");
+  const Int unit = units && units->word == "inch" ? kInch : kMillimetre;
+  Part part;
+  if (!pockets) part.features.push_back(read_feature(root, unit));
+  for (const Text& name : root.names)
+    if (pockets && !std::set<Text>{"name", "units", "stock", "pockets"}.count(name))
+      root.fail("\"" + name + "\" beside \"pockets\" is not claimed");
+  if (pockets)
+    for (const Json& pocket : pockets->list()) part.features.push_back(read_feature(pocket, unit));
+  for (const Feature& f : part.features) part.top = std::max(part.top, f.top);
+  if (!stock) return part;
+  const auto side = [&](const Text& axis, std::size_t i) {
+    const Json* range = stock->find(axis);
+    if (!range || range->list().size() != 2) stock->fail("a stock has x, y and z, each [low, high]");
+    return within_range(range->items[i].number(unit), range->where);
+  };
+  part.stock = {side("x", 0), side("y", 0), side("x", 1), side("y", 1)};
+  part.top = std::max(part.top, side("z", 1));
+  return part;
+}
 
-// ---------------------------------------------------------------------------------------------- the program
+// ------------------------------------------------------------------------------------------ the program
 
 struct Move {
   Curve path;
   Int z0 = 0, z1 = 0;
   bool rapid = false;
   int line = 0;
+  Int tool = 0;
   Int lowest() const { return std::min(z0, z1); }
   bool only_rises() const { return !path.arc && path.a == path.b && z1 >= z0; }
+  Text name() const { return "line " + text(line) + " of the program "; }
 };
 struct Program {
   std::vector<Move> moves;
   Int blending = 0;     // nm; how far the control may leave the path
   bool dogleg = false;  // rapids may not be straight
+  Int rounding = 0;     // nm; how far ends of helices may be from where they are taken to be
   bool stated = false;  // whether the program says how exactly it is followed
 };
 
 /// Where a control stands, and what a motion from there is.
 class Track {
  public:
-  Track(Program& out, Int top) : out_(out), top_(top) {}
-  struct Target {
-    bool x = false, y = false, z = false;  // said
-    Point at;
-    Int height = 0;
-  };
-  void home() {  // up to the machine's own upper end
-    if (known_x_ && known_y_ && known_z_) add({{at_, at_}, z_, kHome, true, line_});
-    z_ = kHome, known_z_ = true;
-  }
-  void away() { known_x_ = known_y_ = false; }  // to a place of the machine's own, at the upper end
-  void straight(const Target& to, bool rapid) {
-    const Point from = at_;
-    const Int below = z_;
-    const bool all = known_x_ && known_y_ && known_z_;
-    if (to.x) at_.x = to.at.x;
-    if (to.y) at_.y = to.at.y;
-    if (to.z) z_ = to.height;
-    known_x_ = known_x_ || to.x, known_y_ = known_y_ || to.y, known_z_ = known_z_ || to.z;
-    if (all) return add({{from, at_}, below, z_, rapid, line_});
-    if (!rapid || !known_z_ || z_ < top_)
-      reject(where() + ": the first motions must be rapids above the top of the part");
-  }
-  void arc(const Target& to, Point center, bool clockwise) {
-    if (!known_x_ || !known_y_ || !known_z_) reject(where() + ": an arc from an unknown place");
-    Curve c{at_, at_, true, clockwise, center};
-    if (to.x) c.b.x = to.at.x;
-    if (to.y) c.b.y = to.at.y;
-    if (center.x >= 2 * kLargest || center.x <= -2 * kLargest || center.y >= 2 * kLargest ||
-        center.y <= -2 * kLargest)
-      reject(where() + ": an arc's center is beyond 1.07 m");
-    c.first = (clockwise ? c.b : c.a) - center;
-    c.last = (clockwise ? c.a : c.b) - center;
-    const Wide shorter = std::min(square(c.first), square(c.last)),
-               longer = std::max(square(c.first), square(c.last));
-    c.low = Int(root_down(shorter)), c.high = Int(root_up(longer));
-    if (c.low < kShortestArc || c.high - c.low > kRadiiDiffer)
-      reject(where() + ": an arc whose radii are too small or differ");
-    const bool opposite = cross(c.first, c.last) == 0 && dot(c.first, c.last) < 0;
-    if (c.a != c.b &&
-        (square(c.b - c.a) < square(kShortestArc) || (cross(c.first, c.last) == 0 && !opposite)))
-      reject(where() + ": an arc that some controls take for a full circle");
-    const Int below = z_;
-    at_ = c.b;
-    if (to.z) z_ = to.height;
-    add({c, below, z_, false, line_});
-  }
-  bool moved() const { return !out_.moves.empty() || known_z_; }
-  bool at_home() const { return !known_z_ || z_ == kHome; }
-  Point at() const { return at_; }
-  Int height() const { return known_z_ ? z_ : kHome; }
-  void set_line(const Text& file, int line) { file_ = file, line_ = line; }
-  Text where() const { return file_ + ":" + text(line_); }
+  Track(const Text& file, Program& out, Int top) : out_(out), top_(top), file_(file) {}
 
- private:
-  void add(const Move& move) {
-    if (move.path.arc || move.path.a != move.path.b || move.z0 != move.z1) out_.moves.push_back(move);
+ protected:
+  using Axes = std::array<std::optional<Int>, 3>;
+  [[noreturn]] void fail(const Text& what) const { reject(where() + ": " + what); }
+  Text where() const { return file_ + ":" + text(line_); }
+  bool known() const { return at_[0] && at_[1] && at_[2]; }
+  Point place() const { return {at_[0].value_or(0), at_[1].value_or(0)}; }
+  bool at_home() const { return !at_[2] || *at_[2] == kHome; }
+  bool moved() const { return at_[0] || at_[1] || at_[2] || !out_.moves.empty(); }
+  void straight(const Axes& to, bool rapid) {
+    const Axes from = at_;
+    const bool all = known();
+    for (std::size_t k = 0; k < 3; ++k)
+      if (to[k]) at_[k] = to[k];
+    if (!all && (!rapid || !at_[2] || *at_[2] < top_))
+      fail("the first motions must be rapids above the top of the part");
+    if (all && from != at_) add({{{*from[0], *from[1]}, place()}, *from[2], *at_[2], rapid});
   }
+  void arc(const Axes& to, Point center, bool clockwise) {
+    if (!known()) fail("an arc from an unknown place");
+    const Point from = place();
+    const Int below = *at_[2];
+    for (std::size_t k = 0; k < 3; ++k)
+      if (to[k]) at_[k] = to[k];
+    add({arc_of(from, place(), center, clockwise, 0, where()), below, *at_[2], false});
+  }
+  /// Up to the machine's own upper end.
+  void home() {
+    if (known()) straight(Axes{std::nullopt, std::nullopt, kHome}, true);
+    at_[2] = kHome;
+  }
+  /// To a place of the machine's own, at its upper end.
+  void away() {
+    if (!at_home()) fail("a way to the machine's own places below its upper end");
+    at_[0].reset(), at_[1].reset();
+  }
+  void change(Int tool) {
+    if (tool == tool_) return;
+    if (at_[2] && *at_[2] < top_) fail("a tool change below the top of the part");
+    home(), away();
+    tool_ = tool;
+  }
+  /// A cycle: over the hole, down to `clear`, by feed to `bottom`, up to `out`.
+  void drill(std::optional<Int> x, std::optional<Int> y, Int clear, Int bottom, Int out) {
+    if (!at_[2] || *at_[2] < clear || out < clear) fail("a cycle that begins below its own clearance");
+    straight(Axes{x, y}, true);
+    for (const Int z : {clear, bottom, out}) straight(Axes{std::nullopt, std::nullopt, z}, z != bottom);
+  }
+  /// A number of few digits, of a word.
+  Int small(const Number& value, Int times) const {
+    const Int number = scaled(value, times, true, where());
+    if (number < 0 || number > 99'999) fail("a word's number is out of range");
+    return number;
+  }
+  void blend(const Number& value) {
+    const Int nm = scaled(value, unit_, false, where());
+    if (nm < 0 || nm > kMillimetre) fail("a tolerance out of range");
+    tolerance_ += nm + 1;
+    out_.blending = std::max(out_.blending, tolerance_);
+    out_.stated = true;
+  }
+
   Program& out_;
-  Int top_;
-  Point at_;
-  Int z_ = 0;
-  bool known_x_ = false, known_y_ = false, known_z_ = false;
+  Int top_, unit_ = kMillimetre, tool_ = 0, tolerance_ = 0;
+  Axes at_;
   Text file_;
   int line_ = 0;
+  bool ended_ = false;
+
+ private:
+  void add(Move move) {
+    move.line = line_, move.tool = tool_;
+    out_.moves.push_back(move);
+  }
 };
 
 /// G-code as LinuxCNC, Grbl, Fanuc, Haas, Mach, Marlin and, after G700 or G710, Sinumerik read it: absolute, XY plane, arcs by I and J.
-class IsoReader {
+class IsoReader : Track {
  public:
-  IsoReader(const Text& file, Program& out, Int top) : file_(file), out_(out), track_(out, top) {}
-  void block(Text line, int number) {
-    track_.set_line(file_, number);
-    words_.clear();
-    gs_.clear();
-    ms_.clear();
-    split(line);
+  using Track::Track;
+  void block(const Text& line) {
+    ++line_;
+    words_.clear(), gs_.clear(), ms_.clear();
+    const bool last = split(line);
+    if (!words_.empty() || !gs_.empty() || !ms_.empty()) {
+      if (ended_) fail("something follows the end of the program");
+      codes();
+      motion();
+      if (!words_.empty()) fail("word " + Text(1, words_.begin()->first) + " has no meaning here");
+    }
+    ended_ = ended_ || last;
     begun_ = true;
-    if (words_.empty() && gs_.empty() && ms_.empty()) return;
-    if (ended_) fail("something follows the end of the program");
-    codes();
-    motion();
-    if (!words_.empty()) fail("word " + Text(1, words_.begin()->first) + " has no meaning here");
   }
 
  private:
-  [[noreturn]] void fail(const Text& what) const { reject(track_.where() + ": " + what); }
-  void split(const Text& line) {
+  /// Fills words_, gs_, ms_. True where a second % ends the program.
+  bool split(const Text& line) {
     bool comment = false;
     for (std::size_t at = 0; at < line.size();) {
       const char c = line[at++];
@@ -835,375 +848,378 @@ class IsoReader {
       }
       if (c == ';') break;
       if (c == ' ' || c == '\t' || c == '\r') continue;
-      if (c == '%' && line.find_first_not_of(" \t\r", at) == Text::npos) {  // the second one ends the program
-        ended_ = ended_ || begun_;
-        return;
-      }
+      if (c == '%' && line.find_first_not_of(" \t\r", at) == Text::npos) return begun_;
       if (c < 'A' || c > 'Z') fail(Text("'") + c + "' is not understood");
       if (line.compare(at - 1, 5, "SUPA ") == 0) {  // Sinumerik's G53
-        gs_.push_back(530);
-        at += 4;
+        gs_.push_back(530), at += 4;
         continue;
       }
       if (line.compare(at - 1, 5, "CTOL=") == 0)
-        at += 4;  // kept under its first letter, which no other word here has
-      const Number value = number_at(line, at, false, track_.where());
-      if (c == 'G' || c == 'M') {
-        (c == 'G' ? gs_ : ms_).push_back(small(value, 10));
-      } else if (!words_.emplace(c, value).second) {
-        fail(Text("word ") + c + " stands twice");
+        at += 4;  // kept under its first letter, which no other word has
+      const Number value = number_at(line, at, false, where());
+      if (c == 'G' || c == 'M') (c == 'G' ? gs_ : ms_).push_back(small(value, 10));
+      if (c != 'G' && c != 'M' && !words_.emplace(c, value).second) fail(Text("word ") + c + " stands twice");
+      if (line.compare(at, 9, " INSERT T") == 0) {  // Marlin's M0 with a message names the tool by hand
+        if (c != 'M' || ms_.back() != 0) fail("INSERT without M0");
+        inserted_ = small(number_at(line, at += 9, false, where()), 1);
+        return false;
       }
     }
     if (comment) fail("a comment does not end");
+    return false;
   }
-  int small(Number value, Int times) const {
-    const Int tenths = scaled(value, times, true, track_.where());
-    if (tenths < 0 || tenths > 99'999) fail("a word's number is out of range");
-    return int(tenths);
-  }
-  bool takes_g(int code) {
-    const auto found = std::find(gs_.begin(), gs_.end(), code);
-    if (found == gs_.end()) return false;
-    gs_.erase(found);
-    return true;
-  }
+  bool takes_g(Int code) { return std::erase(gs_, code) > 0; }
+  bool has(char letter) const { return words_.count(letter) > 0; }
   Number take(char letter) {
     const Number value = words_.at(letter);
     words_.erase(letter);
     return value;
   }
-  Int length(char letter, Int times = 1) {
+  Int length(char letter) {
     const Number n = take(letter);
     if (tape_ && !n.point) fail(Text("word ") + letter + " needs a decimal point on this control");
-    const Int nm = scaled(n, unit_, true, track_.where());
-    return within_range(nm / times, track_.where()), nm;
+    const Int nm = scaled(n, unit_, true, where());
+    return within_range(nm / (letter == 'I' || letter == 'J' ? 2 : 1), where()), nm;
   }
-  Int tolerance(char letter) {
-    const Int nm = scaled(take(letter), unit_, false, track_.where());
-    if (nm < 0 || nm > kMillimetre) fail("a tolerance out of range");
-    return nm + 1;
-  }
+  std::optional<Int> axis(char letter) { return has(letter) ? std::optional(length(letter)) : std::nullopt; }
   void codes() {
-    if (words_.count('O')) words_.erase('O'), tape_ = out_.dogleg = true;
-    words_.erase('N');
-    words_.erase('S');
-    words_.erase('F');
+    if (has('O')) words_.erase('O'), tape_ = out_.dogleg = true;
+    for (const char c : {'N', 'S', 'F'}) words_.erase(c);
     if (takes_g(40)) {  // a dwell
       if (words_.erase('P') + words_.erase('X') > 1 || !words_.empty() || !gs_.empty())
         fail("a dwell with other words");
       return;
     }
-    for (const int code : {200, 210, 7000, 7100}) {
+    for (const Int code : {200, 210, 7000, 7100}) {
       if (!takes_g(code)) continue;
-      if (track_.moved()) fail("units change after the first motion");
+      if (moved()) fail("units change after the first motion");
       unit_ = code == 200 || code == 7000 ? kInch : kMillimetre;
       sinumerik_ = sinumerik_ || code > 1000;
     }
-    for (const int code :
-         {170, 400, 911, 940,
-          800})  // XY plane, no compensation, arcs' centers from their start, feed per minute
-      if (takes_g(code) && code == 800) motion_ = -1;
+    for (const Int code : {170, 400, 911, 940})
+      takes_g(code);  // XY plane, no compensation, centers from the start, feed per minute
+    if (takes_g(800)) motion_ = -1;
+    tools();
     const bool by_reference = takes_g(280), up = by_reference || takes_g(530), incremental = takes_g(910);
-    if (up && by_reference != incremental) fail("G28 without G91, or G53 with it");
+    if (by_reference != incremental) fail("G28 without G91, or the other way round");
     if (takes_g(900)) absolute_ = true;
-    if (incremental && !up) fail("incremental motion (G91)");
-    if (sinumerik_ && words_.count('D')) {
-      if (!up && !track_.at_home()) fail("the tool's length changes away from the machine's upper end");
-      words_.erase('D');
-    }
+    if (sinumerik_ && words_.erase('D') > 0 && !up && !at_home())
+      fail("the tool's length changes away from the machine's upper end");
     if (up) return go_home(incremental);
     if (takes_g(490) || takes_g(430)) {
-      if (!track_.at_home()) fail("the tool's length changes away from the machine's upper end");
+      if (!at_home()) fail("the tool's length changes away from the machine's upper end");
       words_.erase('H');
     }
     offsets();
-    if (takes_g(610)) out_.stated = true;
-    if (takes_g(640)) blend('P', 'Q');
-    if (takes_g(1870)) blend('E', 'E');
-    if (sinumerik_ && takes_g(6420)) blend('C', 'C');
-    if (sinumerik_ && takes_g(600)) out_.stated = true;
-    machine_words();
-    for (const int code : {0, 10, 20, 30}) {
+    if (takes_g(610) || (sinumerik_ && takes_g(600))) out_.stated = true;
+    const bool path = takes_g(640), smooth = takes_g(1870), contour = sinumerik_ && takes_g(6420);
+    if (path || smooth || contour) {
+      const char first = path ? 'P' : smooth ? 'E' : 'C';
+      if (!has(first)) fail("blending without a stated tolerance");
+      const Number one = take(first);
+      tolerance_ = 0;
+      blend(one);
+      if (path) blend(has('Q') ? take('Q') : one);
+    }
+    if (takes_g(980)) to_start_ = true;
+    if (takes_g(990)) to_start_ = false;
+    for (const Int code : {0, 10, 20, 30, 730, 740, 810, 820, 830, 840, 850, 890}) {
       if (!takes_g(code)) continue;
       if (!gs_.empty()) fail("more than one motion");
-      motion_ = code / 10;
+      motion_ = code;
+      begins_ = code > 700;
     }
     if (!gs_.empty())
       fail("G" + text(gs_[0] / 10) + (gs_[0] % 10 ? "." + text(gs_[0] % 10) : "") + " is not claimed");
   }
+  /// M words, and T words: with M6 or, on controls without it, alone.
+  void tools() {
+    std::optional<Int> tool = std::exchange(inserted_, std::nullopt);
+    bool changes = false;
+    const bool called = has('T');
+    for (const Int code : ms_) {
+      const Int m = code / 10;
+      if (code % 10 != 0 || !(m <= 9 || m == 30 || (tape_ && (m == 83 || m == 84))))
+        fail("M" + text(m) + " is not claimed");
+      ended_ = ended_ || m == 2 || m == 30;
+      changes = changes || m == 6;
+    }
+    if (has('T'))
+      called_ = small(take('T'), 1);
+    else if (changes && !called_)
+      fail("M6 without T");
+    if (changes && by_word_) fail("M6 after a T word without it");
+    by_change_ = by_change_ || changes;
+    by_word_ = by_word_ || (called && !by_change_);
+    if (changes || (called && !by_change_)) tool = called_;
+    if (tool) change(*tool);
+  }
   /// To the machine's upper end: G53 G0 Z0, G91 G28 Z0; then to a place of its own.
   void go_home(bool incremental) {
-    while (takes_g(0)) motion_ = 0;
+    if (takes_g(0)) motion_ = 0;
     if (!gs_.empty() || !ms_.empty()) fail("a way home with other words");
-    if (words_.count('Z')) {
-      if (take('Z').digits != 0) fail("a way home other than Z0");
-      track_.home();
-    } else if (!track_.at_home()) {
-      fail("a way to the machine's own places below its upper end");
-    }
-    for (const char axis : {'X', 'Y'})
-      if (words_.count(axis)) take(axis), track_.away();
+    const bool up = has('Z');
+    if (up && take('Z').digits != 0) fail("a way home other than Z0");
+    if (up) home();
+    for (const char c : {'X', 'Y'})
+      if (has(c)) take(c), away();
     if (incremental) absolute_ = false;
   }
   void offsets() {
-    int offset = 0;
-    for (const int code : {540, 550, 560, 570, 580, 590, 591, 592, 593, 541, 1540}) {
+    Int offset = 0;
+    for (const Int code : {540, 550, 560, 570, 580, 590, 591, 592, 593, 541, 1540}) {
       if (!takes_g(code)) continue;
       if (sinumerik_ && code >= 580) fail("G58 and G59 shift axes on this control, which is not claimed");
       offset = code * 1000;
-      if ((code == 541 || code == 1540 || code == 590) && words_.count('P')) offset += small(take('P'), 1);
+      if ((code == 541 || code == 1540 || code == 590) && has('P')) offset += small(take('P'), 1);
     }
-    for (int code = 5050; sinumerik_ && code <= 5990; code += 10)
+    for (Int code = 5050; sinumerik_ && code <= 5990; code += 10)
       if (takes_g(code)) offset = code * 1000;
-    if (offset == 0 || offset == offset_) return;
-    if (track_.moved()) fail("the work offset changes after the first motion");
-    offset_ = offset;
-  }
-  void blend(char first, char second) {
-    if (!words_.count(first)) fail("blending without a stated tolerance");
-    const Int path = tolerance(first);
-    const Int lines = first == second ? 0 : words_.count(second) ? tolerance(second) : path;
-    out_.blending = std::max(out_.blending, path + lines);
-    out_.stated = true;
-  }
-  void machine_words() {
-    for (const int code : ms_) {
-      const int m = code / 10;
-      const bool change = m == 6;
-      if (code % 10 != 0 || !(m <= 9 || m == 30 || (tape_ && (m == 83 || m == 84))))
-        fail("M" + text(m) + " is not claimed");
-      if (change && changed_) fail("a second tool is not claimed");
-      if (change && !track_.at_home()) fail("a tool change away from the machine's upper end");
-      changed_ = changed_ || change;
-      if (m == 2 || m == 30) ended_ = true;
-    }
-    if (!words_.count('T')) return;
-    const int tool = small(take('T'), 1);
-    if (tool_ >= 0 && tool != tool_) fail("a second tool is not claimed");
-    tool_ = tool;
+    if (offset != 0 && offset != offset_ && moved()) fail("the work offset changes after the first motion");
+    if (offset != 0) offset_ = offset;
   }
   void motion() {
-    Track::Target to;
-    if (words_.count('X')) to.x = true, to.at.x = length('X');
-    if (words_.count('Y')) to.y = true, to.at.y = length('Y');
-    if (words_.count('Z')) to.z = true, to.height = length('Z');
-    const bool arc = motion_ >= 2;
-    Point center = track_.at();
-    const bool has_center = arc && (words_.count('I') || words_.count('J'));
-    if (arc && words_.count('I')) center.x += length('I', 2);
-    if (arc && words_.count('J')) center.y += length('J', 2);
-    if (!to.x && !to.y && !to.z && !has_center) return;
+    const std::optional<Int> x = axis('X'), y = axis('Y'), z = axis('Z');
+    const bool arc_motion = motion_ == 20 || motion_ == 30, has_center = arc_motion && (has('I') || has('J'));
+    Point center = place();
+    if (has_center) center = center + Point{axis('I').value_or(0), axis('J').value_or(0)};
+    if (!x && !y && !z && !has_center) return;
     if (motion_ < 0 || !absolute_) fail(motion_ < 0 ? "axis words without a motion" : "motion before G90");
-    if (arc && !has_center) fail("an arc without I and J");
-    arc ? track_.arc(to, center, motion_ == 2) : track_.straight(to, motion_ == 0);
+    if (arc_motion && !has_center) fail("an arc without I and J");
+    if (motion_ > 700) return cycle(x, y, z);
+    arc_motion ? arc({x, y, z}, center, motion_ == 20) : straight({x, y, z}, motion_ == 0);
+  }
+  void cycle(std::optional<Int> x, std::optional<Int> y, std::optional<Int> z) {
+    if (begins_ && (!z || !has('R') || !at_[2])) fail("a cycle without Z and R");
+    if (std::exchange(begins_, false)) start_ = *at_[2];
+    if (z) bottom_ = *z;
+    if (has('R')) clear_ = length('R');
+    for (const char c : {'P', 'Q'}) words_.erase(c);
+    drill(x, y, clear_, bottom_, to_start_ ? start_ : clear_);
   }
 
-  Text file_;
-  Program& out_;
-  Track track_;
   std::map<char, Number> words_;
-  std::vector<int> gs_, ms_;  // ten times their numbers
-  Int unit_ = kMillimetre;
-  int motion_ = -1, offset_ = 0, tool_ = -1;
-  bool absolute_ = false, tape_ = false, sinumerik_ = false, changed_ = false, begun_ = false, ended_ = false;
+  std::vector<Int> gs_, ms_;  // ten times their numbers
+  std::optional<Int> called_, inserted_;
+  Int motion_ = -1, offset_ = 0, start_ = 0, clear_ = 0, bottom_ = 0;
+  bool absolute_ = false, tape_ = false, sinumerik_ = false, begun_ = false, to_start_ = true,
+       begins_ = false, by_change_ = false, by_word_ = false;
 };
 
-/// Heidenhain Klartext: L, CC, C.
-class KlartextReader {
+/// Heidenhain Klartext: L, CC, C, CP and cycles of holes.
+class KlartextReader : Track {
  public:
-  KlartextReader(const Text& file, Program& out, Int top) : file_(file), out_(out), track_(out, top) {
-    out_.stated = true;
-  }
-  void block(Text line, int number) {
-    track_.set_line(file_, number);
-    if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (line.empty()) return;
-    std::size_t at = 0;
-    while (at < line.size() && line[at] >= '0' && line[at] <= '9') ++at;
-    if (at == 0 || at == line.size() || line[at] != ' ') fail("a block needs its number");
+  using Track::Track;
+  void block(const Text& line) {
+    ++line_;
+    all_ += line.substr(0, line.find(';')) + " ";
+    const std::size_t end = line.find_last_not_of(" \r");
+    if (end != Text::npos && line[end] == '~') return;  // goes on in the next line
+    const Text whole = std::exchange(all_, "");
     tokens_.clear();
-    for (std::size_t i = at; i < line.size() && line[i] != ';';) {
-      const std::size_t end = std::min(line.find_first_of(" ;", i), line.size());
-      if (end > i) tokens_.push_back(line.substr(i, end - i));
-      i = end + (end < line.size() && line[end] == ' ');
+    for (std::size_t i = 0; (i = whole.find_first_not_of(" \r", i)) != Text::npos;) {
+      const std::size_t next = std::min(whole.find_first_of(" \r", i), whole.size());
+      if (whole[i] != '~') tokens_.push_back(whole.substr(i, next - i));
+      i = next;
     }
     if (tokens_.empty()) return;
-    if (ended_) fail("something follows the end of the program");
-    read(tokens_[0]);
+    if (tokens_[0].find_first_not_of("0123456789") != Text::npos) fail("a block needs its number");
+    tokens_.erase(tokens_.begin());
+    if (!tokens_.empty() && ended_) fail("something follows the end of the program");
+    if (!tokens_.empty()) read(tokens_[0], tokens_.size() > 1 ? tokens_[1] : "", tokens_.back());
   }
 
  private:
-  [[noreturn]] void fail(const Text& what) const { reject(track_.where() + ": " + what); }
-  void read(const Text& first) {
-    const Text second = tokens_.size() > 1 ? tokens_[1] : "";
-    const Text last = tokens_.back();
+  void read(const Text& first, const Text& second, const Text& last) {
+    static const std::set<Text> kHarmless{"M0", "M1", "M3", "M4", "M5", "M7", "M8", "M9", "M13", "M30"};
     if (first == "BEGIN" || first == "END") {
-      if (second != "PGM" || (first == "BEGIN" && track_.moved()) || (last != "MM" && last != "INCH"))
+      if (second != "PGM" || (first == "BEGIN" && moved()) || (last != "MM" && last != "INCH"))
         fail("a unit is missing, or a second program begins");
       unit_ = last == "MM" ? kMillimetre : kInch;
       ended_ = first == "END";
-    } else if (first == "BLK" && second == "FORM") {
-      return;
     } else if (first == "TOOL" && second == "CALL") {
-      const bool numbered = tokens_.size() > 2 && tokens_[2] != "Z";
-      if (numbered && called_) fail("a second tool is not claimed");
-      called_ = called_ || numbered;
       for (const Text& token : tokens_)
         if (token[0] == 'D') fail("a tool call with " + token);
+      if (tokens_.size() > 2 && tokens_[2] != "Z") change(small(number(tokens_[2], 0), 1));
     } else if (first == "CYCL" && second == "DEF" && tokens_.size() > 2) {
-      cycle(tokens_[2], last);
-    } else if (first[0] == 'M' && tokens_.size() == 1) {
-      machine_word(first);
+      define(tokens_[2], last);
+    } else if (first == "CYCL" && second == "CALL" && tokens_.size() == 2) {
+      if (cycle_.empty()) fail("a cycle that is not defined");
+      const Int surface = cycle_.at("Q203");
+      drill({}, {}, surface + cycle_.at("Q200"), surface + cycle_.at("Q201"),
+            surface + std::max(cycle_.at("Q200"), cycle_.at("Q204")));
     } else if (first == "L") {
       line();
     } else if (first == "CC") {
-      if (tokens_.size() != 3 || second[0] != 'X' || last[0] != 'Y') fail("a center needs X and Y");
-      center_ = {length(second), length(last)};
-      has_center_ = true;
+      const Axes to = target({});
+      if (!to[0] || !to[1] || to[2]) fail("a center needs X and Y");
+      center_ = {{*to[0], *to[1]}};
     } else if (first == "C") {
-      arc();
+      const Axes to = target({"DR+", "DR-", "R0"});
+      if (!center_ || has("DR+") == has("DR-") || !to[0] || !to[1] || to[2])
+        fail("an arc needs CC, X, Y and DR");
+      arc(to, *center_, has("DR-"));
     } else if (first == "CP") {
-      helix();
-    } else {
+      helix(second, last);
+    } else if (!(first == "BLK" && second == "FORM") && !(tokens_.size() == 1 && kHarmless.count(first))) {
       fail("'" + first + "' is not claimed");
     }
   }
-  void cycle(const Text& number, const Text& last) {
-    if (number == "9.0" || number == "9.1" || number == "32.0") return;
-    if (number != "32.1" || last[0] != 'T') fail("cycle " + number + " is not claimed");
-    std::size_t at = 1;
-    const Int nm = scaled(number_at(last, at, false, track_.where()), unit_, false, track_.where());
-    if (at != last.size() || nm < 0 || nm > kMillimetre) fail("a tolerance out of range");
-    out_.blending = std::max(out_.blending, nm + 1);
+  void define(const Text& cycle, const Text& last) {
+    if (cycle == "9.0" || cycle == "9.1" || cycle == "32.0") return;
+    if (cycle == "32.1" && last[0] == 'T') {
+      tolerance_ = 0;
+      return blend(number(last, 1));
+    }
+    if (!std::set<Text>{"200", "201", "206", "207"}.count(cycle)) fail("cycle " + cycle + " is not claimed");
+    cycle_.clear();
+    for (const Text& token : tokens_) {
+      const std::size_t equal = token.find('=');
+      if (equal != Text::npos)
+        cycle_[token.substr(0, equal)] = scaled(number(token, equal + 1), unit_, false, where());
+    }
+    for (const char* name : {"Q200", "Q201", "Q203", "Q204"})
+      if (!cycle_.count(name)) fail(Text("a cycle without ") + name);
   }
-  void machine_word(const Text& word) {
-    for (const char* known : {"M0", "M1", "M3", "M4", "M5", "M7", "M8", "M9", "M13", "M30"})
-      if (word == known) return;
-    fail(word + " is not claimed");
+  Number number(const Text& token, std::size_t from) {
+    const Number n = number_at(token, from, false, where());
+    if (from != token.size()) fail("'" + token + "' is not understood");
+    return n;
   }
-  Int length(const Text& token) {
-    std::size_t at = 1;
-    const Int nm = scaled(number_at(token, at, false, track_.where()), unit_, true, track_.where());
-    if (at != token.size()) fail("'" + token + "' is not understood");
-    return within_range(nm, track_.where());
+  Int length(const Text& token, std::size_t from) {
+    return within_range(scaled(number(token, from), unit_, true, where()), where());
   }
-  /// Reads X, Y, Z once each; what is left must be among `others` or a feed.
-  Track::Target target(const std::vector<Text>& others) {
-    Track::Target to;
+  /// X, Y, Z, once each; what is left must be among `others` or a feed.
+  Axes target(const std::set<Text>& others) {
+    Axes to;
     for (std::size_t i = 1; i < tokens_.size(); ++i) {
       const Text& token = tokens_[i];
-      bool Track::Target::*said = token[0] == 'X'   ? &Track::Target::x
-                                  : token[0] == 'Y' ? &Track::Target::y
-                                  : token[0] == 'Z' ? &Track::Target::z
-                                                    : nullptr;
-      const bool other = std::find(others.begin(), others.end(), token) != others.end();
+      const std::size_t k = Text("XYZ").find(token[0]);
       const bool feed = token.size() > 1 && token[0] == 'F' && token[1] >= '0' && token[1] <= '9';
-      if (!said && !other && !feed) fail("'" + token + "' is not understood");
-      if (!said) continue;
-      if (to.*said) fail("an axis stands twice");
-      to.*said = true;
-      (token[0] == 'X' ? to.at.x : token[0] == 'Y' ? to.at.y : to.height) = length(token);
+      if (k == Text::npos && !feed && !others.count(token)) fail("'" + token + "' is not understood");
+      if (k != Text::npos && to[k]) fail("an axis stands twice");
+      if (k != Text::npos) to[k] = length(token, 1);
     }
     return to;
   }
-  bool has(const char* token) const {
-    return std::find(tokens_.begin(), tokens_.end(), token) != tokens_.end();
-  }
+  bool has(const char* token) const { return std::count(tokens_.begin(), tokens_.end(), token) > 0; }
   void line() {
-    const Track::Target to = target({"R0", "FMAX", "M91"});
-    if (!has("M91")) {
-      if (to.x || to.y || to.z) track_.straight(to, has("FMAX"));
-    } else if (to.z && to.height == 0 && !to.x && !to.y) {
-      track_.home();
-    } else if (!to.z && track_.at_home()) {
-      track_.away();
-    } else {
-      fail("a way to the machine's own places below its upper end");
-    }
-  }
-  void arc() {
-    const Track::Target to = target({"DR+", "DR-", "R0"});
-    if (!has_center_ || has("DR+") == has("DR-") || !to.x || !to.y || to.z)
-      fail("an arc needs CC, X, Y and DR");
-    track_.arc(to, center_, has("DR-"));
+    const Axes to = target({"R0", "FMAX", "M91"});
+    const bool up = to[2] == 0 && !to[0] && !to[1];
+    if (!has("M91")) return to[0] || to[1] || to[2] ? straight(to, has("FMAX")) : void();
+    if (!up && to[2]) fail("a way to the machine's own places below its upper end");
+    up ? home() : away();
   }
   /// CP IPA+angle IZ-depth DR+. It ends where its angle says, within 2 nm of a whole place: that counts as blending from here on.
-  void helix() {
-    if (tokens_.size() < 4 || tokens_[1].substr(0, 3) != "IPA" || tokens_[2].substr(0, 2) != "IZ" ||
-        !has_center_)
+  void helix(const Text& angle, const Text& direction) {
+    if (tokens_.size() < 4 || angle.substr(0, 3) != "IPA" || tokens_[2].substr(0, 2) != "IZ" || !center_ ||
+        !known())
       fail("a helix needs CC, IPA, IZ and DR");
-    std::size_t at = 3;
-    const Int turn = scaled(number_at(tokens_[1], at, false, track_.where()), 10'000, true, track_.where());
-    const Int rise = length(tokens_[2].substr(1));
-    const std::size_t angle_size = tokens_[1].size();
-    tokens_ = {tokens_.begin() + 2, tokens_.end()};
+    const Int turn = scaled(number(angle, 3), 10'000, true, where()), rise = length(tokens_[2], 2);
+    if (turn == 0 || turn > 3'600'000 || turn < -3'600'000 || !has(turn > 0 ? "DR+" : "DR-") ||
+        has(turn > 0 ? "DR-" : "DR+"))
+      fail("a helix of more than a turn, or that turns another way than it says: " + direction);
+    tokens_.erase(tokens_.begin() + 1, tokens_.begin() + 3);
     target({"DR+", "DR-"});
-    if (at != angle_size || turn == 0 || turn > 3'600'000 || turn < -3'600'000 || has("DR-") != (turn < 0) ||
-        has("DR+") != (turn > 0))
-      fail("a helix of more than a turn, or that turns another way than it says");
-    Track::Target to{true, true, true, center_ + turned(track_.at() - center_, turn), track_.height() + rise};
-    if (turn == 3'600'000 || turn == -3'600'000) to.at = track_.at();
-    out_.blending += 2;
-    track_.arc(to, center_, turn < 0);
+    const bool whole = turn == 3'600'000 || turn == -3'600'000;
+    const Point end = whole ? place() : *center_ + turned(place() - *center_, turn);
+    out_.rounding += 2;
+    arc({within_range(end.x, where()), within_range(end.y, where()), *at_[2] + rise}, *center_, turn < 0);
   }
 
-  Text file_;
-  Program& out_;
-  Track track_;
+  Text all_;
   std::vector<Text> tokens_;
-  Int unit_ = kMillimetre;
-  Point center_;
-  bool has_center_ = false, called_ = false, ended_ = false;
+  std::map<Text, Int> cycle_;
+  std::optional<Point> center_;
 };
 
 Program read_program(const Text& in, const Text& file, Int top) {
   Program out;
   IsoReader iso(file, out, top);
-  const std::size_t start = in.find_first_not_of(" \t\r\n");
-  const bool klartext = start != Text::npos && in.compare(start, 11, "0 BEGIN PGM") == 0;
-  if (!klartext) out.stated = false;
-  KlartextReader plain(file, out, top);
-  out.stated = klartext;
-  int number = 0;
-  for (std::size_t at = 0; at < in.size();) {
-    const std::size_t end = std::min(in.find('\n', at), in.size());
-    klartext ? plain.block(in.substr(at, end - at), ++number) : iso.block(in.substr(at, end - at), ++number);
-    at = end + 1;
+  KlartextReader klartext(file, out, top);
+  const std::size_t start = std::min(in.find_first_not_of(" \t\r\n"), in.size());
+  const bool plain = in.compare(start, 11, "0 BEGIN PGM") == 0;
+  out.stated = plain;
+  for (std::size_t at = 0, end = 0; at < in.size(); at = end + 1) {
+    end = std::min(in.find('\n', at), in.size());
+    plain ? klartext.block(in.substr(at, end - at)) : iso.block(in.substr(at, end - at));
   }
+  out.blending += out.rounding;
   return out;
 }
 
-// ---------------------------------------------------------------------------------------------- the claims
+// ------------------------------------------------------------------------------------------ the witness
 
 /// What is asked, in nm.
 struct Question {
-  Int uncut = 10'000;  // u: how far beyond the cutter's reach in the program the floor may lie
-  Int beyond = 100;    // e: centers this much closer to a wall than they may be count as out of reach
-  Int gouge = 1'500;   // g: how far the cutter may reach into walls and floor
-  Int rapid = 20'000;  // r: how far from the cutter's rim rapids may touch material
-  Int level = 2'000;   // f: how far above the floor a move may be that cuts it
-  Int radius = 0;      // 0: as the witness says
+  Int uncut = 10'000;     // u: how far beyond the cutter's reach in the program the floor may lie
+  Int beyond = 100;       // e: centers this much closer to a wall than they may be count as out of reach
+  Int gouge = 1'500;      // g: how far the cutter may reach into walls and floor
+  Int rapid = 20'000;     // r: how far from the cutter's rim rapids may touch material
+  Int level = 2'000;      // f: how far above the floor a move may be that cuts it
+  Int diameter = 0;       // 0: as the witness says
+  bool straight = false;  // whether rapids are straight on every control
 };
-/// What the witness states and the claims name.
-struct Stated {
-  Int radius = 0, wall_stock = 0, floor_stock = 0;
+/// A cylinder that begins `point` above the tip; number 0 is the tool that is in before any is called.
+struct Tool {
+  Int number = 0, radius = 0, point = 0;
 };
-
 struct Tile {
-  int label = 0;       // as in docs/witness.md
+  Int label = 0;       // as in docs/witness.md
   std::size_t of = 0;  // move or wall
   std::vector<std::size_t> corners;
   Points hull;
   Wide slack = 0;  // s: how far its pieces of the boundary are from their walls
 };
+using Tiles = std::vector<Tile>;
+/// That a feature is cut: as far as a cutter of this radius can reach, but for stock to leave.
+struct Claim {
+  std::size_t feature = 0;
+  Int radius = 0, wall_stock = 0, floor_stock = 0;
+  Tiles cover, centre;
+};
+struct RapidTiles {
+  std::size_t move = 0;
+  Tiles tiles;
+};
+struct Witness {
+  Text program_hash, part_hash;
+  std::vector<Tool> tools;
+  Points vertices;
+  std::vector<Claim> claims;
+  std::vector<RapidTiles> rapids;
+};
 
-class WitnessBytes {
+class WitnessReader {
  public:
-  explicit WitnessBytes(const Text& bytes) : bytes_(bytes) {}
+  explicit WitnessReader(const Text& bytes) : bytes_(bytes) {}
+  Witness whole() {
+    if (take(4) != "CCW2") refuse("this is no witness of version 2");
+    out_.program_hash = take(32), out_.part_hash = take(32);
+    out_.tools.resize(count());
+    for (Tool& tool : out_.tools) tool = {length(), length(), length()};
+    out_.vertices.resize(count());
+    Point at{-kLargest, -kLargest};
+    for (Point& p : out_.vertices) {
+      const Int dx = number();
+      p = {at.x + dx, at.y + (dx > 0 ? signed_number() : 1 + number())};
+      if (p.x >= kLargest || p.x <= -kLargest || p.y >= kLargest || p.y <= -kLargest)
+        refuse("the witness has a vertex out of range");
+      at = p;
+    }
+    out_.claims.resize(count());
+    for (Claim& claim : out_.claims)
+      claim = {std::size_t(length()), length(), length(), length(), tiles(), tiles()};
+    out_.rapids.resize(count());
+    for (RapidTiles& rapid : out_.rapids) rapid = {std::size_t(length()), tiles()};
+    if (at_ != bytes_.size()) refuse("the witness has bytes after its end");
+    return out_;
+  }
+
+ private:
   Text take(std::size_t count) {
     if (bytes_.size() - at_ < count) refuse("the witness is cut off");
-    at_ += count;
-    return bytes_.substr(at_ - count, count);
+    return bytes_.substr((at_ += count) - count, count);
   }
   /// 7 bits a byte, low first, below 2^56, in the shortest form.
   Int number() {
@@ -1220,85 +1236,43 @@ class WitnessBytes {
     const Int value = number();
     return value % 2 ? -(value / 2) - 1 : value / 2;
   }
+  Int length() {
+    const Int value = number();
+    if (value >= kLargest) refuse("the witness states a length or number out of range");
+    return value;
+  }
   /// The number of things to come, each of at least a byte.
   std::size_t count() {
     const Int value = number();
     if (value > Int(bytes_.size() - at_)) refuse("the witness is cut off");
-    return static_cast<std::size_t>(value);
+    return std::size_t(value);
   }
-  bool ended() const { return at_ == bytes_.size(); }
-
- private:
+  Tiles tiles() {
+    Tiles tiles(count());
+    Int of = 0, index = 0;
+    for (Tile& tile : tiles) {
+      tile.label = number();
+      if (tile.label == 0) of += signed_number();
+      if (of < 0 || of > kLargest) refuse("the witness names a move or wall that cannot be");
+      tile.of = std::size_t(of);
+      tile.corners.resize(count());
+      Points points;
+      for (std::size_t& corner : tile.corners) {
+        index += signed_number();
+        if (index < 0 || index >= Int(out_.vertices.size()))
+          refuse("the witness names a vertex that it does not have");
+        corner = std::size_t(index);
+        points.push_back(out_.vertices[corner]);
+      }
+      if (points.empty()) refuse("the witness has a tile without corners");
+      tile.hull = hull_of(std::move(points));
+    }
+    return tiles;
+  }
   const Text& bytes_;
   std::size_t at_ = 0;
+  Witness out_;
 };
-
-struct Rapid {
-  std::size_t move = 0;
-  std::vector<Tile> tiles;
-};
-struct Witness {
-  Text program_hash, part_hash;
-  Stated stated;
-  Points vertices;
-  std::vector<Tile> cover, centre;
-  std::vector<Rapid> rapids;
-};
-
-std::vector<Tile> read_tiles(WitnessBytes& in, const Points& vertices) {
-  std::vector<Tile> tiles(in.count());
-  Int of = 0, index = 0;
-  for (Tile& tile : tiles) {
-    tile.label = int(std::min<Int>(in.number(), 100));
-    if (tile.label == 0) of += in.signed_number();
-    if (of < 0 || of > kLargest) refuse("the witness names a move or wall that cannot be");
-    tile.of = static_cast<std::size_t>(of);
-    tile.corners.resize(in.count());
-    Points points;
-    for (std::size_t& corner : tile.corners) {
-      index += in.signed_number();
-      if (index < 0 || index >= Int(vertices.size()))
-        refuse("the witness names a vertex that it does not have");
-      corner = static_cast<std::size_t>(index);
-      points.push_back(vertices[corner]);
-    }
-    if (points.empty()) refuse("the witness has a tile without corners");
-    tile.hull = hull_of(std::move(points));
-  }
-  return tiles;
-}
-
-Witness read_witness(const Text& bytes) {
-  WitnessBytes in(bytes);
-  Witness out;
-  if (bytes.size() < 4 || in.take(4) != "CCW1") refuse("this is no witness of version 1");
-  out.program_hash = in.take(32);
-  out.part_hash = in.take(32);
-  out.stated.radius = in.number(), out.stated.wall_stock = in.number(), out.stated.floor_stock = in.number();
-  if (out.stated.radius < 10'000 || out.stated.radius >= kLargest || out.stated.wall_stock >= kLargest ||
-      out.stated.floor_stock >= kLargest)
-    refuse("the witness states a length out of range");
-  out.vertices.resize(in.count());
-  Point at;
-  for (std::size_t i = 0; i < out.vertices.size(); ++i) {
-    const Point last = at;
-    at = at + Point{in.signed_number(), in.signed_number()};
-    if (at.x >= kLargest || at.x <= -kLargest || at.y >= kLargest || at.y <= -kLargest)
-      refuse("the witness has a vertex out of range");
-    if (i > 0 && (at.x < last.x || (at.x == last.x && at.y <= last.y)))
-      refuse("the witness has vertices out of order");
-    out.vertices[i] = at;
-  }
-  out.cover = read_tiles(in, out.vertices);
-  out.centre = read_tiles(in, out.vertices);
-  out.rapids.resize(in.count());
-  for (Rapid& rapid : out.rapids) {
-    rapid.move = static_cast<std::size_t>(in.number());
-    rapid.tiles = read_tiles(in, out.vertices);
-  }
-  if (!in.ended()) refuse("the witness has bytes after its end");
-  return out;
-}
 
 /// A directed edge of tiles that nothing cancels, and a tile that has it.
 struct Loose {
@@ -1306,44 +1280,31 @@ struct Loose {
   bool used = false;
 };
 /// D of lemma L1, by where they start.
-std::vector<Loose> loose_edges(const std::vector<Tile>& tiles) {
-  struct Side {
-    std::size_t low, high, owner;
-    bool up;
-  };
-  std::vector<Side> sides;
+std::vector<Loose> loose_edges(const Tiles& tiles) {
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> open;  // by ends; owners
   for (std::size_t i = 0; i < tiles.size(); ++i) {
     const auto& corners = tiles[i].corners;
     for (std::size_t k = 0; k < corners.size(); ++k) {
       const std::size_t a = corners[k], b = corners[(k + 1) % corners.size()];
-      if (a != b) sides.push_back({std::min(a, b), std::max(a, b), i, a < b});
+      const auto back = open.find({b, a});
+      if (a == b) continue;
+      if (back == open.end())
+        open[{a, b}].push_back(i);
+      else if (back->second.pop_back(); back->second.empty())
+        open.erase(back);
     }
   }
-  std::sort(sides.begin(), sides.end(),
-            [](const Side& a, const Side& b) { return a.low != b.low ? a.low < b.low : a.high < b.high; });
   std::vector<Loose> loose;
-  for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
-    Int net = 0;
-    for (; end < sides.size() && sides[end].low == sides[i].low && sides[end].high == sides[i].high; ++end)
-      net += sides[end].up ? 1 : -1;
-    for (std::size_t k = i; k < end && net != 0; ++k) {
-      if (sides[k].up != (net > 0)) continue;
-      loose.push_back(net > 0 ? Loose{sides[k].low, sides[k].high, sides[k].owner}
-                              : Loose{sides[k].high, sides[k].low, sides[k].owner});
-      net += net > 0 ? -1 : 1;
-    }
-  }
-  std::sort(loose.begin(), loose.end(), [](const Loose& a, const Loose& b) { return a.from < b.from; });
+  for (const auto& [ends, owners] : open)
+    for (const std::size_t owner : owners) loose.push_back({ends.first, ends.second, owner});
   return loose;
 }
-
 /// How far the piece from u to v is from the wall at most, -1 where it does not follow it.
 Wide slack_of(const Curve& c, Point u, Point v) {
   if (!c.arc) {
-    Wide widest = -1;
-    for (Wide t = 1; t <= kWidestPiece && widest < 0; t *= 2)
-      if (near_segment(u, c.a, c.b, t) && near_segment(v, c.a, c.b, t)) widest = t;
-    return widest;
+    Wide t = 1;
+    while (t <= kWidestPiece && !(near_segment(u, c.a, c.b, t) && near_segment(v, c.a, c.b, t))) t *= 2;
+    return t <= kWidestPiece ? t : -1;
   }
   const Point from = (c.clockwise ? v : u) - c.center, to = (c.clockwise ? u : v) - c.center;
   const auto passes = [&](Point ray) { return cross(from, ray) > 0 && cross(ray, to) > 0; };
@@ -1354,152 +1315,154 @@ Wide slack_of(const Curve& c, Point u, Point v) {
   const Wide error = chord_error(c, from, to);
   return error <= kWidestPiece ? error : -1;
 }
+/// L1: the loose edges are one chain along each wall; each tile then knows how far its pieces are from them.
+void take_slack(Tiles& tiles, const Region& region, const Points& vertices, const Text& name) {
+  std::vector<Loose> loose = loose_edges(tiles);
+  for (const Wall& wall : region.walls) {
+    const auto start = std::lower_bound(vertices.begin(), vertices.end(), wall.curve.a);
+    if (start == vertices.end() || *start != wall.curve.a)
+      refuse(name + "lacks the corner at " + wall.curve.a.place());
+    std::size_t at = std::size_t(start - vertices.begin());
+    while (vertices[at] != wall.curve.b) {
+      auto edge = std::lower_bound(loose.begin(), loose.end(), at,
+                                   [](const Loose& e, std::size_t from) { return e.from < from; });
+      Wide slack = -1;
+      for (; edge != loose.end() && edge->from == at; ++edge)
+        if (!edge->used && (slack = slack_of(wall.curve, vertices[at], vertices[edge->to])) >= 0) break;
+      if (slack < 0) refuse(name + "leaves its wall at " + vertices[at].place());
+      edge->used = true;
+      tiles[edge->owner].slack = std::max(tiles[edge->owner].slack, slack);
+      at = edge->to;
+    }
+  }
+  for (const Loose& edge : loose)
+    if (!edge.used) refuse(name + "has an edge along no wall at " + vertices[edge.from].place());
+}
 
-/// Whether all of `hull` lies within t of the move, of its start or of its end, as far as they are no higher than `level` (L2 to L4).
-bool cut_by(const Move& move, const Points& hull, Wide t, Int level) {
-  if (std::max(move.z0, move.z1) <= level) return near_curve(move.path, hull, t);
-  const Point p = move.z0 <= level ? move.path.a : move.path.b;
-  return move.lowest() <= level && hull_within({p, p}, hull, t);
+// ------------------------------------------------------------------------------------------ the claims
+
+/// The part of a move's path where `point` above it is no higher than `level`, but for 1 nm; of arcs that slope one end alone.
+Curve low_part(const Move& move, Int point, Int level) {
+  const Int high = std::max(move.z0, move.z1) + point, low = move.lowest() + point;
+  if (high <= level) return move.path;
+  const Point from = move.z0 < move.z1 ? move.path.a : move.path.b,
+              d = (move.z0 < move.z1 ? move.path.b : move.path.a) - from;
+  const auto share = [&](Int along) {
+    return move.path.arc ? 0 : Int(nearest_quotient(Wide(along) * (level - low), high - low));
+  };
+  return {from, from + Point{share(d.x), share(d.y)}};
+}
+/// Whether all of `hull` lies within t of that part (L2 to L4).
+bool cut_by(const Move& move, Int point, const Points& hull, Wide t, Int level) {
+  return move.lowest() + point <= level && near_curve(low_part(move, point, level), hull, t - 1);
 }
 
 class Checker {
  public:
-  Checker(const Question& asked, const Part& part, const Program& program, const Witness& witness)
-      : asked_(asked), part_(part), program_(program), witness_(witness), blend_(program.blending) {
-    for (const auto& outline : part.outlines)
-      for (const Wall& wall : outline) add_wall(wall);
-  }
-
-  /// The outlines are simple, apart, and each island lies in the outer one and in no other.
-  void check_part() const {
-    std::vector<Box> boxes;
-    for (const Segment& s : segments_) boxes.push_back(box_of({s.a, s.b}));
-    const BoxTree tree(boxes);
-    for (std::size_t i = 0; i < segments_.size(); ++i) {
-      const Segment& s = segments_[i];
-      tree.visit_all(boxes[i], [&](std::size_t k) {
-        const Segment& other = segments_[k];
-        if (k <= i) return true;
-        const bool next = s.outline == other.outline && (s.b == other.a || s.a == other.b);
-        const bool meet = !next ? segments_meet(s.a, s.b, other.a, other.b)
-                                : (s.b == other.a && fold(s.a, s.b, other.b)) ||
-                                      (s.a == other.b && fold(other.a, other.b, s.b));
-        if (meet)
-          reject("the part's outlines cross near X" + mm(s.a.x) + " Y" + mm(s.a.y) +
-                 "; repair them first (clearcut convert)");
-        return true;
-      });
+  Checker(const Question& asked, const Part& part, const Program& program, Witness& witness)
+      : asked_(asked),
+        part_(part),
+        program_(program),
+        witness_(witness),
+        blend_(program.blending),
+        of_(part.features.size()) {
+    for (Claim& claim : witness.claims) {
+      if (claim.feature >= part.features.size() || of_[claim.feature])
+        refuse("the witness claims a feature twice, or one that the part does not have");
+      if (!part.features[claim.feature].why_not.empty())
+        refuse(name_of(claim) + "cannot be claimed: " + part.features[claim.feature].why_not);
+      if (std::none_of(witness.tools.begin(), witness.tools.end(),
+                       [&](const Tool& tool) { return tool.radius == claim.radius; }))
+        refuse(name_of(claim) + "is claimed for a cutter that is none of the tools");
+      of_[claim.feature] = &claim;
     }
-    for (std::size_t i = 1; i < part_.outlines.size(); ++i) {
-      if (part_.outlines[i].size() < 2) reject("an island has fewer than two walls");
-      if (winding(part_.outlines[i][0].curve.a, i) != 1)
-        reject("island " + text(Int(i)) + " lies outside the outline or in another island");
+    for (const Tool& tool : witness.tools) {
+      if (tool.radius < 10'000 || tool_of(tool.number) != &tool)
+        refuse("the witness states a tool twice, or too narrow a one");
+      if (asked.diameter != 0 && 2 * tool.radius != asked.diameter)
+        refuse("the witness is about a cutter of diameter " + mm(2 * tool.radius) + " mm");
     }
   }
+  Text name_of(const Claim& claim) const {
+    return "feature " + text(Int(claim.feature)) + " (" + part_.features[claim.feature].name + ") ";
+  }
 
-  /// C2.
+  /// C2: below the top each move stays in one of the features, deep enough for it.
   void check_gouges() const {
-    const Wide reach = Wide(witness_.stated.radius) + witness_.stated.wall_stock - asked_.gouge + blend_ + 1;
-    if (reach <= 0) refuse("the gouge allowed is larger than the cutter");
-    std::vector<Box> boxes;
-    for (const Segment& s : segments_) boxes.push_back(box_of({s.a, s.b}).grown(s.error));
-    const BoxTree tree(boxes);
-    bool inside = false;
+    std::size_t last = 0;
     for (const Move& move : program_.moves) {
-      const bool in_material = move.lowest() < part_.top;
-      if (in_material && move.lowest() < part_.floor + witness_.stated.floor_stock - asked_.gouge + blend_)
-        refuse(line_of(move) + "goes below the floor");
-      if (in_material && !inside && winding(move.path.a, part_.outlines.size()) != 1)
-        refuse(line_of(move) + "is outside of the pocket");
-      inside = in_material;
-      if (in_material) check_gouge(move, tree, reach);
+      const Tool* tool = tool_of(move.tool);
+      if (!tool || move.lowest() >= part_.top) continue;
+      const Chords chords = move.rapid ? Chords{corridor(move), 0} : chords_of(move.path);
+      Text why = "goes below all floors";
+      std::size_t tried = 0;
+      for (; tried < of_.size(); ++tried) {
+        const std::size_t i = (last + tried) % of_.size();
+        if (!stays_in(i, move, *tool, chords, why)) continue;
+        last = i;
+        break;
+      }
+      if (tried == of_.size()) refuse(move.name() + why);
     }
   }
-
   /// C1.
-  void check_cover() {
-    std::vector<Tile> cover = tiles_with_slack(witness_.cover, "cover"),
-                      centre = tiles_with_slack(witness_.centre, "centre");
-    const Wide legal = Wide(witness_.stated.radius) + witness_.stated.wall_stock + asked_.beyond;
+  void check_cover(Claim& claim) const {
+    const Feature& feature = part_.features[claim.feature];
+    const Wide legal = Wide(claim.radius) + claim.wall_stock + asked_.beyond;
+    take_slack(claim.cover, feature.target, witness_.vertices, name_of(claim) + "cover ");
+    if (!claim.centre.empty())
+      take_slack(claim.centre, feature.allowed, witness_.vertices, name_of(claim) + "centre ");
     std::vector<Box> boxes;
     std::vector<const Tile*> maybe;
-    for (std::size_t i = 0; i < centre.size(); ++i) {
-      const Tile& tile = centre[i];
-      if (tile.slack + 1 >= legal) refuse(name_of("centre", i, tile) + "is too far from its wall");
-      if (tile.label == 1) {
-        maybe.push_back(&tile);
-        boxes.push_back(box_of(tile.hull));
-      } else if (tile.label != 0 || tile.of >= walls_.size() ||
-                 !near_curve(walls_[tile.of].curve, tile.hull, legal - 1)) {
-        refuse(name_of("centre", i, tile) + "does not lie within " + mm(Int(legal)) + " mm of wall " +
-               text(Int(tile.of)));
-      }
+    for (const Tile& tile : claim.centre) {
+      const Text name = name_of(claim) + "centre tile at " + tile.hull[0].place();
+      if (tile.slack + 1 >= legal) refuse(name + " is too far from its wall");
+      if (tile.label == 1)
+        maybe.push_back(&tile), boxes.push_back(box_of(tile.hull));
+      else if (tile.label != 0 || tile.of >= feature.allowed.walls.size() ||
+               !near_curve(feature.allowed.walls[tile.of].curve, tile.hull, legal - 1))
+        refuse(name + " is called illegal and is not near wall " + text(Int(tile.of)));
     }
-    const BoxTree tree(boxes);
-    for (std::size_t i = 0; i < cover.size(); ++i) {
-      const Tile& tile = cover[i];
-      if (tile.label == 1) {
-        const Wide reach = Wide(witness_.stated.radius) + tile.slack + 1;
-        const bool out = tree.visit_all(box_of(tile.hull).grown(reach), [&](std::size_t k) {
-          return apart(tile.hull, maybe[k]->hull, reach);
-        });
-        if (!out) refuse(name_of("cover", i, tile) + "is called out of reach and is not");
-      } else if (tile.label != 0 ||
-                 !is_cut(tile, Wide(witness_.stated.radius) + asked_.uncut - blend_ - tile.slack - 1,
-                         program_.moves.size(),
-                         part_.floor + witness_.stated.floor_stock + asked_.level - blend_)) {
-        refuse(name_of("cover", i, tile) + "is not cut by " + move_name(tile.of));
-      }
+    const Grid grid(boxes);
+    if (std::none_of(claim.cover.begin(), claim.cover.end(),
+                     [](const Tile& tile) { return tile.label == 0; }))
+      refuse(name_of(claim) + "is claimed, and nothing of it is cut");
+    for (const Tile& tile : claim.cover) {
+      const Text name = name_of(claim) + "cover tile at " + tile.hull[0].place();
+      const Wide reach = Wide(claim.radius) + tile.slack + 1;
+      if (tile.label == 1 &&
+          (claim.centre.empty() || !grid.visit_all(box_of(tile.hull).grown(reach), [&](std::size_t k) {
+            return apart(tile.hull, maybe[k]->hull, reach);
+          })))
+        refuse(name + " is called out of reach and is not");
+      if (tile.label > 1 ||
+          (tile.label == 0 && !is_cut(tile, asked_.uncut - blend_ - tile.slack - 1, program_.moves.size(),
+                                      feature.floor + claim.floor_stock + asked_.level - blend_, true)))
+        refuse(name + " is not cut by " + move_name(tile.of));
     }
   }
-
   /// C3.
   void check_rapids() const {
     std::size_t next = 0;
     for (std::size_t i = 0; i < program_.moves.size(); ++i) {
       const Move& move = program_.moves[i];
-      if (!move.rapid || move.lowest() >= part_.top || move.only_rises()) continue;
+      const Tool* tool = tool_of(move.tool);
+      if (!tool || !move.rapid || move.lowest() >= part_.top || move.only_rises()) continue;
       if (next >= witness_.rapids.size() || witness_.rapids[next].move != i)
-        refuse("the witness has no tiles for the rapid of line " + text(move.line));
-      check_rapid(witness_.rapids[next++], move);
+        refuse(move.name() + "is a rapid without tiles");
+      check_rapid(witness_.rapids[next++].tiles, i, *tool);
     }
     if (next != witness_.rapids.size()) refuse("the witness has tiles for a move that needs none");
   }
 
  private:
-  struct Segment {
-    Point a, b;
-    Wide error;
-    std::size_t outline, wall;
-  };
-  static bool fold(Point a, Point b, Point c) { return cross(b - a, c - b) == 0 && dot(b - a, c - b) < 0; }
-  void add_wall(const Wall& wall) {
-    Chords chords = chords_of(wall.curve);
-    if (wall.curve.clockwise) std::reverse(chords.points.begin(), chords.points.end());
-    for (std::size_t k = 1; k < chords.points.size(); ++k)
-      segments_.push_back(
-          {chords.points[k - 1], chords.points[k], chords.error, wall.outline, walls_.size()});
-    walls_.push_back(wall);
+  const Tool* tool_of(Int number) const {
+    for (const Tool& tool : witness_.tools)
+      if (tool.number == number) return &tool;
+    return nullptr;
   }
-  /// Of the walls' chords about p, without one outline.
-  Int winding(Point p, std::size_t without) const {
-    Int turns = 0;
-    for (const Segment& s : segments_) {
-      if (s.outline == without || (s.a.y <= p.y) == (s.b.y <= p.y)) continue;
-      const Wide side = cross(s.b - s.a, p - s.a);
-      if (s.a.y <= p.y && side > 0) ++turns;
-      if (s.a.y > p.y && side < 0) --turns;
-    }
-    return turns;
-  }
-  Text line_of(const Move& move) const { return "line " + text(move.line) + " of the program "; }
   Text move_name(std::size_t k) const {
-    return k < program_.moves.size() ? "line " + text(program_.moves[k].line) + " of the program"
-                                     : "a move that the program does not have";
-  }
-  Text name_of(const char* tiling, std::size_t i, const Tile& tile) const {
-    const Point p = tile.hull[0];
-    return Text(tiling) + " tile " + text(Int(i)) + " at X" + mm(p.x) + " Y" + mm(p.y) + " ";
+    return k < program_.moves.size() ? program_.moves[k].name() : "a move that the program does not have";
   }
   /// Where a rapid may run: straight, or anywhere between its ends where the control moves its axes one by one.
   Points corridor(const Move& move) const {
@@ -1507,91 +1470,64 @@ class Checker {
     if (!program_.dogleg || a.x == b.x || a.y == b.y) return {a, b};
     return {a, {b.x, a.y}, b, {a.x, b.y}, a};
   }
-  /// Whether the segment ab stays farther than t from all of a rapid's corridor.
-  bool clear_of(const Move& move, Point a, Point b, Wide t) const {
-    const Points around = corridor(move);
+  /// Whether the segment ab stays farther than t from a polyline, and from what it encloses where it is a rectangle.
+  static bool clear_of(const Points& around, Point a, Point b, Wide t) {
     for (std::size_t k = 1; k < around.size(); ++k)
       if (!segments_apart(a, b, around[k - 1], around[k], t)) return false;
-    return around.size() < 3 || !box_of(around).meets(box_of({a}));
+    return true;
   }
-  void check_gouge(const Move& move, const BoxTree& tree, Wide reach) const {
-    Box box = box_of({move.path.a, move.path.b});
-    const Curve& c = move.path;
-    if (c.arc)
-      box.add({c.center.x - c.high, c.center.y - c.high}),
-          box.add({c.center.x + c.high, c.center.y + c.high});
-    if (tree.visit_all(box.grown(reach), [](std::size_t) { return false; }))
-      return;  // no wall is near: not even the box of the path
-    const Chords chords = move.rapid ? Chords{corridor(move), 0} : chords_of(c);
-    for (std::size_t k = 1; k < chords.points.size(); ++k) {
-      const Point a = chords.points[k - 1], b = chords.points[k];
-      tree.visit_all(box_of({a, b}).grown(reach + chords.error), [&](std::size_t i) {
-        const Segment& s = segments_[i];
-        if (!segments_apart(a, b, s.a, s.b, reach + chords.error + s.error) ||
-            (move.rapid && !clear_of(move, s.a, s.b, reach + s.error)))
-          refuse(line_of(move) + "comes too close to wall " + text(Int(s.wall)) + " near X" + mm(s.a.x) +
-                 " Y" + mm(s.a.y));
-        return true;
+  bool stays_in(std::size_t i, const Move& move, const Tool& tool, const Chords& chords, Text& why) const {
+    const Region& region = part_.features[i].allowed;
+    const Claim* claim = of_[i];
+    const Wide floor =
+        Wide(part_.features[i].floor) + (claim ? claim->floor_stock : 0) - asked_.gouge + blend_;
+    const Wide reach =
+        Wide(tool.radius) + (claim ? claim->wall_stock : 0) - asked_.gouge + blend_ + 1 + chords.error;
+    if (move.lowest() + tool.point < floor || region.walls.empty()) return false;
+    why = "is outside of all features";
+    if (reach <= 0 || region.winding(move.path.a, region.outlines) != 1) return false;
+    const bool area = move.rapid && chords.points.size() > 2;
+    const auto clear = [&](const Points& path) {
+      return region.grid.visit_all(box_of(path).grown(reach), [&](std::size_t k) {
+        const Segment& s = region.segments[k];
+        const bool inside = area && box_of(chords.points).meets(box_of({s.a}));
+        if (!inside && clear_of(path, s.a, s.b, reach + s.error)) return true;
+        why = "comes too close to a wall near " + s.a.place();
+        return false;
       });
-    }
+    };
+    for (std::size_t k = 1; k < chords.points.size() && !area; ++k)
+      if (!clear({chords.points[k - 1], chords.points[k]})) return false;
+    return !area || clear(chords.points);
   }
-  bool is_cut(const Tile& tile, Wide t, std::size_t before, Int level) const {
+  /// Whether an earlier feed `of` cuts all within `beyond` of its radius; floors are those of tips, also of pointed ones.
+  bool is_cut(const Tile& tile, Wide beyond, std::size_t before, Wide level, bool floors) const {
     if (tile.of >= before || program_.moves[tile.of].rapid) return false;
-    return cut_by(program_.moves[tile.of], tile.hull, t, level);
-  }
-  /// L1: the loose edges are one chain along each wall; each tile knows how far its pieces are from them.
-  std::vector<Tile> tiles_with_slack(std::vector<Tile> tiles, const char* tiling) const {
-    std::vector<Loose> loose = loose_edges(tiles);
-    const Points& vertices = witness_.vertices;
-    for (std::size_t w = 0; w < walls_.size(); ++w) {
-      const Curve& wall = walls_[w].curve;
-      const auto start = std::lower_bound(vertices.begin(), vertices.end(), wall.a, [](Point a, Point b) {
-        return a.x != b.x ? a.x < b.x : a.y < b.y;
-      });
-      if (start == vertices.end() || *start != wall.a)
-        refuse(Text("the ") + tiling + " tiling lacks the start of wall " + text(Int(w)));
-      std::size_t at = static_cast<std::size_t>(start - vertices.begin());
-      while (vertices[at] != wall.b) {
-        auto edge = std::lower_bound(loose.begin(), loose.end(), at,
-                                     [](const Loose& e, std::size_t from) { return e.from < from; });
-        Wide slack = -1;
-        for (; edge != loose.end() && edge->from == at; ++edge)
-          if (!edge->used && (slack = slack_of(wall, vertices[at], vertices[edge->to])) >= 0) break;
-        if (slack < 0)
-          refuse(Text("the ") + tiling + " tiling leaves wall " + text(Int(w)) + " at X" +
-                 mm(vertices[at].x) + " Y" + mm(vertices[at].y));
-        edge->used = true;
-        tiles[edge->owner].slack = std::max(tiles[edge->owner].slack, slack);
-        at = edge->to;
-      }
-    }
-    for (const Loose& edge : loose)
-      if (!edge.used)
-        refuse(Text("the ") + tiling + " tiling has an edge along no wall at X" + mm(vertices[edge.from].x) +
-               " Y" + mm(vertices[edge.from].y));
-    return tiles;
+    const Tool* tool = tool_of(program_.moves[tile.of].tool);
+    return tool && cut_by(program_.moves[tile.of], floors ? 0 : tool->point, tile.hull, tool->radius + beyond,
+                          Int(level));
   }
   /// L1b.
-  void check_rapid(const Rapid& rapid, const Move& move) const {
-    const Wide radius = Wide(witness_.stated.radius) - asked_.rapid + blend_;
+  void check_rapid(const Tiles& tiles, std::size_t i, const Tool& tool) const {
+    const Move& move = program_.moves[i];
+    const Wide radius = Wide(tool.radius) - asked_.rapid + blend_;
+    const Points around = corridor(move);
     Int turns = 0;
     const Point p = move.path.a;
-    for (const Loose& edge : loose_edges(rapid.tiles)) {
+    for (const Loose& edge : loose_edges(tiles)) {
       const Point a = witness_.vertices[edge.from], b = witness_.vertices[edge.to];
-      if (!clear_of(move, a, b, radius + 1))
-        refuse("the tiles for the rapid of line " + text(move.line) + " do not hold it");
+      if (!clear_of(around, a, b, radius + 1) || (around.size() > 2 && box_of(around).meets(box_of({a}))))
+        refuse(move.name() + "is not held by its tiles");
       if ((a.y <= p.y) == (b.y <= p.y)) continue;
       const Wide side = cross(b - a, p - a);
       turns += a.y <= p.y ? side > 0 : -(side < 0);
     }
-    if (turns == 0 || radius < 0)
-      refuse("the tiles for the rapid of line " + text(move.line) + " do not hold it");
-    for (std::size_t i = 0; i < rapid.tiles.size(); ++i) {
-      const Tile& tile = rapid.tiles[i];
-      if (tile.label != 0 ||
-          !is_cut(tile, Wide(witness_.stated.radius) - blend_ - 1, rapid.move, move.lowest() - 2 * blend_))
-        refuse(name_of("rapid's", i, tile) + "is not cut before line " + text(move.line) + " by " +
-               move_name(tile.of));
+    if (turns == 0 || radius < 0) refuse(move.name() + "is not held by its tiles");
+    for (const Tile& tile : tiles) {
+      const bool air = tile.label == 2 && part_.stock && !part_.stock->meets(box_of(tile.hull));
+      if (!air && (tile.label != 0 || !is_cut(tile, -blend_ - 1, i, move.lowest() - 2 * blend_, false)))
+        refuse(move.name() + "runs through a tile at " + tile.hull[0].place() +
+               " that is not cut before by " + move_name(tile.of));
     }
   }
 
@@ -1600,39 +1536,59 @@ class Checker {
   const Program& program_;
   const Witness& witness_;
   Wide blend_;
-  std::vector<Wall> walls_;
-  std::vector<Segment> segments_;
+  std::vector<const Claim*> of_;  // by feature
 };
 
 /// Throws Refusal where a claim does not follow; else the claims that hold.
 Text check(const Question& asked, const Text& program_text, const Text& program_name, const Text& part_text,
            const Text& part_name, const Text& witness_text) {
-  const Part part = PartReader(part_text, part_name).read();
-  const Program program = read_program(program_text, program_name, part.top);
-  const Witness witness = read_witness(witness_text);
+  const Part part = read_part(part_text, part_name);
+  Program program = read_program(program_text, program_name, part.top);
+  program.dogleg = program.dogleg && !asked.straight;
+  Witness witness = WitnessReader(witness_text).whole();
   const Text program_hash = sha256(program_text), part_hash = sha256(part_text);
   if (witness.program_hash != program_hash)
     refuse("the witness is about another program (SHA-256 " + hex(witness.program_hash) + ")");
   if (witness.part_hash != part_hash)
     refuse("the witness is about another part (SHA-256 " + hex(witness.part_hash) + ")");
-  const Stated& s = witness.stated;
-  if (asked.radius != 0 && asked.radius != s.radius)
-    refuse("the witness is about a cutter of radius " + mm(s.radius) + " mm");
   Checker checker(asked, part, program, witness);
-  checker.check_part();
+  Text tools, claimed, others;
+  for (const Tool& tool : witness.tools)
+    tools +=
+        "proven for T" + text(tool.number) + (tool.point ? ", a drill" : ", a flat cutter") +
+        " of diameter " + mm(2 * tool.radius) + " mm" +
+        (tool.point ? ": floors are its tip's, walls begin above a point of " + mm(tool.point) + " mm" : "") +
+        "\n";
   checker.check_gouges();
-  checker.check_cover();
+  std::set<std::size_t> has;
+  for (Claim& claim : witness.claims) {
+    checker.check_cover(claim);
+    has.insert(claim.feature);
+    claimed +=
+        "  " + checker.name_of(claim) +
+        (claim.centre.empty() ? "all of it"
+                              : "what a cutter of diameter " + mm(2 * claim.radius) + " mm can reach") +
+        (claim.wall_stock ? ", " + mm(claim.wall_stock) + " mm of stock left on walls" : "") +
+        (claim.floor_stock ? ", " + mm(claim.floor_stock) + " mm of stock left on the floor" : "") + "\n";
+  }
   checker.check_rapids();
-  const Text wall_stock = s.wall_stock ? ", " + mm(s.wall_stock) + " mm of stock left on walls" : "";
-  const Text floor_stock = s.floor_stock ? ", " + mm(s.floor_stock) + " mm of stock left on the floor" : "";
-  return "proven for a flat cutter of diameter " + mm(2 * s.radius) + " mm" + wall_stock + floor_stock +
-         ":\n" + "C1 nothing left: what a cutter " + mm(asked.beyond) +
-         " mm off the walls can reach lies within " + mm(asked.uncut) +
-         " mm of what the program cuts, its tip at most " + mm(asked.level) + " mm above the floor\n" +
-         "C2 nothing gouged: below the top the cutter stays in the pocket, at most " + mm(asked.gouge) +
+  for (std::size_t i = 0; i < part.features.size(); ++i)
+    if (!has.count(i))
+      others += "not proven to be cut: feature " + text(Int(i)) + " (" + part.features[i].name + ") " +
+                part.features[i].why_not + "\n";
+  std::set<Int> strange;
+  for (const Move& move : program.moves)
+    if (std::none_of(witness.tools.begin(), witness.tools.end(),
+                     [&](const Tool& t) { return t.number == move.tool; }))
+      strange.insert(move.tool);
+  for (const Int tool : strange) others += "nothing is proven of T" + text(tool) + "\n";
+  return tools + "C1 nothing left: it lies within " + mm(asked.uncut) +
+         " mm of what the program cuts, the tip at most " + mm(asked.level) +
+         " mm above the floor, centers at least " + mm(asked.beyond) + " mm off the walls:\n" + claimed +
+         "C2 nothing gouged: below the top each cutter stays in a feature, at most " + mm(asked.gouge) +
          " mm in walls and floor\n" + "C3 no rapid in material: all but a rim of " + mm(asked.rapid) +
-         " mm of the cutter runs in what was cut before\n" + "program " + hex(program_hash) + "\npart " +
-         hex(part_hash) + "\n" +
+         " mm of the cutter runs in what was cut before\n" + others + "program " + hex(program_hash) +
+         "\npart " + hex(part_hash) + "\n" +
          (program.stated
               ? "path followed within " + mm(program.blending) + " mm, as the program says\n"
               : "taken as true: the control follows the path exactly; the program says nothing of it\n") +
@@ -1645,24 +1601,27 @@ int run(int count, char** arguments) {
   std::vector<Text> files;
   const std::map<Text, Int Question::*> options{
       {"--uncut", &Question::uncut}, {"--beyond", &Question::beyond}, {"--gouge", &Question::gouge},
-      {"--rapid", &Question::rapid}, {"--level", &Question::level},   {"--diameter", &Question::radius}};
+      {"--rapid", &Question::rapid}, {"--level", &Question::level},   {"--diameter", &Question::diameter}};
   for (int i = 1; i < count; ++i) {
-    const Text word = arguments[i];
+    const Text word = arguments[i], value = i + 1 < count ? arguments[i + 1] : "";
     const auto option = options.find(word);
-    if (option == options.end()) {
-      if (word.substr(0, 2) == "--")
-        reject(word +
-               " is no option; they are --uncut --beyond --gouge --rapid --level --diameter, each with mm");
+    if (option == options.end() && word.substr(0, 2) != "--") {
       files.push_back(word);
       continue;
     }
-    const Text value = i + 1 < count ? arguments[++i] : "";
+    if (word == "--straight") {
+      asked.straight = true;
+      continue;
+    }
     std::size_t end = 0;
-    const Int nm = scaled(number_at(value, end, false, word),
-                          word == "--diameter" ? kMillimetre / 2 : kMillimetre, true, word);
+    if (option == options.end())
+      reject(word +
+             " is no option; they are --uncut --beyond --gouge --rapid --level --diameter, each with mm");
+    const Int nm = scaled(number_at(value, end, false, word), kMillimetre, true, word);
     if (end != value.size() || nm < 0 || nm >= kLargest || (nm == 0 && word == "--diameter"))
       reject(word + ": '" + value + "' is no length in mm");
     asked.*(option->second) = nm;
+    ++i;
   }
   if (files.size() != 3)
     reject(

@@ -23,6 +23,7 @@ using pipeline::write_setup_sheet;
 using pipeline::write_table;
 using pipeline::write_values;
 using report::CertificateFile;
+using report::CertificateProof;
 using report::joined_setup_sheets;
 using report::require_pdf;
 using report::setup_sheet_html;

@@ -6,10 +6,14 @@
 
 namespace clearcut {
 
+using pipeline::check_witness;
 using pipeline::checker_program;
 using pipeline::claims_by_checker;
 using pipeline::find_witness;
 using pipeline::FoundWitness;
+using pipeline::WitnessAnswer;
+using pipeline::WitnessFeature;
 using pipeline::WitnessQuestion;
+using pipeline::WitnessTool;
 
 }  // namespace clearcut

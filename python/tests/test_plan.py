@@ -419,6 +419,11 @@ class Own(unittest.TestCase):
         with self.assertRaisesRegex(clearcut.InputError, "'contour' is taken"):
             clearcut.plan(pocket(), strategies=[clearcut.Strategy("contour", self.rings)])
 
+    def test_a_witness_that_is_none_is_refused(self):
+        outline = '{"outer": [[0, 0], [9, 0], [9, 9], [0, 9]], "depth": 1}'
+        with self.assertRaisesRegex(clearcut.InputError, "no witness of version 2"):
+            clearcut.check_witness("G21\n", outline, b"CCW1 and more")
+
 
 if __name__ == "__main__":
     unittest.main()

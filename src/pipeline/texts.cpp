@@ -42,6 +42,7 @@ report::CertificateInfo certificate_info(const resolve::PlanOptions& options, co
   info.command = basis.command;
   info.arguments = basis.arguments;
   info.inputs = basis.inputs;
+  info.proof = basis.proof;
   info.program_name = basis.program_name;
   info.dialect = options.post.dialect;
   info.machine = options.machine;

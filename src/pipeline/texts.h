@@ -1,6 +1,7 @@
 // Results as text for people and programs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct CertificateBasis {
   std::vector<report::CertificateFile> inputs;  ///< every file that was read
   std::string program_name;
   bool dialect_stated = true;  ///< of a program that was checked; else it was recognised
+  std::optional<report::CertificateProof> proof = {};
 };
 std::string write_certificate(const PlanResult& result, const resolve::PlanOptions& options,
                               const CertificateBasis& basis);

@@ -15,6 +15,9 @@ import sys
 import tempfile
 
 
+LARGEST = 2**30  # nm
+
+
 def number(value):
     out = bytearray()
     while value >= 128:
@@ -33,13 +36,14 @@ class Witness:
     def __init__(self, data):
         self.data, self.at = data, 68
         self.magic, self.hashes = data[:4], data[4:68]
-        self.stated = [self.take() for _ in range(3)]
-        self.vertices, x, y = [], 0, 0
+        self.tools = [[self.take() for _ in range(3)] for _ in range(self.take())]
+        self.vertices, x, y = [], -LARGEST, -LARGEST
         for _ in range(self.take()):
-            x += self.take_signed()
-            y += self.take_signed()
+            dx = self.take()
+            x, y = x + dx, y + (self.take_signed() if dx else 1 + self.take())
             self.vertices.append((x, y))
-        self.cover, self.centre = self.take_tiles(), self.take_tiles()
+        self.claims = [[[self.take() for _ in range(4)], self.take_tiles(), self.take_tiles()] for _ in range(self.take())]
+        self.stated, self.cover, self.centre = max(self.claims, key=lambda claim: (len(claim[2]), len(claim[1])))
         self.rapids = [(self.take(), self.take_tiles()) for _ in range(self.take())]
         assert self.at == len(data)
 
@@ -71,12 +75,16 @@ class Witness:
         return tiles
 
     def bytes(self):
-        out = self.magic + self.hashes + b"".join(map(number, self.stated)) + number(len(self.vertices))
-        x = y = 0
+        out = self.magic + self.hashes + number(len(self.tools)) + b"".join(number(n) for tool in self.tools for n in tool)
+        out += number(len(self.vertices))
+        x = y = -LARGEST
         for vx, vy in self.vertices:
-            out += signed(vx - x) + signed(vy - y)
+            out += number((vx - x) % 2**56) + (signed(vy - y) if vx != x else number((vy - y - 1) % 2**56))
             x, y = vx, vy
-        out += tiles_bytes(self.cover) + tiles_bytes(self.centre) + number(len(self.rapids))
+        out += number(len(self.claims))
+        for stated, cover, centre in self.claims:
+            out += b"".join(map(number, stated)) + tiles_bytes(cover) + tiles_bytes(centre)
+        out += number(len(self.rapids))
         for move, tiles in self.rapids:
             out += number(move) + tiles_bytes(tiles)
         return out
@@ -103,7 +111,7 @@ def area(w, tile):
 
 def some_tile(w, r):
     """Of either tiling one that is no mere line."""
-    tiles = r.choice([w.cover, w.centre])
+    tiles = r.choice([tiles for tiles in (w.cover, w.centre) if tiles])
     return tiles, r.choice([t for t in tiles if abs(area(w, t)) > 1e6])
 
 
@@ -148,7 +156,7 @@ def far_label(w, r):
     tile = r.choice(cut)
     x, y = w.vertices[tile[2][0]]
     far = max(cut, key=lambda t: abs(w.vertices[t[2][0]][0] - x) + abs(w.vertices[t[2][0]][1] - y))
-    tile[1] = far[1] if distance(w, tile, far) > 3 * w.stated[0] else 10**6
+    tile[1] = far[1] if distance(w, tile, far) > 3 * w.stated[1] else 10**6
 
 
 def distance(w, a, b):
@@ -167,7 +175,7 @@ def all_out(w, r):
 
 
 def called_illegal(w, r):
-    maybe = [t for t in w.centre if t[0] == 1 and abs(area(w, t)) > 4 * w.stated[0] ** 2]
+    maybe = [t for t in w.centre if t[0] == 1 and abs(area(w, t)) > 4 * w.stated[1] ** 2]
     if not maybe:
         return True
     tile = r.choice(maybe)
@@ -187,7 +195,7 @@ def no_such_vertex(w, r):
 
 
 def vertex_far_away(w, r):
-    w.vertices[0] = (-r.choice([2**29, 2**40, 2**54]), 0)
+    w.vertices[0] = (-r.choice([2**30, 2**40, 2**54]), 0)
 
 
 def vertices_swapped(w, r):
@@ -201,11 +209,47 @@ def corner_of_wall_moved(w, r):
 
 
 def wider_cutter(w, r):
-    w.stated[0] += r.choice([20_000, 10**6])
+    w.tools[0][1] += r.choice([20_000, 10**6])
+    w.stated[1] = w.tools[0][1]
+
+
+def strange_cutter(w, r):
+    """A claim for a cutter that is so wide that it reaches nothing."""
+    w.stated[1] *= 100
+    w.centre[:] = [[1, 0, tile[2]] for tile in w.centre]
+    all_out(w, r)
+
+
+def cutter_dropped(w, r):
+    del w.tools[0]
+
+
+def cutter_twice(w, r):
+    w.tools.append(list(w.tools[0]))
+
+
+def no_such_feature(w, r):
+    w.stated[0] = r.choice([len(w.claims), 2**20, 2**40])
+
+
+def feature_twice(w, r):
+    w.claims.append(r.choice(w.claims))
 
 
 def stock_stated(w, r):
-    w.stated[1] += r.choice([20_000, 10**6])
+    w.stated[2] += r.choice([20_000, 10**6])
+
+
+def centre_dropped(w, r):
+    w.centre.clear()
+
+
+def rapid_in_air(w, r):
+    """What is not cut before a rapid is called air."""
+    if not w.rapids:
+        return True
+    for tile in r.choice(w.rapids)[1]:
+        tile[0] = 2
 
 
 def rapid_dropped(w, r):
@@ -233,7 +277,8 @@ def rapid_for_a_feed(w, r):
 
 
 KINDS = [dropped, twice, reversed_tile, collapsed, corner_dropped, cancelled, all_cancelled, far_label, called_out, all_out, called_illegal,
-         unknown_label, no_such_move, no_such_vertex, vertex_far_away, vertices_swapped, corner_of_wall_moved, wider_cutter, stock_stated,
+         unknown_label, no_such_move, no_such_vertex, vertex_far_away, vertices_swapped, corner_of_wall_moved, wider_cutter, strange_cutter, cutter_dropped, cutter_twice,
+         no_such_feature, feature_twice, stock_stated, centre_dropped, rapid_in_air,
          rapid_dropped, rapid_tile_dropped, rapid_later_move, rapid_for_a_feed]
 
 
@@ -246,7 +291,7 @@ def other_part(data, r):
 
 
 def other_version(data, r):
-    return b"CCW" + bytes([r.choice([0, 48, 50, 255])]) + data[4:]
+    return b"CCW" + bytes([r.choice([0, 48, 49, 51, 255])]) + data[4:]
 
 
 def cut_off(data, r):
@@ -258,14 +303,14 @@ def longer(data, r):
 
 
 def overlong_number(data, r):
-    at = 68  # of the radius
+    at = 70  # of the first tool's radius
     while data[at] & 128:
         at += 1
     return data[:at] + bytes([data[at] | 128]) + r.choice([b"\x80" * 9, b"\x80", b"\xff" * 20]) + b"\0" + data[at + 1:]
 
 
 def huge_count(data, r):
-    return data[:68] + number(3_000_000) + number(0) + number(0) + number(r.choice([2**30, 2**55])) + data[-40:]
+    return data[:68] + r.choice([b"", number(0), number(0) + number(0)]) + number(r.choice([2**30, 2**55])) + data[-40:]
 
 
 BYTE_KINDS = [other_program, other_part, other_version, cut_off, longer, overlong_number, huge_count]

@@ -40,12 +40,17 @@ CertificateBasis basis_of(const PlanCommand& command) {
 }
 
 std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptions& options,
-                                     const PlanResult& result) {
+                                     const PlanResult& result,
+                                     const std::optional<CertificateProof>& proof = {}) {
   std::vector<OutputFile> files{{command.output, result.program}};
   const auto add = [&](const std::string& path, auto&& content) {
     if (!path.empty()) files.push_back({path, content()});
   };
-  add(command.certificate, [&] { return write_certificate(result, options, basis_of(command)); });
+  add(command.certificate, [&] {
+    CertificateBasis basis = basis_of(command);
+    basis.proof = proof;
+    return write_certificate(result, options, basis);
+  });
   add(command.svg, [&] { return write_picture(result); });
   add(command.html, [&] { return write_page(result, options); });
   add(command.sheet, [&] {
@@ -242,7 +247,8 @@ std::string certificate_of_setup(PlanCommand command, int count, const std::stri
 void refuse_for_setups(const PlanCommand& command, int count) {
   if (command.arguments.setup().number > 0)
     throw InputError("--setup", "the set-ups of a job are planned together; leave it out");
-  if (!command.witness.empty()) require_outline(command.arguments.input());
+  if (!command.witness.empty())
+    throw InputError("--witness", "is about one program; verify each program with --witness");
   if (command.output.empty() && !command.explain)
     throw InputError("--output", "is missing; name the program to write");
   if (command.output == "-")
@@ -271,7 +277,6 @@ int run_setups(const PlanCommand& command, int count) {
 }
 
 void refuse_for_witness(const PlanCommand& command) {
-  require_outline(command.arguments.input());
   if (command.output == "-") throw InputError("--witness", "is about a program file; name it with --output");
 }
 
@@ -294,13 +299,15 @@ int run(PlanCommand command) {
   check_outputs(output_names(command), inputs);
   if (!command.witness.empty()) refuse_for_witness(command);
   const PlanResult result = planned(command, part, options);
-  std::vector<OutputFile> files = output_files(command, options, result);
   const Proven proven{result.part, result.toolpath, result.program, command.output,
                       command.arguments.input()};
   WitnessFile witness;
-  if (!command.witness.empty()) witness = witness_of(proven);
-  const bool without = !command.witness.empty() && witness.found.bytes.empty();
-  if (!witness.found.bytes.empty()) files.push_back({command.witness, witness.found.bytes});
+  std::optional<CertificateProof> proof;
+  if (!command.witness.empty()) proof = proof_of(witness = witness_of(proven));
+  std::vector<OutputFile> files = output_files(command, options, result, proof);
+  const bool without =
+      !command.witness.empty() && (witness.found.bytes.empty() || !witness.found.missing.empty());
+  for (OutputFile& file : witness_files(witness, command.witness)) files.push_back(std::move(file));
   write_outputs(files, inputs);
   tell(command, result, options);
   if (without || (!command.witness.empty() && !command.quiet))
@@ -326,7 +333,8 @@ std::shared_ptr<PlanCommand> declare(CLI::App& command) {
   command.add_option("--result", state->result, "Segments to write: x y to x y per line")->type_name("FILE");
   command
       .add_option("--witness", state->witness,
-                  "Witness to write: with it clearcut-check proves the program, for outlines (.json)")
+                  "Witness to write: with it clearcut-check proves the program; of drawings and solids also "
+                  "the outline, FILE.json")
       ->type_name("FILE");
   command.add_flag("--explain", state->explain, "Print every value of the plan and where it comes from");
   command

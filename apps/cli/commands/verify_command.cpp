@@ -39,10 +39,15 @@ std::string dialect_line(const VerifyCommand& command, const CheckResult& result
   return "read as a program for " + std::string(name_of(result.dialect)) + " (--dialect names another)\n";
 }
 
+bool asks_proof(const VerifyCommand& command) {
+  return command.prove || !command.witness.empty();
+}
+
 struct Checked {
   std::string program;
   CheckResult result;
   std::string certificate;
+  WitnessFile witness;
 };
 
 /// Without a part: against a stock.
@@ -66,14 +71,14 @@ Checked checked(const VerifyCommand& command) {
                    ? checked_alone(command, out.program, options)
                    : check_program(command.arguments.read(), out.program, command.program, options,
                                    command.arguments.dialect());
+  if (asks_proof(command))
+    out.witness = witness_of(
+        {out.result.part, out.result.toolpath, out.program, command.program, command.arguments.input()});
   CertificateBasis basis = certificate_basis("verify", command.arguments.input_files(), command.program);
   basis.dialect_stated = command.arguments.dialect().has_value();
+  if (asks_proof(command)) basis.proof = proof_of(out.witness);
   out.certificate = write_certificate(out.result, options, basis, out.program);
   return out;
-}
-
-bool asks_proof(const VerifyCommand& command) {
-  return command.prove || !command.witness.empty();
 }
 
 /// What was asked and could not be proven is a fault.
@@ -81,14 +86,15 @@ int tell_proof(const VerifyCommand& command, const WitnessFile& witness, const P
   const bool found = !witness.found.bytes.empty();
   if (!command.witness.empty() && (!found || !command.quiet))
     print_line(witness_lines(witness, command.witness, proven));
-  bool proved = found;
+  bool proved = found && witness.found.missing.empty();
   if (command.prove) print_line(checked_by_program(witness, proven, proved));
   return proved ? code : kFault;
 }
 
 int run(const VerifyCommand& command) {
   check_setup_sheet_name(command.sheet);
-  if (asks_proof(command)) require_outline(command.arguments.input());
+  if (asks_proof(command) && command.arguments.input().empty())
+    throw InputError("--witness", "is about a program and a part; name the part with --part");
   const Checked found = checked(command);
   const CheckResult& result = found.result;
   std::vector<OutputFile> files;
@@ -102,9 +108,8 @@ int run(const VerifyCommand& command) {
                                                                        file_name(command.program)))});
   const Proven proven{result.part, result.toolpath, found.program, command.program,
                       command.arguments.input()};
-  const WitnessFile witness = asks_proof(command) ? witness_of(proven) : WitnessFile{};
-  if (!command.witness.empty() && !witness.found.bytes.empty())
-    files.push_back({command.witness, witness.found.bytes});
+  const WitnessFile& witness = found.witness;
+  for (OutputFile& file : witness_files(witness, command.witness)) files.push_back(std::move(file));
   std::vector<std::string> inputs = paths_of(command.arguments.input_files());
   inputs.push_back(command.program);
   write_outputs(files, inputs);
@@ -166,7 +171,8 @@ std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
       ->type_name("FILE");
   command
       .add_option("--witness", state->witness,
-                  "Witness to write: with it clearcut-check proves the program, for outlines (.json)")
+                  "Witness to write: with it clearcut-check proves the program; of drawings and solids also "
+                  "the outline, FILE.json")
       ->type_name("FILE");
   command.add_flag("--prove", state->prove,
                    "Find a witness and have clearcut-check, a program of its own, check it");

@@ -7,6 +7,8 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
+#include <tuple>
 #include <unordered_map>
 
 #include "base/elementary.h"
@@ -366,10 +368,12 @@ std::pair<Spot, Spot> nearest_between(const Points& a, const Points& b) {
   return out;
 }
 
-/// What a tile may be cut by.
+/// What a tile may be cut by: a move as far as it is low enough.
 struct Swath {
   std::size_t move = 0;
   Curve curve;
+  double radius = 0;  // of its tool
+  ccw::Int point = 0;
   ccw::Box box;
 };
 
@@ -380,60 +384,69 @@ struct Piece {
   int depth = 0;
 };
 struct Labelled {
-  int label = 0;
+  ccw::Int label = 0;
   std::size_t of = 0;
   Polygon polygon;
 };
 
-class Finder {
- public:
-  Finder(const ccw::Part& part, const ccw::Program& program, const ccw::Question& asked,
-         const ccw::Stated& stated)
-      : part_(part),
-        program_(program),
-        asked_(asked),
-        stated_(stated),
-        radius_(static_cast<double>(stated.radius)),
-        blend_(static_cast<double>(program.blending)),
-        legal_(radius_ + static_cast<double>(stated.wall_stock + asked.beyond)),
-        walls_(walls_of(part)),
-        cover_(walls_),
-        centre_(walls_),
-        travel_(walls_) {}
+/// What all tilings of a witness are about.
+struct Setting {
+  const ccw::Part& part;
+  const ccw::Program& program;
+  const ccw::Question& asked;
+  std::vector<ccw::Tool> tools;
+  const ccw::Tool* tool_of(const ccw::Move& move) const {
+    for (const ccw::Tool& tool : tools)
+      if (tool.number == move.tool) return &tool;
+    return nullptr;
+  }
+  double blend() const { return static_cast<double>(program.blending); }
+};
 
-  void find();
-  /// The bytes after the header.
-  Text written() const;
-  int tiles() const { return static_cast<int>(cover_tiles_.size() + maybe_.size() + illegal_.size()); }
+/// Tiles one polygon by what moves cut: of a feature that is claimed, or about a rapid.
+class Tiling {
+ public:
+  /// Of a feature.
+  Tiling(const Setting& setting, const ccw::Claim& claim);
+  /// Of a rapid.
+  Tiling(const Setting& setting, std::size_t move);
+
+  /// The tiles with their corners; `centre` is empty where nothing is out of reach.
+  struct Tile {
+    ccw::Int label = 0;
+    std::size_t of = 0;
+    Points corners;
+  };
+  std::vector<Tile> cover() const { return written(cover_, tiles_); }
+  std::vector<Tile> centre() const;
+  bool any_cut() const {
+    return std::any_of(tiles_.begin(), tiles_.end(), [](const Labelled& tile) { return tile.label == 0; });
+  }
 
  private:
-  static std::vector<ccw::Wall> walls_of(const ccw::Part& part) {
-    std::vector<ccw::Wall> walls;
-    for (const auto& outline : part.outlines) walls.insert(walls.end(), outline.begin(), outline.end());
-    return walls;
-  }
-  Polygon region(Mesh& mesh, double sagitta) const;
+  static std::vector<Tile> written(const Mesh& mesh, const std::vector<Labelled>& tiles);
+  Polygon region(Mesh& mesh, const std::vector<ccw::Wall>& walls, double sagitta) const;
   std::vector<Swath> swaths(std::size_t before, ccw::Int level) const;
-  void settle(Mesh& mesh, const Polygon& whole, const std::vector<Swath>& swaths, ccw::Int level,
-              bool may_be_out, std::vector<Labelled>& out);
-  std::optional<Cut> cut_for(const Points& hull, double bound, const std::vector<Swath>& near, Piece& piece,
-                             bool may_be_out, bool& beyond) const;
+  void settle(const Polygon& whole, const std::vector<Swath>& swaths, ccw::Int level);
+  std::optional<Cut> at_stock(const ccw::Box& box) const;
+  std::optional<Cut> cut_for(const Points& hull, double beyond, const std::vector<Swath>& near, Piece& piece,
+                             bool& out) const;
   bool out_of_reach(const Polygon& polygon, const Points& hull);
   bool trim(std::size_t index, Spot at);
-  void find_rapids();
-  double bound_of(Mesh& mesh, const Polygon& polygon, bool may_be_out) const {
-    return may_be_out ? radius_ + static_cast<double>(asked_.uncut) - blend_ - mesh.slack(polygon) - kSpare
-                      : radius_ - blend_ - kSpare;
+  void replace(std::size_t index, std::vector<Polygon>& above, std::vector<Polygon>& below);
+  /// How far beyond the radius of what cuts a tile it may lie, nm.
+  double beyond_of(const Polygon& polygon) const {
+    return (is_rapid_ ? 0 : static_cast<double>(setting_.asked.uncut) - cover_.slack(polygon)) -
+           setting_.blend() - kSpare;
   }
 
-  const ccw::Part& part_;
-  const ccw::Program& program_;
-  const ccw::Question& asked_;
-  const ccw::Stated& stated_;
-  double radius_, blend_, legal_;
-  std::vector<ccw::Wall> walls_;
-  Mesh cover_, centre_, travel_;
-  std::vector<Labelled> cover_tiles_, illegal_;
+  const Setting& setting_;
+  bool is_rapid_;
+  std::vector<ccw::Wall> target_, allowed_;
+  double radius_, legal_ = 0;
+  ccw::Int largest_;  // nm; larger tiles are halved
+  Mesh cover_, centre_;
+  std::vector<Labelled> tiles_, illegal_;
   int work_ = 0;
   struct Maybe {
     Polygon polygon;
@@ -441,26 +454,16 @@ class Finder {
     ccw::Box box;
   };
   std::vector<Maybe> maybe_;
-  struct Travel {
-    std::size_t move;
-    std::vector<Labelled> tiles;
-  };
-  std::vector<Travel> travels_;
 };
 
 /// The outlines as one polygon, islands joined by bridges that cancel; arcs as chords within `sagitta`.
-Polygon Finder::region(Mesh& mesh, double sagitta) const {
+Polygon Tiling::region(Mesh& mesh, const std::vector<ccw::Wall>& walls, double sagitta) const {
   std::vector<Polygon> loops;
-  int wall = 0;
-  for (const auto& outline : part_.outlines) {
-    Polygon loop;
-    for (const ccw::Wall& one : outline) {
-      const Points points = chords(one.curve, sagitta);
-      for (std::size_t i = 1; i < points.size(); ++i)
-        loop.push_back({mesh.add(points[i - 1], points[i], wall), true});
-      ++wall;
-    }
-    loops.push_back(std::move(loop));
+  for (std::size_t wall = 0; wall < walls.size(); ++wall) {
+    if (wall == 0 || walls[wall].outline != walls[wall - 1].outline) loops.emplace_back();
+    const Points points = chords(walls[wall].curve, sagitta);
+    for (std::size_t i = 1; i < points.size(); ++i)
+      loops.back().push_back({mesh.add(points[i - 1], points[i], static_cast<int>(wall)), true});
   }
   const auto rightmost = [&](const Polygon& loop) {
     std::size_t most = 0;
@@ -481,22 +484,20 @@ Polygon Finder::region(Mesh& mesh, double sagitta) const {
 }
 
 /// What feeds before a move cut no higher than `level`.
-std::vector<Swath> Finder::swaths(std::size_t before, ccw::Int level) const {
+std::vector<Swath> Tiling::swaths(std::size_t before, ccw::Int level) const {
   std::vector<Swath> out;
   for (std::size_t i = 0; i < before; ++i) {
-    const ccw::Move& move = program_.moves[i];
-    if (move.rapid || move.lowest() > level) continue;
-    Swath one{i, move.path, {}};
-    if (std::max(move.z0, move.z1) > level) {
-      const Point p = move.z1 <= level ? move.path.b : move.path.a;
-      one.curve = Curve{p, p};
+    const ccw::Move& move = setting_.program.moves[i];
+    const ccw::Tool* tool = setting_.tool_of(move);
+    const ccw::Int point = tool && is_rapid_ ? tool->point : 0;
+    if (move.rapid || !tool || move.lowest() + point > level) continue;
+    const Curve curve = ccw::low_part(move, point, level);
+    Swath one{i, curve, static_cast<double>(tool->radius), point, ccw::box_of({curve.a, curve.b})};
+    if (curve.arc) {
+      one.box.add({curve.center.x - curve.high, curve.center.y - curve.high});
+      one.box.add({curve.center.x + curve.high, curve.center.y + curve.high});
     }
-    one.box = ccw::box_of({one.curve.a, one.curve.b});
-    if (one.curve.arc) {
-      const Curve& c = one.curve;
-      one.box.add({c.center.x - c.high, c.center.y - c.high});
-      one.box.add({c.center.x + c.high, c.center.y + c.high});
-    }
+    one.box = one.box.grown(tool->radius);
     out.push_back(one);
   }
   return out;
@@ -508,51 +509,69 @@ Cut halving(const ccw::Box& box) {
               : Cut{{0, 1}, 0.5 * static_cast<double>(box.y0 + box.y1)};
 }
 
-void Finder::settle(Mesh& mesh, const Polygon& whole, const std::vector<Swath>& swaths, ccw::Int level,
-                    bool may_be_out, std::vector<Labelled>& out) {
+/// Along a side of the stock that runs through a tile of a rapid: there is nothing outside.
+std::optional<Cut> Tiling::at_stock(const ccw::Box& box) const {
+  if (!is_rapid_ || !setting_.part.stock) return std::nullopt;
+  const ccw::Box& stock = *setting_.part.stock;
+  const ccw::Int off = 3;
+  for (const auto& [at, low, high, normal] : {std::tuple{stock.x0 - off, box.x0, box.x1, Spot{1, 0}},
+                                              {stock.x1 + off, box.x0, box.x1, Spot{1, 0}},
+                                              {stock.y0 - off, box.y0, box.y1, Spot{0, 1}},
+                                              {stock.y1 + off, box.y0, box.y1, Spot{0, 1}}}) {
+    if (low + off < at && at + off < high) return Cut{normal, static_cast<double>(at)};
+  }
+  return std::nullopt;
+}
+
+void Tiling::settle(const Polygon& whole, const std::vector<Swath>& swaths, ccw::Int level) {
   std::vector<Piece> todo{{whole}};
   while (!todo.empty()) {
     Piece piece = std::move(todo.back());
     todo.pop_back();
-    piece.polygon = mesh.whole(piece.polygon);
+    piece.polygon = cover_.whole(piece.polygon);
     if (piece.polygon.size() < 2) continue;
-    const Points hull = ccw::hull_of(mesh.corners(piece.polygon));
+    const Points hull = ccw::hull_of(cover_.corners(piece.polygon));
     if (++work_ > kMostWork || piece.depth > kDeepest)
       throw NotFound{"no tiling was found near " + place(spot(hull[0]))};
     const ccw::Box box = box_of(hull);
-    std::optional<Cut> cut;
+    if (is_rapid_ && setting_.part.stock && !setting_.part.stock->meets(box)) {
+      tiles_.push_back({2, 0, piece.polygon});
+      continue;
+    }
+    std::optional<Cut> cut = at_stock(box);
     bool beyond = false;
-    if (std::max(box.x1 - box.x0, box.y1 - box.y0) > 3 * stated_.radius) {
-      cut = halving(box);
-    } else {
-      const double bound = bound_of(mesh, piece.polygon, may_be_out);
+    if (!cut && std::max(box.x1 - box.x0, box.y1 - box.y0) > largest_) cut = halving(box);
+    if (!cut) {
+      const double bound = beyond_of(piece.polygon);
       std::vector<Swath> near;
       for (const Swath& one : swaths)
-        if (one.box.meets(box.grown(ccw::Wide(bound)))) near.push_back(one);
+        if (one.box.meets(box.grown(std::max<ccw::Wide>(0, ccw::Wide(bound) + 1)))) near.push_back(one);
       bool done = false;
-      if (piece.beyond && may_be_out && out_of_reach(piece.polygon, hull)) {
-        out.push_back({1, 0, piece.polygon});
+      if (piece.beyond && !is_rapid_ && out_of_reach(piece.polygon, hull)) {
+        tiles_.push_back({1, 0, piece.polygon});
         continue;
       }
       if (piece.beyond) piece.beyond = false, ++piece.level;
       for (const Swath& one : near) {
-        if (!ccw::cut_by(program_.moves[one.move], hull, ccw::Wide(bound), level)) continue;
-        out.push_back({0, one.move, piece.polygon});
+        if (!ccw::cut_by(setting_.program.moves[one.move], one.point, hull, ccw::Wide(one.radius + bound),
+                         level))
+          continue;
+        tiles_.push_back({0, one.move, piece.polygon});
         done = true;
         break;
       }
       if (done) continue;
-      cut = cut_for(hull, bound, near, piece, may_be_out, beyond);
+      cut = cut_for(hull, bound, near, piece, beyond);
     }
     std::pair<std::vector<Polygon>, std::vector<Polygon>> parts;
-    if (cut) parts = mesh.cut(piece.polygon, *cut);
+    if (cut) parts = cover_.cut(piece.polygon, *cut);
     if (parts.first.empty() || parts.second.empty()) {
-      if (may_be_out && out_of_reach(piece.polygon, hull)) {
-        out.push_back({1, 0, piece.polygon});
+      if (!is_rapid_ && out_of_reach(piece.polygon, hull)) {
+        tiles_.push_back({1, 0, piece.polygon});
         continue;
       }
       beyond = false;
-      parts = mesh.cut(piece.polygon, halving(box));
+      parts = cover_.cut(piece.polygon, halving(box));
       const bool tiny = std::max(box.x1 - box.x0, box.y1 - box.y0) < 50;
       if (tiny || parts.first.empty() || parts.second.empty())
         throw NotFound{"a place seems to be left near " + place(spot(hull[0]))};
@@ -563,26 +582,26 @@ void Finder::settle(Mesh& mesh, const Polygon& whole, const std::vector<Swath>& 
   }
 }
 
-/// Along the edge of the swath that holds most of the tile, towards the corner that it leaves out.
-std::optional<Cut> Finder::cut_for(const Points& hull, double bound, const std::vector<Swath>& near,
-                                   Piece& piece, bool may_be_out, bool& beyond) const {
+/// Along the edge of the swath that holds most of the tile, towards the corner that it leaves out. `beyond` is that of the radius.
+std::optional<Cut> Tiling::cut_for(const Points& hull, double beyond, const std::vector<Swath>& near,
+                                   Piece& piece, bool& out) const {
   const Swath* best = nullptr;
   double least = std::numeric_limits<double>::infinity();
   Spot corner;
   for (const Swath& one : near) {
-    double most = 0, fewest = std::numeric_limits<double>::infinity();
+    double most = -std::numeric_limits<double>::infinity(), fewest = -most;
     Spot at;
     for (const Point p : hull) {
-      const double d = distance_to(one.curve, spot(p));
+      const double d = distance_to(one.curve, spot(p)) - one.radius;
       if (d > most) most = d, at = spot(p);
       fewest = std::min(fewest, d);
     }
-    if (fewest < bound && most < least) least = most, best = &one, corner = at;
+    if (fewest < beyond && most < least) least = most, best = &one, corner = at;
   }
   if (!best) return std::nullopt;
   const Curve& c = best->curve;
   if (least <=
-      bound) {  // all corners are near, and yet it does not lie in one sector, or round an inner circle
+      beyond) {  // all corners are near, and yet it does not lie in one sector, or round an inner circle
     for (const Point ray : {c.first, c.last}) {
       if (c.full()) break;
       const Spot r = spot(ray), n{-r.y / length(r), r.x / length(r)};
@@ -598,32 +617,34 @@ std::optional<Cut> Finder::cut_for(const Points& hull, double bound, const std::
     const Spot n{-v.y / length(v), v.x / length(v)};
     return Cut{n, inner(n, middle)};  // a narrower part of the ring
   }
+  const double radius = best->radius, bound = radius + beyond, blend = setting_.blend();
+  const double far = least + radius;
   const Spot foot = nearest_on(c, corner);
   const Spot n = (1 / length(corner - foot)) * (corner - foot);
   double at = -1;
   for (const Swath& one : near) {  // the middle of what it shares with a move that cuts the corner
-    if (&one == best || distance_to(one.curve, corner) > radius_ - blend_) continue;
-    double start = least;
+    if (&one == best || distance_to(one.curve, corner) > one.radius - blend) continue;
+    double start = far;
     for (int i = 1; i <= 24; ++i) {
-      const double s = least * (24 - i) / 24;
-      if (distance_to(one.curve, foot + s * n) > radius_ - blend_) break;
+      const double s = far * (24 - i) / 24;
+      if (distance_to(one.curve, foot + s * n) > one.radius - blend) break;
       start = s;
     }
-    if (start < bound - 100) at = std::max(at, 0.5 * (std::max(start, 0.0) + std::min(bound, radius_)));
+    if (start < bound - 100) at = std::max(at, 0.5 * (std::max(start, 0.0) + std::min(bound, radius)));
   }
-  beyond = at < 0 && may_be_out;
+  out = at < 0 && !is_rapid_;
   if (at < 0) {
     constexpr std::array kShares{0.4, 0.75, 0.93};
     if (piece.level >= static_cast<int>(kShares.size()) * 8)
       throw NotFound{"a place seems to be left near " + place(corner)};
     const double share = kShares[std::min(static_cast<std::size_t>(piece.level), kShares.size() - 1)];
-    at = may_be_out ? radius_ + share * (bound - radius_) : bound - 50;
+    at = is_rapid_ ? bound - 50 : radius + share * beyond;
   }
   return Cut{n, inner(n, foot) + std::min(at, bound - 20) - spread_of(c)};
 }
 
 /// Whether no legal center comes near; cuts off what is illegal of the centers' tiles as far as it takes.
-bool Finder::out_of_reach(const Polygon& polygon, const Points& hull) {
+bool Tiling::out_of_reach(const Polygon& polygon, const Points& hull) {
   const double reach = radius_ + cover_.slack(polygon) + kSpare;
   const ccw::Box box = box_of(hull).grown(ccw::Wide(reach));
   int trims = 0;
@@ -643,15 +664,20 @@ bool Finder::out_of_reach(const Polygon& polygon, const Points& hull) {
 }
 
 /// Cuts what is illegal near `at` off a tile of the centers, which is replaced by its parts. False where nothing is illegal there.
-bool Finder::trim(std::size_t index, Spot at) {
+bool Tiling::trim(std::size_t index, Spot at) {
   const Polygon polygon = centre_.whole(maybe_[index].polygon);
   const Points hull = ccw::hull_of(centre_.corners(polygon));
+  const ccw::Box box = box_of(hull);
+  if (std::max(box.x1 - box.x0, box.y1 - box.y0) > largest_) {
+    auto [above, below] = centre_.cut(polygon, halving(box));
+    return replace(index, above, below), true;
+  }
   const double bound = legal_ - 1 - kLegalSpare;
   std::size_t wall = 0;
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t w = 0; w < walls_.size(); ++w) {
-    const double d = distance_to(walls_[w].curve, at);
-    if (d < bound && ccw::near_curve(walls_[w].curve, hull, ccw::Wide(bound))) {
+  for (std::size_t w = 0; w < allowed_.size(); ++w) {
+    const double d = distance_to(allowed_[w].curve, at);
+    if (d < bound && ccw::near_curve(allowed_[w].curve, hull, ccw::Wide(bound))) {
       illegal_.push_back({0, w, polygon});
       maybe_.erase(maybe_.begin() + static_cast<std::ptrdiff_t>(index));
       return true;
@@ -664,15 +690,14 @@ bool Finder::trim(std::size_t index, Spot at) {
     const double far = length(middle - at);
     if (far > 10) at = at + (std::min(1000.0, 0.5 * far) / far) * (middle - at);
     least = std::numeric_limits<double>::infinity();
-    for (std::size_t w = 0; w < walls_.size(); ++w) {
-      const double d = distance_to(walls_[w].curve, at);
+    for (std::size_t w = 0; w < allowed_.size(); ++w) {
+      const double d = distance_to(allowed_[w].curve, at);
       if (d < least) least = d, wall = w;
     }
   }
-  const ccw::Box box = box_of(hull);
   const bool tiny = std::max(box.x1 - box.x0, box.y1 - box.y0) < 12;
   if (least > bound - 4 || tiny) return false;
-  const Curve& c = walls_[wall].curve;
+  const Curve& c = allowed_[wall].curve;
   const Spot foot = nearest_on(c, at);
   Cut line{{}, 0};
   bool round = !c.arc && (length(foot - spot(c.a)) < 1 || length(foot - spot(c.b)) < 1);
@@ -714,6 +739,12 @@ bool Finder::trim(std::size_t index, Spot at) {
     std::tie(above, below) = centre_.cut(polygon, halving(box));
     if (above.empty() || below.empty()) return false;
   }
+  replace(index, above, below);
+  return true;
+}
+
+/// Puts two parts in the place of a tile of the centers.
+void Tiling::replace(std::size_t index, std::vector<Polygon>& above, std::vector<Polygon>& below) {
   maybe_.erase(maybe_.begin() + static_cast<std::ptrdiff_t>(index));
   for (auto* list : {&above, &below}) {
     for (Polygon& one : *list) {
@@ -723,126 +754,226 @@ bool Finder::trim(std::size_t index, Spot at) {
                     {std::move(one), std::move(own), own_box});
     }
   }
-  return true;
 }
 
-void Finder::find() {
-  std::vector<Piece> todo{{region(centre_, std::min(20'000.0, radius_ / 10))}};
-  while (!todo.empty()) {
-    const Polygon polygon = centre_.whole(todo.back().polygon);
-    todo.pop_back();
-    if (polygon.size() < 2) continue;
-    Points hull = ccw::hull_of(centre_.corners(polygon));
-    const ccw::Box box = box_of(hull);
-    if (std::max(box.x1 - box.x0, box.y1 - box.y0) <= 3 * stated_.radius) {
-      maybe_.push_back({polygon, std::move(hull), box});
-      continue;
-    }
-    if (++work_ > kMostWork) throw NotFound{"no tiling was found near " + place(spot(hull[0]))};
-    auto [above, below] = centre_.cut(polygon, halving(box));
-    for (auto* list : {&above, &below})
-      for (Polygon& one : *list) todo.push_back({std::move(one)});
-  }
-  const double sagitta = static_cast<double>(asked_.uncut) / 12;
-  const ccw::Int floor = part_.floor + stated_.floor_stock + asked_.level - program_.blending;
-  settle(cover_, region(cover_, sagitta), swaths(program_.moves.size(), floor), floor, true, cover_tiles_);
-  find_rapids();
+Tiling::Tiling(const Setting& setting, const ccw::Claim& claim)
+    : setting_(setting),
+      is_rapid_(false),
+      target_(setting.part.features[claim.feature].target.walls),
+      allowed_(setting.part.features[claim.feature].allowed.walls),
+      radius_(static_cast<double>(claim.radius)),
+      legal_(radius_ + static_cast<double>(claim.wall_stock + setting.asked.beyond)),
+      largest_(3 * claim.radius),
+      cover_(target_),
+      centre_(allowed_) {
+  const Polygon whole = region(centre_, allowed_, std::min(20'000.0, radius_ / 10));
+  const Points hull = ccw::hull_of(centre_.corners(whole));
+  maybe_.push_back({whole, hull, box_of(hull)});
+  const double sagitta = static_cast<double>(setting.asked.uncut) / 12;
+  const ccw::Int floor = setting.part.features[claim.feature].floor + claim.floor_stock +
+                         setting.asked.level - setting.program.blending;
+  settle(region(cover_, target_, sagitta), swaths(setting.program.moves.size(), floor), floor);
 }
 
-/// A polygon about what a rapid has to find cut, tiled by what earlier moves cut.
-void Finder::find_rapids() {
-  for (std::size_t i = 0; i < program_.moves.size(); ++i) {
-    const ccw::Move& move = program_.moves[i];
-    if (!move.rapid || move.lowest() >= part_.top || move.only_rises()) continue;
-    const double inner_radius = radius_ - static_cast<double>(asked_.rapid) + blend_ + 10,
-                 outer = radius_ - blend_ - 2 * kSpare;
-    if (outer <= inner_radius) throw NotFound{"the rim of rapids is too narrow for the blending"};
-    const int count =
-        4 + static_cast<int>(
-                std::ceil(kPi / base::acos(inner_radius / (inner_radius + 0.5 * (outer - inner_radius)))));
-    const double size = inner_radius / base::cos(kPi / count);
-    const Spot a = spot(move.path.a), b = spot(move.path.b);
-    Points points;
-    for (int k = 0; k < count; ++k) {
-      const double angle = 2 * kPi * (k + 0.5) / count;
-      for (const Spot end :
-           program_.dogleg ? std::vector{a, b, Spot{a.x, b.y}, Spot{b.x, a.y}} : std::vector{a, b})
-        points.push_back(rounded(end + size * Spot{base::cos(angle), base::sin(angle)}));
-    }
-    points = ccw::hull_of(points);
-    Polygon polygon;
-    for (std::size_t k = 0; k < points.size(); ++k)
-      polygon.push_back({travel_.add(points[k], points[(k + 1) % points.size()]), true});
-    Travel travel{i, {}};
-    try {
-      const ccw::Int level = move.lowest() - 2 * program_.blending;
-      settle(travel_, polygon, swaths(i, level), level, false, travel.tiles);
-    } catch (const NotFound& at) {
-      throw NotFound{"the rapid of line " + std::to_string(move.line) + ": " + at.why};
-    }
-    travels_.push_back(std::move(travel));
+/// A polygon about what the rapid has to find cut.
+Tiling::Tiling(const Setting& setting, std::size_t index)
+    : setting_(setting), is_rapid_(true), radius_(0), largest_(0), cover_(target_), centre_(allowed_) {
+  const ccw::Move& move = setting.program.moves[index];
+  const ccw::Int radius = setting.tool_of(move)->radius;
+  radius_ = static_cast<double>(radius);
+  largest_ = 3 * radius;
+  const double inner_radius = radius_ - static_cast<double>(setting.asked.rapid) + setting.blend() + 10,
+               outer = radius_ - setting.blend() - 2 * kSpare;
+  if (outer <= inner_radius) throw NotFound{"the rim of rapids is too narrow for the blending"};
+  const int count = 4 + static_cast<int>(std::ceil(
+                            kPi / base::acos(inner_radius / (inner_radius + 0.5 * (outer - inner_radius)))));
+  const double size = inner_radius / base::cos(kPi / count);
+  const Spot a = spot(move.path.a), b = spot(move.path.b);
+  Points points;
+  for (int k = 0; k < count; ++k) {
+    const double angle = 2 * kPi * (k + 0.5) / count;
+    for (const Spot end :
+         setting.program.dogleg ? std::vector{a, b, Spot{a.x, b.y}, Spot{b.x, a.y}} : std::vector{a, b})
+      points.push_back(rounded(end + size * Spot{base::cos(angle), base::sin(angle)}));
   }
+  points = ccw::hull_of(points);
+  Polygon polygon;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    polygon.push_back({cover_.add(points[k], points[(k + 1) % points.size()]), true});
+  try {
+    const ccw::Int level = move.lowest() - 2 * setting.program.blending;
+    settle(polygon, swaths(index, level), level);
+  } catch (const NotFound& at) {
+    throw NotFound{"the rapid of line " + std::to_string(move.line) + ": " + at.why};
+  }
+}
+
+std::vector<Tiling::Tile> Tiling::written(const Mesh& mesh, const std::vector<Labelled>& tiles) {
+  std::vector<Tile> out;
+  for (const Labelled& tile : tiles) {
+    const Polygon polygon = mesh.whole(tile.polygon);
+    if (!polygon.empty()) out.push_back({tile.label, tile.of, mesh.corners(polygon)});
+  }
+  return out;
+}
+
+std::vector<Tiling::Tile> Tiling::centre() const {
+  const bool needed =
+      std::any_of(tiles_.begin(), tiles_.end(), [](const Labelled& tile) { return tile.label == 1; });
+  std::vector<Labelled> all = needed ? illegal_ : std::vector<Labelled>{};
+  for (const Maybe& tile : maybe_)
+    if (needed) all.push_back({1, 0, tile.polygon});
+  return written(centre_, all);
 }
 
 void put_number(Text& out, std::uint64_t value) {
   for (; value >= 128; value >>= 7) out += static_cast<char>(value | 128);
   out += static_cast<char>(value);
 }
+void put_number(Text& out, ccw::Int value) {
+  put_number(out, static_cast<std::uint64_t>(value));
+}
 void put_signed(Text& out, ccw::Int value) {
   put_number(out, value < 0 ? static_cast<std::uint64_t>(-(value + 1)) * 2 + 1
                             : static_cast<std::uint64_t>(value) * 2);
 }
 
-Text Finder::written() const {
-  struct Less {
-    bool operator()(Point a, Point b) const { return a.x != b.x ? a.x < b.x : a.y < b.y; }
-  };
-  std::map<Point, ccw::Int, Less> numbers;
-  const auto collect = [&](const Mesh& mesh, const Polygon& polygon) {
-    for (const Point p : mesh.corners(mesh.whole(polygon))) numbers[p] = 0;
-  };
-  for (const Labelled& tile : cover_tiles_) collect(cover_, tile.polygon);
-  for (const Labelled& tile : illegal_) collect(centre_, tile.polygon);
-  for (const Maybe& tile : maybe_) collect(centre_, tile.polygon);
-  for (const Travel& travel : travels_)
-    for (const Labelled& tile : travel.tiles) collect(travel_, tile.polygon);
-  Text out;
-  put_number(out, numbers.size());
-  Point last;
-  ccw::Int count = 0;
-  for (auto& [p, number] : numbers) {
-    number = count++;
-    put_signed(out, p.x - last.x);
-    put_signed(out, p.y - last.y);
-    last = p;
-  }
-  const auto put_tiles = [&](const Mesh& mesh, const std::vector<Labelled>& tiles) {
-    std::vector<Labelled> whole;
-    for (const Labelled& tile : tiles) {
-      whole.push_back({tile.label, tile.of, mesh.whole(tile.polygon)});
-      if (whole.back().polygon.empty()) whole.pop_back();
+/// Tilings with all that the file says of them.
+struct Claimed {
+  ccw::Claim claim;
+  std::vector<Tiling::Tile> cover, centre;
+};
+struct Travelled {
+  std::size_t move;
+  std::vector<Tiling::Tile> tiles;
+};
+
+/// The witness's bytes after the hashes.
+class WitnessWriter {
+ public:
+  WitnessWriter(const std::vector<ccw::Tool>& tools, const std::vector<Claimed>& claims,
+                const std::vector<Travelled>& rapids) {
+    for (const Claimed& one : claims) collect(one.cover), collect(one.centre);
+    for (const Travelled& one : rapids) collect(one.tiles);
+    put_number(out_, tools.size());
+    for (const ccw::Tool& tool : tools)
+      for (const ccw::Int one : {tool.number, tool.radius, tool.point}) put_number(out_, one);
+    put_vertices();
+    put_number(out_, claims.size());
+    for (const Claimed& one : claims) {
+      put_number(out_, one.claim.feature);
+      for (const ccw::Int length : {one.claim.radius, one.claim.wall_stock, one.claim.floor_stock})
+        put_number(out_, length);
+      put_tiles(one.cover);
+      put_tiles(one.centre);
     }
-    put_number(out, whole.size());
+    put_number(out_, rapids.size());
+    for (const Travelled& one : rapids) {
+      put_number(out_, one.move);
+      put_tiles(one.tiles);
+    }
+  }
+  const Text& bytes() const { return out_; }
+
+ private:
+  void collect(const std::vector<Tiling::Tile>& tiles) {
+    for (const Tiling::Tile& tile : tiles)
+      for (const Point p : tile.corners) numbers_[p] = 0;
+  }
+  void put_vertices() {
+    put_number(out_, numbers_.size());
+    Point last{-ccw::kLargest, -ccw::kLargest};
+    ccw::Int count = 0;
+    for (auto& [p, number] : numbers_) {
+      number = count++;
+      put_number(out_, p.x - last.x);
+      if (p.x > last.x) {
+        put_signed(out_, p.y - last.y);
+      } else {
+        put_number(out_, p.y - last.y - 1);
+      }
+      last = p;
+    }
+  }
+  void put_tiles(const std::vector<Tiling::Tile>& tiles) {
+    put_number(out_, tiles.size());
     ccw::Int of = 0, index = 0;
-    for (const Labelled& tile : whole) {
-      put_number(out, static_cast<std::uint64_t>(tile.label));
+    for (const Tiling::Tile& tile : tiles) {
+      put_number(out_, tile.label);
       if (tile.label == 0)
-        put_signed(out, static_cast<ccw::Int>(tile.of) - of), of = static_cast<ccw::Int>(tile.of);
-      const Points corners = mesh.corners(tile.polygon);
-      put_number(out, corners.size());
-      for (const Point p : corners) put_signed(out, numbers.at(p) - index), index = numbers.at(p);
+        put_signed(out_, static_cast<ccw::Int>(tile.of) - of), of = static_cast<ccw::Int>(tile.of);
+      put_number(out_, tile.corners.size());
+      for (const Point p : tile.corners) put_signed(out_, numbers_.at(p) - index), index = numbers_.at(p);
     }
-  };
-  put_tiles(cover_, cover_tiles_);
-  std::vector<Labelled> centre = illegal_;
-  for (const Maybe& tile : maybe_) centre.push_back({1, 0, tile.polygon});
-  put_tiles(centre_, centre);
-  put_number(out, travels_.size());
-  for (const Travel& travel : travels_) {
-    put_number(out, travel.move);
-    put_tiles(travel_, travel.tiles);
   }
-  return out;
+  std::map<Point, ccw::Int> numbers_;
+  Text out_;
+};
+
+ccw::Int to_nm(double mm) {
+  return std::llround(mm * 1e6);
+}
+
+/// The tools by the numbers that the program has; the one that is in before any is called has number 0.
+std::vector<ccw::Tool> tools_of(const ccw::Program& program, const WitnessQuestion& question) {
+  std::vector<ccw::Tool> tools;
+  const auto offer = [&](ccw::Int number, int called) {
+    for (const WitnessTool& tool : question.tools)
+      if (tool.number == called)
+        return tools.push_back({number, to_nm(tool.diameter / 2), to_nm(tool.point)});
+  };
+  std::set<ccw::Int> numbers;
+  for (const ccw::Move& move : program.moves) numbers.insert(move.tool);
+  for (const ccw::Int number : numbers)
+    offer(number, number == 0 ? question.first_tool : static_cast<int>(number));
+  return tools;
+}
+
+/// What was planned of the feature number `index` of the file.
+const WitnessFeature& planned(const WitnessQuestion& question, const ccw::Part& part, std::size_t index) {
+  const auto& all = question.features;
+  if (all.size() == part.features.size()) return all[index];
+  const auto same = [&](const WitnessFeature& one) { return one.name == part.features[index].name; };
+  const auto found = std::find_if(all.begin(), all.end(), same);
+  if (found == all.end()) throw NotFound{"the plan has no feature of that name"};
+  return *found;
+}
+
+Claimed claimed(const Setting& setting, const WitnessQuestion& question, std::size_t index) {
+  const ccw::Feature& feature = setting.part.features[index];
+  const WitnessFeature& asked = planned(question, setting.part, index);
+  if (!asked.why_not.empty()) throw NotFound{asked.why_not};
+  if (!feature.why_not.empty()) throw NotFound{feature.why_not};
+  if (feature.floor != to_nm(asked.floor))
+    throw NotFound{
+        "the part's file has other heights than what was planned; write the part as it is with clearcut "
+        "convert"};
+  ccw::Claim claim;
+  claim.feature = index;
+  claim.radius = to_nm(asked.diameter / 2);
+  claim.wall_stock = to_nm(asked.wall_stock);
+  claim.floor_stock = to_nm(asked.floor_stock);
+  const Tiling tiling(setting, claim);
+  if (!tiling.any_cut()) throw NotFound{"the cutter reaches nothing of it down to its floor"};
+  return {claim, tiling.cover(), tiling.centre()};
+}
+
+void find(const Setting& setting, const WitnessQuestion& question, std::vector<Claimed>& claims,
+          std::vector<Travelled>& rapids, std::vector<Text>& missing) {
+  const ccw::Part& part = setting.part;
+  for (std::size_t i = 0; i < part.features.size(); ++i) {
+    try {
+      claims.push_back(claimed(setting, question, i));
+    } catch (const NotFound& reason) {
+      missing.push_back((part.features[i].name.empty() ? "the pocket" : part.features[i].name) + ": " +
+                        reason.why);
+    }
+  }
+  for (std::size_t i = 0; i < setting.program.moves.size(); ++i) {
+    const ccw::Move& move = setting.program.moves[i];
+    if (!move.rapid || !setting.tool_of(move) || move.lowest() >= part.top || move.only_rises()) continue;
+    rapids.push_back({i, Tiling(setting, i).cover()});
+  }
 }
 
 }  // namespace
@@ -852,31 +983,45 @@ FoundWitness find_witness(const std::string& program_text, const std::string& pr
                           const WitnessQuestion& question) {
   FoundWitness found;
   ccw::Question asked;
-  asked.uncut = std::llround(question.uncut * 1e6);
-  const ccw::Stated stated{std::llround(question.diameter * 5e5), std::llround(question.wall_stock * 1e6),
-                           std::llround(question.floor_stock * 1e6)};
+  asked.uncut = to_nm(question.uncut);
+  asked.straight = question.straight;
   try {
-    const ccw::Part part = ccw::PartReader(part_text, part_name).read();
-    if (part.top != std::llround(question.top * 1e6) || part.floor != std::llround(question.floor * 1e6))
-      throw NotFound{
-          part_name +
-          " has other heights than what was planned; write the part as it is with clearcut convert"};
-    const ccw::Program program = ccw::read_program(program_text, program_name, part.top);
-    Finder finder(part, program, asked, stated);
-    finder.find();
-    Text bytes = "CCW1" + ccw::sha256(program_text) + ccw::sha256(part_text);
-    for (const ccw::Int one : {stated.radius, stated.wall_stock, stated.floor_stock})
-      put_number(bytes, static_cast<std::uint64_t>(one));
-    bytes += finder.written();
+    const ccw::Part part = ccw::read_part(part_text, part_name);
+    ccw::Program program = ccw::read_program(program_text, program_name, part.top);
+    program.dogleg = program.dogleg && !question.straight;
+    const Setting setting{part, program, asked, tools_of(program, question)};
+    std::vector<Claimed> claims;
+    std::vector<Travelled> rapids;
+    find(setting, question, claims, rapids, found.missing);
+    if (claims.empty())
+      throw NotFound{found.missing.empty() ? "no feature can be claimed" : found.missing.front()};
+    Text bytes = "CCW2" + ccw::sha256(program_text) + ccw::sha256(part_text) +
+                 WitnessWriter(setting.tools, claims, rapids).bytes();
     found.claims = ccw::check(asked, program_text, program_name, part_text, part_name, bytes);
     found.bytes = std::move(bytes);
-    found.tiles = finder.tiles();
+    for (const Claimed& one : claims) {
+      found.proved.push_back(part.features[one.claim.feature].name);
+      found.tiles += static_cast<int>(one.cover.size() + one.centre.size());
+    }
+    for (const Travelled& one : rapids) found.tiles += static_cast<int>(one.tiles.size());
   } catch (const ccw::Refusal& refusal) {
     found.why_not = refusal.what;
   } catch (const NotFound& reason) {
     found.why_not = reason.why;
   }
   return found;
+}
+
+WitnessAnswer check_witness(const std::string& program_text, const std::string& part_text,
+                            const std::string& witness, double uncut, bool straight) {
+  ccw::Question asked;
+  asked.uncut = to_nm(uncut);
+  asked.straight = straight;
+  try {
+    return {true, ccw::check(asked, program_text, "program", part_text, "part", witness)};
+  } catch (const ccw::Refusal& refusal) {
+    return {false, refusal.what};
+  }
 }
 
 }  // namespace clearcut::pipeline

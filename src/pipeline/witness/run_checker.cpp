@@ -2,7 +2,6 @@
 
 #include "base/programs/apart.h"
 #include "base/programs/companion.h"
-#include "base/text/format.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -16,9 +15,11 @@ std::string checker_program() {
 }
 
 std::optional<std::string> claims_by_checker(const std::string& program_file, const std::string& part_file,
-                                             const std::string& witness_file, double uncut) {
-  return done_apart({checker_program(), program_file, part_file, witness_file, "--uncut", trimmed(uncut, 6)},
-                    "", kCheckerSeconds);
+                                             const std::string& witness_file,
+                                             const std::vector<std::string>& options) {
+  std::vector<std::string> command{checker_program(), program_file, part_file, witness_file};
+  command.insert(command.end(), options.begin(), options.end());
+  return done_apart(command, "", kCheckerSeconds);
 }
 
 }  // namespace clearcut::pipeline

@@ -237,6 +237,14 @@ Json contours(const ContourLevels& levels) {
   return json;
 }
 
+void add_proof(Json& json, const CertificateInfo& info) {
+  if (!info.proof) return;
+  const CertificateProof& proof = *info.proof;
+  json["proved"] = proof.proved;
+  json["proof"] = {{"not_proved", proof.not_proved}, {"options", proof.options}};
+  if (!proof.witness_sha256.empty()) json["proof"]["witness_sha256"] = proof.witness_sha256;
+}
+
 void add_contours(Json& json, const CertificateInfo& info) {
   for (const ContourLevels& one : info.contours)
     if (!one.coefficients.empty()) json["contours"].push_back(contours(one));
@@ -266,6 +274,7 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
   json["faults"] = Json::array();
   for (const Fault& one : findings.faults) json["faults"].push_back(fault(one));
   add_contours(json, info);
+  add_proof(json, info);
   if (!info.values.empty()) json["values"] = Json::array();
   for (const ResolvedValue& one : info.values) json["values"].push_back(resolved(one));
   json["conditions"] = Json::array();

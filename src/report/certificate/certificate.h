@@ -23,6 +23,14 @@ struct CertificateFile {
   std::string sha256;
 };
 
+/// What the independent checker accepted of a witness. Absent where none was asked for.
+struct CertificateProof {
+  std::vector<std::string> proved;      ///< names of features of which nothing is left: claim C1
+  std::vector<std::string> not_proved;  ///< sentences: what nothing is proven of, and why
+  std::vector<std::string> options;     ///< of the checker
+  std::string witness_sha256;           ///< empty where no witness was found: then nothing is proved
+};
+
 /// What the findings rest on: enough to repeat them.
 struct CertificateInfo {
   std::string version;                 ///< of the software
@@ -42,6 +50,7 @@ struct CertificateInfo {
   std::vector<StrategySelection> selections;
   std::vector<ContourLevels> contours = {};  ///< with the coefficients of published methods
   std::optional<double> published_s = {};    ///< CPO-rho eq. 9; absent: not asked
+  std::optional<CertificateProof> proof = {};
   /// Of the plan; empty when a program of unknown origin was checked.
   std::vector<ResolvedValue> values = {};
 };
