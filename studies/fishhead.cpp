@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "geometry/rectangle.h"
 #include "features/stacking.h"
+#include "geometry/rectangle.h"
 
 namespace clearcut::studies {
 

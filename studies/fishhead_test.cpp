@@ -5,8 +5,8 @@
 
 #include <cstddef>
 
-#include "geometry/region.h"
 #include "features/standing.h"
+#include "geometry/region.h"
 
 namespace clearcut::studies {
 namespace {

@@ -10,6 +10,7 @@
 
 #include "base/progress.h"
 #include "clearcut/part.h"
+#include "features/fitting.h"
 #include "pipeline/job_options.h"
 #include "pipeline/run.h"
 #include "pipeline/selection/compare.h"
@@ -21,7 +22,6 @@
 #include "resolve/plan_options.h"
 #include "resolve/prepare.h"
 #include "resolve/resolve.h"
-#include "features/fitting.h"
 
 namespace clearcut {
 
@@ -45,9 +45,9 @@ using resolve::ToolCutting;
 using resolve::direction_named;
 using resolve::entry_named;
 using resolve::is_bisector_passage;
-using resolve::is_reflex_corner;
 using resolve::is_published_grid;
 using resolve::is_published_solver;
+using resolve::is_reflex_corner;
 using resolve::order_named;
 using resolve::strategy_named;
 using resolve::tab_shape_named;
@@ -75,10 +75,10 @@ inline ResolvedPlan resolve_plan(const Part& part, const PlanOptions& options) {
 using pipeline::built_in_strategies;
 
 // A part with every absent value decided, as plan_part does it first.
-using resolve::prepare;
-using resolve::with_tools;
 using features::largest_cutters;
 using features::largest_fitting_diameter;
+using resolve::prepare;
+using resolve::with_tools;
 
 /// Every strategy on one part, checked alike, as a table. Throws InputError where none can plan it.
 inline report::TextTable compare_strategies(const Part& part, const PlanOptions& options) {

@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <optional>
 
+#include "features/at_depth.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "features/at_depth.h"
 
 namespace clearcut::features {
 namespace {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "base/random.h"
-#include "model/part.h"
 #include "features/standing.h"
+#include "model/part.h"
 
 namespace clearcut::features {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <optional>
 
+#include "features/at_depth.h"
+#include "features/round_hole.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "geometry/spatial/apart.h"
-#include "features/at_depth.h"
-#include "features/round_hole.h"
 
 namespace clearcut::features {
 namespace {

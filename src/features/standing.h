@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "model/part.h"
 #include "features/cleared.h"
+#include "model/part.h"
 
 namespace clearcut::features {
 

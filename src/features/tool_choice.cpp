@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "features/fitting.h"
+#include "features/round_hole.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "features/round_hole.h"
-#include "features/fitting.h"
 
 namespace clearcut::features {
 namespace {

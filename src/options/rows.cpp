@@ -4,8 +4,8 @@
 
 #include "base/error.h"
 #include "model/coolant.h"
-#include "model/results/condition_kinds.h"
 #include "model/options/controllers.h"
+#include "model/results/condition_kinds.h"
 #include "model/work_material.h"
 #include "options/field.h"
 #include "options/idle.h"

@@ -10,6 +10,7 @@
 #include "base/inch.h"
 #include "base/text/format.h"
 #include "base/version.h"
+#include "features/round_hole.h"
 #include "link/link.h"
 #include "link/sections/over_tabs.h"
 #include "model/results/not_machined.h"
@@ -19,7 +20,6 @@
 #include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "report/motion_text.h"
-#include "features/round_hole.h"
 #include "verify/verify.h"
 
 namespace clearcut::pipeline {

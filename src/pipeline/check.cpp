@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "features/round_hole.h"
 #include "model/results/not_machined.h"
 #include "model/section_names.h"
 #include "pipeline/alone/stock_taken.h"
@@ -21,7 +22,6 @@
 #include "resolve/prepare.h"
 #include "resolve/resolve.h"
 #include "resolve/tool_cutting.h"
-#include "features/round_hole.h"
 
 namespace clearcut::pipeline {
 namespace {

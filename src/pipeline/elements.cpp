@@ -6,6 +6,7 @@
 
 #include "base/progress_meter.h"
 #include "base/text/format.h"
+#include "features/stacking.h"
 #include "geometry/clearance.h"
 #include "model/results/not_machined.h"
 #include "order/solve.h"
@@ -17,7 +18,6 @@
 #include "plan/grid/shape.h"
 #include "plan/grid/visit.h"
 #include "resolve/resolve.h"
-#include "features/stacking.h"
 
 namespace clearcut::pipeline {
 namespace {

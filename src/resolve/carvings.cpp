@@ -7,12 +7,12 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "features/fitting.h"
+#include "features/kerf.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "resolve/prepare.h"
 #include "resolve/tool_cutting.h"
-#include "features/kerf.h"
-#include "features/fitting.h"
 
 namespace clearcut::resolve {
 namespace {

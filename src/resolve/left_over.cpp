@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "features/round_hole.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "model/cutter_profile.h"
-#include "features/round_hole.h"
 
 namespace clearcut::resolve {
 namespace {

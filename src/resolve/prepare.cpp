@@ -9,6 +9,11 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "features/at_depth.h"
+#include "features/fitting.h"
+#include "features/kerf.h"
+#include "features/round_hole.h"
+#include "features/tool_choice.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "resolve/carvings.h"
@@ -25,11 +30,6 @@
 #include "resolve/refusals.h"
 #include "resolve/tool_cutting.h"
 #include "resolve/work_plan.h"
-#include "features/at_depth.h"
-#include "features/kerf.h"
-#include "features/round_hole.h"
-#include "features/fitting.h"
-#include "features/tool_choice.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -81,7 +81,8 @@ void choose_tools(Part& part, const PlanOptions& options, StepSources& sources) 
     for (auto& step : part.workplan) {
       step.operation.tool = features::tool_for(feature_of(part, step), part.tools, used, options.tol);
       if (options.tabs.any() && through.contains(step.feature))
-        step.operation.tool = features::tool_for_tabs(feature_of(part, step), step.operation.tool, part.tools);
+        step.operation.tool =
+            features::tool_for_tabs(feature_of(part, step), step.operation.tool, part.tools);
       step.operation.is_tool_chosen = true;
       sources[step_key(step)].set("tool", source_of(options, "tool"));
       take_tool_cutting(step.operation, options);
@@ -203,7 +204,8 @@ void tie_tap(Operation& operation, const Tool& tool, const PlanOptions& options,
 double default_stepdown(const Tool& tool, const Feature& feature) {
   const double depth = feature.top_z - feature.floor_z;
   if (tool.kind == ToolKind::kFaceMill) return kFaceMillStepdown;
-  if (tool.kind != ToolKind::kDrill && (features::only_plunges(tool) || is_one_pass(tool) || is_formed(feature)))
+  if (tool.kind != ToolKind::kDrill &&
+      (features::only_plunges(tool) || is_one_pass(tool) || is_formed(feature)))
     return std::max(depth, 1e-3);
   if (tool.kind == ToolKind::kDrill)
     return depth <= kUnpeckedDiameters * tool.diameter ? depth : tool.diameter;

@@ -8,11 +8,11 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "features/kerf.h"
+#include "features/round_hole.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "resolve/tabs.h"
-#include "features/kerf.h"
-#include "features/round_hole.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
-#include "model/results/not_machined.h"
 #include "features/round_hole.h"
 #include "features/stacking.h"
+#include "model/results/not_machined.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -9,13 +9,13 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "base/units.h"
+#include "features/fitting.h"
+#include "features/round_hole.h"
+#include "features/tool_choice.h"
 #include "geometry/boolean.h"
 #include "model/cutter_profile.h"
 #include "resolve/prepare.h"
 #include "resolve/tool_cutting.h"
-#include "features/round_hole.h"
-#include "features/fitting.h"
-#include "features/tool_choice.h"
 
 namespace clearcut::resolve {
 namespace {

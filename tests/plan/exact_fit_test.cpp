@@ -7,9 +7,9 @@
 
 #include "base/error.h"
 #include "base/random.h"
+#include "features/fitting.h"
 #include "pipeline/run.h"
 #include "resolve/prepare.h"
-#include "features/fitting.h"
 
 namespace clearcut {
 namespace {

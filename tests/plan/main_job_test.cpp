@@ -7,10 +7,10 @@
 
 #include "base/error.h"
 #include "base/files/file.h"
+#include "features/fitting.h"
 #include "pipeline/run.h"
 #include "read/read_part.h"
 #include "resolve/prepare.h"
-#include "features/fitting.h"
 #include "support/command.h"
 #include "support/data.h"
 #include "support/independent/rs274.h"

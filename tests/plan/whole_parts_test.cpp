@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "base/error.h"
-#include "pipeline/run.h"
 #include "features/stacking.h"
+#include "pipeline/run.h"
 #include "support/independent/height_field.h"
 #include "support/random/random_parts.h"
 

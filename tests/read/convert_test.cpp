@@ -2,12 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "base/files/file.h"
+#include "features/kerf.h"
 #include "pipeline/run.h"
 #include "post/part/outline_writer.h"
 #include "post/part/stepnc_writer.h"
 #include "read/read_part.h"
 #include "resolve/prepare.h"
-#include "features/kerf.h"
 #include "support/data.h"
 #include "support/drawings.h"
 #include "support/programs.h"
@@ -98,7 +98,8 @@ Part part_of(FeatureKind kind) {
   if (kind == FeatureKind::kOpenPocket) feature.allowed = {rectangle(0, 0, 1030, 20)};
   feature.through = kind == FeatureKind::kInsideProfile;
   if (kind == FeatureKind::kInsideProfile) features::follow(feature, along(ProfileSide::kInside, true), tol);
-  if (kind == FeatureKind::kOutsideProfile) features::follow(feature, along(ProfileSide::kOutside, true), tol);
+  if (kind == FeatureKind::kOutsideProfile)
+    features::follow(feature, along(ProfileSide::kOutside, true), tol);
   if (kind == FeatureKind::kEngraving) features::follow(feature, along(ProfileSide::kOn, false), tol);
   Part part;
   part.name = "kinds";

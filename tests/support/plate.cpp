@@ -3,8 +3,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "geometry/boolean.h"
 #include "features/stacking.h"
+#include "geometry/boolean.h"
 
 namespace clearcut::test_support {
 namespace {

@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "base/error.h"
+#include "features/fitting.h"
 #include "pipeline/run.h"
 #include "pipeline/setups/sweeps.h"
 #include "read/moved_part.h"
-#include "features/fitting.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "features/round_hole.h"
 #include "link/hole.h"
 #include "pipeline/certify.h"
 #include "plan/common/layers.h"
-#include "features/round_hole.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -3,17 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "features/at_depth.h"
+#include "features/round_hole.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "geometry/gaps/short_edges.h"
 #include "geometry/gaps/unite_over_gaps.h"
 #include "geometry/spatial/apart.h"
+#include "model/cutter_profile.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "resolve/left_over.h"
-#include "features/at_depth.h"
-#include "model/cutter_profile.h"
-#include "features/round_hole.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -1,10 +1,10 @@
 #include "pipeline/steps/missed_by_others.h"
 
+#include "features/round_hole.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "resolve/left_over.h"
 #include "model/cutter_profile.h"
-#include "features/round_hole.h"
+#include "resolve/left_over.h"
 
 namespace clearcut::pipeline {
 namespace {

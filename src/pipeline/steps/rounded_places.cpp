@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include "base/text/format.h"
-#include "post/post.h"
 #include "features/round_hole.h"
+#include "post/post.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -5,9 +5,9 @@
 #include <optional>
 #include <set>
 
+#include "features/kerf.h"
 #include "geometry/box.h"
 #include "order/solve.h"
-#include "features/kerf.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -47,8 +47,8 @@ std::vector<Indices> predecessors(const std::vector<Section>& sections, const Pa
   const auto frees = [&](std::size_t i) {
     const int index = part.workplan[static_cast<std::size_t>(sections[i].workingstep)].feature;
     if (index >= static_cast<int>(part.features.size())) return false;
-    return features::may_free(feature_of(part, part.workplan[static_cast<std::size_t>(sections[i].workingstep)]),
-                           part);
+    return features::may_free(
+        feature_of(part, part.workplan[static_cast<std::size_t>(sections[i].workingstep)]), part);
   };
   for (std::size_t i = 0; i < sections.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {

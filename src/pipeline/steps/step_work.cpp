@@ -6,6 +6,8 @@
 
 #include "base/parallel.h"
 #include "base/progress.h"
+#include "features/round_hole.h"
+#include "features/standing.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "geometry/spatial/apart.h"
@@ -20,8 +22,6 @@
 #include "plan/common/layers.h"
 #include "post/post.h"
 #include "resolve/left_over.h"
-#include "features/round_hole.h"
-#include "features/standing.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -7,8 +7,8 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
-#include "geometry/boolean.h"
 #include "features/at_depth.h"
+#include "geometry/boolean.h"
 
 namespace clearcut::plan {
 namespace {

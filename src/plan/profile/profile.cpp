@@ -5,10 +5,10 @@
 #include <limits>
 
 #include "base/elementary.h"
+#include "features/kerf.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "plan/common/rings.h"
-#include "features/kerf.h"
 
 namespace clearcut::plan::profile {
 namespace {

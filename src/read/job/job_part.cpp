@@ -7,14 +7,14 @@
 #include "base/error.h"
 #include "base/files/file.h"
 #include "base/text/format.h"
+#include "features/kerf.h"
+#include "features/tool_choice.h"
 #include "read/common/drawing.h"
 #include "read/common/stock_edge.h"
 #include "read/common/text.h"
 #include "read/job/job_file.h"
 #include "read/read_part.h"
 #include "read/step_solid/step_solid.h"
-#include "features/kerf.h"
-#include "features/tool_choice.h"
 
 namespace clearcut::read {
 namespace {

@@ -9,6 +9,8 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "features/kerf.h"
+#include "features/stacking.h"
 #include "geometry/boolean.h"
 #include "read/common/data_value.h"
 #include "read/common/drawing.h"
@@ -16,8 +18,6 @@
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/repair/repair.h"
-#include "features/kerf.h"
-#include "features/stacking.h"
 
 namespace clearcut::read {
 namespace {

@@ -7,11 +7,11 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "features/kerf.h"
 #include "geometry/contours/loops.h"
 #include "read/common/drawing.h"
 #include "read/common/text.h"
 #include "read/repair/mends.h"
-#include "features/kerf.h"
 
 namespace clearcut::read {
 namespace {

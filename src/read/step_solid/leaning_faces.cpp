@@ -8,6 +8,8 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
+#include "features/kerf.h"
+#include "features/round_hole.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "geometry/contours/loops.h"
@@ -15,8 +17,6 @@
 #include "read/common/drawing.h"
 #include "read/repair/repair.h"
 #include "read/step_solid/face_curves.h"
-#include "features/kerf.h"
-#include "features/round_hole.h"
 
 namespace clearcut::read {
 namespace {
@@ -171,7 +171,8 @@ Feature chamfer_along(const LeaningFaces& group, const Foot& foot, bool open_ins
   feature.floor_z = group.foot;
   feature.wall_slope = Radians::of(group.lean);
   const double depth = group.top - group.foot;
-  feature.target = feature.allowed = features::kerf_of({ProfileSide::kOn, foot.line, true, 0, {}}, depth, tol);
+  feature.target = feature.allowed =
+      features::kerf_of({ProfileSide::kOn, foot.line, true, 0, {}}, depth, tol);
   feature.chamfer = Chamfer{foot.line, depth, open_inside, {}, 0, 0};
   return feature;
 }

@@ -4,9 +4,9 @@
 #include <cstddef>
 #include <utility>
 
+#include "features/stacking.h"
 #include "read/common/drawing.h"
 #include "read/step_solid/height_map.h"
-#include "features/stacking.h"
 
 namespace clearcut::read {
 

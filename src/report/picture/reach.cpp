@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "features/at_depth.h"
 #include "geometry/clearance.h"
 #include "report/picture/job_view.h"
-#include "features/at_depth.h"
 
 namespace clearcut::report {
 

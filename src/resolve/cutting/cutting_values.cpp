@@ -13,8 +13,8 @@
 
 #include "base/elementary.h"
 #include "base/text/format.h"
-#include "model/work_material.h"
 #include "features/round_hole.h"
+#include "model/work_material.h"
 
 namespace clearcut::resolve {
 namespace {

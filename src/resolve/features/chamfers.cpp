@@ -8,10 +8,10 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
+#include "features/round_hole.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "geometry/rectangle.h"
-#include "features/round_hole.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -9,11 +9,11 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
+#include "features/round_hole.h"
 #include "geometry/boolean.h"
 #include "geometry/rectangle.h"
 #include "resolve/features/hole_tools.h"
 #include "resolve/tool_cutting.h"
-#include "features/round_hole.h"
 
 namespace clearcut::resolve {
 namespace {

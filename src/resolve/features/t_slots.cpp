@@ -8,11 +8,11 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "features/kerf.h"
+#include "features/tool_choice.h"
 #include "geometry/boolean.h"
 #include "geometry/rectangle.h"
 #include "resolve/tool_cutting.h"
-#include "features/kerf.h"
-#include "features/tool_choice.h"
 
 namespace clearcut::resolve {
 namespace {

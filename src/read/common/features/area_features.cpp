@@ -2,11 +2,11 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "features/kerf.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "geometry/contours/loops.h"
 #include "geometry/rectangle.h"
-#include "features/kerf.h"
 
 namespace clearcut::read {
 namespace {
