@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
 #include <sstream>
 
+#include "base/elementary.h"
 #include "base/text/format.h"
 
 namespace clearcut::read::stepnc {
@@ -224,7 +226,7 @@ class CurveReader {
     const auto along = [&](double parameter) {
       const Node vector = base.needed_ref(2, "direction");
       const Vec3 direction = axis_of(vector.needed_ref(1, "direction"));
-      const double size = std::hypot(direction.x, direction.y, direction.z);
+      const double size = base::hypot(base::hypot(direction.x, direction.y), direction.z);
       if (size == 0) base.fail("the line has no direction; correct it");
       const double t = parameter * vector.length(2).value_or(1.0) / size;
       const Vec3 from = location_of(base.needed_ref(1, "point"));
