@@ -584,6 +584,7 @@ Curve bulged(Point a, Point b, Int bulge, const Text& where) {
 struct Feature {
   Text name, why_not;  // why it cannot be claimed
   Int top = 0, floor = 0;
+  bool through = false;    // the point of a drill may be below its floor
   Region target, allowed;  // what is to be cut, where the cutter may be
 };
 struct Part {
@@ -684,6 +685,7 @@ Feature read_feature(const Json& pocket, Int unit) {
   if (!pocket.find("depth")) pocket.fail("\"depth\" is missing");
   f.floor = within_range(f.top - pocket.find("depth")->number(unit), pocket.where);
   if (f.floor >= f.top) pocket.fail("the depth must be above 0");
+  f.through = pocket.find("through") && pocket.find("through")->kind == 't';
   const Json *slope = pocket.find("slope_rad"), *allowed = pocket.find("allowed");
   if (slope && slope->number(kMillimetre) != 0) f.why_not = "its walls lean";
   if (pocket.find("line")) return f.why_not = "the cutter follows a line", f;
@@ -1483,7 +1485,8 @@ class Checker {
         Wide(part_.features[i].floor) + (claim ? claim->floor_stock : 0) - asked_.gouge + blend_;
     const Wide reach =
         Wide(tool.radius) + (claim ? claim->wall_stock : 0) - asked_.gouge + blend_ + 1 + chords.error;
-    if (move.lowest() + tool.point < floor || region.walls.empty()) return false;
+    if (move.lowest() + (part_.features[i].through ? tool.point : 0) < floor || region.walls.empty())
+      return false;
     why = "is outside of all features";
     if (reach <= 0 || region.winding(move.path.a, region.outlines) != 1) return false;
     const bool area = move.rapid && chords.points.size() > 2;

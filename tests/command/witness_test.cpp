@@ -152,6 +152,20 @@ TEST(Witness, NamesTheHoleThatIsNotDrilledToItsDepth) {
   EXPECT_THAT(proved.out, HasSubstr("NOT PROVED: h2: "));
 }
 
+TEST(Witness, ADrillsPointStaysAboveTheFloorOfABlindHole) {
+  const ScratchFolder folder;
+  const std::string part = folder.file("t.json", kHolesAndPocket), program = folder.path("t.nc");
+  run_clearcut({"plan", part, "--tool", "endmill:5", "--tool", "drill:6", "-o", program, "--quiet"});
+  std::string text = read_file(program);
+  const std::size_t at = text.rfind("Z-6 R1");
+  ASSERT_NE(at, std::string::npos);
+  folder.file("t.nc", text.replace(at, 6, "Z-6.05 R1"));
+  const CommandResult proved = run_clearcut(
+      {"verify", program, "--part", part, "--tool", "endmill:5", "--tool", "drill:6", "--prove"});
+  EXPECT_EQ(proved.exit_code, 1);
+  EXPECT_THAT(proved.out, HasSubstr("goes below all floors"));
+}
+
 TEST(Checker, DoesNotTakeACutterThatIsMadeReadyForTheOneInTheSpindle) {
   const ScratchFolder folder;
   plan_bracket(folder);
