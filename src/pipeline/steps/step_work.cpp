@@ -74,7 +74,10 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
   const auto holes = features::holes_before(part, index, plan.tol);
   const features::Standing standing(part, index, plan.tol);
   // Upright walls, of other pockets or of what stands above, it has to keep off by its whole radius.
-  const bool leans_alone = met.empty() && feature.top_z >= part.top_z();
+  // Beside the layers of another step its own have to lie as that expects of a flat end.
+  const auto steps = std::count_if(part.workplan.begin(), part.workplan.end(),
+                                   [&](const Workingstep& other) { return other.feature == step.feature; });
+  const bool leans_alone = met.empty() && feature.top_z >= part.top_z() && steps == 1;
   const plan::RoundedEnd end{outer_profile(tool).round, leans_alone};
   auto layers =
       plan::layers_of(feature, operation, tool.radius(), plan.tol, end, standing.top() - feature.top_z);
