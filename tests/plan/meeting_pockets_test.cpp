@@ -52,30 +52,6 @@ TEST(MeetingPockets, AreOneOverAWallThinnerThanTheRoundingOfADrawing) {
   }
 }
 
-/// The floor of the one is where a layer of the other lies, and stock is left on it.
-TEST(MeetingPockets, LeaveEachOthersStockOnTheFloor) {
-  Part part;
-  part.name = part.source_file = "crossing";
-  part.features = {pocket("across", {{-20, -6}, {20, -6}, {20, 6}, {-20, 6}}),
-                   pocket("along", {{-7, -18}, {7, -18}, {7, 18}, {-7, 18}})};
-  part.features[0].floor_z = -3;
-  part.features[1].floor_z = -5;
-  part.workplan = {Workingstep{}, Workingstep{}};
-  part.workplan[1].feature = 1;
-  for (const char* strategy : {"contour", "zigzag"}) {
-    resolve::PlanOptions options;
-    Tool mill;
-    mill.diameter = 6;
-    options.tools = {mill};
-    options.strategy = strategy;
-    options.stepdown = 3;
-    options.allowance = 0.15;
-    options.allowance_floor = 0.1;
-    const auto result = pipeline::plan_part(part, options);
-    for (const auto& fault : result.findings.faults) ADD_FAILURE() << strategy << ": " << fault.text;
-  }
-}
-
 Feature pocket(const char* name, const std::vector<BulgeVertex>& corners) {
   Feature feature = pocket(name, std::vector<Vec2>{{0, 0}, {1, 0}, {0, 1}});
   feature.target = feature.allowed = {Region::from_valid_loops(loop_from_bulges(corners), {})};

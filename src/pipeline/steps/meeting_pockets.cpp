@@ -1,7 +1,7 @@
 #include "pipeline/steps/meeting_pockets.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 #include "features/at_depth.h"
 #include "features/round_hole.h"
@@ -18,8 +18,6 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// mm. Heights that differ by less are the same but for rounding.
-constexpr double kSameHeight = 1e-9;
 /// mm. Outlines that are no farther apart touch; what reaches no farther beyond an outline does not count.
 constexpr double kTouching = 0.005;
 
@@ -55,14 +53,6 @@ Regions cleared_before(const Part& part, int workingstep, const Tolerances& tol)
   return cleared;
 }
 
-/// mm; height down to which a feature is cut in the end: its floor and the least stock that its steps leave there.
-double cut_down_to(const Part& part, const Feature& feature) {
-  double least = HUGE_VAL;
-  for (const Workingstep& step : part.workplan)
-    if (&feature_of(part, step) == &feature) least = std::min(least, step.operation.allowance_floor);
-  return feature.floor_z + (least < HUGE_VAL ? std::max(0.0, least) : 0);
-}
-
 }  // namespace
 
 MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Tolerances& tol) : tol_(tol) {
@@ -88,7 +78,6 @@ MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Toleranc
       higher_.push_back(other);
     }
     met_.push_back(other);
-    floors_.push_back(cut_down_to(part, *other));
   }
 }
 
@@ -100,8 +89,8 @@ Regions MeetingPockets::room_of(const Feature& other, double z) const {
 
 std::vector<const Feature*> MeetingPockets::open_at(double z) const {
   std::vector<const Feature*> open;
-  for (std::size_t i = 0; i < met_.size(); ++i)
-    if (floors_[i] <= z + kSameHeight) open.push_back(met_[i]);
+  std::copy_if(met_.begin(), met_.end(), std::back_inserter(open),
+               [&](const Feature* other) { return other->floor_z <= z; });
   return open;
 }
 

@@ -34,7 +34,6 @@ class MeetingPockets {
   Regions room_of(const Feature& other, double z) const;
 
   std::vector<const Feature*> met_;
-  std::vector<double> floors_;          ///< of each, mm: how deep it is cut in the end
   std::vector<const Feature*> higher_;  ///< of those: cut later, and begin higher than the pocket
   Regions cleared_;  ///< down to the top of the pocket by what is cut before; only for those
   Tolerances tol_;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "geometry/boolean.h"
+
 namespace clearcut::verify {
 namespace {
 
@@ -43,6 +45,13 @@ Part with_raised_floors(const Part& part, const std::vector<double>& by) {
   return raised;
 }
 
+/// Whether two features meet so that each has a part of its own: whose stock stands where is then not told by their walls.
+bool cross_each_other(const Feature& a, const Feature& b, const Tolerances& tol) {
+  if (!box(a.target).overlaps(box(b.target))) return false;
+  const double both = area(intersect(a.target, b.target, tol));
+  return both > tol.uncut && area(a.target) - both > tol.uncut && area(b.target) - both > tol.uncut;
+}
+
 }  // namespace
 
 StockToLeave::StockToLeave(const Part& part, const Tolerances& tol)
@@ -56,6 +65,7 @@ StockToLeave::StockToLeave(const Part& part, const Tolerances& tol)
     left_[i] = known[i] ? Left{std::min(left_[i].side, own.side), std::min(left_[i].floor, own.floor)} : own;
     known[i] = true;
   }
+  leave_out_crossing();
   std::vector<double> floors;
   for (const Left& left : left_) {
     most_side_ = std::max(most_side_, left.side);
@@ -83,6 +93,21 @@ bool StockToLeave::is_chamfered(const Wall& wall) const {
                                       .nearest(wall.edge.at(0.5), 2 * FinishedPart::kProbe)
                                       .edge >= 0;
   });
+}
+
+void StockToLeave::leave_out_crossing() {
+  const auto leaves = [&](std::size_t i) {
+    return left_[i].side > tol_.uncut || left_[i].floor > tol_.uncut;
+  };
+  std::vector<bool> crosses(left_.size());
+  for (std::size_t i = 0; i < left_.size(); ++i) {
+    for (std::size_t k = i + 1; k < left_.size(); ++k) {
+      if (!leaves(i) && !leaves(k)) continue;
+      if (cross_each_other(part_.features[i], part_.features[k], tol_)) crosses[i] = crosses[k] = true;
+    }
+  }
+  for (std::size_t i = 0; i < left_.size(); ++i)
+    if (crosses[i]) left_[i] = Left{};
 }
 
 void StockToLeave::find_walls() {

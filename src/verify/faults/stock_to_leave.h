@@ -39,6 +39,8 @@ class StockToLeave {
     std::vector<int> of = {};  ///< the features that leave stock on it
   };
 
+  /// Of features that cross each other nothing is asked.
+  void leave_out_crossing();
   void find_walls();
   bool owes(std::size_t feature, const Wall& wall) const;
   bool is_chamfered(const Wall& wall) const;

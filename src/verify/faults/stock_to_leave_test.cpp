@@ -74,27 +74,6 @@ TEST(StockToLeave, EndsWhereAnotherFeatureClears) {
   EXPECT_FALSE(has(right, FaultKind::kStockToLeave)) << report_of(right);
 }
 
-TEST(StockToLeave, IsAskedWhereFeaturesCross) {
-  // A deeper slot crosses the square from side to side; both leave 0.3 mm.
-  Part part = leaving(0.3, 0);
-  Feature slot = part.features[0];
-  slot.name = "SLOT";
-  slot.target = slot.allowed = rectangle(20, -10, 30, 60);
-  slot.floor_z = -3;
-  part.features.push_back(slot);
-  part.workplan.push_back(part.workplan[0]);
-  part.workplan[1].feature = 1;
-  const auto of_both = [&](double ring, double wall, double slot_z) {
-    Writer writer;
-    cut_square_rings(writer, {25, 25}, {2, 6.5, 11, 15.5, 19.5, ring}, 0, -2);
-    writer.leave().enter({wall, -6}, 0, slot_z).feed({wall, 56}).feed({50 - wall, 56}).feed({50 - wall, -6});
-    return verify_program(part, writer.done(), {});
-  };
-  EXPECT_FALSE(has(of_both(21.7, 23.3, -3), FaultKind::kStockToLeave)) << report_of(of_both(21.7, 23.3, -3));
-  EXPECT_TRUE(has(of_both(22, 23.3, -3), FaultKind::kStockToLeave));
-  EXPECT_TRUE(has(of_both(21.7, 23, -3), FaultKind::kStockToLeave));
-}
-
 TEST(StockToLeave, IsCutByBallsAndSinkingMovesToo) {
   Part part = leaving(0.3, 0);
   part.tools[0].corner_radius = 1;
