@@ -18,6 +18,8 @@ const std::string kOurs = "contour";
 
 MethodOutcome outcome_of(const std::string& method, const Part& part, resolve::PlanOptions options) {
   options.strategy = method;
+  // The causes that are told apart (plan/contour/ring_band.h) are those of contours whose reflex corners are round.
+  options.published.sharp_reflex = false;
   MethodOutcome outcome;
   try {
     const auto result = pipeline::plan_part(part, options);

@@ -90,7 +90,8 @@ void check_name(const Row& row, const std::string& name, const std::string& plac
 /// A text of a row that does not take every one.
 void check_text(const Row& row, const std::string& text, const std::string& place) {
   if (row.is_known(text)) return;
-  const std::string meant = nearest_name(text, row.names);
+  constexpr std::size_t kShortWord = 4;  // all words of three letters are near to each other
+  const std::string meant = text.size() < kShortWord ? "" : nearest_name(text, row.names);
   throw InputError(place, fmt::format("'{}' is unknown; {}use {}", text,
                                       meant.empty() ? "" : "did you mean '" + meant + "'? ", row.known));
 }

@@ -1,6 +1,7 @@
 // Searches for material within reach of a path: by area, in cells that are divided until they are decided.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "stock/material.h"
@@ -172,6 +173,12 @@ class ProfileSearch {
     return meets_top(p) ? std::optional(p) : std::nullopt;
   }
 
+  /// Whether a sweep has taken away all that stood over `low` within `reach` of the center.
+  bool frees(const Material::Sweep& sweep, Vec2 center, double reach, double low) const {
+    const double above = std::nextafter(low, std::numeric_limits<double>::infinity());
+    return material_.surface_over(sweep, center, reach, std::min(above, material_.z_top_)) <= low;
+  }
+
   std::optional<Vec2> visit(Vec2 center, double half, std::size_t begin, std::size_t end) {
     const double reach = half * kDiagonal, apart = distance(path_, center);
     if (apart - reach >= radius_) return std::nullopt;
@@ -179,15 +186,17 @@ class ProfileSearch {
     if (material_.plan_ && !cell.overlaps(*material_.plan_)) return std::nullopt;
     const double low = surface(apart - reach), here = surface(apart);
     if (low >= material_.z_top_) return std::nullopt;
+    if (last_ != nullptr && frees(*last_, center, reach, low)) return std::nullopt;
     const std::size_t mark = near_.size();
     bool middle_free = false;
     for (std::size_t k = begin; k < end; ++k) {
       const Material::Sweep& sweep = *near_[k];
-      if (material_.surface_over(sweep, center, reach, material_.z_top_) <= low) {
+      if (frees(sweep, center, reach, low)) {
+        last_ = &sweep;
         near_.resize(mark);
         return std::nullopt;
       }
-      middle_free = middle_free || material_.surface_over(sweep, center, 0, material_.z_top_) <= here;
+      middle_free = middle_free || frees(sweep, center, 0, here);
       if (distance(sweep.path, center) - reach < sweep.shape.radius) near_.push_back(near_[k]);
     }
     const auto found = search(center, half, mark, middle_free);
@@ -216,6 +225,7 @@ class ProfileSearch {
   const double z_;
   const double radius_;                       ///< mm; of the cutter where the material's top is
   std::vector<const Material::Sweep*> near_;  ///< stack as of AreaSearch
+  const Material::Sweep* last_ = nullptr;     ///< that freed a cell: the next cells are beside it
 };
 
 std::optional<Vec2> Material::in_reach(const Edge& path, const CutterProfile& cutter, double z) const {

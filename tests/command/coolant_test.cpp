@@ -119,7 +119,7 @@ TEST(Coolant, OfTheSecondToolOfAJob) {
   EXPECT_EQ(words("coolant = \"flood\"\n", "coolant = \"flood\"\n", ""), "T1 M6 M8 M9 T2 M6 M8 M9 ");
   EXPECT_EQ(words("coolant = \"mist\"\nfeed = 500\n", "", "coolant = \"flood\"\n"),
             "T1 M6 M7 M9 T2 M6 M7 M9 ");
-  EXPECT_THAT(made.out, ContainsRegex("pocket_rest_T2 +feed +500 "));
+  EXPECT_THAT(made.out, ContainsRegex("all +feed +500 "));
 }
 
 /// A library that says nothing of coolant leaves what the part's file says.

@@ -82,9 +82,9 @@ TEST(WorkOffsetOption, OfAJobIsNoOpenQuestion) {
   EXPECT_EQ(made.exit_code, 0) << made.err;
   EXPECT_THAT(made.out, HasSubstr("CLEAN"));
   EXPECT_THAT(made.program, HasSubstr("\nG154 P7\n"));
-  plan(made, job("work_offset = \"G505\"\n"), {});
+  plan(made, job("work_offset = \"G60\"\n"), {});
   EXPECT_EQ(made.exit_code, 2);
-  EXPECT_THAT(made.err, HasSubstr("job.toml:7: work_offset: 'G505' is unknown; use one of G54 to G59"));
+  EXPECT_THAT(made.err, HasSubstr("job.toml:7: work_offset: 'G60' is unknown; use one of G54 to G59"));
 }
 
 TEST(EndPositionOption, IsCertifiedLikeTheRest) {

@@ -26,7 +26,7 @@ const Drawing kDrawings[] = {
     {"MText", " 0 MTEXT 8 NOTES 10 0 20 0 40 3 1 x", "", "",
      "letters are no outlines (--text outlines draws them): 1 MTEXT on layer NOTES"},
     {"Hatch", " 0 HATCH 8 D5 2 SOLID 70 1 91 0", "", "", "no outlines: 1 HATCH"},
-    {"MPolygon", " 0 MPOLYGON 8 D5 70 1", "", "", "no outlines: 1 MPOLYGON on layer D5"},
+    {"MPolygon", " 0 MPOLYGON 8 D5 70 1", "", "", "no outlines: 1 MPOLYGON on layer D5", true},
     {"Dimension", " 0 DIMENSION 8 MASS 2 *D1 10 0 20 0 70 32", "", "",
      "no outlines: 1 DIMENSION on layer MASS"},
     {"Leader", " 0 LEADER 8 MASS 76 2 10 0 20 0 10 5 20 5", "", "", "no outlines: 1 LEADER on layer MASS"},

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "read/gcode/words/lines.h"
 
@@ -73,7 +74,7 @@ Words words_of(std::string_view line) {
 /// As many digits as tell feeds apart by a thousandth; a number with a point keeps one, and none is rounded up.
 std::string number_text(double value, bool has_point) {
   const int decimals = value >= 1000 ? 0 : value >= 100 ? 1 : value >= 10 ? 2 : value >= 1 ? 3 : 5;
-  const double scale = std::pow(10.0, decimals);
+  const double scale = base::pow(10.0, decimals);
   std::string text = fmt::format("{:.{}f}", std::floor(value * scale + 1e-9) / scale, decimals);
   if (decimals > 0) {
     text.erase(text.find_last_not_of('0') + 1);
