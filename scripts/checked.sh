@@ -7,7 +7,7 @@ cd "$(dirname "$0")/.."
 cmake --preset checked > /dev/null
 cmake --build --preset checked --target unit_tests clearcut serve_test
 # Random parts are fewer here, where each takes many times as long: `make test` has planned all of them.
-CLEARCUT_RANDOM_PARTS=10 ctest --preset checked -E '^(system|library|install|ranks)'
+CLEARCUT_RANDOM_PARTS=5 ctest --preset checked -E '^(system|library|install|ranks)'
 
 cmake --build --preset release --target clearcut write_shapes
 folder=$(mktemp -d)
