@@ -16,7 +16,8 @@ namespace clearcut::pipeline {
 /// Throws InputError for strategies that nobody knows, also where a later rule puts them aside, and for files that cannot be read.
 resolve::PlanOptions options_of_job(const read::JobFile& job);
 
-/// Whether the machine file or table that the keys come from says what holds parts that come loose: that answers `loose-part`.
+/// Whether a machine file or a job's machine table has the key `holding`, which says how loose parts are held and so answers the
+/// condition `loose-part`.
 bool holds_parts(const Sources& sources);
 
 /// What a library states for its tools, in their order; `preset` names which of several, "" the first.

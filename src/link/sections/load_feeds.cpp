@@ -4,7 +4,7 @@
 #include <cmath>
 #include <queue>
 
-#include "model/cutter_profile.h"
+#include "stock/cutter_sweep.h"
 #include "stock/cutting_load.h"
 
 namespace clearcut::link {
@@ -144,15 +144,17 @@ class LoadFeedSetter {
         feeds_(feeds),
         material_(material),
         radius_(tool.radius()),
-        cutter_(material.add_cutter(inner_profile(tool), tool.radius())),
+        tool_(tool),
+        cutter_(stock::add_tool(material, tool)),
         allowed_(kUsed * feeds.reference.mm_per_min() *
                  stock::load_at_feed_of_one(feeds.rule.by, feeds.rule.reference)) {}
 
   void set() {
     for (std::size_t i = 0; i < section_.moves.size(); ++i) {
       const Move& move = section_.moves[i];
-      if (!is_rapid(move.kind)) add_stretches(i);
-      take_away(move);
+      if (is_rapid(move.kind)) continue;
+      add_stretches(i);
+      stock::remove_cut(material_, move, tool_);
     }
     if (feeds_.acceleration > 0) Joiner(stretches_, feeds_.acceleration).join();
     write();
@@ -223,15 +225,6 @@ class LoadFeedSetter {
     if (!divides) stretches_.push_back(whole);
   }
 
-  void take_away(const Move& move) {
-    if (is_rapid(move.kind)) return;
-    if (cutter_ == stock::Material::kCylinder) {
-      material_.add(move, radius_);
-    } else {
-      material_.add_sweep(move, cutter_);
-    }
-  }
-
   /// The moves anew, each divided where its stretches differ in feed.
   void write() {
     std::vector<Move> moves;
@@ -269,6 +262,7 @@ class LoadFeedSetter {
   const LoadFeeds& feeds_;
   stock::Material& material_;
   const double radius_;
+  const Tool& tool_;
   const int cutter_;
   const double allowed_;  ///< mm/min times the load at a feed of one
   std::vector<Stretch> stretches_;

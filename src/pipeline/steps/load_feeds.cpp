@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "link/sections/load_feeds.h"
-#include "model/cutter_profile.h"
+#include "stock/cutter_sweep.h"
 #include "stock/material.h"
 #include "verify/load_reference.h"
 
@@ -25,15 +25,8 @@ void take_away_holes(stock::Material& material, const Part& part) {
 }  // namespace
 
 void take_away(stock::Material& material, const Section& section, const Tool& tool) {
-  const int cutter = material.add_cutter(inner_profile(tool), tool.radius());
-  for (const Move& move : section.moves) {
-    if (is_rapid(move.kind)) continue;
-    if (cutter == stock::Material::kCylinder) {
-      material.add(move, tool.radius());
-    } else {
-      material.add_sweep(move, cutter);
-    }
-  }
+  for (const Move& move : section.moves)
+    if (!is_rapid(move.kind)) stock::remove_cut(material, move, tool);
 }
 
 stock::Material material_at_start(const Part& part, const std::optional<Toolpath>& earlier,
