@@ -26,7 +26,7 @@ endforeach()
 # The bill of materials tells what the built programs load, so it is made after them.
 find_package(Python 3.9 REQUIRED COMPONENTS Interpreter)
 set(built "")
-foreach(target clearcut clearcut-serve clearcut-solids clearcut-sheet clearcut_shared _core clearcut-mpi)
+foreach(target clearcut clearcut-studies clearcut-serve clearcut-solids clearcut-sheet clearcut_shared _core clearcut-mpi)
   if(TARGET ${target})
     list(APPEND built $<TARGET_FILE:${target}>)
   endif()

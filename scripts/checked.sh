@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 cmake --preset checked > /dev/null
-cmake --build --preset checked --target unit_tests clearcut serve_test
+cmake --build --preset checked --target unit_tests clearcut-studies serve_test
 # Random parts are fewer here, where each takes many times as long: `make test` has planned all of them.
 CLEARCUT_RANDOM_PARTS=5 ctest --preset checked -E '^(system|library|install|ranks)'
 

@@ -1,5 +1,6 @@
 // The commands of the web build: what a page asks for. Studies, batches and the server need a machine of their own.
 #include "commands/commands.h"
+#include "research_commands.h"
 
 namespace clearcut::cli {
 
@@ -13,7 +14,7 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_convert_command(app, exit_code);
   add_elements_command(app, exit_code, nullptr);
   add_tour_command(app, exit_code);
-  add_generate_command(app, exit_code);
+  add_generate_command(app, exit_code, add_commands);
 }
 
 }  // namespace clearcut::cli

@@ -108,4 +108,23 @@ TEST(Dependencies, PublicHeadersIncludeOursAlone) {
   EXPECT_GT(checked, 20);
 }
 
+/// Of the programs, clearcut-studies alone holds research; the command hands it over.
+TEST(Dependencies, TheProductHoldsNoResearch) {
+  int checked = 0, research = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(CLEARCUT_SOURCE_DIR) / "apps")) {
+    if (!entry.is_regular_file()) continue;
+    const bool is_of_studies = entry.path().parent_path().filename() == "studies";
+    std::ifstream file(entry.path());
+    for (std::string line; std::getline(file, line);) {
+      if (!line.starts_with("#include")) continue;
+      ++checked;
+      const bool is_research = line.find("studies.h") != std::string::npos;
+      research += is_research;
+      EXPECT_TRUE(is_of_studies || !is_research) << entry.path() << ": " << line;
+    }
+  }
+  EXPECT_GT(checked, 300);
+  EXPECT_GT(research, 2);
+}
+
 }  // namespace

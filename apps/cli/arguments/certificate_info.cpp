@@ -17,6 +17,10 @@ void remember_arguments(std::vector<std::string> arguments) {
   arguments_kept() = std::move(arguments);
 }
 
+const std::vector<std::string>& remembered_arguments() {
+  return arguments_kept();
+}
+
 CertificateBasis certificate_basis(const std::string& command, const std::vector<CertificateFileName>& files,
                                    const std::string& program_name) {
   CertificateBasis basis;

@@ -10,6 +10,7 @@ namespace clearcut::cli {
 
 /// The arguments of the subcommand that runs, as typed.
 void remember_arguments(std::vector<std::string> arguments);
+const std::vector<std::string>& remembered_arguments();
 
 /// An input by its role and path.
 struct CertificateFileName {

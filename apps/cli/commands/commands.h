@@ -1,9 +1,11 @@
 // The subcommands. Each adds itself to the application; when it is chosen its callback sets `exit_code`.
 #pragma once
 
+#include <clearcut/plan.h>
 #include <clearcut/verify.h>
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 namespace clearcut::cli {
 
@@ -16,7 +18,7 @@ inline int exit_code_of(const Findings& findings) {
   return verdict_of(findings) == Verdict::kClean ? kClean : kFault;
 }
 
-/// All of them; the web build has fewer (apps/web).
+/// The commands of a program: clearcut (command_list.cpp), clearcut-studies (apps/studies) or the page (apps/web).
 void add_commands(CLI::App& app, int& exit_code);
 
 void add_plan_command(CLI::App& app, int& exit_code);
@@ -25,18 +27,23 @@ void add_feeds_command(CLI::App& app, int& exit_code);
 void add_setup_sheet_command(CLI::App& app, int& exit_code);
 void add_check_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
-/// `print_reductions`: prints the published table of reductions beside ours; null in builds without studies.
-void add_elements_command(CLI::App& app, int& exit_code, void (*print_reductions)());
-void print_grid_reductions();
-void add_compare_command(CLI::App& app, int& exit_code);
+/// What `compare --random` asks for.
+struct RandomPockets {
+  int count = 0;       ///< 0: a part is compared
+  std::string slower;  ///< folder for pockets on which a published method is faster than ours; "": none
+  PlanOptions options;
+  bool as_markdown = false;
+};
+/// `at_random`: compares the methods on random pockets, which is research.
+void add_compare_command(CLI::App& app, int& exit_code, void (*at_random)(const RandomPockets&));
 void add_tools_command(CLI::App& app, int& exit_code);
 void add_machines_command(CLI::App& app, int& exit_code);
-void add_reproduce_command(CLI::App& app, int& exit_code);
 void add_convert_command(CLI::App& app, int& exit_code);
 void add_init_command(CLI::App& app, int& exit_code);
-void add_tour_command(CLI::App& app, int& exit_code);
-void add_study_command(CLI::App& app, int& exit_code);
-void add_generate_command(CLI::App& app, int& exit_code);
+/// All commands of `clearcut` but research. `at_random` as add_compare_command.
+void add_product_commands(CLI::App& app, int& exit_code, void (*at_random)(const RandomPockets&));
+/// Hidden. `add_whole`: adds all commands that pages, completions and the list of options speak of.
+void add_generate_command(CLI::App& app, int& exit_code, void (*add_whole)(CLI::App&, int&));
 void add_serve_command(CLI::App& app, int& exit_code);
 void add_batch_command(CLI::App& app, int& exit_code);
 

@@ -10,7 +10,7 @@
 
 namespace clearcut::cli {
 
-void add_generate_command(CLI::App& app, int& exit_code) {
+void add_generate_command(CLI::App& app, int& exit_code, void (*add_whole)(CLI::App&, int&)) {
   auto* command =
       app.add_subcommand("generate", "Print the man page, the completion of a shell, or all options as JSON");
   command->group("");
@@ -18,7 +18,7 @@ void add_generate_command(CLI::App& app, int& exit_code) {
   command->add_option("WHAT", *what, "What to print")
       ->required()
       ->check(one_of({"man", "bash", "zsh", "fish", "options", "table"}));
-  command->callback([&app, what, &exit_code] {
+  command->callback([what, add_whole, description = app.get_description(), &exit_code] {
     exit_code = kClean;
     if (*what == "table") return print_line(options_page());
     const auto print_whole = *what == "man"    ? man_page
@@ -26,7 +26,10 @@ void add_generate_command(CLI::App& app, int& exit_code) {
                              : *what == "zsh"  ? zsh_completion
                              : *what == "fish" ? fish_completion
                                                : options_json;
-    print_line(print_whole(app));
+    CLI::App whole(description, "clearcut");
+    int unused = kClean;
+    add_whole(whole, unused);
+    print_line(print_whole(whole));
   });
 }
 

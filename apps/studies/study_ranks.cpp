@@ -1,4 +1,4 @@
-#include "study/study_ranks.h"
+#include "study_ranks.h"
 
 #include <clearcut/error.h>
 #include <fmt/format.h>

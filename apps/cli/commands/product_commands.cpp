@@ -2,7 +2,7 @@
 
 namespace clearcut::cli {
 
-void add_commands(CLI::App& app, int& exit_code) {
+void add_product_commands(CLI::App& app, int& exit_code, void (*at_random)(const RandomPockets&)) {
   add_plan_command(app, exit_code);
   add_batch_command(app, exit_code);
   add_feeds_command(app, exit_code);
@@ -13,14 +13,9 @@ void add_commands(CLI::App& app, int& exit_code) {
   add_info_command(app, exit_code);
   add_init_command(app, exit_code);
   add_convert_command(app, exit_code);
-  add_compare_command(app, exit_code);
+  add_compare_command(app, exit_code, at_random);
   add_tools_command(app, exit_code);
   add_machines_command(app, exit_code);
-  add_elements_command(app, exit_code, print_grid_reductions);
-  add_tour_command(app, exit_code);
-  add_reproduce_command(app, exit_code);
-  add_study_command(app, exit_code);
-  add_generate_command(app, exit_code);
 }
 
 }  // namespace clearcut::cli

@@ -7,8 +7,10 @@
 #include "arguments/quantities.h"
 #include "arguments/suggest.h"
 #include "commands/commands.h"
-#include "study/study_files.h"
-#include "study/study_ranks.h"
+#include "commands/research.h"
+#include "research_commands.h"
+#include "study_files.h"
+#include "study_ranks.h"
 #include "terminal/output.h"
 
 namespace clearcut::cli {
@@ -69,9 +71,7 @@ void add_island_options(CLI::App& command, order::IslandOptions& options) {
 }  // namespace
 
 void add_study_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand(
-      "study", "Repeat a Monte-Carlo study of the published genetic algorithm on square lattices");
-  command->group("Research");
+  auto* command = add_research_command(app, kStudy);
   auto state = std::make_shared<StudyCommand>();
   auto& options = state->options;
   command->option_defaults()->group("Study");

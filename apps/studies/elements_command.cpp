@@ -14,6 +14,8 @@
 #include "arguments/quantities.h"
 #include "arguments/suggest.h"
 #include "commands/commands.h"
+#include "commands/research.h"
+#include "research_commands.h"
 #include "terminal/output.h"
 #include "terminal/progress.h"
 #include "terminal/terminal.h"
@@ -151,8 +153,7 @@ void add_element_options(CLI::App& command, ElementsCommand& state) {
 }  // namespace
 
 void add_elements_command(CLI::App& app, int& exit_code, void (*print_reductions)()) {
-  auto* command = app.add_subcommand("elements", "Plan a job of design elements on a grid of squares");
-  command->group("Grids and tours");
+  auto* command = add_research_command(app, kElements);
   auto state = std::make_shared<ElementsCommand>();
   command->option_defaults()->group("Input");
   command->add_option("JOB", state->input, "Job of lines, arcs, rectangles, holes and slots (TOML)")

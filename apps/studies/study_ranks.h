@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "study/study_files.h"
+#include "study_files.h"
 
 namespace clearcut::cli {
 

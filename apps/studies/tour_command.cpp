@@ -6,6 +6,8 @@
 #include "arguments/quantities.h"
 #include "arguments/suggest.h"
 #include "commands/commands.h"
+#include "commands/research.h"
+#include "research_commands.h"
 #include "terminal/output.h"
 #include "terminal/progress.h"
 
@@ -92,8 +94,7 @@ void run(TourCommand command) {
 }  // namespace
 
 void add_tour_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("tour", "Order points: a TSPLIB file or a lattice such as 10x10");
-  command->group("Grids and tours");
+  auto* command = add_research_command(app, kTour);
   auto state = std::make_shared<TourCommand>();
   command->option_defaults()->group("Search");
   command->add_option("INPUT", state->input, "TSPLIB file (EUC_2D) or COLUMNSxROWS")->required();

@@ -1,4 +1,4 @@
-#include "study/study_files.h"
+#include "study_files.h"
 
 #include <clearcut/error.h>
 #include <clearcut/file.h>

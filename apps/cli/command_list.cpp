@@ -1,0 +1,12 @@
+// The commands of `clearcut`: the product's own, and those that it hands over to clearcut-studies.
+#include "commands/commands.h"
+#include "commands/hand_over.h"
+
+namespace clearcut::cli {
+
+void add_commands(CLI::App& app, int& exit_code) {
+  add_product_commands(app, exit_code, [](const RandomPockets&) { run_studies("compare"); });
+  hand_over_research_commands(app);
+}
+
+}  // namespace clearcut::cli

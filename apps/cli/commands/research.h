@@ -1,0 +1,30 @@
+// The commands of research, which the program clearcut-studies holds, as both programs list them.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace clearcut::cli {
+
+struct ResearchCommand {
+  const char* name;
+  const char* group;     ///< of the list of commands
+  const char* sentence;  ///< what it does
+};
+
+inline constexpr ResearchCommand kElements{"elements", "Grids and tours",
+                                           "Plan a job of design elements on a grid of squares"};
+inline constexpr ResearchCommand kTour{"tour", "Grids and tours",
+                                       "Order points: a TSPLIB file or a lattice such as 10x10"};
+inline constexpr ResearchCommand kReproduce{"reproduce", "Research",
+                                            "Print the published tables beside our figures"};
+inline constexpr ResearchCommand kStudy{
+    "study", "Research", "Repeat a Monte-Carlo study of the published genetic algorithm on square lattices"};
+
+/// The subcommand with its name, group and sentence alone.
+inline CLI::App* add_research_command(CLI::App& app, const ResearchCommand& command) {
+  auto* added = app.add_subcommand(command.name, command.sentence);
+  added->group(command.group);
+  return added;
+}
+
+}  // namespace clearcut::cli

@@ -1,0 +1,18 @@
+// The commands of research with their options. The web build has those of them that a page asks for.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "commands/commands.h"
+
+namespace clearcut::cli {
+
+/// `print_reductions`: prints the published table of reductions beside ours; null in builds without studies.
+void add_elements_command(CLI::App& app, int& exit_code, void (*print_reductions)());
+void print_grid_reductions();
+void add_tour_command(CLI::App& app, int& exit_code);
+void add_reproduce_command(CLI::App& app, int& exit_code);
+void add_study_command(CLI::App& app, int& exit_code);
+void compare_at_random(const RandomPockets& command);
+
+}  // namespace clearcut::cli
