@@ -21,6 +21,9 @@ target_compile_options(clearcut_compile INTERFACE -ffile-prefix-map=${PROJECT_SO
 if(CLEARCUT_SANITIZE)
   target_compile_options(clearcut_compile INTERFACE -fsanitize=${CLEARCUT_SANITIZE} -fno-omit-frame-pointer
     -fno-sanitize-recover=all)
+  if(CLEARCUT_NO_SANITIZE)
+    target_compile_options(clearcut_compile INTERFACE -fno-sanitize=${CLEARCUT_NO_SANITIZE})
+  endif()
   target_link_options(clearcut_compile INTERFACE -fsanitize=${CLEARCUT_SANITIZE})
 endif()
 
