@@ -101,10 +101,10 @@ class Collector {
   /// What of space and of pens does not count.
   void warn_of_space() const {
     if (risen_ > 0) {
-      diagnostics_.warn(document_.file,
-                        std::to_string(risen_) +
-                            " curve(s) rise or fall: their heights are not read, they are taken as "
-                            "flat outlines cut to the depth given");
+      diagnostics_.doubt(document_.file, kNotAsDrawn,
+                         std::to_string(risen_) +
+                             " curve(s) rise or fall: their heights are not read, they are taken as "
+                             "flat outlines cut to the depth given");
     }
     const auto [low, high] = heights_;
     if (risen_ == 0 && high - low > kFlat) {

@@ -21,6 +21,19 @@ bool is_svg_definition(std::string_view name) {
   return false;
 }
 
+bool draws_nothing_to_cut(const pugi::xml_node& node) {
+  const std::string_view name = node.name();
+  if (const std::size_t colon = name.find(':');
+      colon != std::string_view::npos && name.substr(0, colon) != "svg")
+    return true;
+  for (const std::string_view one :
+       {"image", "foreignObject", "video", "audio", "canvas", "iframe", "animate", "animateMotion",
+        "animateTransform", "set", "color-profile", "solidcolor", "hatch", "meshgradient"}) {
+    if (name == one) return true;
+  }
+  return false;
+}
+
 std::string_view svg_text_of(const pugi::xml_node& node, const char* attribute) {
   return node.attribute(attribute).value();
 }

@@ -16,6 +16,10 @@ namespace clearcut::read {
 /// Elements that draw nothing where they stand.
 bool is_svg_definition(std::string_view name);
 
+/// Pictures, movements, colours and elements of other programs' own: they show or say something, and no cutter follows them. Whatever
+/// else is not read may be part of the work.
+bool draws_nothing_to_cut(const pugi::xml_node& node);
+
 /// "" where it is absent.
 std::string_view svg_text_of(const pugi::xml_node& node, const char* attribute);
 

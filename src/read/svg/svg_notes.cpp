@@ -19,6 +19,10 @@ void SvgNotes::report(Diagnostics& diagnostics, const std::string& file) const {
         file, kNotAsDrawn,
         text(count, "text(s) have a " + property + ", which is not applied; turn them into paths"));
   report_left_out(diagnostics, file, not_read, "not read, because they are no outlines:");
+  if (const std::string shapes = listed(shapes_not_read); !shapes.empty())
+    diagnostics.doubt(
+        file, kLeftOut,
+        "not read, because they are no outlines: " + shapes + "; draw what of them is to be cut as paths");
   report_left_out(diagnostics, file, hidden, "not read, because they are not displayed:");
   report_left_out(diagnostics, file, not_chosen, "not read, because their layers were not chosen:");
   report_left_out(diagnostics, file, ignored, "not read, because their layers' names say so:");
@@ -28,8 +32,9 @@ void SvgNotes::report(Diagnostics& diagnostics, const std::string& file) const {
         text(count, "elements have a " + property +
                         ", which is not applied: what it hides is read too; cut the shapes in the drawing"));
   if (odd_points > 0)
-    diagnostics.warn(
-        file, text(odd_points, "lists of points end in half a point, which is left out; correct them"));
+    diagnostics.doubt(
+        file, kNotAsDrawn,
+        text(odd_points, "lists of points end in half a point, which is left out; correct them"));
   const Said doubts[] = {
       {clipped_lines,
        "lines reach beyond a clip path or a viewport, which hides that; they are read whole: cut them in the "
@@ -42,7 +47,8 @@ void SvgNotes::report(Diagnostics& diagnostics, const std::string& file) const {
   for (const Said& one : doubts)
     if (one.count > 0) diagnostics.doubt(file, kNotAsDrawn, text(one.count, one.what));
   if (marked > 0)
-    diagnostics.warn(file, text(marked, "shapes have markers, which are not read; turn them into paths"));
+    diagnostics.doubt(file, kLeftOut,
+                      text(marked, "shapes have markers, which are not read; turn them into paths"));
   if (clipped > 0)
     diagnostics.note(
         file, text(clipped, "shapes reach beyond a clip path or a viewport: what that hides is left out"));

@@ -12,6 +12,8 @@ namespace clearcut::read {
 /// Counted while the elements are read.
 struct SvgNotes {
   LeftOut not_read, hidden, not_chosen, ignored;
+  LeftOut
+      shapes_not_read;  ///< elements that may draw something to be cut, and that this reader does not know
   LeftOut texts_not_read;
   LeftOut letters_not_so;  ///< texts by the property that is not applied
   LeftOut not_applied;     ///< elements by the property that hides part of them

@@ -142,7 +142,8 @@ class SvgCollector {
     } else if (name == "text") {
       take_text(node, own);
     } else {
-      ++notes_.not_read[std::string(name) + (own.layer.empty() ? "" : " on layer " + own.layer)];
+      auto& kind = draws_nothing_to_cut(node) ? notes_.not_read : notes_.shapes_not_read;
+      ++kind[std::string(name) + (own.layer.empty() ? "" : " on layer " + own.layer)];
     }
   }
 
@@ -263,7 +264,7 @@ class SvgCollector {
     }
     SvgText text = read_svg_text(node, own.style, document_.sheet, own.view, own.map, lettering_);
     if (!text.problem.empty()) throw InputError(place(node), text.problem);
-    for (const auto& [name, count] : text.left_out) notes_.not_read[name] += count;
+    for (const auto& [name, count] : text.left_out) notes_.shapes_not_read[name] += count;
     for (const auto& [name, count] : text.not_applied) notes_.letters_not_so[name] += count;
     const Compound compound{compounds_++, true, normal_color(own.style.fill)};
     bool drawn = false;

@@ -295,6 +295,27 @@ TEST(Svg, WhatStylesSayAndIsNotReadIsRefusedOrWarnedOf) {
             1);
 }
 
+/// The open condition that what is drawn and not read is, or "".
+std::string open_condition(const Part& part) {
+  for (const Diagnostic& one : part.diagnostics.items())
+    if (!one.condition.empty()) return one.condition;
+  return "";
+}
+
+TEST(Svg, WhatMayBePartOfTheWorkAndIsNotReadIsAnOpenCondition) {
+  const std::string square = "<rect width='10' height='10'/>";
+  const std::string more = "xmlns:v='urn:v' ";
+  EXPECT_EQ(open_condition(read(page(square))), "");
+  EXPECT_EQ(
+      open_condition(read(page(square + "<image width='9' height='9'/><animate/><v:props " + more + "/>"))),
+      "");
+  EXPECT_EQ(open_condition(read(page(square + "<flowRoot/>"))), "left-out");
+  EXPECT_EQ(open_condition(read(page(square + "<path d='M20 0h9v9z' marker-end='url(#m)'/>"))), "left-out");
+  EXPECT_EQ(open_condition(read(page(square + "<polygon points='20,0 30,0 30,10 20,10 7'/>"))),
+            "not-as-drawn");
+  EXPECT_EQ(open_condition(read(page("<style>g > rect {display:none}</style>" + square))), "not-as-drawn");
+}
+
 /// A drawing of ten in ten in ten ... uses is refused before it is drawn.
 TEST(Svg, WhatDrawsTooMuchIsRefusedAtOnce) {
   std::string levels = "<g id='g0'><rect width='1' height='1'/></g>";
