@@ -6,6 +6,7 @@
 #include "model/results/findings.h"
 #include "pipeline/check.h"
 #include "pipeline/feeds/program_feeds.h"
+#include "pipeline/margin.h"
 #include "pipeline/move_figures.h"
 #include "read/gcode/gcode.h"
 #include "resolve/plan_options.h"
@@ -17,6 +18,8 @@ using pipeline::check_program_alone;
 using pipeline::CheckResult;
 using pipeline::feeds_of_program;
 using pipeline::figures_of_moves;
+using pipeline::margin_line;
+using pipeline::margin_of;
 using pipeline::MoveFigures;
 using pipeline::ProgramFeeds;
 using pipeline::ProgramQuestion;

@@ -43,6 +43,7 @@ report::CertificateInfo certificate_info(const resolve::PlanOptions& options, co
   info.arguments = basis.arguments;
   info.inputs = basis.inputs;
   info.proof = basis.proof;
+  info.margin = basis.margin;
   info.program_name = basis.program_name;
   info.dialect = options.post.dialect;
   info.machine = options.machine;

@@ -19,11 +19,10 @@
 #include "verify/faults/gouge.h"
 #include "verify/faults/holes.h"
 #include "verify/faults/loose_parts.h"
-#include "verify/faults/shaped_cutter.h"
+#include "verify/faults/move_gouge.h"
 #include "verify/faults/stock_to_leave.h"
 #include "verify/faults/tabs.h"
 #include "verify/faults/tapping.h"
-#include "verify/faults/undercut.h"
 #include "verify/figures.h"
 #include "verify/part/finished_parts.h"
 #include "verify/without_part.h"
@@ -34,42 +33,6 @@ namespace {
 /// Number of moves that are checked as one task.
 constexpr std::size_t kChunk = 2000;
 
-/// The deepest gouge of a cutter that may be `aside` mm off its path. Where the cylinder around it would gouge, the cutter's own
-/// shape decides.
-std::optional<Gouge> gouge_of_mill(const FinishedPart& finished, const Move& move, const Tool& tool,
-                                   double aside, double slack, bool joined) {
-  const auto gouge = gouge_of(finished, move, tool.radius() + aside, slack, joined);
-  const CutterProfile cutter = outer_profile(tool);
-  if (!gouge || cutter.is_cylinder()) return gouge;
-  const auto shaped = shaped_gouge_of(finished, move, cutter.narrowed(-aside), slack);
-  return shaped && shaped->depth < gouge->depth ? shaped : shaped ? gouge : std::nullopt;
-}
-
-/// The gouge that `check` finds of a cutter's move into a part. A wall with draft counts as standing where another feature cuts into
-/// it: what is no gouge where one such feature alone is cut, as each of two grooves that cross, is none of the whole part either.
-template <typename Check>
-std::optional<Gouge> least_gouge(const FinishedParts& finished, const CheckedMove& checked, Check check) {
-  std::optional<Gouge> least = check(finished.for_tool(*checked.tool));
-  if (!least) return least;
-  const Move& move = *checked.move;
-  for (const int feature : finished.drafted_at(move.is_vertical() ? move.path.from : move.path.at(0.5))) {
-    const std::optional<Gouge> other = check(finished.with_one_draft(feature));
-    if (!other) return other;
-    if (other->depth < least->depth) least = other;
-  }
-  return least;
-}
-
-/// The gouge of a cutter without flanks that may be `aside` mm off its path.
-std::optional<Gouge> upright_gouge(const FinishedParts& finished, const CheckedMove& checked,
-                                   const Move& move, double aside, double slack, bool joined) {
-  if (checked.tool->kind == ToolKind::kTSlot)
-    return undercut_gouge_of(finished, move, *checked.tool, aside, slack);
-  return least_gouge(finished, checked, [&](const FinishedPart& part) {
-    return gouge_of_mill(part, move, *checked.tool, aside, slack, joined);
-  });
-}
-
 void check_gouges(const FinishedParts& finished, std::span<CheckedMove> moves, const Tolerances& tol) {
   const CheckedMove* before = nullptr;  // the last move, if it is known to end outside the part
   for (CheckedMove& checked : moves) {
@@ -78,16 +41,13 @@ void check_gouges(const FinishedParts& finished, std::span<CheckedMove> moves, c
       continue;
     }
     if (has_flanks(*checked.tool)) {
-      const CutterProfile cutter = outer_profile(*checked.tool);
-      checked.gouge = least_gouge(finished, checked, [&](const FinishedPart& part) {
-        return shaped_gouge_of(part, *checked.move, cutter, tol.gouge);
-      });
+      checked.gouge = gouge_of_move(finished, checked, *checked.move, 0, tol.gouge, false);
       before = nullptr;
       continue;
     }
     const bool joined = before && before->move->path.to == checked.move->path.from &&
                         before->move->z_to == checked.move->z_from && before->radius() == checked.radius();
-    checked.gouge = upright_gouge(finished, checked, *checked.move, 0, tol.gouge, joined);
+    checked.gouge = gouge_of_move(finished, checked, *checked.move, 0, tol.gouge, joined);
     const bool spared = !checked.gouge || checked.gouge->depth < checked.radius() / 2;
     before = spared && !checked.gouge.value_or(Gouge{}).floor ? &checked : nullptr;
   }
@@ -106,10 +66,7 @@ void check_shaped_liberty(const FinishedParts& finished, const std::vector<Check
   if (off <= 0) return;
   // Off its path in any direction of space, also downwards, a flank comes nearer sideways by this at most.
   const double aside = off * base::hypot(1.0, flank_slope(*checked.tool));
-  const CutterProfile wider = outer_profile(*checked.tool).narrowed(-aside);
-  keep_deeper(checked.gouge, least_gouge(finished, checked, [&](const FinishedPart& part) {
-                return shaped_gouge_of(part, *checked.move, wider, tol.gouge);
-              }));
+  keep_deeper(checked.gouge, gouge_of_move(finished, checked, *checked.move, aside, tol.gouge, false));
 }
 
 /// Adds the gouges that the control may make within its tolerance: at rounded corners, on arcs of another radius.
@@ -122,7 +79,7 @@ void check_liberties(const FinishedParts& finished, const std::vector<CheckedMov
       continue;
     }
     const auto keep = [&](const Move& move, double aside) {
-      keep_deeper(checked.gouge, upright_gouge(finished, checked, move, aside, tol.gouge, false));
+      keep_deeper(checked.gouge, gouge_of_move(finished, checked, move, aside, tol.gouge, false));
     };
     if (checked.doubt > 0) keep(*checked.move, checked.doubt);
     if (&checked == all.data()) continue;

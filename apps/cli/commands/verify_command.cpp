@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "arguments/certificate_info.h"
+#include "arguments/margin_arguments.h"
 #include "arguments/plan_arguments.h"
 #include "arguments/suggest.h"
 #include "commands/commands.h"
@@ -29,6 +30,7 @@ struct VerifyCommand {
   std::string html;
   std::string sheet;
   std::string witness;
+  MarginArguments margin;
   bool prove = false;
   bool quiet = false;
 };
@@ -48,6 +50,7 @@ struct Checked {
   CheckResult result;
   std::string certificate;
   WitnessFile witness;
+  std::optional<Margin> margin;
 };
 
 /// Without a part: against a stock.
@@ -77,6 +80,7 @@ Checked checked(const VerifyCommand& command) {
   CertificateBasis basis = certificate_basis("verify", command.arguments.input_files(), command.program);
   basis.dialect_stated = command.arguments.dialect().has_value();
   if (asks_proof(command)) basis.proof = proof_of(out.witness);
+  basis.margin = out.margin = command.margin.of(out.result, options);
   out.certificate = write_certificate(out.result, options, basis, out.program);
   return out;
 }
@@ -95,6 +99,8 @@ int run(const VerifyCommand& command) {
   check_setup_sheet_name(command.sheet);
   if (asks_proof(command) && command.arguments.input().empty())
     throw InputError("--witness", "is about a program and a part; name the part with --part");
+  if (command.margin.is_asked && command.arguments.input().empty())
+    throw InputError("--margin", "is about a program and a part; name the part with --part");
   const Checked found = checked(command);
   const CheckResult& result = found.result;
   std::vector<OutputFile> files;
@@ -118,6 +124,7 @@ int run(const VerifyCommand& command) {
     print_line(with_colours(command.quiet
                                 ? verdict_and_reasons(result.findings)
                                 : dialect_line(command, result) + write_table(result, table_width())));
+  if (found.margin) print_line(margin_line(*found.margin));
   return asks_proof(command) ? tell_proof(command, witness, proven, exit_code_of(result.findings))
                              : exit_code_of(result.findings);
 }
@@ -177,6 +184,7 @@ std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
   command.add_flag("--prove", state->prove,
                    "Find a witness and have clearcut-check, a program of its own, check it");
   command.add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
+  state->margin.add_options(command);
   return state;
 }
 

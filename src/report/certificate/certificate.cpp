@@ -245,6 +245,23 @@ void add_proof(Json& json, const CertificateInfo& info) {
   if (!proof.witness_sha256.empty()) json["proof"]["witness_sha256"] = proof.witness_sha256;
 }
 
+void add_margin(Json& json, const CertificateInfo& info) {
+  if (!info.margin) return;
+  const Margin& margin = *info.margin;
+  Json& out = json["margin"];
+  const FeatureMargin* const least = margin.least();
+  out["mm"] = least ? number(least->mm) : Json();
+  out["uncut_bound_mm"] = number(margin.bounds.uncut);
+  out["gouge_bound_mm"] = number(margin.bounds.gouge);
+  out["features"] = Json::array();
+  for (const FeatureMargin& one : margin.features)
+    out["features"].push_back({{"feature", one.feature},
+                               {"mm", number(one.mm)},
+                               {"limit", name_of(one.limit)},
+                               {"at", place(one.at)}});
+  out["not_asked"] = margin.not_asked;
+}
+
 void add_contours(Json& json, const CertificateInfo& info) {
   for (const ContourLevels& one : info.contours)
     if (!one.coefficients.empty()) json["contours"].push_back(contours(one));
@@ -275,6 +292,7 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
   for (const Fault& one : findings.faults) json["faults"].push_back(fault(one));
   add_contours(json, info);
   add_proof(json, info);
+  add_margin(json, info);
   if (!info.values.empty()) json["values"] = Json::array();
   for (const ResolvedValue& one : info.values) json["values"].push_back(resolved(one));
   json["conditions"] = Json::array();

@@ -12,6 +12,7 @@
 #include "model/part.h"
 #include "model/results/findings.h"
 #include "model/results/strategy_selection.h"
+#include "model/results/margin.h"
 #include "report/result.h"
 
 namespace clearcut::report {
@@ -51,6 +52,7 @@ struct CertificateInfo {
   std::vector<ContourLevels> contours = {};  ///< with the coefficients of published methods
   std::optional<double> published_s = {};    ///< CPO-rho eq. 9; absent: not asked
   std::optional<CertificateProof> proof = {};
+  std::optional<Margin> margin = {};  ///< absent: not asked
   /// Of the plan; empty when a program of unknown origin was checked.
   std::vector<ResolvedValue> values = {};
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <memory>
 #include <span>
 #include <stop_token>
 
@@ -48,11 +49,12 @@ double cleared_radius(const CheckedMove& checked, double above) {
   return removal_of(checked).profile.radius_at(std::max(0.0, above));
 }
 
-/// Adds the parts of a feed move whose tip is at or below z, with the cutter's radius at `level`.
-void append_swaths(const CheckedMove& checked, double z, double level, std::vector<Swath>& out) {
+/// Adds the parts of a feed move whose tip is at or below z, with the cutter's radius at `level`, made smaller by `narrower` mm.
+void append_swaths(const CheckedMove& checked, double z, double level, double narrower,
+                   std::vector<Swath>& out) {
   const Move& move = *checked.move;
   const double tip = move.is_vertical() ? checked.low_z() : std::max(move.z_from, move.z_to);
-  const double radius = cleared_radius(checked, level - tip);
+  const double radius = cleared_radius(checked, level - tip) - narrower;
   if (radius <= 0) return;
   if (move.is_vertical()) return out.push_back({move.path, radius});
   double t0 = 0, t1 = 1;
@@ -126,15 +128,15 @@ double highest_counted(double level, const Tolerances& tol) {
   return z;
 }
 
-/// What feed moves sweep at a level. Tips up to tol.uncut above it count. Only moves within 2 tol.uncut of
-/// the target count, because what farther ones leave is thick.
-std::vector<Swath> swaths_at(double level, const Around& target, const MovesByPlace& moves,
+/// What feed moves sweep at a level, wherever each lies within `off` mm of its path. Tips up to tol.uncut - off above it count. Only moves
+/// within 2 tol.uncut of the target count, because what farther ones leave is thick.
+std::vector<Swath> swaths_at(double level, double off, const Around& target, const MovesByPlace& moves,
                              const std::vector<std::size_t>& near, const Tolerances& tol) {
-  const double z = highest_counted(level, tol);
+  const double z = highest_counted(level, tol) - off;
   std::vector<Swath> swaths;
   for (const std::size_t i : near) {
     const CheckedMove& checked = moves.all()[i];
-    if (counts_at(checked, z, target, tol)) append_swaths(checked, z, level, swaths);
+    if (counts_at(checked, z, target, tol)) append_swaths(checked, z, level, off, swaths);
   }
   return swaths;
 }
@@ -154,14 +156,15 @@ double liberty_at(double z, const Around& target, const MovesByPlace& by_place,
   return most;
 }
 
-/// mm; how far above the level the highest level move lies that is taken to have cut it.
-double height_above(double level, const Around& target, const MovesByPlace& moves,
+/// mm; how far above the level the highest level move lies that is taken to have cut it, `off` mm off its path.
+double height_above(double level, double off, const Around& target, const MovesByPlace& moves,
                     const std::vector<std::size_t>& near, const Tolerances& tol) {
   double most = 0;
   for (const std::size_t i : near) {
     const CheckedMove& checked = moves.all()[i];
-    const bool counts = checked.is_flat() && counts_at(checked, highest_counted(level, tol), target, tol);
-    if (counts) most = std::max(most, checked.low_z() - level);
+    const bool counts =
+        checked.is_flat() && counts_at(checked, highest_counted(level, tol) - off, target, tol);
+    if (counts) most = std::max(most, checked.low_z() + off - level);
   }
   return most;
 }
@@ -254,8 +257,9 @@ class WorkCheck {
         moves_(program.moves, options.tol) {}
 
   /// `scallop_left`: mm, square to walls with draft, that may stand on them; where that is more than 0 the level is one above the
-  /// cutters' ends, at which they clear their whole radius.
-  void check_level(const FeatureWork& work, LevelCoverage& level, double scallop_left = 0) const {
+  /// cutters' ends, at which they clear their whole radius. `off`: mm, within which of its path each move lies somewhere.
+  void check_level(const FeatureWork& work, LevelCoverage& level, double scallop_left = 0,
+                   double off = 0) const {
     if (work.smallest_radius <= 0) return;
     const Tolerances& tol = options_.tol;
     const Feature& feature = part_.features[work.feature];
@@ -271,9 +275,9 @@ class WorkCheck {
       question.part = &finished_.for_feature(feature);
       question.target = &in_stock;
       question.z = z + tol.gouge;
-      question.swaths = swaths_at(z, target, moves_, near, tol);
+      question.swaths = swaths_at(z, off, target, moves_, near, tol);
       question.path_tolerance = liberty_at(highest_counted(z, tol), target, moves_, near, tol);
-      question.above = height_above(z, target, moves_, near, tol);
+      question.above = height_above(z, off, target, moves_, near, tol);
       question.radius = finest.radius;
       question.flat = scallop_left > 0 ? finest.radius : finest.flat;
       question.allowance = finest.allowance_side + kept;
@@ -468,6 +472,16 @@ std::vector<FeatureWork> works_of(const Part& part) {
     work->floor.z = part.features[step.feature].floor_z + work->allowance_floor;
   }
   return works;
+}
+
+FloorCheck floor_check(const Part& part, const FinishedParts& finished, const CheckedProgram& program,
+                       const VerifyOptions& options) {
+  const auto check = std::make_shared<const WorkCheck>(part, finished, program, options);
+  return [check](const FeatureWork& work, double off) {
+    LevelCoverage floor = work.floor;
+    check->check_level(work, floor, 0, off);
+    return floor;
+  };
 }
 
 void check_works(const Part& part, const FinishedParts& finished, const CheckedProgram& program,

@@ -55,4 +55,10 @@ void check_works(const Part& part, const FinishedParts& finished, const CheckedP
                  const VerifyOptions& options, std::vector<FeatureWork>& works,
                  std::vector<std::function<void()>> beside);
 
+/// The coverage of a work's floor where each move may lie up to `off` mm off its path, in any direction: what then is left for certain and
+/// what may be. Keeps references to what it was made from.
+using FloorCheck = std::function<LevelCoverage(const FeatureWork& work, double off)>;
+FloorCheck floor_check(const Part& part, const FinishedParts& finished, const CheckedProgram& program,
+                       const VerifyOptions& options);
+
 }  // namespace clearcut::verify

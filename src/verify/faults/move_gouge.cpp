@@ -1,0 +1,54 @@
+#include "verify/faults/move_gouge.h"
+
+#include "model/cutter_profile.h"
+#include "verify/faults/gouge.h"
+#include "verify/faults/shaped_cutter.h"
+#include "verify/faults/undercut.h"
+
+namespace clearcut::verify {
+namespace {
+
+/// The deepest gouge of a cutter that may be `aside` mm off its path. Where the cylinder around it would gouge, the cutter's own
+/// shape decides.
+std::optional<Gouge> gouge_of_mill(const FinishedPart& finished, const Move& move, const Tool& tool,
+                                   double aside, double slack, bool joined) {
+  const auto gouge = gouge_of(finished, move, tool.radius() + aside, slack, joined);
+  const CutterProfile cutter = outer_profile(tool);
+  if (!gouge || cutter.is_cylinder()) return gouge;
+  const auto shaped = shaped_gouge_of(finished, move, cutter.narrowed(-aside), slack);
+  return shaped && shaped->depth < gouge->depth ? shaped : shaped ? gouge : std::nullopt;
+}
+
+/// The gouge that `check` finds of a cutter's move into a part. A wall with draft counts as standing where another feature cuts into
+/// it: what is no gouge where one such feature alone is cut, as each of two grooves that cross, is none of the whole part either.
+template <typename Check>
+std::optional<Gouge> least_gouge(const FinishedParts& finished, const Tool& tool, const Move& move,
+                                 Check check) {
+  std::optional<Gouge> least = check(finished.for_tool(tool));
+  if (!least) return least;
+  for (const int feature : finished.drafted_at(move.is_vertical() ? move.path.from : move.path.at(0.5))) {
+    const std::optional<Gouge> other = check(finished.with_one_draft(feature));
+    if (!other) return other;
+    if (other->depth < least->depth) least = other;
+  }
+  return least;
+}
+
+}  // namespace
+
+std::optional<Gouge> gouge_of_move(const FinishedParts& finished, const CheckedMove& checked,
+                                   const Move& move, double aside, double slack, bool joined) {
+  const Tool& tool = *checked.tool;
+  if (has_flanks(tool)) {
+    const CutterProfile cutter = outer_profile(tool);
+    const CutterProfile wider = aside > 0 ? cutter.narrowed(-aside) : cutter;
+    return least_gouge(finished, tool, move,
+                       [&](const FinishedPart& part) { return shaped_gouge_of(part, move, wider, slack); });
+  }
+  if (tool.kind == ToolKind::kTSlot) return undercut_gouge_of(finished, move, tool, aside, slack);
+  return least_gouge(finished, tool, move, [&](const FinishedPart& part) {
+    return gouge_of_mill(part, move, tool, aside, slack, joined);
+  });
+}
+
+}  // namespace clearcut::verify
