@@ -1,6 +1,6 @@
 // Strategies side by side, as a person looks at them on the page of the server and on the page without one.
-import { check, fits, isAccessible } from './browser.mjs';
-import { until } from './examples.mjs';
+import {check, fits, isAccessible} from './browser.mjs';
+import {until} from './examples.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 /** @typedef {import('playwright-core').Frame} Frame */
@@ -23,7 +23,9 @@ async function lookAlike(frames) {
   for (let k = 0; k < 100; ++k) {
     const [first, ...others] = await Promise.all(frames.map(lookOf));
     if (others.every(look => look.slice(0, 6).every((value, i) => value === first[i]))) return true;
-    await new Promise(soon => { setTimeout(soon, 100); });
+    await new Promise(soon => {
+      setTimeout(soon, 100);
+    });
   }
   return false;
 }
@@ -32,7 +34,7 @@ async function lookAlike(frames) {
 export async function showsBeside(page, picture) {
   check(await page.locator('#comparison input:checked').count() === 2, 'the fastest and another are ticked');
   await page.click('#beside-go');
-  await page.waitForSelector('#beside:not([hidden])', { timeout: 240000 });
+  await page.waitForSelector('#beside:not([hidden])', {timeout: 240000});
   await atRest(page);
   const frames = await framesOf(page);
   check(frames.length === 2 && await lookAlike(frames), 'two strategies stand side by side and are seen alike');
@@ -40,25 +42,33 @@ export async function showsBeside(page, picture) {
   check(await lookAlike(frames) && (await lookOf(frames[1]))[4] === 75, 'turned and zoomed in one they turn in both');
   await frames[1].evaluate(`by('section').value = 'x'; chooseSection(false)`);
   await until(frames[0], `section.axis === 'x'`);
-  check(await page.isHidden('#plan-result') && !await frames[0].isVisible('#play') && await frames[0].isVisible('#color-by'), 'each has its colours, the controls of the time are for all');
+  check(await page.isHidden('#plan-result') && !await frames[0].isVisible('#play') && await frames[0].isVisible('#color-by'),
+    'each has its colours, the controls of the time are for all');
   await page.focus('#beside-scrub');
   await page.keyboard.press('Home');
   await atRest(page);
   check((await Promise.all(frames.map(lookOf))).every(look => look[6] === 0), 'Home is the beginning of both');
-  await page.evaluate(() => { const scrub = document.getElementById('beside-scrub'); if (scrub instanceof HTMLInputElement) { scrub.value = '40000'; scrub.dispatchEvent(new Event('input')); } });
+  await page.evaluate(() => {
+    const scrub = document.getElementById('beside-scrub');
+    if (scrub instanceof HTMLInputElement) {
+      scrub.value = '40000';
+      scrub.dispatchEvent(new Event('input'));
+    }
+  });
   await atRest(page);
   const looks = await Promise.all(frames.map(lookOf));
   check(looks.every(look => isNear(look[6], 0.4 * look[7])), 'both are at the same share of their time');
   await page.selectOption('#beside-by', 'clock');
   await atRest(page);
   const longest = Math.max(...looks.map(look => look[7]));
-  check((await Promise.all(frames.map(lookOf))).every(look => isNear(look[6], Math.min(look[7], 0.4 * longest))), 'or at the same time on the clock');
+  check((await Promise.all(frames.map(lookOf))).every(look => isNear(look[6], Math.min(look[7], 0.4 * longest))),
+    'or at the same time on the clock');
   await frames[1].evaluate('play(false); show(3)');
   await until(page, 'Math.abs(beside.share * longestBeside() - 3) < 1e-3');
   await atRest(page);
   check(isNear((await lookOf(frames[0]))[6], 3), 'a time chosen in one is that of both');
   await playsBeside(page, frames);
-  await page.screenshot({ path: picture });
+  await page.screenshot({path: picture});
   await isAccessible(page, 'the page with strategies side by side');
   check(await fits(page), 'nothing overflows with them');
 }

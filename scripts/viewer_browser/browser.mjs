@@ -1,7 +1,7 @@
 // What the tests of all pages share: a browser that reaches nothing but the page, what counts as a failure, and small questions to a page.
-import { readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
-import { chromium } from 'playwright-core';
+import {readFileSync} from 'node:fs';
+import {createRequire} from 'node:module';
+import {chromium} from 'playwright-core';
 
 /** @typedef {import('playwright-core').Page} Page */
 /** @typedef {import('playwright-core').Frame} Frame */
@@ -23,14 +23,23 @@ export function conclude(what) {
 }
 
 /** @type {(executablePath: string, more?: string[]) => Promise<import('playwright-core').Browser>} */
-export const launch = (executablePath, more = []) => chromium.launch({ executablePath, args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic',
-  '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync', ...more] });
+export const launch = (executablePath, more = []) => chromium.launch({
+  executablePath,
+  args: [
+    '--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
+    '--disable-component-update', '--disable-sync', ...more
+  ]
+});
 
 /** Every error and every request elsewhere fails. @type {(page: Page, isOwn: (address: string) => boolean) => void} */
 export function watch(page, isOwn) {
   page.on('pageerror', error => check(false, `no error: ${error.message}`));
-  page.on('console', message => { if (message.type() === 'error') check(false, `no console error: ${message.text()}`); });
-  page.on('request', request => { if (!isOwn(request.url())) check(false, `no other address: ${request.url()}`); });
+  page.on('console', message => {
+    if (message.type() === 'error') check(false, `no console error: ${message.text()}`);
+  });
+  page.on('request', request => {
+    if (!isOwn(request.url())) check(false, `no other address: ${request.url()}`);
+  });
 }
 
 /** @typedef {{ violations: { id: string, impact: string, nodes: { target: string[], html: string }[] }[] }} AxeFindings */
@@ -38,8 +47,10 @@ export function watch(page, isOwn) {
 /** WCAG 2.2 AA, as far as axe sees it. @type {(page: Page, what: string) => Promise<void>} */
 export async function isAccessible(page, what) {
   /** @type {AxeFindings} */
-  const found = await page.evaluate(`${axe}; axe.run(document, { iframes: false, runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa'] })`);
-  check(found.violations.length === 0, `${what}: no findings of axe ${found.violations.map(one => `${one.id} ${one.nodes[0].target}`).join(', ')}`);
+  const found =
+    await page.evaluate(`${axe}; axe.run(document, { iframes: false, runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa', 'wcag22aa'] })`);
+  check(found.violations.length === 0,
+    `${what}: no findings of axe ${found.violations.map(one => `${one.id} ${one.nodes[0].target}`).join(', ')}`);
 }
 
 /** @type {(page: Page) => Promise<boolean>} */
@@ -52,7 +63,7 @@ export const textOf = async (page, selector) => await page.textContent(selector)
 export async function reportIn(page, selector) {
   const frame = await (await page.waitForSelector(selector)).contentFrame();
   if (!frame) throw new Error(`${selector} is no frame`);
-  await frame.waitForSelector('#play', { timeout: 60000 });
+  await frame.waitForSelector('#play', {timeout: 60000});
   return frame;
 }
 

@@ -1,8 +1,8 @@
 // The examples as a person would plan them, for the tests of all three homes of the page: the report, the server's page, the static page.
-import { spawnSync } from 'node:child_process';
-import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
-import { check } from './browser.mjs';
+import {spawnSync} from 'node:child_process';
+import {copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {check} from './browser.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
 /** @typedef {import('playwright-core').Frame} Frame */
@@ -15,32 +15,32 @@ import { check } from './browser.mjs';
 
 /** @type {Example[]} */
 export const EXAMPLES = [
-  { part: 'bracket.dxf', options: '--tool endmill:6 --stepdown 2.5' },
-  { part: 'bracket.svg', options: '--tool endmill:6' },
-  { part: 'bracket.json', options: '--tool endmill:6' },
-  { part: 'bracket.step', options: '--tool endmill:6' },
-  { part: 'bracket.toml', options: '', others: ['bracket.dxf', 'mill.toml', 'tools.toml'] },
-  { part: 'fishhead.p21', options: '--stepdown 50' },
-  { part: 'fishhead_sloped.p21', options: '--stepdown 50' },
-  { part: 'strategies.p21', options: '' },
-  { part: 'sign.dxf', options: '--tool vbit:60deg:10' },
-  { part: 'plate.dxf', options: '--tool endmill:5 --tool chamfer:90deg:8:tip=0.4 --stepdown 3' },
-  { part: 'inch_plate.dxf', options: '--tool endmill:0.25in --tool drill:0.201in --tabs 4' },
-  { part: 'inlay_hole.dxf', options: '--tool vbit:60deg:10 --tool endmill:3 --stepdown 4' },
-  { part: 'inlay_plug.dxf', options: '--tool vbit:60deg:10 --tool endmill:3 --stepdown 4' },
-  { part: 'flange.toml', options: '', others: ['flange.dxf'] },
-  { part: 'gland.toml', options: '', others: ['gland.dxf'] },
-  { part: 'nested.step', options: '--tool endmill:6 --stepdown 8' },
-  { part: 'awkward.step', options: '--tool endmill:4 --stepdown 8' },
-  { part: 'disc.step', options: '--tool endmill:6' },
-  { part: 'sideways.step', options: '--up -X --tool endmill:3' },
-  { part: 'on_edge.step', options: '--up +Y --tool endmill:6' },
-  { part: 'plate_and_pins.step', options: '--body PLATE --tool endmill:4' },
-  { part: 'two_sided.step', options: '--tool endmill:6' },
-  { part: 'two_sided.toml', options: '', others: ['two_sided.step'], setups: ['--setup 1', '--setup 2 --earlier-setup EARLIER'] },
-  { part: 'board-Edge_Cuts.gbr', options: '--depth 1.6 --tool endmill:2 --tabs 4 --tab-height 0.5' },
-  { part: 'board-F_Cu.gbr', options: '--depth 0.1 --tool endmill:0.2', planOnly: '--feed 300' },
-  { part: 'board-PTH.drl', options: '--depth 1.6 --tool drill:0.8 --tool drill:1 --tool endmill:0.8' },
+  {part: 'bracket.dxf', options: '--tool endmill:6 --stepdown 2.5'},
+  {part: 'bracket.svg', options: '--tool endmill:6'},
+  {part: 'bracket.json', options: '--tool endmill:6'},
+  {part: 'bracket.step', options: '--tool endmill:6'},
+  {part: 'bracket.toml', options: '', others: ['bracket.dxf', 'mill.toml', 'tools.toml']},
+  {part: 'fishhead.p21', options: '--stepdown 50'},
+  {part: 'fishhead_sloped.p21', options: '--stepdown 50'},
+  {part: 'strategies.p21', options: ''},
+  {part: 'sign.dxf', options: '--tool vbit:60deg:10'},
+  {part: 'plate.dxf', options: '--tool endmill:5 --tool chamfer:90deg:8:tip=0.4 --stepdown 3'},
+  {part: 'inch_plate.dxf', options: '--tool endmill:0.25in --tool drill:0.201in --tabs 4'},
+  {part: 'inlay_hole.dxf', options: '--tool vbit:60deg:10 --tool endmill:3 --stepdown 4'},
+  {part: 'inlay_plug.dxf', options: '--tool vbit:60deg:10 --tool endmill:3 --stepdown 4'},
+  {part: 'flange.toml', options: '', others: ['flange.dxf']},
+  {part: 'gland.toml', options: '', others: ['gland.dxf']},
+  {part: 'nested.step', options: '--tool endmill:6 --stepdown 8'},
+  {part: 'awkward.step', options: '--tool endmill:4 --stepdown 8'},
+  {part: 'disc.step', options: '--tool endmill:6'},
+  {part: 'sideways.step', options: '--up -X --tool endmill:3'},
+  {part: 'on_edge.step', options: '--up +Y --tool endmill:6'},
+  {part: 'plate_and_pins.step', options: '--body PLATE --tool endmill:4'},
+  {part: 'two_sided.step', options: '--tool endmill:6'},
+  {part: 'two_sided.toml', options: '', others: ['two_sided.step'], setups: ['--setup 1', '--setup 2 --earlier-setup EARLIER']},
+  {part: 'board-Edge_Cuts.gbr', options: '--depth 1.6 --tool endmill:2 --tabs 4 --tab-height 0.5'},
+  {part: 'board-F_Cu.gbr', options: '--depth 0.1 --tool endmill:0.2', planOnly: '--feed 300'},
+  {part: 'board-PTH.drl', options: '--depth 1.6 --tool drill:0.8 --tool drill:1 --tool endmill:0.8'},
 ];
 
 /** What every example may have and nobody is asked: corners out of reach of its cutters, tools changed by hand. */
@@ -52,21 +52,25 @@ export const optionsOf = example => [example.options, example.planOnly ?? '', AC
 export const filesOf = example => [example.part, ...example.others ?? []];
 const stemOf = (/** @type {string} */ name) => name.replace(/\.[^.]*$/, '');
 /** The names under which a page gives the programs away. @type {(example: Example) => string[]} */
-export const programsOf = example => (example.setups ?? ['']).map((_, k) => `${stemOf(example.part)}${example.setups ? `-${k + 1}` : ''}.ngc`);
+export const programsOf = example =>
+  (example.setups ?? ['']).map((_, k) => `${stemOf(example.part)}${example.setups ? `-${k + 1}` : ''}.ngc`);
 const words = (/** @type {string} */ text) => text.split(' ').filter(word => word);
 
 /** A folder of the examples' files in which the command works. @type {(folder: string, examples: string) => void} */
 export function copyExamples(folder, examples) {
-  rmSync(folder, { recursive: true, force: true });
-  mkdirSync(folder, { recursive: true });
-  for (const name of readdirSync(examples)) if (statSync(`${examples}/${name}`).isFile()) copyFileSync(`${examples}/${name}`, `${folder}/${name}`);
+  rmSync(folder, {recursive: true, force: true});
+  mkdirSync(folder, {recursive: true});
+  for (const name of readdirSync(examples))
+    if (statSync(`${examples}/${name}`).isFile()) copyFileSync(`${examples}/${name}`, `${folder}/${name}`);
 }
 
 /** Planned by the command: its programs, and with `report` the page of each program. @type {(command: string, folder: string, example: Example, report?: boolean) => string[]} */
 export function plannedByCommand(command, folder, example, report = false) {
-  mkdirSync(`${folder}/own`, { recursive: true });
+  mkdirSync(`${folder}/own`, {recursive: true});
   const stem = `own/${stemOf(example.part)}`;
-  const ended = spawnSync(command, ['plan', example.part, ...words(optionsOf(example)), '-o', `${stem}.ngc`, ...report ? ['--report', `${stem}.html`] : [], '--quiet'], { cwd: folder, encoding: 'utf8' });
+  const ended = spawnSync(command,
+    ['plan', example.part, ...words(optionsOf(example)), '-o', `${stem}.ngc`, ...report ? ['--report', `${stem}.html`] : [], '--quiet'],
+    {cwd: folder, encoding: 'utf8'});
   check(ended.status === 0, `${example.part}: the command plans it ${ended.status === 0 ? '' : ended.stderr}`);
   return programsOf(example).map(name => existsSync(`${folder}/own/${name}`) ? readFileSync(`${folder}/own/${name}`, 'utf8') : '');
 }
@@ -74,12 +78,13 @@ export function plannedByCommand(command, folder, example, report = false) {
 /** A job that the page gave away, planned by the command beside the files that it names: the same programs. @type {(command: string, folder: string, example: Example, programs: string[]) => void} */
 export function jobPlannedByCommand(command, folder, example, programs) {
   const stem = stemOf(example.part), place = `${folder}/job`;
-  rmSync(place, { recursive: true, force: true });
+  rmSync(place, {recursive: true, force: true});
   mkdirSync(place);
   for (const name of filesOf(example)) copyFileSync(`${folder}/${name}`, `${place}/${name}`);
   copyFileSync(`${folder}/downloaded/${stem}.toml`, `${place}/${stem}.toml`);
-  const ended = spawnSync(command, ['plan', `${stem}.toml`, '--quiet'], { cwd: place, encoding: 'utf8' });
-  const same = programsOf(example).every((name, k) => existsSync(`${place}/${name}`) && readFileSync(`${place}/${name}`, 'utf8') === programs[k]);
+  const ended = spawnSync(command, ['plan', `${stem}.toml`, '--quiet'], {cwd: place, encoding: 'utf8'});
+  const same =
+    programsOf(example).every((name, k) => existsSync(`${place}/${name}`) && readFileSync(`${place}/${name}`, 'utf8') === programs[k]);
   check(ended.status === 0 && same, `${stem}.toml: the page's job gives the same bytes ${ended.stderr}`);
 }
 
@@ -88,8 +93,11 @@ export function verifiedByCommand(command, folder, example, from) {
   const names = programsOf(example);
   names.forEach((name, k) => {
     const setup = (example.setups?.[k] ?? '').replace('EARLIER', `${from}/${names[0]}`);
-    const ended = spawnSync(command, ['verify', `${from}/${name}`, '--part', example.part, '--dialect', 'linuxcnc', ...words(`${example.options} ${ACCEPTED} ${setup}`)], { cwd: folder, encoding: 'utf8' });
-    check(ended.status === 0 && /^verdict: CLEAN$/m.test(ended.stdout), `${name}: the command finds it CLEAN${ended.status === 0 ? '' : `: ${ended.stderr} ${ended.stdout.slice(-400)}`}`);
+    const ended = spawnSync(command,
+      ['verify', `${from}/${name}`, '--part', example.part, '--dialect', 'linuxcnc', ...words(`${example.options} ${ACCEPTED} ${setup}`)],
+      {cwd: folder, encoding: 'utf8'});
+    check(ended.status === 0 && /^verdict: CLEAN$/m.test(ended.stdout),
+      `${name}: the command finds it CLEAN${ended.status === 0 ? '' : `: ${ended.stderr} ${ended.stdout.slice(-400)}`}`);
   });
 }
 
@@ -97,7 +105,9 @@ export function verifiedByCommand(command, folder, example, from) {
 export async function until(frame, code) {
   for (let k = 0; k < 1200; ++k) {
     if (await frame.evaluate(code).catch(() => false) === true) return;
-    await new Promise(soon => { setTimeout(soon, 100); });
+    await new Promise(soon => {
+      setTimeout(soon, 100);
+    });
   }
   throw new Error(`${code}: not in time`);
 }
@@ -106,11 +116,17 @@ export async function until(frame, code) {
 async function boxInSight(one) {
   const window_ = one.page().viewportSize();
   for (let k = 0, before = ''; k < 100; ++k) {
-    const box = await one.boundingBox(), now = JSON.stringify(box), isWhole = box && box.y >= 0 && box.y + box.height <= (window_?.height ?? Infinity);
+    const box = await one.boundingBox(), now = JSON.stringify(box),
+          isWhole = box && box.y >= 0 && box.y + box.height <= (window_?.height ?? Infinity);
     if (isWhole && now === before) return box;
-    if (!isWhole) await one.evaluate(element => { element.scrollIntoView({ block: 'center' }); });
+    if (!isWhole)
+      await one.evaluate(element => {
+        element.scrollIntoView({block: 'center'});
+      });
     before = now;
-    await new Promise(soon => { setTimeout(soon, 100); });
+    await new Promise(soon => {
+      setTimeout(soon, 100);
+    });
   }
   throw new Error('the stage is not in sight');
 }
@@ -119,7 +135,8 @@ async function boxInSight(one) {
 export async function stageAtRest(frame) {
   await until(frame, '!redrawAsked && detail.settled');
   const page = 'page' in frame ? frame.page() : frame, box = await boxInSight(frame.locator('#stage'));
-  return page.screenshot({ clip: { x: Math.ceil(box.x) + 8, y: Math.ceil(box.y) + 8, width: Math.floor(box.width) - 17, height: Math.floor(box.height) - 17 } });
+  return page.screenshot(
+    {clip: {x: Math.ceil(box.x) + 8, y: Math.ceil(box.y) + 8, width: Math.floor(box.width) - 17, height: Math.floor(box.height) - 17}});
 }
 
 /**

@@ -19,7 +19,7 @@ class FakeElement {
     this.dataset = {};
     /** @type {FakeElement[]} */
     this.children = [];
-    this.classList = { toggle() {}, add() {}, remove() {} };
+    this.classList = {toggle() {}, add() {}, remove() {}};
   }
 
   getContext() { return {}; }
@@ -54,8 +54,14 @@ export function runScripts(folder, last, texts = {}) {
     elements.set(id, found);
     return found;
   };
-  const document = { getElementById: elementOf, createElement: elementOf.bind(null, ''), documentElement: new FakeElement('') };
-  const context = vm.createContext({ document, matchMedia: () => ({ matches: false }), getComputedStyle: () => ({ getPropertyValue: () => '#123456' }), URLSearchParams, Path2D: Object });
+  const document = {getElementById: elementOf, createElement: elementOf.bind(null, ''), documentElement: new FakeElement('')};
+  const context = vm.createContext({
+    document,
+    matchMedia: () => ({matches: false}),
+    getComputedStyle: () => ({getPropertyValue: () => '#123456'}),
+    URLSearchParams,
+    Path2D: Object
+  });
   vm.runInContext(scriptsOf(path.join(root, folder), last), context);
   return expression => {
     const text = vm.runInContext(`JSON.stringify(${expression})`, context);
@@ -67,4 +73,4 @@ export function runScripts(folder, last, texts = {}) {
  * The report's scripts with that job.
  * @type {(last: string, job: object) => (expression: string) => unknown}
  */
-export const runReport = (last, job) => runScripts('src/report/viewer', last, { job: JSON.stringify(job) });
+export const runReport = (last, job) => runScripts('src/report/viewer', last, {job: JSON.stringify(job)});

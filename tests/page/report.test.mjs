@@ -1,8 +1,8 @@
 // What the report's page computes: units, time, moves, colours, which move lies where and in which line, and the heights that cutting leaves.
 import assert from 'node:assert/strict';
-import { describe, test } from 'node:test';
-import { runReport } from './fake_page.mjs';
-import { sampleJob } from './sample_job.mjs';
+import {describe, test} from 'node:test';
+import {runReport} from './fake_page.mjs';
+import {sampleJob} from './sample_job.mjs';
 
 /** @type {(value: unknown, wanted: number, within?: number) => void} */
 function isNear(value, wanted, within = 1e-9) {
@@ -15,12 +15,15 @@ describe('figures as text', () => {
     assert.deepEqual(ask('[0, 59.4, 59.6, 3599.6, 36000].map(clock)'), ['0:00', '0:59', '1:00', '1:00:00', '10:00:00']);
   });
   test('what is no number is a question mark', () => {
-    assert.deepEqual(ask('[clock(null), clock(Infinity), fixed(null, 2), bare(null, 2), lengthText(null, 1)]'), ['?', '?', '?', '?', '?\u00a0mm']);
+    assert.deepEqual(
+      ask('[clock(null), clock(Infinity), fixed(null, 2), bare(null, 2), lengthText(null, 1)]'), ['?', '?', '?', '?', '?\u00a0mm']);
   });
   test('lengths and feeds in mm and in inches, which take one decimal more', () => {
     assert.deepEqual(ask('[lengthText(25.4, 2), feedText(254), feedText(0)]'), ['25.40\u00a0mm', '254\u00a0mm/min', 'rapid']);
-    assert.deepEqual(ask('(unit = UNITS.inch, [lengthText(25.4, 2), feedText(254), feedText(0)])'), ['1.000\u00a0in', '10.0\u00a0in/min', 'rapid']);
-    assert.equal(ask(`sentence('A stock of 101.6 x 50.8 mm keeps 645.16 mm2, 2.54 mm wide, at x -25.4 y 0 z -3.175, line 6')`), 'A stock of 4 x 2 in keeps 1 in2, 0.1 in wide, at x -1 y 0 z -0.125, line 6');
+    assert.deepEqual(
+      ask('(unit = UNITS.inch, [lengthText(25.4, 2), feedText(254), feedText(0)])'), ['1.000\u00a0in', '10.0\u00a0in/min', 'rapid']);
+    assert.equal(ask(`sentence('A stock of 101.6 x 50.8 mm keeps 645.16 mm2, 2.54 mm wide, at x -25.4 y 0 z -3.175, line 6')`),
+      'A stock of 4 x 2 in keeps 1 in2, 0.1 in wide, at x -1 y 0 z -0.125, line 6');
     assert.equal(ask(`(unit = UNITS.mm, sentence('2.54 mm wide'))`), '2.54 mm wide');
   });
 });
@@ -30,7 +33,8 @@ describe('moves', () => {
   test('differences become places, times, feeds, lines', () => {
     assert.equal(ask('count'), 9);
     assert.equal(ask('total'), 15);
-    assert.deepEqual(ask('[moves.x1[2], moves.y1[3], moves.z1[7], moves.t[3], moves.feed[3], moves.line[7], moves.section[7]]'), [35, 15, -2.5, 5, 600, 10, 1]);
+    assert.deepEqual(ask('[moves.x1[2], moves.y1[3], moves.z1[7], moves.t[3], moves.feed[3], moves.line[7], moves.section[7]]'),
+      [35, 15, -2.5, 5, 600, 10, 1]);
   });
   test('a move that begins elsewhere begins there', () => {
     const job = sampleJob();
@@ -46,7 +50,8 @@ describe('moves', () => {
     const job = sampleJob();
     job.arcs[0][3] = -1;
     isNear(runReport('moves.js', job)('pointAt(3, 0.5).x'), 30);
-    job.x[3] = 0; job.y[3] = 0;
+    job.x[3] = 0;
+    job.y[3] = 0;
     isNear(runReport('moves.js', job)('arcOf(3).sweep'), -2 * Math.PI);
   });
   test('a line of the program finds its first move and a line without one finds none', () => {
@@ -72,8 +77,8 @@ describe('colours', () => {
     assert.deepEqual(ask('Object.keys(COLORINGS)'), ['kind', 'feed', 'engagement', 'tool']);
   });
   test('filters hide rapids, other operations and other layers', () => {
-    assert.deepEqual(ask("(filters.rapids = false, filters.operation = 1, [...moves.kind.keys()].filter(shown))"), [7]);
-    assert.deepEqual(ask("(filters.operation = -1, filters.layer = 0, [...moves.kind.keys()].filter(shown))"), [1, 2, 3, 4]);
+    assert.deepEqual(ask('(filters.rapids = false, filters.operation = 1, [...moves.kind.keys()].filter(shown))'), [7]);
+    assert.deepEqual(ask('(filters.operation = -1, filters.layer = 0, [...moves.kind.keys()].filter(shown))'), [1, 2, 3, 4]);
   });
 });
 
@@ -82,7 +87,8 @@ describe('heights', () => {
   test('a move lowers what the cutter passes, and nothing else', () => {
     const ask = runReport('time.js', sampleJob());
     ask('(fullStock(), goTo(total))');
-    assert.deepEqual(ask(`[[20, 5], [20, 7.9], [20, 8.5], [37.5, 10], [20, 10], [20, 11.5], [1, 10]].map(([x, y]) => (${at})(x, y))`), [-1, -1, 0, -1, -2.5, 0, 0]);
+    assert.deepEqual(ask(`[[20, 5], [20, 7.9], [20, 8.5], [37.5, 10], [20, 10], [20, 11.5], [1, 10]].map(([x, y]) => (${at})(x, y))`),
+      [-1, -1, 0, -1, -2.5, 0, 0]);
   });
   test('in the middle of a move half of it is cut', () => {
     const ask = runReport('time.js', sampleJob());
@@ -97,10 +103,12 @@ describe('heights', () => {
     assert.deepEqual(used(digest), fresh(digest));
   });
   test('the grid of what is in sight holds the same to the bit, whichever way a moment was reached', () => {
-    const digest = '[lens.on, lens.grid.width, lens.grid.scale > 10 * scale, lens.grid.heights.reduce((sum, h, k) => (sum * 31 + Math.round(h * 1e6) * (k % 97 + 1)) % 2147483647, 7)]';
+    const digest =
+      '[lens.on, lens.grid.width, lens.grid.scale > 10 * scale, lens.grid.heights.reduce((sum, h, k) => (sum * 31 + Math.round(h * 1e6) * (k % 97 + 1)) % 2147483647, 7)]';
     const [fresh, used] = [[6.7], [14, 1, 9.3, 4.2, 12.5, 6.7]].map(times => {
       const ask = runReport('lens.js', sampleJob());
-      ask(`(Object.assign(view, { x: 20, y: 8, k: 900, w: 900, h: 600 }), fullStock(), ${JSON.stringify(times)}.forEach(t => { goTo(t); refine(); }))`);
+      ask(`(Object.assign(view, { x: 20, y: 8, k: 900, w: 900, h: 600 }), fullStock(), ${
+        JSON.stringify(times)}.forEach(t => { goTo(t); refine(); }))`);
       return ask(digest);
     });
     assert.deepEqual(used, fresh);
@@ -120,8 +128,18 @@ describe('heights', () => {
   });
   test('what an earlier set-up cut from below is hollow, and cutting down to it opens it', () => {
     const job = sampleJob();
-    job.earlier = { kinds: '4', x: [30000], y: [0], z: [0], t: [0], line: [0], starts: [[0, 5000, 5000, -5000]], arcs: [], feeds: [[0, 600]],
-      sections: [{ label: 'below', feature: -1, tool: 0, first: 0, below: -1 }] };
+    job.earlier = {
+      kinds: '4',
+      x: [30000],
+      y: [0],
+      z: [0],
+      t: [0],
+      line: [0],
+      starts: [[0, 5000, 5000, -5000]],
+      arcs: [],
+      feeds: [[0, 600]],
+      sections: [{label: 'below', feature: -1, tool: 0, first: 0, below: -1}]
+    };
     const ask = runReport('time.js', job);
     assert.deepEqual(ask(`(fullStock(), (${at})(20, 5))`), 0);
     assert.ok(Number(ask(`(goTo(total), (${at})(20, 5))`)) < -1e29);
@@ -150,7 +168,8 @@ describe('before and after an operation', () => {
     const ask = runReport('view.js', sampleJob()), kept = runReport('beside/change.js', sampleJob());
     ask('(fullStock(), goTo(12))');
     kept('(fullStock(), goTo(12), change.grid = keptGrid(), goTo(total))');
-    const digest = (/** @type {string} */ name) => `${name}.reduce((sum, h, k) => (sum * 31 + Math.round(h * 1e6) * (k % 97 + 1)) % 2147483647, 7)`;
+    const digest = (/** @type {string} */ name) =>
+      `${name}.reduce((sum, h, k) => (sum * 31 + Math.round(h * 1e6) * (k % 97 + 1)) % 2147483647, 7)`;
     assert.equal(kept(digest('change.grid.heights')), ask(digest('heights')));
     assert.notEqual(kept(digest('heights')), ask(digest('heights')));
   });
@@ -158,11 +177,12 @@ describe('before and after an operation', () => {
 
 describe('messages of the page around', () => {
   const ask = runReport('beside/link.js', sampleJob());
-  const look = { space: true, camera: [0, 0, 0, 4, 45, 35], flat: [0, 0, 4], section: 'none', sectionAt: 500 };
-  const isLook = (/** @type {object} */ other) => ask(`isLook(${JSON.stringify({ ...look, ...other })})`);
+  const look = {space: true, camera: [0, 0, 0, 4, 45, 35], flat: [0, 0, 4], section: 'none', sectionAt: 500};
+  const isLook = (/** @type {object} */ other) => ask(`isLook(${JSON.stringify({...look, ...other})})`);
   test('a look is taken, anything else is not', () => {
     assert.equal(isLook({}), true);
-    for (const wrong of [{ camera: [0, 0, 0, 0, 45, 35] }, { camera: [1, 2] }, { camera: 'x' }, { flat: [0, 0, -1] }, { flat: [0, null, 1] }, { section: 'constructor' }, { sectionAt: 'x' }])
+    for (const wrong of [{camera: [0, 0, 0, 0, 45, 35]}, {camera: [1, 2]}, {camera: 'x'}, {flat: [0, 0, -1]}, {flat: [0, null, 1]},
+           {section: 'constructor'}, {sectionAt: 'x'}])
       assert.equal(isLook(wrong), false, JSON.stringify(wrong));
     assert.equal(ask('[null, 3, "look"].some(isLook)'), false);
   });
@@ -181,11 +201,14 @@ describe('a click on the path', () => {
 describe('the surface in space', () => {
   /** Pieces of a tile of 32 cells with a groove of three cells from side to side at a height of -1; what is cut through is at the bottom. */
   const ask = runReport('space/surface.js', sampleJob());
-  ask(`(globalThis.tileOf = (width_, height_, heightOf) => ({ across: 1, grid: { width: width_, block: { x0: 0, y0: 0, x1: width_, y1: height_ },
+  ask(
+    `(globalThis.tileOf = (width_, height_, heightOf) => ({ across: 1, grid: { width: width_, block: { x0: 0, y0: 0, x1: width_, y1: height_ },
     heights: Float32Array.from({ length: width_ * height_ }, (_, k) => heightOf(k % width_, Math.floor(k / width_))) } }), 0)`);
   /** @type {(heightOf: string, least: number) => [number, number, number, number, boolean][]} */
-  const pieces = (heightOf, least) => /** @type {[number, number, number, number, boolean][]} */ (ask(`piecesOf(tileOf(33, 33, ${heightOf}), 0, ${least})`));
-  const area = (/** @type {[number, number, number, number, boolean][]} */ all) => all.reduce((sum, [x0, y0, x1, y1]) => sum + (x1 - x0) * (y1 - y0), 0);
+  const pieces = (heightOf, least) =>
+    /** @type {[number, number, number, number, boolean][]} */ (ask(`piecesOf(tileOf(33, 33, ${heightOf}), 0, ${least})`));
+  const area = (/** @type {[number, number, number, number, boolean][]} */ all) =>
+    all.reduce((sum, [x0, y0, x1, y1]) => sum + (x1 - x0) * (y1 - y0), 0);
   test('what is level is one piece', () => {
     assert.deepEqual(pieces('() => -1', 1), [[0, 0, 32, 32, true]]);
   });
@@ -201,7 +224,9 @@ describe('the surface in space', () => {
   test('the pieces cover the tile, each cell once, in any detail', () => {
     for (const least of [1, 2, 4, 8]) {
       const all = pieces('(x, y) => Math.hypot(x - 16, y - 12) < 9 ? -2 : x + y > 50 ? -1 : 0', least), seen = new Set();
-      for (const [x0, y0, x1, y1] of all) for (let y = y0; y < y1; ++y) for (let x = x0; x < x1; ++x) seen.add(33 * y + x);
+      for (const [x0, y0, x1, y1] of all)
+        for (let y = y0; y < y1; ++y)
+          for (let x = x0; x < x1; ++x) seen.add(33 * y + x);
       assert.equal(area(all), 32 * 32);
       assert.equal(seen.size, 32 * 32);
     }

@@ -23,7 +23,8 @@ function star(random, x, y, least, most, corners) {
   const points = [];
   for (let i = 0; i < corners; ++i) {
     const angle = 2 * Math.PI * (i + 0.6 * random()) / corners, radius = least + (most - least) * random();
-    points.push([rounded(x + radius * Math.cos(angle)), rounded(y + radius * Math.sin(angle)), random() < 0.3 ? rounded(0.5 * (random() - 0.5)) : 0]);
+    points.push(
+      [rounded(x + radius * Math.cos(angle)), rounded(y + radius * Math.sin(angle)), random() < 0.3 ? rounded(0.5 * (random() - 0.5)) : 0]);
   }
   return points;
 }
@@ -46,9 +47,16 @@ export function randomJob(seed) {
   const outer = isBox ? box(random) : star(random, size, size, 0.5 * size, size, 4 + Math.floor(9 * random()));
   const islands = [];
   if (!isBox && random() < 0.5) islands.push(star(random, size, size, 0.1 * size, 0.25 * size, 3 + Math.floor(4 * random())));
-  const part = { name: `random ${seed}`, units: 'mm', outer, islands, top: 0, depth: 1 + Math.floor(6 * random()) };
-  const words = ['part.json', `--tool=endmill:${among([2, 3, 4, 6, 8])}`, `--strategy=${among(['auto', 'contour', 'adaptive', 'zigzag', 'spiral'])}`,
-    `--post=${among(['linuxcnc', 'grbl', 'heidenhain', 'haas'])}`, '--accept=out-of-reach'];
+  const part = {name: `random ${seed}`, units: 'mm', outer, islands, top: 0, depth: 1 + Math.floor(6 * random())};
+  const words = [
+    'part.json', `--tool=endmill:${among([2, 3, 4, 6, 8])}`, `--strategy=${among(['auto', 'contour', 'adaptive', 'zigzag', 'spiral'])}`,
+    `--post=${among(['linuxcnc', 'grbl', 'heidenhain', 'haas'])}`, '--accept=out-of-reach'
+  ];
   if (random() < 0.3) words.push(`--entry=${among(['helix', 'ramp', 'plunge'])}`);
-  return { name: `random part ${seed}: ${words.slice(1).join(' ')}`, seed, words, files: [['part.json', new TextEncoder().encode(JSON.stringify(part))]] };
+  return {
+    name: `random part ${seed}: ${words.slice(1).join(' ')}`,
+    seed,
+    words,
+    files: [['part.json', new TextEncoder().encode(JSON.stringify(part))]]
+  };
 }

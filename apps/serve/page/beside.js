@@ -3,7 +3,14 @@
 /** What was compared. @type {FormData | null} */
 let compared = null;
 /** @type {{ panes: Pane[], ids: string[], isPlanning: boolean, isPlaying: boolean, lastFrame: number, share: number }} */
-const beside = { panes: [], ids: [], isPlanning: false, isPlaying: false, lastFrame: 0, share: 0 };
+const beside = {
+  panes: [],
+  ids: [],
+  isPlanning: false,
+  isPlaying: false,
+  lastFrame: 0,
+  share: 0
+};
 const mostBeside = 4;
 
 /** The strategies whose boxes are ticked. @type {() => string[]} */
@@ -12,14 +19,15 @@ const chosenBeside = () => [...element('comparison').querySelectorAll('input')].
 /** From two to four: more would be too small to be seen. */
 function limitBeside() {
   const count = chosenBeside().length;
-  for (const box of element('comparison').querySelectorAll('input')) box.disabled = beside.isPlanning || !box.checked && count >= mostBeside;
+  for (const box of element('comparison').querySelectorAll('input'))
+    box.disabled = beside.isPlanning || !box.checked && count >= mostBeside;
   element('beside-go').disabled = !beside.isPlanning && count < 2;
   element('beside-go').textContent = beside.isPlanning ? 'Cancel' : 'Show side by side';
 }
 
 /** A box for a strategy of the comparison. @type {(one: PlannedRun, isChosen: boolean) => HTMLElement} */
 function besideBox(one, isChosen) {
-  const box = made('input', '', { type: 'checkbox', value: one.strategy, 'aria-label': `Show the strategy ${one.strategy} beside others` });
+  const box = made('input', '', {type: 'checkbox', value: one.strategy, 'aria-label': `Show the strategy ${one.strategy} beside others`});
   box.checked = isChosen;
   box.addEventListener('change', limitBeside);
   return box;
@@ -27,7 +35,9 @@ function besideBox(one, isChosen) {
 
 /** The fastest, and the next in time whose path is another. @type {(strategies: StrategyRun[]) => string[]} */
 function firstBeside(strategies) {
-  const runs = strategies.filter(one => one.planned).sort((a, b) => Number(b.fastest) - Number(a.fastest) || Number(b.clean) - Number(a.clean) || (a.time_s ?? Infinity) - (b.time_s ?? Infinity));
+  const runs = strategies.filter(one => one.planned)
+                 .sort((a, b) => Number(b.fastest) - Number(a.fastest) || Number(b.clean) - Number(a.clean) ||
+                     (a.time_s ?? Infinity) - (b.time_s ?? Infinity));
   const other = runs.find(one => one.time_s !== runs[0].time_s || one.feed_mm !== runs[0].feed_mm) ?? runs[1];
   return [runs[0], other].filter(one => one).map(one => one.strategy);
 }
@@ -36,11 +46,15 @@ function firstBeside(strategies) {
 class Pane {
   /** @param {string} strategy @param {DoneState} state */
   constructor(strategy, state) {
-    const frame = made('iframe', '', { title: `${strategy}, move by move`, sandbox: 'allow-scripts allow-downloads', src: `${resultsOf(state.results, 'report')[0]?.[1]}#linked${lengths.inch ? '&unit=inch' : ''}` });
+    const frame = made('iframe', '', {
+      title: `${strategy}, move by move`,
+      sandbox: 'allow-scripts allow-downloads',
+      src: `${resultsOf(state.results, 'report')[0]?.[1]}#linked${lengths.inch ? '&unit=inch' : ''}`
+    });
     this.frame = frame;
     this.box = made('figure');
     this.caption = made('figcaption');
-    this.caption.append(made('strong', strategy), ' ', made('span', state.verdict, { class: `verdict ${state.verdict}` }), ' ');
+    this.caption.append(made('strong', strategy), ' ', made('span', state.verdict, {class: `verdict ${state.verdict}`}), ' ');
     this.clock = made('span');
     this.caption.append(this.clock);
     this.box.append(this.caption, frame);
@@ -61,7 +75,7 @@ class Pane {
     this.isLate = this.isBusy;
     if (this.isBusy || this.total === 0) return;
     this.isBusy = true;
-    this.tell({ clearcut: 'time', time });
+    this.tell({clearcut: 'time', time});
   }
 
   /** @type {(message: ReportMessage) => void} */
@@ -69,10 +83,11 @@ class Pane {
     if (message.clearcut === 'ready') {
       this.total = message.total;
       this.isBusy = false;
-      if (beside.panes.every(pane => pane.total > 0)) beside.panes[0].tell({ clearcut: 'ask' });
+      if (beside.panes.every(pane => pane.total > 0)) beside.panes[0].tell({clearcut: 'ask'});
       showShare(beside.share);
     } else if (message.clearcut === 'look') {
-      for (const other of beside.panes) if (other !== this) other.tell(message);
+      for (const other of beside.panes)
+        if (other !== this) other.tell(message);
     } else if (message.clearcut === 'shown') {
       this.isBusy = false;
       if (this.isLate) this.showTime();
@@ -86,7 +101,7 @@ class Pane {
 /** What is planned so far is not wanted any more. */
 function forgetBeside() {
   for (const id of beside.ids) pipeline.drop(id);
-  Object.assign(beside, { panes: [], ids: [], isPlanning: false, isPlaying: false });
+  Object.assign(beside, {panes: [], ids: [], isPlanning: false, isPlaying: false});
   element('beside').hidden = true;
   element('beside-panes').replaceChildren();
 }
@@ -107,8 +122,14 @@ async function plannedOf(form, strategy, words) {
   beside.ids.push(id);
   return new Promise((resolve, reject) => {
     const unfollow = pipeline.follow(id, state => {
-      if (!beside.ids.includes(id)) { unfollow(); return; }
-      if (state.state === 'waiting' || state.state === 'running') { say(element('plan-status'), `${words}: ${progressText(state)}`); return; }
+      if (!beside.ids.includes(id)) {
+        unfollow();
+        return;
+      }
+      if (state.state === 'waiting' || state.state === 'running') {
+        say(element('plan-status'), `${words}: ${progressText(state)}`);
+        return;
+      }
       unfollow();
       if (state.state === 'done') resolve(state);
       else reject(new Error(state.message ?? 'Cancelled.'));
@@ -120,7 +141,11 @@ async function startBeside() {
   const strategies = chosenBeside(), form = compared;
   const wasPlanning = beside.isPlanning;
   forgetBeside();
-  if (wasPlanning || !form) { limitBeside(); say(element('plan-status'), 'Cancelled.'); return; }
+  if (wasPlanning || !form) {
+    limitBeside();
+    say(element('plan-status'), 'Cancelled.');
+    return;
+  }
   beside.isPlanning = true;
   limitBeside();
   const ids = beside.ids;
@@ -143,7 +168,7 @@ function showBeside() {
   element('beside-panes').replaceChildren(...beside.panes.map(pane => pane.box));
   beside.share = 1;
   element('beside').hidden = false;
-  element('beside').scrollIntoView({ block: 'nearest' });
+  element('beside').scrollIntoView({block: 'nearest'});
   say(element('plan-status'), `${beside.panes.length} strategies side by side.`);
 }
 
@@ -193,7 +218,10 @@ function playOn(now) {
 function setUpBeside() {
   element('beside-go').addEventListener('click', startBeside);
   element('beside-play').addEventListener('click', () => playBeside(!beside.isPlaying));
-  element('beside-scrub').addEventListener('input', () => { playBeside(false); showShare(Number(element('beside-scrub').value) / 100000); });
+  element('beside-scrub').addEventListener('input', () => {
+    playBeside(false);
+    showShare(Number(element('beside-scrub').value) / 100000);
+  });
   element('beside-by').addEventListener('change', () => showShare(beside.share));
   window.addEventListener('message', event => beside.panes.find(pane => pane.frame.contentWindow === event.source)?.hear(event.data));
 }

@@ -1,15 +1,23 @@
 // The tab that checks a program of any CAM against the part it is for.
 
 /** @type {{ files: ChosenFiles, run: Run, program?: File }} */
-const check = { files: listOfFiles('check', ['program', 'part', 'file'], () => { check.run.forget(); showCheckCommand(); }),
-  run: new Run('check', { certifying: 'Checking the program', done: state => showCheck(state), ended: () => showCheckCommand() }) };
+const check = {
+  files: listOfFiles('check', ['program', 'part', 'file'],
+    () => {
+      check.run.forget();
+      showCheckCommand();
+    }),
+  run: new Run('check', {certifying: 'Checking the program', done: state => showCheck(state), ended: () => showCheckCommand()})
+};
 const mostLines = 20000;  // of a program that are shown
 
 /** @type {() => string} */
 function checkOptions() {
   const words = [];
   /** @type {(name: string, value: string) => void} */
-  const add = (name, value) => { if (value.trim()) words.push(`${name} ${quoted(value.trim())}`); };
+  const add = (name, value) => {
+    if (value.trim()) words.push(`${name} ${quoted(value.trim())}`);
+  };
   const diameter = element('check-diameter').value.trim(), alone = !check.files.of('part');
   if (diameter) add('--tool', `${element('check-kind').value}:${inMm(diameter)}`);
   if (alone) add('--stock', inMm(element('check-stock').value));
@@ -21,10 +29,12 @@ function checkOptions() {
 
 /** What the check can speak of. @type {(program: File | undefined, part: File | undefined, names: string[]) => string} */
 function whatIsJudged(program, part, names) {
-  if (!program && names.length > 0) return `${names.join(', ')}: no program by the name's ending; say in the list which file is the program, or choose one more.`;
+  if (!program && names.length > 0)
+    return `${names.join(', ')}: no program by the name's ending; say in the list which file is the program, or choose one more.`;
   if (!program) return 'Choose a program, and its part if there is one.';
-  return part ? 'The program is checked against its part.'
-    : 'Without a part: rapids, plunges, depths, engagement, limits, feeds and spindle are checked in the stock; what is left and what is gouged cannot be said.';
+  return part ?
+    'The program is checked against its part.' :
+    'Without a part: rapids, plunges, depths, engagement, limits, feeds and spindle are checked in the stock; what is left and what is gouged cannot be said.';
 }
 
 function showCheckCommand() {
@@ -34,7 +44,8 @@ function showCheckCommand() {
   element('check-go').disabled = !program || check.run.isOn;
   element('check-depth-box').hidden = !part;
   element('check-stock-box').hidden = Boolean(part);
-  if (element('check-result').hidden && !check.run.isOn) say(element('check-status'), whatIsJudged(program, part, check.files.entries.map(entry => entry.file.name)));
+  if (element('check-result').hidden && !check.run.isOn)
+    say(element('check-status'), whatIsJudged(program, part, check.files.entries.map(entry => entry.file.name)));
 }
 
 /** Brings the report above to the line, and the list below, which may not be there. @type {(number: number) => void} */
@@ -46,9 +57,9 @@ function showLine(number) {
 
 /** @type {(text: string, line: number, kind: string) => HTMLElement} */
 function faultLine(text, line, kind) {
-  const item = made('li', shownText(text), { class: kind });
+  const item = made('li', shownText(text), {class: kind});
   if (line > 0) {
-    const button = made('button', `Line ${line}`, { type: 'button' });
+    const button = made('button', `Line ${line}`, {type: 'button'});
     button.addEventListener('click', () => showLine(line));
     item.append(button);
   }
@@ -61,15 +72,17 @@ function showProgram(program, faults) {
   const marked = new Set(faults.map(fault => fault.line));
   const shown = lines.length <= mostLines;
   element('check-lines').hidden = element('check-lines-title').hidden = !shown;
-  if (shown) element('check-lines').replaceChildren(...lines.map((text, i) => made('li', text || ' ', marked.has(i + 1) ? { class: 'fault' } : {})));
+  if (shown)
+    element('check-lines').replaceChildren(...lines.map((text, i) => made('li', text || ' ', marked.has(i + 1) ? {class: 'fault'} : {})));
 }
 
 /** @type {(certificate: Certificate) => void} */
-function showFaults({ faults, conditions }) {
-  element('check-summary').textContent = faults.length === 0 ? 'no fault found' : `${faults.length} ${faults.length === 1 ? 'fault' : 'faults'}`;
-  element('check-faults').replaceChildren(
-    ...faults.map(fault => faultLine(fault.text, fault.line, 'fault')),
-    ...conditions.filter(one => !one.met_by).map(one => faultLine(one.text, one.line, 'condition')));
+function showFaults({faults, conditions}) {
+  element('check-summary').textContent =
+    faults.length === 0 ? 'no fault found' : `${faults.length} ${faults.length === 1 ? 'fault' : 'faults'}`;
+  element('check-faults')
+    .replaceChildren(...faults.map(fault => faultLine(fault.text, fault.line, 'fault')),
+      ...conditions.filter(one => !one.met_by).map(one => faultLine(one.text, one.line, 'condition')));
 }
 
 /** Verdict, faults and program appear together, once all of them have come. @type {(state: DoneState) => Promise<void>} */

@@ -3,8 +3,11 @@
 /** What is no finite number comes as null. @type {(value: number | null, count: number) => string} */
 const digits = (value, count) => value === null ? '?' : value.toFixed(count);
 /** @type {[string, (one: PlannedRun) => string][]} */
-const compareColumns = [['strategy', one => one.fastest ? `${one.strategy}, the fastest` : one.strategy], ['clean', one => one.clean ? 'yes' : 'no'], ['time', one => minutes(one.time_s)], ['feed mm', one => digits(one.feed_mm, 0)],
-  ['retracts', one => String(one.retracts)], ['engagement', one => `${digits(one.engagement_max_deg, 0)}°`], ['left mm', one => digits(one.uncut_thickness_mm, 4)]];
+const compareColumns = [
+  ['strategy', one => one.fastest ? `${one.strategy}, the fastest` : one.strategy], ['clean', one => one.clean ? 'yes' : 'no'],
+  ['time', one => minutes(one.time_s)], ['feed mm', one => digits(one.feed_mm, 0)], ['retracts', one => String(one.retracts)],
+  ['engagement', one => `${digits(one.engagement_max_deg, 0)}°`], ['left mm', one => digits(one.uncut_thickness_mm, 4)]
+];
 
 /** @type {(seconds: number | null) => string} */
 function minutes(seconds) {
@@ -15,12 +18,12 @@ function minutes(seconds) {
 
 /** @type {(one: StrategyRun, shownFirst: string[]) => HTMLElement} */
 function compareRow(one, shownFirst) {
-  const row = made('tr', '', one.planned && one.fastest ? { class: 'fastest' } : {});
+  const row = made('tr', '', one.planned && one.fastest ? {class: 'fastest'} : {});
   if (!one.planned) {
-    row.append(made('td', one.strategy), made('td', one.refusal || 'does not fit', { colspan: String(compareColumns.length + 1) }));
+    row.append(made('td', one.strategy), made('td', one.refusal || 'does not fit', {colspan: String(compareColumns.length + 1)}));
     return row;
   }
-  const take = made('button', 'Take', { type: 'button', 'aria-label': `Take the strategy ${one.strategy}` });
+  const take = made('button', 'Take', {type: 'button', 'aria-label': `Take the strategy ${one.strategy}`});
   take.addEventListener('click', () => {
     element('strategy').value = one.strategy === 'auto' ? '' : one.strategy;
     showPlanCommand();
@@ -36,7 +39,8 @@ function compareRow(one, shownFirst) {
 /** @type {(found: { strategies: StrategyRun[] }) => void} */
 function showComparison(found) {
   const head = made('tr'), shownFirst = firstBeside(found.strategies);
-  head.append(...[...compareColumns.map(([title]) => title), 'show', ''].map(title => title ? made('th', title, { scope: 'col' }) : made('td')));
+  head.append(
+    ...[...compareColumns.map(([title]) => title), 'show', ''].map(title => title ? made('th', title, {scope: 'col'}) : made('td')));
   theOne('thead', element('comparison')).replaceChildren(head);
   theOne('tbody', element('comparison')).replaceChildren(...found.strategies.map(one => compareRow(one, shownFirst)));
   limitBeside();
@@ -65,6 +69,6 @@ function forgetComparison() {
 /** @type {() => Promise<void>} */
 async function startComparison() {
   forgetBeside();
-  compared = plan.files.form(planOptions({ strategy: false }));
+  compared = plan.files.form(planOptions({strategy: false}));
   await comparing.start(compared);
 }

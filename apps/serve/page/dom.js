@@ -39,8 +39,8 @@ function showFrame(id, address) {
 
 /** @type {(select: HTMLSelectElement, values: string[], first?: string) => void} */
 function fillSelect(select, values, first) {
-  const options = values.map(value => made('option', value, { value }));
-  if (first) options.unshift(made('option', first, { value: '' }));
+  const options = values.map(value => made('option', value, {value}));
+  if (first) options.unshift(made('option', first, {value: ''}));
   select.replaceChildren(...options);
 }
 

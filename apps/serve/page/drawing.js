@@ -2,7 +2,7 @@
 
 const svgSpace = 'http://www.w3.org/2000/svg';
 const mostNumbers = 80;  // outlines that have their numbers beside them
-const numberSize = 13;  // pixels
+const numberSize = 13;   // pixels
 
 /** An element of a picture. @template {keyof SVGElementTagNameMap} Kind @param {Kind} kind @param {Record<string, string | number>} [attributes] @param {string} [text] @returns {SVGElementTagNameMap[Kind]} */
 function madeSvg(kind, attributes = {}, text = '') {
@@ -16,8 +16,9 @@ function madeSvg(kind, attributes = {}, text = '') {
 function extentOfDrawing(outlines) {
   const extents = outlines.flatMap(one => one.path && one.extent_mm ? [one.extent_mm] : []);
   if (extents.length === 0) return null;
-  const around = (/** @type {'x' | 'y'} */ axis) => /** @type {[number, number]} */ ([0, 1].map(end => extents.reduce((most, one) => (end ? Math.max : Math.min)(most, one[axis][end]), end ? -Infinity : Infinity)));
-  return { x: around('x'), y: around('y') };
+  const around = (/** @type {'x' | 'y'} */ axis) => /** @type {[number, number]} */ (
+    [0, 1].map(end => extents.reduce((most, one) => (end ? Math.max : Math.min)(most, one[axis][end]), end ? -Infinity : Infinity)));
+  return {x: around('x'), y: around('y')};
 }
 
 /** The line of an outline in the list; none beyond the last that is listed. @type {(index: number) => HTMLTableRowElement | undefined} */
@@ -30,12 +31,12 @@ function roleNow(outline, index) {
 
 /** The curves of a drawing, the largest first, so that a click finds what lies in it. @type {(outlines: OutlineInfo[], roleOf: (one: OutlineInfo, index: number) => string) => SVGPathElement[]} */
 function curvesOf(outlines, roleOf) {
-  const drawn = outlines.map((one, index) => ({ one, index })).filter(({ one }) => one.path).sort((a, b) => b.one.area_mm2 - a.one.area_mm2);
-  return drawn.map(({ one, index }) => madeSvg('path', { 'd': one.path ?? '', 'data-index': index, 'class': roleOf(one, index) }));
+  const drawn = outlines.map((one, index) => ({one, index})).filter(({one}) => one.path).sort((a, b) => b.one.area_mm2 - a.one.area_mm2);
+  return drawn.map(({one, index}) => madeSvg('path', {'d': one.path ?? '', 'data-index': index, 'class': roleOf(one, index)}));
 }
 
 /** With a little room around it, y down. @type {(extent: Extent) => string} */
-function viewBoxOf({ x: [x0, x1], y: [y0, y1] }) {
+function viewBoxOf({x: [x0, x1], y: [y0, y1]}) {
   const edge = 0.04 * Math.max(x1 - x0, y1 - y0, 1e-3);
   return [x0 - edge, -y1 - edge, x1 - x0 + 2 * edge, y1 - y0 + 2 * edge].join(' ');
 }
@@ -44,17 +45,20 @@ function viewBoxOf({ x: [x0, x1], y: [y0, y1] }) {
 function colourDrawing() {
   let unsaid = 0;
   for (const curve of element('drawing-curves').children) {
-    const index = Number(curve.getAttribute('data-index')), { number, layer } = part.outlines[index], role = roleNow(part.outlines[index], index);
+    const index = Number(curve.getAttribute('data-index')), {number, layer} = part.outlines[index],
+          role = roleNow(part.outlines[index], index);
     curve.setAttribute('class', curve.classList.contains('marked') ? `${role} marked` : role);
     curve.replaceChildren(madeSvg('title', {}, `outline ${number}, layer ${layer}: ${role === 'unsaid' ? 'not said yet' : role}`));
     if (role === 'unsaid') ++unsaid;
   }
-  element('drawing-unsaid').textContent = unsaid > 0 ? ` ${unsaid === 1 ? 'One outline is' : `${unsaid} outlines are`} not said yet, drawn in orange.` : '';
+  element('drawing-unsaid').textContent =
+    unsaid > 0 ? ` ${unsaid === 1 ? 'One outline is' : `${unsaid} outlines are`} not said yet, drawn in orange.` : '';
 }
 
 /** Numbers stay as large as the page's text, however large the drawing is. */
 function sizeNumbers() {
-  const picture = element('drawing'), box = picture.viewBox.baseVal, scale = Math.min(picture.clientWidth / (box?.width || 1), picture.clientHeight / (box?.height || 1));
+  const picture = element('drawing'), box = picture.viewBox.baseVal,
+        scale = Math.min(picture.clientWidth / (box?.width || 1), picture.clientHeight / (box?.height || 1));
   if (scale > 0) element('drawing-numbers').setAttribute('font-size', String(numberSize / scale));
 }
 
@@ -69,7 +73,8 @@ function showDrawing() {
   element('drawing-size').textContent = sizeOfDrawing(outlines);
   const curves = curvesOf(outlines, roleNow);
   element('drawing-curves').replaceChildren(...curves);
-  if (curves.length <= mostNumbers) element('drawing-numbers').replaceChildren(...numbersOfOutlines(outlines.filter(one => one.path)).map(numberAt));
+  if (curves.length <= mostNumbers)
+    element('drawing-numbers').replaceChildren(...numbersOfOutlines(outlines.filter(one => one.path)).map(numberAt));
   colourDrawing();
   sizeNumbers();
 }
@@ -82,9 +87,9 @@ function showDrawing() {
 function numbersOfOutlines(outlines) {
   /** @type {Map<string, NumberPlace>} */
   const places = new Map();
-  for (const { number, extent_mm, diameter_mm } of outlines) {
-    const { x, y } = extent_mm ?? { x: [0, 0], y: [0, 0] }, isCircle = diameter_mm !== null;
-    const place = { x: isCircle ? (x[0] + x[1]) / 2 : x[0], y: -y[1], isCircle, text: String(number) };
+  for (const {number, extent_mm, diameter_mm} of outlines) {
+    const {x, y} = extent_mm ?? {x: [0, 0], y: [0, 0]}, isCircle = diameter_mm !== null;
+    const place = {x: isCircle ? (x[0] + x[1]) / 2 : x[0], y: -y[1], isCircle, text: String(number)};
     const key = `${round(place.x, 3)} ${round(place.y, 3)}`, there = places.get(key);
     if (there) there.text += `, ${number}`;
     else places.set(key, place);
@@ -93,7 +98,8 @@ function numbersOfOutlines(outlines) {
 }
 
 /** @type {(place: NumberPlace) => SVGTextElement} */
-const numberAt = ({ x, y, isCircle, text }) => madeSvg('text', { x, y, 'dx': isCircle ? '0' : '0.4em', 'dy': '1.1em', 'text-anchor': isCircle ? 'middle' : 'start' }, text);
+const numberAt = ({x, y, isCircle, text}) =>
+  madeSvg('text', {x, y, 'dx': isCircle ? '0' : '0.4em', 'dy': '1.1em', 'text-anchor': isCircle ? 'middle' : 'start'}, text);
 
 /** @type {(target: EventTarget | null) => HTMLTableRowElement | undefined} */
 const rowAround = target => target instanceof Element ? target.closest('tr') ?? undefined : undefined;
@@ -109,7 +115,8 @@ function setUpDrawing() {
   for (const kind of ['focusin', 'mouseover']) list.addEventListener(kind, event => markOutline(rowAround(event.target)?.dataset.index));
   for (const kind of ['focusout', 'mouseleave']) list.addEventListener(kind, () => markOutline(undefined));
   element('drawing-curves').addEventListener('click', event => {
-    const index = event.target instanceof Element ? event.target.getAttribute('data-index') : null, row = index === null ? undefined : rowOfOutline(Number(index));
+    const index = event.target instanceof Element ? event.target.getAttribute('data-index') : null,
+          row = index === null ? undefined : rowOfOutline(Number(index));
     if (!row) return;
     element('outlines-box').open = true;
     theOne('select', row).focus();

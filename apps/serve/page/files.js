@@ -18,8 +18,14 @@ class ChosenFiles {
     this.list = list;
     this.roles = roles;
     this.changed = changed;
-    input.addEventListener('change', () => { this.add(input.files ?? []); input.value = ''; });
-    drop.addEventListener('dragover', event => { event.preventDefault(); drop.classList.add('over'); });
+    input.addEventListener('change', () => {
+      this.add(input.files ?? []);
+      input.value = '';
+    });
+    drop.addEventListener('dragover', event => {
+      event.preventDefault();
+      drop.classList.add('over');
+    });
     drop.addEventListener('dragleave', () => drop.classList.remove('over'));
     drop.addEventListener('drop', event => {
       event.preventDefault();
@@ -33,7 +39,7 @@ class ChosenFiles {
     for (const file of files) {
       if (this.roles.length === 1) this.entries = [];
       this.entries = this.entries.filter(entry => entry.file.name !== file.name);
-      this.entries.push({ file, role: this.likelyRole(file.name) });
+      this.entries.push({file, role: this.likelyRole(file.name)});
     }
     this.show();
   }
@@ -52,7 +58,8 @@ class ChosenFiles {
 
   /** @type {(chosen: ChosenFile, role: FileRole) => void} */
   setRole(chosen, role) {
-    for (const entry of this.entries) if (role !== 'file' && entry.role === role) entry.role = 'file';
+    for (const entry of this.entries)
+      if (role !== 'file' && entry.role === role) entry.role = 'file';
     chosen.role = role;
     this.show();
   }
@@ -72,17 +79,25 @@ class ChosenFiles {
   /** @type {(entry: ChosenFile) => HTMLElement} */
   line(entry) {
     const line = made('li');
-    const role = made('select', '', { 'aria-label': `What ${entry.file.name} is` });
-    const words = { part: 'the part', program: 'the program', job: 'the job', points: 'the points', tools: 'a tool library', machine: 'a machine file', file: 'a further file' };
-    role.replaceChildren(...this.roles.map(value => made('option', words[value], { value })));
+    const role = made('select', '', {'aria-label': `What ${entry.file.name} is`});
+    const words = {
+      part: 'the part',
+      program: 'the program',
+      job: 'the job',
+      points: 'the points',
+      tools: 'a tool library',
+      machine: 'a machine file',
+      file: 'a further file'
+    };
+    role.replaceChildren(...this.roles.map(value => made('option', words[value], {value})));
     role.value = entry.role;
     role.addEventListener('change', () => this.setRole(entry, this.roles[role.selectedIndex]));
-    const remove = made('button', 'Remove', { type: 'button', 'aria-label': `Remove ${entry.file.name}` });
+    const remove = made('button', 'Remove', {type: 'button', 'aria-label': `Remove ${entry.file.name}`});
     remove.addEventListener('click', () => {
       this.entries = this.entries.filter(one => one !== entry);
       this.show();
     });
-    line.append(made('span', entry.file.name, { class: 'name' }), ...(this.roles.length > 1 ? [role] : []), remove);
+    line.append(made('span', entry.file.name, {class: 'name'}), ...(this.roles.length > 1 ? [role] : []), remove);
     return line;
   }
 
@@ -90,10 +105,12 @@ class ChosenFiles {
   form(options) {
     const form = new FormData();
     form.append('options', options);
-    for (const entry of this.entries) form.append(['tools', 'machine'].includes(entry.role) ? 'file' : entry.role, entry.file, entry.file.name);
+    for (const entry of this.entries)
+      form.append(['tools', 'machine'].includes(entry.role) ? 'file' : entry.role, entry.file, entry.file.name);
     return form;
   }
 }
 
 /** The list of a tab, whose elements have names that begin with the tab's. @type {(tab: TabName, roles: FileRole[], changed: () => void) => ChosenFiles} */
-const listOfFiles = (tab, roles, changed) => new ChosenFiles(element(`${tab}-drop`), element(`${tab}-files`), element(`${tab}-list`), roles, changed);
+const listOfFiles = (tab, roles, changed) =>
+  new ChosenFiles(element(`${tab}-drop`), element(`${tab}-files`), element(`${tab}-list`), roles, changed);

@@ -5,9 +5,9 @@ const jobKeys = {};
 
 /** @type {(options: Options) => void} */
 function learnJobKeys(options) {
-  for (const { names, value, many, job } of options.plan ?? []) {
+  for (const {names, value, many, job} of options.plan ?? []) {
     const name = names.at(-1);
-    if (job && name) jobKeys[name] = { ...job, flag: value === '', many };
+    if (job && name) jobKeys[name] = {...job, flag: value === '', many};
   }
 }
 
@@ -40,18 +40,27 @@ function mmOf(text) {
 }
 
 /** What may follow a tool's kind, as a line of its table; `length`: it is a length. @type {{ pattern: RegExp, key: string, length?: boolean }[]} */
-const toolWords = [{ pattern: /^T(\d+)$/, key: 'number' }, { pattern: /^(\d+(?:\.\d+)?)deg$/, key: 'tip_angle' }, { pattern: /^taper=(\d+(?:\.\d+)?)deg$/, key: 'taper_angle' },
-  { pattern: /^flutes=(\d+)$/, key: 'teeth' }, { pattern: /^max_spindle=(\d+(?:\.\d+)?)$/, key: 'max_spindle' }, { pattern: /^tip=(.+)$/, key: 'tip_diameter', length: true },
-  { pattern: /^corner=(.+)$/, key: 'corner_radius', length: true }, { pattern: /^length=(.+)$/, key: 'flute_length', length: true }, { pattern: /^shank=(.+)$/, key: 'shank_diameter', length: true },
-  { pattern: /^stickout=(.+)$/, key: 'stickout', length: true }, { pattern: /^holder=(.+)$/, key: 'holder_diameter', length: true }, { pattern: /^(.+)$/, key: 'diameter', length: true }];
+const toolWords = [
+  {pattern: /^T(\d+)$/, key: 'number'}, {pattern: /^(\d+(?:\.\d+)?)deg$/, key: 'tip_angle'},
+  {pattern: /^taper=(\d+(?:\.\d+)?)deg$/, key: 'taper_angle'}, {pattern: /^flutes=(\d+)$/, key: 'teeth'},
+  {pattern: /^max_spindle=(\d+(?:\.\d+)?)$/, key: 'max_spindle'}, {pattern: /^tip=(.+)$/, key: 'tip_diameter', length: true},
+  {pattern: /^corner=(.+)$/, key: 'corner_radius', length: true}, {pattern: /^length=(.+)$/, key: 'flute_length', length: true},
+  {pattern: /^shank=(.+)$/, key: 'shank_diameter', length: true}, {pattern: /^stickout=(.+)$/, key: 'stickout', length: true},
+  {pattern: /^holder=(.+)$/, key: 'holder_diameter', length: true}, {pattern: /^(.+)$/, key: 'diameter', length: true}
+];
 /** @type {Record<string, string>} */
-const toolFlags = { hss: 'material = "hss"', carbide: 'material = "carbide"', coated: 'coated = true', noplunge: 'center_cutting = false' };
+const toolFlags = {
+  hss: 'material = "hss"',
+  carbide: 'material = "carbide"',
+  coated: 'coated = true',
+  noplunge: 'center_cutting = false'
+};
 
 /** Key and value of a word of a tool, null where a job has none for it. @type {(word: string) => string | null} */
 function toolLine(word) {
   if (toolFlags[word]) return toolFlags[word];
   if (word.startsWith('name=')) return `name = ${tomlText(word.slice(5))}`;
-  for (const { pattern, key, length } of toolWords) {
+  for (const {pattern, key, length} of toolWords) {
     const value = pattern.exec(word)?.[1];
     if (value === undefined) continue;
     const number = length ? mmOf(value) : Number(value);
@@ -84,15 +93,21 @@ function takeOption([name, values], job) {
     return true;
   }
   if (values.length > 1) return false;
-  job.lines[place.table].push(`${place.key} = ${place.flag ? String(!place.opposite) : place.number ? tomlValue(values[0]) : tomlText(values[0])}`);
+  job.lines[place.table].push(`${place.key} = ${
+    place.flag     ? String(!place.opposite) :
+      place.number ? tomlValue(values[0]) :
+                     tomlText(values[0])}`);
   return true;
 }
 
 /** The job's text, and the options that it cannot hold. @type {(file: string, options: string) => JobText} */
 function jobOf(file, options) {
   /** @type {JobTables} */
-  const job = { lines: { part: [`file = ${tomlText(file)}`], tools: [], machine: [], plan: [], output: [`program = ${tomlText(stemOf(file) + '.ngc')}`] },
-    lists: { part: {}, tools: {}, machine: {}, plan: {}, output: {} }, each: [] };
+  const job = {
+    lines: {part: [`file = ${tomlText(file)}`], tools: [], machine: [], plan: [], output: [`program = ${tomlText(stemOf(file) + '.ngc')}`]},
+    lists: {part: {}, tools: {}, machine: {}, plan: {}, output: {}},
+    each: []
+  };
   const left = optionsOf(options).filter(option => !takeOption(option, job)).map(([name, values]) => [name, ...values].join(' '));
   /** @type {(name: JobTable) => string[]} */
   const table = name => {
@@ -102,5 +117,5 @@ function jobOf(file, options) {
   };
   const text = [...table('part'), ...table('tools'), ...job.each, ...table('machine'), ...table('plan'), ...table('output')].join('\n');
   const note = left.length > 0 ? `# A job has no words for these; say them on the command line: ${left.join(' ')}\n` : '';
-  return { text: `${note}# clearcut plan ${stemOf(file)}.toml, beside ${file}\n${text}`, left };
+  return {text: `${note}# clearcut plan ${stemOf(file)}.toml, beside ${file}\n${text}`, left};
 }

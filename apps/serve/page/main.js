@@ -54,7 +54,8 @@ async function setUpOptions() {
   const lists = [['plan-names', 'plan'], ['check-names', 'verify'], ['elements-names', 'elements'], ['tour-names', 'tour']];
   for (const [list, command] of lists) {
     const usable = (options[command] ?? []).filter(one => !one.positional && !['Output', 'Help'].includes(one.group));
-    element(list).replaceChildren(...usable.map(one => made('option', '', { value: `${one.names.at(-1)}${one.value ? ' ' : ''}`, label: one.help.slice(0, 80) })));
+    element(list).replaceChildren(
+      ...usable.map(one => made('option', '', {value: `${one.names.at(-1)}${one.value ? ' ' : ''}`, label: one.help.slice(0, 80)})));
   }
 }
 

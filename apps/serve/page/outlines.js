@@ -1,8 +1,14 @@
 // What a part holds: what was found and mended, what has to be said, and what each outline of a drawing is for.
 
 /** `isAsked`: which reading is meant is still to be said; `given`: the answers so far. @type {{ asked: number, outlines: OutlineInfo[], isAsked: boolean, given: DrawingAnswer[] }} */
-const part = { asked: 0, outlines: [], isAsked: false, given: [] };
-const outlineKinds = ['pocket', 'step', 'profile', 'inside', 'drill', 'engrave', 'tslot', 'vcarve', 'isolate', 'chamfer', 'face', 'island', 'ignore'];
+const part = {
+  asked: 0,
+  outlines: [],
+  isAsked: false,
+  given: []
+};
+const outlineKinds =
+  ['pocket', 'step', 'profile', 'inside', 'drill', 'engrave', 'tslot', 'vcarve', 'isolate', 'chamfer', 'face', 'island', 'ignore'];
 const mostOutlines = 300;  // that are listed
 /** @type {(value: number, digits: number) => number} */
 const round = (value, digits) => Number(value.toFixed(digits));
@@ -27,17 +33,23 @@ function outlineOptions() {
 function sizeOf(outline) {
   if (outline.diameter_mm) return `Ø ${shownLength(outline.diameter_mm, 2)}`;
   if (!outline.extent_mm) return '';
-  const { x, y } = outline.extent_mm;
+  const {x, y} = outline.extent_mm;
   return `${shownLength(x[1] - x[0], 2)} × ${shownLength(y[1] - y[0], 2)}`;
 }
 
 /** @type {(outline: OutlineInfo, index: number) => HTMLElement} */
 function outlineRow(outline, index) {
-  const row = made('tr', '', { 'data-index': index });
-  const kind = made('select', '', { 'aria-label': `What outline ${outline.number} is for` });
+  const row = made('tr', '', {'data-index': index});
+  const kind = made('select', '', {'aria-label': `What outline ${outline.number} is for`});
   fillSelect(kind, outlineKinds, roleAsRead(outline));
-  const depth = made('input', '', { 'aria-label': `Depth of outline ${outline.number}, ${lengthName()}`, inputmode: 'decimal', 'data-length': '1', size: '4', placeholder: outline.depth_mm === null ? '' : String(shownLength(outline.depth_mm, 3)) });
-  const layer = made('td', outline.layer, { title: outline.within ? `within outline ${outline.within}` : 'within no other' });
+  const depth = made('input', '', {
+    'aria-label': `Depth of outline ${outline.number}, ${lengthName()}`,
+    inputmode: 'decimal',
+    'data-length': '1',
+    size: '4',
+    placeholder: outline.depth_mm === null ? '' : String(shownLength(outline.depth_mm, 3))
+  });
+  const layer = made('td', outline.layer, {title: outline.within ? `within outline ${outline.within}` : 'within no other'});
   row.append(made('td', String(outline.number)), layer, made('td', sizeOf(outline)), made('td'), made('td'));
   row.children[3].append(kind);
   row.children[4].append(depth);
@@ -46,8 +58,9 @@ function outlineRow(outline, index) {
 
 /** The same outlines, read anew after something was said: what was chosen in the list stays, and so do the names of layers. @type {(outlines: OutlineInfo[]) => void} */
 function renewOutlines(outlines) {
-  part.outlines = outlines.map((one, index) => ({ ...one, layer: part.outlines[index].layer }));
-  for (const row of theOne('tbody', element('outlines')).rows) theOne('option', row).textContent = roleAsRead(part.outlines[Number(row.dataset.index)]);
+  part.outlines = outlines.map((one, index) => ({...one, layer: part.outlines[index].layer}));
+  for (const row of theOne('tbody', element('outlines')).rows)
+    theOne('option', row).textContent = roleAsRead(part.outlines[Number(row.dataset.index)]);
   relabelOutlines();
 }
 
@@ -56,7 +69,8 @@ function showOutlines(outlines) {
   part.outlines = outlines;
   element('outlines-box').hidden = outlines.length === 0;
   theOne('tbody', element('outlines')).replaceChildren(...outlines.slice(0, mostOutlines).map(outlineRow));
-  element('outlines-title').textContent = `Outlines of the drawing: ${outlines.length}${outlines.length > mostOutlines ? `, the first ${mostOutlines} listed` : ''}`;
+  element('outlines-title').textContent =
+    `Outlines of the drawing: ${outlines.length}${outlines.length > mostOutlines ? `, the first ${mostOutlines} listed` : ''}`;
   showDrawing();
 }
 
@@ -73,36 +87,48 @@ function relabelOutlines() {
 
 /** @type {(feature: FeatureInfo) => string} */
 function featureText(feature) {
-  const { x, y } = feature.extent_mm ?? { x: [0, 0], y: [0, 0] };
-  return `${feature.name}: ${feature.kind.replaceAll('_', ' ')}, ${shownLength(x[1] - x[0], 1)} × ${shownLength(y[1] - y[0], 1)} ${lengthName()}, z ${shownLength(feature.top_z, 3)} to ${shownLength(feature.floor_z, 3)}`;
+  const {x, y} = feature.extent_mm ?? {x: [0, 0], y: [0, 0]};
+  return `${feature.name}: ${feature.kind.replaceAll('_', ' ')}, ${shownLength(x[1] - x[0], 1)} × ${shownLength(y[1] - y[0], 1)} ${
+    lengthName()}, z ${shownLength(feature.top_z, 3)} to ${shownLength(feature.floor_z, 3)}`;
 }
 
 /** @type {(info: PartInfo) => string[]} */
-const textsOf = info => [...info.asks.map(text => `To say: ${text}`), ...info.found.map(one => `${one.kind}: ${one.where ? `${one.where}: ` : ''}${one.what}`), ...info.features.map(featureText)];
+const textsOf = info => [...info.asks.map(text => `To say: ${text}`),
+  ...info.found.map(one => `${one.kind}: ${one.where ? `${one.where}: ` : ''}${one.what}`), ...info.features.map(featureText)];
 
 /** The set-ups of a job as one part, each text with its set-up. @type {(setups: PartInfo[]) => PartInfo} */
 function joinedSetups(setups) {
-  const named = setups.map((one, i) => ({ one, setup: `set-up ${i + 1}: ` }));
-  return { answers: [], asks: named.flatMap(({ one, setup }) => one.asks.map(ask => setup + ask)),
-    found: named.flatMap(({ one, setup }) => one.found.map(item => ({ ...item, what: setup + item.what }))),
-    features: named.flatMap(({ one, setup }) => one.features.map(feature => ({ ...feature, name: setup + feature.name }))), outlines: [] };
+  const named = setups.map((one, i) => ({one, setup: `set-up ${i + 1}: `}));
+  return {
+    answers: [],
+    asks: named.flatMap(({one, setup}) => one.asks.map(ask => setup + ask)),
+    found: named.flatMap(({one, setup}) => one.found.map(item => ({...item, what: setup + item.what}))),
+    features: named.flatMap(({one, setup}) => one.features.map(feature => ({...feature, name: setup + feature.name}))),
+    outlines: []
+  };
 }
 
 /** What is missing, in the words of the page. @type {(ask: string, hasReadings: boolean) => string} */
-const askInPage = (ask, hasReadings) => hasReadings ? 'which reading below is meant, by a click on it' : /(^how deep; |no depth given; add )--depth/.test(ask) ? 'how deep it is, in the field Depth' : ask;
+const askInPage = (ask, hasReadings) => hasReadings     ? 'which reading below is meant, by a click on it' :
+  /(^how deep; |no depth given; add )--depth/.test(ask) ? 'how deep it is, in the field Depth' :
+                                                          ask;
 
 /** Whether the part can be planned as it is, and what is missing. @type {(name: string, info: PartInfo | null | undefined, texts: string[]) => string} */
 function readiness(name, info, texts) {
   if (!info) return texts[0];
   const warning = info.asks.length === 0 && info.found.find(one => one.kind === 'warning');
   if (info.asks.length === 0) return `${name} is ready to be planned.${warning ? ` See first: ${warning.what}.` : ''}`;
-  return `Before ${name} can be planned, say: ${info.asks.map((ask, k) => askInPage(ask, k === 0 && info.answers.length > 0)).map((ask, k) => info.asks.length > 1 ? `(${k + 1}) ${ask}` : ask).join('; ')}`;
+  return `Before ${name} can be planned, say: ${
+    info.asks.map((ask, k) => askInPage(ask, k === 0 && info.answers.length > 0))
+      .map((ask, k) => info.asks.length > 1 ? `(${k + 1}) ${ask}` : ask)
+      .join('; ')}`;
 }
 
 /** @type {(info: PartInfo | null | undefined) => string} */
 function titleOfFound(info) {
   if (!info) return 'The part cannot be read as it is';
-  return info.asks.length > 0 ? 'What was found, and what has to be said' : `What was found: ${info.features.length} ${info.features.length === 1 ? 'feature' : 'features'}`;
+  return info.asks.length > 0 ? 'What was found, and what has to be said' :
+                                `What was found: ${info.features.length} ${info.features.length === 1 ? 'feature' : 'features'}`;
 }
 
 /** @type {(info: PartInfo | null | undefined, texts: string[], isAgain: boolean) => void} */
@@ -117,7 +143,8 @@ function showFound(info, texts, isAgain) {
 /** `isAgain`: the same part, after something was said. @type {(name: string, answer: InfoAnswer, isAgain: boolean) => void} */
 function showPart(name, answer, isAgain) {
   const info = answer.info && 'setups' in answer.info ? joinedSetups(answer.info.setups) : answer.info;
-  const texts = info ? textsOf(info) : [answer.message ?? 'The part cannot be read.'], outlines = info?.outlines ?? (isAgain ? part.outlines : []);
+  const texts = info ? textsOf(info) : [answer.message ?? 'The part cannot be read.'],
+        outlines = info?.outlines ?? (isAgain ? part.outlines : []);
   if (info) part.isAsked = info.answers.length > 0;
   showFound(info, texts, isAgain);
   if (!plan.run.isOn && !plan.run.id) say(element('plan-status'), shownText(readiness(name, info, texts)), !info);
@@ -152,7 +179,7 @@ async function readPart(isAgain = true) {
     showPart(chosen.name, answer, isAgain);
   } catch (error) {
     if (mine !== part.asked) return;
-    showPart(chosen.name, { message: wordsOfError(error) }, isAgain);
+    showPart(chosen.name, {message: wordsOfError(error)}, isAgain);
   }
   showPlanCommand();
 }

@@ -1,12 +1,22 @@
 // A drawing that may be read in several ways: each of them drawn, and a click says which is meant.
 
 /** What an answer says, by its option and the kind that it names; others say it themselves. @type {Record<string, string>} */
-const readingWords = { 'profile': 'The edge of the part: cut out along it', 'pocket:outer': 'A pocket: what lies in it stays', 'pocket': 'Milled with that pocket', 'island': 'Stays standing in that pocket',
-  'step': 'A step that stays in that pocket', 'ignore': 'Left out', '--unit mm': 'Drawn in millimetres', '--unit inch': 'Drawn in inches', '--scale 1': 'The size is right' };
+const readingWords = {
+  'profile': 'The edge of the part: cut out along it',
+  'pocket:outer': 'A pocket: what lies in it stays',
+  'pocket': 'Milled with that pocket',
+  'island': 'Stays standing in that pocket',
+  'step': 'A step that stays in that pocket',
+  'ignore': 'Left out',
+  '--unit mm': 'Drawn in millimetres',
+  '--unit inch': 'Drawn in inches',
+  '--scale 1': 'The size is right'
+};
 /** @type {(answer: DrawingAnswer) => string} */
-const wordsOfAnswer = ({ option, value }) => readingWords[`${option} ${value}`] ?? readingWords[value] ?? readingWords[value.split(':')[0]] ?? `${option} ${value}`;
+const wordsOfAnswer = ({option, value}) =>
+  readingWords[`${option} ${value}`] ?? readingWords[value] ?? readingWords[value.split(':')[0]] ?? `${option} ${value}`;
 /** @type {(answer: DrawingAnswer) => string} */
-const optionOfAnswer = ({ option, value }) => `${option} ${quoted(value)}`;
+const optionOfAnswer = ({option, value}) => `${option} ${quoted(value)}`;
 
 /** The question without the options of the command line that answer it. @type {(ask: string) => string} */
 const plainQuestion = ask => ask.split(/: --op |; say which unit|: if it is meant/)[0].replace(/^./, letter => letter.toUpperCase());
@@ -15,7 +25,8 @@ const plainQuestion = ask => ask.split(/: --op |; say which unit|: if it is mean
 function rolesSaid(outlines) {
   /** @type {Map<string, number>} */
   const counts = new Map();
-  for (const { role } of outlines) if (role) counts.set(role, (counts.get(role) ?? 0) + 1);
+  for (const {role} of outlines)
+    if (role) counts.set(role, (counts.get(role) ?? 0) + 1);
   return [...counts].map(([role, count]) => `${count} ${role}${count > 1 && /[a-df-z]$/.test(role) ? 's' : ''}`).join(', ');
 }
 
@@ -27,12 +38,14 @@ function sizeOfDrawing(outlines) {
 
 /** @type {(answer: DrawingAnswer, info: PartInfo) => HTMLElement} */
 function readingButton(answer, info) {
-  const button = made('button', '', { type: 'button' }), picture = madeSvg('svg', { 'class': 'drawing', 'aria-hidden': 'true' }), curves = madeSvg('g', { transform: 'scale(1 -1)' });
+  const button = made('button', '', {type: 'button'}), picture = madeSvg('svg', {'class': 'drawing', 'aria-hidden': 'true'}),
+        curves = madeSvg('g', {transform: 'scale(1 -1)'});
   const outlines = info.outlines, extent = extentOfDrawing(outlines);
   if (extent) picture.setAttribute('viewBox', viewBoxOf(extent));
   curves.append(...curvesOf(outlines, one => one.role));
   picture.append(curves);
-  button.append(picture, made('strong', wordsOfAnswer(answer)), made('span', answer.option === '--op' ? rolesSaid(outlines) : sizeOfDrawing(outlines)));
+  button.append(
+    picture, made('strong', wordsOfAnswer(answer)), made('span', answer.option === '--op' ? rolesSaid(outlines) : sizeOfDrawing(outlines)));
   button.addEventListener('click', () => giveAnswer(answer));
   return button;
 }
@@ -56,8 +69,12 @@ function showGiven() {
 async function offerReadings(info) {
   const mine = part.asked, answers = info?.answers ?? [];
   showGiven();
-  if (!info || answers.length === 0) { element('readings').hidden = true; return; }
-  const read = await Promise.all(answers.map(answer => pipeline.info(plan.files.form(`${readOptions()} ${optionOfAnswer(answer)}`)).catch(() => null)));
+  if (!info || answers.length === 0) {
+    element('readings').hidden = true;
+    return;
+  }
+  const read = await Promise.all(
+    answers.map(answer => pipeline.info(plan.files.form(`${readOptions()} ${optionOfAnswer(answer)}`)).catch(() => null)));
   if (mine !== part.asked) return;
   element('readings-question').textContent = `${shownText(plainQuestion(info.asks[0]))}. Which is meant?`;
   element('readings-list').replaceChildren(...answers.flatMap((answer, k) => {

@@ -1,14 +1,17 @@
 // A run of the command that goes on while the page shows how far it is: a plan, a job of elements, a tour. All tabs that have one show it alike.
 
 /** @type {(state: WaitingState | RunningState, words?: RunWords) => string} */
-function progressText(state, { things = 'candidates', certifying = 'Certifying the program' } = {}) {
+function progressText(state, {things = 'candidates', certifying = 'Certifying the program'} = {}) {
   if (state.state === 'waiting') return state.ahead > 0 ? `Waiting; ${state.ahead} before it.` : 'Waiting for its turn.';
   const seconds = Math.round(state.seconds), progress = state.progress;
   if (!progress) return `Reading and preparing … ${seconds} s`;
-  const about = progress.stage === 'planning' || progress.stage === 'searching' ? 'at most' : 'about', left = progress.left_s ? `, ${about} ${progress.left_s} s left` : '';
-  if (progress.stage === 'counting') return `Planning and certifying: ${progress.done} of ${progress.most} ${progress.things} done … ${seconds} s${left}`;
+  const about = progress.stage === 'planning' || progress.stage === 'searching' ? 'at most' : 'about',
+        left = progress.left_s ? `, ${about} ${progress.left_s} s left` : '';
+  if (progress.stage === 'counting')
+    return `Planning and certifying: ${progress.done} of ${progress.most} ${progress.things} done … ${seconds} s${left}`;
   if (progress.stage === 'certifying') return `${certifying} … ${seconds} s${left}`;
-  if (progress.stage === 'searching') return `Searching: best ${progress.best} after ${progress.found_s.toFixed(1)} s … ${seconds} s${left}`;
+  if (progress.stage === 'searching')
+    return `Searching: best ${progress.best} after ${progress.found_s.toFixed(1)} s … ${seconds} s${left}`;
   return `Planning: ${progress.done} of at most ${progress.most} ${things} … ${seconds} s${left}`;
 }
 
@@ -46,10 +49,13 @@ class Run {
     element(`${this.tab}-go`).disabled = true;
     element(`${this.tab}-cancel`).hidden = false;
     say(element(`${this.tab}-status`), 'Sending the files …');
-    element(`${this.tab}-status`).scrollIntoView({ block: 'nearest' });  // a narrow page has it below the form
+    element(`${this.tab}-status`).scrollIntoView({block: 'nearest'});  // a narrow page has it below the form
     try {
       const id = await pipeline.begin(this.tab, form);
-      if (mine !== this.count) { pipeline.drop(id); return; }
+      if (mine !== this.count) {
+        pipeline.drop(id);
+        return;
+      }
       this.id = id;
       this.unfollow = pipeline.follow(id, state => this.hear(state), error => this.fail(error));
     } catch (error) {
@@ -121,20 +127,26 @@ class Run {
 }
 
 /** @type {[string, string, string][]} */
-const downloads = [['program', 'Program', '.ngc'], ['certificate', 'Certificate', '.json'], ['report', 'Report', '.html'], ['tour', 'Tour', '-tour.json'], ['picture', 'Picture', '.svg'],
-  ['points', 'Points', '-points.csv'], ['setup-sheet', 'Set-up sheet', '-setup.html'], ['text', 'Figures', '.txt']];
+const downloads = [
+  ['program', 'Program', '.ngc'], ['certificate', 'Certificate', '.json'], ['report', 'Report', '.html'], ['tour', 'Tour', '-tour.json'],
+  ['picture', 'Picture', '.svg'], ['points', 'Points', '-points.csv'], ['setup-sheet', 'Set-up sheet', '-setup.html'],
+  ['text', 'Figures', '.txt']
+];
 
 /**
  * Results of a kind: one, or one for each set-up of the job, as [set-up or '', address].
  * @type {(results: Record<string, string>, kind: string) => [string, string][]}
  */
-const resultsOf = (results, kind) => Object.entries(results).filter(([name]) => name === kind || /^-\d+$/.test(name.slice(kind.length)) && name.startsWith(kind))
-  .map(([name, address]) => [name.slice(kind.length + 1), address]);
+const resultsOf = (results, kind) =>
+  Object.entries(results).filter(([name]) => name === kind || /^-\d+$/.test(name.slice(kind.length)) && name.startsWith(kind)).map(([
+    name, address
+  ]) => [name.slice(kind.length + 1), address]);
 
 /** Lines with a link to each result. @type {(results: Record<string, string>, stem: string) => HTMLElement[]} */
 const downloadLines = (results, stem) => downloads.flatMap(([kind, title, ending]) => resultsOf(results, kind).map(([setup, address]) => {
   const line = made('li');
-  line.append(made('a', setup ? `${title} of set-up ${setup}` : title, { href: address, download: (setup ? `${stem}-${setup}` : stem) + ending }));
+  line.append(
+    made('a', setup ? `${title} of set-up ${setup}` : title, {href: address, download: (setup ? `${stem}-${setup}` : stem) + ending}));
   return line;
 }));
 
@@ -142,14 +154,16 @@ const downloadLines = (results, stem) => downloads.flatMap(([kind, title, ending
 const textAt = async address => (await fetch(address)).text();
 
 /** What speaks against a program, in a line; '': nothing. @type {(certificate: Certificate) => string} */
-function reasonOf({ faults, conditions }) {
-  const open = conditions.filter(one => !one.met_by), [first, count, name] = faults.length > 0 ? [faults[0], faults.length, 'fault'] : [open[0], open.length, 'open condition'];
+function reasonOf({faults, conditions}) {
+  const open = conditions.filter(one => !one.met_by),
+        [first, count, name] = faults.length > 0 ? [faults[0], faults.length, 'fault'] : [open[0], open.length, 'open condition'];
   return first ? `${count} ${name}${count === 1 ? '' : 's'}: ${shownText(first.text)}` : '';
 }
 
 /** The same of each set-up. @type {(results: Record<string, string>) => Promise<string>} */
 async function reasonsOf(results) {
-  const reasons = await Promise.all(resultsOf(results, 'certificate').map(async ([setup, address]) => [setup && `set-up ${setup}, `, reasonOf(JSON.parse(await textAt(address)))]));
+  const reasons = await Promise.all(resultsOf(
+    results, 'certificate').map(async ([setup, address]) => [setup && `set-up ${setup}, `, reasonOf(JSON.parse(await textAt(address)))]));
   return reasons.filter(([, reason]) => reason).map(([setup, reason]) => setup + reason).join('; ');
 }
 
@@ -160,7 +174,9 @@ function showVerdict(tab, state) {
   verdict.className = `verdict ${state.verdict}`;
   const summary = element(`${tab}-summary`), said = `planned and certified in ${state.seconds.toFixed(1)} s`;
   summary.textContent = said;
-  reasonsOf(state.results).then(reasons => { if (reasons && summary.textContent === said) summary.textContent = `${said}; ${reasons}`; }, () => {});
+  reasonsOf(state.results).then(reasons => {
+    if (reasons && summary.textContent === said) summary.textContent = `${said}; ${reasons}`;
+  }, () => {});
   fillList(element(`${tab}-messages`), state.messages);
   element(`${tab}-notes`).hidden = state.messages.length === 0;
   say(element(`${tab}-status`), `Done: ${state.verdict}.`);

@@ -2,7 +2,9 @@
 
 /** The answer as JSON; throws an Error with the server's own words. @template Answer @param {string} path @param {RequestInit} [request] @returns {Promise<Answer>} */
 async function asked(path, request) {
-  const answer = await fetch(path, request).catch(() => { throw new Error('The server does not answer. Is it still running?'); });
+  const answer = await fetch(path, request).catch(() => {
+    throw new Error('The server does not answer. Is it still running?');
+  });
   const json = await answer.json().catch(() => ({}));
   if (!answer.ok) throw new Error(json.error || `The server answers ${answer.status}.`);
   return json;
@@ -13,8 +15,8 @@ const pipeline = {
   promise: '',
   noSolids: '',
   options: () => asked('/options'),
-  begin: async (what, form) => (await asked(`/${what}`, { method: 'POST', body: form })).id,
-  drop: id => asked(`/plan/${id}`, { method: 'DELETE' }).catch(() => {}),
+  begin: async (what, form) => (await asked(`/${what}`, {method: 'POST', body: form})).id,
+  drop: id => asked(`/plan/${id}`, {method: 'DELETE'}).catch(() => {}),
   follow(id, hear, broken) {
     /** @type {EventSource | null} */
     let events = null;
@@ -37,7 +39,10 @@ const pipeline = {
       events.onerror = ask;
     };
     open();
-    return () => { isOver = true; events?.close(); };
+    return () => {
+      isOver = true;
+      events?.close();
+    };
   },
-  info: form => asked('/info', { method: 'POST', body: form }),
+  info: form => asked('/info', {method: 'POST', body: form}),
 };

@@ -1,15 +1,21 @@
 // The tab that orders points: how the best value falls while the search goes on, its bound, and the tour.
 
 /** @type {{ files: ChosenFiles, run: Run, samples: TourSample[], stem: string }} */
-const tour = { files: listOfFiles('tour', ['points'], () => showTourCommand()), samples: [], stem: '',
-  run: new Run('tour', { progress: state => hearTour(state), done: state => showTour(state), ended: () => showTourCommand() }) };
+const tour = {
+  files: listOfFiles('tour', ['points'], () => showTourCommand()),
+  samples: [],
+  stem: '',
+  run: new Run('tour', {progress: state => hearTour(state), done: state => showTour(state), ended: () => showTourCommand()})
+};
 
 /** The options as on the command line. @type {() => string} */
 function tourOptions() {
   /** @type {string[]} */
   const words = [];
   /** @type {(name: string, value: string) => void} */
-  const add = (name, value) => { if (value.trim()) words.push(`${name} ${quoted(value.trim())}`); };
+  const add = (name, value) => {
+    if (value.trim()) words.push(`${name} ${quoted(value.trim())}`);
+  };
   add('--objective', element('tour-objective').value);
   add('--solver', element('tour-solver').value);
   add('--time', element('tour-time').value);
@@ -22,7 +28,8 @@ function tourOptions() {
 const latticeOf = text => /^\s*([1-9]\d{0,3})\s*[x×*]\s*([1-9]\d{0,3})\s*$/i.exec(text)?.slice(1).join('x') ?? '';
 
 function showTourCommand() {
-  const points = tour.files.of('points'), lattice = latticeOf(element('tour-lattice').value), input = points ? quoted(points.name) : lattice;
+  const points = tour.files.of('points'), lattice = latticeOf(element('tour-lattice').value),
+        input = points ? quoted(points.name) : lattice;
   element('tour-lattice').disabled = Boolean(points);
   element('tour-lattice').setAttribute('aria-invalid', String(!points && !lattice && element('tour-lattice').value.trim() !== ''));
   element('tour-command').textContent = input ? `clearcut tour ${input} ${tourOptions()} --json tour.json --svg tour.svg` : '';
@@ -57,7 +64,10 @@ function drawConvergence(until, bound) {
   element('tour-high').textContent = shortNumber(high);
   element('tour-low').textContent = low < high ? shortNumber(low) : '';
   element('tour-until').textContent = `${until.toFixed(until < 1 ? 3 : 1)} s`;
-  element('tour-said').textContent = `${values.length === 1 ? `1 value, ${shortNumber(best)}` : `${values.length} values, from ${shortNumber(values[0])} to ${shortNumber(best)}`}${bound === undefined ? '' : `; the dashed line is the bound, ${shortNumber(bound)}`}`;
+  element('tour-said').textContent = `${
+    values.length === 1 ? `1 value, ${shortNumber(best)}` :
+                          `${values.length} values, from ${shortNumber(values[0])} to ${shortNumber(best)}`}${
+    bound === undefined ? '' : `; the dashed line is the bound, ${shortNumber(bound)}`}`;
 }
 
 /** @type {(state: WaitingState | RunningState) => void} */
@@ -72,11 +82,17 @@ function hearTour(state) {
 /** What was found, as lines of a list. @type {(found: TourFound) => [string, string][]} */
 function tourFigures(found) {
   const proven = found.gap === 0;
-  return [[found.objective_name === 'length' ? 'length' : `objective (${found.objective_name})`, shortNumber(found.objective)],
+  return [
+    [found.objective_name === 'length' ? 'length' : `objective (${found.objective_name})`, shortNumber(found.objective)],
     ['bound', `${shortNumber(found.bound)} (${found.bound_basis})`],
-    ['gap', proven ? '0: proven optimal' : found.gap === null ? 'not known' : `${(100 * found.gap).toFixed(3)} %`],
+    ['gap',
+      proven               ? '0: proven optimal' :
+        found.gap === null ? 'not known' :
+                             `${(100 * found.gap).toFixed(3)} %`],
     ...(found.objective_name === 'length' ? [] : [/** @type {[string, string]} */ (['length', shortNumber(found.length)])]),
-    ['turns', String(found.turns)], ['points', String(found.tour.length)], ['time', `${found.time_s.toFixed(2)} s`], ['method', found.method]];
+    ['turns', String(found.turns)], ['points', String(found.tour.length)], ['time', `${found.time_s.toFixed(2)} s`],
+    ['method', found.method]
+  ];
 }
 
 /** @type {(state: DoneState) => Promise<void>} */
@@ -92,9 +108,7 @@ async function showTour(state) {
     drawConvergence(found.time_s, found.bound);
     element('tour-figures').replaceChildren(...tourFigures(found).flatMap(([name, value]) => [made('dt', name), made('dd', value)]));
     say(element('tour-status'), `Done: ${shortNumber(found.objective)}.`);
-  } catch (error) {
-    say(element('tour-status'), wordsOfError(error), true);
-  }
+  } catch (error) { say(element('tour-status'), wordsOfError(error), true); }
 }
 
 /** @type {(event: Event) => Promise<void>} */

@@ -3,14 +3,24 @@
 
 const mostMessages = 200;
 /** @type {{ wasm: Promise<WebAssembly.Module> | null, works: Map<string, LocalWork | LocalComparison>, last: number }} */
-const local = { wasm: null, works: new Map(), last: 0 };
+const local = {
+  wasm: null,
+  works: new Map(),
+  last: 0
+};
 
 /** The command, fetched and compiled once. @type {() => Promise<WebAssembly.Module>} */
 function compiledCommand() {
   local.wasm ??= fetch('clearcut.wasm')
-    .then(answer => { if (!answer.ok) throw new Error(); return answer.arrayBuffer(); })
-    .then(bytes => WebAssembly.compile(bytes))
-    .catch(() => { local.wasm = null; throw new Error('The planner cannot be loaded. Is there a network? Once loaded, it works without one.'); });
+                   .then(answer => {
+                     if (!answer.ok) throw new Error();
+                     return answer.arrayBuffer();
+                   })
+                   .then(bytes => WebAssembly.compile(bytes))
+                   .catch(() => {
+                     local.wasm = null;
+                     throw new Error('The planner cannot be loaded. Is there a network? Once loaded, it works without one.');
+                   });
   return local.wasm;
 }
 
@@ -33,8 +43,15 @@ function nameIn(form, role) {
 const optionsIn = form => wordsOf(String(form.get('options') ?? ''));
 
 /** @type {Record<string, string>} */
-const resultTypes = { 'program.ngc': 'text/plain', 'certificate.json': 'application/json', 'report.html': 'text/html', 'picture.svg': 'image/svg+xml', 'setup-sheet.html': 'text/html',
-  'points.csv': 'text/csv', 'tour.json': 'application/json' };
+const resultTypes = {
+  'program.ngc': 'text/plain',
+  'certificate.json': 'application/json',
+  'report.html': 'text/html',
+  'picture.svg': 'image/svg+xml',
+  'setup-sheet.html': 'text/html',
+  'points.csv': 'text/csv',
+  'tour.json': 'application/json'
+};
 
 /**
  * Files of the folder of results as [name, bytes, type]; the name of a set-up's own ends in its number, "program-2".
@@ -54,21 +71,24 @@ function namedResults(files) {
 const severity = verdict => verdict.startsWith('FAULTY') ? 2 : verdict.startsWith('CONDITIONAL') ? 1 : 0;
 
 /** An address that this page alone knows. @type {(content: BlobPart, type: string) => string} */
-const linkTo = (content, type) => URL.createObjectURL(new Blob([content], { type: `${type};charset=utf-8` }));
+const linkTo = (content, type) => URL.createObjectURL(new Blob([content], {type: `${type};charset=utf-8`}));
 
 /** The last state of a plan or a check that ended by itself. @type {(work: LocalWork, end: CommandEnd) => WorkState} */
 function stateOfEnd(work, end) {
   const named = namedResults(end.results);
   /** @type {Certificate[]} */
-  const certificates = named.filter(([name]) => name.startsWith('certificate')).map(([, bytes]) => JSON.parse(new TextDecoder().decode(bytes)));
-  if (end.code > 1 || work.isJudged && certificates.length === 0) return { state: 'failed', message: work.messages.at(-1) ?? 'ended without a result' };
+  const certificates =
+    named.filter(([name]) => name.startsWith('certificate')).map(([, bytes]) => JSON.parse(new TextDecoder().decode(bytes)));
+  if (end.code > 1 || work.isJudged && certificates.length === 0)
+    return {state: 'failed', message: work.messages.at(-1) ?? 'ended without a result'};
   const worst = certificates.sort((a, b) => severity(b.verdict) - severity(a.verdict)).at(0);
   const results = Object.fromEntries(named.map(([name, bytes, type]) => [name, linkTo(bytes, type)]));
   results.text = linkTo(end.text, 'text/plain');
-  return { state: 'done', seconds: work.seconds, verdict: worst?.verdict ?? '', messages: work.messages, results, certificate: worst };
+  return {state: 'done', seconds: work.seconds, verdict: worst?.verdict ?? '', messages: work.messages, results, certificate: worst};
 }
 
-const broken = (/** @type {string} */ reason) => new Error(`The planner broke down (${reason}); this browser may give it too little memory.`);
+const broken = (/** @type {string} */ reason) =>
+  new Error(`The planner broke down (${reason}); this browser may give it too little memory.`);
 
 /** A run of the command in a worker of its own. */
 class LocalWork {
@@ -78,7 +98,7 @@ class LocalWork {
     /** What was noticed. @type {string[]} */
     this.messages = [];
     /** @type {WorkState} */
-    this.state = { state: 'running', seconds: 0 };
+    this.state = {state: 'running', seconds: 0};
     /** Who follows it. @type {((state: WorkState) => void) | null} */
     this.hear = null;
     /** @type {Worker | null} */
@@ -88,7 +108,7 @@ class LocalWork {
     this.isJudged = words[0] !== 'tour';
     this.clock = setInterval(() => this.tell(), 500);
     /** Rejected where the worker breaks down; of a run that was dropped nothing comes any more. */
-    this.end = compiledCommand().then(wasm => this.run({ wasm, words, files })).finally(() => this.stop());
+    this.end = compiledCommand().then(wasm => this.run({wasm, words, files})).finally(() => this.stop());
   }
 
   /** s since it began. */
@@ -142,9 +162,7 @@ class LocalWork {
   async last() {
     try {
       this.state = stateOfEnd(this, await this.end);
-    } catch (error) {
-      this.state = { state: 'failed', message: wordsOfError(error) };
-    }
+    } catch (error) { this.state = {state: 'failed', message: wordsOfError(error)}; }
     this.tell();
     return this.state;
   }
@@ -158,22 +176,36 @@ function forgetLinks(links) {
 /** What came of a part that was planned and certified by one strategy. @type {(strategy: string, state: WorkState) => StrategyRun} */
 function runOf(strategy, state) {
   if (state.state === 'done') forgetLinks(state.results);
-  if (state.state !== 'done' || !state.certificate) return { strategy, planned: false, refusal: state.state === 'failed' && state.message || 'ended without a result' };
-  const { time_s, feed_mm, retracts, engagement, uncut_thickness_mm, features } = state.certificate;
-  return { strategy, planned: true, clean: features.every(feature => feature.clean), fastest: false, time_s, feed_mm, retracts, engagement_max_deg: engagement.max_deg, uncut_thickness_mm };
+  if (state.state !== 'done' || !state.certificate)
+    return {strategy, planned: false, refusal: state.state === 'failed' && state.message || 'ended without a result'};
+  const {time_s, feed_mm, retracts, engagement, uncut_thickness_mm, features} = state.certificate;
+  return {
+    strategy,
+    planned: true,
+    clean: features.every(feature => feature.clean),
+    fastest: false,
+    time_s,
+    feed_mm,
+    retracts,
+    engagement_max_deg: engagement.max_deg,
+    uncut_thickness_mm
+  };
 }
 
 /** The first of those that take the least time and are clean. @type {(runs: StrategyRun[]) => PlannedRun | undefined} */
 function fastestOf(runs) {
   const seconds = (/** @type {PlannedRun} */ run) => run.time_s ?? Infinity;
-  return runs.filter(run => run.planned).filter(run => run.clean).reduce((/** @type {PlannedRun | undefined} */ best, run) => best && seconds(best) <= seconds(run) ? best : run, undefined);
+  return runs.filter(run => run.planned)
+    .filter(run => run.clean)
+    .reduce((/** @type {PlannedRun | undefined} */ best, run) => best && seconds(best) <= seconds(run) ? best : run, undefined);
 }
 
 /** Every strategy on a part, two at a time, each in a worker of its own. */
 class LocalComparison {
   /** @param {FormData} form @param {NamedBytes[]} files @param {string[]} names */
   constructor(form, files, names) {
-    this.words = ['plan', nameIn(form, 'part'), ...optionsIn(form), '--output=results/program.ngc', '--certificate=results/certificate.json'];
+    this.words =
+      ['plan', nameIn(form, 'part'), ...optionsIn(form), '--output=results/program.ngc', '--certificate=results/certificate.json'];
     this.files = files;
     this.names = names;
     /** Strategies that nobody has begun. */
@@ -184,9 +216,9 @@ class LocalComparison {
     this.works = new Set();
     this.began = performance.now();
     /** How many are done, and after how many s the last one was. */
-    this.done = { count: 0, seconds: 0 };
+    this.done = {count: 0, seconds: 0};
     /** @type {WorkState} */
-    this.state = { state: 'running', seconds: 0 };
+    this.state = {state: 'running', seconds: 0};
     /** Who follows it. @type {((state: WorkState) => void) | null} */
     this.hear = null;
     this.clock = setInterval(() => this.tell(), 500);
@@ -197,8 +229,12 @@ class LocalComparison {
 
   tell() {
     if (this.state.state === 'running') {
-      const { count, seconds } = this.done, left = timeLeft(count, this.names.length, seconds, this.seconds - seconds);
-      this.state = { state: 'running', seconds: this.seconds, progress: { stage: 'counting', things: 'strategies', done: count, most: this.names.length, ...left === null ? {} : { left_s: left } } };
+      const {count, seconds} = this.done, left = timeLeft(count, this.names.length, seconds, this.seconds - seconds);
+      this.state = {
+        state: 'running',
+        seconds: this.seconds,
+        progress: {stage: 'counting', things: 'strategies', done: count, most: this.names.length, ...left === null ? {} : {left_s: left}}
+      };
     }
     this.hear?.(this.state);
   }
@@ -209,7 +245,7 @@ class LocalComparison {
       this.works.add(work);
       this.runs[k] = runOf(this.names[k], await work.last());
       this.works.delete(work);
-      this.done = { count: this.done.count + 1, seconds: this.seconds };
+      this.done = {count: this.done.count + 1, seconds: this.seconds};
       this.tell();
     }
   }
@@ -220,8 +256,14 @@ class LocalComparison {
     clearInterval(this.clock);
     const fastest = fastestOf(this.runs), refused = this.runs.find(run => !run.planned);
     if (fastest) fastest.fastest = true;
-    this.state = this.runs.some(run => run.planned) ? { state: 'done', seconds: this.seconds, verdict: '', messages: [], results: { text: linkTo(JSON.stringify({ strategies: this.runs }), 'application/json') } }
-      : { state: 'failed', message: refused && !refused.planned ? refused.refusal : '' };
+    this.state = this.runs.some(run => run.planned) ? {
+      state: 'done',
+      seconds: this.seconds,
+      verdict: '',
+      messages: [],
+      results: {text: linkTo(JSON.stringify({strategies: this.runs}), 'application/json')}
+    } :
+                                                      {state: 'failed', message: refused && !refused.planned ? refused.refusal : ''};
     this.tell();
   }
 
@@ -270,7 +312,9 @@ const pipeline = {
   },
   async begin(what, form) {
     const files = await filesOf(form);
-    const work = what === 'compare' ? new LocalComparison(form, files, await strategyNames()) : new LocalWork([...inputOf[what](form), ...optionsIn(form), ...resultsWanted[what]], files), id = String(++local.last);
+    const work = what === 'compare' ? new LocalComparison(form, files, await strategyNames()) :
+                                      new LocalWork([...inputOf[what](form), ...optionsIn(form), ...resultsWanted[what]], files),
+          id = String(++local.last);
     local.works.set(id, work);
     work.last();
     return id;
@@ -287,12 +331,14 @@ const pipeline = {
     }
     work.hear = hear;
     setTimeout(() => work.tell());
-    return () => { work.hear = null; };
+    return () => {
+      work.hear = null;
+    };
   },
   async info(form) {
     const work = new LocalWork(['info', nameIn(form, 'part'), ...optionsIn(form), '--json'], await filesOf(form)), end = await work.end;
-    if (end.code > 1 || !end.text.startsWith('{')) return { state: 'failed', message: work.messages.at(-1) ?? 'ended without an answer' };
-    return { state: 'done', info: JSON.parse(end.text) };
+    if (end.code > 1 || !end.text.startsWith('{')) return {state: 'failed', message: work.messages.at(-1) ?? 'ended without an answer'};
+    return {state: 'done', info: JSON.parse(end.text)};
   },
 };
 

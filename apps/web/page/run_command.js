@@ -13,16 +13,18 @@ async function runCommand(makeModule, wasm, words, files, heard) {
   const lines = [];
   const module = await makeModule({
     noInitialRun: true,
-    quit: (status, thrown) => { throw thrown; },  // under Node it would end the process
+    quit: (status, thrown) => {
+      throw thrown;
+    },  // under Node it would end the process
     print: line => lines.push(line),
     printErr: heard,
     instantiateWasm: (imports, done) => {
       WebAssembly.instantiate(wasm, imports).then(instance => done(instance, wasm));
       return {};
     },
-    preRun: [one => Object.assign(one.ENV, { CLEARCUT_PROGRESS: 'json', COLUMNS: '100', NO_COLOR: '1' })],
+    preRun: [one => Object.assign(one.ENV, {CLEARCUT_PROGRESS: 'json', COLUMNS: '100', NO_COLOR: '1'})],
   });
-  const { FS } = module;
+  const {FS} = module;
   FS.mkdir('/files');
   FS.mkdir('/files/results');
   FS.chdir('/files');
@@ -30,8 +32,9 @@ async function runCommand(makeModule, wasm, words, files, heard) {
   const code = module.callMain(words);
   /** @type {CommandEnd['results']} */
   const results = {};
-  for (const name of FS.readdir('results')) if (!name.startsWith('.')) results[name] = FS.readFile(`results/${name}`);
-  return { code, text: lines.length > 0 ? `${lines.join('\n')}\n` : '', results };
+  for (const name of FS.readdir('results'))
+    if (!name.startsWith('.')) results[name] = FS.readFile(`results/${name}`);
+  return {code, text: lines.length > 0 ? `${lines.join('\n')}\n` : '', results};
 }
 
-if (typeof module !== 'undefined') module.exports = { runCommand };
+if (typeof module !== 'undefined') module.exports = {runCommand};

@@ -11,8 +11,8 @@
 #include "model/options/resolved_plan.h"
 #include "model/part.h"
 #include "model/results/findings.h"
-#include "model/results/strategy_selection.h"
 #include "model/results/margin.h"
+#include "model/results/strategy_selection.h"
 #include "report/result.h"
 
 namespace clearcut::report {

@@ -1,7 +1,11 @@
 // ---- Which moves are shown and in which colours. A colouring puts every move in one of a few classes.
 const CLASSES = 10, NO_VALUE = 255;
 const dark = matchMedia('(prefers-color-scheme: dark)');
-const filters = { rapids: true, operation: -1, layer: -1 };
+const filters = {
+  rapids: true,
+  operation: -1,
+  layer: -1
+};
 
 /** Heights that are cut, descending, and for each move the index of the one it belongs to: entries to the cut after them. @type {number[]} */
 const layerHeights = [], layerOf = new Int16Array(count).fill(-1);
@@ -9,7 +13,8 @@ const layerHeights = [], layerOf = new Int16Array(count).fill(-1);
 function findLayers() {
   const milli = (/** @type {number} */ i) => Math.round(1000 * moves.z1[i]), heights = new Set();
   const cuts = (/** @type {number} */ i) => moves.kind[i] === 4 && moves.z0[i] === moves.z1[i];
-  for (let i = 0; i < count; ++i) if (cuts(i)) heights.add(milli(i));
+  for (let i = 0; i < count; ++i)
+    if (cuts(i)) heights.add(milli(i));
   layerHeights.push(...[...heights].sort((a, b) => b - a).slice(0, 1000));
   const index = new Map(layerHeights.map((z, k) => [z, k]));
   for (let i = count - 1, layer = -1; i >= 0; --i) {
@@ -21,7 +26,7 @@ findLayers();
 
 /** What is said of an operation: its label, and its cutter where others are called the same. @type {(s: number) => string} */
 function operationName(s) {
-  const { label, tool } = job.sections[s], isAlone = job.sections.filter(other => other.label === label).length === 1;
+  const {label, tool} = job.sections[s], isAlone = job.sections.filter(other => other.label === label).length === 1;
   const words = label || 'operation ' + (s + 1);
   return isAlone || tool < 0 ? words : words + ', ' + job.tools[tool].w;
 }
@@ -44,7 +49,7 @@ const toolColor = k => 'hsl(' + TOOL_HUES[k % TOOL_HUES.length] + ' 80% ' + (dar
 /** @type {() => Coloring} */
 function byKind() {
   const group = [0, 1, 1, 2, 2, 2, 3, 3];
-  return { of: i => group[moves.kind[i]], colors: ['rapid', 'entry', 'cut', 'link'].map(css), words: ['rapid', 'entry', 'cut', 'link'] };
+  return {of: i => group[moves.kind[i]], colors: ['rapid', 'entry', 'cut', 'link'].map(css), words: ['rapid', 'entry', 'cut', 'link']};
 }
 
 /**
@@ -54,8 +59,9 @@ function byKind() {
 function byValue(value, from, to, words) {
   const step = (to - from) / CLASSES || 1, colors = [];
   for (let k = 0; k < CLASSES; ++k) colors.push(rampColor(k, CLASSES));
-  const classAt = (/** @type {number | null} */ v) => v === null ? NO_VALUE : Math.max(0, Math.min(CLASSES - 1, Math.floor((v - from) / step)));
-  return { of: i => classAt(value(i)), colors, from: words(from), to: words(to) };
+  const classAt = (/** @type {number | null} */ v) =>
+    v === null ? NO_VALUE : Math.max(0, Math.min(CLASSES - 1, Math.floor((v - from) / step)));
+  return {of: i => classAt(value(i)), colors, from: words(from), to: words(to)};
 }
 
 /** @type {() => Coloring} */
@@ -66,11 +72,16 @@ function byFeed() {
 /** @type {() => Coloring} */
 function byLayer() {
   const z = layerHeights.map(milli => milli / 1000);
-  return byValue(i => layerOf[i] < 0 || moves.kind[i] === 0 ? null : -z[layerOf[i]], -z[0], -z[z.length - 1], v => 'z ' + lengthText(-v, 2));
+  return byValue(
+    i => layerOf[i] < 0 || moves.kind[i] === 0 ? null : -z[layerOf[i]], -z[0], -z[z.length - 1], v => 'z ' + lengthText(-v, 2));
 }
 /** @type {() => Coloring} */
 function byTool() {
-  return { of: i => Math.min(254, Math.max(0, job.sections[moves.section[i]].tool)), colors: job.tools.map((tool, k) => toolColor(k)), words: job.tools.map(tool => tool.w) };
+  return {
+    of: i => Math.min(254, Math.max(0, job.sections[moves.section[i]].tool)),
+    colors: job.tools.map((tool, k) => toolColor(k)),
+    words: job.tools.map(tool => tool.w)
+  };
 }
 /** @type {(degrees: number[]) => Coloring} */
 const byEngagement = degrees => byValue(i => moves.kind[i] === 0 ? null : degrees[i], 0, 180, v => v + '\u00b0');
@@ -79,7 +90,9 @@ const byEngagement = degrees => byValue(i => moves.kind[i] === 0 ? null : degree
 const byForce = newtons => byValue(i => moves.kind[i] === 0 ? null : newtons[i], 0, mostForce, forceText);
 
 /** @type {Record<string, () => Coloring>} */
-const COLORINGS = { kind: byKind };
+const COLORINGS = {
+  kind: byKind
+};
 if (job.feeds.some(row => row[1] > 0)) COLORINGS.feed = byFeed;
 if (engagements) COLORINGS.engagement = () => byEngagement(engagements);
 if (forces && mostForce > 0) COLORINGS.force = () => byForce(forces);

@@ -28,23 +28,51 @@ const earlier = job.earlier ? decodeMoves(job.earlier) : null;
 /** Of the program or of what was cut before it. @type {(columns: MoveColumns) => Moves} */
 function decodeMoves(columns) {
   const size = columns.kinds.length;
-  const m = { kind: new Uint8Array(size), x0: new Float64Array(size), y0: new Float64Array(size), z0: new Float64Array(size),
-    x1: new Float64Array(size), y1: new Float64Array(size), z1: new Float64Array(size), t: new Float64Array(size + 1),
-    line: new Int32Array(size), feed: new Float64Array(size), section: new Uint32Array(size),
-    cx: new Float64Array(size), cy: new Float64Array(size), turn: new Int8Array(size), tools: columns.sections.map(section => section.tool),
-    below: columns.sections.map(section => section.below ?? null) };
+  const m = {
+    kind: new Uint8Array(size),
+    x0: new Float64Array(size),
+    y0: new Float64Array(size),
+    z0: new Float64Array(size),
+    x1: new Float64Array(size),
+    y1: new Float64Array(size),
+    z1: new Float64Array(size),
+    t: new Float64Array(size + 1),
+    line: new Int32Array(size),
+    feed: new Float64Array(size),
+    section: new Uint32Array(size),
+    cx: new Float64Array(size),
+    cy: new Float64Array(size),
+    turn: new Int8Array(size),
+    tools: columns.sections.map(section => section.tool),
+    below: columns.sections.map(section => section.below ?? null)
+  };
   let x = 0, y = 0, z = 0, line = 0, ticks = 0, start = 0, feedAt = 0, feed = 0, section = -1;
   for (let i = 0; i < size; ++i) {
     if (start < columns.starts.length && columns.starts[start][0] === i) [, x, y, z] = columns.starts[start++];
     if (feedAt < columns.feeds.length && columns.feeds[feedAt][0] === i) feed = columns.feeds[feedAt++][1];
     while (section + 1 < columns.sections.length && columns.sections[section + 1].first <= i) ++section;
     m.kind[i] = columns.kinds.charCodeAt(i) - 48;
-    m.x0[i] = x / 1000; m.y0[i] = y / 1000; m.z0[i] = z / 1000;
-    x += columns.x[i]; y += columns.y[i]; z += columns.z[i]; line += columns.line[i]; ticks += columns.t[i];
-    m.x1[i] = x / 1000; m.y1[i] = y / 1000; m.z1[i] = z / 1000;
-    m.t[i + 1] = ticks / 10000; m.line[i] = line; m.feed[i] = feed; m.section[i] = section;
+    m.x0[i] = x / 1000;
+    m.y0[i] = y / 1000;
+    m.z0[i] = z / 1000;
+    x += columns.x[i];
+    y += columns.y[i];
+    z += columns.z[i];
+    line += columns.line[i];
+    ticks += columns.t[i];
+    m.x1[i] = x / 1000;
+    m.y1[i] = y / 1000;
+    m.z1[i] = z / 1000;
+    m.t[i + 1] = ticks / 10000;
+    m.line[i] = line;
+    m.feed[i] = feed;
+    m.section[i] = section;
   }
-  for (const [i, cx, cy, turn] of columns.arcs) { m.cx[i] = m.x0[i] + cx / 1000; m.cy[i] = m.y0[i] + cy / 1000; m.turn[i] = turn; }
+  for (const [i, cx, cy, turn] of columns.arcs) {
+    m.cx[i] = m.x0[i] + cx / 1000;
+    m.cy[i] = m.y0[i] + cy / 1000;
+    m.turn[i] = turn;
+  }
   return m;
 }
 
@@ -62,7 +90,8 @@ const forceText = force => fixed(force, force < 10 ? 1 : 0) + ' N';
 
 /** First move of each line of the program, -1 where it has none. */
 const moveOfLine = new Int32Array(job.program.length + 1).fill(-1);
-for (let i = count - 1; i >= 0; --i) if (moves.line[i] < moveOfLine.length) moveOfLine[moves.line[i]] = i;
+for (let i = count - 1; i >= 0; --i)
+  if (moves.line[i] < moveOfLine.length) moveOfLine[moves.line[i]] = i;
 
 /** Start angle and signed sweep of an arc move. @type {(i: number, m?: Moves) => { a: number, sweep: number, r: number }} */
 function arcOf(i, m = moves) {
@@ -70,15 +99,15 @@ function arcOf(i, m = moves) {
   const b = Math.atan2(m.y1[i] - m.cy[i], m.x1[i] - m.cx[i]);
   let sweep = b - a;
   while (m.turn[i] > 0 ? sweep <= 0 : sweep >= 0) sweep += m.turn[i] * 2 * Math.PI;
-  return { a, sweep, r: Math.hypot(m.x0[i] - m.cx[i], m.y0[i] - m.cy[i]) };
+  return {a, sweep, r: Math.hypot(m.x0[i] - m.cx[i], m.y0[i] - m.cy[i])};
 }
 
 /** @type {(i: number, f: number, m?: Moves) => Place} */
 function pointAt(i, f, m = moves) {
   const z = m.z0[i] + (m.z1[i] - m.z0[i]) * f;
-  if (m.turn[i] === 0) return { x: m.x0[i] + (m.x1[i] - m.x0[i]) * f, y: m.y0[i] + (m.y1[i] - m.y0[i]) * f, z };
+  if (m.turn[i] === 0) return {x: m.x0[i] + (m.x1[i] - m.x0[i]) * f, y: m.y0[i] + (m.y1[i] - m.y0[i]) * f, z};
   const arc = arcOf(i, m), angle = arc.a + arc.sweep * f;
-  return { x: m.cx[i] + arc.r * Math.cos(angle), y: m.cy[i] + arc.r * Math.sin(angle), z };
+  return {x: m.cx[i] + arc.r * Math.cos(angle), y: m.cy[i] + arc.r * Math.sin(angle), z};
 }
 
 /** Adds the part of move i between fractions f and g to the current path. @type {(context: Context2D, i: number, f: number, g: number) => void} */

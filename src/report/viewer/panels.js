@@ -4,11 +4,12 @@ function writeHeader() {
   by('tiles').replaceChildren();
   const f = job.figures, has = (/** @type {string} */ kind) => job.faults.some(fault => fault.kind === kind);
   /** @type {[string | number, string, boolean?][]} */
-  const figures = [[clock(f.time_s), 'machining time'], [lengthText(f.feed_mm, 0), 'feed'],
-    [lengthText(f.rapid_mm, 0), 'rapid'], [f.retracts, 'retracts'],
+  const figures = [
+    [clock(f.time_s), 'machining time'], [lengthText(f.feed_mm, 0), 'feed'], [lengthText(f.rapid_mm, 0), 'rapid'], [f.retracts, 'retracts'],
     [job.asked ? lengthText(f.uncut_thickness_mm, 4) : 'not asked', 'left at most, proven', has('uncut')],
     [job.asked ? lengthText(f.gouge_mm, 4) : 'not asked', 'deepest gouge', has('gouge')],
-    [f.rapid_in_material, 'rapids in material', f.rapid_in_material > 0], [fixed(f.max_deg, 0) + '\u00b0', 'largest engagement']];
+    [f.rapid_in_material, 'rapids in material', f.rapid_in_material > 0], [fixed(f.max_deg, 0) + '\u00b0', 'largest engagement']
+  ];
   for (const [figure, words, bad] of figures) {
     const tile = element('div', undefined, by('tiles'), bad ? 'bad' : '');
     element('dt', words, tile);
@@ -27,19 +28,26 @@ function writeVerdict() {
   by('verdict').className = verdict.toLowerCase();
   by('faults').replaceChildren();
   by('conditions').replaceChildren();
-  by('reason').textContent = verdict === 'CLEAN' && !job.asked ? 'No fault. What is left and what is gouged was not asked: no part was stated.'
-    : verdict === 'CLEAN' ? 'Nothing is left beyond the tolerance, nothing gouged, no fault.'
-    : verdict === 'CONDITIONAL' ? 'No fault, as long as ' + (open === 1 ? 'this condition holds:' : 'these ' + open + ' conditions hold:')
-      : faults > 0 ? counted(faults, 'fault') + (open ? ', ' + counted(open, 'open condition') : '') + ':' : 'The figures are beyond the tolerances.';
+  by('reason').textContent = verdict === 'CLEAN' && !job.asked ?
+    'No fault. What is left and what is gouged was not asked: no part was stated.' :
+    verdict === 'CLEAN'       ? 'Nothing is left beyond the tolerance, nothing gouged, no fault.' :
+    verdict === 'CONDITIONAL' ? 'No fault, as long as ' + (open === 1 ? 'this condition holds:' : 'these ' + open + ' conditions hold:') :
+    faults > 0                ? counted(faults, 'fault') + (open ? ', ' + counted(open, 'open condition') : '') + ':' :
+                                'The figures are beyond the tolerances.';
   job.faults.forEach((fault, k) => {
-    const button = listButton(by('faults'), sentence(fault.head), (fault.feature ? ' in ' + fault.feature : '') + (fault.line ? ', line ' + fault.line : ''), sentence(fault.text));
+    const button = listButton(by('faults'), sentence(fault.head),
+      (fault.feature ? ' in ' + fault.feature : '') + (fault.line ? ', line ' + fault.line : ''), sentence(fault.text));
     button.onclick = () => goToFault(k);
   });
   for (const condition of [...job.conditions].sort((a, b) => (a.met_by ? 1 : 0) - (b.met_by ? 1 : 0))) {
     const words = (condition.line ? ', line ' + condition.line : '') + (condition.met_by ? ' (met: ' + condition.met_by + ')' : '');
     const button = listButton(by('conditions'), condition.name, words, sentence(condition.text));
     button.parentElement?.classList.toggle('met', condition.met_by !== '');
-    if (condition.line > 0 && lineCount > 0) button.onclick = () => { play(false); goToLine(condition.line); };
+    if (condition.line > 0 && lineCount > 0)
+      button.onclick = () => {
+        play(false);
+        goToLine(condition.line);
+      };
     else button.disabled = true;
   }
 }
@@ -54,7 +62,7 @@ function listButton(list, head, words, text) {
 }
 
 /** @type {(fault: JobFault) => Place | null} */
-const placeOfFault = ({ x, y, z }) => x === null || y === null ? null : { x, y, z: z ?? 0 };
+const placeOfFault = ({x, y, z}) => x === null || y === null ? null : {x, y, z: z ?? 0};
 
 /** @type {(k: number) => void} */
 function goToFault(k) {
@@ -91,7 +99,14 @@ function writeFeatures() {
     element('td', bare(feature.floor, 2), row);
     element('td', clock(feature.time), row);
     element('td', bare(feature.left, 4), row);
-    element('td', feature.clean === null ? '?' : feature.clean ? 'yes' : 'no', row, feature.clean === null ? '' : feature.clean ? 'good' : 'bad');
+    element('td',
+      feature.clean === null ? '?' :
+        feature.clean        ? 'yes' :
+                               'no',
+      row,
+      feature.clean === null ? '' :
+        feature.clean        ? 'good' :
+                               'bad');
     row.dataset.feature = String(i);
     button.disabled = s < 0;
     button.onclick = () => show(sectionTime(s) + 1e-3);

@@ -28,7 +28,10 @@ function shade(g) {
       }
       light *= 1 - 0.4 * shadow;
       const color = shades[shadeAt(here)];
-      out[k] = color[0] * light; out[k + 1] = color[1] * light; out[k + 2] = color[2] * light; out[k + 3] = 255;
+      out[k] = color[0] * light;
+      out[k + 1] = color[1] * light;
+      out[k + 2] = color[2] * light;
+      out[k + 3] = 255;
     }
   }
   context.putImageData(picture, box.x0, box.y0);
@@ -44,9 +47,12 @@ function reachOf(feature, reach, g) {
   const canvas = newCanvas(g), c = contextOf(canvas);
   toWorld(c, g);
   c.clip(new Path2D(feature.path), 'evenodd');
-  c.lineWidth = reach.d; c.lineJoin = c.lineCap = 'round';
+  c.lineWidth = reach.d;
+  c.lineJoin = c.lineCap = 'round';
   const centers = new Path2D(reach.centers);
-  c.fill(centers, 'evenodd'); c.stroke(centers); c.stroke(new Path2D(reach.lines));
+  c.fill(centers, 'evenodd');
+  c.stroke(centers);
+  c.stroke(new Path2D(reach.lines));
   return c.getImageData(0, 0, g.width, g.height).data;
 }
 
@@ -71,7 +77,7 @@ function restsAtTheEnd(g) {
 
 /** A canvas of a grid's size, where it lies in the view. @type {(c: Context2D, canvas: HTMLCanvasElement, g: Grid) => void} */
 function drawWorldPicture(c, canvas, g) {
-  const corner = toScreen({ x: g.x0, y: g.y1 }), k = view.k / g.scale;
+  const corner = toScreen({x: g.x0, y: g.y1}), k = view.k / g.scale;
   c.save();
   c.setTransform(view.ratio, 0, 0, view.ratio, 0, 0);
   c.drawImage(canvas, corner.x, corner.y, g.width * k, g.height * k);
@@ -86,7 +92,8 @@ function drawRests(c, px) {
 
 /** @type {(c: Context2D, px: number) => void} */
 function drawOutlines(c, px) {
-  c.lineWidth = 0.8 * px; c.strokeStyle = css('outline');
+  c.lineWidth = 0.8 * px;
+  c.strokeStyle = css('outline');
   c.save();
   if (job.stock) {
     c.beginPath();
@@ -131,7 +138,8 @@ function drawWholePath(c) {
   const key = [view.x, view.y, view.k, view.w, view.h, view.ratio, pictureVersion].join();
   if (key !== pathKey) {
     pathKey = key;
-    pathPicture.width = overlay.width; pathPicture.height = overlay.height;
+    pathPicture.width = overlay.width;
+    pathPicture.height = overlay.height;
     const p = contextOf(pathPicture);
     setPlan(p);
     p.lineJoin = p.lineCap = 'round';
@@ -146,7 +154,8 @@ function drawWholePath(c) {
   if (i < 0) return;
   c.beginPath();
   trace(c, i, 0, 1);
-  c.lineWidth = 3.5 / view.k; c.strokeStyle = css('ink');
+  c.lineWidth = 3.5 / view.k;
+  c.strokeStyle = css('ink');
   c.stroke();
 }
 
@@ -157,20 +166,28 @@ const goesOnAfter = (i, k) => i + 1 < count && classOf[i + 1] === k && moves.tur
 
 /** One stroke for all moves of a class. Rests of lines shorter than half a pixel are left to the next move. @type {(c: Context2D, k: number, color: string) => void} */
 function strokeClass(c, k, color) {
-  const short = 0.5 / view.k, min = toPlan({ x: 0, y: view.h }), max = toPlan({ x: view.w, y: 0 });
+  const short = 0.5 / view.k, min = toPlan({x: 0, y: view.h}), max = toPlan({x: view.w, y: 0});
   let last = -2, x = 0, y = 0;
   c.beginPath();
   for (let i = 0; i < count; ++i) {
     if (classOf[i] !== k || !shown(i)) continue;
-    if (moves.turn[i] !== 0) { trace(c, i, 0, 1); continue; }
+    if (moves.turn[i] !== 0) {
+      trace(c, i, 0, 1);
+      continue;
+    }
     const ax = moves.x0[i], ay = moves.y0[i], bx = moves.x1[i], by_ = moves.y1[i];
     if (!meets(ax, bx, min.x, max.x) || !meets(ay, by_, min.y, max.y)) continue;
     const goesOn = last === i - 1 && moves.turn[last] === 0;
-    if (!goesOn) { c.moveTo(ax, ay); x = ax; y = ay; }
+    if (!goesOn) {
+      c.moveTo(ax, ay);
+      x = ax;
+      y = ay;
+    }
     last = i;
     if (goesOnAfter(i, k) && Math.abs(bx - x) < short && Math.abs(by_ - y) < short) continue;
     c.lineTo(bx, by_);
-    x = bx; y = by_;
+    x = bx;
+    y = by_;
   }
   c.strokeStyle = color;
   c.globalAlpha = color === noColor ? 0.6 : 1;
@@ -204,10 +221,14 @@ function drawTool(c, px) {
   c.arc(p.x, p.y, radius, 0, 2 * Math.PI);
   c.fillStyle = cuts ? 'rgba(232,118,12,0.28)' : 'rgba(120,130,140,0.18)';
   c.fill();
-  c.lineWidth = 2 * px; c.strokeStyle = cuts ? css('entry') : css('rapid');
+  c.lineWidth = 2 * px;
+  c.strokeStyle = cuts ? css('entry') : css('rapid');
   c.stroke();
   c.beginPath();
-  c.moveTo(p.x - 5 * px, p.y); c.lineTo(p.x + 5 * px, p.y); c.moveTo(p.x, p.y - 5 * px); c.lineTo(p.x, p.y + 5 * px);
+  c.moveTo(p.x - 5 * px, p.y);
+  c.lineTo(p.x + 5 * px, p.y);
+  c.moveTo(p.x, p.y - 5 * px);
+  c.lineTo(p.x, p.y + 5 * px);
   c.stroke();
 }
 
@@ -218,7 +239,8 @@ function drawMark(c, px, place) {
   for (const [color, w] of rings) {
     c.beginPath();
     c.arc(place.x, place.y, 12 * px, 0, 2 * Math.PI);
-    c.lineWidth = w * px; c.strokeStyle = color;
+    c.lineWidth = w * px;
+    c.strokeStyle = color;
     c.stroke();
   }
 }
@@ -226,10 +248,15 @@ function drawMark(c, px, place) {
 /** @type {(c: Context2D, px: number) => void} */
 function drawMeasure(c, px) {
   if (!measure.from) return;
-  c.strokeStyle = c.fillStyle = css('ink'); c.lineWidth = 1.5 * px;
+  c.strokeStyle = c.fillStyle = css('ink');
+  c.lineWidth = 1.5 * px;
   const ends_ = [measure.from, measure.to].filter(p => p !== null).map(p => space.on ? projected(p) : p);
   c.beginPath();
   ends_.forEach((p, k) => k === 0 ? c.moveTo(p.x, p.y) : c.lineTo(p.x, p.y));
   c.stroke();
-  for (const p of ends_) { c.beginPath(); c.arc(p.x, p.y, 3 * px, 0, 2 * Math.PI); c.fill(); }
+  for (const p of ends_) {
+    c.beginPath();
+    c.arc(p.x, p.y, 3 * px, 0, 2 * Math.PI);
+    c.fill();
+  }
 }

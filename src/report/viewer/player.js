@@ -37,20 +37,31 @@ function unmark() {
 function redraw() {
   measureStage();
   lensIsDue();
-  if (space.on) { drawSpace(); drawSpaceOverlay(); } else { detail.settled = true; drawOverlay(); }
+  if (space.on) {
+    drawSpace();
+    drawSpaceOverlay();
+  } else {
+    detail.settled = true;
+    drawOverlay();
+  }
   restSoon();
   // Turning and zooming change no figure, and writing the same ones again costs as much as the picture.
-  const key = [at.time, selected, playing, unit.name, dark.matches, by('plot').clientWidth, by('plot').clientHeight, window.devicePixelRatio].join();
+  const key =
+    [at.time, selected, playing, unit.name, dark.matches, by('plot').clientWidth, by('plot').clientHeight, window.devicePixelRatio].join();
   if (key !== figuresKey) {
     figuresKey = key;
-    updateNow(); drawPlot();
+    updateNow();
+    drawPlot();
   }
   tellChanges();
 }
 function redrawSoon() {
   if (redrawAsked) return;
   redrawAsked = true;
-  requestAnimationFrame(() => { redrawAsked = false; redraw(); });
+  requestAnimationFrame(() => {
+    redrawAsked = false;
+    redraw();
+  });
 }
 
 /** @type {(now: number) => void} */
@@ -69,7 +80,10 @@ function frame(now) {
 function play(on) {
   if (on === playing) return;
   if (on && at.time >= total) goTo(0);
-  if (on) { unmark(); leaveChange(); }
+  if (on) {
+    unmark();
+    leaveChange();
+  }
   playing = on;
   lastFrame = performance.now();
   updateNow();
@@ -79,18 +93,37 @@ function play(on) {
 /** To the end of the move under way, or one move on or back. @type {(by_: number) => void} */
 function stepMove(by_) {
   const i = shownMove(), next = by_ > 0 && shownFraction() > 0 && shownFraction() < 1 ? i : i + by_;
-  if (next < 0) { play(false); show(0); } else selectMove(Math.min(count - 1, next));
+  if (next < 0) {
+    play(false);
+    show(0);
+  } else selectMove(Math.min(count - 1, next));
 }
 
 const TURN = 15;  // degrees
 /** @type {Record<string, [number, number]>} */
-const TURNS = { ArrowRight: [TURN, 0], ArrowLeft: [-TURN, 0], ArrowUp: [0, TURN], ArrowDown: [0, -TURN] };
+const TURNS = {
+  ArrowRight: [TURN, 0],
+  ArrowLeft: [-TURN, 0],
+  ArrowUp: [0, TURN],
+  ArrowDown: [0, -TURN]
+};
 /** @type {Record<string, () => void>} */
-const KEYS = { ' ': () => play(!playing), ArrowRight: () => stepMove(1), ArrowLeft: () => stepMove(-1), Home: () => show(0), End: () => show(total),
-  '+': () => zoom(1.5), '=': () => zoom(1.5), '-': () => zoom(1 / 1.5), '0': () => by('fit').click(), 'm': () => setMeasuring(!measure.on), 'b': blinkChange,
-  'Escape': () => setMeasuring(false) };
+const KEYS = {
+  ' ': () => play(!playing),
+  ArrowRight: () => stepMove(1),
+  ArrowLeft: () => stepMove(-1),
+  Home: () => show(0),
+  End: () => show(total),
+  '+': () => zoom(1.5),
+  '=': () => zoom(1.5),
+  '-': () => zoom(1 / 1.5),
+  '0': () => by('fit').click(),
+  'm': () => setMeasuring(!measure.on),
+  'b': blinkChange,
+  'Escape': () => setMeasuring(false)
+};
 /** Whether a key means something else where it is pressed: in a list, a field, or to a button. @type {(event: KeyboardEvent) => boolean} */
-function isKeyOfElement({ target, key }) {
+function isKeyOfElement({target, key}) {
   if (target instanceof HTMLInputElement) return target.type !== 'range' || key !== ' ';
   return target instanceof HTMLSelectElement || target instanceof HTMLButtonElement && key === ' ';
 }
@@ -112,16 +145,43 @@ function listen() {
   by('path').onchange = redraw;
   by('color-by').onchange = () => {
     if (by('color-by').value !== 'kind' && by('path').value !== 'all') by('path').value = 'all';
-    colorMoves(); redraw();
+    colorMoves();
+    redraw();
   };
-  const filter = (/** @type {() => void} */ change) => () => { change(); ++pictureVersion; redraw(); };
-  by('rapids').onchange = filter(() => { filters.rapids = by('rapids').checked; });
-  by('operation').onchange = filter(() => { filters.operation = Number(by('operation').value); });
-  by('layer').onchange = filter(() => { filters.layer = Number(by('layer').value); });
-  by('unit').onchange = () => { unit = UNITS[by('unit').value]; writeHeader(); writeVerdict(); writeFeatures(); writeLayers(); writeMeasured(); colorMoves(); chooseSection(true); redraw(); };
-  window.onresize = () => { drawProgram(); redraw(); };
+  const filter = (/** @type {() => void} */ change) => () => {
+    change();
+    ++pictureVersion;
+    redraw();
+  };
+  by('rapids').onchange = filter(() => {
+    filters.rapids = by('rapids').checked;
+  });
+  by('operation').onchange = filter(() => {
+    filters.operation = Number(by('operation').value);
+  });
+  by('layer').onchange = filter(() => {
+    filters.layer = Number(by('layer').value);
+  });
+  by('unit').onchange = () => {
+    unit = UNITS[by('unit').value];
+    writeHeader();
+    writeVerdict();
+    writeFeatures();
+    writeLayers();
+    writeMeasured();
+    colorMoves();
+    chooseSection(true);
+    redraw();
+  };
+  window.onresize = () => {
+    drawProgram();
+    redraw();
+  };
   window.onhashchange = openAtHash;
-  dark.onchange = () => { colorMoves(); redraw(); };
+  dark.onchange = () => {
+    colorMoves();
+    redraw();
+  };
   document.onkeydown = keyPressed;
 }
 
@@ -146,7 +206,8 @@ function writeChoices() {
 
 /** Returns whether the address names a moment. */
 function openAtHash() {
-  const hash = new URLSearchParams(location.hash.slice(1)), line = moves.line.indexOf(Number(hash.get('line') || -1)), fault = Number(hash.get('fault') ?? -1);
+  const hash = new URLSearchParams(location.hash.slice(1)), line = moves.line.indexOf(Number(hash.get('line') || -1)),
+        fault = Number(hash.get('fault') ?? -1);
   if (job.faults[fault]) goToFault(fault);
   else if (hash.has('t')) show(Number(hash.get('t')) || 0);
   else if (line >= 0) selectMove(line);
@@ -169,9 +230,19 @@ function openView() {
 
 fullStock();
 openUnit();
-listenToProgram(); writeChoices(); writeHeader(); writeVerdict(); writeFeatures(); writeTimeline(); writeNow();
-listen(); listenToStage(); seekBy(by('timeline')); seekBy(by('plot'));
-listenToSpace(); listenToChange();
+listenToProgram();
+writeChoices();
+writeHeader();
+writeVerdict();
+writeFeatures();
+writeTimeline();
+writeNow();
+listen();
+listenToStage();
+seekBy(by('timeline'));
+seekBy(by('plot'));
+listenToSpace();
+listenToChange();
 colorMoves();
 openView();
 show(0);

@@ -41,11 +41,12 @@ function writePlotWords(c, words, y) {
 
 /** @type {(w: number, h: number, ratio: number) => void} */
 function drawPlotPicture(w, h, ratio) {
-  plotPicture.width = Math.round(w * ratio); plotPicture.height = Math.round(h * ratio);
+  plotPicture.width = Math.round(w * ratio);
+  plotPicture.height = Math.round(h * ratio);
   const c = contextOf(plotPicture), strips = plotStrips(), share = h / strips.length;
   c.scale(ratio, ratio);
   if (count === 0 || !(total > 0)) return;
-  strips.forEach((strip, k) => plotCurve(c, { ...strip, y: k * share + 1, h: share - 3, w }));
+  strips.forEach((strip, k) => plotCurve(c, {...strip, y: k * share + 1, h: share - 3, w}));
   plotFaults(c, w, h);
   strips.forEach((strip, k) => writePlotWords(c, strip.words, k * share + 2));
 }
@@ -61,19 +62,23 @@ function plotFaults(c, w, h) {
 function plotStrips() {
   const mostFeed = job.feeds.reduce((most, row) => Math.max(most, row[1]), 0);
   /** @type {PlotStrip[]} */
-  const strips = [{ value: i => moves.feed[i], most: mostFeed, color: css('faint'), alpha: 0.6, words: 'feed, up to ' + feedText(mostFeed) }];
-  if (engagements) strips.push({ value: i => engagements[i], most: 180, color: css('accent'), alpha: 0.75, words: 'engagement, up to 180\u00b0' });
-  if (forces) strips.push({ value: i => forces[i], most: mostForce, color: css('entry'), alpha: 0.8, words: 'force, up to ' + forceText(mostForce) });
+  const strips = [{value: i => moves.feed[i], most: mostFeed, color: css('faint'), alpha: 0.6, words: 'feed, up to ' + feedText(mostFeed)}];
+  if (engagements)
+    strips.push({value: i => engagements[i], most: 180, color: css('accent'), alpha: 0.75, words: 'engagement, up to 180\u00b0'});
+  if (forces)
+    strips.push({value: i => forces[i], most: mostForce, color: css('entry'), alpha: 0.8, words: 'force, up to ' + forceText(mostForce)});
   return strips;
 }
 
 function drawPlot() {
-  const canvas = by('plot'), w = Math.max(1, canvas.clientWidth), h = Math.max(1, canvas.clientHeight), ratio = window.devicePixelRatio || 1;
+  const canvas = by('plot'), w = Math.max(1, canvas.clientWidth), h = Math.max(1, canvas.clientHeight),
+        ratio = window.devicePixelRatio || 1;
   const key = [w, h, ratio, dark.matches, unit.name].join();
   if (key !== plotKey) {
     plotKey = key;
     drawPlotPicture(w, h, ratio);
-    canvas.width = plotPicture.width; canvas.height = plotPicture.height;
+    canvas.width = plotPicture.width;
+    canvas.height = plotPicture.height;
   }
   const c = contextOf(canvas);
   c.setTransform(1, 0, 0, 1, 0, 0);
@@ -90,6 +95,11 @@ function seekBy(target) {
     const box = target.getBoundingClientRect();
     show(total * Math.max(0, Math.min(1, (event.clientX - box.left) / box.width)));
   };
-  target.onpointerdown = event => { target.setPointerCapture(event.pointerId); seek(event); };
-  target.onpointermove = event => { if (event.buttons) seek(event); };
+  target.onpointerdown = event => {
+    target.setPointerCapture(event.pointerId);
+    seek(event);
+  };
+  target.onpointermove = event => {
+    if (event.buttons) seek(event);
+  };
 }

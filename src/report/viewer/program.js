@@ -32,7 +32,8 @@ function drawProgram() {
     row.setAttribute('aria-posinset', String(line));
     row.setAttribute('aria-setsize', String(lineCount));
   });
-  if (rows.some(row => !row.hidden && row.dataset.line === String(selectedLine))) box.setAttribute('aria-activedescendant', 'line-' + selectedLine);
+  if (rows.some(row => !row.hidden && row.dataset.line === String(selectedLine)))
+    box.setAttribute('aria-activedescendant', 'line-' + selectedLine);
   else box.removeAttribute('aria-activedescendant');
 }
 
@@ -61,11 +62,14 @@ function listenToProgram() {
   by('program').onscroll = drawProgram;
   by('program').onclick = event => {
     const row = event.target instanceof Element ? event.target.closest('[data-line]') : null;
-    if (row instanceof HTMLElement) { play(false); goToLine(Number(row.dataset.line)); }
+    if (row instanceof HTMLElement) {
+      play(false);
+      goToLine(Number(row.dataset.line));
+    }
   };
   by('program').onkeydown = event => {
     const page = Math.floor(by('program').clientHeight / ROW) - 1;
-    const step = { ArrowDown: 1, ArrowUp: -1, PageDown: page, PageUp: -page, Home: -lineCount, End: lineCount }[event.key];
+    const step = {ArrowDown: 1, ArrowUp: -1, PageDown: page, PageUp: -page, Home: -lineCount, End: lineCount}[event.key];
     if (!step) return;
     event.preventDefault();
     event.stopPropagation();

@@ -8,18 +8,31 @@ const overlay = by('overlay');
 
 /** Made of so many cells per mm from its upper left corner; nothing is filled in yet. @type {(x0: number, y1: number, cells: number, columns: number, rows: number) => Grid} */
 function newGrid(x0, y1, cells, columns, rows) {
-  const column = (/** @type {number} */ x) => Math.max(0, Math.min(columns, Math.round((x - x0) * cells))), row = (/** @type {number} */ y) => Math.max(0, Math.min(rows, Math.round((y1 - y) * cells)));
-  const size = { width: columns, height: rows };
-  return { x0, y1, scale: cells, ...size, block: { x0: column(sx0), x1: column(sx1), y0: row(sy1), y1: row(sy0) },
+  const column = (/** @type {number} */ x) => Math.max(0, Math.min(columns, Math.round((x - x0) * cells))),
+        row = (/** @type {number} */ y) => Math.max(0, Math.min(rows, Math.round((y1 - y) * cells)));
+  const size = {width: columns, height: rows};
+  return {
+    x0,
+    y1,
+    scale: cells,
+    ...size,
+    block: {x0: column(sx0), x1: column(sx1), y0: row(sy1), y1: row(sy0)},
     edges: [Math.max(sx0, x0), Math.max(sy0, y1 - rows / cells), Math.min(sx1, x0 + columns / cells), Math.min(sy1, y1)],
-    heights: new Float32Array(columns * rows), ceilings: new Float32Array(earlier ? columns * rows : 0), ends: job.tools.map(tool => endOf(tool, cells)),
-    dirty: everything(size), soiled: everything(size), relief: newCanvas(size), rests: null };
+    heights: new Float32Array(columns * rows),
+    ceilings: new Float32Array(earlier ? columns * rows : 0),
+    ends: job.tools.map(tool => endOf(tool, cells)),
+    dirty: everything(size),
+    soiled: everything(size),
+    relief: newCanvas(size),
+    rests: null
+  };
 }
 
 /** @type {(size: { width: number, height: number }) => HTMLCanvasElement} */
 function newCanvas(size) {
   const canvas = document.createElement('canvas');
-  canvas.width = size.width; canvas.height = size.height;
+  canvas.width = size.width;
+  canvas.height = size.height;
   return canvas;
 }
 
@@ -34,7 +47,7 @@ function fillStock() {
 }
 
 function fillBlock() {
-  const { heights: h, block: b, width: w } = grid;
+  const {heights: h, block: b, width: w} = grid;
   h.fill(NOTHING);
   for (let y = b.y0; y < b.y1; ++y) h.fill(job.top, y * w + b.x0, y * w + b.x1);
 }
@@ -53,7 +66,8 @@ function noteHollows(before) {
     if (below === null) continue;
     fillBlock();
     cutEarlier(before, below);
-    for (let k = 0; k < h.length; ++k) if (h[k] !== NOTHING && h[k] < below) found[k] = Math.max(found[k], below);
+    for (let k = 0; k < h.length; ++k)
+      if (h[k] !== NOTHING && h[k] < below) found[k] = Math.max(found[k], below);
   }
   grid.ceilings.set(found);
 }
@@ -74,7 +88,7 @@ const FINE = 16;
 function endOf(tool, cells) {
   const radius = tool.d / 2, full = Math.ceil((radius * cells + 0.5) * FINE), above = new Float32Array(full + 1);
   for (let k = 0; k <= full; ++k) above[k] = endAt(tool, Math.min(radius, k / FINE / cells));
-  return { above, full: radius * cells + 0.5, lip: above[full] };
+  return {above, full: radius * cells + 0.5, lip: above[full]};
 }
 
 /** @type {(tool: JobTool, r: number) => number} */
@@ -86,11 +100,13 @@ function endAt(tool, r) {
 
 // Cells that have changed since the flat picture and since the view in space were drawn last: `dirty` and `soiled`.
 /** @type {(size: { width: number, height: number }) => CellBox} */
-function everything(size) { return { x0: 0, y0: 0, x1: size.width, y1: size.height }; }
+function everything(size) { return {x0: 0, y0: 0, x1: size.width, y1: size.height}; }
 /** @type {(box: CellBox, x0: number, y0: number, x1: number, y1: number) => void} */
 function grow(box, x0, y0, x1, y1) {
-  box.x0 = Math.min(box.x0, x0); box.y0 = Math.min(box.y0, y0);
-  box.x1 = Math.max(box.x1, x1); box.y1 = Math.max(box.y1, y1);
+  box.x0 = Math.min(box.x0, x0);
+  box.y0 = Math.min(box.y0, y0);
+  box.x1 = Math.max(box.x1, x1);
+  box.y1 = Math.max(box.y1, y1);
 }
 /** Marks what lies within a box in cells of the grid that is cut, and what a shadow of it may reach. @type {(box: CellBox) => void} */
 function soil(box) {
@@ -102,13 +118,14 @@ function soilAll() { soil(everything(grid)); }
 function taken(box, size) {
   const x0 = Math.max(0, Math.floor(box.x0)), y0 = Math.max(0, Math.floor(box.y0));
   const w = Math.min(size.width, Math.ceil(box.x1)) - x0, h = Math.min(size.height, Math.ceil(box.y1)) - y0;
-  box.x0 = box.y0 = Infinity; box.x1 = box.y1 = -Infinity;
-  return w > 0 && h > 0 ? { x0, y0, w, h } : null;
+  box.x0 = box.y0 = Infinity;
+  box.x1 = box.y1 = -Infinity;
+  return w > 0 && h > 0 ? {x0, y0, w, h} : null;
 }
 
 /** The whole stage, and the grid that is cut: it, or a finer one of what is in sight (lens.js). */
 const whole = newGrid(wx0, wy1, CELLS / Math.max(wx1 - wx0, wy1 - wy0), ...sizeOfWhole());
-const { scale, width, height, heights } = whole;
+const {scale, width, height, heights} = whole;
 let grid = whole;
 
 /** @type {() => [number, number]} */
@@ -120,7 +137,9 @@ function sizeOfWhole() {
 /** What `action` cuts is cut in another grid. @type {(other: Grid, action: () => void) => void} */
 function inGrid(other, action) {
   grid = other;
-  try { action(); } finally { grid = whole; }
+  try {
+    action();
+  } finally { grid = whole; }
 }
 
 /**
@@ -128,20 +147,25 @@ function inGrid(other, action) {
  * @type {(i: number, f: number, g: number, m: Moves) => Strip}
  */
 function stripOf(i, f, g, m) {
-  const p = pointAt(i, f, m), q = pointAt(i, g, m), { x0, y1, scale: cells } = grid;
+  const p = pointAt(i, f, m), q = pointAt(i, g, m), {x0, y1, scale: cells} = grid;
   const column = (/** @type {number} */ x) => (x - x0) * cells - 0.5, row = (/** @type {number} */ y) => (y1 - y) * cells - 0.5;
   /** @type {Strip} */
-  const strip = { ax: column(p.x), ay: row(p.y), bx: column(q.x), by: row(q.y), arc: null };
+  const strip = {ax: column(p.x), ay: row(p.y), bx: column(q.x), by: row(q.y), arc: null};
   if (m.turn[i] !== 0) {
     const arc = arcOf(i, m), from = -(arc.a + arc.sweep * f), to = -(arc.a + arc.sweep * g), back = to < from;
-    strip.arc = { x: column(m.cx[i]), y: row(m.cy[i]), r: arc.r * cells, from: back ? to : from, sweep: Math.abs(to - from) };
+    strip.arc = {x: column(m.cx[i]), y: row(m.cy[i]), r: arc.r * cells, from: back ? to : from, sweep: Math.abs(to - from)};
   }
   return strip;
 }
 
 /** The smallest box around a strip's middle line. @type {(strip: Strip) => CellBox} */
 function boxOf(strip) {
-  const box = { x0: Math.min(strip.ax, strip.bx), x1: Math.max(strip.ax, strip.bx), y0: Math.min(strip.ay, strip.by), y1: Math.max(strip.ay, strip.by) };
+  const box = {
+    x0: Math.min(strip.ax, strip.bx),
+    x1: Math.max(strip.ax, strip.bx),
+    y0: Math.min(strip.ay, strip.by),
+    y1: Math.max(strip.ay, strip.by)
+  };
   const arc = strip.arc, full = 2 * Math.PI;
   for (let quarter = 0; arc && quarter < 4; ++quarter) {
     const angle = quarter * Math.PI / 2, turned = ((angle - arc.from) % full + full) % full;
@@ -168,13 +192,14 @@ function lower(k, distance, z, end) {
 }
 
 /** @type {(box: CellBox, reach: number) => [number, number]} */
-const rowsOf = (box, reach) => [Math.max(grid.block.y0, Math.ceil(box.y0 - reach)), Math.min(grid.block.y1 - 1, Math.floor(box.y1 + reach))];
+const rowsOf =
+  (box, reach) => [Math.max(grid.block.y0, Math.ceil(box.y0 - reach)), Math.min(grid.block.y1 - 1, Math.floor(box.y1 + reach))];
 /** @type {(from: number, to: number) => [number, number]} */
 const columnsIn = (from, to) => [Math.max(grid.block.x0, Math.ceil(from)), Math.min(grid.block.x1 - 1, Math.floor(to))];
 
 /** @type {(strip: Strip, z: number, end: CutterEnd) => void} */
 function cutLine(strip, z, end) {
-  const { ax, ay } = strip, { heights: present, width: across } = grid, reach = end.full + 1, length = Math.hypot(strip.bx - ax, strip.by - ay);
+  const {ax, ay} = strip, {heights: present, width: across} = grid, reach = end.full + 1, length = Math.hypot(strip.bx - ax, strip.by - ay);
   const ux = length > 0 ? (strip.bx - ax) / length : 1, uy = length > 0 ? (strip.by - ay) / length : 0;
   const box = boxOf(strip), [first, last] = rowsOf(box, reach);
   for (let y = first; y <= last; ++y) {
@@ -191,7 +216,7 @@ function cutLine(strip, z, end) {
 
 /** @type {(strip: Strip, arc: NonNullable<Strip['arc']>, z: number, end: CutterEnd) => void} */
 function cutArc(strip, arc, z, end) {
-  const { heights: present, width: across } = grid, reach = end.full + 1, box = boxOf(strip), [first, last] = rowsOf(box, reach);
+  const {heights: present, width: across} = grid, reach = end.full + 1, box = boxOf(strip), [first, last] = rowsOf(box, reach);
   const fx = Math.cos(arc.from), fy = Math.sin(arc.from), tx = Math.cos(arc.from + arc.sweep), ty = Math.sin(arc.from + arc.sweep);
   const wide = arc.sweep >= Math.PI, whole = arc.sweep >= 2 * Math.PI - 1e-9, hole = arc.r - reach;
   for (let y = first; y <= last; ++y) {
@@ -203,8 +228,9 @@ function cutArc(strip, arc, z, end) {
       const dx = x - arc.x;
       if (present[k] <= z || Math.abs(dx) < gap) continue;
       const after = fx * dy - fy * dx >= 0, before = dx * ty - dy * tx >= 0;
-      const d = whole || (wide ? after || before : after && before) ? Math.abs(Math.sqrt(dx * dx + dy * dy) - arc.r)
-        : Math.min(Math.hypot(x - strip.ax, y - strip.ay), Math.hypot(x - strip.bx, y - strip.by));
+      const d = whole || (wide ? after || before : after && before) ?
+        Math.abs(Math.sqrt(dx * dx + dy * dy) - arc.r) :
+        Math.min(Math.hypot(x - strip.ax, y - strip.ay), Math.hypot(x - strip.bx, y - strip.by));
       lower(k, d, z, end);
     }
   }
@@ -239,21 +265,26 @@ const meetsBlock = box => box.x1 >= grid.block.x0 && box.x0 < grid.block.x1 && b
 /** The cells that move i of m may change. @type {(i: number, m?: Moves) => CellBox} */
 function reachOfMove(i, m = moves) {
   const box = boxOf(stripOf(i, 0, 1, m)), reach = grid.ends[m.tools[m.section[i]]].full + 2;
-  return { x0: box.x0 - reach, y0: box.y0 - reach, x1: box.x1 + reach, y1: box.y1 + reach };
+  return {x0: box.x0 - reach, y0: box.y0 - reach, x1: box.x1 + reach, y1: box.y1 + reach};
 }
 
 // What lay under the move that is under way. It is put back before that move goes on, so that the heights depend on the
 // moment alone, not on the way there.
 /** @type {{ move: number, box: CellPart, heights: Float32Array }} */
-const under = { move: -1, box: { x0: 0, y0: 0, w: 0, h: 0 }, heights: new Float32Array(0) };
+const under = {
+  move: -1,
+  box: {x0: 0, y0: 0, w: 0, h: 0},
+  heights: new Float32Array(0)
+};
 
 /** @type {(i: number, f: number) => void} */
 function cutPart(i, f) {
   putBack();
   if (moves.tools[moves.section[i]] < 0 || f <= 0) return;
-  const changed = { ...reachOfMove(i) }, box = taken(changed, whole);
+  const changed = {...reachOfMove(i)}, box = taken(changed, whole);
   if (!box) return;
-  under.move = i; under.box = box;
+  under.move = i;
+  under.box = box;
   if (under.heights.length < box.w * box.h) under.heights = new Float32Array(box.w * box.h);
   for (let y = 0; y < box.h; ++y) {
     const from = (box.y0 + y) * width + box.x0;

@@ -1,6 +1,9 @@
 // ---- Words and figures. The job is in mm; what is shown is in the unit chosen.
 /** @type {Record<string, Unit>} */
-const UNITS = { mm: { per: 1, name: 'mm', feed: 'mm/min', more: 0 }, inch: { per: 1 / 25.4, name: 'in', feed: 'in/min', more: 1 } };
+const UNITS = {
+  mm: {per: 1, name: 'mm', feed: 'mm/min', more: 0},
+  inch: {per: 1 / 25.4, name: 'in', feed: 'in/min', more: 1}
+};
 let unit = UNITS.mm;
 /** @type {(v: number | null, n: number) => string} */
 const fixed = (v, n) => v === null || !isFinite(v) ? '?' : v.toFixed(n);
@@ -9,14 +12,15 @@ const bare = (mm, n) => mm === null ? '?' : fixed(mm * unit.per, n + unit.more);
 /** @type {(mm: number | null, n: number) => string} */
 const lengthText = (mm, n) => bare(mm, n) + '\u00a0' + unit.name;
 /** Sizes, areas, lengths and places in a sentence of the job. */
-const SAID = /(?:(?<width>-?\d+(?:\.\d+)?) x )?(?<mm>-?\d+(?:\.\d+)?) mm\b|(?<mm2>\d+(?:\.\d+)?) mm2\b|\b(?<axis>[xyz]) (?<at>-?\d+(?:\.\d+)?)/g;
+const SAID =
+  /(?:(?<width>-?\d+(?:\.\d+)?) x )?(?<mm>-?\d+(?:\.\d+)?) mm\b|(?<mm2>\d+(?:\.\d+)?) mm2\b|\b(?<axis>[xyz]) (?<at>-?\d+(?:\.\d+)?)/g;
 /** @type {(text: string) => string} */
 function sentence(text) {
   if (unit === UNITS.mm) return text;
   const inches = (/** @type {string | undefined} */ mm) => String(Number((Number(mm) * unit.per).toFixed(4)));
   return text.replaceAll(SAID, (...found) => {
     /** @type {Record<string, string | undefined>} */
-    const { width, mm, mm2, axis, at } = found.at(-1);
+    const {width, mm, mm2, axis, at} = found.at(-1);
     if (mm) return (width ? inches(width) + ' x ' : '') + inches(mm) + ' in';
     return mm2 ? Number((Number(mm2) * unit.per * unit.per).toFixed(5)) + ' in2' : axis + ' ' + inches(at);
   });

@@ -1,6 +1,11 @@
 // ---- Before and after an operation: the stock when it begins and when it has ended, under the same camera; or both at once, parted by a curtain.
 /** `operation`: whose change is shown; `grid`: the heights before it; `share`: of the stage's width that lies left of the curtain. @type {{ shown: ChangeShown, operation: number, grid: Grid | null, share: number }} */
-const change = { shown: 'none', operation: -1, grid: null, share: 0.5 };
+const change = {
+  shown: 'none',
+  operation: -1,
+  grid: null,
+  share: 0.5
+};
 const changeButtons = [...by('change').querySelectorAll('button')];
 /** Of the heights before the operation; null: not made yet. @type {Surface | null} */
 let surfaceBefore = null;
@@ -13,7 +18,8 @@ function operationOfChange() {
 }
 
 /** The heights of this moment, kept. @type {() => Grid} */
-const keptGrid = () => ({ ...whole, heights: heights.slice(), dirty: everything(whole), soiled: everything(whole), relief: newCanvas(whole), rests: null });
+const keptGrid = () =>
+  ({...whole, heights: heights.slice(), dirty: everything(whole), soiled: everything(whole), relief: newCanvas(whole), rests: null});
 
 /** @type {(shown_: ChangeShown) => void} */
 function showChange(shown_) {
@@ -25,7 +31,7 @@ function showChange(shown_) {
   if (shown_ !== 'after') goTo(sectionTime(operation));
   const grid_ = shown_ === 'both' ? keptGrid() : null;
   if (shown_ !== 'before') goTo(sectionEnd(operation));
-  Object.assign(change, { shown: shown_, operation, grid: grid_ });
+  Object.assign(change, {shown: shown_, operation, grid: grid_});
   writeChange();
   redraw();
 }
@@ -33,7 +39,7 @@ function showChange(shown_) {
 /** Any other moment is none of the operation's two. */
 function leaveChange() {
   if (change.shown === 'none') return;
-  Object.assign(change, { shown: 'none', grid: null });
+  Object.assign(change, {shown: 'none', grid: null});
   writeChange();
 }
 
@@ -42,7 +48,8 @@ function writeChange() {
   by('change-note').hidden = change.shown === 'none';
   by('curtain').hidden = change.shown !== 'both';
   const name = change.operation < 0 ? '' : operationName(change.operation);
-  by('change-note').textContent = { none: '', before: 'Before ' + name, after: 'After ' + name, both: 'Left of the line before, right of it after ' + name }[change.shown];
+  by('change-note').textContent =
+    {none: '', before: 'Before ' + name, after: 'After ' + name, both: 'Left of the line before, right of it after ' + name}[change.shown];
   soilAll();
 }
 
@@ -56,14 +63,20 @@ const gridAt = s => change.grid && s.x < curtainAt() ? change.grid : gridInSight
 
 /** The surface of the heights before the operation; one of another operation is given back. @type {(grid_: Grid) => Surface} */
 function surfaceOfBefore(grid_) {
-  if (surfaceBefore && surfaceBefore.grid !== grid_) { giveBack(surfaceBefore); surfaceBefore = null; }
-  surfaceBefore ??= surfaceOf(grid_, { heights: 5, rests: 6 });
+  if (surfaceBefore && surfaceBefore.grid !== grid_) {
+    giveBack(surfaceBefore);
+    surfaceBefore = null;
+  }
+  surfaceBefore ??= surfaceOf(grid_, {heights: 5, rests: 6});
   return surfaceBefore;
 }
 
 /** Draws twice where there is a curtain, each side by itself. @type {(w: number, h: number, draw: (isBefore: boolean) => void) => void} */
 function drawSides(w, h, draw) {
-  if (!change.grid) { draw(false); return; }
+  if (!change.grid) {
+    draw(false);
+    return;
+  }
   const x = Math.round(change.share * w);
   gl.enable(gl.SCISSOR_TEST);
   gl.scissor(0, 0, x, h);
@@ -102,5 +115,8 @@ function drawCurtain(c) {
 
 function listenToChange() {
   for (const button of changeButtons) button.onclick = () => showChange(/** @type {ChangeShown} */ (button.dataset.change));
-  by('curtain').oninput = () => { change.share = Number(by('curtain').value) / 1000; redrawSoon(); };
+  by('curtain').oninput = () => {
+    change.share = Number(by('curtain').value) / 1000;
+    redrawSoon();
+  };
 }

@@ -4,7 +4,7 @@ let cutters;
 const AROUND = 40;
 
 function makeCutters() {
-  cutters = { program: programOf(CUTTER_VERTEX, CUTTER_FRAGMENT, ['position', 'outward', 'kind']), made: job.tools.map(cutterOf) };
+  cutters = {program: programOf(CUTTER_VERTEX, CUTTER_FRAGMENT, ['position', 'outward', 'kind']), made: job.tools.map(cutterOf)};
 }
 
 /** Rows of radius, height above the tip and kind (0: cuts, 1: shank, 2: holder), from the tip up. @type {(tool: JobTool) => ProfileRow[]} */
@@ -17,7 +17,8 @@ function profileOf(tool) {
     const r = tool.r > 0 && !isCone ? flat + (radius - flat) * Math.sin(k / steps * Math.PI / 2) : flat + (radius - flat) * k / steps;
     rows.push([r, endAt(tool, r), 0]);
   }
-  const end = rows[rows.length - 1][1], flutes = Math.max(cutting, end), length = Math.max(flutes + 1.5 * tool.d, job.top - job.bottom + 2 * tool.d);
+  const end = rows[rows.length - 1][1], flutes = Math.max(cutting, end),
+        length = Math.max(flutes + 1.5 * tool.d, job.top - job.bottom + 2 * tool.d);
   const top = stickout > 0 ? Math.max(stickout, flutes) : length, shank = tool.k > 0 ? tool.k / 2 : radius * 0.96;
   if (cutting > 0) rows.push([radius, flutes, 0], [shank, flutes, 1], [shank, top, 1]);
   else rows.push([radius, top, 0]);
@@ -34,24 +35,29 @@ function cutterOf(tool) {
   /** @type {(row: ProfileRow, k: number, out: [number, number]) => void} */
   const corner = (row, k, out) => {
     const angle = 2 * Math.PI * k / AROUND;
-    corners.push(row[0] * Math.cos(angle), row[0] * Math.sin(angle), row[1], out[0] * Math.cos(angle), out[0] * Math.sin(angle), out[1], row[2]);
+    corners.push(
+      row[0] * Math.cos(angle), row[0] * Math.sin(angle), row[1], out[0] * Math.cos(angle), out[0] * Math.sin(angle), out[1], row[2]);
   };
   for (let n = 1; n < rows.length; ++n) {
     const a = rows[n - 1], b = rows[n], dr = b[0] - a[0], dz = b[1] - a[1], length = Math.hypot(dr, dz);
     if (length === 0) continue;
     /** @type {[ProfileRow, number][]} */
     const turned = [[a, 0], [a, 1], [b, 0], [b, 0], [a, 1], [b, 1]];
-    for (let k = 0; k < AROUND; ++k) for (const [row, turn] of turned) corner(row, k + turn, [dz / length, -dr / length]);
+    for (let k = 0; k < AROUND; ++k)
+      for (const [row, turn] of turned) corner(row, k + turn, [dz / length, -dr / length]);
   }
   return madeOf(corners);
 }
 
 /** Corners of triangles: place, direction square to the face, kind. @type {(corners: number[]) => Mesh} */
 function madeOf(corners) {
-  const made = { array: gl.createVertexArray(), count: corners.length / 7 };
+  const made = {array: gl.createVertexArray(), count: corners.length / 7};
   gl.bindVertexArray(made.array);
   bufferOf(gl.ARRAY_BUFFER, new Float32Array(corners));
-  [[3, 0], [3, 12], [1, 24]].forEach(([size, offset], k) => { gl.enableVertexAttribArray(k); gl.vertexAttribPointer(k, size, gl.FLOAT, false, 28, offset); });
+  [[3, 0], [3, 12], [1, 24]].forEach(([size, offset], k) => {
+    gl.enableVertexAttribArray(k);
+    gl.vertexAttribPointer(k, size, gl.FLOAT, false, 28, offset);
+  });
   gl.bindVertexArray(null);
   return made;
 }
@@ -79,7 +85,7 @@ function makeClamps() {
 function drawClamps(values) {
   if (clamps.count === 0) return;
   gl.bindVertexArray(clamps.array);
-  use(cutters.program, { ...values, tip: [0, 0, 0], edgeColor: rgb(css('rapid')), strength: 0.85 });
+  use(cutters.program, {...values, tip: [0, 0, 0], edgeColor: rgb(css('rapid')), strength: 0.85});
   gl.drawArrays(gl.TRIANGLES, 0, clamps.count);
   gl.bindVertexArray(null);
 }
@@ -91,7 +97,7 @@ function drawCutter(values) {
   if (tool < 0) return;
   const cuts = p.z < job.top && moves.kind[i] !== 0;
   gl.bindVertexArray(cutters.made[tool].array);
-  use(cutters.program, { ...values, tip: [p.x, p.y, p.z], edgeColor: rgb(css(cuts ? 'entry' : 'rapid')), strength: 0.55 });
+  use(cutters.program, {...values, tip: [p.x, p.y, p.z], edgeColor: rgb(css(cuts ? 'entry' : 'rapid')), strength: 0.55});
   gl.enable(gl.CULL_FACE);
   gl.drawArrays(gl.TRIANGLES, 0, cutters.made[tool].count);
   gl.disable(gl.CULL_FACE);

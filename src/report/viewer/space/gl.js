@@ -27,12 +27,16 @@ function programOf(vertex, fragment, attributes) {
     const name = gl.getActiveUniform(program, k)?.name;
     if (name) uniforms[name] = gl.getUniformLocation(program, name);
   }
-  return { program, uniforms };
+  return {program, uniforms};
 }
 
 /** By the length of the vector. @type {Record<number, (place: WebGLUniformLocation | null, v: number[] | Float32Array) => void>} */
-const SETTERS = { 2: (place, v) => gl.uniform2fv(place, v), 3: (place, v) => gl.uniform3fv(place, v),
-  4: (place, v) => gl.uniform4fv(place, v), 16: (place, v) => gl.uniformMatrix4fv(place, false, v) };
+const SETTERS = {
+  2: (place, v) => gl.uniform2fv(place, v),
+  3: (place, v) => gl.uniform3fv(place, v),
+  4: (place, v) => gl.uniform4fv(place, v),
+  16: (place, v) => gl.uniformMatrix4fv(place, false, v)
+};
 
 /**
  * Uses a program with these values; whole numbers come as {i: value}. What the program does not have is passed over.
@@ -74,7 +78,7 @@ const channels = new Map();
 function rgb(color) {
   const known = channels.get(color);
   if (known) return known;
-  const canvas = document.createElement('canvas'), c = contextOf(canvas, { willReadFrequently: true });
+  const canvas = document.createElement('canvas'), c = contextOf(canvas, {willReadFrequently: true});
   canvas.width = canvas.height = 1;
   c.fillStyle = color;
   c.fillRect(0, 0, 1, 1);

@@ -15,10 +15,12 @@ function makeLines() {
   lineProgram = programOf(LINE_VERTEX, LINE_FRAGMENT, ['position', 'tint', 'owner']);
   plainLineProgram = programOf(LINE_VERTEX, plainOf(LINE_FRAGMENT), ['position', 'tint', 'owner']);
   const made = () => {
-    const lines = { array: gl.createVertexArray(), buffer: gl.createBuffer(), count: 0, key: '' };
+    const lines = {array: gl.createVertexArray(), buffer: gl.createBuffer(), count: 0, key: ''};
     gl.bindVertexArray(lines.array);
     gl.bindBuffer(gl.ARRAY_BUFFER, lines.buffer);
-    gl.enableVertexAttribArray(0); gl.enableVertexAttribArray(1); gl.enableVertexAttribArray(2);
+    gl.enableVertexAttribArray(0);
+    gl.enableVertexAttribArray(1);
+    gl.enableVertexAttribArray(2);
     gl.vertexAttribPointer(0, 3, gl.FLOAT, false, STRIDE, 0);
     gl.vertexAttribPointer(1, 4, gl.UNSIGNED_BYTE, true, STRIDE, 12);
     gl.vertexAttribIPointer(2, 1, gl.INT, STRIDE, 16);
@@ -49,15 +51,19 @@ function placesOfPath() {
       places.set([p.x, p.y, p.z], 3 * (first[i] + k));
     }
   }
-  pathChords = { first, places };
+  pathChords = {first, places};
   return pathChords;
 }
 
 // Lines that are drawn at once: a processor draws a million in ten seconds, a graphics processor in no time.
-const MANY_LINES = { software: 150000, hardware: 2000000 };
+const MANY_LINES = {
+  software: 150000,
+  hardware: 2000000
+};
 /** Asked once: each question waits until all is drawn. @type {boolean | null} */
 let drawsInSoftware = null;
-const isSoftware = () => drawsInSoftware ??= /swiftshader|llvmpipe|software/i.test(gl.getParameter(gl.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
+const isSoftware = () => drawsInSoftware ??= /swiftshader|llvmpipe|software/i.test(
+  gl.getParameter(gl.getExtension('WEBGL_debug_renderer_info')?.UNMASKED_RENDERER_WEBGL ?? gl.RENDERER));
 
 /** Colours of the classes as bytes; the last is that of moves without a value. @type {() => number[][]} */
 function inksOfClasses() {
@@ -72,24 +78,38 @@ function inksOfClasses() {
  * @type {(first: number, last: number, tolerance: number) => Uint8Array}
  */
 function linesOf(first, last, tolerance) {
-  const { first: begins, places } = placesOfPath(), most = 2 * (begins[last + 1] - begins[first]), bytes = new ArrayBuffer(STRIDE * most), floats = new Float32Array(bytes), words = new Int32Array(bytes), tints = new Uint8Array(bytes);
+  const {first: begins, places} = placesOfPath(), most = 2 * (begins[last + 1] - begins[first]), bytes = new ArrayBuffer(STRIDE * most),
+                        floats = new Float32Array(bytes), words = new Int32Array(bytes), tints = new Uint8Array(bytes);
   const inks = inksOfClasses();
   let n = 0, from = -1, to = -1, owner = -1;  // of the line that may still grow
   const corner = (/** @type {number} */ k) => {
-    floats[5 * n] = places[3 * k]; floats[5 * n + 1] = places[3 * k + 1]; floats[5 * n + 2] = places[3 * k + 2];
+    floats[5 * n] = places[3 * k];
+    floats[5 * n + 1] = places[3 * k + 1];
+    floats[5 * n + 2] = places[3 * k + 2];
     tints.set(inks[classOf[owner]] || inks[NO_VALUE], STRIDE * n + 12);
     tints[STRIDE * n + 15] = moves.kind[owner] === 0 ? 150 : 255;
     words[5 * n++ + 4] = owner;
   };
-  const end = () => { if (from >= 0) { corner(from); corner(to); } from = -1; };
+  const end = () => {
+    if (from >= 0) {
+      corner(from);
+      corner(to);
+    }
+    from = -1;
+  };
   /** @type {(k: number, m: number) => number} */
-  const apart = (k, m) => Math.hypot(places[3 * k] - places[3 * m], places[3 * k + 1] - places[3 * m + 1], places[3 * k + 2] - places[3 * m + 2]);
+  const apart = (k, m) =>
+    Math.hypot(places[3 * k] - places[3 * m], places[3 * k + 1] - places[3 * m + 1], places[3 * k + 2] - places[3 * m + 2]);
   for (let i = first; i <= last; ++i) {
     if (!shown(i)) continue;
     for (let k = begins[i]; k < begins[i + 1] - 1; ++k) {
       const goesOn = from >= 0 && tolerance > 0 && classOf[owner] === classOf[i] && apart(to, k) < 1e-4 && apart(from, k + 1) < tolerance;
-      if (!goesOn) { end(); from = k; }
-      to = k + 1; owner = i;
+      if (!goesOn) {
+        end();
+        from = k;
+      }
+      to = k + 1;
+      owner = i;
     }
   }
   end();
@@ -98,8 +118,10 @@ function linesOf(first, last, tolerance) {
 
 /** Hands over the lines that the choice of the path asks for, as many as the machine can draw. @type {(first: number, last: number) => void} */
 function writePath(first, last) {
-  const begins = placesOfPath().first, chords = begins[last + 1] - begins[first], most = isSoftware() ? MANY_LINES.software : MANY_LINES.hardware;
-  const finest = chords > most ? 2 ** Math.round(Math.log2(0.5 / camera.k)) : 0, key = [pictureVersion, first, last, finest, dark.matches].join();
+  const begins = placesOfPath().first, chords = begins[last + 1] - begins[first],
+        most = isSoftware() ? MANY_LINES.software : MANY_LINES.hardware;
+  const finest = chords > most ? 2 ** Math.round(Math.log2(0.5 / camera.k)) : 0,
+        key = [pictureVersion, first, last, finest, dark.matches].join();
   if (key === pathLines.key) return;
   pathLines.key = key;
   let tolerance = finest, lines = linesOf(first, last, tolerance);
@@ -121,7 +143,7 @@ function drawLines(lines, from, to, values, hidden) {
   for (const [test, strength] of [[gl.LEQUAL, 1], [gl.GREATER, hidden]]) {
     if (strength === 0) continue;
     gl.depthFunc(test);
-    use(section.axis === 'none' ? plainLineProgram : lineProgram, { ...values, strength });
+    use(section.axis === 'none' ? plainLineProgram : lineProgram, {...values, strength});
     gl.drawArrays(gl.LINES, from, to - from);
   }
   gl.depthFunc(gl.LEQUAL);
@@ -138,7 +160,10 @@ function drawPathInSpace(values, rough) {
   if (to < first) return;
   writePath(first, to);
   if (rough && pathLines.count > 40000) return;
-  drawLines(pathLines, 0, pathLines.count, { ...values, last: { i: last }, trail: { i: mode === 'all' ? 0 : TRAIL } }, rough ? 0 : mode === 'all' ? 0.45 : 0.3);
+  drawLines(pathLines, 0, pathLines.count, {...values, last: {i: last}, trail: {i: mode === 'all' ? 0 : TRAIL}},
+    rough            ? 0 :
+      mode === 'all' ? 0.45 :
+                       0.3);
 }
 
 /** Polygons of an outline's path data: M, L, A with equal radii, Z, in the part's mm. @type {(data: string) => [number, number][][]} */
@@ -159,12 +184,14 @@ function polygonsOf(data) {
 
 /** Points after the first of an arc of less than half a turn. @type {(from: [number, number], numbers: number[]) => [number, number][]} */
 function arcPoints([x0, y0], [radius, , , , turn, x1, y1]) {
-  const dx = x1 - x0, dy = y1 - y0, chord = Math.hypot(dx, dy), side = (turn ? 1 : -1) * Math.sqrt(Math.max(0, radius * radius - chord * chord / 4)) / (chord || 1);
+  const dx = x1 - x0, dy = y1 - y0, chord = Math.hypot(dx, dy),
+        side = (turn ? 1 : -1) * Math.sqrt(Math.max(0, radius * radius - chord * chord / 4)) / (chord || 1);
   const cx = (x0 + x1) / 2 - dy * side, cy = (y0 + y1) / 2 + dx * side, from = Math.atan2(y0 - cy, x0 - cx);
   const sweep = (turn ? 1 : -1) * 2 * Math.asin(Math.min(1, chord / 2 / radius)), steps = Math.max(1, Math.ceil(Math.abs(sweep) / 0.12));
   /** @type {[number, number][]} */
   const points = [];
-  for (let k = 1; k <= steps; ++k) points.push([cx + radius * Math.cos(from + sweep * k / steps), cy + radius * Math.sin(from + sweep * k / steps)]);
+  for (let k = 1; k <= steps; ++k)
+    points.push([cx + radius * Math.cos(from + sweep * k / steps), cy + radius * Math.sin(from + sweep * k / steps)]);
   points[steps - 1] = [x1, y1];
   return points;
 }
@@ -173,12 +200,14 @@ function arcPoints([x0, y0], [radius, , , , turn, x1, y1]) {
 function writePart() {
   /** @type {{ place: number[], tint: number[] }[]} */
   const corners = [];
-  const line = (/** @type {number[]} */ p, /** @type {number[]} */ q, /** @type {number[]} */ tint) => corners.push({ place: p, tint }, { place: q, tint });
+  const line = (/** @type {number[]} */ p, /** @type {number[]} */ q, /** @type {number[]} */ tint) =>
+    corners.push({place: p, tint}, {place: q, tint});
   // On light material before a dark page neither the page's ink nor its opposite would be seen.
   const ink = [...rgb(dark.matches ? '#5b6b7d' : css('ink')).map(v => 255 * v), 190], faint = [...rgb(css('edge')).map(v => 255 * v), 200];
   for (const feature of job.features) {
     for (const polygon of polygonsOf(feature.path)) {
-      for (const z of new Set([feature.floor, feature.top ?? job.top])) for (let k = 1; k < polygon.length; ++k) line([...polygon[k - 1], z], [...polygon[k], z], ink);
+      for (const z of new Set([feature.floor, feature.top ?? job.top]))
+        for (let k = 1; k < polygon.length; ++k) line([...polygon[k - 1], z], [...polygon[k], z], ink);
     }
   }
   const block_ = [[sx0, sy0], [sx1, sy0], [sx1, sy1], [sx0, sy1], [sx0, sy0]];
@@ -187,7 +216,10 @@ function writePart() {
     line([...block_[k], bottomZ], [...block_[k], job.top], faint);
   }
   const bytes = new ArrayBuffer(STRIDE * corners.length), floats = new Float32Array(bytes), tints = new Uint8Array(bytes);
-  corners.forEach(({ place, tint }, n) => { floats.set(place, 5 * n); tints.set(tint, STRIDE * n + 12); });
+  corners.forEach(({place, tint}, n) => {
+    floats.set(place, 5 * n);
+    tints.set(tint, STRIDE * n + 12);
+  });
   partLines.count = corners.length;
   gl.bindBuffer(gl.ARRAY_BUFFER, partLines.buffer);
   gl.bufferData(gl.ARRAY_BUFFER, bytes, gl.STATIC_DRAW);
@@ -196,17 +228,21 @@ function writePart() {
 /** @type {(values: UniformValues, rough: boolean) => void} */
 function drawPart(values, rough) {
   const key = String(dark.matches);
-  if (key !== partLines.key) { partLines.key = key; writePart(); }
-  drawLines(partLines, 0, partLines.count, { ...values, last: { i: 0 }, trail: { i: 0 } }, rough ? 0 : 0.12);
+  if (key !== partLines.key) {
+    partLines.key = key;
+    writePart();
+  }
+  drawLines(partLines, 0, partLines.count, {...values, last: {i: 0}, trail: {i: 0}}, rough ? 0 : 0.12);
 }
 
 /** The move that passes nearest to a point of the stage; of several on each other the one nearest in time. -1: none is near. @type {(s: Point) => number} */
 function moveNearInSpace(s) {
-  const { first: begins, places } = placesOfPath(), axes = cameraAxes(), mode = by('path').value, last = mode === 'recent' ? shownMove() : count - 1, first = mode === 'recent' ? Math.max(0, last - TRAIL) : 0;
+  const {first: begins, places} = placesOfPath(), axes = cameraAxes(), mode = by('path').value,
+                        last = mode === 'recent' ? shownMove() : count - 1, first = mode === 'recent' ? Math.max(0, last - TRAIL) : 0;
   const ox = view.w / 2 - dot(axes.right, camera) * camera.k - s.x, oy = view.h / 2 + dot(axes.up, camera) * camera.k - s.y;
   const onStage_ = (/** @type {number} */ k) => {
-    const p = { x: places[3 * k], y: places[3 * k + 1], z: places[3 * k + 2] };
-    return { x: ox + dot(axes.right, p) * camera.k, y: oy - dot(axes.up, p) * camera.k };
+    const p = {x: places[3 * k], y: places[3 * k + 1], z: places[3 * k + 2]};
+    return {x: ox + dot(axes.right, p) * camera.k, y: oy - dot(axes.up, p) * camera.k};
   };
   let best = -1, nearest = NEAR;
   for (let i = mode === 'none' ? count : first; i <= last; ++i) {

@@ -1,13 +1,27 @@
 // ---- The view in space: when it can be had, what it draws, and in which detail.
 /** @type {{ axis: string, at: number }} */
-const section = { axis: 'none', at: 0 };
+const section = {
+  axis: 'none',
+  at: 0
+};
 const stageCanvas = by('space'), viewButtons = [...by('views').querySelectorAll('button')].filter(button => button.dataset.view);
 // Detail: cells of a step of the surface, samples of a pixel, and pixels for each of the stage's. While something moves, as much as
 // the machine can draw in time; at rest always the first.
 /** @type {Detail[]} */
-const DETAILS = [{ step: 1, samples: 4, share: 1 }, { step: 1, samples: 0, share: 1 }, { step: 2, samples: 0, share: 1 }, { step: 4, samples: 0, share: 1 }, { step: 4, samples: 0, share: 0.5 }];
+const DETAILS = [
+  {step: 1, samples: 4, share: 1}, {step: 1, samples: 0, share: 1}, {step: 2, samples: 0, share: 1}, {step: 4, samples: 0, share: 1},
+  {step: 4, samples: 0, share: 0.5}
+];
 /** `interval`: ms between frames, about; `frames` since the detail changed. @type {{ now: number, restAt: number, lastFrame: number, interval: number, frames: number, costs: { ms: number, when: number }[], settled: boolean }} */
-const detail = { now: 1, restAt: 0, lastFrame: 0, interval: 18, frames: 0, costs: [], settled: true };
+const detail = {
+  now: 1,
+  restAt: 0,
+  lastFrame: 0,
+  interval: 18,
+  frames: 0,
+  costs: [],
+  settled: true
+};
 /** @type {Record<number, FrameBuffer>} */
 let buffers = {};  // by samples and size
 
@@ -26,25 +40,29 @@ function isCutOff(p) {
 /** @type {() => boolean} */
 function startSpace() {
   try {
-    const context = stageCanvas.getContext('webgl2', { alpha: true, antialias: false, depth: true, powerPreference: 'high-performance' });
+    const context = stageCanvas.getContext('webgl2', {alpha: true, antialias: false, depth: true, powerPreference: 'high-performance'});
     if (!context) return noSpace('this browser or this machine has no WebGL 2');
     gl = context;
-    if (gl.getParameter(gl.MAX_TEXTURE_SIZE) < Math.max(width, height)) return noSpace('the graphics processor takes no picture of this size');
-    makeSurface(); makeLines(); makeCutters(); makeClamps();
+    if (gl.getParameter(gl.MAX_TEXTURE_SIZE) < Math.max(width, height))
+      return noSpace('the graphics processor takes no picture of this size');
+    makeSurface();
+    makeLines();
+    makeCutters();
+    makeClamps();
     buffers = {};
     space.supported = true;
-  } catch (error) {
-    return noSpace(error instanceof Error ? error.message : String(error));
-  }
+  } catch (error) { return noSpace(error instanceof Error ? error.message : String(error)); }
   return true;
 }
 
 /** @type {(why: string) => boolean} */
 function noSpace(why) {
-  space.supported = false; space.why = why;
+  space.supported = false;
+  space.why = why;
   by('space-note').textContent = 'No view in space: ' + why + '. The part is shown from above.';
   by('space-note').hidden = false;
-  for (const button of viewButtons) if (button.dataset.view !== 'above') button.disabled = true;
+  for (const button of viewButtons)
+    if (button.dataset.view !== 'above') button.disabled = true;
   return false;
 }
 
@@ -60,8 +78,10 @@ function chooseView(name) {
   if (on) standAt(name);
   markStandpoint();
   if (measure.on) setMeasuring(true);
-  overlay.setAttribute('aria-label', on ? 'the part in space, the path and the cutter; dragging or Shift with arrows turns, Shift with dragging moves, wheel or plus and minus zoom, a click on the path shows its line'
-    : 'the part from above, the path and the cutter; wheel or plus and minus zoom, dragging moves, a click on the path shows its line');
+  overlay.setAttribute('aria-label',
+    on ?
+      'the part in space, the path and the cutter; dragging or Shift with arrows turns, Shift with dragging moves, wheel or plus and minus zoom, a click on the path shows its line' :
+      'the part from above, the path and the cutter; wheel or plus and minus zoom, dragging moves, a click on the path shows its line');
   soilAll();
   redrawSoon();
 }
@@ -78,9 +98,12 @@ function markStandpoint() {
 function bufferFor(w, h, samples) {
   const key = [w, h, samples].join();
   if (buffers[samples]?.key === key) return buffers[samples].frame;
-  if (buffers[samples]) { gl.deleteFramebuffer(buffers[samples].frame); buffers[samples].parts.forEach(part => gl.deleteRenderbuffer(part)); }
+  if (buffers[samples]) {
+    gl.deleteFramebuffer(buffers[samples].frame);
+    buffers[samples].parts.forEach(part => gl.deleteRenderbuffer(part));
+  }
   /** @type {FrameBuffer} */
-  const made = { key, frame: gl.createFramebuffer(), parts: [] };
+  const made = {key, frame: gl.createFramebuffer(), parts: []};
   buffers[samples] = made;
   gl.bindFramebuffer(gl.FRAMEBUFFER, made.frame);
   for (const [format, place] of [[gl.RGBA8, gl.COLOR_ATTACHMENT0], [gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT]]) {
@@ -111,7 +134,8 @@ function drawAll(one, isBefore) {
 
 /** @type {(one: Detail) => void} */
 function drawScene(one) {
-  const w = Math.round(stageCanvas.width * one.share), h = Math.round(stageCanvas.height * one.share), direct = one.samples === 0 && one.share === 1;
+  const w = Math.round(stageCanvas.width * one.share), h = Math.round(stageCanvas.height * one.share),
+        direct = one.samples === 0 && one.share === 1;
   const frame = direct ? null : bufferFor(w, h, one.samples);
   gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
   gl.viewport(0, 0, w, h);
@@ -123,10 +147,12 @@ function drawScene(one) {
   if (direct) return;
   gl.bindFramebuffer(gl.READ_FRAMEBUFFER, frame);
   gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
-  gl.blitFramebuffer(0, 0, w, h, 0, 0, stageCanvas.width, stageCanvas.height, gl.COLOR_BUFFER_BIT, one.share === 1 ? gl.NEAREST : gl.LINEAR);
+  gl.blitFramebuffer(
+    0, 0, w, h, 0, 0, stageCanvas.width, stageCanvas.height, gl.COLOR_BUFFER_BIT, one.share === 1 ? gl.NEAREST : gl.LINEAR);
 }
 
-const SLOW = 30, QUICK = 18, SETTLED = 8, FORGOTTEN = 5000;  // ms a frame; frames before a detail is judged; ms after which it may be judged anew
+const SLOW = 30, QUICK = 18, SETTLED = 8,
+      FORGOTTEN = 5000;  // ms a frame; frames before a detail is judged; ms after which it may be judged anew
 /** What a frame of a detail took lately, ms; undefined: not known, or too long ago. @type {(k: number, now: number) => number | undefined} */
 const costOf = (k, now) => now - (detail.costs[k]?.when ?? -Infinity) < FORGOTTEN ? detail.costs[k].ms : undefined;
 
@@ -136,18 +162,24 @@ function adaptDetail(since, now) {
   const before = detail.now;
   detail.interval += 0.2 * (Math.min(since, 100) - detail.interval);
   if (++detail.frames < SETTLED) return;
-  detail.costs[before] = { ms: detail.interval, when: now };
+  detail.costs[before] = {ms: detail.interval, when: now};
   const finer = costOf(before - 1, now), coarser = costOf(before + 1, now);
   if (detail.interval > SLOW && finer !== undefined && finer < 1.1 * detail.interval) --detail.now;
   else if (detail.interval > SLOW && before < DETAILS.length - 1 && (coarser ?? 0) < 0.9 * detail.interval) ++detail.now;
   else if (detail.interval < QUICK && before > 0 && finer === undefined) --detail.now;
-  if (detail.now !== before) { detail.frames = 0; detail.interval = QUICK; }
+  if (detail.now !== before) {
+    detail.frames = 0;
+    detail.interval = QUICK;
+  }
 }
 
 /** Draws at once in the detail that is fast enough, and soon after the last change in full. */
 function drawSpace(now = performance.now()) {
   measureStage();
-  if (stageCanvas.width !== overlay.width || stageCanvas.height !== overlay.height) { stageCanvas.width = overlay.width; stageCanvas.height = overlay.height; }
+  if (stageCanvas.width !== overlay.width || stageCanvas.height !== overlay.height) {
+    stageCanvas.width = overlay.width;
+    stageCanvas.height = overlay.height;
+  }
   adaptDetail(now - detail.lastFrame, now);
   detail.lastFrame = now;
   drawScene(DETAILS[detail.now]);
@@ -178,7 +210,8 @@ function drawSpaceOverlay() {
   c.scale(view.ratio, view.ratio);
   const i = shownMove();
   if (i >= 0 && !change.grid && by('path').value !== 'none') drawMoveInSpace(c, i);
-  if (at.time >= total && !job.clean) for (const place of faultPlaces) drawMark(c, 1, projected(place));
+  if (at.time >= total && !job.clean)
+    for (const place of faultPlaces) drawMark(c, 1, projected(place));
   if (marked) drawMark(c, 1, projected(marked));
   drawMeasure(c, 1);
   drawAxes(c);
@@ -191,9 +224,11 @@ function drawMoveInSpace(c, i) {
   c.beginPath();
   for (let k = 0; k <= chords; ++k) {
     const s = projected(pointAt(i, done * k / chords));
-    if (k === 0) c.moveTo(s.x, s.y); else c.lineTo(s.x, s.y);
+    if (k === 0) c.moveTo(s.x, s.y);
+    else c.lineTo(s.x, s.y);
   }
-  c.lineWidth = 3; c.lineCap = 'round';
+  c.lineWidth = 3;
+  c.lineCap = 'round';
   c.strokeStyle = by('path').value === 'all' ? css('ink') : colorOf(i);
   c.stroke();
 }
@@ -201,19 +236,30 @@ function drawMoveInSpace(c, i) {
 /** @type {(c: Context2D) => void} */
 function drawAxes(c) {
   const axes = cameraAxes(), x = view.w - 38, y = view.h - 88;
-  c.font = '12px system-ui, sans-serif'; c.lineWidth = 1.5; c.textAlign = 'center'; c.textBaseline = 'middle';
+  c.font = '12px system-ui, sans-serif';
+  c.lineWidth = 1.5;
+  c.textAlign = 'center';
+  c.textBaseline = 'middle';
   c.strokeStyle = c.fillStyle = css('ink');
   ['x', 'y', 'z'].forEach((name, k) => {
     const dx = axes.right[k], dy = -axes.up[k];
     if (Math.hypot(dx, dy) < 0.05) return;
-    c.beginPath(); c.moveTo(x, y); c.lineTo(x + 20 * dx, y + 20 * dy); c.stroke();
+    c.beginPath();
+    c.moveTo(x, y);
+    c.lineTo(x + 20 * dx, y + 20 * dy);
+    c.stroke();
     c.fillText(name, x + 29 * dx, y + 29 * dy);
   });
-  c.textAlign = 'start'; c.textBaseline = 'alphabetic';
+  c.textAlign = 'start';
+  c.textBaseline = 'alphabetic';
 }
 
 /** @type {Record<string, () => [number, number]>} */
-const SECTION_RANGE = { x: () => [sx0, sx1], y: () => [sy0, sy1], z: () => [bottomZ, job.top] };
+const SECTION_RANGE = {
+  x: () => [sx0, sx1],
+  y: () => [sy0, sy1],
+  z: () => [bottomZ, job.top]
+};
 /** Reads the choice of a section and where its slider stands. @type {(moved: boolean) => void} */
 function chooseSection(moved) {
   section.axis = by('section').value;
@@ -233,7 +279,15 @@ function listenToSpace() {
   for (const button of viewButtons) button.onclick = () => chooseView(button.dataset.view ?? 'above');
   by('section').onchange = () => chooseSection(false);
   by('section-at').oninput = () => chooseSection(true);
-  stageCanvas.addEventListener('webglcontextlost', event => { event.preventDefault(); space.supported = null; });
-  stageCanvas.addEventListener('webglcontextrestored', () => { if (startSpace()) redrawSoon(); else chooseView('above'); });
-  overlay.oncontextmenu = event => { if (space.on) event.preventDefault(); };
+  stageCanvas.addEventListener('webglcontextlost', event => {
+    event.preventDefault();
+    space.supported = null;
+  });
+  stageCanvas.addEventListener('webglcontextrestored', () => {
+    if (startSpace()) redrawSoon();
+    else chooseView('above');
+  });
+  overlay.oncontextmenu = event => {
+    if (space.on) event.preventDefault();
+  };
 }
