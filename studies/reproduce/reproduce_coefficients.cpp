@@ -148,7 +148,7 @@ Reproduction triangle_figure() {
   const double ours_by_formulas = total_by_formulas(kEdge, kRadius, kStep);
   result.add({"first contour from x", "8.6603", beside(first.min.x, 8.6603, 4), ""});
   result.add({"first contour to x", "71.3259",
-              beside(first.max.x, 71.3259, 4, "the edge is printed to within 0.00005 mm"), ""});
+              beside(first.max.x, 71.3259, 4, {"the edge is printed to within 0.00005 mm", 2e-6}), ""});
   result.add({"total with passages", "373.4802", beside(total, 373.4802, 4), ""});
   result.add({"by lengths and angles alone", "373.4802", beside(ours_by_formulas, 373.4802, 4), ""});
   const double alpha = plan::contour::smallest_angle(triangle);

@@ -161,7 +161,7 @@ void add_reading(Reproduction& result, const std::string& name, const Sum& rows,
   const auto cell = [&](double value, int printed) {
     if (!nearest) return Cell(fmt::format("{:.0f}", value));
     return beside(value, printed, 0,
-                  "the text states neither its grid nor its layers; no links between areas in ours");
+                  {"the text states neither its grid nor its layers; no links between areas in ours", 0.25});
   };
   result.add({name, cell(rows.length, 25282), "", "", cell(rows.turns, 423), cell(spiral.length, 24103), "",
               "", cell(spiral.angle, 34686), fmt::format("{:.2f}", rows.length / 25282)});
@@ -182,8 +182,8 @@ constexpr std::array<PrintedJob, 4> kPrintedJobs{
 
 /// Totals are held against the sum of feed and rapid moves.
 Cell total_of(int feed, int rapid, int printed) {
-  Cell cell =
-      beside(feed + rapid, printed, 0, fmt::format("feed and rapid moves add up to {}", feed + rapid));
+  Cell cell = beside(feed + rapid, printed, 0,
+                     {fmt::format("feed and rapid moves add up to {}", feed + rapid), 0.01});
   cell.text = fmt::format("{}{}", printed, feed + rapid == printed ? "" : " *");
   return cell;
 }
@@ -318,8 +318,9 @@ Reproduction grid_points_table() {
                 *printed == 0
                     ? Cell(second)
                     : beside(std::stod(second), std::stod(printed), 0,
-                             "the outline of FACE2 is that of the printed program; how far faces are "
-                             "enlarged is not printed"),
+                             {"the outline of FACE2 is that of the printed program; how far faces are "
+                              "enlarged is not printed",
+                              0.02}),
                 ours("PLANAR_FACE3"), ours("PLANAR_FACE4")});
   };
   add("50 % of D, faces enlarged by D (7.6)", kOrdersMill / 2, kOrdersMill, "1096");

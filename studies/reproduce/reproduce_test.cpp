@@ -22,7 +22,8 @@ constexpr double kOfFormulas = 0.1;
 TEST(Reproduction, CellsAgreeToThePrintedDigit) {
   EXPECT_EQ(beside(0.5434, 0.543, 3).compared.at(0).agreement, Agreement::kAgrees);
   EXPECT_EQ(beside(0.5436, 0.543, 3).compared.at(0).agreement, Agreement::kDiffers);
-  EXPECT_EQ(beside(0.5436, 0.543, 3, "why").compared.at(0).agreement, Agreement::kExplained);
+  EXPECT_EQ(beside(0.5436, 0.543, 3, {"why", 0.01}).compared.at(0).agreement, Agreement::kExplained);
+  EXPECT_EQ(beside(0.5436, 0.543, 3, {"why", 0.001}).compared.at(0).agreement, Agreement::kDiffers);
   EXPECT_EQ(beside(0.5436, 0.543, 3).text, "0.544 (differs)");
 }
 
@@ -30,7 +31,7 @@ TEST(Reproduction, AWholeTableIsAsGoodAsItsWorstCell) {
   Reproduction result;
   result.add({"a", beside(1, 1, 0)});
   EXPECT_EQ(result.agreement(), Agreement::kAgrees);
-  result.add({"b", beside(2, 1, 0, "another machine")});
+  result.add({"b", beside(2, 1, 0, {"another machine", 1})});
   EXPECT_EQ(result.agreement(), Agreement::kExplained);
   result.add({beside(2, 1, 0)});
   EXPECT_EQ(result.agreement(), Agreement::kDiffers);
@@ -45,7 +46,7 @@ TEST(Reproduction, TablesAreReadBackAsTheyWereWritten) {
   result.table.columns = {{"name", report::Align::kLeft}, {"value"}};
   result.add({"a", beside(1, 1, 0)});
   result.add_rule();
-  result.add({"b", beside(2, 1, 0, "another machine")});
+  result.add({"b", beside(2, 1, 0, {"another machine", 1})});
   result.figures.push_back({"caption < 1", "<svg></svg>"});
   const std::string json = reproduction_json({{"one", "somewhere", result}});
   const auto read = read_reproduction_json(json, "t.json");

@@ -139,7 +139,7 @@ void add_row(Reproduction& table, const Row& row, const std::string& method,
   const int decimals = row.printed_fitness * 10 == std::round(row.printed_fitness * 10) ? 1 : 2;
   cells.emplace_back(fmt::format("{:.2f}", mean_of(values).value));
   cells.push_back(beside(mean.value, row.printed_fitness, decimals,
-                         "a random algorithm with rates that the text does not state"));
+                         {"a random algorithm with rates that the text does not state", 0.05}));
   for (const std::string& cell :
        {row.runs > 1 ? fmt::format("{:.2f}", mean.error) : "",
         fmt::format("{:+.2f}", mean.value - row.printed_fitness), std::to_string(row.runs),
@@ -242,7 +242,8 @@ Reproduction large_instance(const TableWatch& watch) {
     const RunFigures made = runs.run(name, make, [](const RunFigures& figures) {
       return fmt::format("{:.0f} in {:.0f} s", figures[0], figures[1]);
     });
-    result.add({name, "540427", beside(made[0], kPrinted, 0, "another machine, rates that are not printed"),
+    result.add({name, "540427",
+                beside(made[0], kPrinted, 0, {"another machine, rates that are not printed", 0.05}),
                 fmt::format("{:.2f}", 100 * kOptimum / made[0]), fmt::format("{:.0f}", made[1])});
   };
   add("as published", [&] {

@@ -14,11 +14,16 @@ const char* name_of(Agreement agreement) {
   return agreement == Agreement::kExplained ? "explained" : "differs";
 }
 
-Cell beside(double ours, double printed, int decimals, const std::string& reason) {
-  const bool same = std::abs(ours - printed) < 0.5 * base::pow(10.0, -decimals);
-  const Agreement agreement = same             ? Agreement::kAgrees
-                              : reason.empty() ? Agreement::kDiffers
-                                               : Agreement::kExplained;
+Cell beside(double ours, double printed, int decimals, const Explanation& explanation) {
+  const double off = std::abs(ours - printed);
+  const bool same = off < 0.5 * base::pow(10.0, -decimals);
+  const bool within = !explanation.reason.empty() && off <= explanation.share * std::abs(printed);
+  const Agreement agreement = same     ? Agreement::kAgrees
+                              : within ? Agreement::kExplained
+                                       : Agreement::kDiffers;
+  const std::string reason =
+      within ? fmt::format("{} (at most {:g} %)", explanation.reason, 100 * explanation.share)
+             : explanation.reason;
   return beside(fmt::format("{:.{}f}", ours, decimals), fmt::format("{:.{}f}", printed, decimals), agreement,
                 same ? "" : reason);
 }

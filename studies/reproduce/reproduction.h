@@ -10,8 +10,8 @@ namespace clearcut::studies {
 
 enum class Agreement {
   kAgrees,     ///< to the printed digit
-  kExplained,  ///< differs, and the reason is known and stated
-  kDiffers     ///< differs, and nobody can say why
+  kExplained,  ///< differs by no more than the stated reason can make it
+  kDiffers     ///< differs by more, or nobody can say why
 };
 
 /// "agrees", "explained", "differs".
@@ -35,9 +35,16 @@ struct Cell {
   std::vector<Compared> compared = {};  ///< at most one
 };
 
-/// Our figure beside the printed one: they agree where they are equal to the last of `decimals` printed digits.
-/// `reason`: what makes them differ, where that is known. A difference without a reason is marked in the text.
-Cell beside(double ours, double printed, int decimals, const std::string& reason = "");
+/// What makes our figure differ from the printed one, and how far at most: by `share` of the printed one. A reason that could explain any
+/// figure explains none.
+struct Explanation {
+  std::string reason;
+  double share = 0;
+};
+
+/// Our figure beside the printed one: they agree where they are equal to the last of `decimals` printed digits. A difference that
+/// `explanation` does not reach is marked in the text.
+Cell beside(double ours, double printed, int decimals, const Explanation& explanation = {});
 
 /// Words instead of figures, checked by the caller.
 Cell beside(const std::string& ours, const std::string& printed, Agreement agreement,
