@@ -19,7 +19,6 @@ using pipeline::CheckResult;
 using pipeline::feeds_of_program;
 using pipeline::figures_of_moves;
 using pipeline::margin_line;
-using pipeline::margin_of;
 using pipeline::MoveFigures;
 using pipeline::ProgramFeeds;
 using pipeline::ProgramQuestion;

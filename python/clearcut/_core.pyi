@@ -78,6 +78,10 @@ class Settings(TypedDict, total=False):
     reference_engagement: float | None
     reference_feed: Feed | None
     feed_cap: Feed | None
+    margin: bool
+    margin_at_least: Length | None
+    margin_uncut: Length | None
+    margin_gouge: Length | None
     rest: bool | None
     finish: str | None
     finish_stock: Length | None
@@ -301,6 +305,10 @@ class PlanOptions:
     reference_engagement: float | None
     reference_feed: Feed | None
     feed_cap: Feed | None
+    margin: bool
+    margin_at_least: Length | None
+    margin_uncut: Length | None
+    margin_gouge: Length | None
     rest: bool | None
     finish: str | None
     finish_stock: Length | None

@@ -138,6 +138,16 @@ void add_shop(OptionsClass& options) {
   add_feed(
       options, "feed_cap", "Highest feed where feeds follow the load, mm/min.",
       [](auto& o) -> auto& { return o.shop.feed_cap; });
+  add_value(
+      options, "margin", doc("ShopOptions::margin"), [](auto& o) -> auto& { return o.shop.margin; });
+  length(
+      "margin_at_least",
+      "mm that the machine may leave the path: the plan is to allow that, and the verdict asks it.",
+      [](auto& o) -> auto& { return o.shop.margin_at_least; });
+  length(
+      "margin_uncut", doc("ShopOptions::margin_uncut"), [](auto& o) -> auto& { return o.shop.margin_uncut; });
+  length(
+      "margin_gouge", doc("ShopOptions::margin_gouge"), [](auto& o) -> auto& { return o.shop.margin_gouge; });
   add_plain<bool>(
       options, "rest", doc("ShopOptions::rest"), [](auto& o) -> auto& { return o.shop.rest; });
   add_plain<std::string>(

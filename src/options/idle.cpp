@@ -255,6 +255,10 @@ std::string without_leads(const Situation& at) {
       "no pass begins with a lead; see --lead");
 }
 
+std::string without_margin(const Situation& at) {
+  return unless(at.plan.margin.has_value(), "no margin is asked for, see --margin");
+}
+
 std::string without_open_sides(const Situation& at) {
   return unless(any_step(at,
                          [&](const Workingstep& step, const ResolvedStep&) {

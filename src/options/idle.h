@@ -41,6 +41,7 @@ std::string without_ramps(const Situation& at);
 std::string without_helix(const Situation& at);
 std::string enters_no_hole(const Situation& at);
 std::string without_leads(const Situation& at);
+std::string without_margin(const Situation& at);
 std::string without_open_sides(const Situation& at);
 std::string without_links(const Situation& at);
 std::string plunges_nowhere(const Situation& at);

@@ -14,6 +14,7 @@
 #include "model/section_names.h"
 #include "pipeline/alone/stock_taken.h"
 #include "pipeline/certify.h"
+#include "pipeline/margin.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/out_of_reach.h"
 #include "read/gcode/gcode.h"
@@ -329,6 +330,8 @@ CheckResult check_program(const Part& part, const std::string& program, const st
                           std::move(stated));
   add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
+  result.margin =
+      margin_asked({result.part, result.toolpath, result.control, result.earlier}, plan, result.findings);
   return result;
 }
 

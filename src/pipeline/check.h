@@ -9,6 +9,7 @@
 #include "model/move.h"
 #include "model/part.h"
 #include "model/results/findings.h"
+#include "model/results/margin.h"
 #include "read/gcode/dialect.h"
 #include "resolve/plan_options.h"
 
@@ -22,6 +23,7 @@ struct CheckResult {
   read::gcode::Dialect dialect = read::gcode::Dialect::kLinuxCnc;  ///< as which the program was read
   ControlTable control;             ///< what the control held at each move of `toolpath`
   std::optional<Toolpath> earlier;  ///< what was cut before
+  std::optional<Margin> margin;     ///< absent: not asked
 };
 /// `dialect`: the control that will run it; absent: recognised.
 /// `reference_feeds`: by number of the tool, meant at the reference where feeds follow the load and no option states one.

@@ -4,22 +4,14 @@
 #include <fmt/ranges.h>
 
 #include "base/text/format.h"
+#include "pipeline/certify.h"
 #include "verify/margin.h"
 
 namespace clearcut::pipeline {
 namespace {
 
-template <typename Result>
-Margin found_for(const Result& result, const resolve::PlanOptions& options, const MarginBounds& bounds) {
-  verify::VerifyOptions asked;
-  asked.tol = options.tol;
-  asked.machine = options.machine;
-  asked.threads = options.threads;
-  asked.cancel = options.cancel;
-  asked.control = &result.control;
-  if (result.earlier) asked.earlier = &*result.earlier;
-  return verify::margin_of(result.part, result.toolpath, asked, bounds);
-}
+/// mm; of the last step of the search.
+constexpr double kRounding = 1e-9;
 
 std::string place_of(const FeatureMargin& least) {
   if (!least.at) return "";
@@ -35,12 +27,26 @@ std::string not_asked_of(const Margin& margin) {
 
 }  // namespace
 
-Margin margin_of(const PlanResult& result, const resolve::PlanOptions& options, const MarginBounds& bounds) {
-  return found_for(result, options, bounds);
-}
-
-Margin margin_of(const CheckResult& result, const resolve::PlanOptions& options, const MarginBounds& bounds) {
-  return found_for(result, options, bounds);
+std::optional<Margin> margin_asked(const ProgramRead& program, const ResolvedPlan& plan, Findings& findings) {
+  if (!plan.margin) return std::nullopt;
+  verify::VerifyOptions asked;
+  asked.tol = plan.tol;
+  asked.machine = plan.machine;
+  asked.threads = plan.threads;
+  asked.cancel = plan.cancel;
+  asked.control = &program.control;
+  if (program.earlier) asked.earlier = &*program.earlier;
+  Margin margin = verify::margin_of(program.part, program.toolpath, asked, plan.margin->bounds);
+  const FeatureMargin* const least = margin.least();
+  if (least && least->mm < plan.margin->at_least - kRounding) {
+    Condition open;
+    open.name = "margin";
+    open.text =
+        fmt::format("{}: {} mm were asked for", margin_line(margin), trimmed(plan.margin->at_least, 4));
+    findings.conditions.push_back(std::move(open));
+    accept_conditions(findings, plan.accept);
+  }
+  return margin;
 }
 
 std::string margin_line(const Margin& margin) {

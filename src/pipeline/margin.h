@@ -1,17 +1,29 @@
 // How far a machine may leave the path of a program that was planned or checked.
 #pragma once
 
+#include <optional>
+#include <string>
+
+#include "model/control.h"
+#include "model/move.h"
+#include "model/options/resolved_plan.h"
+#include "model/results/findings.h"
 #include "model/results/margin.h"
-#include "pipeline/check.h"
-#include "pipeline/run.h"
 
 namespace clearcut::pipeline {
 
-/// Of what was found with these options; see verify::margin_of.
-Margin margin_of(const PlanResult& result, const resolve::PlanOptions& options, const MarginBounds& bounds);
-Margin margin_of(const CheckResult& result, const resolve::PlanOptions& options, const MarginBounds& bounds);
+/// A program as it was read, with what ran before it.
+struct ProgramRead {
+  const Part& part;
+  const Toolpath& toolpath;
+  const ControlTable& control;
+  const std::optional<Toolpath>& earlier;
+};
 
-/// One sentence for people: "holds for 0.0034 mm of machine error: ...".
+/// The margin where `plan` asks for one; see verify::margin_of. Where it is smaller than was asked that is an open condition of `findings`.
+std::optional<Margin> margin_asked(const ProgramRead& program, const ResolvedPlan& plan, Findings& findings);
+
+/// One sentence for people: "margin: holds for 0.0034 mm of machine error; ...".
 std::string margin_line(const Margin& margin);
 
 }  // namespace clearcut::pipeline

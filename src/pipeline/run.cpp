@@ -19,6 +19,7 @@
 #include "model/results/not_machined.h"
 #include "model/section_names.h"
 #include "pipeline/certify.h"
+#include "pipeline/margin.h"
 #include "pipeline/contour_results.h"
 #include "pipeline/idle_options.h"
 #include "pipeline/selection/rapids_over_rests.h"
@@ -454,6 +455,8 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   explain_rounded_places(result, plan);
+  result.margin =
+      margin_asked({result.part, result.toolpath, result.control, result.earlier}, plan, result.findings);
   sign(result, toolpath, plan);
   report_notes(selection, works, plan, result.part);
   result.contours = contours_of(toolpath, plan);

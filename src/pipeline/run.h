@@ -9,6 +9,7 @@
 #include "model/move.h"
 #include "model/options/resolved_plan.h"
 #include "model/results/findings.h"
+#include "model/results/margin.h"
 #include "model/results/strategy_selection.h"
 #include "read/gcode/dialect.h"
 #include "report/result.h"
@@ -27,6 +28,7 @@ struct PlanResult {
   std::vector<ResolvedValue> values;            ///< every value that was decided, with its origin
   std::vector<StrategySelection> selections;    ///< strategies of each workingstep
   std::optional<Toolpath> earlier;              ///< what was cut before
+  std::optional<Margin> margin;                 ///< absent: not asked
 };
 
 /// Plans, posts and certifies a part.

@@ -43,7 +43,6 @@ report::CertificateInfo certificate_info(const resolve::PlanOptions& options, co
   info.arguments = basis.arguments;
   info.inputs = basis.inputs;
   info.proof = basis.proof;
-  info.margin = basis.margin;
   info.program_name = basis.program_name;
   info.dialect = options.post.dialect;
   info.machine = options.machine;
@@ -80,6 +79,7 @@ CertificateBasis basis_of_input(const Part& part, const std::string& command, co
 std::string write_certificate(const PlanResult& result, const resolve::PlanOptions& options,
                               const CertificateBasis& basis) {
   report::CertificateInfo info = certificate_info(options, basis, result.control);
+  info.margin = result.margin;
   info.program = result.program;
   info.selections = result.selections;
   info.values = result.values;
@@ -91,6 +91,7 @@ std::string write_certificate(const PlanResult& result, const resolve::PlanOptio
 std::string write_certificate(const CheckResult& result, const resolve::PlanOptions& options,
                               const CertificateBasis& basis, const std::string& program) {
   report::CertificateInfo info = certificate_info(options, basis, result.control);
+  info.margin = result.margin;
   info.program = program;
   info.dialect = name_of(result.dialect);
   info.dialect_stated = basis.dialect_stated;

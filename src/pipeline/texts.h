@@ -20,7 +20,6 @@ struct CertificateBasis {
   std::string program_name;
   bool dialect_stated = true;  ///< of a program that was checked; else it was recognised
   std::optional<report::CertificateProof> proof = {};
-  std::optional<Margin> margin = {};  ///< absent: not asked
 };
 std::string write_certificate(const PlanResult& result, const resolve::PlanOptions& options,
                               const CertificateBasis& basis);

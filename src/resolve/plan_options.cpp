@@ -326,6 +326,30 @@ void check(const TabOptions& tabs) {
           "--tab-at", "must be numbers of mm");
 }
 
+namespace {
+
+/// mm. So much at most do passes leave by themselves.
+constexpr double kLeftByPasses = 0.004;
+
+/// A path that may lie that far off leaves that much, and the stock against cutting too deep, in corners of walls the root of two times
+/// that. The stock alone has to stay within what the verdict lets stand.
+void refuse_narrow_bounds(double at_least, const ShopOptions& shop) {
+  const MarginBounds standard;
+  const double gouge = shop.margin_gouge.value_or(standard.gouge),
+               uncut = shop.margin_uncut.value_or(standard.uncut);
+  const double left = std::sqrt(2.0) * MarginRule{at_least, {uncut, gouge}}.stock() + kLeftByPasses;
+  if (at_least + left <= uncut && left <= standard.uncut) return;
+  throw InputError(
+      "--margin-at-least",
+      fmt::format(
+          "{} mm cannot be held where {} mm may be left and {} mm be cut too deep; allow more, for example "
+          "--margin-uncut {} --margin-gouge {}",
+          trimmed(at_least, 4), trimmed(uncut, 4), trimmed(gouge, 4),
+          trimmed(at_least + 2 * kLeftByPasses, 4), trimmed(at_least, 4)));
+}
+
+}  // namespace
+
 void check(const PlanOptions& options) {
   check_values(Asked{options, {}}, "--");
   check(options.tabs);
@@ -338,6 +362,7 @@ void check(const PlanOptions& options) {
   if (of_rule && !shop.feed_by)
     throw InputError(source_of(options, of_rule).text,
                      "has no effect: feeds are as stated; add --feed-by chip or --feed-by removal");
+  if (shop.margin_at_least) refuse_narrow_bounds(*shop.margin_at_least, shop);
   require(
       !options.post.inch || options.post.decimals.value_or(4) >= 4, "--decimals",
       "three decimals of an inch are steps of 0.025 mm, coarser than what is certified; use --decimals 4");

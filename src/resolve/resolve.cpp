@@ -210,7 +210,16 @@ std::optional<FeedRule> feed_rule_of(const ShopOptions& shop) {
                   shop.reference_feed, shop.feed_cap};
 }
 
+std::optional<MarginRule> margin_rule_of(const ShopOptions& shop) {
+  if (!shop.margin && !shop.margin_at_least) return std::nullopt;
+  MarginRule rule{shop.margin_at_least.value_or(0), {}};
+  rule.bounds.uncut = shop.margin_uncut.value_or(rule.bounds.uncut);
+  rule.bounds.gouge = shop.margin_gouge.value_or(rule.bounds.gouge);
+  return rule;
+}
+
 void resolve_shop(ResolvedPlan& plan, const ShopOptions& shop) {
+  plan.margin = margin_rule_of(shop);
   plan.lead_overlap = shop.lead_overlap.value_or(0);
   plan.overrun = shop.overrun.value_or(0);
   plan.link_lift = shop.link_lift.value_or(0);

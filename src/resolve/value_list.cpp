@@ -211,6 +211,14 @@ void list_shop(PlanList& list, const ResolvedPlan& plan, const ShopOptions& shop
            "the feed, rapid through cut material");
   list.add("slot-angle", trimmed(plan.slot_angle.degrees(), 4), "deg", shop.slot_angle_deg.has_value(),
            "150 deg");
+  if (plan.margin) {
+    list.add("margin-at-least", trimmed(plan.margin->at_least, 6), "mm", shop.margin_at_least.has_value(),
+             "0 mm");
+    list.add("margin-uncut", trimmed(plan.margin->bounds.uncut, 6), "mm", shop.margin_uncut.has_value(),
+             "0.01 mm");
+    list.add("margin-gouge", trimmed(plan.margin->bounds.gouge, 6), "mm", shop.margin_gouge.has_value(),
+             "0.001 mm");
+  }
   if (plan.feed_rule) {
     list.add("feed-by", name_of(plan.feed_rule->by), "", true, "");
     list.add("reference-engagement", trimmed(plan.feed_rule->reference.degrees(), 4), "deg",

@@ -10,7 +10,6 @@
 #include <memory>
 
 #include "arguments/certificate_info.h"
-#include "arguments/margin_arguments.h"
 #include "arguments/plan_arguments.h"
 #include "commands/commands.h"
 #include "commands/setup_sheet_file.h"
@@ -31,7 +30,6 @@ struct PlanCommand {
   std::string sheet;
   std::string result;
   std::string witness;
-  MarginArguments margin;
   bool quiet = false;
   bool explain = false;
   bool for_many = false;
@@ -43,8 +41,7 @@ CertificateBasis basis_of(const PlanCommand& command) {
 
 std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptions& options,
                                      const PlanResult& result,
-                                     const std::optional<CertificateProof>& proof = {},
-                                     const std::optional<Margin>& margin = {}) {
+                                     const std::optional<CertificateProof>& proof = {}) {
   std::vector<OutputFile> files{{command.output, result.program}};
   const auto add = [&](const std::string& path, auto&& content) {
     if (!path.empty()) files.push_back({path, content()});
@@ -52,7 +49,6 @@ std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptio
   add(command.certificate, [&] {
     CertificateBasis basis = basis_of(command);
     basis.proof = proof;
-    basis.margin = margin;
     return write_certificate(result, options, basis);
   });
   add(command.svg, [&] { return write_picture(result); });
@@ -151,6 +147,7 @@ void tell(const PlanCommand& command, const PlanResult& result, const PlanOption
   if (command.explain) print_line(write_values(result.part, result.values, table_width()));
   if (command.quiet) {
     if (command.output != "-") print_line(with_colours(verdict_and_reasons(result.findings)));
+    if (command.output != "-" && result.margin) print_line(margin_line(*result.margin));
     return;
   }
   print(result.part.diagnostics, true);
@@ -158,6 +155,7 @@ void tell(const PlanCommand& command, const PlanResult& result, const PlanOption
   for (const auto& name : names_not_machined(result.part.diagnostics)) print_line("NOT MACHINED: " + name);
   if (options.strategy.value_or("auto") == "auto") print_line(write_selection_table(result, table_width()));
   print_line(with_colours(write_table(result, table_width())));
+  if (result.margin) print_line(margin_line(*result.margin));
 }
 
 /// One of several set-ups: its question and its plan.
@@ -253,8 +251,6 @@ void refuse_for_setups(const PlanCommand& command, int count) {
     throw InputError("--setup", "the set-ups of a job are planned together; leave it out");
   if (!command.witness.empty())
     throw InputError("--witness", "is about one program; verify each program with --witness");
-  if (command.margin.is_asked)
-    throw InputError("--margin", "is about one program; verify each program with --margin");
   if (command.output.empty() && !command.explain)
     throw InputError("--output", "is missing; name the program to write");
   if (command.output == "-")
@@ -310,8 +306,7 @@ int run(PlanCommand command) {
   WitnessFile witness;
   std::optional<CertificateProof> proof;
   if (!command.witness.empty()) proof = proof_of(witness = witness_of(proven));
-  const std::optional<Margin> margin = command.margin.of(result, options);
-  std::vector<OutputFile> files = output_files(command, options, result, proof, margin);
+  std::vector<OutputFile> files = output_files(command, options, result, proof);
   const bool without =
       !command.witness.empty() && (witness.found.bytes.empty() || !witness.found.missing.empty());
   for (OutputFile& file : witness_files(witness, command.witness)) files.push_back(std::move(file));
@@ -319,7 +314,6 @@ int run(PlanCommand command) {
   tell(command, result, options);
   if (without || (!command.witness.empty() && !command.quiet))
     print_line(witness_lines(witness, command.witness, proven));
-  if (margin) print_line(margin_line(*margin));
   return without ? kFault : exit_code_of(result.findings);
 }
 
@@ -350,7 +344,6 @@ std::shared_ptr<PlanCommand> declare(CLI::App& command) {
                 "The options are for many parts: what means nothing to one is none the worse")
       ->group("");
   command.add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
-  state->margin.add_options(command);
   return state;
 }
 
@@ -378,10 +371,7 @@ std::string plan_certificate(const std::vector<std::string>& arguments, const st
     return certificate_of_setup(command, count, program);
   const Part part = command.arguments.read();
   const PlanOptions options = command.arguments.options();
-  const PlanResult result = plan_part(part, options);
-  CertificateBasis basis = basis_of(command);
-  basis.margin = command.margin.of(result, options);
-  return write_certificate(result, options, basis);
+  return write_certificate(plan_part(part, options), options, basis_of(command));
 }
 
 }  // namespace clearcut::cli

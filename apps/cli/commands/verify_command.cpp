@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "arguments/certificate_info.h"
-#include "arguments/margin_arguments.h"
 #include "arguments/plan_arguments.h"
 #include "arguments/suggest.h"
 #include "commands/commands.h"
@@ -30,7 +29,6 @@ struct VerifyCommand {
   std::string html;
   std::string sheet;
   std::string witness;
-  MarginArguments margin;
   bool prove = false;
   bool quiet = false;
 };
@@ -50,7 +48,6 @@ struct Checked {
   CheckResult result;
   std::string certificate;
   WitnessFile witness;
-  std::optional<Margin> margin;
 };
 
 /// Without a part: against a stock.
@@ -80,7 +77,6 @@ Checked checked(const VerifyCommand& command) {
   CertificateBasis basis = certificate_basis("verify", command.arguments.input_files(), command.program);
   basis.dialect_stated = command.arguments.dialect().has_value();
   if (asks_proof(command)) basis.proof = proof_of(out.witness);
-  basis.margin = out.margin = command.margin.of(out.result, options);
   out.certificate = write_certificate(out.result, options, basis, out.program);
   return out;
 }
@@ -99,8 +95,6 @@ int run(const VerifyCommand& command) {
   check_setup_sheet_name(command.sheet);
   if (asks_proof(command) && command.arguments.input().empty())
     throw InputError("--witness", "is about a program and a part; name the part with --part");
-  if (command.margin.is_asked && command.arguments.input().empty())
-    throw InputError("--margin", "is about a program and a part; name the part with --part");
   const Checked found = checked(command);
   const CheckResult& result = found.result;
   std::vector<OutputFile> files;
@@ -124,7 +118,7 @@ int run(const VerifyCommand& command) {
     print_line(with_colours(command.quiet
                                 ? verdict_and_reasons(result.findings)
                                 : dialect_line(command, result) + write_table(result, table_width())));
-  if (found.margin) print_line(margin_line(*found.margin));
+  if (result.margin) print_line(margin_line(*result.margin));
   return asks_proof(command) ? tell_proof(command, witness, proven, exit_code_of(result.findings))
                              : exit_code_of(result.findings);
 }
@@ -151,8 +145,8 @@ void let_part_be_absent(CLI::App& command, VerifyCommand& state) {
     const bool of_part = group == "Drawings" || group == "Solids" || option->check_name("--unit") ||
                          option->check_name("--layer") || option->check_name("--depth") ||
                          option->check_name("--allowance") || option->check_name("--allowance-floor") ||
-                         option->check_name("--scallop") || option->check_name("--rest") ||
-                         option->get_name().starts_with("--finish");
+                         option->check_name("--scallop") || option->get_name().starts_with("--margin") ||
+                         option->check_name("--rest") || option->get_name().starts_with("--finish");
     if (of_part) option->needs(part);
   }
   command.option_defaults()->group("Input");
@@ -184,7 +178,6 @@ std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
   command.add_flag("--prove", state->prove,
                    "Find a witness and have clearcut-check, a program of its own, check it");
   command.add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
-  state->margin.add_options(command);
   return state;
 }
 

@@ -20,6 +20,7 @@
 #include "model/options/stepover.h"
 #include "model/part.h"
 #include "model/results/earlier_state.h"
+#include "model/results/margin.h"
 #include "model/work_material.h"
 
 namespace clearcut::inline model {
@@ -92,6 +93,7 @@ struct ResolvedPlan {
   double lead_overlap = 0, overrun = 0, link_lift = 0;  ///< mm
   std::optional<MmPerMin> link_feed;  ///< absent: the feed, or a rapid within a pass through cut material
   Radians slot_angle;                 ///< engagement above which the slot feed rules
+  std::optional<MarginRule> margin;   ///< absent: not asked
   std::optional<FeedRule> feed_rule;  ///< absent: feeds are as stated
   Finish finish = Finish::kNone;
   std::optional<WorkMaterial> material;  ///< absent: no forces

@@ -17,6 +17,10 @@ struct ShopOptions {
   std::optional<MmPerMin> link_feed;               ///< ways at depth through what is cut
   std::optional<double> overrun;                   ///< mm; open sides are cut this far beyond their edge
   std::optional<double> link_lift;                 ///< mm; such ways are run this much higher
+  bool margin = false;                             ///< how far the machine may leave the path is to be found
+  std::optional<double> margin_at_least;           ///< mm; the plan is to allow that, and the verdict asks it
+  std::optional<double> margin_uncut;              ///< mm; what may be left then
+  std::optional<double> margin_gouge;              ///< mm; what may be cut too deep then
   std::optional<double> slot_angle_deg;            ///< engagement above which the slot feed rules
   std::optional<FeedBy> feed_by;                   ///< feeds follow the load; absent: they are as stated
   std::optional<double> reference_engagement_deg;  ///< at which a feed is meant as stated

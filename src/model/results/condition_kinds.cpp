@@ -28,7 +28,7 @@ constexpr std::array kRows{
     // What the part has and the program does not make, or makes otherwise.
     ConditionRow{"out-of-reach"}, ConditionRow{"not-parted"}, ConditionRow{"not-as-drawn"},
     ConditionRow{"left-out"}, ConditionRow{"loose-part"}, ConditionRow{"not-followed"},
-    ConditionRow{"leaning-walls"}, ConditionRow{"floors-meet"}};
+    ConditionRow{"leaning-walls"}, ConditionRow{"floors-meet"}, ConditionRow{"margin"}};
 
 /// Whether `name` is the pattern with a number in place of each `#`.
 bool fits(std::string_view pattern, std::string_view name) {

@@ -17,6 +17,17 @@ struct MarginBounds {
   double gouge = Tolerances{}.gouge;
 };
 
+/// A margin that is asked for.
+struct MarginRule {
+  double at_least = 0;  ///< mm; 0: it is to be found alone
+  MarginBounds bounds;
+
+  /// mm; a control may run arcs of printed digits by so much off.
+  static constexpr double kArcs = 0.0008;
+  /// mm; stock that a plan leaves on walls and floors so that a path that far off cuts no deeper than the bound.
+  double stock() const { return at_least > 0 ? std::max(0.0, at_least - bounds.gouge + kArcs) : 0; }
+};
+
 /// What a path that lies farther off does first.
 enum class MarginLimit : unsigned char { kUncut, kGouge };
 

@@ -65,8 +65,11 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
   const auto& feature = feature_of(part, step);
   Operation operation = step.operation;
   const double reserve = printing_reserve(post::rounding_of(plan.post), plan);
-  operation.allowance_side += reserve;
-  operation.allowance_floor += printing_reserve(post::rounding_of_heights(plan.post), plan);
+  // A cutter that may be off its path clears for certain what a narrower one clears, which keeps that much more off the walls.
+  const double off = plan.margin ? plan.margin->at_least : 0, spared = plan.margin ? plan.margin->stock() : 0;
+  const double narrower = std::min(off, tool_of(part, step).radius() / 4);
+  operation.allowance_side += std::max(reserve, spared) + narrower;
+  operation.allowance_floor += std::max(printing_reserve(post::rounding_of_heights(plan.post), plan), spared);
   const Tool& tool = tool_of(part, step);
   MeetingPockets met(part, index, plan.tol);
   // Where layers are widened by pockets of other depths, passes of one begin elsewhere than those of the layer above.
@@ -79,10 +82,10 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
                                    [&](const Workingstep& other) { return other.feature == step.feature; });
   const bool leans_alone = met.empty() && feature.top_z >= part.top_z() && steps == 1;
   const plan::RoundedEnd end{outer_profile(tool).round, leans_alone};
-  auto layers =
-      plan::layers_of(feature, operation, tool.radius(), plan.tol, end, standing.top() - feature.top_z);
+  auto layers = plan::layers_of(feature, operation, tool.radius() - narrower, plan.tol, end,
+                                standing.top() - feature.top_z);
   for (auto& layer : layers) {
-    layer.reserve = reserve;
+    layer.reserve = std::max(reserve, spared);
     layer.holes = holes;
     if (part.stock) layer.stock = part.stock->plan;
     Regions stands = standing.above(layer.z);

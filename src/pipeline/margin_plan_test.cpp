@@ -1,0 +1,68 @@
+// Plans that allow a machine to leave the path.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "pipeline/test_drawings.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A pocket with a bulged side, a corner that reaches inwards, and a hole in its middle that stays.
+Part pocket() {
+  return drawn(outline("POCKET_D3", {{{0, 0}}, {{50, 0}, 0.2}, {{50, 40}}, {{25, 30}}, {{0, 40}}}) +
+               box("POCKET_D3", 20, 12, 28, 18));
+}
+
+resolve::PlanOptions asking(const std::string& strategy, double at_least) {
+  resolve::PlanOptions options = with({"endmill:6"});
+  options.strategy = strategy;
+  options.shop.margin_at_least = at_least;
+  return options;
+}
+
+class MarginOf : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(MarginOf, APlanIsAsWideAsAsked) {
+  const PlanResult exact = plan_part(pocket(), asking(GetParam(), 0.0025));
+  ASSERT_TRUE(exact.margin);
+  EXPECT_GE(exact.margin->least()->mm, 0.0025);
+  EXPECT_EQ(verdict_of(exact.findings), Verdict::kClean);
+  resolve::PlanOptions wide = asking(GetParam(), 0.02);
+  wide.shop.margin_uncut = 0.03;
+  wide.shop.margin_gouge = 0.02;
+  const PlanResult worn = plan_part(pocket(), wide);
+  EXPECT_GE(worn.margin->least()->mm, 0.02);
+  EXPECT_EQ(verdict_of(worn.findings), Verdict::kClean);
+}
+
+INSTANTIATE_TEST_SUITE_P(Strategies, MarginOf, ::testing::Values("contour", "zigzag", "spiral", "adaptive"));
+
+TEST(MarginPlan, IsRefusedWhereTheBoundsCannotHoldIt) {
+  std::string said;
+  try {
+    plan_part(pocket(), asking("contour", 0.02));
+  } catch (const InputError& error) {
+    said = error.what();
+  }
+  EXPECT_THAT(said, HasSubstr("--margin-at-least: 0.02 mm cannot be held where 0.01 mm may be left and 0.001 "
+                              "mm be cut too deep"));
+}
+
+TEST(MarginPlan, IsAnOpenConditionWhereAProgramHasLess) {
+  resolve::PlanOptions plain = with({"endmill:6"});
+  plain.strategy = "contour";
+  const PlanResult result = plan_part(pocket(), plain);
+  EXPECT_FALSE(result.margin);
+  const CheckResult checked = check_program(pocket(), result.program, "p.ngc", asking("contour", 0.0025));
+  EXPECT_LT(checked.margin->least()->mm, 0.0025);
+  EXPECT_EQ(verdict_of(checked.findings), Verdict::kConditional);
+  EXPECT_EQ(checked.findings.conditions.back().name, "margin");
+  EXPECT_THAT(checked.findings.conditions.back().text, HasSubstr("0.0025 mm were asked for"));
+}
+
+}  // namespace
+}  // namespace clearcut::pipeline
