@@ -270,11 +270,11 @@ TEST(GcodeRefusals, EachNamesItsLineAndWhatToDo) {
   EXPECT_EQ(
       message_of(start + "G41 D1"),
       "test.ngc:2: G41 cutter radius compensation is not read; post the path of the tool's centre (G40)");
-  EXPECT_THAT(message_of(start + "#1=5"), HasSubstr("test.ngc:2: parameters and expressions are not read"));
-  EXPECT_THAT(message_of(start + "G1 X[1+2]"), HasSubstr("test.ngc:2: parameters and expressions"));
-  EXPECT_THAT(message_of(start + "G1 X#5"), HasSubstr("test.ngc:2: parameters and expressions"));
-  EXPECT_THAT(message_of(start + "o100 sub"), HasSubstr("test.ngc:2: subroutines and loops"));
-  EXPECT_THAT(message_of(start + "M98 P1000"), HasSubstr("test.ngc:2: subprogram calls"));
+  EXPECT_THAT(message_of(start + "#1="), HasSubstr("test.ngc:2: a number is missing"));
+  EXPECT_THAT(message_of(start + "G1 X[1+2"), HasSubstr("test.ngc:2: an expression lacks its ']'"));
+  EXPECT_THAT(message_of(start + "G1 X#<a>"), HasSubstr("test.ngc:2: #<a> is read before anything sets it"));
+  EXPECT_THAT(message_of(start + "o100 sub"), HasSubstr("test.ngc:2: o100 has no end"));
+  EXPECT_THAT(message_of(start + "M98 P1000"), HasSubstr("test.ngc:2: subprogram O1000 is neither"));
   EXPECT_THAT(message_of(start + "G1 A90"), HasSubstr("test.ngc:2: axis word A"));
   EXPECT_THAT(message_of(start + "G1 X1 X2"), HasSubstr("test.ngc:2: two X words"));
   EXPECT_THAT(message_of(start + "G0 G1 X1"), HasSubstr("test.ngc:2: G1 contradicts"));
