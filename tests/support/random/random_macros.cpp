@@ -51,9 +51,9 @@ class MacroWriter {
       case 2:
         return "#[1 + 1]";
       case 3:
-        return "#5420";
+        return sets_ ? "#7" : "#5420";
       case 4:
-        return one_of<3>({"#<_x>", "#<_metric>", "#<_call_level>"});
+        return one_of<3>({sets_ ? "#8" : "#<_x>", "#<_metric>", "#<_call_level>"});
       default:
         return fmt::format("#{}", 1 + any(12));
     }
@@ -118,21 +118,28 @@ class MacroWriter {
     for (const char axis : {'X', 'Y', 'Z'})
       if (chance(0.6)) words += fmt::format(" {}{}", axis, place());
     if (words.size() == 2) words += fmt::format(" X{}", place());
-    if (chance(0.15)) words += fmt::format(" #{} = {}", 1 + any(12), place());
+    if (chance(0.15)) words += fmt::format(" #{} = {}", 1 + any(12), kept_place());
     line(words);
   }
   void arc() {
     line(fmt::format("G1 X{} Y{}", place(), place()));
     line(fmt::format("G{} X[#5420 + 6] I3 J0", 2 + any(2)));
   }
+  /// Without the place where the tool is: in a loop it would blow the last bit of a sine up to millimetres.
+  std::string kept_place() {
+    sets_ = true;
+    std::string text = place();
+    sets_ = false;
+    return text;
+  }
   void assignment() {
     switch (any(4)) {
       case 0:
-        return line(fmt::format("#<_g> = {}", place()));
+        return line(fmt::format("#<_g> = {}", kept_place()));
       case 1:
-        return line(fmt::format("#<a> = {}", place()));
+        return line(fmt::format("#<a> = {}", kept_place()));
       default:
-        return line(fmt::format("#{} = {}", 1 + any(12), place()));
+        return line(fmt::format("#{} = {}", 1 + any(12), kept_place()));
     }
   }
 
@@ -252,6 +259,7 @@ class MacroWriter {
   int depth_ = 0;
   int subs_ = 0;
   bool is_main_ = false;
+  bool sets_ = false;  ///< a parameter is set
   /// With break or continue in a program the interpreter (2.9) goes astray in its DO loops: a program has one or the other.
   bool interrupts_;
 };

@@ -34,7 +34,10 @@ bool has_exponent(std::string_view line, std::size_t at) {
 bool is_flow(std::string_view rest) {
   constexpr std::string_view kWords[] = {"IF[", "IF#", "GOTO", "WHILE", "DO1",
                                          "DO2", "DO3", "END1", "END2",  "END3"};
-  if (rest.size() < 2 || (!is_letter(rest[1]) && !is_blank(rest[1]))) return false;
+  std::size_t second = 1;
+  while (second < rest.size() && is_blank(rest[second])) ++second;
+  if (second >= rest.size() || (!is_letter(rest[second]) && rest[second] != '#' && rest[second] != '['))
+    return false;
   std::string word;
   for (const char c : rest.substr(0, 12)) {
     if (!is_blank(c)) word += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
