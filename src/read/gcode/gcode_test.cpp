@@ -350,11 +350,11 @@ TEST(Klartext, LengthsAndDatumsAreConditions) {
 }
 
 TEST(Klartext, WhatItCannotReadItRefuses) {
-  EXPECT_THAT(message_of(klartext("4 L X+Q1")), HasSubstr("test.ngc:5: '+Q1' is no plain number"));
+  EXPECT_THAT(message_of(klartext("4 L X+Q1")), HasSubstr("test.ngc:5: Q1 is read before the program sets it"));
   EXPECT_THAT(message_of(klartext("4 L X+1 RL")), HasSubstr("RL radius compensation"));
   EXPECT_THAT(message_of(klartext("4 CYCL DEF 7.0 DATUM SHIFT")), HasSubstr("cycle 7 is not read"));
   EXPECT_THAT(message_of(klartext("4 RND R5")), HasSubstr("block 'RND' is not read"));
-  EXPECT_THAT(message_of(klartext("4 CALL LBL 1")), HasSubstr("block 'CALL' is not read"));
+  EXPECT_THAT(message_of(klartext("4 CALL LBL 1")), HasSubstr("there is no LBL 1"));
   EXPECT_THAT(message_of(klartext("4 C X+1 DR+")), HasSubstr("arc without its centre"));
   EXPECT_THAT(message_of(klartext("4 CC X+5 Y+0\n5 CP IPA-90 DR+")), HasSubstr("disagree"));
 }
