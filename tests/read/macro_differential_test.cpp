@@ -52,7 +52,7 @@ std::optional<std::size_t> first_difference(const std::vector<End>& canon, const
   std::size_t next = 0;
   for (std::size_t k = 0; k < canon.size(); ++k) {
     bool met = false;
-    for (int pieces = 0; !met && pieces < 6 && next < moves.size(); ++pieces, ++next) {
+    for (int pieces = 0; !met && pieces < 60 && next < moves.size(); ++pieces, ++next) {
       const Move& move = moves[next];
       const End end{is_rapid(move.kind), move.path.to, move.z_to};
       met = end.is_rapid == canon[k].is_rapid && apart(end, canon[k]) < 2 * kPrinted;
