@@ -133,6 +133,7 @@ constexpr std::array kRules{
                  .points_matter = true,
                  .dwell_in_ms = true,
                  .dwell_with_point_in_s = true,
+                 .calls_blocks = true,
                  .numbered_offsets = 99,
                  .mist_on = 830,
                  .mist_off = 840,

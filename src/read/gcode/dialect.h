@@ -147,6 +147,7 @@ struct DialectRules {
   bool saves_modes = false;              ///< M70 to M73
   bool polar_words = false;              ///< '@' and '^'
   bool count_in_program_number = false;  ///< M98 P0031234 runs O1234 three times
+  bool calls_blocks = false;             ///< M97
   int most_calls = 9;                    ///< subprograms within each other
   bool has_old_units = false;            ///< G70 and G71 are G20 and G21
   int numbered_offsets = 0;              ///< most P of G54.1, G154, G59

@@ -11,6 +11,9 @@ namespace clearcut::read::gcode {
 void Interpreter::execute(const Block& block) {
   control_.line = block.line;
   if (block.optional) note_block_delete();
+  if (block.delete_level > 0 && control_.rules.macros != MacroLanguage::kFanuc)
+    control_.refuse("'/" + std::to_string(block.delete_level) +
+                    "' names a switch of Fanuc's and Haas's; write '/' alone");
   check(block);
   note_stray_words(control_, block);
   for (const int m : block.m) {

@@ -247,6 +247,8 @@ void ModeWords::set_drive(int m, const Block& block) {
   if (m == 190) return control_.turn_spindle(5);
   if (m == 130 || m == 140) return turn_spindle_and_flood(m);
   if (m == 0 || m == 10) return pause(block);
+  if (m == 970 && control_.rules.macros != MacroLanguage::kNone && !control_.rules.calls_blocks)
+    control_.refuse("M97 is a word of Haas's; name --dialect haas");
   if (m == 960 || m == 970 || (m == 980 && block.has('P'))) {
     control_.macro("subprogram calls are no words of the control; post the program without them");
   }

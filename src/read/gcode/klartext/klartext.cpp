@@ -136,6 +136,7 @@ bool Reader::flow(const std::vector<std::string>& words) {
     if (const FnBlock done = parameters_.execute(words, place()); done.jump) go_to_label(*done.jump);
     return true;
   }
+  if (parameters_.assign(words, place())) return true;
   if (words[0] != "CALL" || words.size() < 3 || words[1] != "LBL") return false;
   call_label(words);
   return true;

@@ -44,6 +44,11 @@ TEST(KlartextLabels, ParametersAreComputed) {
             "|1 0|2 0|3 0");
 }
 
+TEST(KlartextLabels, ParametersAreSetInTheirOwnBlocks) {
+  EXPECT_EQ(ends("Q1 = +4\nQ2=-Q1\nL X+Q1 Y+Q2 F100"), "|4 -4");
+  EXPECT_THAT(refused("Q1 = +4 * 2"), HasSubstr("formulas of Q parameters are not read"));
+}
+
 TEST(KlartextLabels, WhatIsNotKnownIsRefused) {
   EXPECT_THAT(refused("L X+Q5 F100"), HasSubstr("test.ngc:4: Q5 is read before the program sets it"));
   EXPECT_THAT(refused("CALL LBL 4"), HasSubstr("test.ngc:4: there is no LBL 4"));

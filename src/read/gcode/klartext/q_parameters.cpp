@@ -130,6 +130,20 @@ FnBlock QParameters::execute(const std::vector<std::string>& words, const std::s
   return block;
 }
 
+bool QParameters::assign(const std::vector<std::string>& words, const std::string& place) {
+  constexpr int kFirstOfCycleParameters = 200;
+  const std::string text = joined(words);
+  if (text.size() < 2 || text[0] != 'Q' || !is_digit(text[1])) return false;
+  std::size_t at = 1;
+  const int parameter = count_at(text, at, place);
+  if (parameter >= kFirstOfCycleParameters || !skip_text(text, at, "=")) return false;
+  const std::size_t formula = text.find_first_of("*/()^", at);
+  const double value = formula == std::string::npos ? operand(text, at, place) : 0;
+  if (at != text.size()) refuse_fn(place, "formulas of Q parameters are not read; use FN blocks");
+  values_[parameter] = value;
+  return true;
+}
+
 void QParameters::put_values(std::vector<std::string>& words, const std::string& place) const {
   for (std::string& word : words) {
     const std::size_t from = word[0] == 'Q' && word.find('=') != std::string::npos ? word.find('=') : 0;

@@ -252,7 +252,7 @@ class FanucRun : private MacroRun {
     }
     compute_words(clean, from, style_, variables_, at, block_);
     if (has_g(block_, 660)) refuse("G66 calls a macro after every move, which is not read; call it by G65");
-    if (has_m(980) || (has_m(970) && rules_.macros == MacroLanguage::kFanuc)) return call_program();
+    if (has_m(980) || (has_m(970) && rules_.calls_blocks)) return call_program();
     if (has_m(990)) return return_or_again();
     execute(block_);
   }
@@ -269,7 +269,7 @@ class FanucRun : private MacroRun {
   }
 
   void call_program() {
-    const bool is_local = has_m(970);
+    const bool is_local = has_m(970) && rules_.calls_blocks;
     if (!block_.has('P')) refuse("a call without its P word; give the number of the subprogram");
     if (block_.has('Q') || block_.has('H'))
       refuse("a call that begins within a subprogram is not read; call it from its start");

@@ -97,6 +97,15 @@ TEST(FanucMacros, RefusalsSayWhatToDo) {
   EXPECT_THAT(refusal_as(Dialect::kGrbl, "G21 G90\nG0 X#1\n"), HasSubstr("are no words of the control"));
 }
 
+TEST(FanucMacros, SwitchesOfBlockDeleteAreOneCondition) {
+  const std::string text = kHead + "/2 G1 X3.\n#1 = 2\n/3 G1 X5.\nM30\n%\n";
+  EXPECT_EQ(ends_as(Dialect::kHaas, text), "|3 0|5 0");
+  EXPECT_THAT(names_of(read_as(Dialect::kFanuc, text)), HasSubstr("block-delete@7"));
+  EXPECT_THAT(refusal_as(Dialect::kLinuxCnc, "G21 G90\n/2 G0 X1\nM2\n"), HasSubstr("'/2' names a switch"));
+  EXPECT_THAT(refusal_as(Dialect::kFanuc, kHead + "M97 P5\nM30\nN5 M99\n"),
+              HasSubstr("M97 is a word of Haas's"));
+}
+
 TEST(FanucMacros, RecognisedByTheirWords) {
   EXPECT_EQ(read_gcode("G21 G90 G0 X0. Y0.\n#1=1\nN1 IF [#1 GT 3] GOTO 9\nN9 M30\n", "t").dialect,
             Dialect::kFanuc);

@@ -139,6 +139,8 @@ CleanLine cleaned(std::string_view line, const std::string& place) {
     }
     if (c == '/' && result.text.empty() && !result.is_optional) {
       result.is_optional = true;
+      if (at + 1 < line.size() && line[at + 1] >= '1' && line[at + 1] <= '9')
+        result.delete_level = line[++at] - '0';
       continue;
     }
     result.text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -152,6 +154,7 @@ void compute_words(const CleanLine& line, std::size_t at, MacroStyle style, Macr
                    const std::string& place, Block& block, std::vector<ArgumentWord>* words) {
   for (const std::string_view comment : line.comments) block.comments.push_back(comment);
   block.optional = line.is_optional;
+  block.delete_level = line.delete_level;
   WordReader(style, store, place, block, words).read(line.text, at);
 }
 

@@ -15,6 +15,7 @@ struct CleanLine {
   std::string text;
   std::vector<std::string_view> comments;
   bool is_optional = false;  ///< begins with '/'
+  int delete_level = 0;      ///< n of "/n"; 0: none is said
   bool is_percent = false;   ///< begins with '%'
   int number = -1;           ///< N word; -1 without one
 };

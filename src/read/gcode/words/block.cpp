@@ -76,7 +76,7 @@ int tenths(double value, char letter, const std::string& place) {
 }  // namespace
 
 void Block::clear() {
-  line = 0;
+  line = delete_level = 0;
   optional = percent = has_text = false;
   g.clear();
   m.clear();
@@ -120,6 +120,7 @@ void BlockReader::parse(std::string_view line, Block& block) const {
     } else if (c == '/' && first) {
       block.optional = true;
       ++at;
+      if (at < line.size() && line[at] >= '1' && line[at] <= '9') block.delete_level = line[at++] - '0';
     } else {
       parse_word(line, at, block);
     }

@@ -22,6 +22,7 @@ class MacroError : public InputError {
 struct Block {
   int line = 0;
   bool optional = false;  ///< begins with '/'
+  int delete_level = 0;   ///< n of "/n", one of several switches; 0: none is said
   bool percent = false;   ///< a lone '%'
   bool has_text = false;  ///< behind M0 or M1, as Marlin shows it
   std::vector<int> g;     ///< G words in tenths: 911 is G91.1
