@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "read/gcode/macros/computes.h"
 #include "read/gcode/told_program.h"
 
 namespace clearcut::read::gcode {
@@ -104,6 +105,13 @@ TEST(FanucMacros, SwitchesOfBlockDeleteAreOneCondition) {
   EXPECT_THAT(refusal_as(Dialect::kLinuxCnc, "G21 G90\n/2 G0 X1\nM2\n"), HasSubstr("'/2' names a switch"));
   EXPECT_THAT(refusal_as(Dialect::kFanuc, kHead + "M97 P5\nM30\nN5 M99\n"),
               HasSubstr("M97 is a word of Haas's"));
+}
+
+TEST(FirstMacroLine, IsThatOfTheFirstWordThatComputesOrCalls) {
+  EXPECT_EQ(first_macro_line("G0 X1\nG1 X2 F100\nM30\n"), 0);
+  EXPECT_EQ(first_macro_line("G0 X1\nG1 X#2 F100\n"), 2);
+  EXPECT_EQ(first_macro_line("G0 X1\n\nM98 P100\n"), 3);
+  EXPECT_EQ(first_macro_line("o100 sub\n"), 1);
 }
 
 TEST(FanucMacros, RecognisedByTheirWords) {
