@@ -290,6 +290,7 @@ read::gcode::Program read_program(const ProgramText& program, const resolve::Pla
   reading.safe_z = safe_z;
   reading.places = options.machine.places;
   reading.hand_tools = tools_by_hand(by_hand.numbers);
+  reading.subprograms = read::gcode::files_beside(program.name);
   auto read = read::gcode::read_gcode(program.text, program.name, reading);
   if (reading.hand_tools.size() > 1) read.conditions.push_back(hand_tools_condition(by_hand.order));
   return read;

@@ -28,6 +28,7 @@ read::gcode::Program read_as_its_control(const std::string& file, const Machine&
   read::gcode::ReadControllerOptions reading;
   reading.home_z = home_z(machine);
   reading.places = machine.places;
+  reading.subprograms = read::gcode::files_beside(file);
   const std::string text = read_file(file);
   try {
     reading.dialect = dialect;

@@ -21,7 +21,9 @@ constexpr std::array kRows{
     ConditionRow{"cutting-speed"}, ConditionRow{"stated-feed"}, ConditionRow{"stated-speed"},
     ConditionRow{"rigid-tap"}, ConditionRow{"far-move"}, ConditionRow{"ends-low"},
     ConditionRow{"program-end"}, ConditionRow{"d#", "d1"}, ConditionRow{"tool-name-#", "tool-name-1"},
-    ConditionRow{"compressor"}, ConditionRow{"rtliof"}, ConditionRow{"h"}, ConditionRow{"cycle800"},
+    ConditionRow{"parameter-#", "parameter-100"}, ConditionRow{"measured-move"},
+    ConditionRow{"measured-value"}, ConditionRow{"subprogram-#", "subprogram-1"}, ConditionRow{"compressor"},
+    ConditionRow{"rtliof"}, ConditionRow{"h"}, ConditionRow{"cycle800"},
     // What is not known without a part.
     ConditionRow{"stock"}, ConditionRow{"below-stock"}, ConditionRow{"arc-radii"},
     ConditionRow{"cuts-nothing"},

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "link/sections/load_feeds.h"
 #include "pipeline/steps/load_feeds.h"
+#include "read/gcode/macros/computes.h"
 #include "read/gcode/words/feed_word.h"
 #include "read/gcode/words/lines.h"
 #include "resolve/resolve.h"
@@ -196,6 +197,10 @@ ProgramFeeds feeds_of_program(const ProgramQuestion& question, const std::string
   feeds.before = checked(question, program, program_name, plain, {});
   if (feeds.before.dialect == read::gcode::Dialect::kHeidenhain)
     throw InputError(program_name, "feeds of Klartext are not rewritten; give a program in G-code");
+  if (const int line = read::gcode::first_macro_line(program))
+    throw InputError(
+        program_name + ":" + std::to_string(line),
+        "feeds of a program that computes or calls are not rewritten; post it with plain blocks");
   const auto usual = usual_feeds(feeds.before.toolpath);
   feeds.reference_feeds = usual;
   if (options.shop.reference_feed)

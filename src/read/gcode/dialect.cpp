@@ -34,8 +34,9 @@ constexpr DialectRules mach_rules(Dialect dialect, std::string_view name, std::s
   rules.title = title;
   rules.planner = MotionPlanner::kMach;
   rules.needs_lengths = true;
-  rules.g.sets = kDrillCycles | kToolLengths | kFractionalOffsets | kKeptShifts | kExactStopBesidePath |
-                 kAbsoluteCenters;
+  rules.macros = MacroLanguage::kMach;
+  rules.g.sets = kPlanMaps | kSkipMoves | kDrillCycles | kToolLengths | kFractionalOffsets | kKeptShifts |
+                 kExactStopBesidePath | kAbsoluteCenters;
   rules.m.missing = kSpindleAndFlood;
   rules.centers_set_up = true;
   rules.has_old_units = true;
@@ -62,8 +63,9 @@ constexpr std::array kRules{
                  .name = "linuxcnc",
                  .title = "LinuxCNC",
                  .planner = MotionPlanner::kLinuxCnc,
-                 .g = {kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets | kKeptShifts |
-                       kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters},
+                 .macros = MacroLanguage::kLinuxCnc,
+                 .g = {kProbing | kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets |
+                       kKeptShifts | kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters},
                  .m = {.only = kLinuxCncMiscellaneous,
                        .user_words = true,
                        .at_others = ", which stops there; its set-up has a REMAP for it that moves nothing"},
@@ -78,7 +80,8 @@ constexpr std::array kRules{
                  .rereads_cycle_numbers = true,
                  .feed_in_unit_before = true,
                  .resets_modes = true,
-                 .saves_modes = true},
+                 .saves_modes = true,
+                 .polar_words = true},
     DialectRules{.dialect = Dialect::kGrbl,
                  .name = "grbl",
                  .title = "Grbl",
@@ -96,9 +99,10 @@ constexpr std::array kRules{
     DialectRules{.dialect = Dialect::kFanuc,
                  .name = "fanuc",
                  .title = "Fanuc",
+                 .macros = MacroLanguage::kFanuc,
                  .needs_lengths = true,
                  .changer_alone = true,
-                 .g = {kDrillCycles | kToolLengths | kOffsetsByNumber},
+                 .g = {kPlanMaps | kSkipMoves | kDrillCycles | kToolLengths | kOffsetsByNumber},
                  .lengths_by_number = true,
                  .taps = TapRule::kTiedByM29,
                  .radius_beats_center = true,
@@ -108,15 +112,18 @@ constexpr std::array kRules{
                  .points_matter = true,
                  .dwell_by_x = true,
                  .dwell_in_ms = true,
+                 .count_in_program_number = true,
+                 .most_calls = 10,
                  .numbered_offsets = 300,
                  .offset_with_number = 540,
                  .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on"},
     DialectRules{.dialect = Dialect::kHaas,
                  .name = "haas",
                  .title = "Haas",
+                 .macros = MacroLanguage::kFanuc,
                  .needs_lengths = true,
                  .changer_alone = true,
-                 .g = {kDrillCycles | kToolLengths | kHaasWords | kOffsetsByNumber},
+                 .g = {kPlanMaps | kSkipMoves | kDrillCycles | kToolLengths | kHaasWords | kOffsetsByNumber},
                  .m = {.missing = kSpindleAndFlood},
                  .lengths_by_number = true,
                  .taps = TapRule::kTied,
@@ -126,6 +133,7 @@ constexpr std::array kRules{
                  .points_matter = true,
                  .dwell_in_ms = true,
                  .dwell_with_point_in_s = true,
+                 .calls_blocks = true,
                  .numbered_offsets = 99,
                  .mist_on = 830,
                  .mist_off = 840,
@@ -189,7 +197,9 @@ constexpr SpecialWords kSpecialWords[] = {
     {430, 430, kToolLengths},       {431, 431, kStatedLengths}, {1540, 1540, kHaasWords},
     {1870, 1870, kHaasWords},       {1100, 1290, kHaasWords},   {541, 541, kOffsetsByNumber},
     {591, 593, kFractionalOffsets}, {922, 923, kKeptShifts},    {611, 611, kExactStopBesidePath},
-    {281, 281, kStoredPlaces},      {301, 301, kStoredPlaces},  {901, 901, kAbsoluteCenters}};
+    {281, 281, kStoredPlaces},      {301, 301, kStoredPlaces},  {901, 901, kAbsoluteCenters},
+    {160, 160, kPlanMaps},          {680, 680, kPlanMaps},      {501, 501, kPlanMaps},
+    {511, 511, kPlanMaps},          {310, 310, kSkipMoves},     {382, 385, kProbing}};
 
 bool among(std::span<const int> list, int code) {
   return std::find(list.begin(), list.end(), code) != list.end();

@@ -33,6 +33,14 @@ MotionPlanner planner_of(Dialect dialect);
 /// The language of a program; each has a reader of its own.
 enum class Language : unsigned char { kWordAddress, kKlartext, kSinumerik };
 
+/// How programs of the control compute, loop and call; each language has a reader of its own.
+enum class MacroLanguage : unsigned char {
+  kNone,
+  kLinuxCnc,  ///< parameters with names, O words
+  kFanuc,     ///< Custom Macro: IF, GOTO, WHILE, G65, M98
+  kMach       ///< parameters, M98
+};
+
 /// How a program of the control ends.
 enum class ProgramEnd : unsigned char {
   kWord,        ///< by M2 or M30; without one the text may have been cut short
@@ -61,7 +69,10 @@ enum GWordSet : unsigned {
   kKeptShifts = 1U << 6U,           ///< G92.2, G92.3
   kExactStopBesidePath = 1U << 7U,  ///< G61.1
   kStoredPlaces = 1U << 8U,         ///< G28.1, G30.1
-  kAbsoluteCenters = 1U << 9U       ///< G90.1
+  kAbsoluteCenters = 1U << 9U,      ///< G90.1
+  kPlanMaps = 1U << 10U,            ///< G16, G68, G51.1, G50.1
+  kSkipMoves = 1U << 11U,           ///< G31
+  kProbing = 1U << 12U              ///< G38.2 to G38.5
 };
 
 /// Which G words a control has.
@@ -87,6 +98,7 @@ struct DialectRules {
   MotionPlanner planner = MotionPlanner::kJerkLimited;
   Language language = Language::kWordAddress;
   ProgramEnd end = ProgramEnd::kWord;
+  MacroLanguage macros = MacroLanguage::kNone;
 
   // What conditions name where nothing is said.
   std::string_view unit_words = "neither G20 nor G21";
@@ -130,17 +142,21 @@ struct DialectRules {
   bool centers_set_up = false;       ///< without G90.1, G91.1 its set-up says which
   bool dwell_by_x = false;           ///< G4 X: seconds
   bool dwell_in_ms = false;          ///< G4 P: milliseconds
-  bool dwell_with_point_in_s = false;  ///< where P has a decimal point: seconds
-  bool dwell_by_s = false;             ///< G4 S: seconds
-  bool saves_modes = false;            ///< M70 to M73
-  bool has_old_units = false;          ///< G70 and G71 are G20 and G21
-  int numbered_offsets = 0;            ///< most P of G54.1, G154, G59
-  int offset_with_number = 0;          ///< plain work offset, in tenths, that takes a P word, too; 0: none
-  int mist_on = 70;                    ///< M word in tenths
-  int mist_off = 90;                   ///< where it is not M9, that ends flood alone
-  std::string_view inch_needs = {};    ///< what must hold for G20; empty: nothing
-  bool pause_says_text = false;        ///< M0 and M1 show the text behind them
-  std::string_view mist_needs = {};    ///< what must hold for them; empty: every such control has them
+  bool dwell_with_point_in_s = false;    ///< where P has a decimal point: seconds
+  bool dwell_by_s = false;               ///< G4 S: seconds
+  bool saves_modes = false;              ///< M70 to M73
+  bool polar_words = false;              ///< '@' and '^'
+  bool count_in_program_number = false;  ///< M98 P0031234 runs O1234 three times
+  bool calls_blocks = false;             ///< M97
+  int most_calls = 9;                    ///< subprograms within each other
+  bool has_old_units = false;            ///< G70 and G71 are G20 and G21
+  int numbered_offsets = 0;              ///< most P of G54.1, G154, G59
+  int offset_with_number = 0;            ///< plain work offset, in tenths, that takes a P word, too; 0: none
+  int mist_on = 70;                      ///< M word in tenths
+  int mist_off = 90;                     ///< where it is not M9, that ends flood alone
+  std::string_view inch_needs = {};      ///< what must hold for G20; empty: nothing
+  bool pause_says_text = false;          ///< M0 and M1 show the text behind them
+  std::string_view mist_needs = {};      ///< what must hold for them; empty: every such control has them
 };
 
 const DialectRules& rules_of(Dialect dialect);

@@ -234,7 +234,8 @@ TEST(GcodeDialects, UnitsOfVectricsPostsAreMachs) {
 }
 
 TEST(GcodeDialects, PolarWordsAreLinuxCncs) {
-  EXPECT_THAT(refusal(Dialect::kLinuxCnc, "G1 @5 ^60"), HasSubstr("LinuxCNC's word for polar"));
+  EXPECT_EQ(refusal(Dialect::kLinuxCnc, "G1 @5 ^60"), "");
+  EXPECT_THAT(refusal(Dialect::kMach3, "G1 @5 ^60"), HasSubstr("are LinuxCNC's words for polar coordinates"));
 }
 
 /// A machine file states offsets, and no shift that ran on from another program.

@@ -8,11 +8,14 @@
 #include "read/gcode/interpreter.h"
 #include "read/gcode/klartext/klartext.h"
 #include "read/gcode/klartext/words.h"
+#include "read/gcode/macros/fanuc.h"
+#include "read/gcode/macros/linuxcnc.h"
 #include "read/gcode/marker.h"
 #include "read/gcode/no_program.h"
 #include "read/gcode/recognise.h"
 #include "read/gcode/sinumerik/sinumerik.h"
 #include "read/gcode/sinumerik/words.h"
+#include "read/gcode/words/tape_marks.h"
 
 namespace clearcut::read::gcode {
 
@@ -24,20 +27,6 @@ using read::gcode::Block;
 constexpr double kSamePlace = 1e-6;
 /// s; likewise.
 constexpr double kSameWait = 1e-6;
-
-/// A tape's text lies between two '%'; a single one ends it.
-class TapeMarks {
- public:
-  /// True when this block ends the program.
-  bool ends(const Block& block) {
-    const bool end = block.percent && begun_;
-    begun_ = begun_ || block.percent || block.has_words();
-    return end;
-  }
-
- private:
-  bool begun_ = false;
-};
 
 /// The line of the first block after an end, 0 where there is none: also behind the percent sign that ends the tape, where
 /// another program may follow. What is no code there matters to nobody.
@@ -68,7 +57,7 @@ bool read_words(std::string_view text, const std::string& file_name, read::gcode
   Block block;
   while (!interpreter.ended() && reader.next(block)) {
     for (const std::string_view comment : block.comments) read::gcode::read_marker(comment, builder);
-    if (marks.ends(block)) return true;
+    if (marks.ends(block.percent, block.has_words())) return true;
     if (block.has_words()) interpreter.execute(block);
   }
   if (interpreter.ended()) warn_of_blocks_behind(block.line, reader, builder);
@@ -94,8 +83,20 @@ struct Reading {
   bool depends_on_dialect = false;
 };
 
-Reading read_as(Dialect dialect, std::string_view text, const std::string& file_name,
-                const ReadControllerOptions& options) {
+/// How a program of words is read: as plain blocks, or with all that a control's macros can do.
+enum class Depth : unsigned char { kPlain, kMacros };
+
+/// Returns whether an end was seen.
+bool run_words(std::string_view text, const std::string& file_name, Depth depth, Interpreter& interpreter,
+               ToolpathBuilder& builder, const DialectRules& rules, const ReadControllerOptions& options) {
+  if (depth == Depth::kPlain) return read_words(text, file_name, interpreter, builder);
+  if (rules.macros == MacroLanguage::kLinuxCnc)
+    return run_linuxcnc(text, file_name, interpreter, builder, rules, options);
+  return run_fanuc(text, file_name, interpreter, builder, rules, options);
+}
+
+Reading read_to_depth(Dialect dialect, std::string_view text, const std::string& file_name,
+                      const ReadControllerOptions& options, Depth depth) {
   Reading reading;
   Program& program = reading.program;
   program.dialect = dialect;
@@ -112,7 +113,7 @@ Reading read_as(Dialect dialect, std::string_view text, const std::string& file_
       break;
     case Language::kWordAddress: {
       read::gcode::Interpreter interpreter(builder, rules, options);
-      program.ended = read_words(text, file_name, interpreter, builder);
+      program.ended = run_words(text, file_name, depth, interpreter, builder, rules, options);
       reading.depends_on_dialect = interpreter.depends_on_dialect();
     }
   }
@@ -129,6 +130,17 @@ Reading read_as(Dialect dialect, std::string_view text, const std::string& file_
   program.control = builder.take_control();
   program.control.planner = rules.planner;
   return reading;
+}
+
+/// Plain programs are read as they stand; at the first word of a macro the program is executed from its start.
+Reading read_as(Dialect dialect, std::string_view text, const std::string& file_name,
+                const ReadControllerOptions& options) {
+  try {
+    return read_to_depth(dialect, text, file_name, options, Depth::kPlain);
+  } catch (const MacroError&) {
+    if (rules_of(dialect).macros == MacroLanguage::kNone) throw;
+  }
+  return read_to_depth(dialect, text, file_name, options, Depth::kMacros);
 }
 
 bool same(const Move& a, const Move& b) {

@@ -13,6 +13,7 @@
 #include "model/machine.h"
 #include "model/move.h"
 #include "read/gcode/dialect.h"
+#include "read/gcode/macros/subprogram_files.h"
 
 namespace clearcut::read::gcode {
 
@@ -25,6 +26,10 @@ struct ReadControllerOptions {
   std::optional<MachinePlaces> places;
   /// Numbers of the tools that are put in by hand, at the start and at each pause, for programs without T words.
   std::vector<int> hand_tools;
+  /// Files with subprograms that the program calls; empty: none.
+  SubprogramFiles subprograms;
+  /// Lines that a program with macros may execute: a loop that never ends stops there.
+  long long most_lines = 2'000'000;
 };
 
 struct Program {

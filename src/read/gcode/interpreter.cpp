@@ -10,8 +10,10 @@ namespace clearcut::read::gcode {
 
 void Interpreter::execute(const Block& block) {
   control_.line = block.line;
-  if (block.optional)
-    control_.condition("block-delete", "blocks marked '/' are executed; block delete is off");
+  if (block.optional) note_block_delete();
+  if (block.delete_level > 0 && control_.rules.macros != MacroLanguage::kFanuc)
+    control_.refuse("'/" + std::to_string(block.delete_level) +
+                    "' names a switch of Fanuc's and Haas's; write '/' alone");
   check(block);
   note_stray_words(control_, block);
   for (const int m : block.m) {
@@ -22,11 +24,23 @@ void Interpreter::execute(const Block& block) {
   mode_words_.set_modes(block);
   mode_words_.set_feed_and_drive(block, keeps_unit ? unit_before : control_.modes.unit);
   if (has_g(block, 40)) mode_words_.dwell(block);
-  MotionWords(control_).move(block);
+  if (block.is_polar())
+    MotionWords(control_).move(control_.without_polar_words(block));
+  else
+    MotionWords(control_).move(block);
   for (const int m : block.m) mode_words_.end(m);
 }
 
+void Interpreter::note_block_delete() {
+  control_.condition("block-delete", "blocks marked '/' are executed; block delete is off");
+}
+
 void Interpreter::check(const Block& block) const {
+  for (const int code : block.g) {
+    if (code == 650 || code == 660)
+      control_.macro(g_word(code) +
+                     " calls a macro, which the control has no word for; post the program without it");
+  }
   std::uint32_t seen = 0;
   for (const int code : block.g) {
     const Group group = group_of(code);

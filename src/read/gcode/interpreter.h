@@ -20,6 +20,9 @@ class Interpreter {
   bool ended() const { return control_.ended; }
   /// Something was read that other controls read otherwise.
   bool depends_on_dialect() const { return control_.depends_on_dialect; }
+  Control& control() { return control_; }
+  ModeWords& mode_words() { return mode_words_; }
+  void note_block_delete();
 
  private:
   void check(const Block& block) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "read/gcode/macros/macro_line.h"
 #include "read/gcode/words/block.h"
 #include "read/gcode/words/g_words.h"
 
@@ -31,6 +32,8 @@ struct Traits {
   bool old_units = false;    ///< G70 or G71 that is no turning cycle
   bool turns_said = false;   ///< an S word beyond the powers of Marlin's
   bool marlin = false;       ///< G4 S, M106, M107: printers' words
+  bool o_words = false;      ///< O words with letters behind, or named parameters
+  bool jumps = false;        ///< IF, GOTO, WHILE with DO; G65, M98, G68 and others that LinuxCNC has not
 };
 
 /// The S word of controls that say a power with it goes up to this.
@@ -63,6 +66,7 @@ void note_traits(const Block& block, std::string_view line, Traits& traits) {
     traits.linuxcnc = traits.linuxcnc || code == 281 || code == 301 || code == 923;
     traits.arcs_stated = traits.arcs_stated || code == 911;
     traits.old_units = traits.old_units || ((code == 700 || code == 710) && !is_turning_cycle(block));
+    traits.jumps = traits.jumps || code == 650 || code == 680 || code == 511 || code == 160 || code == 310;
     traits.marlin = traits.marlin || (code == 40 && block.has('S') && !block.has('P'));
     const bool known = group_of(code) == Group::kUnknown || knows_g(rules_of(Dialect::kGrbl), code);
     traits.beyond_grbl = traits.beyond_grbl || !known;
@@ -73,11 +77,31 @@ void note_traits(const Block& block, std::string_view line, Traits& traits) {
       traits.last_m30 = m == 300;
     }
     traits.linuxcnc = traits.linuxcnc || (m >= 700 && m <= 730);
+    traits.haas = traits.haas || (m == 970 && block.has('P'));
+    traits.jumps = traits.jumps || (m == 980 && block.has('P'));
     traits.marlin = traits.marlin || m == 1060 || m == 1070;
-    traits.beyond_grbl = traits.beyond_grbl || m == 60;
+    traits.beyond_grbl = traits.beyond_grbl || m == 60 || (m == 980 && block.has('P'));
   }
   traits.tool = traits.tool || block.has('T');
+  traits.linuxcnc = traits.linuxcnc || block.is_polar();
   traits.turns_said = traits.turns_said || (block.has('S') && block.value('S') > kFullPower);
+}
+
+/// A line that only a reader of macros understands.
+void note_macro(std::string_view line, Traits& traits) {
+  std::string text;
+  try {
+    text = cleaned(line, "").text;
+  } catch (const InputError&) {
+    return;
+  }
+  const auto has = [&](std::string_view word) { return text.find(word) != std::string::npos; };
+  const bool is_o = text.size() > 1 && text[0] == 'O';
+  const std::size_t behind = text.find_first_not_of("0123456789", 1);
+  traits.o_words = traits.o_words || has("#<") || has("**") || (is_o && behind != std::string::npos);
+  traits.beyond_grbl = true;
+  traits.jumps = traits.jumps || has("GOTO") || has("]DO") || has("]THEN") || has("G65") || has("#0]") ||
+                 (!is_o && (text.rfind("IF[", 0) == 0 || text.rfind("WHILE[", 0) == 0));
 }
 
 /// Grbl's and Marlin's programs look alike where all comments stand behind semicolons and nothing ends them.
@@ -94,11 +118,13 @@ struct Clue {
 /// The first clue that is there counts. Words of one control alone come first, habits of posts last.
 constexpr Clue kClues[] = {
     {[](const Traits& of) { return of.haas || (of.tape && of.long_number); }, {Dialect::kHaas, false, {}}},
+    {[](const Traits& of) { return of.o_words; }, {Dialect::kLinuxCnc, true, {}}},
     {[](const Traits& of) { return of.fanuc || of.dwell_x || of.tape; }, {Dialect::kFanuc, false, {}}},
     {[](const Traits& of) { return of.linuxcnc || of.blend_bound; }, {Dialect::kLinuxCnc, true, {}}},
     {[](const Traits& of) { return of.old_units; }, {Dialect::kMach3, false, {}}},
     {[](const Traits& of) { return of.length_plain; }, {Dialect::kLinuxCnc, false, {}}},
     {[](const Traits& of) { return of.blend_plain && of.length_numbered; }, {Dialect::kMach3, false, {}}},
+    {[](const Traits& of) { return of.jumps; }, {Dialect::kFanuc, false, {}}},
     {[](const Traits& of) { return is_grbl_or_marlin(of) && of.marlin; }, {Dialect::kMarlin, false, {}}},
     {[](const Traits& of) { return is_grbl_or_marlin(of) && of.turns_said; },
      {Dialect::kGrbl, false, Dialect::kMarlin}},
@@ -116,7 +142,14 @@ Recognised recognised(std::string_view text, const std::string& file_name) {
   std::string_view line;
   Block block;
   try {
-    while (!traits.end && lines.next(line) && reader.next(block)) note_traits(block, line, traits);
+    while (!traits.end && lines.next(line)) {
+      try {
+        if (!reader.next(block)) break;
+        note_traits(block, line, traits);
+      } catch (const MacroError&) {
+        note_macro(line, traits);
+      }
+    }
   } catch (const InputError&) {
     // The reader itself says what is wrong, where it is not behind the end.
   }

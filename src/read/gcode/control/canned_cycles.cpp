@@ -69,6 +69,13 @@ double CannedCycles::repeats(const Block& block) const {
   return count;
 }
 
+/// '@' and '^' in G91 count from where each hole was.
+Block CannedCycles::counted_on(Block block) {
+  block.unset('X');
+  block.unset('Y');
+  return control_.without_polar_words(block);
+}
+
 void CannedCycles::execute(const Block& block) {
   set_cycle_words(block);
   const PlaneAxes axes = axes_of(control_.modes.plane);
@@ -96,7 +103,7 @@ void CannedCycles::execute(const Block& block) {
     control_.depends_on_dialect = true;
   }
   for (int n = static_cast<int>(repeats(block)); n > 0; --n) {
-    go_over_hole(block, hole);
+    go_over_hole(block.is_polar() ? counted_on(block) : block, hole);
     drill(control_.builder, hole, control_.feed_for(1, block), control_.line);
   }
 }
@@ -110,9 +117,8 @@ void CannedCycles::go_over_hole(const Block& block, const Hole& hole) {
   if (control_.rules.cycle_rises_over ? control_.cycle.level + control_.frame.shift(axes.across) < hole.r
                                       : at < hole.r)
     control_.builder.rapid(down, control_.line);
-  for (const std::size_t axis : {axes.first, axes.second}) {
-    if (block.has("XYZ"[axis])) over[axis] = control_.target_of(axis, block);
-  }
+  const Target said = control_.target(block);
+  for (const std::size_t axis : {axes.first, axes.second}) over[axis] = said[axis];
   const double now = *control_.builder.position()[axes.across];
   if (control_.rules.cycle_rises_over && now <= hole.r) over[axes.across] = hole.clear;
   control_.builder.rapid(over, control_.line);

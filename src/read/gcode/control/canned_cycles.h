@@ -14,6 +14,7 @@ class CannedCycles {
   void execute(const Block& block);
 
  private:
+  Block counted_on(Block block);
   void check_dwell(const Block& block) const;
   void set_cycle_words(const Block& block);
   void set_cycle_heights(Hole& hole);

@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/error.h"
+#include "base/units.h"
 
 namespace clearcut::read::gcode {
 
@@ -35,6 +37,37 @@ void Control::refuse(const std::string& what) const {
   throw InputError(builder.place(line), what);
 }
 
+void Control::macro(const std::string& what) const {
+  throw MacroError(builder.place(line), what);
+}
+
+bool Control::origin_stated(int system, std::size_t axis) const {
+  if (system >= 1 && system <= Frame::kSystems && origins_written[static_cast<std::size_t>(system - 1)][axis])
+    return true;
+  return options.places && system <= options.places->stated_origins;
+}
+
+/// The block with X and Y for '@' and '^' of LinuxCNC. What is not said of the two stays as it is; in G91 they count on.
+Block Control::without_polar_words(const Block& block) {
+  if (!rules.polar_words) refuse("'@' and '^' are LinuxCNC's words for polar coordinates; post X and Y");
+  if (modes.plane != Plane::kXY) refuse("'@' and '^' outside the XY plane; use G17");
+  if (block.has('X') || block.has('Y')) refuse("X or Y beside '@' or '^'; give one of them");
+  const auto at = [&](std::size_t axis) {
+    return (builder.known(axis, line) - frame.shift(axis)) / modes.unit;
+  };
+  const double x = at(0), y = at(1);
+  double radius = base::hypot(x, y), angle = base::atan2(y, x) * 180 / kPi;
+  if (radius == 0 && (!modes.absolute || !block.polar_angle))
+    refuse("'@' without '^', or in G91, from the zero has no angle; give both in G90");
+  const bool adds = !modes.absolute;
+  if (block.polar_radius) radius = *block.polar_radius + (adds ? radius : 0);
+  if (block.polar_angle) angle = *block.polar_angle + (adds ? angle : 0);
+  Block plain = block;
+  plain.set('X', radius * base::cos(angle * kPi / 180) - (adds ? x : 0));
+  plain.set('Y', radius * base::sin(angle * kPi / 180) - (adds ? y : 0));
+  return plain;
+}
+
 double Control::target_of(std::size_t axis, const Block& block) {
   const double value = mm(block.value("XYZ"[axis]));
   return modes.absolute ? value + frame.shift(axis) : builder.known(axis, line) + value;
@@ -43,9 +76,38 @@ double Control::target_of(std::size_t axis, const Block& block) {
 Target Control::target(const Block& block) {
   Target target;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (block.has("XYZ"[axis])) target[axis] = target_of(axis, block);
+    if (!block.has("XYZ"[axis])) continue;
+    target[axis] = target_of(axis, block);
+    if (modes.absolute) zero_is_measured[axis] = false;
   }
+  if ((plan_map.is_on || polar_mode) && (target[0] || target[1])) map_plan(block, target);
   return target;
+}
+
+/// X and Y of a block under G16, G68 or G51.1.
+void Control::map_plan(const Block& block, Target& target) {
+  if (modes.plane != Plane::kXY) refuse("G16, G68 and G51.1 outside the XY plane are not read; use G17");
+  const Vec2 shift{frame.shift(0), frame.shift(1)};
+  const Vec2 stands{builder.known(0, line), builder.known(1, line)};
+  Vec2 place = plan_map.placed_back(stands - shift);
+  if (polar_mode) {
+    if (!modes.absolute) refuse("G16 in G91 is not read; post X and Y");
+    if (block.has('X')) polar_place[0] = mm(block.value('X'));
+    if (block.has('Y')) polar_place[1] = block.value('Y');
+    if (!polar_place[0] || !polar_place[1])
+      refuse("G16 before both its radius X and its angle Y are said; add the other");
+    const double angle = *polar_place[1] * kPi / 180;
+    place = Vec2{base::cos(angle), base::sin(angle)} * *polar_place[0];
+  } else {
+    for (const std::size_t axis : {0U, 1U}) {
+      if (!block.has("XY"[axis])) continue;
+      double& value = axis == 0 ? place.x : place.y;
+      value = mm(block.value("XY"[axis])) + (modes.absolute ? 0 : value);
+    }
+  }
+  const Vec2 to = plan_map.placed(place) + shift;
+  target[0] = to.x;
+  target[1] = to.y;
 }
 
 MmPerMin Control::feed_for(double length, const Block& block) const {

@@ -39,6 +39,19 @@ struct Modes {
   PathControl path;
 };
 
+/// G68 and G51.1: what a control makes of the places of a program in the XY plane. p becomes fixed + (xx xy; yx yy)(p - fixed).
+struct PlanMap {
+  bool is_on = false;
+  bool flips = false;  ///< arcs turn the other way
+  double xx = 1, xy = 0, yx = 0, yy = 1;
+  Vec2 fixed;  ///< mm, as the program counts
+
+  Vec2 turned(Vec2 v) const { return {xx * v.x + xy * v.y, yx * v.x + yy * v.y}; }
+  Vec2 turned_back(Vec2 v) const { return {xx * v.x + yx * v.y, xy * v.x + yy * v.y}; }
+  Vec2 placed(Vec2 p) const { return fixed + turned(p - fixed); }
+  Vec2 placed_back(Vec2 p) const { return fixed + turned_back(p - fixed); }
+};
+
 /// The state that blocks read and change, and what several kinds of words need of it.
 struct Control {
   /// Keeps references to all three.
@@ -46,11 +59,17 @@ struct Control {
 
   double mm(double value) const { return value * modes.unit; }
   [[noreturn]] void refuse(const std::string& what) const;
+  /// At a word that only a reader of macros understands.
+  [[noreturn]] void macro(const std::string& what) const;
+  /// Whether the program or a machine file says where a work offset lies.
+  bool origin_stated(int system, std::size_t axis) const;
   void condition(const std::string& name, const std::string& what) { builder.condition(name, line, what); }
 
   /// mm in the work's frame; where the axis word of a block sends the cutter.
   double target_of(std::size_t axis, const Block& block);
   Target target(const Block& block);
+  /// The block with X and Y for '@' and '^', which it keeps.
+  Block without_polar_words(const Block& block);
   /// Of a feed move of `length` mm.
   MmPerMin feed_for(double length, const Block& block) const;
   /// What the control may do to a cut that follows, by its path control and its tool's length, becomes a condition.
@@ -77,12 +96,20 @@ struct Control {
   bool length_used = false;  ///< a tool length was in force
   bool units_said = false, distance_said = false, plane_said = false, centers_said = false;
   bool return_said = false;
+  PlanMap plan_map;
+  bool polar_mode = false;  ///< G16: X is a distance from the zero, Y an angle
+  Target polar_place;       ///< said last in it
+  Target measured;          ///< ends of the ways that a probe was moved last; places in the work's frame
+  bool has_measured = false;
+  std::array<bool, 3> zero_is_measured{};  ///< a probe was moved, and no place was stated since
+  std::array<std::array<bool, 3>, Frame::kSystems> origins_written{};  ///< by G10 L2
   bool tied_by_m29 = false;  ///< the feed of the tapping cycles that follow is tied to the spindle
   bool moved = false;
   bool ended = false;
   bool depends_on_dialect = false;
 
  private:
+  void map_plan(const Block& block, Target& target);
   void check_length();
   void note_tool_in_spindle();
 };

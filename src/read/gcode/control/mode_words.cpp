@@ -101,6 +101,11 @@ void ModeWords::set_other(int code, const Block& block) {
     PlaceWords(control_).set_length(code, block);
   } else if (code == 610 || code == 611 || code == 640 || code == 1870) {
     set_path(code, block);
+  } else if (code == 150 || code == 160) {
+    control_.polar_mode = code == 160;
+    control_.polar_place = {};
+  } else if (code == 690) {
+    control_.plan_map = {};
   } else if (code == 51) {
     control_.condition(
         "blending",
@@ -242,11 +247,13 @@ void ModeWords::set_drive(int m, const Block& block) {
   if (m == 190) return control_.turn_spindle(5);
   if (m == 130 || m == 140) return turn_spindle_and_flood(m);
   if (m == 0 || m == 10) return pause(block);
+  if (m == 970 && control_.rules.macros != MacroLanguage::kNone && !control_.rules.calls_blocks)
+    control_.refuse("M97 is a word of Haas's; name --dialect haas");
   if (m == 960 || m == 970 || (m == 980 && block.has('P'))) {
-    control_.refuse("subprogram calls are not read; post the program without them");
+    control_.macro("subprogram calls are no words of the control; post the program without them");
   }
   if (m == 990 && block.has('P'))
-    control_.refuse("M99 P jumps to another block; post the program without it");
+    control_.macro("M99 P jumps to another block, which the control has no word for; post without it");
   if (m == 290) control_.tied_by_m29 = true;
   if (control_.rules.saves_modes && m >= 700 && m <= 730) return;
   if (std::find(std::begin(kStillWords), std::end(kStillWords), m) != std::end(kStillWords)) return;

@@ -1,6 +1,9 @@
 // Words that change modes: units, distance, plane, feed, path control, tool, spindle, coolant, program end.
 #pragma once
 
+#include <optional>
+#include <utility>
+
 #include "read/gcode/control/control.h"
 
 namespace clearcut::read::gcode {
@@ -16,6 +19,10 @@ class ModeWords {
   void set_feed_and_drive(const Block& block, double feed_unit);
   /// M70 to M73.
   void save_or_restore(int m);
+  /// Takes other modes as those that M70 has kept; returns those before.
+  std::optional<Modes> exchange_saved(std::optional<Modes> other) {
+    return std::exchange(saved_, std::move(other));
+  }
   void dwell(const Block& block);
   void end(int m);
 

@@ -26,6 +26,7 @@ void MotionWords::move(const Block& block) {
   if (!cycle) control_.cycle = {};
   if (control_.motion == 800) control_.tied_by_m29 = false;
   if (PlaceWords(control_).move_specially(block)) return;
+  if (has_g(block, 310)) return measure(block);
   const bool arc_words = block.has('I') || block.has('J') || block.has('K') || block.has('R');
   const bool arc_motion = control_.motion == 20 || control_.motion == 30;
   if (!block.has_axis() && !(arc_motion && arc_words)) return;
@@ -41,6 +42,7 @@ void MotionWords::move(const Block& block) {
   if (arc_motion) return arc(block);
   if (cycle) return CannedCycles(control_).execute(block);
   if (control_.motion == 331) return rigid_tap(block);
+  if (control_.motion >= 382 && control_.motion <= 385) return measure(block);
   if (control_.motion == 800) control_.refuse("axis words after G80 without a motion word; add G0 or G1");
   control_.refuse(g_word(control_.motion) + " is not read; post the program without it");
 }
@@ -59,6 +61,21 @@ void MotionWords::rigid_tap(const Block& block) {
   control_.builder.feed(to, feed, control_.line);
   control_.builder.turn_tap_back({}, control_.line);
   control_.builder.feed(back, feed, control_.line);
+}
+
+/// G38.2 to G38.5 and G31 move a probe until it meets the work. Where that is only the machine knows: nothing is moved here.
+void MotionWords::measure(const Block& block) {
+  const std::string word = has_g(block, 310) ? "G31" : g_word(control_.motion);
+  const Target to = control_.target(block);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    control_.measured[axis] = to[axis] ? *to[axis] : control_.builder.known(axis, control_.line);
+    control_.zero_is_measured[axis] = to[axis].has_value();
+  }
+  control_.has_measured = true;
+  control_.condition("measured-move",
+                     word +
+                         " moves a probe until it meets the work; its way is free, it cuts "
+                         "nothing, and what it measures leaves the zero where the part's is");
 }
 
 /// What the program leaves to the state in which the control was left.
@@ -101,9 +118,10 @@ void MotionWords::straight(const Block& block, bool rapid) {
 void MotionWords::arc(const Block& block) {
   const PlaneAxes axes = axes_of(control_.modes.plane);
   std::array<double, 3> from{}, to{};
+  for (std::size_t axis = 0; axis < 3; ++axis) from[axis] = control_.builder.known(axis, control_.line);
+  const Target said = control_.target(block);
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    from[axis] = control_.builder.known(axis, control_.line);
-    to[axis] = block.has("XYZ"[axis]) ? control_.target_of(axis, block) : from[axis];
+    to[axis] = said[axis].value_or(from[axis]);
     if (!(std::abs(to[axis]) <= 1e6))
       control_.refuse("coordinate beyond any machine; check the number and the units");
   }
@@ -117,8 +135,12 @@ void MotionWords::arc(const Block& block) {
 }
 
 ArcShape MotionWords::arc_shape(const Block& block, Vec2 from, Vec2 to) {
-  const Turn turn = control_.motion == 20 ? Turn::kClockwise : Turn::kCounterClockwise;
+  const PlanMap& map = control_.plan_map;
+  const bool clockwise = (control_.motion == 20) != (map.is_on && map.flips);
+  const Turn turn = clockwise ? Turn::kClockwise : Turn::kCounterClockwise;
   const PlaneAxes axes = axes_of(control_.modes.plane);
+  if ((map.is_on || control_.polar_mode) && control_.modes.plane != Plane::kXY)
+    control_.refuse("arcs outside the XY plane under G16, G68 or G51.1 are not read; use G17");
   const RadiusRule rule =
       control_.modes.unit == 1 ? RadiusRule{} : RadiusRule{0.0005 * kMmPerInch, 0.05 * kMmPerInch};
   const char first = "IJK"[axes.first], second = "IJK"[axes.second];
@@ -145,6 +167,13 @@ ArcShape MotionWords::arc_shape(const Block& block, Vec2 from, Vec2 to) {
   const double turns = block.has('P') ? block.value('P') : 1;
   if (!(turns >= 1 && turns <= kMostTurns) || turns != std::floor(turns))
     control_.refuse("P word is no number of turns; correct it");
+  if (map.is_on) {
+    if (control_.modes.absolute_centers)
+      control_.refuse("absolute centres under G68 or G51.1 are not read; use G91.1");
+    const Vec2 arm = map.turned({control_.mm(block.value('I')), control_.mm(block.value('J'))});
+    return arc_about(from, to, from + arm, turn, static_cast<int>(turns), rule,
+                     control_.builder.place(control_.line));
+  }
   const Vec2 middle{center_of(first, axes.first, from.x), center_of(second, axes.second, from.y)};
   return arc_about(from, to, middle, turn, static_cast<int>(turns), rule,
                    control_.builder.place(control_.line));

@@ -18,6 +18,7 @@ class MotionWords {
   void check_words_said(const Block& block);
   void straight(const Block& block, bool rapid);
   void rigid_tap(const Block& block);
+  void measure(const Block& block);
   void arc(const Block& block);
   void plan_arc(const Block& block, const ArcShape& shape, double along);
   void upright_arc(const ArcShape& shape, double along);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "base/text/format.h"
+#include "base/units.h"
 #include "read/gcode/words/g_words.h"
 
 namespace clearcut::read::gcode {
@@ -40,6 +42,15 @@ bool PlaceWords::move_specially(const Block& block) {
   }
   if (has_g(block, 920) || has_g(block, 520)) {
     shift(block);
+    return true;
+  }
+  if (has_g(block, 680)) {
+    rotate(block);
+    return true;
+  }
+  for (const int code : {501, 511}) {
+    if (!has_g(block, code)) continue;
+    mirror(block, code == 511);
     return true;
   }
   for (const int code : {921, 922, 923}) {
@@ -149,6 +160,8 @@ void PlaceWords::set_offset_table(const Block& block) {
   const bool adds = !control_.modes.absolute && control_.rules.adds_to_offsets && kind == 2;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (!block.has("XYZ"[axis])) continue;
+    if (kind == 20 && control_.zero_is_measured[axis]) continue;
+    if (kind == 2) control_.origins_written[static_cast<std::size_t>(system - 1)][axis] = true;
     double value = control_.mm(block.value("XYZ"[axis]));
     if (adds) value += control_.frame.origin(system, axis);
     if (kind == 20) {
@@ -169,6 +182,7 @@ void PlaceWords::shift(const Block& block) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const char letter = "XYZ"[axis];
     if (!block.has(letter)) continue;
+    if (!local && control_.zero_is_measured[axis]) continue;
     const double value = control_.mm(block.value(letter));
     if (local) {
       control_.frame.set_local(axis, value);
@@ -181,6 +195,43 @@ void PlaceWords::shift(const Block& block) {
     control_.condition(word, "the origin is shifted by " + std::string(local ? "G52" : "G92") +
                                  "; no other shift was in force when the program began");
   }
+}
+
+/// G68 turns what follows about a place by R degrees.
+void PlaceWords::rotate(const Block& block) {
+  if (control_.plan_map.is_on && control_.plan_map.flips)
+    control_.refuse("G68 while G51.1 is in force is not read; end one of them before");
+  if (control_.modes.plane != Plane::kXY) control_.refuse("G68 outside the XY plane is not read; use G17");
+  if (!block.has('X') || !block.has('Y') || !block.has('R'))
+    control_.refuse("G68 without its X, Y or R word; give the centre and the angle");
+  if (!control_.modes.absolute) control_.refuse("G68 in G91 is not read; state its centre and angle in G90");
+  if (control_.rules.points_matter && block.is_whole('R') && block.value('R') != 0)
+    control_.condition("decimal-point", "R of G68 has no decimal point; the control takes it as degrees");
+  const double angle = block.value('R') * kPi / 180;
+  PlanMap map;
+  map.is_on = true;
+  map.xx = map.yy = base::cos(angle);
+  map.yx = base::sin(angle);
+  map.xy = -map.yx;
+  map.fixed = {control_.mm(block.value('X')), control_.mm(block.value('Y'))};
+  control_.plan_map = map;
+}
+
+/// G51.1 mirrors what follows about the places that it states; G50.1 ends that of the axes that it states.
+void PlaceWords::mirror(const Block& block, bool on) {
+  PlanMap& map = control_.plan_map;
+  if (block.has('Z')) control_.refuse("mirrored Z is not read; post the program without it");
+  if (map.is_on && map.xy != 0)
+    control_.refuse("G51.1 while G68 is in force is not read; end one of them before");
+  if (!block.has_axis() && on)
+    control_.refuse("G51.1 without axis words; give the place about which it mirrors");
+  const bool all = !block.has_axis();
+  if (all || block.has('X')) map.xx = on ? -1 : 1;
+  if (all || block.has('Y')) map.yy = on ? -1 : 1;
+  if (on && block.has('X')) map.fixed.x = control_.mm(block.value('X'));
+  if (on && block.has('Y')) map.fixed.y = control_.mm(block.value('Y'));
+  map.flips = map.xx * map.yy < 0;
+  map.is_on = map.xx < 0 || map.yy < 0;
 }
 
 void PlaceWords::clear_shift(int code) {

@@ -30,6 +30,8 @@ class PlaceWords {
   void set_offset_table(const Block& block);
   void shift(const Block& block);
   void clear_shift(int code);
+  void rotate(const Block& block);
+  void mirror(const Block& block, bool on);
 
   Control& control_;
 };

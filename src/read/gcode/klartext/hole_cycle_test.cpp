@@ -99,8 +99,7 @@ TEST(HoleCycle, WhatCannotBeIsRefusedInOneLine) {
   EXPECT_THAT(refusal("7 CYCL DEF 206 TAPPING NEW " + kTap + " Q206=400 Q336=9\n8 CYCL CALL\n"),
               HasSubstr("no parameter Q336"));
   EXPECT_THAT(refusal(drilling("+0") + "8 CYCL CALL\n"), HasSubstr("plunging depth Q202"));
-  EXPECT_THAT(refusal(drilling("+Q5") + "8 CYCL CALL\n"), HasSubstr("no plain number"));
-  EXPECT_THAT(refusal(drilling("+3") + "8 Q1=+5\n"), HasSubstr("block 'Q1=+5' is not read"));
+  EXPECT_THAT(refusal(drilling("+Q5") + "8 CYCL CALL\n"), HasSubstr("Q5 is read before the program sets it"));
   EXPECT_THAT(refusal("7 CYCL DEF 201 REAMING Q200=1 Q201=+9 Q206=120 Q203=0 Q204=20\n8 CYCL CALL\n"),
               HasSubstr("negative depth"));
   EXPECT_THAT(refusal("7 CYCL DEF 205 UNIVERSAL PECKING Q200=1\n8 CYCL CALL\n"),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "base/text/format.h"
 #include "read/gcode/klartext/hole_cycle.h"
 #include "read/gcode/klartext/path_words.h"
+#include "read/gcode/klartext/q_parameters.h"
 #include "read/gcode/klartext/words.h"
 #include "read/gcode/marker.h"
 #include "read/gcode/motion/arc.h"
@@ -21,6 +23,9 @@ namespace clearcut::read::gcode {
 namespace {
 
 constexpr double kMostTurns = 10000;
+constexpr std::size_t kMostCallsOfLabels = 19;
+/// Lines of loops and subprograms that may be executed again.
+constexpr std::size_t kMostRepeated = 500'000;
 constexpr int kFirstOfCycles = 200;  // Q parameters below it are the programmer's own
 
 class Reader {
@@ -30,6 +35,9 @@ class Reader {
   bool read(std::string_view text);
 
  private:
+  bool flow(const std::vector<std::string>& words);
+  void call_label(const std::vector<std::string>& words);
+  void go_to_label(const std::string& label);
   void block(const Words& block);
   void path_block(const std::string& kind, const std::vector<std::string>& words);
   void tool_call(const std::vector<std::string>& words);
@@ -65,6 +73,13 @@ class Reader {
   }
 
   ToolpathBuilder& builder_;
+  std::vector<std::string_view> lines_;
+  std::map<std::string, std::size_t> labels_;  ///< where they stand in lines_
+  std::size_t next_ = 0;                       ///< in lines_
+  std::vector<std::size_t> returns_;           ///< where LBL 0 goes back to
+  std::map<std::size_t, long long> repeats_;   ///< left of CALL LBL REP, by its place in lines_
+  std::size_t executed_ = 0;
+  QParameters parameters_;
   int line_ = 0;
   double unit_ = 1;
   double feed_ = 0;
@@ -76,16 +91,88 @@ class Reader {
   bool ended_ = false;
 };
 
+/// "LBL 5", "LBL "NAME"": what stands behind LBL.
+std::string label_in(const std::vector<std::string>& words, std::size_t first) {
+  std::string label;
+  for (std::size_t k = first; k < words.size() && words[k].rfind("REP", 0) != 0; ++k) label += words[k];
+  return label;
+}
+
+/// Whether values of Q parameters may stand in the words of the block.
+bool takes_values(const std::vector<std::string>& words) {
+  constexpr std::string_view kFirst[] = {"L", "LP", "C", "CC", "CR", "CP", "CYCL"};
+  return std::find(std::begin(kFirst), std::end(kFirst), words[0]) != std::end(kFirst) ||
+         words[0][0] == 'Q' || (words[0] == "TOOL" && words.size() > 1 && words[1] == "CALL");
+}
+
 bool Reader::read(std::string_view text) {
   Lines lines(text);
-  std::string_view line;
-  while (!ended_ && lines.next(line)) {
-    line_ = lines.number();
-    const Words words = words_of(line);
+  for (std::string_view line; lines.next(line);) lines_.push_back(line);
+  while (!ended_ && next_ < lines_.size()) {
+    const std::string_view line = lines_[next_++];
+    line_ = static_cast<int>(next_);
+    if (++executed_ > lines_.size() + kMostRepeated)
+      refuse("over " + std::to_string(kMostRepeated) +
+             " lines are repeated up to here; a loop that never ends, or too long a program");
+    Words words = words_of(line);
     read_marker(words.comment, builder_);
-    if (!words.words.empty()) block(words);
+    if (words.words.empty() || flow(words.words)) continue;
+    if (takes_values(words.words)) parameters_.put_values(words.words, place());
+    block(words);
   }
   return ended_;
+}
+
+/// Labels, their calls and FN functions; whether the block is one of them.
+bool Reader::flow(const std::vector<std::string>& words) {
+  if (words[0] == "LBL") {
+    if (label_in(words, 1) == "0" && !returns_.empty()) {
+      next_ = returns_.back();
+      returns_.pop_back();
+    }
+    return true;
+  }
+  if (words[0].rfind("FN", 0) == 0 && (words[0].size() == 2 || is_digit(words[0][2]))) {
+    if (const FnBlock done = parameters_.execute(words, place()); done.jump) go_to_label(*done.jump);
+    return true;
+  }
+  if (parameters_.assign(words, place())) return true;
+  if (words[0] != "CALL" || words.size() < 3 || words[1] != "LBL") return false;
+  call_label(words);
+  return true;
+}
+
+/// With REP what stands between the label and here is run so many times more; else up to LBL 0.
+void Reader::call_label(const std::vector<std::string>& words) {
+  const std::size_t here = next_ - 1;
+  const auto rep = std::find_if(words.begin() + 2, words.end(),
+                                [](const std::string& word) { return word.rfind("REP", 0) == 0; });
+  if (rep == words.end()) {
+    if (returns_.size() >= kMostCallsOfLabels)
+      refuse(
+          "over 19 subprograms within each other, at which the control stops; one may call itself without "
+          "end");
+    returns_.push_back(next_);
+    return go_to_label(label_in(words, 2));
+  }
+  std::string times = rep->substr(3);
+  if (times.empty()) times = rep + 1 == words.end() ? "1" : *(rep + 1);
+  times = times.substr(0, times.find('/'));  // "REP 2/2" of old controls: 2 of 2 are left
+  const auto known = repeats_.emplace(here, static_cast<long long>(number(times))).first;
+  if (known->second-- > 0) return go_to_label(label_in(words, 2));
+  repeats_.erase(known);
+}
+
+void Reader::go_to_label(const std::string& label) {
+  if (labels_.empty()) {
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      const std::vector<std::string> words = words_of(lines_[k]).words;
+      if (words.size() > 1 && words[0] == "LBL") labels_.emplace(label_in(words, 1), k);
+    }
+  }
+  const auto found = labels_.find(label);
+  if (found == labels_.end() || label == "0") refuse("there is no LBL " + label + "; correct the call");
+  next_ = found->second + 1;
 }
 
 void Reader::block(const Words& found) {
@@ -106,7 +193,7 @@ void Reader::block(const Words& found) {
     cycle(words);
   } else if (first[0] == 'Q' && hole_) {
     define_hole(words, 0);
-  } else if (first == "BLK" || first == "TOOL" || first == "LBL" || first == "STOP" || first == "FUNCTION") {
+  } else if (first == "BLK" || first == "TOOL" || first == "STOP" || first == "FUNCTION") {
     if (first == "FUNCTION" && second != "MODE")
       refuse("FUNCTION " + second + " is not read; post without it");
   } else if (first == "L" || first == "LP" || first == "C" || first == "CC" || first == "CR" ||

@@ -21,7 +21,7 @@ TEST(KlartextRetract, GoesUpAlongTheToolBySoMuchOrToTheEndOfTheTravel) {
   EXPECT_THAT(moves_of(program("7 L Z+5 FMAX\n8 L Z-1 F100\n9 L M140 MB MAX\n10 L X+0 Y+0 FMAX\n")),
               HasSubstr("to 10 20 -1 F100\nrapid to 10 20 100\nrapid to 0 0 100"));
   EXPECT_EQ(conditions(program("7 L Z-1 F100\n8 L M140 MB MAX FMAX\n")), "");
-  EXPECT_THAT(message_of(program("7 L M140 MBQ5\n")), HasSubstr("no plain number"));
+  EXPECT_THAT(message_of(program("7 L M140 MBQ5\n")), HasSubstr("Q5 is read before the program sets it"));
 }
 
 TEST(KlartextRetract, HeadingsOfTheStructureMoveNothing) {

@@ -1,5 +1,6 @@
 #include "read/gcode/words/block.h"
 
+#include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -11,6 +12,10 @@ namespace clearcut::read::gcode {
 namespace {
 
 constexpr double kLargestNumber = 1e9;
+constexpr const char* kNoParameters =
+    "parameters and expressions are no words of the control; post the program with plain numbers";
+constexpr const char* kNoFlow =
+    "jumps, loops and calls are no words of the control; post the program without them";
 
 bool is_letter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
@@ -23,6 +28,30 @@ bool is_number_part(char c) {
 bool has_exponent(std::string_view line, std::size_t at) {
   if (at + 1 >= line.size() || (line[at] != 'e' && line[at] != 'E') || is_blank(line[at - 1])) return false;
   return is_number_part(line[at + 1]);
+}
+
+/// Words of several letters with which Fanuc and Haas jump and loop.
+bool is_flow(std::string_view rest) {
+  constexpr std::string_view kWords[] = {"IF[", "IF#", "GOTO", "WHILE", "DO1",
+                                         "DO2", "DO3", "END1", "END2",  "END3"};
+  std::size_t second = 1;
+  while (second < rest.size() && is_blank(rest[second])) ++second;
+  if (second >= rest.size() || (!is_letter(rest[second]) && rest[second] != '#' && rest[second] != '['))
+    return false;
+  std::string word;
+  for (const char c : rest.substr(0, 12)) {
+    if (!is_blank(c)) word += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  for (const std::string_view one : kWords)
+    if (word.rfind(one, 0) == 0) return true;
+  return false;
+}
+
+/// Letters and a bracket, as in SIN[30].
+bool is_function(std::string_view rest) {
+  std::size_t at = 0;
+  while (at < rest.size() && is_letter(rest[at])) ++at;
+  return at > 1 && at < rest.size() && rest[at] == '[';
 }
 
 /// Two letters are no word.
@@ -47,11 +76,12 @@ int tenths(double value, char letter, const std::string& place) {
 }  // namespace
 
 void Block::clear() {
-  line = 0;
+  line = delete_level = 0;
   optional = percent = has_text = false;
   g.clear();
   m.clear();
   comments.clear();
+  polar_radius = polar_angle = std::nullopt;
   present_ = whole_ = 0;
 }
 
@@ -90,6 +120,7 @@ void BlockReader::parse(std::string_view line, Block& block) const {
     } else if (c == '/' && first) {
       block.optional = true;
       ++at;
+      if (at < line.size() && line[at] >= '1' && line[at] <= '9') block.delete_level = line[at++] - '0';
     } else {
       parse_word(line, at, block);
     }
@@ -112,26 +143,20 @@ void BlockReader::parse_comment(std::string_view line, std::size_t& at, Block& b
 
 void BlockReader::parse_word(std::string_view line, std::size_t& at, Block& block) const {
   const char c = line[at];
-  if (c == '#' || c == '[' || c == '=') {
-    throw InputError(place(block.line),
-                     "parameters and expressions are not read; post the program with plain numbers");
-  }
+  if (c == '#' || c == '[' || c == '=') throw MacroError(place(block.line), kNoParameters);
   if (c == '@' || c == '^') {
-    throw InputError(place(block.line),
-                     shown(c) +
-                         " is LinuxCNC's word for polar coordinates (@ radius, ^ angle), which "
-                         "are not read; post X and Y");
+    ++at;
+    (c == '@' ? block.polar_radius : block.polar_angle) = parse_number(line, at, c, block.line);
+    return;
   }
   if (!is_letter(c) && c != ':') {
     throw InputError(place(block.line), "unexpected " + shown(c) + "; this is no G-code word");
   }
   const char letter = c == ':' ? 'O' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  if (is_flow(line.substr(at))) throw MacroError(place(block.line), kNoFlow);
   const std::size_t begin = ++at;
   const double number = parse_number(line, at, letter, block.line);
-  if (letter == 'O' && at < line.size() && is_letter(line[at])) {
-    throw InputError(place(block.line),
-                     "subroutines and loops (O words) are not read; post the program without them");
-  }
+  if (letter == 'O' && at < line.size() && is_letter(line[at])) throw MacroError(place(block.line), kNoFlow);
   if (letter == 'G') {
     block.g.push_back(tenths(number, letter, place(block.line)));
   } else if (letter == 'M') {
@@ -143,6 +168,8 @@ void BlockReader::parse_word(std::string_view line, std::size_t& at, Block& bloc
     }
   } else {
     if (block.has(letter)) {
+      const bool calls_macro = std::find(block.g.begin(), block.g.end(), 650) != block.g.end();
+      if (calls_macro) throw MacroError(place(block.line), kNoFlow);  // arguments may come twice
       throw InputError(place(block.line), std::string("two ") + letter + " words in one block; split it");
     }
     block.set(letter, number, line.substr(begin, at - begin).find('.') != std::string_view::npos);
@@ -162,10 +189,9 @@ double BlockReader::parse_number(std::string_view line, std::size_t& at, char le
     if (count == sizeof digits) throw InputError(place(number), "number with too many digits; shorten it");
     digits[count++] = line[at];
   }
-  if (at < line.size() && (line[at] == '#' || line[at] == '[' || line[at] == '<')) {
-    throw InputError(place(number),
-                     "parameters and expressions are not read; post the program with plain numbers");
-  }
+  if (at < line.size() && (line[at] == '#' || line[at] == '[' || line[at] == '<'))
+    throw MacroError(place(number), kNoParameters);
+  if (count == 0 && is_function(line.substr(at))) throw MacroError(place(number), kNoParameters);
   if (count > 0 && has_exponent(line, at)) {
     throw InputError(place(number), std::string(1, letter) + " word with an exponent; post plain decimals");
   }

@@ -3,30 +3,43 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/error.h"
 #include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {
 
+/// What only a reader of macros understands: parameters, expressions, jumps, loops, calls of subprograms.
+class MacroError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 struct Block {
   int line = 0;
   bool optional = false;  ///< begins with '/'
+  int delete_level = 0;   ///< n of "/n", one of several switches; 0: none is said
   bool percent = false;   ///< a lone '%'
   bool has_text = false;  ///< behind M0 or M1, as Marlin shows it
   std::vector<int> g;     ///< G words in tenths: 911 is G91.1
   std::vector<int> m;     ///< M words in tenths
   std::vector<std::string_view> comments;
+  /// '@' and '^' of LinuxCNC: a place by its distance from the zero and its angle in degrees.
+  std::optional<double> polar_radius, polar_angle;
 
   bool has(char letter) const { return (present_ >> (letter - 'A')) & 1U; }
   double value(char letter) const { return values_[static_cast<std::size_t>(letter - 'A')]; }
   bool has_axis() const { return has('X') || has('Y') || has('Z'); }
-  bool has_words() const { return present_ != 0 || !g.empty() || !m.empty(); }
+  bool is_polar() const { return polar_radius || polar_angle; }
+  bool has_words() const { return present_ != 0 || !g.empty() || !m.empty() || is_polar(); }
 
   void clear();
   void set(char letter, double value, bool has_point = true);
+  void unset(char letter) { present_ &= ~(1U << static_cast<unsigned>(letter - 'A')); }
   /// The number was written without a decimal point.
   bool is_whole(char letter) const { return (whole_ >> (letter - 'A')) & 1U; }
 

@@ -1,2 +1,2 @@
-; expression.nc:2: parameters and expressions are not read; post the program with plain numbers
-G0 X[1 + 2]
+; expression.nc:2: an expression lacks its ']'; close it
+G0 X[1 + 2

@@ -1,3 +1,3 @@
-; parameter.nc:2: parameters and expressions are not read; post the program with plain numbers
+; parameter.nc:3: #<depth> is read before anything sets it, at which the control stops; set it before
 #100 = 5
-G0 X#100
+G0 X#<depth>

@@ -1,2 +1,2 @@
-; rotation.nc:2: G68 is not read; post the program without it
-G68 X0 Y0 R30
+; rotation.nc:2: G51 is not read; post the program without it
+G51 X0 Y0 P2.

@@ -1,3 +1,3 @@
-; subprogram.nc:3: subprogram calls are not read; post the program without them
+; subprogram.nc:3: subprogram O2000 is neither in the program nor in a file of that name beside it; put the file there
 G0 X0. Y0.
 M98 P2000

@@ -1,0 +1,62 @@
+// Klartext with labels and Q parameters.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "read/gcode/told_program.h"
+
+namespace clearcut::read::gcode {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string program_of(const std::string& blocks) {
+  return "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S1000\n2 L X+0 Y+0 Z+5 R0 FMAX M3\n" + blocks +
+         "\n99 END PGM A MM\n";
+}
+std::string ends(const std::string& blocks) {
+  std::string told;
+  const Program read = read_gcode(program_of(blocks), "test.ngc");
+  for (const Section& section : read.toolpath.sections)
+    for (const Move& move : section.moves)
+      if (!is_rapid(move.kind)) told += "|" + trimmed(move.path.to.x, 3) + " " + trimmed(move.path.to.y, 3);
+  return told;
+}
+std::string refused(const std::string& blocks) {
+  return message_of(program_of(blocks));
+}
+
+TEST(KlartextLabels, PartsAreRepeated) {
+  EXPECT_EQ(ends("LBL 1\nL IX+5 F100\nCALL LBL 1 REP 2"), "|5 0|10 0|15 0");
+  EXPECT_EQ(ends("LBL 1\nL IX+5 F100\nCALL LBL 1 REP2/2").substr(0, 4), "|5 0");
+}
+
+TEST(KlartextLabels, SubprogramsEndAtLabelZero) {
+  EXPECT_EQ(ends("CALL LBL 7\nL Y+3 F100\nCALL LBL \"SLOT\"\nL Z+50 FMAX M30\nLBL 7\nL IX+5 F100\nLBL 0\n"
+                 "LBL \"SLOT\"\nL IX-1\nLBL 0"),
+            "|5 0|5 3|4 3");
+}
+
+TEST(KlartextLabels, ParametersAreComputed) {
+  EXPECT_EQ(ends("FN 0: Q1 = +2\nFN 1: Q2 = +Q1 + +3\nFN 3: Q3 = +Q2 * -2\nFN 0: Q9 = +120\nL X+Q2 Y-Q3 "
+                 "FQ9\nL X-Q1"),
+            "|5 10|-2 10");
+  EXPECT_EQ(ends("FN 0: Q1 = +0\nLBL 1\nFN 1: Q1 = +Q1 + +1\nL X+Q1 F100\nFN 12: IF +Q1 LT +3 GOTO LBL 1"),
+            "|1 0|2 0|3 0");
+}
+
+TEST(KlartextLabels, ParametersAreSetInTheirOwnBlocks) {
+  EXPECT_EQ(ends("Q1 = +4\nQ2=-Q1\nL X+Q1 Y+Q2 F100"), "|4 -4");
+  EXPECT_THAT(refused("Q1 = +4 * 2"), HasSubstr("formulas of Q parameters are not read"));
+}
+
+TEST(KlartextLabels, WhatIsNotKnownIsRefused) {
+  EXPECT_THAT(refused("L X+Q5 F100"), HasSubstr("test.ngc:4: Q5 is read before the program sets it"));
+  EXPECT_THAT(refused("CALL LBL 4"), HasSubstr("test.ngc:4: there is no LBL 4"));
+  EXPECT_THAT(refused("LBL 1\nCALL LBL 1"), HasSubstr("over 19 subprograms within each other"));
+  EXPECT_THAT(refused("LBL 1\nFN 9: IF +1 EQU +1 GOTO LBL 1"), HasSubstr("a loop that never ends"));
+  EXPECT_THAT(refused("FN 14: ERROR = 1000"), HasSubstr("stops here with an error of its own"));
+  EXPECT_THAT(refused("FN 18: SYSREAD Q1 = ID20"), HasSubstr("FN 18 is not read"));
+}
+
+}  // namespace
+}  // namespace clearcut::read::gcode

@@ -1,0 +1,17 @@
+// Programs with variables, jumps, loops and subprograms as Fanuc's Custom Macro has them, which Haas took over; of Mach only variables
+// and M98.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "read/gcode/macros/macro_run.h"
+
+namespace clearcut::read::gcode {
+
+/// Executes the program as the control does; whether an end word was seen. Throws InputError("file:line", ...) for what the control would
+/// not take, for what nothing states, and where the program does not end in a bounded number of lines.
+bool run_fanuc(std::string_view text, const std::string& file_name, Interpreter& interpreter,
+               ToolpathBuilder& builder, const DialectRules& rules, const ReadControllerOptions& options);
+
+}  // namespace clearcut::read::gcode

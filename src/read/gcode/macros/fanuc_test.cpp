@@ -1,0 +1,125 @@
+// Habits of Fanuc's and Haas's programs that compute, jump and call.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "read/gcode/macros/computes.h"
+#include "read/gcode/told_program.h"
+
+namespace clearcut::read::gcode {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+const std::string kHead = "%\nO0001\nG21 G17 G90 G61\nG0 X0. Y0.\nZ5.\nF100.\n";
+
+std::string ends_as(Dialect dialect, const std::string& text) {
+  std::string told;
+  const Program read = read_as(dialect, text);
+  for (const Section& section : read.toolpath.sections)
+    for (const Move& move : section.moves)
+      if (!is_rapid(move.kind)) told += "|" + trimmed(move.path.to.x, 3) + " " + trimmed(move.path.to.y, 3);
+  return told;
+}
+std::string ends(const std::string& text) {
+  return ends_as(Dialect::kFanuc, kHead + text);
+}
+std::string refusal_as(Dialect dialect, const std::string& text) {
+  try {
+    read_as(dialect, text);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "read";
+}
+
+TEST(FanucMacros, VariablesAndFunctions) {
+  EXPECT_EQ(ends("#1 = 3.\n#2 = #1 + 2. * 4.\nG1 X#1 Y[#2 - 1.]\nX[SQRT[16.]]\nM30\n%\n"), "|3 10|4 10");
+}
+
+TEST(FanucMacros, JumpsAndLoops) {
+  EXPECT_EQ(ends("#1 = 1\nN10 G1 X#1\n#1 = #1 + 1\nIF [#1 LE 3] GOTO 10\nM30\n%\n"), "|1 0|2 0|3 0");
+  EXPECT_EQ(ends("#1 = 0\nWHILE [#1 LT 2] DO1\n#1 = #1 + 1\nG1 Y#1\nEND1\nGOTO 99\nG1 X9.\nN99 M30\n%\n"),
+            "|0 1|0 2");
+  EXPECT_EQ(ends("#1 = 5\nIF [[#1 EQ 5] AND [#1 GT 2]] THEN #2 = 7\nG1 X#2\nM30\n%\n"), "|7 0");
+}
+
+TEST(FanucMacros, SubprogramsInOneFile) {
+  EXPECT_EQ(ends("M98 P0021000\nG1 Y9.\nM30\nO1000\nG91 G1 X1.\nG90\nM99\n%\n"), "|1 0|2 0|2 9");
+  EXPECT_EQ(ends("M98 P1000 L3\nM30\nO1000\nG91 G1 X1.\nG90\nM99\n%\n"), "|1 0|2 0|3 0");
+  EXPECT_EQ(ends_as(Dialect::kHaas, kHead + "M97 P200 L2\nM30\nN200 G91 G1 X1.\nG90\nM99\n%\n"), "|1 0|2 0");
+  EXPECT_EQ(ends_as(Dialect::kMach3, kHead + "M98 P1000 L2\nM30\nO1000\nG91 G1 X1.\nG90\nM99\n%\n"),
+            "|1 0|2 0");
+}
+
+TEST(FanucMacros, ArgumentsOfG65) {
+  EXPECT_EQ(ends("G65 P9000 A1. B2. X4.\nG65 P9000 A2. B3.\nM30\nO9000\nG1 X#1 Y#2\n"
+                 "IF [#24 EQ #0] GOTO 5\nX#24\nN5 M99\n%\n"),
+            "|1 2|4 2|2 3");
+  EXPECT_EQ(ends("G65 P9000 I1. J2. I3.\nM30\nO9000\nG1 X#4 Y#7\nM99\n%\n"), "|1 3");
+}
+
+TEST(FanucMacros, VacantVariablesLeaveTheirWordOut) {
+  const Program read = read_as(Dialect::kFanuc, kHead + "G1 X4. Y#101\nM30\n%\n");
+  EXPECT_THAT(names_of(read), HasSubstr("parameter-101@7"));
+  EXPECT_EQ(ends("G1 X4. Y#101\nM30\n%\n"), "|4 0");
+}
+
+TEST(FanucMacros, RotationMirrorAndPolarPlaces) {
+  EXPECT_EQ(ends("G68 X0. Y0. R90.\nG1 X10.\nY5.\nG69\nX1.\nM30\n%\n"), "|0 10|-5 10|1 10");
+  EXPECT_EQ(ends("G51.1 X0.\nG1 X10. Y1.\nG50.1 X0.\nX3.\nM30\n%\n"), "|-10 1|3 1");
+  EXPECT_EQ(ends("G16\nG1 X10. Y90.\nY0.\nG15\nX1.\nM30\n%\n"), "|0 10|10 0|1 0");
+}
+
+TEST(FanucMacros, MirroredArcsTurnTheOtherWay) {
+  const std::string text = kHead + "G51.1 X0.\nG1 X10. Y0.\nG3 X0. Y10. I-10. J0.\nM30\n%\n";
+  EXPECT_THAT(moves_as(Dialect::kFanuc, text), HasSubstr("cut to 0 10 5 cw about 0 0"));
+}
+
+TEST(FanucMacros, ReturnsToAStatedBlock) {
+  EXPECT_EQ(ends("M98 P1000\nG1 X5.\nN20 G1 Y3.\nM30\nO1000\nM99 P20\n%\n"), "|0 3");
+}
+
+TEST(FanucMacros, MeasuredMovesAndModes) {
+  const std::string text = kHead + "G31 Z-10. F50.\n#110 = #4003\nG91 G1 X1.\nG#110\nG1 X9.\nM30\n%\n";
+  EXPECT_THAT(names_of(read_as(Dialect::kFanuc, text)), HasSubstr("measured-move@7"));
+  EXPECT_EQ(ends_as(Dialect::kFanuc, text), "|1 0|9 0");
+}
+
+TEST(FanucMacros, RefusalsSayWhatToDo) {
+  const auto refused = [](const std::string& text) { return refusal_as(Dialect::kFanuc, kHead + text); };
+  EXPECT_THAT(refused("GOTO 77\nM30\n"), HasSubstr("test.ngc:7: there is no block N77 in this program"));
+  EXPECT_THAT(refused("G66 P9000 A1.\nM30\n"), HasSubstr("G66 calls a macro after every move"));
+  EXPECT_THAT(refused("G1 X#530\nM30\n"), HasSubstr("#530 keeps a value in the control"));
+  EXPECT_THAT(refused("#5221 = 3.\nM30\n"), HasSubstr("set offsets by G10"));
+  EXPECT_THAT(refused("IF [#1 EQ 1 AND #2 EQ 2] GOTO 1\nN1 M30\n"),
+              HasSubstr("two comparisons in one bracket"));
+  EXPECT_THAT(refused("M98 P1000\nM30\nO1000\nG1 X1.\n%\n"), HasSubstr("the subprogram has no M99"));
+  EXPECT_THAT(refusal_as(Dialect::kGrbl, "G21 G90\nG0 X#1\n"), HasSubstr("are no words of the control"));
+}
+
+TEST(FanucMacros, SwitchesOfBlockDeleteAreOneCondition) {
+  const std::string text = kHead + "/2 G1 X3.\n#1 = 2\n/3 G1 X5.\nM30\n%\n";
+  EXPECT_EQ(ends_as(Dialect::kHaas, text), "|3 0|5 0");
+  EXPECT_THAT(names_of(read_as(Dialect::kFanuc, text)), HasSubstr("block-delete@7"));
+  EXPECT_THAT(refusal_as(Dialect::kLinuxCnc, "G21 G90\n/2 G0 X1\nM2\n"), HasSubstr("'/2' names a switch"));
+  EXPECT_THAT(refusal_as(Dialect::kFanuc, kHead + "M97 P5\nM30\nN5 M99\n"),
+              HasSubstr("M97 is a word of Haas's"));
+}
+
+TEST(FirstMacroLine, IsThatOfTheFirstWordThatComputesOrCalls) {
+  EXPECT_EQ(first_macro_line("G0 X1\nG1 X2 F100\nM30\n"), 0);
+  EXPECT_EQ(first_macro_line("G0 X1\nG1 X#2 F100\n"), 2);
+  EXPECT_EQ(first_macro_line("G0 X1\n\nM98 P100\n"), 3);
+  EXPECT_EQ(first_macro_line("o100 sub\n"), 1);
+}
+
+TEST(FanucMacros, RecognisedByTheirWords) {
+  EXPECT_EQ(read_gcode("G21 G90 G0 X0. Y0.\n#1=1\nN1 IF [#1 GT 3] GOTO 9\nN9 M30\n", "t").dialect,
+            Dialect::kFanuc);
+  EXPECT_EQ(read_gcode("G21 G90 G0 X0. Y0.\nM97 P5\nM30\nN5 M99\n", "t").dialect, Dialect::kHaas);
+  EXPECT_EQ(read_gcode("G21 G90 G0 X0 Y0\no1 if [1]\no1 endif\nM2\n", "t").dialect, Dialect::kLinuxCnc);
+}
+
+}  // namespace
+}  // namespace clearcut::read::gcode

@@ -1,0 +1,70 @@
+// What runs of programs with macros have in common: their files, how far they may go, who called whom.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "read/gcode/control/control.h"
+#include "read/gcode/interpreter.h"
+#include "read/gcode/macros/macro_line.h"
+
+namespace clearcut::read::gcode {
+
+/// A program or a file of subprograms, cut into lines.
+struct MacroSource {
+  std::string name;                     ///< as messages say it
+  std::string text;                     ///< of other files; the program's own belongs to who reads it
+  std::vector<std::string_view> lines;  ///< from 0
+
+  std::string place(int line) const { return name + ":" + std::to_string(line + 1); }
+};
+std::vector<std::string_view> lines_of(std::string_view text);
+
+/// Where a program goes on, of its main part or of a subprogram that was called.
+struct MacroFrame {
+  const MacroSource* source = nullptr;
+  int next = 0;                    ///< line that is executed next, from 0
+  int line = 0;                    ///< line that is executed
+  int first = 0;                   ///< where a repeated call begins again
+  int repeats = 0;                 ///< left of M98 L
+  std::string called;              ///< as messages say it: "o100", "O1000"
+  bool has_own_variables = false;  ///< else those of who called
+};
+
+/// Counts what is executed and tells where things go wrong.
+class MacroRun {
+ public:
+  MacroRun(Interpreter& interpreter, ToolpathBuilder& builder, const DialectRules& rules,
+           const ReadControllerOptions& options)
+      : interpreter_(interpreter), builder_(builder), rules_(rules), options_(options) {}
+
+ protected:
+  /// Throws InputError where more is executed than any program needs.
+  void count_step(std::size_t length);
+  std::string place() const;
+  [[noreturn]] void refuse(const std::string& what) const;
+  /// The message of an error at the line that is executed, with the calls that led there.
+  [[noreturn]] void rethrow(const std::string& message) const;
+  /// Lines of other files are counted at the call in the program.
+  int shown_line() const;
+  /// Executes the words of a block at the place where the program is.
+  void execute(Block& block);
+  /// Under the condition that the control has the same file.
+  const MacroSource* other_file(const std::string& name);
+  const MacroFrame& frame() const { return frames_.back(); }
+  MacroFrame& frame() { return frames_.back(); }
+
+  Interpreter& interpreter_;
+  ToolpathBuilder& builder_;
+  const DialectRules& rules_;
+  const ReadControllerOptions& options_;
+  std::vector<MacroFrame> frames_;
+  std::vector<std::unique_ptr<MacroSource>> sources_;
+
+ private:
+  long long steps_ = 0;
+};
+
+}  // namespace clearcut::read::gcode
