@@ -229,6 +229,7 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
     return std::max(step, kSmallestStep * layer.tool_radius);
   };
   result.legal = legal_area(layer, domains, job.first_level, tol);
+  job.fit_lines = fit_lines_of(domains, job);
   result.passes = ring_passes(domains, job, tol);
   result.residual = bare ? 0 : kRingResidual;
   for (const auto& pass : result.passes) {
