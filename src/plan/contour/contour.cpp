@@ -21,6 +21,7 @@
 #include "geometry/route/legal_area.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/cover.h"
+#include "plan/common/round_corners.h"
 #include "plan/contour/passages.h"
 #include "plan/contour/passes.h"
 #include "plan/contour/search.h"
@@ -238,6 +239,10 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
   const bool ours = options.step.kind == StepRule::Kind::kWidest && options.residuals == ResidualRule::kOurs;
   if (ours && options.passage == Passage::kShortest && closed_all_round(layer))
     shorten_passes(domains, job, layer, options, tol, result);
+  if (ours) {
+    const LegalArea legal(result.legal);
+    round_corners(result.passes, {job.radius, proven_radius(job.radius, result.residual), &legal});
+  }
   return result;
 }
 
