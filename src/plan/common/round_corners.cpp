@@ -27,10 +27,16 @@ constexpr double kSmaller = 0.6;
 constexpr double kAtRim = 1e-6;
 /// mm by which the check's radius is less than the cutter's: more than any program's rounding.
 constexpr double kRoundingMargin = 0.001;
-/// mm. Places of a rim have to lie this deep inside what others clear.
-constexpr double kLeastDepth = 1e-5;
+/// mm. Places of a rim have to lie this deep inside what others clear: less would be proven in steps as short as that.
+constexpr double kLeastDepth = 2e-4;
 /// Share of the cutter's radius: no edge is sought that clears a place deeper than this.
 constexpr double kEnoughDepth = 0.1;
+/// Of the acceleration: what controls use across an arc; factor by which it takes longer to gather speed beside one.
+constexpr double kAcross = 0.866;
+constexpr double kArcLoss = 1.5;
+/// mm, of the blends of programs; s, that a rounded corner has to save, since every move costs some.
+constexpr double kBlend = 5e-4;
+constexpr double kLeastGain = 1e-3;
 /// Radians; pieces of arcs whose legality is tested at once.
 constexpr double kLegalPiece = 0.4;
 
@@ -114,10 +120,24 @@ class Rounder {
     double radius = std::min(room / tangent, kWidest * job_.radius);
     if (radius < kTightest * job_.radius || clears_alone(before, after, in, out)) return std::nullopt;
     for (; radius >= kTightest * job_.radius; radius *= kSmaller) {
+      if (!saves_time(turn, radius)) return std::nullopt;
       const RoundedCorner corner = with_arc(before.edge, after.edge, radius, radius * tangent);
       if (is_legal_arc(corner.arc, *job_.legal) && leaves_nothing(before, after, corner)) return corner;
     }
     return std::nullopt;
+  }
+
+  /// Whether the machine loses less time on an arc than in the corner. It runs through the corner at the speed at which a control that
+  /// blends within kBlend goes round it, and through the arc at the speed that its acceleration allows across; arcs leave half of
+  /// the acceleration to gather speed.
+  bool saves_time(double turn, double radius) const {
+    const double v = job_.speed, a = job_.acceleration;
+    if (v <= 0 || a <= 0) return true;
+    const double across = kAcross * a, through = std::min(v, std::sqrt(8 * across * kBlend) / turn),
+                 round = std::min(v, std::sqrt(across * radius));
+    const auto lost = [&](double speed) { return (v - speed) * (v - speed) / (v * a); };
+    const double on_arc = turn * radius * (1 / round - 1 / v) + kArcLoss * lost(round);
+    return lost(through) - on_arc > kLeastGain;
   }
 
   static RoundedCorner with_arc(const Edge& before, const Edge& after, double radius, double taken) {
@@ -136,8 +156,7 @@ class Rounder {
     const double reach = job_.proven - 2 * kAtRim;
     const auto near = index_.near(Box{place, place}.grown(job_.proven));
     return std::none_of(near.begin(), near.end(), [&](std::uint32_t i) {
-      return used_[i] != 0 && i != before.number && i != after.number &&
-             distance(edges_[i], place) <= reach;
+      return used_[i] != 0 && i != before.number && i != after.number && distance(edges_[i], place) <= reach;
     });
   }
 
@@ -152,40 +171,43 @@ class Rounder {
       if (used_[i] != 0 && i != before.number && i != after.number && near.overlaps(edges_[i].box()))
         edges.push_back(edges_[i]);
     }
-    if (!clear_outer_rim(first, second, edges)) return false;
+    const double deviation = distance(corner.arc, before.edge.to) + kAtRim;
+    if (clear_outer_rim(first, second, edges, deviation)) return true;
+    if (!clear_outer_rim(first, second, edges, 0)) return false;
     const auto was_cut = [&](Vec2 q) {
       return distance(first, q) <= job_.proven || distance(second, q) <= job_.proven;
     };
     return !Cover(edges, job_.proven).has_hole(both.grown(job_.proven), was_cut);
   }
 
-  /// Whether `edges` clear the rim of what the corner's two pieces clear, on the outer side: what is left inside of that rim is then
-  /// a hole all round, which the exact check finds. Each place that lies some depth inside what an edge clears proves as much of the
-  /// rim on both sides of it.
-  bool clear_outer_rim(const Edge& first, const Edge& second, const std::vector<Edge>& edges) const {
+  /// Whether `edges` clear the rim of what the corner's two pieces clear, on the outer side, and all places within `deep` mm of it. What
+  /// the arc does not clear any more lies no farther inside of that rim than the arc deviates from the corner; with less what is
+  /// left inside of the rim is a hole all round, which the exact check finds.
+  bool clear_outer_rim(const Edge& first, const Edge& second, const std::vector<Edge>& edges,
+                       double deep) const {
     const Vec2 in = unit(first.to - first.from), out = unit(second.to - second.from), corner = first.to;
     const double side = cross(in, out) > 0 ? -1 : 1, radius = job_.proven - kAtRim;
     const Vec2 a = left_of(in) * (side * radius), b = left_of(out) * (side * radius);
     const Edge rim[] = {
-        Edge::line(first.from + a, corner + a),
         Edge::arc(corner + a, corner + b, corner, side > 0 ? Turn::kClockwise : Turn::kCounterClockwise),
-        Edge::line(corner + b, second.to + b)};
+        Edge::line(first.from + a, corner + a), Edge::line(corner + b, second.to + b)};
     return std::all_of(std::begin(rim), std::end(rim),
-                       [&](const Edge& piece) { return all_cleared(piece, edges); });
+                       [&](const Edge& piece) { return all_cleared(piece, edges, deep); });
   }
 
-  bool all_cleared(const Edge& rim, const std::vector<Edge>& edges) const {
+  /// Each place that lies some depth inside what an edge clears proves as much of the rim on both sides of it.
+  bool all_cleared(const Edge& rim, const std::vector<Edge>& edges, double deep) const {
     const double length = rim.length();
     std::size_t last = 0;  // neighbouring places are mostly cleared by the same edge
     for (double s = 0; s <= length;) {
       const Vec2 place = rim.at(length > 0 ? s / length : 0);
       double depth = job_.proven - distance(edges[last], place);
-      for (std::size_t i = 0; i < edges.size() && depth < kEnoughDepth * job_.radius; ++i) {
+      for (std::size_t i = 0; i < edges.size() && depth < deep + kEnoughDepth * job_.radius; ++i) {
         const double there = job_.proven - distance(edges[i], place);
         if (there > depth) depth = there, last = i;
       }
-      if (depth < kLeastDepth) return false;
-      s += depth;
+      if (depth < deep + kLeastDepth) return false;
+      s += depth - deep;
     }
     return true;
   }

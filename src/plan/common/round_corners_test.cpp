@@ -72,6 +72,18 @@ TEST(RoundCorners, AnArcThatWouldLeaveTheLegalAreaIsNotMade) {
     for (int i = 0; i <= 50; ++i) EXPECT_TRUE(legal.holds(edge.at(i / 50.0)));
 }
 
+TEST(RoundCorners, ACornerThatCostsNoTimeStays) {
+  const LegalArea legal = everywhere();
+  const auto moves = [&](double speed) {
+    std::vector<Pass> passes{pass_along({{0, 0}, {20, 0}, {40, 2}}),
+                             pass_along({{-5, -4}, {24, -4}, {44, -2}})};
+    round_corners(passes, {kRadius, kRadius, &legal, speed, 500});
+    return passes.front().path.size();
+  };
+  EXPECT_EQ(moves(5), 2U);
+  EXPECT_EQ(moves(50), 3U);
+}
+
 /// What lay within the radius of some pass still does: sampled, so that slivers under the samples' distance are not seen.
 TEST(RoundCorners, NothingThatWasClearedIsLeft) {
   const LegalArea legal = everywhere();

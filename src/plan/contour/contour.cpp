@@ -241,7 +241,8 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
     shorten_passes(domains, job, layer, options, tol, result);
   if (ours) {
     const LegalArea legal(result.legal);
-    round_corners(result.passes, {job.radius, proven_radius(job.radius, result.residual), &legal});
+    round_corners(result.passes, {job.radius, proven_radius(job.radius, result.residual), &legal,
+                                  options.feed.mm_per_s(), options.machine.acceleration});
   }
   return result;
 }

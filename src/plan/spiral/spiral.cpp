@@ -392,8 +392,8 @@ LayerPasses plan_spiral(const Layer& layer, const SpiralOptions& options, const 
     if (wall.component >= static_cast<int>(area.components.size())) result.passes.push_back(wall);
   }
   const LegalArea legal(result.legal);
-  round_corners(result.passes,
-                {layer.tool_radius, proven_radius(layer.tool_radius, result.residual), &legal});
+  round_corners(result.passes, {layer.tool_radius, proven_radius(layer.tool_radius, result.residual), &legal,
+                                options.feed.mm_per_s(), options.machine.acceleration});
   return result;
 }
 

@@ -247,8 +247,8 @@ LayerPasses plan_zigzag(const Layer& layer, const ZigzagOptions& options, const 
     }
   }
   const LegalArea legal(result.legal);
-  round_corners(result.passes,
-                {layer.tool_radius, proven_radius(layer.tool_radius, result.residual), &legal});
+  round_corners(result.passes, {layer.tool_radius, proven_radius(layer.tool_radius, result.residual), &legal,
+                                options.feed.mm_per_s(), options.machine.acceleration});
   return result;
 }
 
