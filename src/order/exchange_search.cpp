@@ -134,7 +134,10 @@ bool ExchangeSearch::keeps_rules() const {
   if (extra_ < 0) return true;
   if (problem.start < 0 && problem.end < 0 && problem.precedence.empty()) return true;
   const int n = path_.size(), origin = path_.position(extra_);
-  const auto rank = [&](int v) { return (path_.position(v) - origin + n) % n; };
+  const auto rank = [&](int v) {
+    const int from_origin = path_.position(v) - origin;
+    return from_origin < 0 ? from_origin + n : from_origin;
+  };
   const auto holds = [&](bool backwards) {
     const int first = backwards ? n - 1 : 1, last = backwards ? 1 : n - 1;
     if (problem.start >= 0 && rank(problem.start) != first) return false;

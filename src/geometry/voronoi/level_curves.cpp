@@ -20,7 +20,7 @@ class Tracer {
     count_levels();
     number_cuts();
     for (std::size_t cell = 0; cell < diagram_.cell_start.size(); ++cell) {
-      if (diagram_.cell_start[cell] >= 0) join_in_cell(static_cast<int>(cell));
+      if (is_cut_[cell] != 0 && diagram_.cell_start[cell] >= 0) join_in_cell(static_cast<int>(cell));
     }
     return trace();
   }
@@ -46,6 +46,7 @@ class Tracer {
 
   void number_cuts() {
     first_cut_.resize(index(diagram_.edge_count()));
+    is_cut_.assign(diagram_.cell_start.size(), 0);
     for (int k = 0; k < diagram_.edge_count(); ++k) {
       first_cut_[index(k)] = static_cast<int>(cuts_.size());
       const int v = diagram_.origin[index(2 * k)], w = diagram_.origin[index(2 * k + 1)];
@@ -56,6 +57,8 @@ class Tracer {
         add_cuts(v, middle);
         add_cuts(middle, w);
       }
+      if (static_cast<int>(cuts_.size()) == first_cut_[index(k)]) continue;
+      is_cut_[index(diagram_.cell[index(2 * k)])] = is_cut_[index(diagram_.cell[index(2 * k + 1)])] = 1;
     }
   }
 
@@ -164,6 +167,7 @@ class Tracer {
   const std::vector<double>& levels_;
   double margin_;
   std::vector<int> depth_, first_cut_, open_, unmatched_;
+  std::vector<char> is_cut_;  ///< of each cell: whether a level crosses one of its edges
   std::vector<Cut> cuts_;
 };
 

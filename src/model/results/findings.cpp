@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
+#include <string_view>
 
 namespace clearcut::inline model {
 namespace {
@@ -219,16 +221,44 @@ std::vector<std::string> accept_conditions(Findings& findings, const std::vector
   return unknown;
 }
 
-std::string verdict_and_reasons(const Findings& findings) {
-  std::string text = verdict_words(findings) + "\n";
-  for (const Fault& fault : findings.faults)
-    if (fault.cause.empty()) text += std::string(name_of(fault.kind)) + ": " + fault.text + "\n";
-  for (const Condition& one : open_conditions(findings)) {
-    text += "condition " + one.name + ": " + one.text;
-    if (one.line > 0) text += " (line " + std::to_string(one.line) + ")";
+namespace {
+
+/// Up to this number of reasons of one kind each is told; of more the first, and how many others there are: a sheet of hundreds of
+/// features mostly has one mistake behind them all.
+constexpr std::size_t kFewAlike = 8;
+
+struct Reason {
+  std::string kind;
+  std::string text;
+};
+
+/// The reasons one on each line; `others` says what there are more of.
+std::string lines_of(const std::vector<Reason>& reasons, std::string_view others) {
+  std::map<std::string_view, std::size_t> count, told;
+  for (const Reason& one : reasons) ++count[one.kind];
+  std::string text;
+  for (const Reason& one : reasons) {
+    const std::size_t all = count[one.kind];
+    if (all > kFewAlike && told[one.kind]++ > 0) continue;
+    text += one.kind + ": " + one.text;
+    if (all > kFewAlike)
+      text += " (" + std::to_string(all - 1) + " more " + std::string(others) + " like it)";
     text += "\n";
   }
   return text;
+}
+
+}  // namespace
+
+std::string verdict_and_reasons(const Findings& findings) {
+  std::vector<Reason> faults, conditions;
+  for (const Fault& fault : findings.faults)
+    if (fault.cause.empty()) faults.push_back({std::string(name_of(fault.kind)), fault.text});
+  for (const Condition& one : open_conditions(findings)) {
+    const std::string line = one.line > 0 ? " (line " + std::to_string(one.line) + ")" : "";
+    conditions.push_back({"condition " + one.name, one.text + line});
+  }
+  return verdict_words(findings) + "\n" + lines_of(faults, "faults") + lines_of(conditions, "conditions");
 }
 
 }  // namespace clearcut::inline model

@@ -205,7 +205,7 @@ std::vector<Condition> open_conditions(const Findings& findings);
 /// Marks conditions as met; `names` are those accepted by name. Returns the names that no condition has.
 std::vector<std::string> accept_conditions(Findings& findings, const std::vector<std::string>& names);
 
-/// The verdict, then each fault and each open condition on a line of its own.
+/// The verdict, then each fault and each open condition on a line of its own; of many of one kind the first and their number.
 std::string verdict_and_reasons(const Findings& findings);
 
 }  // namespace clearcut::inline model

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -56,6 +57,28 @@ TEST(ConditionRows, NumbersStandForThemselves) {
     EXPECT_TRUE(is_condition(name)) << name;
   for (const char* name : {"", "g", "g54-p", "gg55", "blend", "blending ", "tool-length-h", "m6a", "g#"})
     EXPECT_FALSE(is_condition(name)) << name;
+}
+
+TEST(VerdictAndReasons, HundredsOfOneKindAreOneLine) {
+  Findings findings;
+  const auto lines = [&] {
+    const std::string text = verdict_and_reasons(findings);
+    return std::count(text.begin(), text.end(), '\n');
+  };
+  for (int i = 0; i < 8; ++i) {
+    Fault fault;
+    fault.kind = FaultKind::kUncut;
+    fault.text = "Pocket " + std::to_string(i) + " is not cut.";
+    findings.faults.push_back(fault);
+  }
+  EXPECT_EQ(lines(), 9);
+  while (findings.faults.size() < 300) findings.faults.push_back(findings.faults.back());
+  for (int i = 0; i < 200; ++i)
+    findings.conditions.push_back({"out-of-reach", "Some is out of reach.", 0, ""});
+  EXPECT_EQ(lines(), 3);
+  EXPECT_THAT(verdict_and_reasons(findings),
+              testing::HasSubstr("Pocket 0 is not cut. (299 more faults like it)\n"));
+  EXPECT_THAT(verdict_and_reasons(findings), testing::HasSubstr("(199 more conditions like it)"));
 }
 
 }  // namespace

@@ -94,14 +94,35 @@ double largest_diameter(double below, Suffices suffices) {
   return std::floor(low * 100) / 100;
 }
 
+/// mm, in whole hundredths; the largest diameter up to `at_most` for which `suffices` holds, 0 when none does. It is sought near
+/// `at_most` first, in steps that double.
+template <class Suffices>
+double largest_hundredth(double at_most, Suffices suffices) {
+  const auto hundredths = [](double diameter) { return static_cast<int>(std::lround(diameter * 100)); };
+  const auto holds = [&](int n) { return suffices(n / 100.0); };
+  const int smallest = hundredths(kSmallest);
+  int fails = hundredths(at_most) + 1, holding = fails - 1, step = 1;
+  while (holding >= smallest && !holds(holding)) {
+    fails = holding;
+    holding = holding == smallest ? smallest - 1 : std::max(smallest, holding - step);
+    step *= 2;
+  }
+  if (holding < smallest) return 0;
+  while (fails - holding > 1) {
+    const int middle = (fails + holding) / 2;
+    (holds(middle) ? holding : fails) = middle;
+  }
+  return holding / 100.0;
+}
+
 double largest_that_reaches(const Feature& feature, double below, const Tolerances& tol) {
   const double may_stay = allowed_to_stay(area(feature.target));
   const LeftByDiameter leaves(feature, tol);
   // A bound finds the diameter; where it really leaves no more, no larger one does either.
   const double at_most =
       largest_diameter(below, [&](double d) { return !leaves.surely_leaves_more_than(may_stay, d); });
-  if (at_most == 0 || leaves.left(at_most) <= may_stay) return at_most;
-  return largest_diameter(below, [&](double d) { return leaves.left(d) <= may_stay; });
+  if (at_most == 0) return 0;
+  return largest_hundredth(at_most, [&](double d) { return leaves.left(d) <= may_stay; });
 }
 
 /// That no cutter fits into a feature is a condition, which somebody may accept, and no fault of the program.

@@ -95,22 +95,37 @@ class TreeBuilder {
 
   /// The pieces in connected groups. The axis of a connected region is connected, so each group belongs to
   /// one region.
-  static std::vector<Pieces> groups_of(const Pieces& pieces) {
-    std::map<int, int> index;
+  std::vector<Pieces> groups_of(const Pieces& pieces) {
+    int count = 0;
+    const auto number_end = [&](int id) {
+      int& number = number_of(id);
+      if (number < 0) number = count++;
+    };
     for (const auto& piece : pieces) {
-      index.emplace(piece.low_id, static_cast<int>(index.size()));
-      index.emplace(piece.high_id, static_cast<int>(index.size()));
+      number_end(piece.low_id);
+      number_end(piece.high_id);
     }
-    DisjointSets sets(static_cast<int>(index.size()));
-    for (const auto& piece : pieces) sets.join(index[piece.low_id], index[piece.high_id]);
-    std::map<int, std::size_t> number;
+    DisjointSets sets(count);
+    for (const auto& piece : pieces) sets.join(number_of(piece.low_id), number_of(piece.high_id));
+    std::vector<int> group_of(static_cast<std::size_t>(count), -1);
     std::vector<Pieces> groups;
     for (const auto& piece : pieces) {
-      const auto [it, added] = number.emplace(sets.find(index[piece.low_id]), groups.size());
-      if (added) groups.emplace_back();
-      groups[it->second].push_back(piece);
+      int& group = group_of[static_cast<std::size_t>(sets.find(number_of(piece.low_id)))];
+      if (group < 0) {
+        group = static_cast<int>(groups.size());
+        groups.emplace_back();
+      }
+      groups[static_cast<std::size_t>(group)].push_back(piece);
     }
+    for (const auto& piece : pieces) number_of(piece.low_id) = number_of(piece.high_id) = -1;
     return groups;
+  }
+
+  /// The number that groups_of gives to an end of pieces; -1 between its calls.
+  int& number_of(int id) {
+    const auto place = static_cast<std::size_t>(id >= 0 ? 2 * id : -2 * id - 1);
+    if (place >= numbers_.size()) numbers_.resize(2 * place + 1, -1);
+    return numbers_[place];
   }
 
   void add_children(int parent, double level, Pieces pieces) {
@@ -184,7 +199,8 @@ class TreeBuilder {
   std::vector<RingNode> nodes_;
   std::vector<Pieces> inside_;  ///< per node: the axis inside its contour, until its children are made
   std::map<double, Regions> insets_;
-  int next_cut_id_ = -1;
+  int next_cut_id_ = -1;      ///< ends of pieces that are no points of the axis have negative numbers
+  std::vector<int> numbers_;  ///< see number_of
 };
 
 }  // namespace

@@ -21,6 +21,7 @@
 #include "geometry/route/legal_area.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/cover.h"
+#include "plan/common/round_corners.h"
 #include "plan/contour/passages.h"
 #include "plan/contour/passes.h"
 #include "plan/contour/search.h"
@@ -229,6 +230,7 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
     return std::max(step, kSmallestStep * layer.tool_radius);
   };
   result.legal = legal_area(layer, domains, job.first_level, tol);
+  job.fit_lines = fit_lines_of(domains, job);
   result.passes = ring_passes(domains, job, tol);
   result.residual = bare ? 0 : kRingResidual;
   for (const auto& pass : result.passes) {
@@ -237,6 +239,11 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
   const bool ours = options.step.kind == StepRule::Kind::kWidest && options.residuals == ResidualRule::kOurs;
   if (ours && options.passage == Passage::kShortest && closed_all_round(layer))
     shorten_passes(domains, job, layer, options, tol, result);
+  if (ours) {
+    const LegalArea legal(result.legal);
+    round_corners(result.passes, {job.radius, proven_radius(job.radius, result.residual), &legal,
+                                  options.feed.mm_per_s(), options.machine.acceleration});
+  }
   return result;
 }
 

@@ -52,7 +52,10 @@ std::optional<CornerLoop> loop_of(ResidualRule rule) {
 
 bool stays_clear(const Path& loop, const Region& domain, double level) {
   return std::all_of(loop.begin(), loop.end(), [&](const Edge& edge) {
-    const auto near = [&](const Edge& wall) { return distance(edge, wall) < level - 1e-6; };
+    const Box around = edge.box().grown(level);
+    const auto near = [&](const Edge& wall) {
+      return around.overlaps(wall.box()) && distance(edge, wall) < level - 1e-6;
+    };
     const auto clear = [&](const Loop& walls) { return std::none_of(walls.begin(), walls.end(), near); };
     return clear(domain.outer()) && std::all_of(domain.islands().begin(), domain.islands().end(), clear);
   });
@@ -100,8 +103,8 @@ class PassBuilder {
     if (job_.residuals == ResidualRule::kBisectors && !nodes.empty()) add_bisectors(domain, nodes);
   }
 
-  void add_fit_lines(const Domain& domain) {
-    for (const auto& line : domain.clearance.fit_lines(job_.first_level, job_.reserve)) add_fit_line(line);
+  void add_fit_lines() {
+    for (const auto& line : job_.fit_lines) add_fit_line(line);
   }
 
   std::vector<Pass> take_passes() { return std::move(passes_); }
@@ -331,10 +334,18 @@ class PassBuilder {
 
 }  // namespace
 
+std::vector<Path> fit_lines_of(const std::vector<Domain>& domains, const RingJob& job) {
+  std::vector<Path> lines;
+  for (const auto& domain : domains)
+    for (auto& line : domain.clearance.fit_lines(job.first_level, job.reserve))
+      lines.push_back(std::move(line));
+  return lines;
+}
+
 std::vector<Pass> ring_passes(const std::vector<Domain>& domains, const RingJob& job, const Tolerances& tol) {
   PassBuilder builder(job, tol);
   for (const auto& domain : domains) builder.add_domain(domain);
-  for (const auto& domain : domains) builder.add_fit_lines(domain);
+  builder.add_fit_lines();
   return builder.take_passes();
 }
 

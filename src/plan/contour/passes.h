@@ -24,8 +24,12 @@ struct RingJob {
   double margin = 0;       ///< mm; overlap with which the material that rings leave is cleared
   StepOf step;
   ResidualRule residuals = ResidualRule::kOurs;
-  bool sharp_reflex = false;  ///< reflex corners of contours stay corners where the area has no arcs
+  bool sharp_reflex = false;    ///< reflex corners of contours stay corners where the area has no arcs
+  std::vector<Path> fit_lines;  ///< where the cutter just fits: the same whatever the step is
 };
+
+/// Where the cutter just fits in the domains at job.first_level.
+std::vector<Path> fit_lines_of(const std::vector<Domain>& domains, const RingJob& job);
 
 /// The passes of all domains: rings, each after the ring around it, with detours into corners where they
 /// would leave material; then passes along ridges of the medial axis; then lines where the cutter just fits.

@@ -13,6 +13,7 @@
 #include "plan/common/residual.h"
 #include "plan/common/retract_link.h"
 #include "plan/common/rings.h"
+#include "plan/common/round_corners.h"
 #include "plan/spiral/chains.h"
 #include "plan/spiral/turn.h"
 
@@ -390,6 +391,9 @@ LayerPasses plan_spiral(const Layer& layer, const SpiralOptions& options, const 
   for (const auto& wall : walls) {
     if (wall.component >= static_cast<int>(area.components.size())) result.passes.push_back(wall);
   }
+  const LegalArea legal(result.legal);
+  round_corners(result.passes, {layer.tool_radius, proven_radius(layer.tool_radius, result.residual), &legal,
+                                options.feed.mm_per_s(), options.machine.acceleration});
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/retract_link.h"
+#include "plan/common/round_corners.h"
 #include "plan/zigzag/cell_order.h"
 #include "plan/zigzag/cells.h"
 
@@ -245,6 +246,9 @@ LayerPasses plan_zigzag(const Layer& layer, const ZigzagOptions& options, const 
       result.passes.push_back(std::move(pass));
     }
   }
+  const LegalArea legal(result.legal);
+  round_corners(result.passes, {layer.tool_radius, proven_radius(layer.tool_radius, result.residual), &legal,
+                                options.feed.mm_per_s(), options.machine.acceleration});
   return result;
 }
 

@@ -70,8 +70,8 @@ class EdgeTree {
     return best;
   }
 
-  /// Winding number around p of all edges, which have to form closed loops. Cost O(log n + edges above and below p within
-  /// the boxes around it).
+  /// Winding number around p of all edges, which have to form closed loops. Cost O(log n + loops whose boxes hold p + edges above
+  /// and below p within the boxes around it).
   int winding(Vec2 p) const;
 
  private:
@@ -91,15 +91,21 @@ class EdgeTree {
   /// Edges of which each begins where the one before ends.
   struct Chain {
     Vec2 from, to;
-    std::uint32_t open_before = 0;  ///< chains before it that do not end where they begin
+    std::uint32_t open_before = 0;               ///< chains before it that do not end where they begin
+    std::uint32_t first_edge = 0, end_edge = 0;  ///< its edges, to below end_edge
   };
   void find_chains();
+  void sort_loops();
+  int winding_of(Vec2 p, std::uint32_t from, std::uint32_t to) const;
 
   std::vector<Edge> edges_;
   std::vector<Box> boxes_;               ///< of each edge
   std::vector<std::uint32_t> chain_of_;  ///< of each edge
   std::vector<Chain> chains_;
   BoxTree tree_;
+  std::vector<std::uint32_t>
+      loops_;          ///< the chains in an order in which neighbours lie near each other, if all are closed
+  BoxTree loop_tree_;  ///< of the boxes of loops_
 };
 
 }  // namespace clearcut::verify

@@ -159,6 +159,13 @@ struct BandMinimiser::Impl {
 
   static constexpr std::uint32_t kFixed = std::numeric_limits<std::uint32_t>::max();
 
+  /// From the nearest point of a candidate to a witness.
+  struct Offset {
+    Vec2 from_band;
+    double squared = 0;  ///< mm^2
+    double t = 0;        ///< parameter of that point
+  };
+
   /// The point of a band, or of a fixed edge, that is nearest to a witness.
   struct Hold {
     std::uint32_t band = kFixed;
@@ -218,40 +225,44 @@ struct BandMinimiser::Impl {
     if (hold.distance > 0) hold.away = offset / hold.distance;
   }
 
-  Hold nearest_hold(const Active& active, Vec2 p) const {
+  /// Leaves the offsets from all candidates in offsets_, where opposite_hold finds them.
+  Hold nearest_hold(const Active& active, Vec2 p) {
     Hold best;
-    Vec2 best_offset;
-    double nearest_squared = std::numeric_limits<double>::infinity(), t = 0;
-    for (std::uint32_t k = active.first; k < active.end; ++k) {
-      const Vec2 offset = offset_from_band(candidates_[k], p, t);
-      const double squared = norm_squared(offset);
-      if (squared >= nearest_squared) continue;
-      nearest_squared = squared;
-      best_offset = offset;
-      best.band = candidates_[k];
-      best.t = t;
+    std::size_t nearest = 0;
+    double nearest_squared = std::numeric_limits<double>::infinity();
+    const std::size_t count = active.end - active.first;
+    if (offsets_.size() < count) offsets_.resize(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      Offset& offset = offsets_[k];
+      offset.from_band = offset_from_band(candidates_[active.first + k], p, offset.t);
+      offset.squared = norm_squared(offset.from_band);
+      if (offset.squared >= nearest_squared) continue;
+      nearest_squared = offset.squared;
+      nearest = k;
     }
-    finish(best, best_offset);
+    best.band = candidates_[active.first + nearest];
+    best.t = offsets_[nearest].t;
+    finish(best, offsets_[nearest].from_band);
     return best;
   }
 
-  /// The nearest hold on the opposite side of p, fixed edges included.
+  /// The nearest hold on the opposite side of p, fixed edges included. Asked after nearest_hold for the same witness.
   Hold opposite_hold(const Active& active, Vec2 p, const Hold& nearest) const {
     Hold best;
     Vec2 best_offset;
-    double best_squared = std::numeric_limits<double>::infinity(), t = 0;
+    double best_squared = std::numeric_limits<double>::infinity();
     const auto opposite = [&](Vec2 offset, double squared) {
+      if (squared >= best_squared) return false;
       const double c = dot(offset, nearest.away);
-      return squared < best_squared && (c <= 0 || c * c < 0.25 * squared);
+      return c <= 0 || c * c < 0.25 * squared;
     };
     for (std::uint32_t k = active.first; k < active.end; ++k) {
-      const Vec2 offset = offset_from_band(candidates_[k], p, t);
-      const double squared = norm_squared(offset);
-      if (!opposite(offset, squared)) continue;
-      best_squared = squared;
-      best_offset = offset;
+      const Offset& offset = offsets_[k - active.first];
+      if (!opposite(offset.from_band, offset.squared)) continue;
+      best_squared = offset.squared;
+      best_offset = offset.from_band;
       best.band = candidates_[k];
-      best.t = t;
+      best.t = offset.t;
     }
     for (const std::uint32_t i : fixed_in_.at(grid_.cell_of(p))) {
       const Vec2 offset = p - nearest_point(paths_.fixed[i], p);
@@ -408,6 +419,7 @@ struct BandMinimiser::Impl {
   double tension_ = 1;
   std::vector<Active> active_;
   std::vector<std::uint32_t> candidates_;
+  std::vector<Offset> offsets_;  ///< of the witness in hand
   std::vector<Vec2> before_, gradient_, move_, right_;
   std::vector<Sym2> diagonal_, coupling_, pivot_;
   std::size_t next_band_ = 0;

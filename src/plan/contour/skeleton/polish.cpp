@@ -1,10 +1,16 @@
 #include "plan/contour/skeleton/polish.h"
 
+#include <algorithm>
+
 #include "geometry/spatial/cell_grid.h"
 #include "plan/common/cover.h"
 
 namespace clearcut::plan::contour {
 namespace {
+
+/// mm. A place that a vertex clears lies this much nearer to it than the radius; places within that of being cleared by
+/// others are left to the exact search.
+constexpr double kWithin = 1e-6;
 
 /// Drops vertices of one path after the other, each from its first vertex to its last.
 class Polish {
@@ -74,10 +80,24 @@ class Polish {
         edges.push_back(state.edges[i]);
       }
     }
+    if (uncovers_outer_side(first, second, edges)) return false;
     const auto was_cut = [&](Vec2 q) {
       return (distance(first, q) <= radius_ || distance(second, q) <= radius_) && job_.matters(q);
     };
     return !Cover(edges, radius_).has_hole(both.grown(radius_), was_cut);
+  }
+
+  /// Whether the place that the vertex between two edges clears farthest from the line in place of both is left by all of
+  /// `edges`: the answer for most vertices, and cheaper than a search for all holes.
+  bool uncovers_outer_side(const Edge& first, const Edge& second, const std::vector<Edge>& edges) const {
+    const Vec2 along = second.to - first.from, to_vertex = first.to - first.from;
+    const double side = cross(along, to_vertex);
+    const Vec2 outwards = left_of(unit(along)) * (side < 0 ? -1.0 : 1.0);
+    const Vec2 place = first.to + outwards * (radius_ - kWithin);
+    const double reach = radius_ + kWithin;
+    return job_.matters(place) && std::none_of(edges.begin(), edges.end(), [&](const Edge& edge) {
+             return norm_squared(place - nearest_point(edge, place)) <= reach * reach;
+           });
   }
 
   Bands& paths_;
