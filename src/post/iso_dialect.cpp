@@ -148,7 +148,6 @@ constexpr std::array kDialects{
     IsoDialect{.name = "tormach",
                .line_length = 255,
                .fractional_offsets = true,
-               .numbered_offsets = {{{541, 1, 500}}},
                .path_control = PathControl::kTolerance,
                .length_offset = LengthOffset::kNumbered,
                .tapping = Tapping::kFloating,

@@ -199,9 +199,7 @@ TEST(WorkOffsets, AreThoseOfTheControl) {
       {"heidenhain", {{}, "its zero is the preset that is active; leave it out"}},
       {"mazak",
        {{"G55", "G59", "G54.1 P1", "G54.1 P99", "G54.1 P300"}, "it has G54 to G59, G54.1 P1 to P300"}},
-      {"tormach",
-       {{"G55", "G59", "G59.1", "G59.3", "G54.1 P1", "G54.1 P99", "G54.1 P300"},
-        "it has G54 to G59, G59.1 to G59.3, G54.1 P1 to P500"}},
+      {"tormach", {{"G55", "G59", "G59.1", "G59.3"}, "it has G54 to G59, G59.1 to G59.3"}},
       {"siemens", {{"G55", "G505", "G599"}, "it has G54 to G57, G505 to G599"}}};
   ASSERT_EQ(has.size(), post::post_dialects().size());
   for (const auto& [dialect, words] : has) {

@@ -188,13 +188,13 @@ constexpr std::array kRules{
                  .numbered_offsets = 300,
                  .offset_with_number = 540,
                  .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on"},
-    // PathPilot is built on LinuxCNC's interpreter; it has work offsets by number besides.
+    // PathPilot is built on LinuxCNC's interpreter. Its work offsets by number (G54.1 P) are not read.
     DialectRules{.dialect = Dialect::kTormach,
                  .name = "tormach",
                  .title = "Tormach PathPilot",
                  .planner = MotionPlanner::kLinuxCnc,
-                 .g = {kDrillCycles | kToolLengths | kStatedLengths | kOffsetsByNumber | kFractionalOffsets |
-                       kKeptShifts | kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters},
+                 .g = {kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets | kKeptShifts |
+                       kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters},
                  .m = {.only = kLinuxCncMiscellaneous,
                        .user_words = true,
                        .at_others = ", which stops there; its set-up has a word for it that moves nothing"},
@@ -209,8 +209,7 @@ constexpr std::array kRules{
                  .rereads_cycle_numbers = true,
                  .feed_in_unit_before = true,
                  .resets_modes = true,
-                 .saves_modes = true,
-                 .numbered_offsets = 500},
+                 .saves_modes = true},
 };
 
 constexpr bool rows_are_in_order() {
