@@ -15,7 +15,9 @@ Threads   every function may be called from several threads at once; the interpr
 
 from __future__ import annotations
 
+import difflib
 import os
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Callable, Iterable, Protocol
 
@@ -26,6 +28,7 @@ from ._core import (
     Clearance,
     ClearingArea,
     ClearingComponent,
+    Comparison,
     Condition,
     StrategySelection,
     CandidateResult,
@@ -75,6 +78,7 @@ from ._core import (
     unite,
     write_files,
 )
+from ._notebook import SavedPlan, install as _install
 from ._outlines import part, region, regions
 
 if TYPE_CHECKING:
@@ -93,6 +97,7 @@ class Cancel(Protocol):
 
 
 def read_part(file: AnyPath, **reading: Unpack[Reading]) -> Part:
+    _check_reading(reading)
     return _core.read_part(os.fspath(file), **reading)
 
 
@@ -105,6 +110,7 @@ def read_job(
     order: its stock is what they leave. plan_setups() does it for all of them.
     """
     name = os.fspath(file)
+    _check_reading(reading)
     if setup is None:
         job = _core.read_job(name, **reading)
     else:
@@ -215,8 +221,8 @@ def compare(
     *,
     strategies: Iterable[Strategy] = (),
     **settings: Unpack[Settings],
-) -> Table:
-    """Every strategy on one part, checked alike, as a table. Raises InputError where none can plan it."""
+) -> Comparison:
+    """Every strategy on one part, checked alike, as a table; numbers() are its figures. Raises InputError where none can plan it."""
     part, options = _asked(part, options, settings)
     return _core._compare(part, options, list(strategies))
 
@@ -225,6 +231,18 @@ def explain(part: Part | AnyPath, options: PlanOptions | None = None, **settings
     """Every value of a plan and where it comes from, without planning."""
     part, options = _asked(part, options, settings)
     return _core._explain(part, options)
+
+
+def _check_reading(reading: Any) -> None:
+    """Names what a mistyped keyword may have meant."""
+    first = (_core.read_part.__doc__ or "").split("\n")[0]
+    known = [name for name in re.findall(r"(\w+):", first) if name != "file"]
+    for name in reading:
+        if name in known:
+            continue
+        near = difflib.get_close_matches(name, known, 1)
+        hint = f"did you mean '{near[0]}'? " if near else ""
+        raise TypeError(f"'{name}' says nothing of how a part is read; {hint}there are {', '.join(known)}")
 
 
 def _asked(given: Part | AnyPath, options: PlanOptions | None, settings: Any) -> tuple[Part, PlanOptions]:
@@ -284,12 +302,13 @@ for owner, name, function in ((Plan, "write", _write), (Moves, "columns", _colum
     function.__name__ = name
     setattr(owner, name, function)
 del owner, name, function
+_install()
 
 __all__ = [
-    "Cancel", "Cancelled", "Check", "Clearance", "ClearingArea", "ClearingComponent", "Condition", "StrategySelection",
+    "Cancel", "Cancelled", "Check", "Clearance", "ClearingArea", "ClearingComponent", "Comparison", "Condition", "StrategySelection",
     "CandidateResult", "Diagnostic", "Engagement", "Fault", "Feature", "FeatureFindings", "Figures", "Findings", "InputError",
     "InternalError", "Layer", "LayerFindings", "LayerPasses", "LibraryTool", "Machine", "Moves", "Part", "Pass", "Place",
-    "Plan", "PlanOptions", "Region", "Strategy", "Study", "Table", "Tool", "Tour", "__version__", "check_witness", "compare",
+    "Plan", "PlanOptions", "Region", "SavedPlan", "Strategy", "Study", "Table", "Tool", "Tour", "__version__", "check_witness", "compare",
     "description_of", "dilate", "explain", "inset", "intersect", "part", "plan", "plan_setups", "read_job", "read_machine", "read_part",
     "read_part_text", "read_tools", "region", "regions", "reproduce", "reproducible_tables", "resolve_even_odd",
     "strategy_names", "study", "study_names", "subtract", "tour", "unite", "verify", "verify_alone", "verify_file", "write_files",

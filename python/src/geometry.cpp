@@ -5,6 +5,8 @@ namespace clearcut::python {
 namespace {
 
 constexpr py::ssize_t kPlain = 2, kWithBulge = 3;
+/// mm. A fifth of what verification calls a gouge, so that passes made of polygons keep off the walls.
+constexpr double kPolygonChord = Tolerances{}.chord;
 
 std::vector<BulgeVertex> vertices_of(const Numbers& array) {
   if (array.ndim() != 2 || (array.shape(1) != kPlain && array.shape(1) != kWithBulge) || array.shape(0) < 2)
@@ -50,10 +52,10 @@ py::list polygon_of(const Region& region, double chord) {
   return rings;
 }
 
-/// What shapely.geometry.shape() and other readers of GeoJSON-like mappings take.
+/// What shapely.geometry.shape() and other readers of GeoJSON-like mappings take: no farther than kPolygonChord from the curves.
 py::dict geo_interface(const Region& region) {
   py::list rings;
-  for (const py::handle ring : polygon_of(region, 0.01)) {
+  for (const py::handle ring : polygon_of(region, kPolygonChord)) {
     py::list points = ring.attr("tolist")();
     points.append(points[0]);
     rings.append(points);
@@ -96,8 +98,14 @@ void add_region(py::module_& module) {
             return region.boundary_distance({x, y});
           },
           py::arg("x"), py::arg("y"), doc("Region::boundary_distance"))
-      .def("polygon", &polygon_of, py::arg("chord") = 0.01,
-           "The loops as polygons, the outer one first, none farther than chord mm from the curves.")
+      .def("polygon", &polygon_of, py::arg("chord") = kPolygonChord,
+           "The loops as polygons, the outer one first, none farther than chord mm from the curves. Passes "
+           "of a wider chord "
+           "cut into corners: what verification calls a gouge begins at 0.001 mm.")
+      .def_property_readonly_static(
+          "polygon_chord", [](const py::object&) { return kPolygonChord; },
+          "mm; how near polygon() and shapely.geometry.shape() keep to the curves where nothing else is "
+          "said.")
       .def_property_readonly("__geo_interface__", &geo_interface)
       .def("__repr__", [](const Region& region) {
         return "<clearcut.Region of " + trimmed(region.area(), 3) + " mm2 with " +

@@ -112,6 +112,9 @@ void add_shop(OptionsClass& options) {
   length(
       "overrun", doc("ShopOptions::overrun"), [](auto& o) -> auto& { return o.shop.overrun; });
   length(
+      "stock_oversize", doc("ShopOptions::stock_oversize"),
+      [](auto& o) -> auto& { return o.shop.stock_oversize; });
+  length(
       "link_lift", doc("ShopOptions::link_lift"), [](auto& o) -> auto& { return o.shop.link_lift; });
   length(
       "finish_stock", doc("ShopOptions::finish_stock"), [](auto& o) -> auto& { return o.shop.finish_stock; });
@@ -299,12 +302,24 @@ void add_search(OptionsClass& options) {
       options, "threads", doc("PlanOptions::threads"), [](auto& o) -> auto& { return o.threads; });
 }
 
+/// What a mistyped keyword may have meant, of the attributes of `type`.
+py::type_error unknown_option(const std::string& name, const py::handle& type) {
+  std::vector<std::string> known;
+  for (const py::handle& one : py::module_::import("builtins").attr("dir")(type)) {
+    auto attribute = py::str(one).cast<std::string>();
+    if (!attribute.starts_with("_")) known.push_back(std::move(attribute));
+  }
+  const std::string meant = nearest_name(name, known);
+  return py::type_error("'" + name + "' is no option of a plan; " +
+                        (meant.empty() ? "" : "did you mean '" + meant + "'? ") +
+                        "dir(clearcut.PlanOptions) lists them");
+}
+
 /// Sets options by keywords. The machine goes first: others change a part of it, or are read with it.
 void set_all(const py::object& options, const py::dict& settings) {
   const auto set = [&](const py::handle& name, const py::handle& value) {
     if (!py::hasattr(options.get_type(), name) || py::str(name).cast<std::string>().starts_with("_"))
-      throw py::type_error("'" + py::str(name).cast<std::string>() +
-                           "' is no option of a plan; dir(clearcut.PlanOptions) lists them");
+      throw unknown_option(py::str(name).cast<std::string>(), options.get_type());
     py::setattr(options, name, value);
     const auto typed = option_name(py::str(name).cast<std::string>());
     const std::string word = typed == "tools" ? "tool" : typed;

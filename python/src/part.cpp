@@ -1,4 +1,7 @@
 // Parts, tools, jobs, machines.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <iterator>
 
@@ -296,9 +299,10 @@ void add_part_class(py::module_& module) {
 
 /// Throws InputError where there is no such kind.
 Machine machine_of_kind(const std::string& kind) {
-  const auto& kinds = machine_kinds();
+  const std::vector<std::string> kinds = machine_kinds();
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-    throw InputError("--machine-kind", "'" + kind + "' is unknown; use router or mill");
+    throw InputError("--machine-kind",
+                     "'" + kind + "' is unknown; use one of " + fmt::format("{}", fmt::join(kinds, ", ")));
   Machine machine;
   fill_machine_kind(machine, kind);
   return machine;

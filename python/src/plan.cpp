@@ -22,6 +22,46 @@ struct Checked {
 struct Plan : Checked<PlanResult> {};
 struct Check : Checked<CheckResult> {};
 
+/// The table of all strategies, with what it was written from.
+struct Comparison : TextTable {
+  std::vector<pipeline::StrategyRun> runs;
+};
+
+/// A list of one figure of every run; None where the strategy cannot plan the part.
+template <class Get>
+py::list column_of(const Comparison& comparison, Get get) {
+  py::list column;
+  for (const pipeline::StrategyRun& run : comparison.runs)
+    column.append(run.figures ? py::cast(get(*run.figures)) : py::none());
+  return column;
+}
+
+/// By column, as pandas.DataFrame() takes it. mm, mm2, seconds, degrees.
+py::dict numbers_of(const Comparison& comparison) {
+  py::dict out;
+  py::list strategies, refusals;
+  for (const pipeline::StrategyRun& run : comparison.runs) {
+    strategies.append(run.strategy);
+    refusals.append(run.refusal);
+  }
+  const auto add = [&](const char* name, auto get) { out[name] = column_of(comparison, get); };
+  out["strategy"] = strategies;
+  add("clean", [](const Figures& of) { return of.clean; });
+  add("time_s", [](const Figures& of) { return of.time_s; });
+  add("time_naive_s", [](const Figures& of) { return of.time_naive_s; });
+  add("feed_mm", [](const Figures& of) { return of.feed_mm; });
+  add("rapid_mm", [](const Figures& of) { return of.rapid_mm; });
+  add("plunge_mm", [](const Figures& of) { return of.plunge_mm; });
+  add("turns", [](const Figures& of) { return of.turns; });
+  add("retracts", [](const Figures& of) { return of.retracts; });
+  add("uncut_mm2", [](const Figures& of) { return of.uncut_mm2; });
+  add("gouge_mm", [](const Figures& of) { return of.gouge_mm; });
+  add("max_engagement_deg", [](const Figures& of) { return of.engagement.max_deg; });
+  add("mean_engagement_deg", [](const Figures& of) { return of.engagement.mean_deg; });
+  out["refusal"] = refusals;
+  return out;
+}
+
 /// Told to Python, in whose threads nobody may wait for the planner's while the lock is held.
 ProgressCallback told(const py::object& progress) {
   if (progress.is_none()) return {};
@@ -237,6 +277,18 @@ void add_tables(py::module_& module) {
                              })
       .def("markdown", &markdown, doc("markdown"))
       .def("__str__", &plain);
+  py::class_<Comparison, TextTable>(module, "Comparison", "Every strategy on one part, checked alike.")
+      .def("numbers", &numbers_of,
+           "The figures by column, for pandas.DataFrame(): lists in the order of the strategies, None where "
+           "one cannot plan "
+           "the part. mm, mm2, seconds, degrees.")
+      .def_property_readonly(
+          "fastest_clean",
+          [](const Comparison& comparison) -> std::optional<std::string> {
+            const auto* best = pipeline::fastest_clean(comparison.runs);
+            return best ? std::optional(best->strategy) : std::nullopt;
+          },
+          "Name of the fastest strategy that is certified clean; None where none is.");
   module.def(
       "_compare",
       [](const GivenPart& part, AskedOptions options, const std::vector<OwnStrategy>& strategies) {
@@ -246,7 +298,10 @@ void add_tables(py::module_& module) {
         return interruptible(py::none(), [part = part.part, options, table](std::stop_token stop) {
           PlanOptions own = options;
           own.cancel = std::move(stop);
-          return compare_strategies(part, own);
+          auto runs = pipeline::run_strategies(part, own);
+          Comparison comparison{pipeline::strategy_table(part, own, runs), {}};
+          comparison.runs = std::move(runs);
+          return comparison;
         });
       },
       py::arg("part"), py::arg("options"), py::arg("strategies"), doc("compare_strategies"));

@@ -1,5 +1,6 @@
 """Plans, checks and what they give, held against the command."""
 import json
+import pickle
 import re
 import signal
 import threading
@@ -70,8 +71,61 @@ class Plans(unittest.TestCase):
         self.assertEqual(missing, set())
 
     def test_unknown_options_are_named(self):
-        with self.assertRaisesRegex(TypeError, "'stepdwon' is no option of a plan"):
+        with self.assertRaisesRegex(TypeError, "'stepdwon' is no option of a plan; did you mean 'stepdown'"):
             clearcut.plan(pocket(), stepdwon=2)
+        with self.assertRaisesRegex(TypeError, "did you mean 'depth'"):
+            clearcut.read_part(str(EXAMPLES / "plate.dxf"), dept=5)
+
+    def test_percentages_are_fractions(self):
+        programs = {clearcut.plan(pocket(), tools="endmill:6", strategy="zigzag", stepover=text).program
+                    for text in ("50%", "0.5")}
+        self.assertEqual(len(programs), 1)
+
+    def test_a_comparison_has_numbers(self):
+        table = clearcut.compare(pocket(), tools="endmill:6")
+        numbers = table.numbers()
+        self.assertEqual({len(column) for column in numbers.values()}, {len(numbers["strategy"])})
+        times = [time for time, clean in zip(numbers["time_s"], numbers["clean"]) if clean]
+        self.assertEqual(numbers["time_s"][numbers["strategy"].index(table.fastest_clean)], min(times))
+        self.assertIn("<table>", table._repr_html_())
+
+    def test_a_plan_is_pickled_and_shown(self):
+        plan = clearcut.plan(pocket(), tools="endmill:6", strategy="contour")
+        kept = pickle.loads(pickle.dumps(plan))
+        self.assertEqual(kept.program, plan.program)
+        self.assertEqual(kept.certificate(), plan.certificate())
+        self.assertEqual((kept.verdict, kept.clean, kept.table()), (plan.verdict, plan.clean, plan.table()))
+        self.assertTrue((kept.columns()["x"] == plan.moves.x).all())
+        self.assertEqual(pickle.loads(pickle.dumps(kept)).program, plan.program)
+        place = folder(self)
+        kept.write(place / "a.ngc")
+        self.assertEqual((place / "a.ngc").read_text(), plan.program)
+        for one in (plan, kept):
+            self.assertTrue(one._repr_svg_().lstrip().startswith("<"))
+            self.assertIn("CLEAN", one._repr_html_())
+
+    def test_passes_of_polygons_are_clean_at_reflex_corners(self):
+        def rings(layer):
+            area = layer.clearing_area()
+            passes = area.walls
+            for number, component in enumerate(area.components):
+                region, parent = component.legal, component.outer_wall
+                for wall in clearcut.dilate([region], 0) or [region]:
+                    for ring in wall.polygon():  # the walls once more, as polygons
+                        parent = passes.add(ring, parent=parent, component=number)
+                while True:
+                    inner = clearcut.inset(region, 0.5 * layer.tool_radius)
+                    if not inner:
+                        break
+                    region = inner[0]
+                    parent = passes.add(region.polygon()[0], parent=parent, component=number)
+            return passes
+
+        shape = clearcut.part([[0, 0], [60, 0], [60, 40], [30, 40], [30, 25], [0, 25]], depth=4, name="pocket")
+        own = clearcut.Strategy("polygons", rings, "walls as polygons")
+        plan = clearcut.plan(shape, tools="endmill:6", strategy="polygons", strategies=[own])
+        self.assertLess(plan.findings.all.gouge_mm, 0.001)
+        self.assertLess(clearcut.Region.polygon_chord, 0.001)
 
     def test_a_part_is_used_again(self):
         part = pocket()
@@ -86,7 +140,7 @@ class Plans(unittest.TestCase):
                            ({"generations": 20}, "add --solver published")):
             with self.subTest(**wish), self.assertRaisesRegex(clearcut.InputError, text):
                 clearcut.plan(pocket(), tools="endmill:6", **wish)
-        with self.assertRaisesRegex(clearcut.InputError, "use router or mill"):
+        with self.assertRaisesRegex(clearcut.InputError, "use one of router, industrial-router, mill"):
             clearcut.Machine("lathe")
 
     def test_a_kind_of_machine_limits_the_spindle(self):

@@ -12,7 +12,7 @@ PACKAGE = Path(clearcut.__file__).parent
 def signatures():
     """What the stubs and sources say of a name or Class.name, as text."""
     found = {}
-    for file in ("_core.pyi", "_outlines.py", "__init__.py"):
+    for file in ("_core.pyi", "_outlines.py", "_notebook.py", "__init__.py"):
         for node in ast.parse((PACKAGE / file).read_text()).body:
             _collect(node, "", found)
     return found

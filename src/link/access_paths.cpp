@@ -9,6 +9,8 @@ namespace {
 
 /// mm by which a cutter may be wider than a predrilled hole.
 constexpr double kHoleSlack = 0.001;
+/// mm. Distances that differ by rounding alone.
+constexpr double kSame = 1e-9;
 /// Seconds. Longer access paths round corners are used only by cutters that must not plunge.
 constexpr double kLongestAccess = 5;
 /// Greatest number of places on the rim of cleared stock that are tried.
@@ -30,7 +32,7 @@ bool AccessPaths::is_clear(std::size_t item, Vec2 a, Vec2 b) const {
 }
 
 bool AccessPaths::in_air(Vec2 p) const {
-  if (options_.stock && options_.stock->distance_to(p) >= options_.tool_radius) return true;
+  if (options_.stock && options_.stock->distance_to(p) >= beside_stock() - kSame) return true;
   return std::any_of(options_.predrilled.begin(), options_.predrilled.end(), [&](const PredrilledHole& hole) {
     return distance(p, hole.center) + options_.tool_radius <= hole.diameter / 2 + kHoleSlack;
   });
@@ -92,7 +94,7 @@ std::optional<Vec2> AccessPaths::air_before(Vec2 p, std::size_t item) const {
   if (const auto hole = hole_before(p, item)) return hole;
   if (!options_.stock || !layer(item).open()) return std::nullopt;
   std::optional<Vec2> best;
-  for (const Vec2 out : places_beside(*options_.stock, options_.tool_radius + options_.above_material, p)) {
+  for (const Vec2 out : places_beside(*options_.stock, beside_stock(), p)) {
     if (best && distance(p, out) >= distance(p, *best)) continue;
     if (is_clear(item, out, p)) best = out;
   }
@@ -140,8 +142,7 @@ std::optional<Path> AccessPaths::to(Vec2 p, std::size_t item) const {
     if (in_air(hole.center)) outs.push_back(hole.center);
   }
   if (options_.stock && layer(item).open()) {
-    const double apart = options_.tool_radius + options_.above_material;
-    for (const Vec2 out : places_beside(*options_.stock, apart, p)) outs.push_back(out);
+    for (const Vec2 out : places_beside(*options_.stock, beside_stock(), p)) outs.push_back(out);
   }
   std::optional<Path> best;
   double longest = options_.may_plunge

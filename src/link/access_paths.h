@@ -18,6 +18,8 @@ class AccessPaths {
 
   /// Whether a cutter with its centre over p is beside the stock or in a predrilled hole.
   bool in_air(Vec2 p) const;
+  /// mm from the raw block to the centre of a cutter that comes down beside it.
+  double beside_stock() const { return options_.tool_radius + options_.beside_stock; }
   /// Whether the line from a to b at the depth of the pass is legal and no material of higher layers stands
   /// in it.
   bool is_clear(std::size_t item, Vec2 a, Vec2 b) const;

@@ -90,6 +90,15 @@ bool can_bore(const HoleWork& hole, double tool_radius) {
   return radius >= kNarrowestBore * tool_radius && radius <= kWidestBore * tool_radius;
 }
 
+namespace {
+
+/// Of the centre, so that the teeth at the wall advance at `feed`: the wall is longer than the way of the centre.
+MmPerMin centre_feed(MmPerMin feed, double centre_radius, double wall_radius) {
+  return feed * (centre_radius / wall_radius);
+}
+
+}  // namespace
+
 Section bore_hole(const HoleWork& hole, double stepdown, const LinkOptions& options) {
   const double radius = hole.radius - options.tool_radius;
   const double top = hole.z_top + kBoreHeight;
@@ -100,12 +109,14 @@ Section bore_hole(const HoleWork& hole, double stepdown, const LinkOptions& opti
   MoveList list(hole.center + Vec2{radius, 0}, options.safe_z);
   list.vertical(hole.z_top + options.above_material, MoveKind::kRapid, {});
   list.vertical(top, MoveKind::kPlunge, options.plunge_feed);
+  const MmPerMin level = centre_feed(options.feed, radius, hole.radius);
+  const MmPerMin down = std::min(options.ramp_feed, level);
   for (int i = 1; i <= turns; ++i) {
     const double z = i == turns ? hole.z : top - (top - hole.z) * i / turns;
-    const MmPerMin feed = sinking_feed(options.feed, options.plunge_feed, 2 * kPi * radius, list.z() - z);
+    const MmPerMin feed = sinking_feed(down, options.plunge_feed, 2 * kPi * radius, list.z() - z);
     list.circle(hole.center, turn, z, MoveKind::kRamp, feed);
   }
-  list.circle(hole.center, turn, hole.z, MoveKind::kCut, options.feed);
+  list.circle(hole.center, turn, hole.z, MoveKind::kCut, level);
   list.line(hole.center, MoveKind::kLeadOut, options.feed);
   list.vertical(options.safe_z, MoveKind::kRapid, {});
   return section_of(list, options);

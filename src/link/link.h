@@ -18,6 +18,8 @@ struct LinkOptions {
   /// mm, absolute; height of rapids between passes, above all that stands; at most safe_z.
   double cross_z = 10;
   double above_material = 1;  ///< mm above the material where a rapid down ends and the plunge begins
+  /// mm that the rim of a cutter stays off the raw block where a rapid goes down beside it.
+  double beside_stock = 1;
   CutDirection direction = CutDirection::kClimb;
   bool spindle_clockwise = true;
   MmPerMin feed = MmPerMin::of(1000);

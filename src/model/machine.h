@@ -20,6 +20,13 @@ struct MachinePlaces {
   std::array<double, 3> second_reference{};        ///< G30
 };
 
+/// Which chips a machine takes, where its material's table states two.
+enum class MachineStiffness {
+  kUnknown,  ///< woods and plastics as a hobby machine, metals as a stiff one
+  kHobby,    ///< a light frame on belts or wheels
+  kStiff
+};
+
 /// A small 3-axis mill. Defaults are those of the measured comparisons (Grbl-style cornering).
 struct Machine {
   std::string name = "default";
@@ -37,6 +44,9 @@ struct Machine {
   std::optional<double> spindle_power_w;    ///< at the cutter, lasting
   std::optional<double> spindle_torque_nm;  ///< likewise
   std::optional<MmPerMin> max_feed;
+  std::optional<double> cutting_force_n;  ///< sideways at the cutter, lasting, that the frame bears
+  MachineStiffness stiffness = MachineStiffness::kUnknown;
+  std::optional<int> program_number;     ///< the O word of its programs, where nobody asks for another
   double spindle_wait_s = 0;             ///< a program has to wait for so long after the spindle starts
   double tool_change_s = 0;              ///< s, for the times
   std::optional<double> path_tolerance;  ///< mm; rounds corners by no more, where a program states no bound

@@ -25,6 +25,9 @@ struct WorkMaterial {
   std::array<double, 4> mill_feed = {};   ///< mm a tooth, at kFeedDiameters
   double drill_speed = 0;                 ///< m/min, high-speed steel
   std::array<double, 4> drill_feed = {};  ///< mm a turn, at kFeedDiameters
+  std::array<double, 4> hobby_feed = {};  ///< mm a tooth on light machines, at kFeedDiameters
+  /// N/mm2 (J/cm3) of whatever chip, for limits on power and force where Kienzle's values are not known.
+  double specific_energy = 0;
 
   /// Whether forces and wear are known; of woods and plastics they are not.
   bool has_forces() const { return kc11 > 0; }

@@ -368,13 +368,14 @@ std::string plans_corners_otherwise(const Situation& at) {
 }
 
 std::string bears_on_no_feeds(const Situation& at) {
-  if (at.plan.material) return "";
+  if (at.asked.shop.material) return "";
   const Machine& machine = at.plan.machine;
   return unless(any_step(at,
                          [&](const Workingstep&, const ResolvedStep& step) {
                            const bool at_top = step.spindle_rpm == machine.max_spindle_rpm &&
                                                step.spindle_rpm != kUsualTopRpm;
-                           return at_top || step.spindle_rpm == machine.min_spindle_rpm;
+                           return at_top || step.spindle_rpm == machine.min_spindle_rpm ||
+                                  step.feed == machine.max_feed;
                          }),
                 "its speeds and power bear on feeds by material alone; see --material");
 }

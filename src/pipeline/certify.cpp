@@ -152,6 +152,9 @@ PostOptions post_options_of(const ResolvedPlan& plan) {
   post.rapid = MmPerMin::of(std::max({speeds[0], speeds[1], speeds[2]}));
   if (!post.spindle_wait && plan.machine.spindle_wait_s > 0)
     post.spindle_wait = Seconds::of(plan.machine.spindle_wait_s);
+  const auto& numbered = plan.machine.program_number;
+  if (!post.program_number && numbered && post::program_number_of(post.dialect, post.program_name))
+    post.program_number = numbered;
   const auto& accepted = plan.accept;
   post.continuous = std::find(accepted.begin(), accepted.end(), "blending") != accepted.end();
   return post;
@@ -181,6 +184,10 @@ link::LinkOptions link_options(const ResolvedPlan& plan, int workingstep, EntryK
   link.link_lift = plan.link_lift;
   link.predrilled = features::holes_before(plan.part, workingstep, plan.tol);
   if (plan.part.stock) link.stock = plan.part.stock->plan;
+  // Raw stock is sawn: a rapid beside it keeps off by the cutter's radius, within limits that are usual.
+  constexpr double kLeastBeside = 1, kMostBeside = 2;  // mm
+  link.beside_stock = std::clamp(tool.radius(), kLeastBeside, kMostBeside) + plan.stock_oversize;
+  link.above_material += plan.stock_oversize;
   link.machine = plan.machine;
   return link;
 }

@@ -202,6 +202,41 @@ TEST(HolePlan, TapsFeedTheirPitchAndComeBackTurningTheOtherWay) {
   faulty("G98 G84 X5 Y-3 Z-9.5 R3 F424", "", FaultKind::kNothingCut);
 }
 
+/// Holes that one cycle makes are read back as those that have a cycle each, and certified by their own places.
+TEST(HolePlan, HolesOfOneCycleAreReadBackOneByOne) {
+  std::string holes = kBlock;
+  for (const Vec2 at : {Vec2{-8, -8}, Vec2{8, -8}, Vec2{8, 8}, Vec2{-8, 8}})
+    holes += circle("DRILL_D10", at, 1.5);
+  const Part part = drawn(holes);
+  for (const char* dialect : {"haas", "fanuc", "mazak", "tormach"}) {
+    SCOPED_TRACE(dialect);
+    auto options = with({"drill:3"});
+    options.post.dialect = dialect;
+    const PlanResult result = plan_part(part, options);
+    expect_clean(result);
+    EXPECT_EQ(result.program.find("G83"), result.program.rfind("G83")) << result.program;
+    EXPECT_EQ(result.findings.features.size(), 4U);
+    const std::string moved = std::string(dialect) == "tormach" ? "X-8 Y8" : "X-8. Y8.";
+    const std::string by = std::string(dialect) == "tormach" ? "X-7.9 Y8" : "X-7.9 Y8.";
+    if (result.program.find("\n" + moved) == std::string::npos) continue;  // the cycle's own block
+    const Findings wrong =
+        changed(part, result, "\n" + moved, "\n" + by, options, *read::gcode::dialect_named(dialect));
+    EXPECT_TRUE(has(wrong, FaultKind::kUncut) || has(wrong, FaultKind::kGouge)) << faults_of(wrong);
+  }
+}
+
+/// Whatever the material: what is deeper than three diameters is pecked.
+TEST(HolePlan, DeepHolesArePeckedInWoodAndPlastics) {
+  for (const char* material : {"softwood", "plywood", "mdf", "plastic"}) {
+    auto options = with({"drill:3"});
+    options.shop.material = material;
+    const PlanResult deep = plan_part(drawn(kBlock + circle("DRILL_D10", {0, 0}, 1.5)), options);
+    EXPECT_THAT(deep.program, HasSubstr("G98 G83 ")) << material;
+    const PlanResult shallow = plan_part(drawn(kBlock + circle("DRILL_D6", {0, 0}, 1.5)), options);
+    EXPECT_THAT(shallow.program, HasSubstr("G98 G81 ")) << material;
+  }
+}
+
 TEST(HolePlan, LeftHandTapsTurnTheOtherWay) {
   const PlanResult result = plan_part(with_circle("TAP_M6_LH_D7", 6), with({"drill:5", "tap:M6LH:floating"}));
   expect_clean(result);

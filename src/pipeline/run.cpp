@@ -242,7 +242,9 @@ Toolpath toolpath_of(const Selection& selection, const ResolvedPlan& plan, bool 
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     if (!selection.section(i).moves.empty()) toolpath.sections.push_back(selection.section(i));
   }
-  if (part.order_free) toolpath.sections = in_short_order(std::move(toolpath.sections), part);
+  if (part.order_free)
+    toolpath.sections =
+        in_short_order(std::move(toolpath.sections), part, post::repeats_cycles(plan.post.dialect));
   if (over_rests) keep_rapids_high(toolpath, plan);
   slow_down_slots(toolpath, plan);
   follow_load(toolpath, plan);
@@ -397,6 +399,18 @@ void warn_of_both_ways(const ResolvedPlan& plan, Diagnostics& diagnostics) {
   }
 }
 
+/// Says which O word is written where nobody chose one: a control may hold another program by that number.
+void tell_program_number(const ResolvedPlan& plan, Diagnostics& diagnostics) {
+  const PostOptions post = post_options_of(plan);
+  const std::string& name = post.program_name.empty() ? plan.part.name : post.program_name;
+  const auto number = post::program_number_of(post.dialect, name);
+  if (!number || post.program_number || *number != 1) return;
+  diagnostics.note("post",
+                   fmt::format("the program is number O{}, as nobody states one: --program-number, or "
+                               "program_number in the machine file",
+                               *number + post.programs_before));
+}
+
 /// Options of one kind of strategy, asked for with another, are refused where no step can use them, and else said.
 void refuse_what_means_nothing(const ResolvedPlan& plan, Diagnostics& diagnostics) {
   std::size_t unused = 0;
@@ -431,6 +445,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   resolve::tell_of_shallow(result.part, options.tol);
   refuse_what_means_nothing(plan, result.part.diagnostics);
   warn_of_both_ways(plan, result.part.diagnostics);
+  tell_program_number(plan, result.part.diagnostics);
   ProgressMeter meter(options.progress, options.cancel);
   const auto works = step_works(plan);
   const auto shares = work_shares(works, plan);

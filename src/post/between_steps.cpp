@@ -10,7 +10,33 @@ const Workingstep* step_of(const Section& section, const Part& part) {
   return known ? &part.workplan[static_cast<std::size_t>(section.workingstep)] : nullptr;
 }
 
+bool is_finishing(OperationKind kind) {
+  return kind == OperationKind::kFinishing || kind == OperationKind::kBottomFinishing ||
+         kind == OperationKind::kSideFinishing;
+}
+
 }  // namespace
+
+CutLevel level_of(const Section& section, const Part& part) {
+  const Workingstep* step = step_of(section, part);
+  if (step == nullptr) return CutLevel::kMedium;
+  if (is_finishing(step->operation.kind)) return CutLevel::kFinishing;
+  const bool leaves_stock = step->operation.allowance_side > 0 || step->operation.allowance_floor > 0;
+  const bool is_finished_later =
+      std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& other) {
+        return other.feature == step->feature && is_finishing(other.operation.kind);
+      });
+  return leaves_stock || is_finished_later ? CutLevel::kRoughing : CutLevel::kMedium;
+}
+
+std::vector<int> tool_changes_of(const Toolpath& toolpath) {
+  std::vector<int> tools;
+  for (const Section& section : toolpath.sections) {
+    const bool changes = section.tool_number > 0 && (tools.empty() || tools.back() != section.tool_number);
+    if (!section.moves.empty() && changes) tools.push_back(section.tool_number);
+  }
+  return tools;
+}
 
 std::vector<ProgramStop> Stops::before(const Section& section) {
   if (step_of(section, part_) == nullptr) return {};

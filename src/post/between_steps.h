@@ -36,6 +36,14 @@ struct MoveRun {
 /// The moves of the section, divided where the tool stands.
 std::vector<MoveRun> runs_of(const Section& section);
 
+/// How a section is cut, as a control's levels of smoothness tell it apart.
+enum class CutLevel { kRoughing = 1, kMedium = 2, kFinishing = 3 };
+/// Roughing leaves stock, or a finishing step follows on the same feature.
+CutLevel level_of(const Section& section, const Part& part);
+
+/// Tools in the order in which a program changes to them.
+std::vector<int> tool_changes_of(const Toolpath& toolpath);
+
 /// s that the tool stays at the floor of the hole that the section makes; 0 for most.
 double dwell_of(const Section& section, const Part& part);
 /// Whether the move ends at the lowest place of the section, from above.

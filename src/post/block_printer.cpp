@@ -1,5 +1,6 @@
 #include "post/block_printer.h"
 
+#include <algorithm>
 #include <string>
 
 #include "post/comment.h"
@@ -24,8 +25,12 @@ void BlockPrinter::word(char letter, long long ticks, const PrintGrid& grid) {
   append_number(block_, ticks, grid.decimals(), dialect_.always_point);
 }
 
+std::size_t BlockPrinter::packed_size() const {
+  return block_.size() - static_cast<std::size_t>(std::count(block_.begin(), block_.end(), ' '));
+}
+
 void BlockPrinter::end_block() {
-  const std::size_t number = numbered_ ? kLongestNumber : 0;
+  const std::size_t number = numbered_ || due_number_ > 0 ? kLongestNumber : 0;
   if (block_.size() + number > dialect_.line_length) std::erase(block_, ' ');
   line(block_);
   block_.clear();
@@ -36,6 +41,8 @@ void BlockPrinter::line(std::string_view text) {
   const bool is_block =
       !text.empty() && std::string_view("(;%O").find(text.front()) == std::string_view::npos;
   if (numbered_ && is_block) out_ += 'N' + std::to_string(next_number()) + ' ';
+  if (!numbered_ && is_block && due_number_ > 0) out_ += 'N' + std::to_string(due_number_) + ' ';
+  if (is_block) due_number_ = 0;
   out_ += text;
   out_ += '\n';
 }

@@ -19,8 +19,12 @@ class BlockPrinter {
   void word(std::string_view text);
   void word(char letter, long long ticks, const PrintGrid& grid);
   bool in_block() const { return !block_.empty(); }
+  /// Characters of the block begun, without its blanks.
+  std::size_t packed_size() const;
   /// Ends the block, without its spaces if the line would be too long for the control.
   void end_block();
+  /// The next block begins with this N word, unless all have theirs.
+  void number_next(int number) { due_number_ = number; }
   /// A whole line as it is, after its number.
   void line(std::string_view text);
   /// The program's number, or "", and its name, or "": in one block where there is room, as controls list them together.
@@ -35,7 +39,8 @@ class BlockPrinter {
 
   const IsoDialect& dialect_;
   bool numbered_;
-  int number_ = 0;  ///< of the block before
+  int number_ = 0;      ///< of the block before
+  int due_number_ = 0;  ///< of the next block; 0: none
   std::string out_;
   std::string block_;
 };

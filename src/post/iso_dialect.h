@@ -12,7 +12,7 @@ enum class CommentForm { kParentheses, kSemicolon };
 enum class PathControl {
   kNone,
   kTolerance,       ///< G64 P- Q0
-  kCornerRounding,  ///< G187 E-
+  kCornerRounding,  ///< G187 P- E-: P1 roughs, P3 finishes
   kContour,         ///< G642 CTOL=
   kExactStop        ///< G61: the control states no bound for what it rounds in G64
 };
@@ -69,6 +69,8 @@ struct IsoDialect {
   int program_digits = 0;     ///< of the O word; 0: none
   CommentForm comments = CommentForm::kParentheses;
   std::size_t line_length = 80;
+  std::size_t packed_length =
+      0;  ///< of a block without its blanks, as senders count it; 0: as long as the line
   std::string_view metric = "G21";
   std::string_view inches = "G20";
   std::string_view safe_start = "G17 G40 G49 G54 G80 G90 G91.1 G94";
@@ -92,6 +94,10 @@ struct IsoDialect {
   Tapping tapping = Tapping::kByWords;
   CycleForm cycles = CycleForm::kNone;
   bool entered_at_tools = false;  ///< shops begin at a tool after a reset, which ends the modes of the start
+  bool modal_cycles = false;      ///< one cycle for holes alike, whose places follow it
+  bool numbers_tools = false;     ///< N1, N2, ... where the work of a tool begins
+  bool preselects = false;        ///< the next tool is called while one works
+  bool table_forward = false;     ///< Y goes home at the end, too, which brings the work to the operator
   bool optional_stop = true;      ///< M1, which stops where the operator has asked for it
   bool block_numbers = true;      ///< N words are numbers alone
   bool dogleg_rapids = false;     ///< G0 need not be straight: z and plan move one after the other

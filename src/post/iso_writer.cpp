@@ -21,6 +21,17 @@ namespace clearcut::post {
 
 namespace {
 
+/// A cycle that has not been ended: places alone repeat it.
+struct OpenCycle {
+  DrillBlock hole;
+  std::string word;
+};
+
+bool is_same_cycle(const DrillBlock& a, const DrillBlock& b) {
+  return a.form == b.form && a.bottom.z == b.bottom.z && a.clear == b.clear && a.above == b.above &&
+         a.peck == b.peck && a.feed == b.feed;
+}
+
 /// What the control holds. Modal words are forgotten at a tool change, so that everything is said again.
 struct Held {
   Ticks at;
@@ -53,7 +64,10 @@ class IsoWriter {
 
   void begin_program();
   void set_path_control(bool first);
+  void set_level(const Section& section);
   void write_section(const Section& section);
+  bool repeats_cycle(const Section& section, bool new_tool);
+  void end_cycle();
   void write_moves(std::span<const Move> run, const Section& section, const Tool* tap);
   void write_stops(const std::vector<ProgramStop>& stops);
   void end_program();
@@ -61,7 +75,7 @@ class IsoWriter {
   void change_tool(int number);
   void load_by_changer(int number);
   void load_by_hand(int number);
-  void home();
+  void home(bool with_table = false);
   void set_spindle(const Section& section);
   void dwell(double seconds);
   void set_coolant(Coolant wanted);
@@ -100,6 +114,10 @@ class IsoWriter {
   std::vector<Step> steps_;
   Stops stops_;
   int sections_ = 0;  ///< written so far
+  std::optional<OpenCycle> open_;
+  CutLevel level_ = CutLevel::kMedium;
+  std::vector<int> changes_;  ///< tools in the order of their changes
+  std::size_t changed_ = 0;   ///< of them so far
 };
 
 StepRules IsoWriter::rules_for(const PostOptions& options, const IsoDialect& dialect) {
@@ -108,6 +126,10 @@ StepRules IsoWriter::rules_for(const PostOptions& options, const IsoDialect& dia
 }
 
 std::string IsoWriter::program(const Toolpath& toolpath) {
+  changes_ = tool_changes_of(toolpath);
+  const auto first = std::find_if(toolpath.sections.begin(), toolpath.sections.end(),
+                                  [](const Section& section) { return !section.moves.empty(); });
+  if (first != toolpath.sections.end()) level_ = level_of(*first, part_);
   begin_program();
   for (const Section& section : toolpath.sections) {
     if (!section.moves.empty()) write_section(section);
@@ -141,13 +163,21 @@ void IsoWriter::set_path_control(bool first) {
   const double blend = options_.tol.gouge / 2 / (options_.inch ? kMmPerInch : 1);
   if (dialect_.path_control == PathControl::kTolerance)
     out_.line(fmt::format("G64 P{} Q0", trimmed(blend, 6)));
-  if (dialect_.path_control == PathControl::kCornerRounding) out_.line("G187 E" + trimmed(blend, 6));
+  if (dialect_.path_control == PathControl::kCornerRounding)
+    out_.line(fmt::format("G187 P{} E{}", static_cast<int>(level_), trimmed(blend, 6)));
   if (dialect_.path_control == PathControl::kContour) out_.line("G642 CTOL=" + trimmed(blend, 6));
   if (dialect_.path_control != PathControl::kExactStop) return;
   // Said in the program, because a shop asks why the machine stops at every corner.
   if (first && !options_.continuous)
     out_.comment("EXACT STOP: G64 ROUNDS CORNERS BY NO STATED BOUND, --ACCEPT BLENDING GIVES IT");
   out_.line(options_.continuous ? "G64" : dialect_.exact_stop);
+}
+
+void IsoWriter::set_level(const Section& section) {
+  const CutLevel level = level_of(section, part_);
+  if (level == level_) return;
+  level_ = level;
+  if (dialect_.path_control == PathControl::kCornerRounding && !options_.exact_stop) set_path_control(false);
 }
 
 /// Halts with the tool above the work and the spindle standing.
@@ -166,14 +196,45 @@ void IsoWriter::write_stops(const std::vector<ProgramStop>& stops) {
   }
 }
 
+/// Whether the section is one more hole of the open cycle. Its place is written then.
+bool IsoWriter::repeats_cycle(const Section& section, bool new_tool) {
+  if (!open_ || new_tool || section.coolant != held_.coolant || !section.dwells.empty()) return false;
+  if ((section.spindle_clockwise ? section.spindle_rpm : -section.spindle_rpm) != held_.spindle) return false;
+  const double at_floor = dwell_of(section, part_);
+  const std::vector<Move> joined = with_lines_joined(section.moves, rules_.grid);
+  const auto hole = hole_at(joined, at_floor);
+  if (!hole || hole->moves != joined.size() || !is_same_cycle(*hole, open_->hole)) return false;
+  if (cycle_word(*hole, tap_of(section, part_), dialect_) != open_->word) return false;
+  if (held_.at.same_plan(hole->bottom)) return false;
+  out_.comment(operation_comment(section.workingstep >= 0 ? ++sections_ : 0, section.label));
+  axis_word('X', hole->bottom.x);
+  axis_word('Y', hole->bottom.y);
+  out_.end_block();
+  held_.at = {hole->bottom.x, hole->bottom.y, hole->above};
+  return true;
+}
+
+void IsoWriter::end_cycle() {
+  if (!open_) return;
+  open_.reset();
+  out_.line("G80");
+}
+
 void IsoWriter::write_section(const Section& section) {
-  write_stops(stops_.before(section));
+  const std::vector<ProgramStop> stops = stops_.before(section);
   const bool new_tool = section.tool_number > 0 && section.tool_number != held_.tool;
+  if (stops.empty() && repeats_cycle(section, new_tool)) return;
+  end_cycle();
+  write_stops(stops);
   // Without a tool length in force a height means nothing: the first tool change comes before any motion.
   if (new_tool && held_.height) retract();
   out_.comment(operation_comment(section.workingstep >= 0 ? ++sections_ : 0, section.label));
   held_.motion = -1;  // said again, so that the program can be entered here
-  if (new_tool) change_tool(section.tool_number);
+  if (new_tool) {
+    level_ = level_of(section, part_);
+    change_tool(section.tool_number);
+  }
+  set_level(section);
   set_spindle(section);
   set_coolant(section.coolant);
   approach(section.moves.front());
@@ -190,6 +251,7 @@ void IsoWriter::write_moves(std::span<const Move> run, const Section& section, c
   const std::vector<Move> joined = with_lines_joined(run, rules_.grid);
   const std::span<const Move> moves(joined);
   for (std::size_t i = 0; i < moves.size(); ++i) {
+    end_cycle();
     const auto hole = hole_at(moves.subspan(i), at_floor);
     if (hole && held_.height && held_.at.z == hole->above) {
       if (dialect_.cycles == CycleForm::kCalls)
@@ -257,7 +319,8 @@ void IsoWriter::write_hole(const DrillBlock& hole, const Tool* tap) {
   held_.feed = -1;
   feed_word(hole.feed);
   out_.end_block();
-  out_.line("G80");
+  open_ = OpenCycle{hole, std::string(word)};
+  if (!dialect_.modal_cycles) end_cycle();
   held_.at = {hole.bottom.x, hole.bottom.y, hole.above};
   held_.motion = -1;
   held_.feed = -1;
@@ -275,6 +338,7 @@ void IsoWriter::write_tap_move(const Move& move, const Section& section) {
 }
 
 void IsoWriter::end_program() {
+  end_cycle();
   if (held_.height) retract();
   set_coolant(Coolant::kOff);
   set_spindle({});
@@ -284,7 +348,7 @@ void IsoWriter::end_program() {
   if (end.kind == EndPosition::Kind::kHome) {
     for (const std::string& block : home_blocks(dialect_)) out_.line(block);
   } else if (end.kind != EndPosition::Kind::kStay) {
-    home();
+    home(end.kind != EndPosition::Kind::kPlace && dialect_.table_forward);
   }
   if (dialect_.end.empty()) {
     out_.comment(kEndComment);
@@ -297,6 +361,8 @@ void IsoWriter::end_program() {
 void IsoWriter::change_tool(int number) {
   set_coolant(Coolant::kOff);
   set_spindle({});
+  ++changed_;
+  if (dialect_.numbers_tools) out_.number_next(static_cast<int>(changed_));
   home();
   if (options_.optional_stop && held_.tool != 0) out_.line("M1");
   out_.comment(tool_change_comment(part_, number, options_.inch));
@@ -317,6 +383,8 @@ void IsoWriter::change_tool(int number) {
 
 void IsoWriter::load_by_changer(int number) {
   out_.line(fmt::format("T{} M6", number));
+  // The magazine turns while this tool works.
+  if (dialect_.preselects && changed_ < changes_.size()) out_.line(fmt::format("T{}", changes_[changed_]));
   if (length_offset() == LengthOffset::kPlain) out_.line("G43");
   if (length_offset() == LengthOffset::kNumbered) out_.line(fmt::format("G43 H{}", number));
   held_.length_due = length_offset() == LengthOffset::kWithApproach || length_offset() == LengthOffset::kEdge;
@@ -338,15 +406,18 @@ void IsoWriter::load_by_hand(int number) {
   out_.line(dialect_.pause_says_tool ? fmt::format("M0 INSERT T{}, TOUCH OFF Z", number) : "M0");
 }
 
-void IsoWriter::home() {
+/// Z to its home, `with_table` Y after it.
+void IsoWriter::home(bool with_table) {
   if (dialect_.home == HomeForm::kSafeHeight || dialect_.home == HomeForm::kSwitches) return;
   if (dialect_.home == HomeForm::kMachineZero) {
     out_.line("G53 G0 Z0.");
+    if (with_table) out_.line("G53 G0 Y0.");
   } else if (dialect_.home == HomeForm::kSuppressed) {
     out_.line("SUPA G0 Z0 D0");
     held_.motion = -1;
   } else {
     out_.line("G91 G28 Z0.");
+    if (with_table) out_.line("G28 Y0.");
     out_.line("G90");
   }
   held_.height = false;
@@ -490,6 +561,12 @@ void IsoWriter::feed_word(MmPerMin feed) {
   const long long ticks = std::max(1LL, feed_grid_.ticks(feed.mm_per_min()));
   if (ticks == held_.feed) return;
   held_.feed = ticks;
+  std::string word = "F";
+  append_number(word, ticks, feed_grid_.decimals(), dialect_.always_point);
+  // Where the block would be longer than senders take the feed stands in one of its own before it.
+  const bool is_long =
+      dialect_.packed_length > 0 && out_.packed_size() + word.size() > dialect_.packed_length;
+  if (is_long) return out_.line(word);
   out_.word('F', ticks, feed_grid_);
 }
 

@@ -116,6 +116,17 @@ std::string file_extension_of(const std::string& dialect) {
   return iso ? std::string(iso->extension) : ".ngc";
 }
 
+std::optional<int> program_number_of(const std::string& dialect, const std::string& program_name) {
+  const IsoDialect* const iso = iso_dialect_named(dialect);
+  if (iso == nullptr || iso->program_digits == 0) return std::nullopt;
+  return program_number(program_name);
+}
+
+bool repeats_cycles(const std::string& dialect) {
+  const IsoDialect* const iso = iso_dialect_named(dialect);
+  return iso != nullptr && iso->modal_cycles;
+}
+
 clearcut::PathControl path_control_of(const PostOptions& options) {
   const double within = options.tol.gouge / 2;
   const IsoDialect* const dialect = iso_dialect_named(options.dialect);

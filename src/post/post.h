@@ -18,6 +18,12 @@ const std::vector<std::string>& post_dialects();
 /// Customary ending of a program's file name: ".ngc", ".nc", ".h", ".tap", ".gcode".
 std::string file_extension_of(const std::string& dialect);
 
+/// The number that the O word of a program by that name says where nobody states one; nothing where the control has no O word.
+std::optional<int> program_number_of(const std::string& dialect, const std::string& program_name);
+
+/// Whether programs of the control say the places of holes alike behind one cycle.
+bool repeats_cycles(const std::string& dialect);
+
 /// Digits behind the point that lengths are written with: those asked for, else what the controller resolves.
 int decimals_of(const PostOptions& options);
 /// Largest distance in plan between a toolpath and the program written for it, mm: rounding to the printed

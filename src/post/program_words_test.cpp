@@ -152,7 +152,9 @@ TEST(ProgramWords, KlartextGoesStraightUpFromTheEndOfAHelix) {
 
 TEST(ProgramWords, BlocksAreNumberedInTens) {
   PostOptions options = post_for("haas");
-  const std::string plain = program(options);
+  // Without them the work of each tool alone has its number.
+  std::string plain = program(options);
+  for (const char* of_tool : {"\nN1 ", "\nN2 "}) plain.erase(plain.find(of_tool) + 1, 3);
   options.block_numbers = true;
   std::istringstream numbered(program(options));
   std::string line, without;
@@ -193,7 +195,7 @@ TEST(ProgramWords, FanucAndHaasCanBeEnteredAtEveryToolAfterAReset) {
   options.work_offset = {541, 7};
   EXPECT_THAT(at_second_tool(options), HasSubstr("T2 M6\nG17 G40 G80 G90 G94\nG54.1 P7\nG61\n"));
   options = post_for("haas");
-  EXPECT_THAT(at_second_tool(options), HasSubstr("T2 M6\nG17 G40 G54 G80 G90 G94\nG187 E0.0005\n"));
+  EXPECT_THAT(at_second_tool(options), HasSubstr("T2 M6\nG17 G40 G54 G80 G90 G94\nG187 P2 E0.0005\n"));
   // The others begin in modes of their own, or run through what comes before.
   EXPECT_THAT(at_second_tool(post_for("mach3")), Not(HasSubstr("G54")));
   EXPECT_THAT(at_second_tool(post_for("linuxcnc")), Not(HasSubstr("G54")));
@@ -234,6 +236,105 @@ TEST(ProgramWords, ControlsWithoutThemRefuseThem) {
     options.program_number = 7;
     EXPECT_THAT(refusal(options), HasSubstr("--program-number")) << dialect;
   }
+}
+
+/// A hole as link::drill_hole() makes it: over its centre at 10 mm, down, out again.
+Section drilled(Vec2 center, double depth, int workingstep) {
+  const Edge at = Edge::line(center, center);
+  Section section;
+  section.label = "HOLE" + std::to_string(workingstep + 1);
+  section.workingstep = workingstep;
+  section.tool_number = 1;
+  section.spindle_rpm = 3000;
+  section.moves = {{at, 10, 1, MoveKind::kRapid, {}, 0},
+                   {at, 1, -depth, MoveKind::kPlunge, MmPerMin::of(100), 0},
+                   {at, -depth, 10, MoveKind::kRapid, {}, 0}};
+  return section;
+}
+
+Part with_steps(std::size_t count) {
+  Part part;
+  Tool tool;
+  tool.number = 1;
+  tool.kind = ToolKind::kDrill;
+  tool.diameter = 5;
+  part.tools = {tool};
+  part.features.resize(count);
+  part.workplan.resize(count);
+  for (std::size_t i = 0; i < count; ++i) part.workplan[i].feature = static_cast<int>(i);
+  return part;
+}
+
+int count_of(const std::string& text, const std::string& what) {
+  int count = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
+  return count;
+}
+
+TEST(ProgramWords, HolesAlikeAreOneCycleAndTheirPlaces) {
+  Toolpath toolpath;
+  for (int i = 0; i < 3; ++i) toolpath.sections.push_back(drilled({10.0 * i, 5}, 6, i));
+  toolpath.sections.push_back(drilled({40, 5}, 8, 3));  // deeper
+  for (const char* dialect : {"haas", "fanuc", "mazak", "tormach"}) {
+    const std::string text = write_program(toolpath, with_steps(4), post_for(dialect));
+    EXPECT_EQ(count_of(text, "G81"), 2) << text;
+    EXPECT_EQ(count_of(text, "\nG80\n"), 2) << text;
+    const char* point = std::string(dialect) == "tormach" ? "" : ".";
+    EXPECT_THAT(text, HasSubstr(std::string("(OPERATION 2: HOLE2)\nX10") + point + " Y5" + point + "\n" +
+                                "(OPERATION 3: HOLE3)\nX20" + point + " Y5" + point + "\nG80\n"));
+  }
+  EXPECT_EQ(count_of(write_program(toolpath, with_steps(4), post_for("linuxcnc")), "G81"), 4);
+}
+
+TEST(ProgramWords, ACycleEndsBeforeAnythingElse) {
+  Part part = with_steps(3);
+  part.workplan[1].stops = {{StopKind::kHalt, "TURN THE CLAMP"}};
+  Toolpath toolpath;
+  for (int i = 0; i < 3; ++i) toolpath.sections.push_back(drilled({10.0 * i, 5}, 6, i));
+  EXPECT_EQ(count_of(write_program(toolpath, part, post_for("haas")), "G81"), 2);
+  toolpath.sections[2].spindle_rpm = 2000;
+  EXPECT_EQ(count_of(write_program(toolpath, part, post_for("haas")), "G81"), 3);
+  toolpath.sections[2].coolant = Coolant::kFlood;
+  const std::string text = write_program(toolpath, part, post_for("haas"));
+  EXPECT_LT(text.rfind("G80\n", text.find("M8")), text.find("M8"));
+}
+
+TEST(ProgramWords, ToolsHaveNumbersAndTheNextOneIsCalledAhead) {
+  for (const char* dialect : {"haas", "fanuc", "mazak"}) {
+    const std::string text = program(post_for(dialect));
+    EXPECT_THAT(text, HasSubstr("\nN1 G")) << dialect;
+    EXPECT_THAT(text, HasSubstr("\nN2 G")) << dialect;
+    EXPECT_THAT(text, Not(HasSubstr("N3 "))) << dialect;
+    EXPECT_THAT(text, HasSubstr("T1 M6\nT2\n")) << dialect;
+    EXPECT_THAT(text, Not(HasSubstr("T2 M6\nT"))) << dialect;
+    EXPECT_EQ(count_of(text, "\nG53 G0 Y0.\n") + count_of(text, "\nG28 Y0.\n"), 1)
+        << dialect << ": the table comes forward at the end";
+  }
+  PostOptions options = post_for("haas");
+  options.block_numbers = true;
+  EXPECT_THAT(program(options), Not(HasSubstr("\nN1 ")));
+  EXPECT_THAT(program(post_for("linuxcnc")), Not(HasSubstr("\nN")));
+}
+
+TEST(ProgramWords, HaasIsToldWhatRoughsAndWhatFinishes) {
+  Part part = with_steps(3);
+  part.tools[0].kind = ToolKind::kEndMill;
+  part.workplan[1].feature = 0;  // finishes what the first one roughs
+  part.workplan[1].operation.kind = OperationKind::kFinishing;
+  Toolpath toolpath;
+  for (int i = 0; i < 3; ++i) {
+    Section section = drilled({0, 0}, 1, i);
+    section.moves.insert(section.moves.begin() + 2,
+                         {Edge::line({0, 0}, {10, 0}), -1, -1, MoveKind::kCut, MmPerMin::of(300), 0});
+    section.moves.back().path = Edge::line({10, 0}, {10, 0});
+    toolpath.sections.push_back(section);
+  }
+  const std::string text = write_program(toolpath, part, post_for("haas"));
+  const std::size_t rough = text.find("G187 P1 E"), fine = text.find("G187 P3 E"),
+                    whole = text.find("G187 P2 E");
+  ASSERT_NE(whole, std::string::npos) << text;
+  EXPECT_LT(rough, fine);
+  EXPECT_LT(fine, whole);
 }
 
 }  // namespace

@@ -204,6 +204,21 @@ void lay_on_block(Part& part, const Stock& block, const ReadOptions& options, co
                                     "; correct one of them");
 }
 
+/// mm that profiles of drawings go below the stock where nobody says how far: the edge comes free without a burr.
+constexpr double kProfileBreakthrough = 0.3;
+
+/// Profiles that end at the underside of a stated stock go a little below it.
+void go_below_stock(Part& part, const ReadOptions& options) {
+  constexpr double kAtUnderside = 1e-6;  // mm
+  if (options.solid.breakthrough || !part.stock || part.is_solid) return;
+  for (Feature& feature : part.features) {
+    if (!feature.profile || !feature.through || feature.profile->beyond > 0) continue;
+    if (std::abs(feature.floor_z - part.stock->z_bottom) > kAtUnderside) continue;
+    feature.profile->beyond = kProfileBreakthrough;
+    feature.floor_z -= kProfileBreakthrough;
+  }
+}
+
 }  // namespace
 
 Part read_part_text(std::string_view text, const std::string& file_name, const ReadOptions& options) {
@@ -212,6 +227,7 @@ Part read_part_text(std::string_view text, const std::string& file_name, const R
   if (own.block) own.solid.stock = requested(*own.block);
   Part part = snapped(read_text(text, file_name, own));
   if (own.block && !part.is_solid) lay_on_block(part, *own.block, own, file_name);
+  go_below_stock(part, own);
   return part;
 }
 

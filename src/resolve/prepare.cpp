@@ -240,16 +240,25 @@ class Defaults {
 };
 
 /// Whatever was stated, no feed is above what the machine states.
-void limit_feeds(CuttingData& cutting, const Machine& machine, Sources& sources) {
-  const auto limit = [&](std::optional<MmPerMin>& feed, const char* name) {
-    if (!machine.max_feed || !feed || *feed <= *machine.max_feed) return;
-    feed = machine.max_feed;
-    sources.set(name, {Origin::kDerived, "the machine's max_feed"});
+void limit_feeds(CuttingData& cutting, const PlanOptions& options, Sources& sources) {
+  const Machine& machine = options.machine;
+  const auto keep_below = [&](std::optional<MmPerMin>& feed, MmPerMin most, const char* name,
+                              const char* by) {
+    if (!feed || *feed <= most) return;
+    feed = most;
+    sources.set(name, {Origin::kDerived, by});
   };
-  limit(cutting.feed, "feed");
-  limit(cutting.plunge_feed, "plunge-feed");
-  limit(cutting.ramp_feed, "ramp-feed");
-  limit(cutting.slot_feed, "slot-feed");
+  const AxisValues speeds = axis_speeds(machine);
+  const bool is_rapid_stated = options.sources.find("rapid") != nullptr;
+  const auto limit = [&](std::optional<MmPerMin>& feed, const char* name, double rapid) {
+    if (machine.max_feed) keep_below(feed, *machine.max_feed, name, "the machine's max_feed");
+    if (is_rapid_stated) keep_below(feed, MmPerMin::of(rapid), name, "the machine's rapid");
+  };
+  const double level = std::min(speeds[0], speeds[1]);
+  limit(cutting.feed, "feed", level);
+  limit(cutting.plunge_feed, "plunge-feed", speeds[2]);
+  limit(cutting.ramp_feed, "ramp-feed", level);
+  limit(cutting.slot_feed, "slot-feed", level);
 }
 
 /// What the material of the work says, of taps before their feed is tied to the speed. Adds what is told to `noted`.
@@ -258,8 +267,9 @@ void apply_material(Part& part, Workingstep& step, const PlanOptions& options, S
   const Tool& tool = tool_of(part, step);
   const Feature& feature = feature_of(part, step);
   const double stepdown = step.operation.stepdown.value_or(default_stepdown(tool, feature));
+  const double whole = feature.top_z - feature.floor_z;
   const FilledValues told = fill_cutting_values(
-      step.operation, tool, std::min(stepdown, feature.top_z - feature.floor_z), options, sources);
+      step.operation, tool, is_conical(tool) ? whole : std::min(stepdown, whole), options, sources);
   const auto is_new = [&](const std::string& text) {
     return std::find(noted.begin(), noted.end(), text) == noted.end();
   };
@@ -281,7 +291,7 @@ bool leaves_steps(const Feature& feature, const Tool& tool) {
 
 /// Fills what is still absent; returns the names of the values that were defaulted.
 std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, const Feature& feature,
-                                        const Machine& machine, Sources& sources) {
+                                        const PlanOptions& options, Sources& sources) {
   Defaults defaults(sources);
   auto& cutting = operation.cutting;
   const double stepdown = default_stepdown(tool, feature);
@@ -301,17 +311,38 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
   }
   defaults.fill(cutting.feed, MmPerMin::of(kDefaultFeed), "feed", {Origin::kDefault, "default: " + feed},
                 "feed " + feed);
-  limit_feeds(cutting, machine, sources);
+  limit_feeds(cutting, options, sources);
   defaults.fill(cutting.plunge_feed, *cutting.feed * kPlungeShare, "plunge-feed",
                 {Origin::kDerived, "30 % of the feed"});
   defaults.fill(cutting.ramp_feed, *cutting.feed * kRampShare, "ramp-feed",
                 {Origin::kDerived, "50 % of the feed"});
-  const double rpm = default_spindle(tool, machine);
+  const double rpm = default_spindle(tool, options.machine);
   defaults.fill(cutting.spindle_rpm, rpm, "spindle",
                 {Origin::kDefault, "default: 100 m/min at the circumference"},
                 "spindle " + trimmed(rpm, 0) + " rpm");
   defaults.fill(operation.direction, CutDirection::kClimb, "direction", {Origin::kDefault, "default: climb"});
   return defaults.defaulted();
+}
+
+/// Says where a mill takes far more at once than cutters of its diameter bear. Finishing cuts are thin, and so are those under a
+/// limit on the engagement.
+void tell_of_deep_steps(const Workingstep& step, const Tool& tool, const Feature& feature,
+                        const PlanOptions& options, Diagnostics& diagnostics,
+                        std::vector<std::string>& told) {
+  constexpr double kDeep = 2, kDeepWhereThin = 4;  // diameters
+  const bool finishes = step.operation.kind == OperationKind::kFinishing ||
+                        step.operation.kind == OperationKind::kSideFinishing;
+  if (!mills_upright(tool) || finishes || !step.operation.stepdown) return;
+  const double depth = std::min(*step.operation.stepdown, feature.top_z - feature.floor_z);
+  const bool thin = options.engagement_deg && *options.engagement_deg < 90;
+  if (depth <= (thin ? kDeepWhereThin : kDeep) * tool.diameter) return;
+  std::string text = fmt::format(
+      "T{} takes {} mm at once, {} times its diameter: a cutter of {} mm bears half of it to one "
+      "diameter; a smaller stepdown keeps it whole",
+      tool.number, trimmed(depth, 3), trimmed(depth / tool.diameter, 1), trimmed(tool.diameter, 3));
+  if (std::find(told.begin(), told.end(), text) != told.end()) return;
+  diagnostics.warn("stepdown", text);
+  told.push_back(std::move(text));
 }
 
 }  // namespace
@@ -403,11 +434,11 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
     const auto& tool = tool_of(part, step);
     const auto& feature = feature_of(part, step);
     if (tool.kind != ToolKind::kTap) apply_material(part, step, options, sources[step_key(step)], told);
-    for (auto& text :
-         apply_defaults(step.operation, tool, feature, options.machine, sources[step_key(step)])) {
+    for (auto& text : apply_defaults(step.operation, tool, feature, options, sources[step_key(step)])) {
       text += " (T" + std::to_string(tool.number) + ")";
       if (std::find(noted.begin(), noted.end(), text) == noted.end()) noted.push_back(text);
     }
+    tell_of_deep_steps(step, tool, feature, options, part.diagnostics, told);
   }
   for (const auto& text : noted) part.diagnostics.note("default", text);
   return part;

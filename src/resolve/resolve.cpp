@@ -221,8 +221,9 @@ std::optional<MarginRule> margin_rule_of(const ShopOptions& shop) {
 void resolve_shop(ResolvedPlan& plan, const ShopOptions& shop) {
   plan.margin = margin_rule_of(shop);
   plan.lead_overlap = shop.lead_overlap.value_or(0);
-  plan.overrun = shop.overrun.value_or(0);
+  plan.overrun = shop.overrun.value_or(shop.stock_oversize.value_or(0));  // what may stand there is cut, too
   plan.link_lift = shop.link_lift.value_or(0);
+  plan.stock_oversize = shop.stock_oversize.value_or(0);
   plan.link_feed = shop.link_feed;
   plan.slot_angle = Radians::of_degrees(shop.slot_angle_deg.value_or(kSlotAngle));
   plan.feed_rule = feed_rule_of(shop);

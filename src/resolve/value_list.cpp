@@ -204,8 +204,10 @@ std::string what_went_before(const std::optional<Toolpath>& earlier) {
 
 void list_shop(PlanList& list, const ResolvedPlan& plan, const ShopOptions& shop) {
   list.add("lead-overlap", trimmed(plan.lead_overlap, 6), "mm", shop.lead_overlap.has_value(), "0 mm");
-  list.add("overrun", trimmed(plan.overrun, 6), "mm", shop.overrun.has_value(), "0 mm");
+  list.add("overrun", trimmed(plan.overrun, 6), "mm", shop.overrun.has_value(),
+           shop.stock_oversize ? "the stock's oversize" : "0 mm");
   list.add("link-lift", trimmed(plan.link_lift, 6), "mm", shop.link_lift.has_value(), "0 mm");
+  list.add("stock-oversize", trimmed(plan.stock_oversize, 6), "mm", shop.stock_oversize.has_value(), "0 mm");
   list.add("link-feed", plan.link_feed ? text_of(*plan.link_feed) : "the feed",
            plan.link_feed ? "mm/min" : "", shop.link_feed.has_value(),
            "the feed, rapid through cut material");
@@ -261,6 +263,8 @@ void list_machine(PlanList& list, const Machine& machine) {
     list.add_of_machine("spindle-torque", trimmed(*machine.spindle_torque_nm, 3), "Nm");
   list.add_of_machine("max-feed", machine.max_feed ? text_of(*machine.max_feed) : "no limit",
                       machine.max_feed ? "mm/min" : "");
+  if (machine.cutting_force_n)
+    list.add_of_machine("cutting-force", trimmed(*machine.cutting_force_n, 3), "N");
   list.add_of_machine("travel", machine.travel ? "limited" : "no limit", "");
 }
 

@@ -103,7 +103,8 @@ TEST(CoolantWords, AreReadBackInEveryDialect) {
 TEST(CoolantWords, ThatAControlNeedNotHaveAreConditions) {
   const std::map<std::string, std::string> wanted{{"linuxcnc", ""}, {"grbl", "m7"},       {"fanuc", "m7"},
                                                   {"haas", "m83"},  {"mach3", ""},        {"mach4", ""},
-                                                  {"marlin", "m7"}, {"heidenhain", "m7"}, {"siemens", "m7"}};
+                                                  {"marlin", "m7"}, {"heidenhain", "m7"}, {"siemens", "m7"},
+                                                  {"mazak", "m7"},  {"tormach", ""}};
   ASSERT_EQ(wanted.size(), post::post_dialects().size());
   for (const auto& [dialect, condition] : wanted) {
     SCOPED_TRACE(dialect);
@@ -196,6 +197,9 @@ TEST(WorkOffsets, AreThoseOfTheControl) {
       {"mach4", {{"G55", "G59", "G54.1 P1", "G54.1 P99"}, "it has G54 to G59, G54.1 P1 to P248"}},
       {"marlin", {{}, "its programs have no work offsets; leave it out"}},
       {"heidenhain", {{}, "its zero is the preset that is active; leave it out"}},
+      {"mazak",
+       {{"G55", "G59", "G54.1 P1", "G54.1 P99", "G54.1 P300"}, "it has G54 to G59, G54.1 P1 to P300"}},
+      {"tormach", {{"G55", "G59", "G59.1", "G59.3"}, "it has G54 to G59, G59.1 to G59.3"}},
       {"siemens", {{"G55", "G505", "G599"}, "it has G54 to G57, G505 to G599"}}};
   ASSERT_EQ(has.size(), post::post_dialects().size());
   for (const auto& [dialect, words] : has) {
@@ -262,6 +266,8 @@ TEST(EndPositions, HomeIsZFirstInTheWordsOfTheControl) {
       {"haas", {" G53 G0 Z0. G53 G0 X0. Y0.", ""}},
       {"mach3", {stored, "g28-home"}},
       {"mach4", {stored, "g28-home"}},
+      {"tormach", {stored, "g28-home"}},
+      {"mazak", {" G91 G28 Z0. G28 X0. Y0. G90", ""}},
       {"siemens", {" SUPA G0 Z0 D0 SUPA G0 X0 Y0 D0", ""}},
       {"heidenhain", {" L Z+0 R0 FMAX M91 L X+0 Y+0 R0 FMAX M91", "m91"}}};
   for (const auto& [dialect, words] : wanted) {

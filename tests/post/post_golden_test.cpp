@@ -40,7 +40,9 @@ std::vector<Case> cases() {
   PostOptions place;
   place.end = *end_position_named("0,40");
   return {
-      {"end-home", {"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "siemens"}, home},
+      {"end-home",
+       {"linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3", "mach4", "siemens", "mazak", "tormach"},
+       home},
       {"end-place", post::post_dialects(), place},
       {"two-tools", post::post_dialects(), {}},
       {"circles", post::post_dialects(), {}},

@@ -17,8 +17,8 @@ namespace clearcut {
 namespace {
 
 /// Without Marlin: its programs name no tools, and which is put in at a pause only the plan knows (docs/posts.md).
-constexpr const char* kControls[] = {"linuxcnc",   "grbl",  "fanuc", "haas",
-                                     "heidenhain", "mach3", "mach4", "siemens"};
+constexpr const char* kControls[] = {"linuxcnc", "grbl",  "fanuc",   "haas",  "heidenhain",
+                                     "mach3",    "mach4", "siemens", "mazak", "tormach"};
 
 /// Verdict and the names of faults and conditions, those that are met included.
 std::string told(const Findings& findings) {

@@ -7,19 +7,20 @@ CHANGE = {"linuxcnc": ["G43"], "mach3": ["G43 H2"], "mach4": ["G43 H2"]}
 
 
 def drawing(depth, *circles):
-    """A block about the origin and circles at 10, 10, each a layer and a diameter."""
+    """A block about the origin and circles, each a layer, a diameter and a place on x (10 where none is said), y 10."""
     lines = ["0", "SECTION", "2", "HEADER", "9", "$INSUNITS", "70", "4", "0", "ENDSEC", "0", "SECTION", "2", "ENTITIES",
              "0", "LWPOLYLINE", "8", f"STOCK_D{depth}", "90", "4", "70", "1"]
     for x, y in [(-20, -20), (40, -20), (40, 40), (-20, 40)]:
         lines += ["10", str(x), "20", str(y)]
-    for layer, diameter in circles:
-        lines += ["0", "CIRCLE", "8", layer, "10", "10", "20", "10", "40", str(diameter / 2)]
+    for layer, diameter, *x in circles:
+        lines += ["0", "CIRCLE", "8", layer, "10", str(x[0] if x else 10), "20", "10", "40", str(diameter / 2)]
     return "\n".join(lines + ["0", "ENDSEC", "0", "EOF"]) + "\n"
 
 
 PARTS = {
     "tapped.dxf": drawing(12, ("TAP_M6_D7", 6)),
     "threaded.dxf": drawing(20, ("THREAD_M20x1.5_D8", 20)),
+    "places.dxf": drawing(12, ("DRILL_D6", 5, 10), ("DRILL_D6", 5, 20), ("DRILL_D6", 5, 30)),
     "sunk.dxf": drawing(12, ("DRILL_THRU", 4.5), ("CSK_DIA9", 9)),
 }
 
@@ -88,6 +89,14 @@ def sink(z=-4.3):
     return two_tools(-13.852, "M3 S3000", lambda p: cycle(p, "G81", z, 1, 100) if z else [])
 
 
+def places(*blocks):
+    """One cycle at 10, 10, and the words of the blocks after it, which repeat it."""
+    def change(p):
+        first = cycle(p, "G81", -6, 1, 200)
+        p.cut = [first[0]] + [" ".join(word[0] + p.t.n(float(word[1:])) for word in block.split()) for block in blocks] + [first[1]]
+    return change
+
+
 def holes():
     """Taps against their speed, threads against their helix, cones against their width."""
     c = Class("holes")
@@ -113,4 +122,10 @@ def holes():
     c.add("sink-deep", CYCLES, sink(-4.32), "FAULTY", "gouge", "sinks 20 um too deep", **sunk)
     c.add("sink-shallow", CYCLES, sink(-4.25), "FAULTY", "uncut", "sinks 50 um too little", **sunk)
     c.add("sink-missing", CYCLES, sink(None), "FAULTY", "nothing-cut", "leaves the countersink out", **sunk)
+    alike = {"part": "places.dxf", "tools": ["drill:5:T1"]}
+    modal = CYCLES + ["mazak", "tormach"]
+    c.right("right-places", modal, places("X20", "X30"), "drills three holes by one cycle", **alike)
+    c.add("place-missed", modal, places("X20", "X30.2"), "FAULTY", "gouge", "drills the third 0.2 mm aside", **alike)
+    c.add("place-missing", modal, places("X20"), "FAULTY", "nothing-cut", "leaves the third out", **alike)
+    c.add("place-deep", modal, places("X20", "X30 Z-6.1"), "FAULTY", "gouge", "drills the third deeper", **alike)
     return c.done()

@@ -9,8 +9,10 @@ WORD = ["linuxcnc", "grbl", "fanuc", "haas", "mach3", "mach4", "marlin"]
 ALL = WORD + ["heidenhain"]
 CHANGER = ["linuxcnc", "fanuc", "haas", "mach3", "mach4"]
 ENDING = {"linuxcnc": ".ngc", "grbl": ".nc", "fanuc": ".nc", "haas": ".nc", "mach3": ".tap", "mach4": ".tap",
-          "marlin": ".gcode", "heidenhain": ".H", "siemens": ".mpf"}
+          "marlin": ".gcode", "heidenhain": ".H", "siemens": ".mpf", "mazak": ".eia", "tormach": ".nc"}
 TOOL = ["endmill:6:T1"]
+#: Controls of machining centres with a magazine: numbers with points, the length on the way down.
+POINTED = ("fanuc", "haas", "mazak")
 
 
 class Text:
@@ -24,7 +26,7 @@ class Text:
         text = "0" if text in ("-0", "") else text
         if self.d == "heidenhain":
             return text if text.startswith("-") else "+" + text
-        if self.d in ("fanuc", "haas") and "." not in text:
+        if self.d in POINTED and "." not in text:
             text += "."
         return text
 
@@ -47,7 +49,7 @@ class Text:
     def dwell(self, seconds):
         if self.d == "heidenhain":
             return ["CYCL DEF 9.0 DWELL TIME", f"CYCL DEF 9.1 DWELL {seconds}"]
-        return ["G4 " + {"fanuc": f"X{seconds}.", "haas": f"P{seconds}.", "marlin": f"S{seconds}", "siemens": f"F{seconds}"}.get(
+        return ["G4 " + {"fanuc": f"X{seconds}.", "mazak": f"X{seconds}.", "haas": f"P{seconds}.", "marlin": f"S{seconds}", "siemens": f"F{seconds}"}.get(
             self.d, f"P{seconds}")]
 
 
@@ -75,17 +77,18 @@ class Program:
         self.units = [] if klartext else ["G710"] if d == "siemens" else ["G21"]
         self.modes = {"grbl": ["G17 G40 G49 G54 G80 G90 G91.1 G94"], "marlin": ["G90"], "heidenhain": [],
                       "fanuc": ["G17 G40 G49 G54 G80 G90 G94"], "haas": ["G17 G40 G49 G54 G80 G90 G94"],
+                      "mazak": ["G17 G40 G49 G54 G80 G90 G94"],
                       "siemens": ["G17 G40 G54 G90 G94"]}.get(
                           d, ["G17 G40 G49 G54 G80 G90 G91.1 G94"])
         self.path = {"grbl": [], "marlin": [], "siemens": ["G60"],
                      "heidenhain": ["CYCL DEF 32.0 TOLERANCE", "CYCL DEF 32.1 T0.0005"]}.get(d, ["G61"])
-        self.home = {"fanuc": ["G91 G28 Z0.", "G90"], "haas": ["G53 G0 Z0."], "siemens": ["SUPA G0 Z0 D0"]}.get(d, [])
+        self.home = {"fanuc": ["G91 G28 Z0.", "G90"], "mazak": ["G91 G28 Z0.", "G90"], "haas": ["G53 G0 Z0."], "siemens": ["SUPA G0 Z0 D0"]}.get(d, [])
         self.tool = {"grbl": ["T1"], "marlin": [], "heidenhain": ["TOOL CALL 1 Z S8000"]}.get(d, ["T1 M6"])
-        self.length = {"linuxcnc": ["G43"], "mach3": ["G43 H1"], "mach4": ["G43 H1"]}.get(d, [])
+        self.length = {"linuxcnc": ["G43"], "mach3": ["G43 H1"], "mach4": ["G43 H1"], "tormach": ["G43 H1"]}.get(d, [])
         self.spindle = ["M3"] if klartext else ["M3 S8000"]
         self.dwell = t.dwell(2)
         self.approach = [t.rapid(x=10, y=10), t.rapid(z=5)]
-        if d in ("fanuc", "haas"):
+        if d in POINTED:
             self.approach = [t.rapid(x=10, y=10), "G43 H1 Z5."]
         if d == "siemens":
             self.approach = [t.rapid(x=10, y=10), "D1 Z5"]
@@ -98,7 +101,7 @@ class Program:
     def text(self):
         blocks = (self.head + self.units + self.modes + self.path + self.home + self.tool + self.length + self.spindle +
                   self.dwell + self.approach + self.cut + self.after + self.retract + self.stop + self.home + self.tail)
-        if self.d == "fanuc":
+        if self.d in ("fanuc", "mazak"):
             blocks = ["%", "O1234"] + blocks + ["%"]
         if self.d == "haas":
             blocks = ["%", "O01234"] + blocks + ["%"]

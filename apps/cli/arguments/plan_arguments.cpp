@@ -14,7 +14,7 @@ namespace {
 
 /// Of the limits that nothing else states.
 void name_kind_as_source(Sources& sources) {
-  for (const char* limit : {"min-spindle", "max-spindle", "spindle-power"})
+  for (const std::string& limit : read::limits_of_kinds())
     if (!sources.find(limit)) sources.set(limit, {Origin::kUser, "--machine-kind"});
 }
 

@@ -8,8 +8,9 @@
 namespace clearcut::inline model {
 
 /// Their rows are in src/post/iso_dialect.cpp (Klartext has a writer of its own) and src/read/gcode/dialect.cpp.
-inline constexpr std::string_view kControllers[] = {"linuxcnc", "grbl",  "fanuc",  "haas",   "heidenhain",
-                                                    "mach3",    "mach4", "marlin", "siemens"};
+inline constexpr std::string_view kControllers[] = {"linuxcnc",   "grbl",  "fanuc",  "haas",
+                                                    "heidenhain", "mach3", "mach4",  "marlin",
+                                                    "siemens",    "mazak", "tormach"};
 
 inline std::vector<std::string> controller_names() {
   return {std::begin(kControllers), std::end(kControllers)};

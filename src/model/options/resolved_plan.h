@@ -91,6 +91,7 @@ struct ResolvedPlan {
   std::uint64_t seed = 1;
   int threads = 1;
   double lead_overlap = 0, overrun = 0, link_lift = 0;  ///< mm
+  double stock_oversize = 0;          ///< mm by which the stock may be larger than stated, beside and above
   std::optional<MmPerMin> link_feed;  ///< absent: the feed, or a rapid within a pass through cut material
   Radians slot_angle;                 ///< engagement above which the slot feed rules
   std::optional<MarginRule> margin;   ///< absent: not asked

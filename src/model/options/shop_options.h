@@ -32,6 +32,8 @@ struct ShopOptions {
   std::optional<double> finish_stock_floor;
   std::optional<std::string>
       dogbones;  ///< "corner", "t-bone": relief in inside corners, so that square parts fit
+  std::optional<double>
+      stock_oversize;                   ///< mm by which the stock may be larger than stated, beside and above
   std::optional<double> finish_depths;  ///< number of depths in which walls are finished
   std::optional<std::string> material;  ///< of the work, for forces and wear: a name of work_materials()
 

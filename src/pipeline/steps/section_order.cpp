@@ -1,7 +1,10 @@
 #include "pipeline/steps/section_order.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -198,16 +201,57 @@ Indices shorter(const Indices& turn, const std::vector<Section>& sections, const
   return rapids(ordered, sections, at) < rapids(turn, sections, at) ? ordered : turn;
 }
 
+/// What the section does besides its place, where it goes straight down and up at one place, as a cycle does; else "".
+std::string cycle_of(const Section& section) {
+  std::string text;
+  for (const Move& move : section.moves) {
+    if (!move.is_vertical() || move.path.from != begin_of(section)) return "";
+    text += fmt::format("{} {} {} {};", static_cast<int>(move.kind), move.z_from, move.z_to,
+                        move.feed.mm_per_min());
+  }
+  return text + fmt::format("{} {}", section.spindle_rpm, static_cast<int>(section.coolant));
+}
+
+/// The turn in groups of holes alike, in the order of their first ones; all else is one group. The whole turn where a section has to
+/// wait for one of another group.
+std::vector<Indices> alike(const Indices& turn, const std::vector<Section>& sections,
+                           const std::vector<Indices>& before) {
+  std::vector<std::string> keys;
+  std::vector<Indices> groups;
+  std::map<std::size_t, std::size_t> group_of;
+  for (const std::size_t i : turn) {
+    const std::string key = cycle_of(sections[i]);
+    const auto known = static_cast<std::size_t>(std::find(keys.begin(), keys.end(), key) - keys.begin());
+    if (known == keys.size()) {
+      keys.push_back(key);
+      groups.emplace_back();
+    }
+    groups[known].push_back(i);
+    group_of[i] = known;
+  }
+  for (const std::size_t i : turn) {
+    for (const std::size_t j : before[i]) {
+      const auto other = group_of.find(j);
+      if (other != group_of.end() && other->second != group_of.at(i)) return {turn};
+    }
+  }
+  return groups;
+}
+
 }  // namespace
 
-std::vector<Section> in_short_order(std::vector<Section> sections, const Part& part) {
+std::vector<Section> in_short_order(std::vector<Section> sections, const Part& part, bool alike_together) {
   const auto before = predecessors(sections, part);
   std::vector<Section> out;
   std::optional<Vec2> at;
   for (const Indices& turn : ToolTurns(sections, before).fewest()) {
-    for (const std::size_t i : shorter(turn, sections, before, at)) {
-      at = end_of(sections[i]);
-      out.push_back(std::move(sections[i]));
+    const Indices whole = shorter(turn, sections, before, at);
+    const auto groups = alike_together ? alike(whole, sections, before) : std::vector<Indices>{whole};
+    for (const Indices& group : groups) {
+      for (const std::size_t i : groups.size() == 1 ? whole : shorter(group, sections, before, at)) {
+        at = end_of(sections[i]);
+        out.push_back(std::move(sections[i]));
+      }
     }
   }
   return out;

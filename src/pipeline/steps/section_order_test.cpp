@@ -82,6 +82,36 @@ TEST(SectionOrder, HasEachSectionOnceAndKeepsTheOrderOfThoseThatMayMeet) {
   }
 }
 
+/// Holes of three depths mixed over a plate: each depth is drilled in one go where the control repeats its cycle.
+TEST(SectionOrder, KeepsHolesAlikeTogetherWhereItIsAskedFor) {
+  Random random(9);
+  Job job;
+  job.part.tools.resize(1);
+  for (int i = 0; i < 18; ++i) {
+    job.part.workplan.emplace_back();
+    const Vec2 at{300 * random.unit(), 300 * random.unit()};
+    const Edge place = Edge::line(at, at);
+    const double depth = -1.0 - i % 3;
+    Section section;
+    section.workingstep = i;
+    section.tool_number = 1;
+    section.moves = {{place, 5, depth, MoveKind::kPlunge, MmPerMin::of(100), 0},
+                     {place, depth, 5, MoveKind::kRapid, {}, 0}};
+    job.sections.push_back(section);
+  }
+  const auto changes = [](const std::vector<Section>& sections) {
+    int count = 0;
+    for (std::size_t i = 1; i < sections.size(); ++i)
+      count += sections[i].moves[0].z_to != sections[i - 1].moves[0].z_to ? 1 : 0;
+    return count;
+  };
+  const auto together = in_short_order(job.sections, job.part, true);
+  EXPECT_EQ(together.size(), job.sections.size());
+  EXPECT_EQ(changes(together), 2);
+  EXPECT_GT(changes(in_short_order(job.sections, job.part)), 4);
+  EXPECT_LT(rapids(together), rapids(job.sections));
+}
+
 TEST(SectionOrder, PutsSeparateHolesInAThirdOfTheRapidsAndTwoTurnsOfTools) {
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     const Job job = random_job(seed, 120, 0.01);

@@ -110,7 +110,9 @@ TEST(StepRule, ReadsWhatTheCommandLineAccepts) {
   EXPECT_EQ(parse_step_rule("3.5mm").value, 3.5);
   EXPECT_EQ(parse_step_rule("3.5mm").kind, StepRule::Kind::kMm);
   EXPECT_EQ(parse_step_rule("0.4").kind, StepRule::Kind::kFraction);
-  for (const char* bad : {"", "0", "1.01", "-3mm", "mm", "40%", "nan"})
+  EXPECT_EQ(parse_step_rule("40%").kind, StepRule::Kind::kFraction);
+  EXPECT_DOUBLE_EQ(parse_step_rule("40%").value, 0.4);
+  for (const char* bad : {"", "0", "1.01", "-3mm", "mm", "%", "0%", "101%", "40%mm", "nan"})
     EXPECT_THROW(parse_step_rule(bad), InputError) << bad;
 }
 

@@ -57,11 +57,12 @@ std::optional<double> number_in(const std::string& text) {
 }
 
 [[noreturn]] void refuse(const std::string& text) {
-  throw InputError("stepover",
-                   "'" + text +
-                       "' is none; use a fraction of the diameter above 0 and at most 1, a length such as "
-                       "3.5mm, lom, rho, second, lom-corrected, rho-corrected, widest, or several with "
-                       "commas, one a contour");
+  throw InputError(
+      "stepover",
+      "'" + text +
+          "' is none; use a fraction of the diameter above 0 and at most 1 (or 40%), a length such as "
+          "3.5mm, lom, rho, second, lom-corrected, rho-corrected, widest, or several with "
+          "commas, one a contour");
 }
 
 std::optional<StepRule> named_rule(const std::string& text) {
@@ -81,8 +82,9 @@ std::optional<StepRule> named_rule(const std::string& text) {
 
 StepRule single_rule(const std::string& text) {
   if (const auto rule = named_rule(text)) return *rule;
-  const bool mm = text.ends_with("mm");
-  const auto value = number_in(mm ? text.substr(0, text.size() - 2) : text);
+  const bool mm = text.ends_with("mm"), percent = text.ends_with("%");
+  auto value = number_in(text.substr(0, text.size() - (mm ? 2 : percent ? 1 : 0)));
+  if (value && percent) *value /= 100;
   if (!value || *value <= 0 || (!mm && *value > 1)) refuse(text);
   return {mm ? Kind::kMm : Kind::kFraction, *value};
 }

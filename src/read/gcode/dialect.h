@@ -21,7 +21,9 @@ enum class Dialect : unsigned char {
   kMach3,
   kMach4,
   kMarlin,
-  kSiemens
+  kSiemens,
+  kMazak,
+  kTormach
 };
 
 /// As options say it, one of kControllers: "linuxcnc", "grbl" and so on.

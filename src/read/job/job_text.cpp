@@ -171,7 +171,7 @@ const char* const kAfterPlan = R"(
 const char* const kOfMachine =
     R"(# max_feed = 3000          # mm/min
 # max_spindle = 24000      # rpm; min_spindle likewise
-# spindle_power = 800      # W, at the cutter; spindle_torque in Nm: for feeds by material
+# spindle_power = 450      # W, at the cutter; spindle_torque in Nm: for feeds by material
 # travel = {x = [0, 300], y = [0, 200], z = [-80, 20]}   # mm
 )";
 

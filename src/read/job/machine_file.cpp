@@ -1,6 +1,7 @@
 #include "read/job/machine_file.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
 #include "base/files/file.h"
@@ -10,6 +11,7 @@
 namespace clearcut::read {
 namespace {
 
+constexpr double kLargestProgramNumber = 99999;
 constexpr std::size_t kLargestMachineFile = std::size_t{1} << 20;
 
 std::array<std::array<double, 2>, 3> travel_of(DataSection section) {
@@ -100,11 +102,58 @@ std::optional<std::string> text_of(const std::filesystem::path& file) {
 
 }  // namespace
 
+namespace {
+
+/// What is usual for a kind of machine, where the machine itself states nothing else.
+struct KindOfMachine {
+  std::string_view name;
+  double min_rpm, max_rpm;
+  double power_w;                       ///< at the cutter, lasting
+  std::optional<double> max_feed = {};  ///< mm/min, of cuts
+  std::optional<double> force_n = {};   ///< sideways
+  MachineStiffness stiffness = MachineStiffness::kStiff;
+};
+
+// Sources are told in docs/feeds.md.
+const std::vector<KindOfMachine>& kinds_of_machines() {
+  static const std::vector<KindOfMachine> kinds{
+      {"router", 8000, 24000, 450, 3000, 80, MachineStiffness::kHobby},
+      {"industrial-router", 6000, 24000, 6000, 15000},
+      {"mill", 60, 6000, 1500},
+  };
+  return kinds;
+}
+
+template <typename Value, typename Usual>
+void fill(std::optional<Value>& value, const Usual& usual) {
+  if (!value) value = usual;
+}
+
+}  // namespace
+
+std::vector<std::string> machine_kinds() {
+  std::vector<std::string> names;
+  for (const KindOfMachine& kind : kinds_of_machines()) names.emplace_back(kind.name);
+  return names;
+}
+
 void fill_machine_kind(Machine& machine, const std::string& kind) {
-  const bool router = kind == "router";
-  if (!machine.min_spindle_rpm) machine.min_spindle_rpm = router ? 8000 : 60;
-  if (!machine.max_spindle_rpm) machine.max_spindle_rpm = router ? 24000 : 6000;
-  if (!machine.spindle_power_w && !machine.spindle_torque_nm) machine.spindle_power_w = router ? 800 : 1500;
+  const auto& kinds = kinds_of_machines();
+  const auto usual =
+      std::find_if(kinds.begin(), kinds.end(), [&](const KindOfMachine& one) { return one.name == kind; });
+  if (usual == kinds.end()) return;
+  fill(machine.min_spindle_rpm, usual->min_rpm);
+  fill(machine.max_spindle_rpm, usual->max_rpm);
+  if (!machine.spindle_torque_nm) fill(machine.spindle_power_w, usual->power_w);
+  if (usual->max_feed) fill(machine.max_feed, MmPerMin::of(*usual->max_feed));
+  if (usual->force_n) fill(machine.cutting_force_n, *usual->force_n);
+  machine.stiffness = usual->stiffness;
+}
+
+const std::vector<std::string>& limits_of_kinds() {
+  static const std::vector<std::string> limits{"min-spindle", "max-spindle", "spindle-power", "max-feed",
+                                               "cutting-force"};
+  return limits;
 }
 
 Machine machine_of_section(DataSection section, Machine base) {
@@ -114,11 +163,17 @@ Machine machine_of_section(DataSection section, Machine base) {
   if (const auto rpm = section.positive("min_spindle")) base.min_spindle_rpm = rpm;
   if (const auto power = section.positive("spindle_power")) base.spindle_power_w = power;
   if (const auto torque = section.positive("spindle_torque")) base.spindle_torque_nm = torque;
+  if (const auto feed = section.positive("max_feed")) base.max_feed = MmPerMin::of(*feed);
+  if (const auto force = section.positive("cutting_force")) base.cutting_force_n = force;
+  if (const auto number = section.positive("program_number")) {
+    if (*number != std::floor(*number) || *number > kLargestProgramNumber)
+      section.fail_at("program_number", "must be a whole number from 1 to 99999");
+    base.program_number = static_cast<int>(*number);
+  }
   if (const auto kind = section.choice("kind", machine_kinds()))
     fill_machine_kind(base, machine_kinds()[*kind]);
   if (base.max_spindle_rpm && base.min_spindle_rpm && *base.min_spindle_rpm > *base.max_spindle_rpm)
     section.fail("min_spindle is above max_spindle; correct one of them");
-  if (const auto feed = section.positive("max_feed")) base.max_feed = MmPerMin::of(*feed);
   if (const auto wait = section.not_negative("spindle_wait")) base.spindle_wait_s = *wait;
   if (const auto change = section.not_negative("tool_change")) base.tool_change_s = *change;
   if (const auto tolerance = section.not_negative("path_tolerance")) base.path_tolerance = tolerance;
@@ -147,7 +202,7 @@ Sources machine_sources_of(const DataValue& table, const std::string& file_name,
   if (const Source* name = out.find("name")) out.set("machine", Source(*name));
   if (const Source* kind = out.find("kind")) {
     const Source of_kind = *kind;
-    for (const char* limit : {"min-spindle", "max-spindle", "spindle-power"})
+    for (const std::string& limit : limits_of_kinds())
       if (!out.find(limit)) out.set(limit, of_kind);
   }
   return out;

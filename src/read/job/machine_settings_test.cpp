@@ -102,6 +102,24 @@ TEST(MachineSettings, AxesInToml) {
   EXPECT_NE(refusal("planner = \"grlb\"\n"), "");
 }
 
+TEST(MachineKinds, FillWhatTheMachineDoesNotState) {
+  const Machine router = read_machine_text("kind = \"router\"\n", "m.toml");
+  EXPECT_EQ(router.max_feed, MmPerMin::of(3000));
+  EXPECT_EQ(router.cutting_force_n, 80);
+  EXPECT_EQ(router.stiffness, MachineStiffness::kHobby);
+  const Machine own = read_machine_text(
+      "kind = \"router\"\nmax_feed = 1200\nspindle_power = 300\ncutting_force = 40\nprogram_number = 77\n",
+      "m.toml");
+  EXPECT_EQ(own.max_feed, MmPerMin::of(1200));
+  EXPECT_EQ(own.spindle_power_w, 300);
+  EXPECT_EQ(own.cutting_force_n, 40);
+  EXPECT_EQ(own.program_number, 77);
+  EXPECT_EQ(read_machine_text("kind = \"mill\"\n", "m.toml").stiffness, MachineStiffness::kStiff);
+  EXPECT_FALSE(read_machine_text("kind = \"mill\"\n", "m.toml").max_feed);
+  EXPECT_THROW(read_machine_text("program_number = 1.5\n", "m.toml"), InputError);
+  EXPECT_THROW(read_machine_text("kind = \"lathe\"\n", "m.toml"), InputError);
+}
+
 TEST(MachineLibrary, KnowsMachinesByUniqueNames) {
   std::set<std::string_view> names;
   for (const LibraryMachine& one : machine_library()) {

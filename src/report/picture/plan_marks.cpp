@@ -65,20 +65,6 @@ void draw_place(SvgWriter& svg, const PlanView& view, const Place& place, const 
 
 }  // namespace
 
-void draw_badge(SvgWriter& svg, Vec2 at, int number) {
-  svg.leaf("circle", {{"cx", svg_number(at.x)},
-                      {"cy", svg_number(at.y)},
-                      {"r", "12"},
-                      {"fill", "#ffffff"},
-                      {"stroke", report::palette::kInk},
-                      {"stroke-width", "1.4"}});
-  svg.text({at.x, at.y + 4.6}, std::to_string(number),
-           {{"font-size", "13"},
-            {"font-weight", "bold"},
-            {"text-anchor", "middle"},
-            {"fill", report::palette::kInk}});
-}
-
 void draw_scale_bar(SvgWriter& svg, const PlanView& view) {
   const double length = round_length(std::max(view.mm(view.width * 0.22), 1e-3));
   const Vec2 left{view.corner.x + 14, view.corner.y + view.height - 14};

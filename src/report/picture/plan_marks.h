@@ -1,4 +1,4 @@
-// Marks on a plan view, in page units: numbers, scale bar, worst places, faults.
+// Marks on a plan view, in page units: scale bar, worst places, faults.
 #pragma once
 
 #include <vector>
@@ -6,9 +6,6 @@
 #include "report/picture/plan_picture.h"
 
 namespace clearcut::report {
-
-/// A number in a disc.
-void draw_badge(SvgWriter& svg, Vec2 at, int number);
 
 /// A bar of 1, 2 or 5 times a power of ten mm, lower left.
 void draw_scale_bar(SvgWriter& svg, const PlanView& view);

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "geometry/rectangle.h"
+#include "report/picture/badges.h"
 #include "report/picture/job_view.h"
 #include "report/picture/palette.h"
 #include "report/picture/plan_lines.h"
@@ -338,7 +339,8 @@ Box world_of(const Job& job, int feature) {
   return framed(box);
 }
 
-void draw_overview(SvgWriter& svg, const PlanView& view, const Job& job) {
+void draw_overview(SvgWriter& svg, const PlanView& view, const Job& job,
+                   const std::vector<std::string>& badges) {
   open_world(svg, view);
   draw_material(svg, view, job.part, report::palette::depth_color(0));
   PathData seen;
@@ -348,9 +350,13 @@ void draw_overview(SvgWriter& svg, const PlanView& view, const Job& job) {
   for (const int feature : shallow_first(job.part)) draw_floor(svg, view, job, feature);
   svg.close();
   close_world(svg, view);
+  std::vector<Badge> wanted;
   for (int i = 0; i < static_cast<int>(job.part.features.size()); ++i) {
-    if (const auto p = label_point(job.part, i)) draw_badge(svg, view.page(*p), i + 1);
+    const auto p = label_point(job.part, i);
+    const std::string text = badges.empty() ? std::to_string(i + 1) : badges[static_cast<std::size_t>(i)];
+    if (p && !text.empty()) wanted.push_back({view.page(*p), text});
   }
+  draw_badges(svg, placed_apart(wanted, {view.corner, view.corner + Vec2{view.width, view.height}}));
   draw_faults(svg, view, job.findings, nullptr);
   draw_scale_bar(svg, view);
 }

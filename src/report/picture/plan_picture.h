@@ -40,8 +40,9 @@ Box world_of(const Job& job);
 Box world_of(const Job& job, int feature);
 
 /// Every floor in the shade of its depth, deeper over shallower as one sees them from above, each with the
-/// lines of its last layer and its number; faults.
-void draw_overview(SvgWriter& svg, const PlanView& view, const Job& job);
+/// lines of its last layer and its badge; faults. `badges`: a text for each feature, "" for none; empty: the features' numbers.
+void draw_overview(SvgWriter& svg, const PlanView& view, const Job& job,
+                   const std::vector<std::string>& badges = {});
 
 /// One feature: floor, what is left (reachable or not), tool impact, lines of the last layer, worst places.
 void draw_feature(SvgWriter& svg, const PlanView& view, const Job& job, int feature);

@@ -4,6 +4,7 @@
 #include "base/text/format.h"
 #include "model/results/told_faults.h"
 #include "model/section_names.h"
+#include "report/picture/badges.h"
 #include "report/picture/palette.h"
 #include "report/picture/plan_picture.h"
 #include "report/sheet/sheet_facts.h"
@@ -46,7 +47,7 @@ class Composer {
                      {"viewBox", "0 0 " + svg_number(kPictureWidth) + " " + svg_number(kPictureHeight)},
                      {"role", "img"},
                      {"aria-label", "The part from above with its zero"}});
-    draw_overview(svg, view, job);
+    draw_overview(svg, view, job, rows_of_features());
     const Vec2 zero = view.page({0, 0});
     PathData cross;
     cross.add(Edge::line(zero - Vec2{kZeroMark, 0}, zero + Vec2{kZeroMark, 0}));
@@ -151,11 +152,30 @@ class Composer {
             clock_time(time_of_tool(findings_, called))};
   }
 
-  std::string feed(MmPerMin feed) const { return trimmed(feed.mm_per_min() / unit_mm(), info_.inch ? 2 : 0); }
-  std::string feeds_of(const Operation& operation) const {
-    if (!operation.cutting.feed) return "";
-    const auto& plunge = operation.cutting.plunge_feed;
-    return feed(*operation.cutting.feed) + (plunge ? " / " + feed(*plunge) : "");
+  /// Of each feature, the rows of the table of operations that work on it.
+  std::vector<std::string> rows_of_features() const {
+    std::vector<std::vector<int>> rows(part_.features.size());
+    int row = 0;
+    for (const FeatureFindings& one : in_order_of_cutting(findings_, toolpath_)) {
+      const Workingstep& step = part_.workplan[static_cast<std::size_t>(one.workingstep)];
+      rows[static_cast<std::size_t>(step.feature)].push_back(++row);
+    }
+    std::vector<std::string> texts;
+    for (const std::vector<int>& of_feature : rows) texts.push_back(numbers_text(of_feature));
+    return texts;
+  }
+
+  std::string feed(double mm_per_min) const { return trimmed(mm_per_min / unit_mm(), info_.inch ? 2 : 0); }
+  std::string feed_range(const DrivenFeeds& feeds) const {
+    if (feeds.low > feeds.high) return "";
+    const std::string low = feed(feeds.low), high = feed(feeds.high);
+    return low == high ? high : low + " to " + high;
+  }
+  /// As the program says them: of cuts, and straight down.
+  std::string feeds_of(int workingstep) const {
+    const std::string cuts = feed_range(feeds_of_cuts(toolpath_, workingstep));
+    const std::string plunges = feed_range(feeds_of_plunges(toolpath_, workingstep));
+    return plunges.empty() ? cuts : (cuts.empty() ? "-" : cuts) + " / " + plunges;
   }
 
   std::vector<std::string> row_of_operation(const FeatureFindings& one, const std::string& name) const {
@@ -167,8 +187,8 @@ class Composer {
             number(feature.top_z),
             number(feature.floor_z),
             std::to_string(one.layers.size()),
-            operation.cutting.spindle_rpm ? trimmed(*operation.cutting.spindle_rpm, 0) : "",
-            feeds_of(operation),
+            speeds_of(toolpath_, one.workingstep),
+            feeds_of(one.workingstep),
             number(operation.allowance_side) + ", " + number(operation.allowance_floor),
             clock_time(one.figures.time_s)};
   }

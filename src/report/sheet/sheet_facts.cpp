@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "base/text/format.h"
 
@@ -24,7 +26,41 @@ std::string between(double low, double high, const std::string& low_side, const 
   return away + (low < 0 ? beyond : "before") + " the " + low_side;
 }
 
+DrivenFeeds feeds_of_moves(const Toolpath& toolpath, int workingstep,
+                           const std::function<bool(const Move&)>& counts) {
+  DrivenFeeds feeds;
+  for (const Section& section : toolpath.sections) {
+    if (section.workingstep != workingstep) continue;
+    for (const Move& move : section.moves) {
+      if (is_rapid(move.kind) || !counts(move)) continue;
+      feeds.low = std::min(feeds.low, move.feed.mm_per_min());
+      feeds.high = std::max(feeds.high, move.feed.mm_per_min());
+    }
+  }
+  return feeds;
+}
+
 }  // namespace
+
+DrivenFeeds feeds_of_cuts(const Toolpath& toolpath, int workingstep) {
+  return feeds_of_moves(toolpath, workingstep,
+                        [](const Move& move) { return move.kind == MoveKind::kCut && !move.is_vertical(); });
+}
+
+DrivenFeeds feeds_of_plunges(const Toolpath& toolpath, int workingstep) {
+  return feeds_of_moves(toolpath, workingstep,
+                        [](const Move& move) { return move.is_vertical() && move.z_to < move.z_from; });
+}
+
+std::string speeds_of(const Toolpath& toolpath, int workingstep) {
+  std::set<long long> speeds;
+  for (const Section& section : toolpath.sections)
+    if (section.workingstep == workingstep && section.spindle_rpm > 0)
+      speeds.insert(std::llround(section.spindle_rpm));
+  std::string text;
+  for (const long long speed : speeds) text += (text.empty() ? "" : ", ") + std::to_string(speed);
+  return text;
+}
 
 Extents extents_of(const Toolpath& toolpath, bool with_rapids) {
   Extents extents;

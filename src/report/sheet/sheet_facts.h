@@ -1,6 +1,7 @@
 // What a set-up sheet states, as numbers and sentences.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,18 @@
 #include "model/results/findings.h"
 
 namespace clearcut::report {
+
+/// mm/min, slowest and fastest; low above high: none.
+struct DrivenFeeds {
+  double low = HUGE_VAL;
+  double high = 0;
+};
+/// Of what a workingstep cuts along its passes, without plunges, ramps, leads and links.
+DrivenFeeds feeds_of_cuts(const Toolpath& toolpath, int workingstep);
+/// Straight down.
+DrivenFeeds feeds_of_plunges(const Toolpath& toolpath, int workingstep);
+/// "12000", or "8000, 12000" where sections of the workingstep differ.
+std::string speeds_of(const Toolpath& toolpath, int workingstep);
 
 /// Where the tips of all tools go, mm.
 struct Extents {

@@ -4,6 +4,8 @@
 //   f_z   feed per tooth, mm; of drills per turn    v_f = f_z z n
 //   k_c   specific force, N/mm2                     k_c1.1 h^-m_c [kienzle1957], h the mean chip, mm
 //   A     section of the cut, mm2                   P = k_c A v_f / 60000 W
+//   F     force along the circumference, N          F = P 60 / v_c
+//   L, E, I  the cutter as a beam from its holder   bend = F L^3 / (3 E I), I of 0.8 of the diameter
 #include "resolve/cutting/cutting_values.h"
 
 #include <fmt/format.h>
@@ -34,6 +36,13 @@ constexpr double kPowerShare = 0.8;
 constexpr double kMostThinning = 2;
 /// A stated value this many times above or below is told.
 constexpr double kFarOff = 2;
+/// Of the feed: what is cut all round on machines that bear little.
+constexpr double kSlotShare = 0.7;
+/// Chips of router bits are stated for cuts as deep as the cutter is wide; deeper ones take a quarter less for each diameter.
+constexpr double kDeeperShare = 0.25, kLeastDepthShare = 0.5;
+/// mm that a cutter may bend at its tip while it roughs; its core is so much of the diameter.
+constexpr double kMostBend = 0.05, kCore = 0.8;
+constexpr double kCarbideElasticity = 600000, kSteelElasticity = 210000;  // N/mm2
 
 double at_diameter(const std::array<double, 4>& feeds, double diameter) {
   if (diameter <= kFeedDiameters.front()) return feeds.front() * diameter / kFeedDiameters.front();
@@ -68,18 +77,40 @@ Suggestion of_hole_tool(const WorkMaterial& work, const Tool& tool) {
   return out;
 }
 
+/// mm; the diameter that meets the material: of a cone that of the circle at the top of its cut.
+double cutting_diameter(const Tool& tool, double depth) {
+  if (!is_conical(tool) || !(depth > 0)) return 2 * widest_radius(tool);
+  return std::min(2 * widest_radius(tool), 2 * radius_at(tool, depth));
+}
+
+/// Whether the chips are those of light machines: stated, or where nothing is, in woods and plastics, because those who cut them
+/// on stiff machines say so.
+bool takes_hobby_chips(const WorkMaterial& work, const Machine& machine) {
+  if (machine.stiffness == MachineStiffness::kUnknown) return !work.has_forces();
+  return machine.stiffness == MachineStiffness::kHobby;
+}
+
+/// Of the chip: what is left of it in cuts deeper than the cutter is wide, in woods and plastics.
+double share_at_depth(const WorkMaterial& work, double depth, double diameter) {
+  if (work.has_forces() || depth <= diameter) return 1;
+  return std::max(kLeastDepthShare, 1 - kDeeperShare * (depth / diameter - 1));
+}
+
 /// Of what mills: carbide unless the tool says high-speed steel.
-Suggestion of_mill(const WorkMaterial& work, const Tool& tool) {
-  const double share = is_conical(tool) ? kConeShare : 1;
-  Suggestion out{work.mill_speed, at_diameter(work.mill_feed, tool.diameter * share),
+Suggestion of_mill(const WorkMaterial& work, const Tool& tool, const Machine& machine, double depth) {
+  const double diameter = cutting_diameter(tool, depth);
+  const auto& feeds = takes_hobby_chips(work, machine) ? work.hobby_feed : work.mill_feed;
+  Suggestion out{work.mill_speed,
+                 at_diameter(feeds, is_conical(tool) ? diameter * kConeShare : tool.diameter),
                  static_cast<double>(tool.teeth)};
+  if (!is_conical(tool)) out.tooth *= share_at_depth(work, depth, diameter);
   if (tool.high_speed_steel.value_or(false)) out.speed /= kCarbide;
   if (tool.kind == ToolKind::kThreadMill) out.tooth *= kThreadShare;
   return out;
 }
 
-Suggestion suggestion_for(const WorkMaterial& work, const Tool& tool) {
-  Suggestion out = plunges(tool) ? of_hole_tool(work, tool) : of_mill(work, tool);
+Suggestion suggestion_for(const WorkMaterial& work, const Tool& tool, const Machine& machine, double depth) {
+  Suggestion out = plunges(tool) ? of_hole_tool(work, tool) : of_mill(work, tool, machine, depth);
   if (tool.coated) out.speed *= kCoating;
   return out;
 }
@@ -102,9 +133,35 @@ std::optional<double> allowed_power(const Machine& machine, double rpm) {
 }
 
 /// mm/min; the feed at which a cut of `section` mm2 takes `power`, its mean chip being `chip` times the feed.
-/// P = k h^-m A v / 60000 with h = chip v gives v^(1 - m) = 60000 P chip^m / (k A).
+/// P = k h^-m A v / 60000 with h = chip v gives v^(1 - m) = 60000 P chip^m / (k A); woods and plastics take the same of every chip.
 double feed_at_power(const WorkMaterial& work, double power, double section, double chip) {
+  if (!work.has_forces()) return power * 60000 / (work.specific_energy * section);
   return base::pow(power * 60000 * base::pow(chip, work.mc) / (work.kc11 * section), 1 / (1 - work.mc));
+}
+
+/// N sideways that bend the cutter by as much as is allowed; absent where its holder is not known.
+std::optional<double> bending_force(const Tool& tool) {
+  if (!tool.stickout || !(*tool.stickout > 0)) return std::nullopt;
+  const double core = kCore * tool.diameter;
+  const double inertia = kPi * core * core * core * core / 64;
+  const double elasticity = tool.high_speed_steel.value_or(false) ? kSteelElasticity : kCarbideElasticity;
+  const double length = *tool.stickout;
+  return 3 * elasticity * inertia * kMostBend / (length * length * length);
+}
+
+/// mm/min; what no feed of a cut is above, and what says so.
+struct FeedLimit {
+  double most = HUGE_VAL;
+  const char* by = "";
+};
+
+/// Of the machine: the greatest feed that it states, and the slower rapid of X and Y.
+FeedLimit feed_limit(const Machine& machine) {
+  const AxisValues speeds = axis_speeds(machine);
+  FeedLimit limit{std::min(speeds[0], speeds[1]), "the machine's rapid"};
+  if (machine.max_feed && machine.max_feed->mm_per_min() <= limit.most)
+    limit = {machine.max_feed->mm_per_min(), "the machine's max_feed"};
+  return limit;
 }
 
 class Filler {
@@ -114,7 +171,7 @@ class Filler {
       : operation_(operation), tool_(tool), work_(work), options_(options), sources_(sources) {}
 
   FilledValues fill(const Suggestion& start, double depth) {
-    fill_speed(start);
+    fill_speed(start, depth);
     if (tool_.kind != ToolKind::kTap) fill_feed(start, depth);
     return std::move(told_);
   }
@@ -134,12 +191,24 @@ class Filler {
     return limit;
   }
 
-  void fill_speed(const Suggestion& start) {
-    const double wanted = start.speed * 1000 / (kPi * 2 * widest_radius(tool_));
+  /// rpm; where the machine's feed is the limit, routers turn more slowly, because thin chips burn wood and melt plastics.
+  double slowed(double rpm, const Suggestion& start, std::string& why) const {
+    if (plunges(tool_) || work_.has_forces()) return rpm;
+    const FeedLimit limit = feed_limit(options_.machine);
+    const double kept = limit.most / (start.tooth * start.teeth * thinning(options_.engagement_deg));
+    if (kept >= rpm) return rpm;
+    why += fmt::format(", slower so that {} keeps the chip", limit.by);
+    return kept;
+  }
+
+  void fill_speed(const Suggestion& start, double depth) {
+    const double circle = plunges(tool_) ? 2 * widest_radius(tool_) : cutting_diameter(tool_, depth);
+    const double wanted = start.speed * 1000 / (kPi * circle);
     const Limit top = most_rpm();
     double rpm = std::min(wanted, top.most);
     std::string why = fmt::format("{}: {} m/min", work_.name, trimmed(start.speed, 1));
     if (wanted > top.most) why += fmt::format(", no more than {} rpm, {}", trimmed(top.most, 0), top.by);
+    rpm = slowed(rpm, start, why);
     if (rpm >= 100) rpm = std::floor(rpm / 10) * 10;
     const double least = std::min(options_.machine.min_spindle_rpm.value_or(0), top.most);
     // A tap is no mill: far above its speed it breaks, so it keeps the one that it needs, and is refused where its feed is tied to it.
@@ -164,19 +233,31 @@ class Filler {
 
   /// Of the whole width and the stepdown; what only goes down cuts its own circle.
   double section(double depth) const {
-    return plunges(tool_) ? kPi * tool_.diameter * tool_.diameter / 4 : depth * tool_.diameter;
+    if (plunges(tool_)) return kPi * tool_.diameter * tool_.diameter / 4;
+    return is_conical(tool_) ? depth * cutting_diameter(tool_, depth) / 2 : depth * tool_.diameter;
   }
 
   void limit_by_power(double& feed, const Suggestion& start, double depth, std::string& why) const {
     const double rpm = *operation_.cutting.spindle_rpm;
-    const auto power = allowed_power(options_.machine, rpm);
-    if (!power || !work_.has_forces() || !(depth > 0)) return;
+    if (!(depth > 0) || (!work_.has_forces() && !(work_.specific_energy > 0))) return;
     // Mean chip of a slot: 2 / pi of the feed a tooth; of a drill half the feed a turn across its two edges.
     const double chip = (plunges(tool_) ? 0.5 : 2 / kPi) / (start.teeth * rpm);
-    const double most = feed_at_power(work_, *power, section(depth), chip);
-    if (feed <= most) return;
-    feed = most;
-    why += ", no more than 80 % of the spindle's power";
+    const auto keep_below = [&](std::optional<double> power, const char* by) {
+      if (!power) return;
+      const double most = feed_at_power(work_, *power, section(depth), chip);
+      if (feed <= most) return;
+      feed = most;
+      why += fmt::format(", no more than {}", by);
+    };
+    keep_below(allowed_power(options_.machine, rpm), "80 % of the spindle's power");
+    if (plunges(tool_)) return;
+    // A force along the circumference takes its speed as power.
+    const double speed = kPi * cutting_diameter(tool_, depth) * rpm / 60000;  // m/s
+    const auto power_of = [&](std::optional<double> force) {
+      return force ? std::optional<double>(*force * speed) : std::nullopt;
+    };
+    keep_below(power_of(options_.machine.cutting_force_n), "the force that the machine bears");
+    keep_below(power_of(bending_force(tool_)), "what bends the cutter by 0.05 mm");
   }
 
   void fill_feed(const Suggestion& start, double depth) {
@@ -188,12 +269,28 @@ class Filler {
                                   plunges(tool_) && start.teeth == 1 ? "turn" : "tooth");
     if (thin > 1) why += fmt::format(" and {} times that for thin chips", trimmed(thin, 2));
     limit_by_power(feed, start, depth, why);
-    if (options_.machine.max_feed && feed > options_.machine.max_feed->mm_per_min()) {
-      feed = options_.machine.max_feed->mm_per_min();
-      why += ", no more than the machine's max_feed";
+    const FeedLimit limit = feed_limit(options_.machine);
+    if (feed > limit.most) {
+      feed = limit.most;
+      why += fmt::format(", no more than {}", limit.by);
     }
     if (feed >= 20) feed = std::floor(feed);
     take_feed(feed, wanted, why);
+    fill_slot_feed(wanted);
+  }
+
+  /// Chips of light machines are those of half the width: what is cut all round takes less. A feed that something else has
+  /// brought down as far already stays.
+  void fill_slot_feed(double wanted) {
+    CuttingData& cutting = operation_.cutting;
+    if (plunges(tool_) || !clears_floors(tool_) || cutting.slot_feed) return;
+    if (!takes_hobby_chips(work_, options_.machine) || options_.shop.feed_by) return;
+    const double slot = std::floor(kSlotShare * wanted);
+    const Source* of_feed = sources_.find("feed");
+    if (!of_feed || of_feed->origin != Origin::kDerived || !(slot < cutting.feed->mm_per_min())) return;
+    cutting.slot_feed = MmPerMin::of(slot);
+    sources_.set("slot-feed",
+                 {Origin::kDerived, fmt::format("70 % of {}'s feed, all round (docs/feeds.md)", work_.name)});
   }
 
   void take_feed(double feed, double wanted, const std::string& why) {
@@ -207,7 +304,13 @@ class Filler {
     }
     if (cutting.plunge_feed) return;
     cutting.plunge_feed = plunges(tool_) ? *cutting.feed : *cutting.feed * kPlungeShare;
-    sources_.set("plunge-feed", {Origin::kDerived, plunges(tool_) ? "the feed" : "30 % of the feed"});
+    std::string down = plunges(tool_) ? "the feed" : "30 % of the feed";
+    const MmPerMin z_rapid = MmPerMin::of(axis_speeds(options_.machine)[2]);
+    if (*cutting.plunge_feed > z_rapid) {
+      cutting.plunge_feed = z_rapid;
+      down += ", no more than the machine's rapid";
+    }
+    sources_.set("plunge-feed", {Origin::kDerived, down});
   }
 
   /// `wanted` by the table; `limited` what machine and tool leave of it.
@@ -240,7 +343,8 @@ FilledValues fill_cutting_values(Operation& operation, const Tool& tool, double 
   if (!options.shop.material || !(tool.diameter > 0)) return {};
   const auto work = work_material_named(*options.shop.material);
   if (!work) return {};
-  return Filler(operation, tool, *work, options, sources).fill(suggestion_for(*work, tool), depth);
+  return Filler(operation, tool, *work, options, sources)
+      .fill(suggestion_for(*work, tool, options.machine, depth), depth);
 }
 
 }  // namespace clearcut::resolve
