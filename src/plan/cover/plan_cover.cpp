@@ -35,7 +35,8 @@ void complete(Path& path, const LegalArea& legal, const ClearingComponent& compo
 
 }  // namespace
 
-LayerPasses plan_cover(const Layer& layer, const CoverEffort& effort, const Tolerances& tol) {
+LayerPasses plan_cover(const Layer& layer, double corner_price, const CoverEffort& effort,
+                       const Tolerances& tol) {
   ClearingArea area = clearing_area(layer, tol);
   LayerPasses result = std::move(area.walls);
   result.strategy = "cover";
@@ -53,6 +54,7 @@ LayerPasses plan_cover(const Layer& layer, const CoverEffort& effort, const Tole
     CoverTask task;
     task.area = component.rest;
     task.radius = radius;
+    task.corner_price = corner_price;
     if (!legal.area().surely_holds(box(component.rest).grown(kRoomOfPath * radius))) task.legal = &legal;
     const CoverResult found = shortest_cover(task, effort);
     if (found.points.empty())

@@ -14,10 +14,12 @@ constexpr double kLeastGain = 1e-7;
 /// Steps of corners begin with this share of the radius.
 constexpr double kFirstStep = 0.4;
 constexpr int kDirections = 6;
-/// What a corner counts, in radii: of paths of nearly equal length those with few corners are searched and cut faster.
-constexpr double kCornerPrice = 1e-4;
 /// A change that makes the path longer by more radii than this before it is pulled taut is taken back at once.
-constexpr double kWorthPulling = 0.7;
+constexpr double kWorthPulling = 0.35;
+/// The same after its corners were pulled once.
+constexpr double kWorthPullingOn = 0.1;
+/// Nearest corners from which a way round walls is looked for.
+constexpr std::size_t kCornersAsked = 30;
 /// A path has at least so many corners.
 constexpr int kFewestCorners = 3;
 
@@ -99,15 +101,22 @@ Shortening::Insertion Shortening::cheapest(Vec2 bare) {
 
 bool Shortening::clear(std::vector<Vec2> bare) {
   const double r2 = witnesses_.radius() * witnesses_.radius();
-  std::vector<Vec2> uncovered;  // by insertions: none, as detours clear what they replace or add to `bare`
+  std::vector<Vec2> uncovered;
   while (!bare.empty()) {
     const int asked = 1 + static_cast<int>(random_.below(4));
     Insertion chosen;
-    for (int i = 0; i < asked; ++i) {
-      const Insertion insertion = cheapest(bare[random_.below(bare.size())]);
-      if (insertion.after < 0) return false;
-      if (chosen.after < 0 || insertion.cost > chosen.cost) chosen = insertion;
+    bool around = false;
+    for (int i = 0; i < asked && !around; ++i) {
+      const Vec2 p = bare[random_.below(bare.size())];
+      const Insertion insertion = cheapest(p);
+      if (insertion.after < 0) {
+        if (!visit_around(p, bare)) return false;
+        around = true;
+      } else if (chosen.after < 0 || insertion.cost > chosen.cost) {
+        chosen = insertion;
+      }
     }
+    if (around) continue;
     uncovered.clear();
     const Corner c = path_.insert_after(chosen.after, chosen.at, uncovered);
     const Corner a = path_.previous(c), b = path_.next(c);
@@ -118,16 +127,40 @@ bool Shortening::clear(std::vector<Vec2> bare) {
       return (!path_.is_nowhere(a) && clears(path_.at(a), path_.at(c), p, r2)) ||
              (!path_.is_nowhere(b) && clears(path_.at(c), path_.at(b), p, r2));
     });
-    if (bare.size() >= before) {
-      // Rounding: the point that was asked for lies on the rim.
-      if (uncovered.empty()) bare.erase(bare.begin());
-    }
+    // Rounding: the point that was asked for lies on the rim.
+    if (bare.size() >= before && uncovered.empty()) bare.erase(bare.begin());
   }
   return true;
 }
 
-void Shortening::erase(Corner c, std::vector<Vec2>& bare) {
-  path_.erase(c, bare);
+/// Goes to p and back round what is in the way, from the nearest corner that a path leads from. What is cleared so is taken out of
+/// `bare`. False if there is no such corner.
+bool Shortening::visit_around(Vec2 p, std::vector<Vec2>& bare) {
+  if (!limits_.bends) return false;
+  std::vector<std::pair<double, Corner>> corners;
+  for (Corner c = 0; c < path_.index_limit(); ++c)
+    if (path_.is_alive(c) && !path_.is_nowhere(c)) corners.push_back({distance(path_.at(c), p), c});
+  std::sort(corners.begin(), corners.end());
+  if (corners.size() > kCornersAsked) corners.resize(kCornersAsked);
+  for (const auto& [away, corner] : corners) {
+    const auto bends = limits_.bends(path_.at(corner), p);
+    if (!bends) continue;
+    std::vector<Vec2> line(bends->begin(), bends->end());
+    line.push_back(p);
+    line.insert(line.end(), bends->rbegin(), bends->rend());
+    line.push_back(path_.at(corner));
+    Corner at = corner;
+    for (const Vec2 place : line) at = path_.insert_after(at, place, bare);
+    line.insert(line.begin(), path_.at(corner));
+    const double r2 = witnesses_.radius() * witnesses_.radius();
+    std::erase_if(bare, [&](Vec2 q) {
+      for (std::size_t i = 1; i < line.size(); ++i)
+        if (clears(line[i - 1], line[i], q, r2)) return true;
+      return false;
+    });
+    return true;
+  }
+  return false;
 }
 
 bool Shortening::pull_corner(Corner c, double finest) {
@@ -221,7 +254,7 @@ bool Shortening::cut_corner(Corner c, double finest) {
       ++k;
       const double length = distance(before, p) + distance(p, after);
       ++work_;
-      if (length >= best - kCornerPrice * radius) continue;
+      if (length >= best - limits_.corner_price) continue;
       line[2] = p;
       if (!all_cleared(line.data(), 5)) continue;
       if (limits_.may_move && !(may_move(before, p) && may_move(p, after))) continue;
@@ -230,7 +263,7 @@ bool Shortening::cut_corner(Corner c, double finest) {
       k = 0;
     }
   }
-  const bool shorter = best < first_length - 2 * kCornerPrice * radius;
+  const bool shorter = best < first_length - 2 * limits_.corner_price;
   if (!shorter) return false;
   move_corner(c, at);
   // Two moves of one line: what they clear together is what it cleared.
@@ -277,7 +310,7 @@ bool Shortening::pull_move(Corner c, double finest) {
       for (const double out : {0.0, 0.1, 0.3}) {
         const Vec2 x =
             middle + out * ((middle - path_.at(has_a ? a : c)) + (middle - path_.at(has_b ? b : d)));
-        if (length_through(x, x) > best + kCornerPrice * radius || !works(x, x)) continue;
+        if (length_through(x, x) > best + limits_.corner_price || !works(x, x)) continue;
         if (x != was_p) path_.place(c, x);
         path_.lay(c, d);
         std::vector<Vec2> none;
@@ -309,6 +342,11 @@ bool Shortening::pull_move(Corner c, double finest) {
 }
 
 void Shortening::pull(std::vector<Corner> corners, double finest) {
+  const std::size_t most = 4 * corners.size() + 8;
+  pull_some(std::move(corners), finest, most);
+}
+
+void Shortening::pull_some(std::vector<Corner> corners, double finest, std::size_t most) {
   std::vector<char> waits(static_cast<std::size_t>(path_.index_limit()), 0);
   const auto push = [&](Corner c) {
     if (path_.is_nowhere(c) || is_fixed(c)) return;
@@ -321,7 +359,6 @@ void Shortening::pull(std::vector<Corner> corners, double finest) {
   std::vector<Corner> start;
   std::swap(start, corners);
   for (const Corner c : start) push(c);
-  const std::size_t most = 4 * corners.size() + 8;
   for (std::size_t i = 0; i < corners.size() && i < most; ++i) {
     const Corner c = corners[i];
     waits[static_cast<std::size_t>(c)] = 0;
@@ -359,7 +396,7 @@ bool Shortening::take_out_stretch(std::vector<Vec2>& bare) {
   const int count = 1 + static_cast<int>(random_.below(7));
   for (int i = 0; i < count && path_.corners() > kFewestCorners; ++i) {
     const Corner following = path_.next(c);
-    if (!is_fixed(c)) erase(c, bare);
+    if (!is_fixed(c)) path_.erase(c, bare);
     c = following;
     if (path_.is_nowhere(c)) c = path_.next(c);
   }
@@ -377,7 +414,7 @@ bool Shortening::take_out_disc(std::vector<Vec2>& bare) {
   std::sort(inside.begin(), inside.end());
   inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
   for (const Corner c : inside)
-    if (!is_fixed(c) && path_.corners() > kFewestCorners) erase(c, bare);
+    if (!is_fixed(c) && path_.corners() > kFewestCorners) path_.erase(c, bare);
   return true;
 }
 
@@ -440,7 +477,7 @@ bool Shortening::move_stretch(std::vector<Vec2>& bare) {
                        consider);
   if (places.empty()) return false;
   const Place place = places[random_.below(places.size())];
-  for (const Corner corner : stretch) erase(corner, bare);
+  for (const Corner corner : stretch) path_.erase(corner, bare);
   if (place.turned) std::reverse(points.begin(), points.end());
   Corner at = place.a;
   for (const Vec2 p : points) at = path_.insert_after(at, p, bare);
@@ -469,7 +506,7 @@ bool Shortening::change(double tolerance, double finest) {
   if (row == 2) changed = join_otherwise(bare);
   if (row == 3) changed = move_stretch(bare);
   const int corners_before = path_.corners();
-  const double price = kCornerPrice * witnesses_.radius();
+  const double price = limits_.corner_price;
   const double allowed = before + tolerance * random_.unit() * random_.unit();
   if (changed && limits_.may_move) {
     for (const Corner c : path_.changed_since(mark)) {
@@ -499,7 +536,11 @@ bool Shortening::change(double tolerance, double finest) {
     changed = clear(std::move(bare));
   }
   if (changed && path_.length() < before + kWorthPulling * witnesses_.radius()) {
-    pull(path_.changed_since(mark), finest);
+    std::vector<Corner> changed_corners = path_.changed_since(mark);
+    const std::size_t count = changed_corners.size();
+    pull_some(std::move(changed_corners), finest, count);
+    if (path_.length() < before + kWorthPullingOn * witnesses_.radius())
+      pull(path_.changed_since(mark), finest);
     if (path_.length() + price * (path_.corners() - corners_before) <=
         allowed - kLeastGain * witnesses_.radius()) {
       path_.forget();

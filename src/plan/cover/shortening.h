@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/random.h"
@@ -14,7 +15,10 @@ using MayMove = std::function<bool(Vec2 from, Vec2 to)>;
 
 struct ShorteningLimits {
   bool fixed_start = false;  ///< the first corner of an open path stays where it is
+  double corner_price = 0;   ///< mm that a corner counts as
   MayMove may_move;
+  /// Bends of the shortest path from one place to the other, absent where there is none; empty: all are straight.
+  std::function<std::optional<std::vector<Vec2>>(Vec2 from, Vec2 to)> bends;
 };
 
 /// The changes that a search for a short path is made of. Each keeps all witness points cleared, or can be taken back.
@@ -61,7 +65,8 @@ class Shortening {
   bool take_out_disc(std::vector<Vec2>& bare);
   bool join_otherwise(std::vector<Vec2>& bare);
   bool move_stretch(std::vector<Vec2>& bare);
-  void erase(Corner c, std::vector<Vec2>& bare);
+  bool visit_around(Vec2 p, std::vector<Vec2>& bare);
+  void pull_some(std::vector<Corner> corners, double finest, std::size_t most);
 
   CoverPath& path_;
   Witnesses& witnesses_;

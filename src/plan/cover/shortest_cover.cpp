@@ -16,21 +16,30 @@ namespace {
 /// The pitch of witness points is wider than wanted where there would be more than these.
 constexpr double kMostWitnesses = 4e6;
 /// Paths are searched with a disc smaller by this share, so that places between witnesses vanish soon.
-constexpr double kReserve = 2e-4;
+constexpr double kReserve = 2e-5;
+/// Places on the boundary that are searched lie so far apart, in radii.
+constexpr double kBoundaryStep = 1e-4;
+/// A place is left when it is farther from the path than the radius and this share of it.
+constexpr double kRounding = 1e-9;
 /// A part of the search. Lengths in radii.
 struct Phase {
-  double pitch;            ///< of witness points
-  double share;            ///< of the steps
-  double of_rest;          ///< of the time that is left
+  double pitch;    ///< of witness points
+  double reserve;  ///< by which the disc is smaller meanwhile, so that little is left between witnesses
+  double share;    ///< of the steps
+  double of_rest;  ///< of the time that is left
   double first_tolerance;  ///< longer paths are kept up to so much, at first
   double last_tolerance;
   bool learns;  ///< looks for what lies between the witnesses
 };
-constexpr Phase kPhases[] = {{0.12, 0.5, 0.5, 0.06, 0.015, false}, {0.06, 0.5, 1, 0.015, 0.002, true}};
+constexpr Phase kPhases[] = {{0.12, 0.02, 0.4, 0.4, 0.06, 0.02, false},
+                             {0.07, 0.006, 0.35, 0.6, 0.02, 0.004, true},
+                             {0.05, kReserve, 0.25, 1, 0.004, 0.001, true}};
 /// Share of the time that is kept for the end.
 constexpr double kFinishing = 0.08;
 /// Steps of corners, in radii: while searching and at the end.
 constexpr double kCoarse = 0.02, kFine = 5e-4;
+/// What a corner counts at least, in radii: of paths of nearly equal length those with few corners are searched faster.
+constexpr double kLeastCornerPrice = 3e-4;
 constexpr int kMostRepairs = 40;
 /// Witnesses that a stretch of the boundary becomes that is left.
 constexpr int kPlacesOfStretch = 6;
@@ -38,7 +47,7 @@ constexpr int kPlacesOfStretch = 6;
 constexpr double kGroup = 0.4;
 constexpr int kPlacesOfHole = 8;
 /// Shares of the search after which it looks for what lies between the witnesses.
-constexpr double kLearning = 0.2;
+constexpr double kLearning = 0.34;
 
 class Search {
  public:
@@ -94,15 +103,18 @@ class Search {
 
   Candidate build(std::vector<Vec2> points, const std::vector<Vec2>& extra) const {
     Candidate candidate;
-    candidate.witnesses = std::make_unique<Witnesses>(task_.area, task_.radius * (1 - kReserve), pitch_);
+    candidate.witnesses = std::make_unique<Witnesses>(task_.area, task_.radius * (1 - reserve_), pitch_);
     for (const Vec2 p : extra) candidate.witnesses->add_point(p, 0);
     const Vec2 last = points.back();
     while (points.size() < 3) points.push_back(last);
     candidate.path = std::make_unique<CoverPath>(points, task_.closed, *candidate.witnesses);
     ShorteningLimits limits;
     limits.fixed_start = task_.start && !task_.closed;
-    if (task_.legal != nullptr)
+    if (task_.legal != nullptr) {
       limits.may_move = [legal = task_.legal](Vec2 a, Vec2 b) { return legal->area().holds_line(a, b); };
+      limits.bends = [legal = task_.legal](Vec2 a, Vec2 b) { return legal->bends(a, b); };
+    }
+    limits.corner_price = std::max(task_.corner_price, kLeastCornerPrice * task_.radius);
     candidate.shortening =
         std::make_unique<Shortening>(*candidate.path, *candidate.witnesses, std::move(limits), effort_.seed);
     return candidate;
@@ -136,7 +148,10 @@ class Search {
     for (std::size_t i = 0; i < std::size(kPhases); ++i) {
       if (i > 0) {
         pitch_ = std::max(kPhases[i].pitch * task_.radius, least_pitch_);
+        reserve_ = kPhases[i].reserve;
         rebuild(candidate, candidate.path->points());
+        candidate.shortening->pull_all(kCoarse * task_.radius, 3);
+        candidate.path->forget();
       }
       anneal(candidate, kPhases[i]);
     }
@@ -193,7 +208,7 @@ class Search {
     for (std::size_t i = 1; i < line.size(); ++i)
       if (line[i] != line[i - 1]) path.push_back(Edge::line(line[i - 1], line[i]));
     if (path.empty()) path.push_back(Edge::line(line.front(), line.front()));
-    const Cover cover(path, task_.radius * (1 - 1e-7));
+    const Cover cover(path, task_.radius * (1 + kRounding));
     std::vector<Vec2> left = cover.holes([&](Vec2 p) { return inside_.contains(p); });
     add_inner_places(cover, left);
     // Where the rim of what is cleared leaves the area, its own corners lie outside.
@@ -221,7 +236,7 @@ class Search {
         for (int k = 0; k <= kPlacesOfHole; ++k) {
           const Vec2 p{box.min.x + box.width() * i / kPlacesOfHole,
                        box.min.y + box.height() * k / kPlacesOfHole};
-          if (cover.distance_to(p) > task_.radius * (1 - 1e-7) && inside_.contains(p)) left.push_back(p);
+          if (cover.distance_to(p) > task_.radius * (1 + kRounding) && inside_.contains(p)) left.push_back(p);
         }
       }
     }
@@ -230,12 +245,12 @@ class Search {
   /// Places of each stretch that is left. The boundary is searched in steps so short that what lies
   /// between two of them is thinner than the reserve.
   void add_left_on(const Edge& edge, const Cover& cover, std::vector<Vec2>& left) const {
-    const double step = kReserve * task_.radius;
+    const double step = kBoundaryStep * task_.radius;
     const double length = edge.length();
     double begun = -1;
     for (double along = 0;;) {
       const double away =
-          along < length ? cover.distance_to(edge.at(along / length)) - task_.radius * (1 - 1e-7) : 0;
+          along < length ? cover.distance_to(edge.at(along / length)) - task_.radius * (1 + kRounding) : 0;
       if (away > 0 && begun < 0) begun = along;
       if (away <= 0 && begun >= 0) {
         for (int k = -1; k <= kPlacesOfStretch + 1; ++k) {
@@ -280,6 +295,7 @@ class Search {
   std::chrono::steady_clock::time_point began_;
   LegalArea inside_;
   double pitch_ = 0, least_pitch_ = 0;
+  double reserve_ = kPhases[0].reserve;
   std::uint64_t spent_ = 0;
   std::vector<Candidate> candidates_;
   std::vector<Vec2> extra_;

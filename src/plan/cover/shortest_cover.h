@@ -19,6 +19,7 @@ struct CoverTask {
   double radius = 0;  ///< of the disc
   bool closed = false;
   std::optional<Vec2> start;          ///< of open paths: where they begin
+  double corner_price = 0;            ///< mm that a corner counts as, for what the machine loses there
   const LegalPaths* legal = nullptr;  ///< where the centre may be; null: everywhere
 };
 
