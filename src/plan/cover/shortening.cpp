@@ -20,6 +20,10 @@ constexpr double kWorthPulling = 0.35;
 constexpr double kWorthPullingOn = 0.1;
 /// Nearest corners from which a way round walls is looked for.
 constexpr std::size_t kCornersAsked = 30;
+/// Steps that a change counts at least, so that searches of tiny areas end.
+constexpr std::uint64_t kLeastWork = 200;
+/// Points are cleared by the cheapest insertions up to so many times their number; then by ways there and back, which leave nothing bare.
+constexpr std::size_t kInsertionsPerPoint = 2, kInsertionsAtLeast = 100;
 /// A path has at least so many corners.
 constexpr int kFewestCorners = 3;
 
@@ -102,7 +106,13 @@ Shortening::Insertion Shortening::cheapest(Vec2 bare) {
 bool Shortening::clear(std::vector<Vec2> bare) {
   const double r2 = witnesses_.radius() * witnesses_.radius();
   std::vector<Vec2> uncovered;
+  std::size_t left = kInsertionsAtLeast + kInsertionsPerPoint * bare.size();
   while (!bare.empty()) {
+    if (left == 0) {
+      if (!visit_around(bare.back(), bare)) return false;
+      continue;
+    }
+    --left;
     const int asked = 1 + static_cast<int>(random_.below(4));
     Insertion chosen;
     bool around = false;
@@ -136,14 +146,13 @@ bool Shortening::clear(std::vector<Vec2> bare) {
 /// Goes to p and back round what is in the way, from the nearest corner that a path leads from. What is cleared so is taken out of
 /// `bare`. False if there is no such corner.
 bool Shortening::visit_around(Vec2 p, std::vector<Vec2>& bare) {
-  if (!limits_.bends) return false;
   std::vector<std::pair<double, Corner>> corners;
   for (Corner c = 0; c < path_.index_limit(); ++c)
     if (path_.is_alive(c) && !path_.is_nowhere(c)) corners.push_back({distance(path_.at(c), p), c});
   std::sort(corners.begin(), corners.end());
   if (corners.size() > kCornersAsked) corners.resize(kCornersAsked);
   for (const auto& [away, corner] : corners) {
-    const auto bends = limits_.bends(path_.at(corner), p);
+    const auto bends = limits_.bends ? limits_.bends(path_.at(corner), p) : std::vector<Vec2>{};
     if (!bends) continue;
     std::vector<Vec2> line(bends->begin(), bends->end());
     line.push_back(p);
@@ -158,6 +167,7 @@ bool Shortening::visit_around(Vec2 p, std::vector<Vec2>& bare) {
         if (clears(line[i - 1], line[i], q, r2)) return true;
       return false;
     });
+    std::erase(bare, p);
     return true;
   }
   return false;
@@ -497,6 +507,7 @@ bool Shortening::move_stretch(std::vector<Vec2>& bare) {
 bool Shortening::change(double tolerance, double finest) {
   const std::size_t mark = path_.mark();
   const double before = path_.length();
+  work_ += kLeastWork;
   std::vector<Vec2> bare;
   const auto kind = random_.below(10);
   const int row = kind < 4 ? 0 : kind < 6 ? 1 : kind < 8 ? 2 : 3;

@@ -142,6 +142,15 @@ TEST(ShortestCover, StopsWhenCancelled) {
   EXPECT_ANY_THROW(shortest_cover(task, effort));
 }
 
+TEST(ShortestCover, TinyAreasEndTheSearch) {
+  CoverTask task;
+  task.area = {box_region(0, 0, 0.01, 0.01)};
+  task.radius = 5;
+  const CoverResult result = shortest_cover(task, brief());
+  EXPECT_TRUE(result.proven);
+  EXPECT_LT(result.length, 0.1);
+}
+
 TEST(ShortestCover, NothingToClearIsNoPath) {
   EXPECT_TRUE(shortest_cover({}, brief()).points.empty());
 }
