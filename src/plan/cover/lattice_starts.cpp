@@ -1,10 +1,12 @@
 #include "plan/cover/lattice_starts.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <map>
 
+#include "base/progress.h"
 #include "base/units.h"
 #include "geometry/route/legal_area.h"
 #include "order/solve.h"
@@ -175,7 +177,11 @@ std::vector<Vec2> ordered(const std::vector<Vec2>& points, const LatticeStartOpt
   solve.stop.rounds = 2;
   const auto objective = order::weighted_sum(
       {{1.0, order::length_objective()}, {kTurnPrice * options.radius, order::turns_objective()}});
+  std::atomic<bool> stop = false;
+  const std::stop_callback on_cancel(options.cancel, [&stop] { stop = true; });
+  solve.stop.cancel = &stop;
   const order::Tour tour = order::solve(problem, *objective, solve).tour;
+  throw_if_cancelled(options.cancel);
   std::vector<Vec2> path;
   order::each_edge(problem, tour, [&](int a, int b) {
     const std::vector<Vec2> way = order::move_points(problem, a, b);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <stop_token>
 #include <vector>
 
 #include "geometry/region.h"
@@ -15,6 +16,7 @@ struct LatticeStartOptions {
   std::size_t most = 4;  ///< how many paths
   double effort = 0.05;  ///< of each search for an order, seconds of one core
   std::uint64_t seed = 1;
+  std::stop_token cancel;
   /// Bends of the shortest path where the cutter may not go straight; empty: it may everywhere.
   std::function<std::vector<Vec2>(Vec2 from, Vec2 to)> bends;
   std::function<bool(Vec2)> may_stand;  ///< empty: everywhere

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/progress.h"
 #include "base/units.h"
 
 namespace clearcut::plan::cover {
@@ -108,6 +109,7 @@ bool Shortening::clear(std::vector<Vec2> bare) {
   std::vector<Vec2> uncovered;
   std::size_t left = kInsertionsAtLeast + kInsertionsPerPoint * bare.size();
   while (!bare.empty()) {
+    throw_if_cancelled(limits_.cancel);
     if (left == 0) {
       if (!visit_around(bare.back(), bare)) return false;
       continue;
@@ -370,6 +372,7 @@ void Shortening::pull_some(std::vector<Corner> corners, double finest, std::size
   std::swap(start, corners);
   for (const Corner c : start) push(c);
   for (std::size_t i = 0; i < corners.size() && i < most; ++i) {
+    throw_if_cancelled(limits_.cancel);
     const Corner c = corners[i];
     waits[static_cast<std::size_t>(c)] = 0;
     if (!path_.is_alive(c)) continue;

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "base/random.h"
@@ -14,6 +15,7 @@ namespace clearcut::plan::cover {
 using MayMove = std::function<bool(Vec2 from, Vec2 to)>;
 
 struct ShorteningLimits {
+  std::stop_token cancel;    ///< asked to stop, all end with Cancelled
   bool fixed_start = false;  ///< the first corner of an open path stays where it is
   double corner_price = 0;   ///< mm that a corner counts as
   MayMove may_move;

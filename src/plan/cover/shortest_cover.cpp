@@ -62,6 +62,7 @@ class Search {
     options.radius = task_.radius;
     options.closed = task_.closed;
     options.seed = effort_.seed;
+    options.cancel = effort_.cancel;
     if (task_.legal != nullptr) {
       options.bends = [this](Vec2 a, Vec2 b) {
         return task_.legal->bends(a, b).value_or(std::vector<Vec2>{});
@@ -109,6 +110,7 @@ class Search {
     while (points.size() < 3) points.push_back(last);
     candidate.path = std::make_unique<CoverPath>(points, task_.closed, *candidate.witnesses);
     ShorteningLimits limits;
+    limits.cancel = effort_.cancel;
     limits.fixed_start = task_.start && !task_.closed;
     if (task_.legal != nullptr) {
       limits.may_move = [legal = task_.legal](Vec2 a, Vec2 b) { return legal->area().holds_line(a, b); };
