@@ -34,13 +34,17 @@ struct Phase {
 constexpr Phase kPhases[] = {{0.12, 0.02, 0.4, 0.4, 0.06, 0.02, false},
                              {0.07, 0.006, 0.35, 0.6, 0.02, 0.004, true},
                              {0.05, kReserve, 0.25, 1, 0.004, 0.001, true}};
+/// Share of the time after which no further first path is tried.
+constexpr double kBeginning = 0.2;
 /// Share of the time that is kept for the end.
-constexpr double kFinishing = 0.08;
+constexpr double kFinishing = 0.15;
 /// Steps of corners, in radii: while searching and at the end.
 constexpr double kCoarse = 0.02, kFine = 5e-4;
 /// What a corner counts at least, in radii: of paths of nearly equal length those with few corners are searched faster.
 constexpr double kLeastCornerPrice = 3e-4;
-constexpr int kMostRepairs = 40;
+constexpr int kMostRepairs = 40, kPulledRepairs = 8;
+/// Shares of the radius by which detours go farther than they must, while the path is pulled taut and afterwards.
+constexpr double kTightMargin = 1e-4, kWideMargin = 2e-3;
 /// Witnesses that a stretch of the boundary becomes that is left.
 constexpr int kPlacesOfStretch = 6;
 /// Corners of a hole's rim lie within this many radii; places along each side of the raster that is laid over them.
@@ -72,6 +76,7 @@ class Search {
     const auto starts = lattice_starts(task_.area, options);
     std::size_t best = 0;
     for (std::size_t i = 0; i < starts.size(); ++i) {
+      if (!candidates_.empty() && seconds() > kBeginning * effort_.seconds) break;
       Candidate candidate = begin(starts[i]);
       if (!candidate.path) continue;
       tell("begun", candidate);
@@ -189,7 +194,10 @@ class Search {
       done = spent / steps;
       if (i % 16 == 0) {
         throw_if_cancelled(effort_.cancel);
-        done = std::max(done, (seconds() - begun) / (until - begun));
+        if (seconds() >= until)
+          done = 1;
+        else
+          done = std::max(done, (seconds() - begun) / (until - begun));
       }
     }
     tell("searched", candidate);
@@ -284,10 +292,12 @@ class Search {
   }
 
   std::vector<Vec2> finish(Candidate& candidate, bool& proven) {
-    candidate.shortening->pull_all(kFine * task_.radius, 4);
+    if (seconds() < effort_.seconds) candidate.shortening->pull_all(kFine * task_.radius, 4);
     for (int repair = 0; repair < kMostRepairs && !proven; ++repair) {
-      candidate.shortening->set_margin(repair < 8 ? 1e-4 : 2e-3);
-      proven = !learn(candidate, repair < 8 ? kFine * task_.radius : 0);
+      // Pulled taut again while there is time; then completed alone, which ends soon.
+      const bool pulls = repair < kPulledRepairs && seconds() < effort_.seconds;
+      candidate.shortening->set_margin(pulls ? kTightMargin : kWideMargin);
+      proven = !learn(candidate, pulls ? kFine * task_.radius : 0);
     }
     return candidate.path->points();
   }

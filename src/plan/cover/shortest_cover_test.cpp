@@ -151,6 +151,16 @@ TEST(ShortestCover, TinyAreasEndTheSearch) {
   EXPECT_LT(result.length, 0.1);
 }
 
+TEST(ShortestCover, TimeThatIsOverEndsTheSearch) {
+  CoverTask task;
+  task.area = {box_region(0, 0, 5, 5)};
+  task.radius = 0.5;
+  CoverEffort effort;
+  effort.steps = std::uint64_t{1} << 60;
+  effort.seconds = 1e-3;
+  EXPECT_TRUE(shortest_cover(task, effort).proven);
+}
+
 TEST(ShortestCover, NothingToClearIsNoPath) {
   EXPECT_TRUE(shortest_cover({}, brief()).points.empty());
 }
