@@ -208,7 +208,7 @@ std::string without_start(const Situation& at) {
     return !at.plan.start || contains(feature_of(at.plan.part, step).target, *at.plan.start);
   };
   std::set<std::string> planned = planned_strategies(at, begins_there);
-  for (const char* other : {"zigzag", "spiral", "tour"}) planned.erase(other);
+  for (const char* other : {"zigzag", "spiral", "tour", "cover"}) planned.erase(other);
   return unless(
       !planned.empty(),
       "it is for contours and adaptive clearing, and what it lies in is planned otherwise; see --strategy");
@@ -216,6 +216,10 @@ std::string without_start(const Situation& at) {
 
 std::string without_tour(const Situation& at) {
   return unless_planned(at, {"tour"}, "the strategy tour");
+}
+
+std::string without_objective(const Situation& at) {
+  return unless_planned(at, {"tour", "cover"}, "the strategies tour and cover");
 }
 
 std::string without_ramps(const Situation& at) {

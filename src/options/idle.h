@@ -37,6 +37,7 @@ std::string without_contours(const Situation& at);
 std::string without_reflex_corners(const Situation& at);
 std::string without_start(const Situation& at);
 std::string without_tour(const Situation& at);
+std::string without_objective(const Situation& at);
 std::string without_ramps(const Situation& at);
 std::string without_helix(const Situation& at);
 std::string enters_no_hole(const Situation& at);

@@ -596,12 +596,13 @@ std::vector<Row> strategy_rows() {
        .group = Group::kStrategy,
        .level = Level::kFirst,
        .kind = kText,
-       .sentence = "auto, contour, zigzag, spiral, adaptive, tour, or a published method: lom, rho, second, "
-                   "lom-corrected, "
-                   "rho-corrected, fixed, loops, pwid, single, double, bisectors",
+       .sentence =
+           "auto, contour, zigzag, spiral, adaptive, tour, cover, or a published method: lom, rho, second, "
+           "lom-corrected, "
+           "rho-corrected, fixed, loops, pwid, single, double, bisectors",
        .fallback = "auto",
        .field = CLEARCUT_FIELD(plan.strategy),
-       .names = {"auto", "zigzag", "spiral", "adaptive", "tour", "contour", "lom", "rho", "second",
+       .names = {"auto", "zigzag", "spiral", "adaptive", "tour", "cover", "contour", "lom", "rho", "second",
                  "lom-corrected", "rho-corrected", "fixed", "loops", "pwid", "single", "double", "bisectors"},
        .table = JobTable::kPlan,
        .is_of_operations = true,
@@ -1113,13 +1114,13 @@ std::vector<Row> search_rows() {
        .group = Group::kSearch,
        .level = Level::kResearch,
        .kind = kText,
-       .sentence =
-           "Of the strategy tour: length, turns, angle, engagement, time, or weights 1:length,20:turns",
+       .sentence = "Of the strategy tour: length, turns, angle, engagement, time, or weights "
+                   "1:length,20:turns; of cover: length or time",
        .fallback = "time",
        .field = CLEARCUT_FIELD(plan.objective),
        .names = {"length", "turns", "angle", "engagement", "time"},
        .table = JobTable::kPlan,
-       .effect = {kAllInputs, without_tour}},
+       .effect = {kAllInputs, without_objective}},
       {.name = "grid",
        .group = Group::kSearch,
        .level = Level::kResearch,

@@ -88,7 +88,7 @@ TEST(JobStrategy, ThatIsNoneIsRefusedInOneLine) {
     const auto result = run_clearcut({"plan", job, "-o", folder.path("a.ngc")});
     EXPECT_EQ(result.exit_code, 2);
     EXPECT_THAT(result.err, AllOf(HasSubstr("job.toml:1"), HasSubstr("strategy 'nonsense' is unknown"),
-                                  HasSubstr("auto, zigzag, spiral, adaptive, tour, contour, lom")));
+                                  HasSubstr("auto, zigzag, spiral, adaptive, tour, cover, contour, lom")));
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1);
   }
 }

@@ -3,6 +3,7 @@
 #include "pipeline/tour/tour_solver.h"
 #include "plan/adaptive/entry.h"
 #include "plan/contour/entries.h"
+#include "plan/cover/entry.h"
 #include "plan/spiral/entry.h"
 #include "plan/tour/entry.h"
 #include "plan/zigzag/entry.h"
@@ -20,6 +21,7 @@ StrategyTable all_strategies() {
       plan::spiral::entry(),
       plan::adaptive::entry(),
       plan::tour::entry(solver_for),
+      plan::cover::entry(),
   };
   for (StrategyEntry& entry : plan::contour::entries()) all.push_back(std::move(entry));
   return StrategyTable(std::move(all));

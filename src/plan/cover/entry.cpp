@@ -1,0 +1,63 @@
+#include "plan/cover/entry.h"
+
+#include "base/error.h"
+#include "plan/common/layers.h"
+#include "plan/cover/plan_cover.h"
+
+namespace clearcut::plan::cover {
+namespace {
+
+/// Steps of the search: where nobody says how long, as one of several strategies, and for each second that is asked for. They
+/// are counted, so that a plan repeats to the byte; a second of the clock has about twice as many.
+constexpr std::uint64_t kUsualSteps = 8'000'000;
+constexpr std::uint64_t kBriefSteps = 1'000'000;
+constexpr double kStepsPerSecond = 5'000'000;
+
+/// What a usual corner counts as, of what stopping and starting again takes: most are blunt.
+constexpr double kShareOfStop = 0.25;
+
+/// mm of path in the time that the machine loses in a corner.
+double corner_price(const Machine& machine, MmPerMin feed) {
+  const double speed = feed.mm_per_s();
+  return kShareOfStop * speed * speed / machine.acceleration;
+}
+
+/// Whether length alone is asked for, and not time. Throws InputError for all else.
+bool is_length(const Objective& objective) {
+  const ObjectiveKind kind = objective.terms.front().kind;
+  if (objective.weighted || (kind != ObjectiveKind::kLength && kind != ObjectiveKind::kTime))
+    throw InputError("--objective", "of the strategy cover is length or time");
+  return kind == ObjectiveKind::kLength;
+}
+
+Strategy make_cover(const StrategyRequest& request) {
+  if (request.stepover.is_given())
+    throw InputError("--stepover", "has no meaning for the strategy cover, whose paths have no step");
+  const bool shortest = is_length(request.plan.objective);
+  CoverEffort effort;
+  effort.steps = request.briefly ? kBriefSteps : kUsualSteps;
+  if (request.plan.search_s) {
+    effort.steps = static_cast<std::uint64_t>(*request.plan.search_s * kStepsPerSecond);
+    effort.seconds = *request.plan.search_s;
+  }
+  effort.seed = request.plan.seed;
+  effort.cancel = request.plan.cancel;
+  return once_per_outline(
+      [effort, price = shortest ? 0.0 : corner_price(request.plan.machine, request.step.feed),
+       tol = request.plan.tol](const Layer& layer) { return plan_cover(layer, price, effort, tol); });
+}
+
+}  // namespace
+
+StrategyEntry entry() {
+  StrategyEntry entry;
+  entry.name = "cover";
+  entry.description = "the shortest path found that clears all, for faces and open blocks";
+  entry.make = make_cover;
+  entry.keeps_direction = false;
+  entry.takes_stepover = false;
+  entry.in_auto = AutoUse::kNever;
+  return entry;
+}
+
+}  // namespace clearcut::plan::cover

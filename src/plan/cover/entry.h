@@ -1,0 +1,10 @@
+// The entry of this strategy in the table of strategies.
+#pragma once
+
+#include "model/strategy_entry.h"
+
+namespace clearcut::plan::cover {
+
+StrategyEntry entry();
+
+}  // namespace clearcut::plan::cover

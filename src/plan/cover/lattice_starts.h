@@ -1,0 +1,28 @@
+// First paths of a cover: tours over square lattices, one diameter wide, in phase with the area's boundary.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "geometry/region.h"
+
+namespace clearcut::plan::cover {
+
+struct LatticeStartOptions {
+  double radius = 0;  ///< mm
+  bool closed = false;
+  std::size_t most = 4;  ///< how many paths
+  double effort = 0.05;  ///< of each search for an order, seconds of one core
+  std::uint64_t seed = 1;
+  std::stop_token cancel;
+  /// Bends of the shortest path where the cutter may not go straight; empty: it may everywhere.
+  std::function<std::vector<Vec2>(Vec2 from, Vec2 to)> bends;
+  std::function<bool(Vec2)> may_stand;  ///< empty: everywhere
+};
+
+/// Paths that clear most of the area, of which the first ones leave or repeat least. At least one, if the area is not empty.
+std::vector<std::vector<Vec2>> lattice_starts(const Regions& area, const LatticeStartOptions& options);
+
+}  // namespace clearcut::plan::cover

@@ -1,0 +1,83 @@
+// Shortens a path as long as all witness points stay cleared.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "base/random.h"
+#include "plan/cover/cover_path.h"
+
+namespace clearcut::plan::cover {
+
+/// Whether the cutter's centre may go straight from one point to the other; empty: everywhere.
+using MayMove = std::function<bool(Vec2 from, Vec2 to)>;
+
+struct ShorteningLimits {
+  std::stop_token cancel;    ///< asked to stop, all end with Cancelled
+  bool fixed_start = false;  ///< the first corner of an open path stays where it is
+  double corner_price = 0;   ///< mm that a corner counts as
+  MayMove may_move;
+  /// Bends of the shortest path from one place to the other, absent where there is none; empty: all are straight.
+  std::function<std::optional<std::vector<Vec2>>(Vec2 from, Vec2 to)> bends;
+};
+
+/// The changes that a search for a short path is made of. Each keeps all witness points cleared, or can be taken back.
+class Shortening {
+ public:
+  Shortening(CoverPath& path, Witnesses& witnesses, ShorteningLimits limits, std::uint64_t seed)
+      : path_(path), witnesses_(witnesses), limits_(std::move(limits)), random_(seed) {}
+
+  /// Clears all these points, by detours that cost little. False if some cannot be cleared.
+  bool clear(std::vector<Vec2> bare);
+  /// Pulls the path taut at these corners and their neighbours, in steps down to `finest` mm.
+  void pull(std::vector<Corner> corners, double finest);
+  void pull_all(double finest, int rounds);
+  /// One random change: part of the path is taken out or joined otherwise, what is left bare is cleared again, and the path
+  /// pulled taut. Kept if it is longer by less than a random share of `tolerance` mm; else taken back. Returns whether it is kept.
+  bool change(double tolerance, double finest);
+
+  /// Whether moves are shifted as a whole rarely: quicker.
+  void set_brief(bool brief) { moves_share_ = brief ? 1 : 4; }
+  /// From now on detours go at least this share of the radius farther than they must.
+  void set_margin(double margin) { margin_ = margin; }
+
+  std::uint64_t work() const { return witnesses_.work() + work_; }
+
+ private:
+  bool may_move(Vec2 a, Vec2 b) const { return !limits_.may_move || limits_.may_move(a, b); }
+  bool is_fixed(Corner c) const {
+    return path_.is_nowhere(c) || (limits_.fixed_start && path_.previous(c) == CoverPath::kNowhere);
+  }
+  Corner random_corner();
+  double cost_of(Vec2 q, Corner a, Corner b) const;
+  struct Insertion {
+    Corner after = -1;
+    Vec2 at;
+    double cost = 0;
+  };
+  Insertion cheapest(Vec2 bare);
+  bool pull_corner(Corner c, double finest);
+  void move_corner(Corner c, Vec2 p);
+  bool cut_corner(Corner c, double finest);
+  bool pull_move(Corner c, double finest);
+  bool all_cleared(const Vec2* line, int points);
+  bool take_out_stretch(std::vector<Vec2>& bare);
+  bool take_out_disc(std::vector<Vec2>& bare);
+  bool join_otherwise(std::vector<Vec2>& bare);
+  bool move_stretch(std::vector<Vec2>& bare);
+  bool visit_around(Vec2 p, std::vector<Vec2>& bare);
+  void pull_some(std::vector<Corner> corners, double finest, std::size_t most);
+
+  CoverPath& path_;
+  Witnesses& witnesses_;
+  ShorteningLimits limits_;
+  Random random_;
+  std::vector<Vec2> needed_;  ///< points that the moves in hand have to clear
+  double margin_ = 0;
+  std::uint64_t moves_share_ = 4;  ///< quarters of the corners whose moves are shifted as a whole, too
+  std::uint64_t work_ = 0;
+};
+
+}  // namespace clearcut::plan::cover

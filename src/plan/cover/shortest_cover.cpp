@@ -1,0 +1,323 @@
+#include "plan/cover/shortest_cover.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+#include "base/progress.h"
+#include "plan/common/cover.h"
+#include "plan/cover/lattice_starts.h"
+#include "plan/cover/shortening.h"
+
+namespace clearcut::plan::cover {
+namespace {
+
+/// The pitch of witness points is wider than wanted where there would be more than these.
+constexpr double kMostWitnesses = 4e6;
+/// Paths are searched with a disc smaller by this share, so that places between witnesses vanish soon.
+constexpr double kReserve = 2e-5;
+/// Places on the boundary that are searched lie so far apart, in radii.
+constexpr double kBoundaryStep = 1e-4;
+/// A place is left when it is farther from the path than the radius and this share of it.
+constexpr double kRounding = 1e-9;
+/// A part of the search. Lengths in radii.
+struct Phase {
+  double pitch;    ///< of witness points
+  double reserve;  ///< by which the disc is smaller meanwhile, so that little is left between witnesses
+  double share;    ///< of the steps
+  double of_rest;  ///< of the time that is left
+  double first_tolerance;  ///< longer paths are kept up to so much, at first
+  double last_tolerance;
+  bool learns;  ///< looks for what lies between the witnesses
+};
+constexpr Phase kPhases[] = {{0.12, 0.02, 0.4, 0.4, 0.06, 0.02, false},
+                             {0.07, 0.006, 0.35, 0.6, 0.02, 0.004, true},
+                             {0.05, kReserve, 0.25, 1, 0.004, 0.001, true}};
+/// Share of the time after which no further first path is tried.
+constexpr double kBeginning = 0.2;
+/// Share of the time that is kept for the end.
+constexpr double kFinishing = 0.15;
+/// Steps of corners, in radii: while searching and at the end.
+constexpr double kCoarse = 0.02, kFine = 5e-4;
+/// What a corner counts at least, in radii: of paths of nearly equal length those with few corners are searched faster.
+constexpr double kLeastCornerPrice = 3e-4;
+constexpr int kMostRepairs = 40, kPulledRepairs = 8;
+/// Shares of the radius by which detours go farther than they must, while the path is pulled taut and afterwards.
+constexpr double kTightMargin = 1e-4, kWideMargin = 2e-3;
+/// Witnesses that a stretch of the boundary becomes that is left.
+constexpr int kPlacesOfStretch = 6;
+/// Corners of a hole's rim lie within this many radii; places along each side of the raster that is laid over them.
+constexpr double kGroup = 0.4;
+constexpr int kPlacesOfHole = 8;
+/// Shares of the search after which it looks for what lies between the witnesses.
+constexpr double kLearning = 0.34;
+
+class Search {
+ public:
+  Search(const CoverTask& task, const CoverEffort& effort)
+      : task_(task), effort_(effort), began_(std::chrono::steady_clock::now()), inside_(task.area) {
+    least_pitch_ = std::sqrt(area(task.area) / kMostWitnesses);
+    pitch_ = std::max(kPhases[0].pitch * task.radius, least_pitch_);
+  }
+
+  CoverResult run() {
+    LatticeStartOptions options;
+    options.radius = task_.radius;
+    options.closed = task_.closed;
+    options.seed = effort_.seed;
+    options.cancel = effort_.cancel;
+    if (task_.legal != nullptr) {
+      options.bends = [this](Vec2 a, Vec2 b) {
+        return task_.legal->bends(a, b).value_or(std::vector<Vec2>{});
+      };
+      options.may_stand = [this](Vec2 p) { return task_.legal->area().holds(p); };
+    }
+    const auto starts = lattice_starts(task_.area, options);
+    std::size_t best = 0;
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      if (!candidates_.empty() && seconds() > kBeginning * effort_.seconds) break;
+      Candidate candidate = begin(starts[i]);
+      if (!candidate.path) continue;
+      tell("begun", candidate);
+      candidates_.push_back(std::move(candidate));
+      if (candidates_.back().path->length() < candidates_[best].path->length()) best = candidates_.size() - 1;
+    }
+    CoverResult result;
+    if (candidates_.empty()) return result;
+    Candidate chosen = std::move(candidates_[best]);
+    candidates_.clear();
+    anneal(chosen);
+    result.points = finish(chosen, result.proven);
+    result.length = length_of(result.points);
+    return result;
+  }
+
+ private:
+  struct Candidate {
+    std::unique_ptr<Witnesses> witnesses;
+    std::unique_ptr<CoverPath> path;
+    std::unique_ptr<Shortening> shortening;
+  };
+
+  double length_of(const std::vector<Vec2>& points) const {
+    double length = 0;
+    for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
+    if (task_.closed && !points.empty()) length += distance(points.back(), points.front());
+    return length;
+  }
+
+  Candidate build(std::vector<Vec2> points, const std::vector<Vec2>& extra) const {
+    Candidate candidate;
+    candidate.witnesses = std::make_unique<Witnesses>(task_.area, task_.radius * (1 - reserve_), pitch_);
+    for (const Vec2 p : extra) candidate.witnesses->add_point(p, 0);
+    const Vec2 last = points.back();
+    while (points.size() < 3) points.push_back(last);
+    candidate.path = std::make_unique<CoverPath>(points, task_.closed, *candidate.witnesses);
+    ShorteningLimits limits;
+    limits.cancel = effort_.cancel;
+    limits.fixed_start = task_.start && !task_.closed;
+    if (task_.legal != nullptr) {
+      limits.may_move = [legal = task_.legal](Vec2 a, Vec2 b) { return legal->area().holds_line(a, b); };
+      limits.bends = [legal = task_.legal](Vec2 a, Vec2 b) { return legal->bends(a, b); };
+    }
+    limits.corner_price = std::max(task_.corner_price, kLeastCornerPrice * task_.radius);
+    candidate.shortening =
+        std::make_unique<Shortening>(*candidate.path, *candidate.witnesses, std::move(limits), effort_.seed);
+    return candidate;
+  }
+
+  Candidate begin(std::vector<Vec2> points) {
+    if (task_.start && !task_.closed) {
+      if (distance(points.back(), *task_.start) < distance(points.front(), *task_.start))
+        std::reverse(points.begin(), points.end());
+      points.insert(points.begin(), *task_.start);
+    }
+    Candidate candidate = build(std::move(points), {});
+    if (!candidate.shortening->clear(candidate.witnesses->bare())) return {};
+    candidate.shortening->pull_all(kCoarse * task_.radius, 3);
+    candidate.path->forget();
+    spent_ += candidate.shortening->work();
+    return candidate;
+  }
+
+  void tell(const char* what, const Candidate& candidate) const {
+    if (effort_.progress)
+      effort_.progress({what, candidate.path->length(), candidate.path->corners(), seconds()});
+  }
+
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+  }
+
+  /// Searches through all phases.
+  void anneal(Candidate& candidate) {
+    for (std::size_t i = 0; i < std::size(kPhases); ++i) {
+      if (i > 0) {
+        pitch_ = std::max(kPhases[i].pitch * task_.radius, least_pitch_);
+        reserve_ = kPhases[i].reserve;
+        rebuild(candidate, candidate.path->points());
+        candidate.shortening->pull_all(kCoarse * task_.radius, 3);
+        candidate.path->forget();
+      }
+      anneal(candidate, kPhases[i]);
+    }
+  }
+
+  void anneal(Candidate& candidate, const Phase& phase) {
+    const double radius = task_.radius;
+    const double begun = seconds(),
+                 until = begun + (effort_.seconds - kFinishing * effort_.seconds - begun) * phase.of_rest;
+    const double steps = static_cast<double>(effort_.steps) * phase.share;
+    std::uint64_t first = candidate.shortening->work();
+    double spent = 0, done = 0, learned = 0;
+    std::vector<Vec2> best = candidate.path->points();
+    double best_length = candidate.path->length();
+    for (long long i = 0; done < 1; ++i) {
+      if (phase.learns && done >= learned) {
+        candidate.shortening->set_brief(false);
+        learn(candidate, kCoarse * radius);
+        best = candidate.path->points();
+        best_length = candidate.path->length();
+        learned += kLearning;
+        tell("completed", candidate);
+      }
+      candidate.shortening->set_brief(true);
+      const double tolerance = radius * phase.first_tolerance *
+                               base::pow(phase.last_tolerance / phase.first_tolerance, std::min(1.0, done));
+      candidate.shortening->change(tolerance, kCoarse * radius);
+      if (candidate.path->length() < best_length - 1e-3 * radius) {
+        best = candidate.path->points();
+        best_length = candidate.path->length();
+      }
+      spent = static_cast<double>(candidate.shortening->work() - first);
+      done = spent / steps;
+      if (i % 16 == 0) {
+        throw_if_cancelled(effort_.cancel);
+        if (seconds() >= until)
+          done = 1;
+        else
+          done = std::max(done, (seconds() - begun) / (until - begun));
+      }
+    }
+    tell("searched", candidate);
+    candidate.shortening->set_brief(false);
+    if (candidate.path->length() > best_length) rebuild(candidate, best);
+  }
+
+  void rebuild(Candidate& candidate, const std::vector<Vec2>& points) {
+    candidate = build(points, extra_);
+    candidate.shortening->clear(candidate.witnesses->bare());
+    candidate.path->forget();
+  }
+
+  std::vector<Vec2> places_left(const std::vector<Vec2>& points) const {
+    std::vector<Vec2> line = points;
+    if (task_.closed) line.push_back(points.front());
+    Path path;
+    for (std::size_t i = 1; i < line.size(); ++i)
+      if (line[i] != line[i - 1]) path.push_back(Edge::line(line[i - 1], line[i]));
+    if (path.empty()) path.push_back(Edge::line(line.front(), line.front()));
+    const Cover cover(path, task_.radius * (1 + kRounding));
+    std::vector<Vec2> left = cover.holes([&](Vec2 p) { return inside_.contains(p); });
+    add_inner_places(cover, left);
+    // Where the rim of what is cleared leaves the area, its own corners lie outside.
+    for (const Edge& edge : edges_of(task_.area)) add_left_on(edge, cover, left);
+    return left;
+  }
+
+  /// Adds, to the corners of rims, places of what lies within: those of a raster over each group of corners that are left.
+  void add_inner_places(const Cover& cover, std::vector<Vec2>& left) const {
+    std::vector<Box> groups;
+    const double near = kGroup * task_.radius;
+    for (const Vec2 p : left) {
+      const auto group = std::find_if(groups.begin(), groups.end(),
+                                      [&](const Box& box) { return distance(box.center(), p) < near; });
+      if (group == groups.end()) {
+        groups.emplace_back();
+        groups.back().add(p);
+      } else {
+        group->add(p);
+      }
+    }
+    for (const Box& group : groups) {
+      const Box box = group.grown(1e-3 * near);
+      for (int i = 0; i <= kPlacesOfHole; ++i) {
+        for (int k = 0; k <= kPlacesOfHole; ++k) {
+          const Vec2 p{box.min.x + box.width() * i / kPlacesOfHole,
+                       box.min.y + box.height() * k / kPlacesOfHole};
+          if (cover.distance_to(p) > task_.radius * (1 + kRounding) && inside_.contains(p)) left.push_back(p);
+        }
+      }
+    }
+  }
+
+  /// Places of each stretch that is left. The boundary is searched in steps so short that what lies
+  /// between two of them is thinner than the reserve.
+  void add_left_on(const Edge& edge, const Cover& cover, std::vector<Vec2>& left) const {
+    const double step = kBoundaryStep * task_.radius;
+    const double length = edge.length();
+    double begun = -1;
+    for (double along = 0;;) {
+      const double away =
+          along < length ? cover.distance_to(edge.at(along / length)) - task_.radius * (1 + kRounding) : 0;
+      if (away > 0 && begun < 0) begun = along;
+      if (away <= 0 && begun >= 0) {
+        for (int k = -1; k <= kPlacesOfStretch + 1; ++k) {
+          const double at = begun + (std::min(along, length) - begun) * k / kPlacesOfStretch;
+          if (at >= 0 && at <= length) left.push_back(edge.at(at / length));
+        }
+        begun = -1;
+      }
+      if (along >= length) break;
+      along += std::max(step, std::abs(away));
+    }
+  }
+
+  /// Makes what lies between the witnesses and is left witnesses, too, and clears it. False if nothing was left.
+  bool learn(Candidate& candidate, double finest) {
+    const std::vector<Vec2> left = places_left(candidate.path->points());
+    std::vector<Vec2> bare;
+    for (const Vec2 p : left) {
+      const int moves = candidate.path->moves_within(p, candidate.witnesses->radius());
+      candidate.witnesses->add_point(p, moves);
+      if (moves == 0) bare.push_back(p);
+    }
+    extra_.insert(extra_.end(), left.begin(), left.end());
+    candidate.path->forget();
+    candidate.shortening->clear(std::move(bare));
+    if (finest > 0) candidate.shortening->pull(candidate.path->changed_since(0), finest);
+    candidate.path->forget();
+    return !left.empty();
+  }
+
+  std::vector<Vec2> finish(Candidate& candidate, bool& proven) {
+    if (seconds() < effort_.seconds) candidate.shortening->pull_all(kFine * task_.radius, 4);
+    for (int repair = 0; repair < kMostRepairs && !proven; ++repair) {
+      // Pulled taut again while there is time; then completed alone, which ends soon.
+      const bool pulls = repair < kPulledRepairs && seconds() < effort_.seconds;
+      candidate.shortening->set_margin(pulls ? kTightMargin : kWideMargin);
+      proven = !learn(candidate, pulls ? kFine * task_.radius : 0);
+    }
+    return candidate.path->points();
+  }
+
+  const CoverTask& task_;
+  const CoverEffort& effort_;
+  std::chrono::steady_clock::time_point began_;
+  LegalArea inside_;
+  double pitch_ = 0, least_pitch_ = 0;
+  double reserve_ = kPhases[0].reserve;
+  std::uint64_t spent_ = 0;
+  std::vector<Candidate> candidates_;
+  std::vector<Vec2> extra_;
+};
+
+}  // namespace
+
+CoverResult shortest_cover(const CoverTask& task, const CoverEffort& effort) {
+  if (task.area.empty()) return {};
+  return Search(task, effort).run();
+}
+
+}  // namespace clearcut::plan::cover
