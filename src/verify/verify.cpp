@@ -14,6 +14,7 @@
 #include "verify/engagement/forces.h"
 #include "verify/engagement/load.h"
 #include "verify/faults/causes.h"
+#include "verify/faults/crossed_draft.h"
 #include "verify/faults/driving/cutting_data.h"
 #include "verify/faults/faults.h"
 #include "verify/faults/gouge.h"
@@ -46,7 +47,8 @@ std::optional<Gouge> gouge_of_mill(const FinishedPart& finished, const Move& mov
 }
 
 /// The gouge that `check` finds of a cutter's move into a part. A wall with draft counts as standing where another feature cuts into
-/// it: what is no gouge where one such feature alone is cut, as each of two grooves that cross, is none of the whole part either.
+/// it: what is no gouge where one such feature alone is cut, as each of two grooves that cross, is none of the whole part either; of cutters
+/// without flanks the places themselves are asked then (crossed_draft.h).
 template <typename Check>
 std::optional<Gouge> least_gouge(const FinishedParts& finished, const CheckedMove& checked, Check check) {
   std::optional<Gouge> least = check(finished.for_tool(*checked.tool));
@@ -65,9 +67,14 @@ std::optional<Gouge> upright_gouge(const FinishedParts& finished, const CheckedM
                                    const Move& move, double aside, double slack, bool joined) {
   if (checked.tool->kind == ToolKind::kTSlot)
     return undercut_gouge_of(finished, move, *checked.tool, aside, slack);
-  return least_gouge(finished, checked, [&](const FinishedPart& part) {
+  const auto least = least_gouge(finished, checked, [&](const FinishedPart& part) {
     return gouge_of_mill(part, move, *checked.tool, aside, slack, joined);
   });
+  const FinishedPart& whole = finished.for_tool(*checked.tool);
+  const bool any_draft = whole.greatest_draft_offset() > 0;
+  return least && any_draft && is_clear_of_crossed_draft(whole, move, checked.tool->radius() + aside, slack)
+             ? std::nullopt
+             : least;
 }
 
 void check_gouges(const FinishedParts& finished, std::span<CheckedMove> moves, const Tolerances& tol) {
