@@ -213,7 +213,8 @@ std::string end_that_leaves(const Part& part, const Feature& feature, const Feat
 /// mm2 out of reach of a feature whose floor is to meet its walls in a fillet: the rounded corner of a cutter leaves nothing there that
 /// should go.
 double left_beside_fillet(const Feature& feature, const FeatureFindings& found, const Tolerances& tol) {
-  const Regions swept = resolve::swept(feature.allowed, found.tool_diameter / 2, 0, 0, tol);
+  // A ball as wide as its hole fits, too.
+  const Regions swept = resolve::swept(feature.allowed, found.tool_diameter / 2 - tol.fit, 0, tol.fit, tol);
   return std::min(found.figures.unreachable_mm2, area(subtract(feature.target, swept, tol)));
 }
 
