@@ -46,6 +46,15 @@ bool is_near_size(double drill, double hole) {
   return std::abs(drill - hole) <= kNearDrill + kDiameterRounding;
 }
 
+bool is_too_narrow_for_hole(const Part& part, const Workingstep& step, const Tolerances& tol) {
+  const Tool& tool = tool_of(part, step);
+  if (!only_plunges(tool) || !step.operation.is_tool_chosen) return false;
+  const auto hole = round_hole_of(feature_of(part, step), tol);
+  if (!hole || 2 * hole->radius <= tool.diameter + tol.uncut + kDiameterRounding) return false;
+  return std::count_if(part.workplan.begin(), part.workplan.end(),
+                       [&](const Workingstep& other) { return other.feature == step.feature; }) == 1;
+}
+
 std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, const Tolerances& tol) {
   std::vector<PredrilledHole> holes = part.predrilled;
   const Workingstep& own = part.workplan.at(static_cast<std::size_t>(workingstep));

@@ -35,6 +35,10 @@ inline constexpr double kNearDrill = 0.05;
 /// Whether the drill's diameter, mm, is the hole's or so near that it may be taken for it.
 bool is_near_size(double drill, double hole);
 
+/// Whether the step's tool only goes straight down and is narrower than its round hole, on which no other step works, and nobody named
+/// the tool for it: what it would drill is another hole than the one that is drawn.
+bool is_too_narrow_for_hole(const Part& part, const Workingstep& step, const Tolerances& tol);
+
 /// The holes that exist within reach of a workingstep's passes when it begins, and in which a cutter no wider
 /// than they are can go down: predrilled ones, and those that earlier steps made at least as deep as this
 /// step goes. Cost O(steps).

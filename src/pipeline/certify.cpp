@@ -1,6 +1,7 @@
 #include "pipeline/certify.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -19,6 +20,7 @@
 #include "post/comment.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
+#include "read/gcode/tool_comments.h"
 #include "report/motion_text.h"
 #include "verify/verify.h"
 
@@ -235,14 +237,23 @@ Section link_step(const std::vector<LayerPasses>& passes, int workingstep, Entry
   return section;
 }
 
-std::vector<int> tools_by_hand(std::vector<int> in_order) {
-  std::erase_if(in_order, [](int number) { return number <= 0; });
-  in_order.erase(std::unique(in_order.begin(), in_order.end()), in_order.end());
-  return in_order;
+HandTools hand_tools_of(std::string_view program, HandTools usual) {
+  HandTools said{read::gcode::tools_announced(program), "that its comments name"};
+  const auto is_known = [&](int number) {
+    return std::find(usual.numbers.begin(), usual.numbers.end(), number) != usual.numbers.end();
+  };
+  const bool all_known = std::all_of(said.numbers.begin(), said.numbers.end(), is_known);
+  HandTools tools = said.numbers.empty() || !all_known ? std::move(usual) : std::move(said);
+  std::erase_if(tools.numbers, [](int number) { return number <= 0; });
+  tools.numbers.erase(std::unique(tools.numbers.begin(), tools.numbers.end()), tools.numbers.end());
+  return tools;
 }
 
-Condition hand_tools_condition(const std::string& order) {
-  return {"tool-by-hand", "the tools are put in by hand in the order " + order + ", one at each pause", 0};
+Condition hand_tools_condition(const HandTools& tools) {
+  return {"tool-by-hand",
+          fmt::format("the tools are put in by hand in the order {}, one at each pause: T{}", tools.order,
+                      fmt::join(tools.numbers, ", T")),
+          0};
 }
 
 verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
@@ -274,12 +285,13 @@ read::gcode::Program read_back(const std::string& program, const Toolpath& plann
   reading.dialect = read::gcode::dialect_named(plan.post.dialect);
   reading.home_z = home_z(plan.machine);
   reading.safe_z = plan.part.top_z();
-  std::vector<int> tools;
-  for (const Section& section : planned.sections) tools.push_back(section.tool_number);
-  reading.hand_tools = tools_by_hand(std::move(tools));
+  HandTools usual{{}, kOrderOfWork};
+  for (const Section& section : planned.sections) usual.numbers.push_back(section.tool_number);
+  const HandTools tools = hand_tools_of(program, std::move(usual));
+  reading.hand_tools = tools.numbers;
   auto read = read::gcode::read_gcode(program, "program", reading);
-  if (reading.hand_tools.size() > 1 && reading.dialect == read::gcode::Dialect::kMarlin)
-    read.conditions.push_back(hand_tools_condition("of the part's work"));
+  if (tools.numbers.size() > 1 && reading.dialect == read::gcode::Dialect::kMarlin)
+    read.conditions.push_back(hand_tools_condition(tools));
   return read;
 }
 

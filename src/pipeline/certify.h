@@ -2,6 +2,8 @@
 #pragma once
 
 #include <map>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "link/link.h"
@@ -24,11 +26,18 @@ void describe(Section& section, int workingstep, const ResolvedPlan& plan);
 Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry,
                   const ResolvedPlan& plan);
 
-/// The tools that somebody puts in, one at each pause, where the control has no words for them: the numbers of those of each
-/// piece of work without what needs no change.
-std::vector<int> tools_by_hand(std::vector<int> in_order);
-/// What has to hold where a program names none of its several tools; `order`: "of the part's work".
-Condition hand_tools_condition(const std::string& order);
+/// The tools that somebody puts in, one at each pause, where the control has no words for them.
+struct HandTools {
+  std::vector<int> numbers;  ///< in their order
+  std::string order;         ///< which that is: "of the part's work", "that its comments name"
+};
+
+inline constexpr const char* kOrderOfWork = "of the part's work";
+
+/// The tools that comments of `program` say are put in, if they are all among `usual`; else `usual`. Without what needs no change.
+HandTools hand_tools_of(std::string_view program, HandTools usual);
+/// What has to hold where a program names none of its several tools.
+Condition hand_tools_condition(const HandTools& tools);
 
 /// How the program is written: what was asked for, and what the machine needs where nobody has asked for something else.
 PostOptions post_options_of(const ResolvedPlan& plan);

@@ -263,12 +263,6 @@ Stock stock_for(const std::optional<Stock>& stated, const Toolpath& toolpath, co
   return *taken;
 }
 
-/// Numbers of tools that are put in by hand, and what their order is.
-struct HandTools {
-  std::vector<int> numbers;
-  std::string order;
-};
-
 HandTools as_given(const std::vector<Tool>& tools) {
   HandTools by_hand{{}, "they are given"};
   for (const Tool& tool : tools) by_hand.numbers.push_back(tool.number);
@@ -276,23 +270,24 @@ HandTools as_given(const std::vector<Tool>& tools) {
 }
 
 HandTools as_worked(const Part& part) {
-  HandTools by_hand{{}, "of the part's work"};
+  HandTools by_hand{{}, kOrderOfWork};
   for (const Workingstep& step : part.workplan) by_hand.numbers.push_back(tool_of(part, step).number);
   return by_hand;
 }
 
 /// The program as its control reads it, with nothing above `safe_z`, mm.
 read::gcode::Program read_program(const ProgramText& program, const resolve::PlanOptions& options,
-                                  double safe_z, const HandTools& by_hand) {
+                                  double safe_z, HandTools usual_by_hand) {
   read::gcode::ReadControllerOptions reading;
   reading.dialect = program.dialect;
   reading.home_z = home_z(options.machine);
   reading.safe_z = safe_z;
   reading.places = options.machine.places;
-  reading.hand_tools = tools_by_hand(by_hand.numbers);
   reading.subprograms = read::gcode::files_beside(program.name);
+  const HandTools by_hand = hand_tools_of(program.text, std::move(usual_by_hand));
+  reading.hand_tools = by_hand.numbers;
   auto read = read::gcode::read_gcode(program.text, program.name, reading);
-  if (reading.hand_tools.size() > 1) read.conditions.push_back(hand_tools_condition(by_hand.order));
+  if (by_hand.numbers.size() > 1) read.conditions.push_back(hand_tools_condition(by_hand));
   return read;
 }
 

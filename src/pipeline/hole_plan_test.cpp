@@ -88,6 +88,31 @@ TEST(HolePlan, ASlotAsWideAsTheCutterThatTheDigitsMissIsSaidLikewise) {
   EXPECT_THAT(warnings_of(fine.part), Not(HasSubstr("--decimals")));
 }
 
+/// A drill makes no other hole than one of its own size: what is wider is left and said, by plan and verify alike.
+TEST(HolePlan, HolesThatNoDrillMakesAreNotDrilledNarrower) {
+  const Part part = drawn(kBlock + circle("DRILL_D12", {5, -3}, 0.495) + circle("DRILL_D12", {10, -3}, 1.6) +
+                          circle("DRILL_D12", {15, -3}, 1.6) + circle("DRILL_D12", {20, -3}, 1.52));
+  const auto options = with({"drill:1", "drill:3"});
+  const PlanResult planned = plan_part(part, options);
+  expect_clean(planned);
+  const auto open = [](const Findings& findings) {
+    std::string text;
+    for (const Condition& one : findings.conditions)
+      if (one.met_by.empty()) text += one.name + " " + one.text + "\n";
+    return text;
+  };
+  EXPECT_THAT(open(planned.findings),
+              HasSubstr("(and 1 more): no tool at hand makes a hole of 3.2 mm; T2 (drill 3 mm) is narrower"));
+  EXPECT_THAT(planned.program, Not(HasSubstr("X10 ")));
+  EXPECT_THAT(planned.program, HasSubstr("X20 "));
+  EXPECT_EQ(
+      open(check_program(part, planned.program, "again", options, read::gcode::Dialect::kLinuxCnc).findings),
+      open(planned.findings));
+  // Drilled all the same it is a hole of the wrong width.
+  const Findings narrow = changed(part, planned, "X20 Y-3 Z", "X10 Y-3 Z", options);
+  EXPECT_TRUE(has(narrow, FaultKind::kUncut)) << faults_of(narrow);
+}
+
 TEST(HolePlan, ABlindHoleHasItsWidthToItsDepthWhereThePointIsKnown) {
   EXPECT_THAT(plan_part(with_circle("DRILL_D6", 6), with({"drill:6:90deg"})).program, HasSubstr("Z-9 R1 "));
   EXPECT_THAT(plan_part(with_circle("DRILL_D6", 6), with({"drill:6"})).program, HasSubstr("Z-6 R1 "));

@@ -134,5 +134,26 @@ TEST(OutOfReach, IsFoundOnOutlinesOfThousandsOfEdges) {
               HasSubstr("the largest cutter that reaches all but 1 mm2 has 0."));
 }
 
+/// The round bottom of a hole is what a ball as wide as the hole leaves.
+TEST(OutOfReach, IsNothingOfARoundBottomThatTheBallMakes) {
+  Part part = drawn(box("STOCK_D30", -20, -20, 20, 20) + circle("HOLE_D12", {0, 0}, 8));
+  Feature bottom = part.features.front();
+  bottom.name = "bottom";
+  bottom.kind = FeatureKind::kClosedPocket;
+  bottom.top_z = -12;
+  bottom.floor_z = -20;
+  bottom.floor_fillet = 8;
+  part.features.push_back(bottom);
+  Workingstep step = part.workplan.front();
+  step.name = step.operation.name = "bottom";
+  step.feature = static_cast<int>(part.features.size()) - 1;
+  part.workplan.push_back(step);
+  auto options = with({"endmill:6", "ball:16"});
+  options.strategy = "contour";
+  const auto result = plan_part(part, options);
+  for (const Condition& one : result.findings.conditions) EXPECT_NE(one.name, "out-of-reach") << one.text;
+  EXPECT_FALSE(has(result.findings, FaultKind::kGouge)) << faults_of(result.findings);
+}
+
 }  // namespace
 }  // namespace clearcut::pipeline

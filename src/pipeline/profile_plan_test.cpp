@@ -116,6 +116,33 @@ TEST(DrawingRoles, SeveralOuterOutlinesThatAllHoldOthersAreAskedAbout) {
               HasSubstr("as 2 of 3 outermost outlines do"));
 }
 
+/// Plates of a sheet without holes would be milled to chips as pockets.
+TEST(DrawingRoles, PlainOutlinesBesideEachOtherAreAskedAbout) {
+  const std::string plates = rectangle("0", 0, 0, 80, 50) + rectangle("CUT", 100, 0, 180, 50);
+  const std::string question = refusal(dxf(plates), asking(6));
+  EXPECT_THAT(question, HasSubstr("2 outlines beside each other, the first of 80 x 50 mm (layer 0)"));
+  EXPECT_THAT(question, HasSubstr("--op profile:outer"));
+  EXPECT_THAT(question, HasSubstr("--op pocket:outer"));
+  EXPECT_THAT(refusal(dxf(circle("0", 0, 0, 15) + circle("0", 40, 0, 15)), asking(6)),
+              HasSubstr("2 outlines beside each other"));
+  for (const auto& [role, kind] : {std::pair{read::LayerRole::kProfile, FeatureKind::kOutsideProfile},
+                                   {read::LayerRole::kPocket, FeatureKind::kClosedPocket}}) {
+    auto options = asking(6);
+    options.layer_rules = {asked(role, "outer")};
+    const Part part = read::read_part_text(dxf(plates), "plate.dxf", options);
+    ASSERT_EQ(part.features.size(), 2u);
+    for (const Feature& feature : part.features) EXPECT_EQ(feature.kind, kind);
+  }
+  // Of holes, of one outline, and of what layers say there is no question.
+  const std::string holes = circle("0", 0, 0, 3) + circle("0", 40, 0, 6.5);
+  for (const std::string& clear : {holes, holes + rectangle("0", 0, 50, 80, 80), rectangle("0", 0, 0, 80, 50),
+                                   rectangle("POCKET_D6", 0, 0, 80, 50) + rectangle("0", 100, 0, 180, 50),
+                                   rectangle("D3", 0, 0, 80, 50) + rectangle("D3", 100, 0, 180, 50),
+                                   rectangle("STOCK_D12", -10, -10, 200, 80) + rectangle("0", 0, 0, 80, 50) +
+                                       rectangle("0", 100, 0, 180, 50)})
+    EXPECT_GT(read::read_part_text(dxf(clear), "plate.dxf", asking(6)).features.size(), 0u);
+}
+
 /// What the question promises: islands stand, whatever layer they are drawn on.
 TEST(DrawingRoles, IslandsOfAnOuterPocketMayLieOnOtherLayers) {
   const std::string text =

@@ -168,6 +168,13 @@ std::string does_not_fit(const Part& part, const Workingstep& step, const Tolera
                        tool_of(part, step).number, name_of(tool_of(part, step).kind),
                        trimmed(tool_of(part, step).diameter, 4), feature_of(part, step).name);
   }
+  if (features::is_too_narrow_for_hole(part, step, tol))
+    return fmt::format(
+        "tool T{} ({} {} mm) makes no hole of {} mm; give one that does, for example --tool drill:{}",
+        tool_of(part, step).number, name_of(tool_of(part, step).kind),
+        trimmed(tool_of(part, step).diameter, 4),
+        trimmed(2 * features::round_hole_of(feature_of(part, step), tol)->radius, 4),
+        trimmed(2 * features::round_hole_of(feature_of(part, step), tol)->radius, 4));
   return fmt::format("tool T{} ({} mm) does not fit {}; the largest that does has {} mm",
                      tool_of(part, step).number, trimmed(tool_of(part, step).diameter, 4),
                      feature_of(part, step).name,

@@ -417,12 +417,13 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
       apply_material(part, step, options, sources[step_key(step)], told);
     tie_tap(step.operation, tool_of(part, step), options, sources[step_key(step)]);
   }
-  relieve_corners(part, options);
+  relieve_profiles(part, options);
   shape_profiles(part, options, sources);
   shape_carvings(part, options, sources);
   lean_walls(part);
   const std::size_t without_rest = part.workplan.size();
   add_rest_steps(part, options, sources);
+  relieve_pockets(part, options);
   if (part.workplan.size() > without_rest) put_what_frees_last(part);
   if (finish_of(options.shop) != Finish::kNone) {
     add_finishing_steps(part, options, sources);

@@ -12,6 +12,7 @@
 #include "features/round_hole.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
+#include "model/cutter_profile.h"
 #include "resolve/tabs.h"
 
 namespace clearcut::resolve {
@@ -67,9 +68,17 @@ double allowed_width(ProfileSide side, double radius, double stock) {
   return (2 + kBeyondKerf) * radius + kToolSpare + 2 * stock;
 }
 
-void shape(Feature& feature, const Part& part, double radius, double stock, const Tolerances& tol) {
+/// mm across what a profile's cutter has to clear: a rounded end leaves the far side of its kerf standing at the floor, along a line both
+/// sides, which are nobody's walls.
+double target_width(ProfileSide side, const Tool& tool) {
+  const double flat = flat_end(tool) > 0 ? flat_end(tool) : tool.radius();
+  return side == ProfileSide::kOn ? 2 * flat : tool.radius() + flat;
+}
+
+void shape(Feature& feature, const Part& part, const Tool& tool, double stock, const Tolerances& tol) {
   const ProfileCut& cut = *feature.profile;
-  feature.target = features::kerf_of(cut, 2 * radius, tol);
+  const double radius = tool.radius();
+  feature.target = features::kerf_of(cut, target_width(cut.side, tool), tol);
   feature.allowed = features::kerf_of(cut, allowed_width(cut.side, radius, stock), tol);
   if (cut.side == ProfileSide::kOn) return;
   const Regions solid = solid_around(part, cut, kBand * radius, tol);
@@ -203,6 +212,13 @@ void leave_nothing_beside_lines(const Feature& feature, Workingstep& step, StepS
   sources[step_key(step)].set("allowance", {Origin::kDerived, "the slot of a line is as wide as its cutter"});
 }
 
+/// The layers above tabs end at their tops, on which nothing more is left.
+void leave_tabs_as_high_as_asked(Workingstep& above, StepSources& sources) {
+  if (above.operation.allowance_floor == 0) return;
+  above.operation.allowance_floor = 0;
+  sources[step_key(above)].set("allowance-floor", {Origin::kDerived, "tabs are as high as they are asked"});
+}
+
 }  // namespace
 
 void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources) {
@@ -220,7 +236,7 @@ void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources
     // What is left for finishing counts on both sides of the kerf.
     const double finish = options.shop.finish ? options.shop.finish_stock.value_or(kFinishStock) : 0;
     const double stock = workplan.back().operation.allowance_side + finish;
-    shape(feature, part, radius, stock, options.tol);
+    shape(feature, part, tool_of(part, step), stock, options.tol);
     auto below = holds.split(step, {radius, allowed_width(feature.profile->side, radius, stock)});
     if (!below) continue;
     Workingstep lower = workplan.back();
@@ -229,6 +245,7 @@ void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources
     lower.feature = static_cast<int>(part.features.size());
     part.features.push_back(*std::move(below));
     sources[step_key(lower)] = sources[step_key(step)];
+    leave_tabs_as_high_as_asked(workplan.back(), sources);
     workplan.push_back(std::move(lower));
   }
   part.workplan = std::move(workplan);

@@ -126,6 +126,24 @@ def takes():
         c.add(f"sideways-{name}", ["linuxcnc", "fanuc"], lambda p: None, "FAULTY", "more-than-it-cuts",
               f"clears a pocket with a {name}", part="", tools=[kind + ":T1"], asked={"stock": "-10:30,-10:30,-5:0"})
 
+    spot = {"part": "", "tools": ["spotdrill:90deg:10:T1"], "asked": {"stock": "-10:30,-10:30,-12:0"}}
+
+    def along(y, z):
+        def change(p):
+            t = p.t
+            p.cut = [t.rapid(x=-20, y=y), t.rapid(z=z), t.feed(200, x=40, y=y), t.rapid(z=5)]
+        return change
+    c.add("sideways-spotdrill", ["linuxcnc", "fanuc"], along(10, -1.2), "FAULTY", "more-than-it-cuts",
+          "cuts a groove with a spot drill", **spot)
+
+    def broken_edge(p):
+        t = p.t
+        p.cut = rings(t, [1, 4, 7], z=-2)
+        p.after = second_tool(p, "M3 S3000") + [t.rapid(x=10, y=10), t.rapid(z=-1.2), t.feed(200, x=10, y=0.6), t.feed(x=17, y=0.6),
+                                                t.feed(x=17, y=10), t.rapid(z=5)]
+    c.right("right-spotdrill", ["linuxcnc", "fanuc"], broken_edge, "breaks an edge with the flank of a spot drill", part="",
+            tools=["endmill:6:T1", "spotdrill:90deg:10:T2"], asked={"stock": "-10:30,-10:30,-12:0"})
+
     def down(kind, drilled):
         tools = [f"drill:{drilled or 3}:T1", kind + ":T2"]
 

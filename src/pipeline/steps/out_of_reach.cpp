@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/text/format.h"
+#include "features/round_hole.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
 #include "geometry/rectangle.h"
@@ -233,7 +234,8 @@ std::string end_that_leaves(const Part& part, const Feature& feature, const Feat
 /// mm2 out of reach of a feature whose floor is to meet its walls in a fillet: the rounded corner of a cutter leaves nothing there that
 /// should go.
 double left_beside_fillet(const Feature& feature, const FeatureFindings& found, const Tolerances& tol) {
-  const Regions swept = resolve::swept(feature.allowed, found.tool_diameter / 2, 0, 0, tol);
+  // A ball as wide as its hole fits, too.
+  const Regions swept = resolve::swept(feature.allowed, found.tool_diameter / 2 - tol.fit, 0, tol.fit, tol);
   return std::min(found.figures.unreachable_mm2, area(subtract(feature.target, swept, tol)));
 }
 
@@ -283,12 +285,66 @@ std::optional<Condition> loose_part(const Part& part) {
       0, ""};
 }
 
+/// A round hole that no tool at hand makes: drills and what else only goes down make holes of their own width alone.
+struct UnmadeHole {
+  double diameter = 0;
+  const Tool* tool = nullptr;
+  std::string first;
+  int count = 0;
+};
+
+/// By their diameters, with the tools that come nearest.
+class UnmadeHoles {
+ public:
+  UnmadeHoles(const Part& part, const Tolerances& tol) : part_(part), tol_(tol) {}
+
+  /// Whether the feature is such a hole, which is taken note of.
+  bool add(const FeatureFindings& found) {
+    const Workingstep& step = part_.workplan[static_cast<std::size_t>(found.workingstep)];
+    const Tool& tool = tool_of(part_, step);
+    const Feature& feature = feature_of(part_, found);
+    if (!features::only_plunges(tool) || !step.operation.is_tool_chosen ||
+        !is_nothing_in_reach(found.figures.unreachable_mm2, area(feature.target)))
+      return false;
+    const auto hole = features::round_hole_of(feature, tol_);
+    if (!hole || features::makes_hole(tool, *hole, tol_)) return false;
+    const auto same = std::find_if(holes_.begin(), holes_.end(), [&](const UnmadeHole& other) {
+      return std::abs(other.diameter - 2 * hole->radius) < kSaid && other.tool == &tool;
+    });
+    if (same != holes_.end()) return ++same->count > 0;
+    holes_.push_back({2 * hole->radius, &tool, feature.name, 1});
+    return true;
+  }
+
+  void append_to(std::vector<Condition>& conditions) const {
+    for (const UnmadeHole& one : holes_) {
+      const std::string others = one.count > 1 ? " (and " + std::to_string(one.count - 1) + " more)" : "";
+      const std::string width = trimmed(one.diameter, 3);
+      conditions.push_back({"out-of-reach",
+                            one.first + others + ": no tool at hand makes a hole of " + width + " mm; T" +
+                                std::to_string(one.tool->number) + " (" + name_of(one.tool->kind) + " " +
+                                trimmed(one.tool->diameter, 3) + " mm) is " +
+                                (one.tool->diameter < one.diameter ? "narrower" : "wider") +
+                                "; give a drill of its size (--tool drill:" + width +
+                                ") or an end mill that fits",
+                            0, ""});
+    }
+  }
+
+ private:
+  const Part& part_;
+  const Tolerances& tol_;
+  std::vector<UnmadeHole> holes_;
+};
+
 }  // namespace
 
 std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, const Tolerances& tol) {
   std::vector<Condition> conditions;
+  UnmadeHoles unmade(part, tol);
   for (const FeatureFindings& found : findings.features) {
     const Feature& feature = feature_of(part, found);
+    if (unmade.add(found)) continue;
     if (feature.kind == FeatureKind::kIsolation) {
       if (auto joined = not_parted(feature, found, tol)) conditions.push_back(std::move(*joined));
     }
@@ -316,6 +372,7 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
     const bool little = left <= std::max(kShare * whole, kCorners) && left <= kMost * whole;
     conditions.push_back({"out-of-reach", text, 0, little ? "at most 2 percent or 1 mm2" : ""});
   }
+  unmade.append_to(conditions);
   return conditions;
 }
 

@@ -24,6 +24,39 @@ resolve::PlanOptions triangular(const std::string& tool, int count = 0) {
   return options;
 }
 
+/// The rounded end of a cutter leaves a fin at the foot of the wall, which is said; the far side of its kerf is nobody's wall.
+TEST(CutOuts, RoundedCornersOwnNoFarSideOfTheKerf) {
+  for (const std::string layer : {"PROFILE_D5", "INSIDE_D5"}) {
+    auto options = with({"bullnose:6:corner=1"});
+    options.strategy = "contour";
+    const PlanResult result =
+        plan_part(drawn(box("STOCK_D5", -20, -20, 60, 50) +
+                        outline(layer, {{{0, 0}}, {{40, 0}}, {{40, 14}}, {{20, 14}}, {{20, 30}}, {{0, 30}}})),
+                  options);
+    EXPECT_EQ(faults_of(result.findings), "") << layer;
+    EXPECT_TRUE(std::any_of(result.findings.conditions.begin(), result.findings.conditions.end(),
+                            [](const Condition& one) { return one.name == "out-of-reach"; }));
+  }
+}
+
+/// Stock to leave stands on the walls and the floor beside tabs, which are as high as they are asked all the same.
+TEST(Tabs, StandBesideStockThatIsLeft) {
+  for (const TabShape shape : {TabShape::kSquare, TabShape::kTriangular}) {
+    for (const char* finish : {"", "walls", "all"}) {
+      resolve::PlanOptions options = with({"endmill:5"});
+      options.strategy = "contour";
+      options.tabs.count = 2;
+      options.tabs.shape = shape;
+      options.allowance = 0.3;
+      options.allowance_floor = 0.1;
+      if (*finish) options.shop.finish = finish;
+      const auto result =
+          plan_part(drawn(box("STOCK_D5", -10, -10, 50, 40) + box("PROFILE_D5", 0, 0, 40, 30)), options);
+      EXPECT_EQ(faults_of(result.findings), "") << finish;
+    }
+  }
+}
+
 /// Right: along the middle of the kerf, in heights that come from the text of the program alone, there are as many triangles as were
 /// asked for, of their width and height, and no farther apart than was asked for; nothing else stands. Cannot see: what stands
 /// beside the middle, and in the corners.

@@ -176,4 +176,18 @@ std::vector<ToolComment> tools_in_comments(std::string_view text) {
   return tools;
 }
 
+std::vector<int> tools_announced(std::string_view text) {
+  constexpr std::string_view kSays = "tool change t";
+  std::vector<int> numbers;
+  Lines lines(text);
+  for (std::string_view line; lines.next(line);) {
+    for (const std::string& comment : parts_of(line.substr(0, kLongestLine)).comments) {
+      const auto at = comment.find(kSays);
+      const int number = at == std::string::npos ? 0 : std::atoi(comment.c_str() + at + kSays.size());
+      if (number > 0) numbers.push_back(number);
+    }
+  }
+  return numbers;
+}
+
 }  // namespace clearcut::read::gcode

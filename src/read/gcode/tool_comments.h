@@ -20,4 +20,7 @@ struct ToolComment {
 /// out, whose shape takes more than that.
 std::vector<ToolComment> tools_in_comments(std::string_view text);
 
+/// The tools of which comments say that they are put in ("TOOL CHANGE T3: DRILL D4 MM"), in the order of their lines.
+std::vector<int> tools_announced(std::string_view text);
+
 }  // namespace clearcut::read::gcode

@@ -220,22 +220,33 @@ bool takes_relief(const Feature& feature) {
          feature.kind != FeatureKind::kIsolation;
 }
 
-/// Of the smallest mill of the part, mm; absent without one.
-std::optional<double> smallest_radius(const Part& part) {
+/// mm; of the narrowest mill that works on the feature; absent without one. Others that are at hand leave its corners as they are.
+std::optional<double> narrowest_radius(const Part& part, std::size_t feature) {
   std::optional<double> radius;
-  for (const Tool& tool : part.tools)
-    if (clears_floors(tool)) radius = std::min(radius.value_or(tool.radius()), tool.radius());
+  for (const Workingstep& step : part.workplan) {
+    const Tool& tool = tool_of(part, step);
+    if (step.feature == static_cast<int>(feature) && clears_floors(tool))
+      radius = std::min(radius.value_or(tool.radius()), tool.radius());
+  }
   return radius;
+}
+
+void relieve(Part& part, const PlanOptions& options, bool profiles) {
+  if (!options.shop.dogbones) return;
+  for (std::size_t i = 0; i < part.features.size(); ++i) {
+    if (!takes_relief(part.features[i]) || part.features[i].profile.has_value() != profiles) continue;
+    if (const auto radius = narrowest_radius(part, i)) CornerRelief(part, options, *radius).relieve(i);
+  }
 }
 
 }  // namespace
 
-void relieve_corners(Part& part, const PlanOptions& options) {
-  const auto radius = smallest_radius(part);
-  if (!options.shop.dogbones || !radius) return;
-  CornerRelief relief(part, options, *radius);
-  for (std::size_t i = 0; i < part.features.size(); ++i)
-    if (takes_relief(part.features[i])) relief.relieve(i);
+void relieve_profiles(Part& part, const PlanOptions& options) {
+  relieve(part, options, true);
+}
+
+void relieve_pockets(Part& part, const PlanOptions& options) {
+  relieve(part, options, false);
 }
 
 }  // namespace clearcut::resolve

@@ -417,6 +417,12 @@ class CoverageProof {
 
 }  // namespace
 
+Coverage nothing_in_reach(const Regions& target) {
+  Coverage nothing;
+  nothing.target_mm2 = nothing.unreachable_mm2 = area(target);
+  return nothing;
+}
+
 Coverage coverage_of(const CoverageQuestion& question, const Tolerances& tol) {
   if (question.flat > tol.uncut) {
     Coverage coverage = CoverageProof(question, tol, false).run();
@@ -429,9 +435,7 @@ Coverage coverage_of(const CoverageQuestion& question, const Tolerances& tol) {
       coverage.thickness_mm = std::max(coverage.thickness_mm + question.path_tolerance, question.above);
     return coverage;
   }
-  Coverage nothing;
-  nothing.target_mm2 = nothing.unreachable_mm2 = area(*question.target);
-  return nothing;
+  return nothing_in_reach(*question.target);
 }
 
 }  // namespace clearcut::verify

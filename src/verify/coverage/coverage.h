@@ -64,4 +64,7 @@ inline double widest_left(const Tolerances& tol) {
 ///         of what is left.
 Coverage coverage_of(const CoverageQuestion& question, const Tolerances& tol);
 
+/// Of a target of which its cutter reaches nothing.
+Coverage nothing_in_reach(const Regions& target);
+
 }  // namespace clearcut::verify

@@ -175,10 +175,14 @@ struct FinestWork {
   double flat = 0;  ///< radius of its flat end
   double allowance_side = 0;
   double above = 0;  ///< mm over the floor down to which it clears: holes end in the cone of a drill
+  bool is_other_hole =
+      false;  ///< it only goes down, and the hole that it makes is narrower than the one that is drawn
 };
 
 /// mm. Sizes that differ by less are rounded.
 constexpr double kSameSize = 1e-9;
+/// mm. Widths of holes, which are found from their areas.
+constexpr double kSameWidth = 1e-6;
 
 /// Whether all that `b` reaches is reached by `a`, which goes down as far: it comes as near to walls and leaves no more between
 /// walls and floors.
@@ -192,9 +196,12 @@ bool covers(const FinestWork& a, const FinestWork& b) {
 FinestWork work_of(const Feature& feature, const Tool& tool, double allowance_side, const Tolerances& tol) {
   const bool is_hole = feature.kind == FeatureKind::kRoundHole || feature.hole;
   const CutterProfile profile = outer_profile(tool);
+  const bool is_other_hole =
+      makes_holes(tool) && feature.target.size() == 1 &&
+      2 * std::sqrt(area(feature.target) / kPi) > tool.diameter + tol.uncut + kSameWidth;
   if (is_hole && tool.kind == ToolKind::kDrill)
-    return {tool.radius(), tool.radius(), allowance_side, profile.full_height() + tol.uncut};
-  return {tool.radius(), std::min(tool.radius(), profile.flat), allowance_side, 0};
+    return {tool.radius(), tool.radius(), allowance_side, profile.full_height() + tol.uncut, is_other_hole};
+  return {tool.radius(), std::min(tool.radius(), profile.flat), allowance_side, 0, is_other_hole};
 }
 
 /// The finest of the steps whose floor, with the stock they leave on it, is at z or below; mostly one, the last.
@@ -282,7 +289,8 @@ class WorkCheck {
       question.flat = scallop_left > 0 ? finest.radius : finest.flat;
       question.allowance = finest.allowance_side + kept;
       level.any_cut = level.any_cut || !question.swaths.empty();
-      const Coverage one = coverage_of(question, tol);
+      const bool none_is_made = finest.is_other_hole && question.swaths.empty();
+      const Coverage one = none_is_made ? nothing_in_reach(in_stock) : coverage_of(question, tol);
       level.coverage = first ? one : both(level.coverage, one);
       first = false;
     }

@@ -26,6 +26,8 @@ constexpr double kLargeReamer = 20, kReamedShare = 0.05;
 constexpr double kCounterboreEdge = 0.75;
 /// mm; radius of the flat that points of V-bits are ground to and still cut with.
 constexpr double kCuttingTip = 0.5;
+/// mm; radius about the axis of a spot drill where it has a chisel edge, which cuts down alone: its flanks break edges.
+constexpr double kSpotChisel = 0.2;
 /// mm over the tip of reamers, boring bars and taps for each mm from their axis: what stands lower does not count. Their ends are
 /// chamfered, and holes before them end in the point of a drill, 0.6 mm for each mm at 118 degrees.
 constexpr double kLead = 0.65;
@@ -83,6 +85,13 @@ ToolTakes vbit_row(const Tool& tool, const Part& /*part*/) {
   return {.idle_tip = tip > kCuttingTip ? tip : 0, .needs = "a hole wider than its flat tip"};
 }
 
+ToolTakes spot_drill_row(const Tool& tool, const Part& part) {
+  ToolTakes takes = vbit_row(tool, part);
+  takes.sideways = std::max(0.0, tool.radius() - std::max(kSpotChisel, tool.tip_diameter / 2));
+  takes.says_sideways = "cuts sideways with its point, which has no edges there: only its flanks break edges";
+  return takes;
+}
+
 struct TakesRow {
   ToolKind kind;
   ToolTakes (*takes)(const Tool& tool, const Part& part);
@@ -95,7 +104,7 @@ constexpr TakesRow kRows[] = {{ToolKind::kDrill, drill_row},
                               {ToolKind::kTap, tap_row},
                               {ToolKind::kThreadMill, thread_mill_row},
                               {ToolKind::kChamferMill, chamfer_row},
-                              {ToolKind::kSpotDrill, vbit_row},
+                              {ToolKind::kSpotDrill, spot_drill_row},
                               {ToolKind::kVBit, vbit_row}};
 
 /// Material within `radius` mm of the way, above the tip as it passes, by `lead` mm for each mm from the axis; nothing for radii that
@@ -163,6 +172,7 @@ std::string overcut_text(const CheckedMove& checked, const Part& part) {
   const std::string name = "T" + std::to_string(tool.number) + ", a " + name_of(tool.kind) + ",";
   if (!checked.feeds())
     return name + " comes out of its hole, or goes into it, at the rapid; it feeds in and out";
+  if (checked.load.overcut->sideways && *takes.says_sideways) return name + " " + takes.says_sideways;
   if (checked.load.overcut->sideways && takes.sideways > 0)
     return name + " takes more than " + trimmed(takes.sideways, 2) + " mm at its rim; it needs " +
            takes.needs;

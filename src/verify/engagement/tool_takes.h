@@ -21,6 +21,7 @@ struct ToolTakes {
   double idle_from = 1;    ///< mm down for each mm of advance from which on that tip counts
   bool feeds_out = false;  ///< it comes out of its hole at the feed
   const char* needs = "";  ///< what has to be there before it goes down
+  const char* says_sideways = "";  ///< what it did wrong sideways, where its ring does not tell
 };
 
 /// The row of the tool's kind. Threads deeper than the tool's own pitch says are those of the part.

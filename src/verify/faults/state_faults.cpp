@@ -31,7 +31,7 @@ class StateCheck {
  public:
   StateCheck(const Part& part, const CheckedProgram& program, const VerifyOptions& options,
              const HandWorks& hands)
-      : part_(part), options_(options), hands_(hands) {
+      : part_(part), options_(options), hands_(hands), first_(program.moves.data()) {
     find_short_waits(program);
     find_tapped(program);
   }
@@ -296,13 +296,25 @@ class StateCheck {
     return most;
   }
 
+  /// mm down for each mm of advance; of moves so short that the digits of heights decide it, together with the move before.
+  double judged_slope(const CheckedMove& checked) const {
+    constexpr double kShort = 0.05;  // mm
+    const double own = checked.slope(), length = checked.move->path.length();
+    if (checked.move->is_vertical() || length >= kShort || &checked == first_) return own;
+    const Move& before = *(&checked - 1)->move;
+    if (is_rapid(before.kind) || before.path.to != checked.move->path.from ||
+        before.z_to != checked.move->z_from)
+      return own;
+    return std::min(own, std::max(0.0, before.z_from - checked.move->z_to) / (length + before.path.length()));
+  }
+
   std::optional<Fault> plunge_feed(const CheckedMove& checked) const {
     // Holes are made at the cutting feed; that of a tap is checked in holes.cpp, against its speed. Thread mills go down along their thread.
     if (makes_holes(*checked.tool) || checked.tool->kind == ToolKind::kTap ||
         (checked.tool->kind == ToolKind::kThreadMill && !checked.move->is_vertical()))
       return std::nullopt;
     const auto most = plunge_feed_of(checked);
-    const double slope = checked.slope(), feed = checked.move->feed.mm_per_min();
+    const double slope = judged_slope(checked), feed = checked.move->feed.mm_per_min();
     const double down = std::isinf(slope) ? feed : feed * slope / base::hypot(1, slope);
     if (!most || down <= *most * (1 + kSpeedRounding) + 0.01) return std::nullopt;
     return fault(FaultKind::kPlungeTooFast, checked, checked.move->length(),
@@ -313,6 +325,7 @@ class StateCheck {
   const Part& part_;
   const VerifyOptions& options_;
   const HandWorks& hands_;
+  const CheckedMove* first_;  ///< of the program, whose moves follow each other
   std::set<const CheckedMove*> short_waits_;
   std::set<const CheckedMove*> tapped_;
 };

@@ -291,6 +291,21 @@ TEST(StateFaults, BelowTheStockWhereNothingStands) {
   EXPECT_TRUE(has(beside(-6.1), FaultKind::kBeyondStock));
 }
 
+/// The digits of inches put the end of a gentle ramp 2.5 um lower within 2.5 um; ways down in many such pieces are steep all the same.
+TEST(StateFaults, ShortPiecesOfRampsAreJudgedWithTheMoveBefore) {
+  Part part = pocket();
+  part.workplan[0].operation.cutting.plunge_feed = MmPerMin::of(300);
+  const auto ramped = [&](double advance, double down, int count) {
+    Writer writer;
+    writer.rapid({0, 0}, 10).rapid({0, 0}, 1).feed({0, 0}, 0, 200).feed({5, 0}, -0.5, 500);
+    for (int i = 1; i <= count; ++i) writer.feed({5 + i * advance, 0}, -0.5 - i * down, 500);
+    return checked(part, writer.done(), table());
+  };
+  EXPECT_FALSE(has(ramped(0.00254, 0.00254, 1), FaultKind::kPlungeTooFast));
+  EXPECT_TRUE(has(ramped(0.00254, 0.00254, 3), FaultKind::kPlungeTooFast));
+  EXPECT_TRUE(has(ramped(0.5, 0.5, 1), FaultKind::kPlungeTooFast));
+}
+
 /// Down by 2 mm within 1 um of advance.
 TEST(StateFaults, ASteepEntryIsAPlunge) {
   Part part = pocket();

@@ -69,13 +69,32 @@ double excess_of(const Tab& tab) {
          (base::asin(std::min(1.0, r / around)) - 2 * base::asin(std::min(1.0, r / (2 * around))));
 }
 
-/// The middle of the kerf `out` mm along the foot beyond one of its ends.
-Vec2 beyond_foot(const Tab& tab, bool ahead, double out) {
+/// mm of stock that is to stay where a profile is cut: on its walls and the sides of its tabs, and on its floor.
+struct StockLeft {
+  double sides = 0;
+  double floor = 0;
+};
+
+/// Of all steps on the feature, the least.
+StockLeft stock_left(const Part& part, const Feature& feature) {
+  StockLeft left{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  for (const Workingstep& step : part.workplan) {
+    if (&feature_of(part, step) != &feature) continue;
+    left.sides = std::min(left.sides, step.operation.allowance_side);
+    left.floor = std::min(left.floor, step.operation.allowance_floor);
+  }
+  return std::isinf(left.sides) ? StockLeft{} : left;
+}
+
+/// The middle of the kerf `out` mm along the foot beyond one of its ends, `sides` mm of stock being left on the wall.
+Vec2 beyond_foot(const Tab& tab, bool ahead, double out, double sides) {
   const Edge& foot = tab.foot;
   const Vec2 end = ahead ? foot.to : foot.from, along = foot.tangent_at(ahead ? 1 : 0);
   const double way = ahead ? out : -out;
-  if (!foot.is_arc()) return end + along * way + left_of(along) * (to_middle(tab) * (tab.aside < 0 ? -1 : 1));
-  const double angle = way / foot.radius(), around = distance(foot.center, tab.center);
+  if (!foot.is_arc())
+    return end + along * way + left_of(along) * ((to_middle(tab) + sides) * (tab.aside < 0 ? -1 : 1));
+  const double outer = distance(foot.center, tab.center);
+  const double angle = way / foot.radius(), around = outer + (outer > foot.radius() ? sides : -sides);
   const Vec2 outwards = (end - foot.center) / foot.radius();
   return foot.center + (outwards * base::cos(angle) + along * base::sin(angle)) * around;
 }
@@ -90,9 +109,10 @@ struct SideError {
 /// Whether the sides of a triangular tab are as they should be: nowhere lower, and in the middle of the kerf nowhere higher.
 class SideCheck {
  public:
-  SideCheck(const Tab& tab, const std::vector<const CheckedMove*>& moves)
+  SideCheck(const Tab& tab, const std::vector<const CheckedMove*>& moves, StockLeft left)
       : tab_(tab),
         moves_(moves),
+        left_(left),
         half_(tab.foot.length() / 2),
         steepness_((tab.top_z - tab.bottom_z) / half_) {}
 
@@ -114,12 +134,14 @@ class SideCheck {
   SideError error_at(double along, int line) const {
     constexpr int kMiddle = kLines / 2;
     const double side = tab_.aside < 0 ? -1 : 1;
-    const double aside = side * to_middle(tab_) * line / kMiddle;
+    const double aside = side * (to_middle(tab_) + left_.sides) * line / kMiddle;
     const Vec2 at = tab_.foot.at(along) + left_of(tab_.foot.tangent_at(along)) * aside;
     const Lowest lowest = lowest_over(at, moves_);
     const double from_ridge = std::abs(2 * along - 1) * half_;
     const double least = tab_.top_z - steepness_ * from_ridge;
-    const double most = tab_.top_z - steepness_ * std::max(0.0, from_ridge - std::max(0.0, excess_of(tab_)));
+    const double side_z =
+        tab_.top_z - steepness_ * std::max(0.0, from_ridge - std::max(0.0, excess_of(tab_)));
+    const double most = std::max(side_z, tab_.bottom_z + left_.floor);
     SideError error{0, at, lowest};
     if (lowest.z < least) error.off = lowest.z - least;
     if (line == kMiddle && lowest.z > most) error.off = std::min(lowest.z, tab_.top_z + 1) - most;
@@ -129,14 +151,16 @@ class SideCheck {
 
   const Tab& tab_;
   const std::vector<const CheckedMove*>& moves_;
+  StockLeft left_;
   double half_;       ///< mm
   double steepness_;  ///< mm up for each mm along the outline
 };
 
 std::optional<Fault> fault_of_sides(const Feature& feature, const Tab& tab,
-                                    const std::vector<const CheckedMove*>& moves, const Tolerances& tol) {
+                                    const std::vector<const CheckedMove*>& moves, StockLeft left,
+                                    const Tolerances& tol) {
   if (tab.shape != TabShape::kTriangular) return std::nullopt;
-  const SideError worst = SideCheck(tab, moves).worst();
+  const SideError worst = SideCheck(tab, moves, left).worst();
   if (std::abs(worst.off) <= tol.uncut) return std::nullopt;
   const std::string what = "a side of the triangular tab stands " + trimmed(std::abs(worst.off), 3) +
                            " mm too " + (worst.off < 0 ? "low" : "high");
@@ -149,15 +173,19 @@ std::optional<Fault> fault_of_sides(const Feature& feature, const Tab& tab,
 
 /// Square tabs that reach farther along the middle of the kerf than they should.
 std::optional<Fault> fault_of_width(const Feature& feature, const Tab& tab,
-                                    const std::vector<const CheckedMove*>& moves, const Tolerances& tol) {
+                                    const std::vector<const CheckedMove*>& moves, StockLeft left,
+                                    const Tolerances& tol) {
   if (tab.shape != TabShape::kSquare) return std::nullopt;
-  const double may_stand = std::max(0.0, excess_of(tab)) + tol.uncut;
-  const auto is_cut = [&](Vec2 at) { return lowest_over(at, moves).z <= tab.bottom_z + tol.uncut; };
+  const double may_stand = std::max(0.0, excess_of(tab)) + left.sides + tol.uncut;
+  const auto is_cut = [&](Vec2 at) {
+    return lowest_over(at, moves).z <= tab.bottom_z + left.floor + tol.uncut;
+  };
   for (const bool ahead : {false, true}) {
-    if (is_cut(beyond_foot(tab, ahead, may_stand))) continue;
+    if (is_cut(beyond_foot(tab, ahead, may_stand, left.sides))) continue;
     double out = may_stand;
-    while (out < kBesideBody && !is_cut(beyond_foot(tab, ahead, out + tol.uncut))) out += tol.uncut;
-    const Vec2 at = beyond_foot(tab, ahead, out);
+    while (out < may_stand + kBesideBody && !is_cut(beyond_foot(tab, ahead, out + tol.uncut, left.sides)))
+      out += tol.uncut;
+    const Vec2 at = beyond_foot(tab, ahead, out, left.sides);
     return Fault{
         FaultKind::kUncut,
         feature.name,
@@ -174,12 +202,13 @@ std::vector<Fault> faults_of_tabs(const Part& part, const CheckedProgram& progra
   std::vector<Fault> faults;
   for (const Feature& feature : part.features) {
     if (!feature.profile) continue;
+    const StockLeft left = stock_left(part, feature);
     for (const Tab& tab : feature.profile->tabs) {
       const std::vector<const CheckedMove*> near = moves_near(tab, program);
       const Lowest lowest = lowest_over(tab.center, near);
       if (std::abs(lowest.z - tab.top_z) <= tol.uncut) {
-        if (const auto fault = fault_of_sides(feature, tab, near, tol)) faults.push_back(*fault);
-        if (const auto fault = fault_of_width(feature, tab, near, tol)) faults.push_back(*fault);
+        if (const auto fault = fault_of_sides(feature, tab, near, left, tol)) faults.push_back(*fault);
+        if (const auto fault = fault_of_width(feature, tab, near, left, tol)) faults.push_back(*fault);
         continue;
       }
       const double under = tab.bottom_z + feature.profile->beyond;

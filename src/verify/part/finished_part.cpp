@@ -196,6 +196,23 @@ double FinishedPart::height(Vec2 p) const {
   return height;
 }
 
+/// mm; as cleared_by(), of one shape alone, whose floor lies at z or below.
+double FinishedPart::cleared_in(const Shape& shape, Vec2 p, double z) const {
+  const double from_outline = shape.outline.distance_to(p);
+  if (!holds(shape, p)) return -from_outline;
+  if (shape.slope <= 0 || z >= shape.top) return from_outline;
+  const double from_drafted = shape.drafted.empty() ? from_outline : shape.drafted.distance_to(p);
+  return std::min(from_outline, from_drafted - (shape.top - z) * shape.slope);
+}
+
+double FinishedPart::cleared_by(Vec2 p, double z) const {
+  if (z >= top_z_) return std::numeric_limits<double>::infinity();
+  double most = kNothing;
+  for (const Shape& shape : shapes_)
+    if (shape.floor <= z) most = std::max(most, cleared_in(shape, p, z));
+  return most;
+}
+
 bool FinishedPart::is_film(Vec2 p, double z) const {
   return film_tree_.nearest(p, kFilm, [&](int i) { return films_[i].stands_at(z); }).edge >= 0;
 }

@@ -79,6 +79,10 @@ class FinishedPart {
   /// Whether a point at height z is outside the finished part.
   bool is_free(Vec2 p, double z) const { return z >= top_z_ || height(p) <= z; }
 
+  /// mm by which p lies within what some one feature clears at height z, or beside the stock; below 0 where none does: as far as p is at
+  /// least from anything cleared. Changes by no more than p moves. Exact also where features cut into walls with draft.
+  double cleared_by(Vec2 p, double z) const;
+
   /// mm. Places that are nearer to an outline than this lie on it.
   static constexpr double kProbe = 1e-5;
 
@@ -104,6 +108,7 @@ class FinishedPart {
   static bool is_drafted_at(const Shape& shape, const Edge& piece);
   bool holds(const Shape& shape, Vec2 p) const;
   double height_in(const Shape& shape, Vec2 p) const;
+  double cleared_in(const Shape& shape, Vec2 p, double z) const;
   double draft_offset_inside(const Wall& wall, double z, Vec2 p) const;
   void add_drafted_wall(const Edge& piece, const Shape& shape, double left, double right);
   bool is_beside_stock(Vec2 p) const;

@@ -351,12 +351,31 @@ bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>&
   return any;
 }
 
-/// The outermost outlines of which nothing says what they are, where one of them holds others: edges of parts, or pockets.
-/// Without one that does the drawing is of pockets most often.
+/// mm. Circles beside each other that are no wider than usual chucks take drills, and hold nothing, are holes.
+constexpr double kWidestHole = 13;
+
+/// Whether nothing but a circle of a hole's size is drawn.
+bool is_small_circle(const Outline& outline, const Tolerances& tol) {
+  const auto diameter = circle_diameter(Region::from_valid_loops(outline.loop, {}), tol);
+  return diameter && *diameter <= kWidestHole;
+}
+
+/// Whether two outlines are one that is drawn twice, as on two layers.
+bool is_drawn_twice(const Outline& a, const Outline& b, const Tolerances& tol) {
+  const Box one = box(a.loop), other = box(b.loop);
+  return distance(one.min, other.min) <= tol.join_gap && distance(one.max, other.max) <= tol.join_gap;
+}
+
+/// The outermost outlines of which nothing says what they are, edges of parts or pockets, where one of them holds others, or several are no
+/// holes, have no depth of their own, and no option says anything of the drawing. An outline alone is a pocket.
 std::vector<std::size_t> unclear_outlines(const std::vector<ShapedGroup>& groups,
-                                          const std::vector<Outline>& outlines) {
+                                          const std::vector<Outline>& outlines, const ReadOptions& options) {
+  const auto& rules = options.layer_rules;
+  const bool any_asked =
+      std::any_of(rules.begin(), rules.end(), [](const LayerRule& rule) { return rule.asked; });
   std::vector<std::size_t> outermost;
-  bool holding = false;
+  bool holding = false, several = false;
+  const Outline* first_plain = nullptr;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const DrawnGroup& group = groups[outlines[i].group].group;
     if (!outlines[i].about.empty() || outlines[i].crossing || group.role == LayerRole::kChamfer ||
@@ -364,15 +383,33 @@ std::vector<std::size_t> unclear_outlines(const std::vector<ShapedGroup>& groups
       continue;
     outermost.push_back(i);
     holding = holding || holds_others(outlines, i);
+    if (any_asked || group.depth || is_small_circle(outlines[i], options.tol)) continue;
+    several = several || (first_plain && !is_drawn_twice(*first_plain, outlines[i], options.tol));
+    if (!first_plain) first_plain = &outlines[i];
   }
-  return holding ? outermost : std::vector<std::size_t>{};
+  return holding || several ? outermost : std::vector<std::size_t>{};
+}
+
+/// Of outlines that hold no others.
+std::string question_of_plain(const Outline& first, std::size_t count, const ShapedGroup& group) {
+  const Box size = box(first.loop);
+  return "the drawing has " + std::to_string(count) + " outlines beside each other, the first of " +
+         trimmed(size.width(), 2) + " x " + trimmed(size.height(), 2) + " mm (layer " +
+         printable(group.group.name) +
+         "), and nothing says what they are: --op profile:outer if they are the edges of parts, which are "
+         "cut "
+         "out along them; --op pocket:outer if they are pockets";
 }
 
 std::string question_of(const std::vector<Outline>& outlines, const std::vector<std::size_t>& unclear,
                         const std::vector<ShapedGroup>& groups) {
   const auto holds = [&](std::size_t i) { return holds_others(outlines, i); };
-  const std::size_t first = *std::find_if(unclear.begin(), unclear.end(), holds);
   const auto holding = static_cast<std::size_t>(std::count_if(unclear.begin(), unclear.end(), holds));
+  if (holding == 0) {
+    const Outline& first = outlines[unclear.front()];
+    return question_of_plain(first, unclear.size(), groups[first.group]);
+  }
+  const std::size_t first = *std::find_if(unclear.begin(), unclear.end(), holds);
   const Outline& outline = outlines[first];
   const Box size = box(outline.loop);
   const auto others = std::count_if(outlines.begin(), outlines.end(), [&](const Outline& other) {
@@ -483,7 +520,7 @@ void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<Na
   }
   std::vector<Outline> outlines = outlines_of(groups);
   const bool chosen = apply_outline_rules(groups, outlines, layers, options, diagnostics);
-  const auto unclear = chosen ? std::vector<std::size_t>{} : unclear_outlines(groups, outlines);
+  const auto unclear = chosen ? std::vector<std::size_t>{} : unclear_outlines(groups, outlines, options);
   settle_crossing(groups, outlines, options, diagnostics);
   if (options.overview) fill_overview(groups, outlines, options, *options.overview);
   if (unclear.empty()) return;
