@@ -18,7 +18,7 @@
 namespace clearcut {
 namespace {
 
-constexpr const char* kControls[] = {"linuxcnc", "grbl",  "fanuc",   "haas",   "heidenhain", "mach3",
+constexpr const char* kControls[] = {"linuxcnc", "grbl",    "fanuc", "haas",    "heidenhain", "mach3",
                                      "mach4",    "siemens", "mazak", "tormach", "marlin"};
 
 /// Verdict and the names of faults and conditions, those that are met included.

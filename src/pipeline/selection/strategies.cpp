@@ -17,11 +17,8 @@ plan::tour::TourSolver solver_for(const StrategyRequest& request) {
 
 StrategyTable all_strategies() {
   std::vector<StrategyEntry> all{
-      plan::zigzag::entry(),
-      plan::spiral::entry(),
-      plan::adaptive::entry(),
-      plan::tour::entry(solver_for),
-      plan::cover::entry(),
+      plan::zigzag::entry(),         plan::spiral::entry(), plan::adaptive::entry(),
+      plan::tour::entry(solver_for), plan::cover::entry(),
   };
   for (StrategyEntry& entry : plan::contour::entries()) all.push_back(std::move(entry));
   return StrategyTable(std::move(all));

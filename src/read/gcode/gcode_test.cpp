@@ -350,7 +350,8 @@ TEST(Klartext, LengthsAndDatumsAreConditions) {
 }
 
 TEST(Klartext, WhatItCannotReadItRefuses) {
-  EXPECT_THAT(message_of(klartext("4 L X+Q1")), HasSubstr("test.ngc:5: Q1 is read before the program sets it"));
+  EXPECT_THAT(message_of(klartext("4 L X+Q1")),
+              HasSubstr("test.ngc:5: Q1 is read before the program sets it"));
   EXPECT_THAT(message_of(klartext("4 L X+1 RL")), HasSubstr("RL radius compensation"));
   EXPECT_THAT(message_of(klartext("4 CYCL DEF 7.0 DATUM SHIFT")), HasSubstr("cycle 7 is not read"));
   EXPECT_THAT(message_of(klartext("4 RND R5")), HasSubstr("block 'RND' is not read"));

@@ -54,7 +54,8 @@ std::optional<Gouge> gouge_of_move(const FinishedParts& finished, const CheckedM
   const FinishedPart& whole = finished.for_tool(tool);
   // What is no fault as it is needs no second look.
   const bool may_cross = whole.greatest_draft_offset() > 0 && least && least->depth > slack;
-  return may_cross && is_clear_of_crossed_draft(whole, move, tool.radius() + aside, slack) ? std::nullopt : least;
+  return may_cross && is_clear_of_crossed_draft(whole, move, tool.radius() + aside, slack) ? std::nullopt
+                                                                                           : least;
 }
 
 }  // namespace clearcut::verify
