@@ -903,11 +903,15 @@ class IsoReader : Track {
     if (takes_g(800)) motion_ = -1;
     tools();
     const bool by_reference = takes_g(280), up = by_reference || takes_g(530), incremental = takes_g(910);
-    if (by_reference != incremental) fail("G28 without G91, or the other way round");
-    if (takes_g(900)) absolute_ = true;
+    in_steps_ = in_steps_ || incremental;
+    if (by_reference ? !in_steps_ : incremental) fail("G28 without G91, or the other way round");
+    if (takes_g(900)) absolute_ = true, in_steps_ = false;
+    // By way of a place: of the one where the tool is, in steps of nothing.
+    for (const char c : {'X', 'Y', 'Z'})
+      if (by_reference && has(c) && words_.at(c).digits != 0) fail("G28 by way of another place");
     if (sinumerik_ && words_.erase('D') > 0 && !up && !at_home())
       fail("the tool's length changes away from the machine's upper end");
-    if (up) return go_home(incremental);
+    if (up) return go_home(in_steps_);
     if (takes_g(490) || takes_g(430)) {
       if (!at_home()) fail("the tool's length changes away from the machine's upper end");
       words_.erase('H');
@@ -919,6 +923,7 @@ class IsoReader : Track {
       const char first = path ? 'P' : smooth ? 'E' : 'C';
       if (!has(first)) fail("blending without a stated tolerance");
       const Number one = take(first);
+      if (smooth) words_.erase('P');  // how smoothly: within the tolerance
       tolerance_ = 0;
       blend(one);
       if (path) blend(has('Q') ? take('Q') : one);
@@ -1004,8 +1009,8 @@ class IsoReader : Track {
   std::vector<Int> gs_, ms_;  // ten times their numbers
   std::optional<Int> called_, inserted_;
   Int motion_ = -1, offset_ = 0, start_ = 0, clear_ = 0, bottom_ = 0;
-  bool absolute_ = false, tape_ = false, sinumerik_ = false, begun_ = false, to_start_ = true,
-       begins_ = false, by_change_ = false, by_word_ = false;
+  bool absolute_ = false, in_steps_ = false, tape_ = false, sinumerik_ = false, begun_ = false,
+       to_start_ = true, begins_ = false, by_change_ = false, by_word_ = false;
 };
 
 /// Heidenhain Klartext: L, CC, C, CP and cycles of holes.

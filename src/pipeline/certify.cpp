@@ -11,6 +11,7 @@
 #include "base/inch.h"
 #include "base/text/format.h"
 #include "base/version.h"
+#include "features/raw_stock.h"
 #include "features/round_hole.h"
 #include "link/link.h"
 #include "link/sections/over_tabs.h"
@@ -186,9 +187,7 @@ link::LinkOptions link_options(const ResolvedPlan& plan, int workingstep, EntryK
   link.link_lift = plan.link_lift;
   link.predrilled = features::holes_before(plan.part, workingstep, plan.tol);
   if (plan.part.stock) link.stock = plan.part.stock->plan;
-  // Raw stock is sawn: a rapid beside it keeps off by the cutter's radius, within limits that are usual.
-  constexpr double kLeastBeside = 1, kMostBeside = 2;  // mm
-  link.beside_stock = std::clamp(tool.radius(), kLeastBeside, kMostBeside) + plan.stock_oversize;
+  link.beside_stock = features::clear_of_raw_stock(tool.radius()) + plan.stock_oversize;
   link.above_material += plan.stock_oversize;
   link.machine = plan.machine;
   return link;

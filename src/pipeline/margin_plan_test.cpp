@@ -13,8 +13,9 @@ using ::testing::HasSubstr;
 
 /// A pocket with a bulged side, a corner that reaches inwards, and a hole in its middle that stays.
 Part pocket() {
-  return drawn(outline("POCKET_D3", {{{0, 0}}, {{50, 0}, 0.2}, {{50, 40}}, {{25, 30}}, {{0, 40}}}) +
-               box("POCKET_D3", 20, 12, 28, 18));
+  return drawn(
+      outline("POCKET_D3", {{{0, 0}}, {{50, 0}, 0.2}, {{50, 40}}, {{30, 40}}, {{30, 32}}, {{0, 32}}}) +
+      box("POCKET_D3", 20, 12, 28, 18));
 }
 
 resolve::PlanOptions asking(const std::string& strategy, double at_least) {
@@ -27,12 +28,14 @@ resolve::PlanOptions asking(const std::string& strategy, double at_least) {
 class MarginOf : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(MarginOf, APlanIsAsWideAsAsked) {
-  const PlanResult exact = plan_part(pocket(), asking(GetParam(), 0.0025));
+  resolve::PlanOptions near = asking(GetParam(), 0.0025);
+  near.shop.margin_uncut = 0.02;
+  const PlanResult exact = plan_part(pocket(), near);
   ASSERT_TRUE(exact.margin);
   EXPECT_GE(exact.margin->least()->mm, 0.0025);
   EXPECT_EQ(verdict_of(exact.findings), Verdict::kClean);
   resolve::PlanOptions wide = asking(GetParam(), 0.02);
-  wide.shop.margin_uncut = 0.03;
+  wide.shop.margin_uncut = 0.032;
   wide.shop.margin_gouge = 0.02;
   const PlanResult worn = plan_part(pocket(), wide);
   EXPECT_GE(worn.margin->least()->mm, 0.02);
@@ -44,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Strategies, MarginOf, ::testing::Values("contour", "zig
 TEST(MarginPlan, IsRefusedWhereTheBoundsCannotHoldIt) {
   std::string said;
   try {
-    plan_part(pocket(), asking("contour", 0.02));
+    resolve::check(asking("contour", 0.02));
   } catch (const InputError& error) {
     said = error.what();
   }

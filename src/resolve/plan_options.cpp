@@ -328,24 +328,25 @@ void check(const TabOptions& tabs) {
 
 namespace {
 
-/// mm. So much at most do passes leave by themselves.
-constexpr double kLeftByPasses = 0.004;
+/// mm. So much at most do passes leave along walls, and what two of them leave between them is Tolerances::uncut.
+constexpr double kLeftAlongWalls = 0.004;
 
-/// A path that may lie that far off leaves that much, and the stock against cutting too deep, in corners of walls the root of two times
-/// that. The stock alone has to stay within what the verdict lets stand.
+/// A path that may lie that far off leaves that much, and the stock against cutting too deep, in square corners of walls the root of
+/// two times that; acute corners may hold less, which the verdict then says. The stock alone has to stay within what the verdict lets stand.
 void refuse_narrow_bounds(double at_least, const ShopOptions& shop) {
   const MarginBounds standard;
   const double gouge = shop.margin_gouge.value_or(standard.gouge),
                uncut = shop.margin_uncut.value_or(standard.uncut);
-  const double left = std::sqrt(2.0) * MarginRule{at_least, {uncut, gouge}}.stock() + kLeftByPasses;
-  if (at_least + left <= uncut && left <= standard.uncut) return;
+  const double stock = std::sqrt(2.0) * MarginRule{at_least, {uncut, gouge}}.stock();
+  const double needed = at_least + stock + standard.uncut;
+  if (needed <= uncut && stock + kLeftAlongWalls <= standard.uncut) return;
   throw InputError(
       "--margin-at-least",
       fmt::format(
           "{} mm cannot be held where {} mm may be left and {} mm be cut too deep; allow more, for example "
           "--margin-uncut {} --margin-gouge {}",
           trimmed(at_least, 4), trimmed(uncut, 4), trimmed(gouge, 4),
-          trimmed(at_least + 2 * kLeftByPasses, 4), trimmed(at_least, 4)));
+          trimmed(at_least + 1.5 * standard.uncut, 4), trimmed(at_least, 4)));
 }
 
 }  // namespace

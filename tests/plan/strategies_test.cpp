@@ -113,6 +113,7 @@ TEST(Zigzag, KeepsTheDirectionAskedFor) {
       const Vec2 middle = move.path.at(0.5);
       if (move.kind != MoveKind::kCut || std::abs(middle.x - 25) > 21.9 || std::abs(middle.y - 20) > 16.9)
         continue;
+      if (move.path.is_arc()) continue;  // of rounded corners
       inside += move.length();
       const double off = std::remainder(angle_of(move.path.to - move.path.from) - angle * kPi / 180, kPi);
       if (std::abs(off) < 1e-4) along += move.length();

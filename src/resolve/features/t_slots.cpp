@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "features/kerf.h"
+#include "features/raw_stock.h"
 #include "features/tool_choice.h"
 #include "geometry/boolean.h"
 #include "geometry/rectangle.h"
@@ -19,8 +20,7 @@ namespace {
 
 /// mm on each side between the neck and the walls of its slot, at least.
 constexpr double kBesideNeck = 0.1;
-/// mm between a cutter and the stock, or the walls of a pocket, where it goes down.
-constexpr double kClearOfStock = 1;
+/// mm between a cutter and the walls of a pocket where it goes down.
 constexpr double kBesideWall = 0.1;
 /// mm. Heights, and places at the side of the stock, nearer than this are one.
 constexpr double kSameHeight = 0.01;
@@ -29,11 +29,10 @@ constexpr double kLookStep = 0.25;
 /// mm2. What booleans leave of areas that only touch.
 constexpr double kRemnant = 1e-3;
 
-/// How far the line has to go on from its end for a cutter of `radius` to be beside the stock; nothing where it ends in the stock,
-/// or leads back into it.
-std::optional<double> way_out(const Path& line, double radius, const Box& stock) {
+/// How far the line has to go on from its end for a cutter to be beside the stock, which its centre keeps `needed` mm off; nothing where it
+/// ends in the stock, or leads back into it.
+std::optional<double> way_out(const Path& line, double needed, const Box& stock) {
   const Vec2 end = line.back().to, ahead = line.back().tangent_at(1);
-  const double needed = radius + kClearOfStock;
   const Box inner = stock.grown(-kSameHeight);
   for (double way = 0; way <= 10 * needed; way += kLookStep) {
     const Vec2 at = end + ahead * way;
@@ -43,9 +42,9 @@ std::optional<double> way_out(const Path& line, double radius, const Box& stock)
   return std::nullopt;
 }
 
-/// The line drawn on beyond its end for a cutter of `radius`, where that leads out of the stock.
-Path drawn_on(Path line, double radius, const std::optional<Stock>& stock) {
-  const auto way = stock ? way_out(line, radius, stock->plan) : std::nullopt;
+/// The line drawn on beyond its end for a cutter whose centre keeps `off` mm off the stock, where that leads out of it.
+Path drawn_on(Path line, double off, const std::optional<Stock>& stock) {
+  const auto way = stock ? way_out(line, off, stock->plan) : std::nullopt;
   if (!way || *way <= 0) return line;
   const Vec2 end = line.back().to, out = end + line.back().tangent_at(1) * *way;
   if (line.back().is_arc()) {
@@ -57,8 +56,8 @@ Path drawn_on(Path line, double radius, const std::optional<Stock>& stock) {
 }
 
 /// At both ends.
-Path drawn_out(const Path& line, double radius, const std::optional<Stock>& stock) {
-  return reversed(drawn_on(reversed(drawn_on(line, radius, stock)), radius, stock));
+Path drawn_out(const Path& line, double off, const std::optional<Stock>& stock) {
+  return reversed(drawn_on(reversed(drawn_on(line, off, stock)), off, stock));
 }
 
 class TSlotShaper {
@@ -88,7 +87,7 @@ class TSlotShaper {
     neck.name += "_neck";
     neck.kind = FeatureKind::kEngraving;
     ProfileCut cut = *neck.profile;
-    cut.line = drawn_out(cut.line, part_.tools[static_cast<std::size_t>(mill)].radius(), part_.stock);
+    cut.line = drawn_out(cut.line, off_stock(part_.tools[static_cast<std::size_t>(mill)]), part_.stock);
     features::follow(neck, std::move(cut), options_.tol);
     return step_on(std::move(neck), step, mill);
   }
@@ -142,11 +141,17 @@ class TSlotShaper {
   }
 
   /// Draws the line on to where the disc goes down, which becomes its beginning.
+  /// mm; how far the cutter's centre keeps off the stock where it goes down.
+  double off_stock(const Tool& cutter) const {
+    return cutter.radius() + features::clear_of_raw_stock(cutter.radius()) +
+           options_.shop.stock_oversize.value_or(0);
+  }
+
   void find_ends(Feature& feature, const Tool& cutter) const {
     ProfileCut& cut = *feature.profile;
     if (cut.closed)
       throw InputError(feature.name, "a T-slot runs along an open line; open it where the disc can go down");
-    cut.line = drawn_out(cut.line, cutter.radius(), part_.stock);
+    cut.line = drawn_out(cut.line, off_stock(cutter), part_.stock);
     const bool at_end = is_free(feature, cut.line.back().to, cutter);
     const bool at_begin = is_free(feature, cut.line.front().from, cutter);
     if (!at_begin && !at_end)

@@ -185,8 +185,11 @@ TEST(TSlots, SlotsOfDifferentDepthsMayCross) {
     std::string changed = program;
     std::size_t at = changed.find("T2 M6");
     while ((at = changed.find(from, at)) != std::string::npos) {
-      changed.replace(at, from.size(), to);
-      at += to.size();
+      // Whole words alone: "Z-12.9" is another height.
+      const std::size_t end = at + from.size();
+      const bool is_word = end == changed.size() || changed[end] == ' ' || changed[end] == '\n';
+      if (is_word) changed.replace(at, from.size(), to);
+      at += is_word ? to.size() : from.size();
     }
     return check_program(part, changed, "other.ngc", with(kTools)).findings;
   };
