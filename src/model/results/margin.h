@@ -23,7 +23,7 @@ struct MarginRule {
   MarginBounds bounds;
 
   /// mm; a control may run arcs of printed digits by so much off.
-  static constexpr double kArcs = 0.0008;
+  static constexpr double kArcs = 0.0012;
   /// mm; stock that a plan leaves on walls and floors so that a path that far off cuts no deeper than the bound.
   double stock() const { return at_least > 0 ? std::max(0.0, at_least - bounds.gouge + kArcs) : 0; }
 };

@@ -48,7 +48,7 @@ TEST(TSlots, AnOpenSlotIsMilledForTheNeckThenUndercutFromOutsideToOutside) {
   const auto change = result.program.find("T2 M6");
   ASSERT_NE(change, std::string::npos);
   EXPECT_LT(result.program.find("T1 M6"), change);
-  EXPECT_THAT(result.program.substr(change), HasSubstr("X-11 Y30\nZ1\nG1 Z-12 F300\nX111 F1000\nG0 Z10\n"));
+  EXPECT_THAT(result.program.substr(change), HasSubstr("X-12 Y30\nZ1\nG1 Z-12 F300\nX112 F1000\nG0 Z10\n"));
 }
 
 TEST(TSlots, AProgramWrittenByHandIsClean) {
@@ -124,7 +124,7 @@ TEST(TSlots, WhatEndsInTheMaterialIsLeftTheWayItWasEntered) {
   EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << faults_of(result.findings);
   const auto change = result.program.find("T2 M6");
   EXPECT_THAT(result.program.substr(change),
-              HasSubstr("X-11 Y30\nZ1\nG1 Z-12 F300\nX60 F1000\nX-11\nG0 Z10\n"));
+              HasSubstr("X-12 Y30\nZ1\nG1 Z-12 F300\nX60 F1000\nX-12\nG0 Z10\n"));
   const std::string neck =
       "T1 M6\nG43 H1\nM3 S2650\nG0 Z10\nX-8 Y30\nG1 Z-6 F300\nX60 F800\nX-8\nG1 Z-12 F300\nX60 F800\nX-8\nG0 "
       "Z10\n";
