@@ -208,8 +208,10 @@ TEST_F(ManyMachines, WhatMpiCannotDoIsRefused) {
       {"batch", folder_.path("parts"), "--output", folder_.path("out"), "--mpi", "--share", "1/2"});
   EXPECT_EQ(twice.exit_code, 2);
   EXPECT_THAT(twice.err, HasSubstr("give one of them"));
-  // The command alone, as where the plug-in is not installed.
-  fs::copy_file(CLEARCUT_COMMAND, folder_.path("clearcut"));
+  // The command with the program that it becomes, as where the plug-in is not installed.
+  const fs::path built(CLEARCUT_COMMAND);
+  for (const char* name : {"clearcut", "clearcut-studies"})
+    fs::copy_file(built.parent_path() / name, folder_.path(name));
   EXPECT_EQ(shell("./clearcut study spread --mpi -o rows.csv"), 2);
   EXPECT_THAT(said(), HasSubstr("this installation has no MPI; install the package clearcut-mpi"));
   EXPECT_FALSE(fs::exists(folder_.path("rows.csv")));
