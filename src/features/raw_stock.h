@@ -5,7 +5,7 @@
 
 namespace clearcut::features {
 
-/// mm that a cutter's rim stays off the block, which is sawn, where it goes down beside it: its radius, within limits that are usual.
+/// mm that the rim of a cutter stays off the sawn block where the cutter goes down beside the block: its radius, within usual limits.
 inline double clear_of_raw_stock(double radius) {
   constexpr double kLeast = 1, kMost = 2;
   return std::clamp(radius, kLeast, kMost);

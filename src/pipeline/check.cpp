@@ -326,8 +326,7 @@ CheckResult check_program(const Part& part, const std::string& program, const st
                           std::move(stated));
   add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
-  result.margin =
-      margin_asked({result.part, result.toolpath, result.control, result.earlier}, plan, result.findings);
+  result.margin = margin_asked({result.part, result.toolpath, result.control}, plan, result.findings);
   return result;
 }
 

@@ -29,13 +29,8 @@ std::string not_asked_of(const Margin& margin) {
 
 std::optional<Margin> margin_asked(const ProgramRead& program, const ResolvedPlan& plan, Findings& findings) {
   if (!plan.margin) return std::nullopt;
-  verify::VerifyOptions asked;
-  asked.tol = plan.tol;
-  asked.machine = plan.machine;
-  asked.threads = plan.threads;
-  asked.cancel = plan.cancel;
+  verify::VerifyOptions asked = verify_options(plan);
   asked.control = &program.control;
-  if (program.earlier) asked.earlier = &*program.earlier;
   Margin margin = verify::margin_of(program.part, program.toolpath, asked, plan.margin->bounds);
   const FeatureMargin* const least = margin.least();
   if (least && least->mm < plan.margin->at_least - kRounding) {

@@ -12,12 +12,11 @@
 
 namespace clearcut::pipeline {
 
-/// A program as it was read, with what ran before it.
+/// A program as it was read.
 struct ProgramRead {
   const Part& part;
   const Toolpath& toolpath;
   const ControlTable& control;
-  const std::optional<Toolpath>& earlier;
 };
 
 /// The margin where `plan` asks for one; see verify::margin_of. Where it is smaller than was asked that is an open condition of `findings`.

@@ -170,10 +170,9 @@ std::string does_not_fit(const Part& part, const Workingstep& step, const Tolera
   }
   if (features::is_too_narrow_for_hole(part, step, tol))
     return fmt::format(
-        "tool T{} ({} {} mm) makes no hole of {} mm; give one that does, for example --tool drill:{}",
+        "tool T{0} ({1} {2} mm) makes no hole of {3} mm; give one that does, for example --tool drill:{3}",
         tool_of(part, step).number, name_of(tool_of(part, step).kind),
         trimmed(tool_of(part, step).diameter, 4),
-        trimmed(2 * features::round_hole_of(feature_of(part, step), tol)->radius, 4),
         trimmed(2 * features::round_hole_of(feature_of(part, step), tol)->radius, 4));
   return fmt::format("tool T{} ({} mm) does not fit {}; the largest that does has {} mm",
                      tool_of(part, step).number, trimmed(tool_of(part, step).diameter, 4),
@@ -477,8 +476,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   explain_rounded_places(result, plan);
-  result.margin =
-      margin_asked({result.part, result.toolpath, result.control, result.earlier}, plan, result.findings);
+  result.margin = margin_asked({result.part, result.toolpath, result.control}, plan, result.findings);
   sign(result, toolpath, plan);
   report_notes(selection, works, plan, result.part);
   result.contours = contours_of(toolpath, plan);

@@ -228,4 +228,9 @@ void round_corners(std::vector<Pass>& passes, const RoundingJob& job) {
   Rounder(job).run(passes);
 }
 
+void round_corners(LayerPasses& layer, double radius, double speed, double acceleration) {
+  const LegalArea legal(layer.legal);
+  round_corners(layer.passes, {radius, proven_radius(radius, layer.residual), &legal, speed, acceleration});
+}
+
 }  // namespace clearcut::plan

@@ -1,4 +1,4 @@
-// Rounds corners of passes where others clear what a rounded corner leaves, so that machines keep their speed there.
+// Rounds corners of passes where other passes clear the material that a rounded corner leaves, so that machines keep their speed.
 #pragma once
 
 #include <vector>
@@ -30,5 +30,9 @@ double proven_radius(double tool_radius, double residual);
 /// Result  No path gets longer. The corner where a closed pass begins stays.
 /// Cost    O(corners * passes nearby).
 void round_corners(std::vector<Pass>& passes, const RoundingJob& job);
+
+/// The same of all passes of a layer, within its legal area and what its residual lets be proven. `radius`: of the cutter, mm; `speed`, mm/s,
+/// of the feed; `acceleration`, mm/s^2.
+void round_corners(LayerPasses& layer, double radius, double speed, double acceleration);
 
 }  // namespace clearcut::plan

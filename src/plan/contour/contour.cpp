@@ -239,11 +239,7 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
   const bool ours = options.step.kind == StepRule::Kind::kWidest && options.residuals == ResidualRule::kOurs;
   if (ours && options.passage == Passage::kShortest && closed_all_round(layer))
     shorten_passes(domains, job, layer, options, tol, result);
-  if (ours) {
-    const LegalArea legal(result.legal);
-    round_corners(result.passes, {job.radius, proven_radius(job.radius, result.residual), &legal,
-                                  options.feed.mm_per_s(), options.machine.acceleration});
-  }
+  if (ours) round_corners(result, job.radius, options.feed.mm_per_s(), options.machine.acceleration);
   return result;
 }
 

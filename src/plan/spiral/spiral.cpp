@@ -391,9 +391,7 @@ LayerPasses plan_spiral(const Layer& layer, const SpiralOptions& options, const 
   for (const auto& wall : walls) {
     if (wall.component >= static_cast<int>(area.components.size())) result.passes.push_back(wall);
   }
-  const LegalArea legal(result.legal);
-  round_corners(result.passes, {layer.tool_radius, proven_radius(layer.tool_radius, result.residual), &legal,
-                                options.feed.mm_per_s(), options.machine.acceleration});
+  round_corners(result, layer.tool_radius, options.feed.mm_per_s(), options.machine.acceleration);
   return result;
 }
 

@@ -246,9 +246,7 @@ LayerPasses plan_zigzag(const Layer& layer, const ZigzagOptions& options, const 
       result.passes.push_back(std::move(pass));
     }
   }
-  const LegalArea legal(result.legal);
-  round_corners(result.passes, {layer.tool_radius, proven_radius(layer.tool_radius, result.residual), &legal,
-                                options.feed.mm_per_s(), options.machine.acceleration});
+  round_corners(result, layer.tool_radius, options.feed.mm_per_s(), options.machine.acceleration);
   return result;
 }
 

@@ -217,7 +217,7 @@ void PlaceWords::rotate(const Block& block) {
   control_.plan_map = map;
 }
 
-/// G51.1 mirrors what follows about the places that it states; G50.1 ends that of the axes that it states.
+/// G51.1 mirrors the moves after it about the places of its axis words; G50.1 ends the mirror of the axes it names.
 void PlaceWords::mirror(const Block& block, bool on) {
   PlanMap& map = control_.plan_map;
   if (block.has('Z')) control_.refuse("mirrored Z is not read; post the program without it");

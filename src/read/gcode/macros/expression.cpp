@@ -37,7 +37,7 @@ enum OperatorKind : int {
   kXor
 };
 
-/// `linuxcnc`, `fanuc`: how strongly it binds there, the strongest greatest; 0 where the control has it not.
+/// `linuxcnc`, `fanuc`: how strongly the operator binds on that control, the strongest greatest; 0 where the control lacks the operator.
 struct OperatorRow {
   std::string_view text;
   OperatorKind kind;

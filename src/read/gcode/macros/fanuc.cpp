@@ -130,13 +130,7 @@ class FanucRun : private MacroRun {
     main.lines = lines_of(text);
     indices_.emplace(&main, FanucIndex(main));
     frames_.push_back({.source = &main, .called = file_name});
-    try {
-      while (!interpreter_.ended() && step()) {
-      }
-    } catch (const InputError& error) {
-      rethrow(error.what());
-    }
-    return interpreter_.ended() || tape_ended_;
+    return run_steps([this] { return step(); });
   }
 
  private:
@@ -385,7 +379,6 @@ class FanucRun : private MacroRun {
   Block block_;
   TapeMarks marks_;
   bool program_seen_ = false;
-  bool tape_ended_ = false;
 };
 
 }  // namespace

@@ -33,13 +33,7 @@ class LinuxCncRun : private MacroRun {
     words_.emplace(&main, OWords(main));
     frames_.push_back({.source = &main, .called = file_name});
     loops_.emplace_back();
-    try {
-      while (!interpreter_.ended() && step()) {
-      }
-    } catch (const InputError& error) {
-      rethrow(error.what());
-    }
-    return interpreter_.ended() || tape_ended_;
+    return run_steps([this] { return step(); });
   }
 
  private:
@@ -325,7 +319,6 @@ class LinuxCncRun : private MacroRun {
   std::vector<std::optional<Modes>> saved_;      ///< by M70 before each call
   Block block_;
   TapeMarks marks_;
-  bool tape_ended_ = false;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.h"
 #include "read/gcode/control/control.h"
 #include "read/gcode/interpreter.h"
 #include "read/gcode/macros/macro_line.h"
@@ -41,6 +42,17 @@ class MacroRun {
       : interpreter_(interpreter), builder_(builder), rules_(rules), options_(options) {}
 
  protected:
+  /// Executes lines by `step`, which says whether the program goes on, until its end. Whether that was reached. Errors tell the calls.
+  template <typename Step>
+  bool run_steps(Step step) {
+    try {
+      while (!interpreter_.ended() && step()) {
+      }
+    } catch (const InputError& error) {
+      rethrow(error.what());
+    }
+    return interpreter_.ended() || tape_ended_;
+  }
   /// Throws InputError where more is executed than any program needs.
   void count_step(std::size_t length);
   std::string place() const;
@@ -62,6 +74,7 @@ class MacroRun {
   const ReadControllerOptions& options_;
   std::vector<MacroFrame> frames_;
   std::vector<std::unique_ptr<MacroSource>> sources_;
+  bool tape_ended_ = false;  ///< by the % that ends a tape
 
  private:
   long long steps_ = 0;
