@@ -14,7 +14,7 @@
 #include <string>
 
 #include "base/units.h"
-#include "geometry/clearance.h"
+#include "geometry/voronoi/clearance.h"
 #include "studies/fishhead.h"
 
 namespace clearcut {

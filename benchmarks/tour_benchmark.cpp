@@ -16,7 +16,7 @@
 #include "base/files/file.h"
 #include "base/random.h"
 #include "order/lattice.h"
-#include "order/solve.h"
+#include "order/search/solve.h"
 #include "order/tsplib.h"
 
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "report/text_table.h"
-#include "resolve/plan_options.h"
+#include "resolve/asked/plan_options.h"
 
 namespace clearcut::studies {
 

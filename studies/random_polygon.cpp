@@ -6,9 +6,9 @@
 
 #include "base/elementary.h"
 #include "base/units.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
 #include "geometry/side_list.h"
+#include "geometry/voronoi/clearance.h"
 
 namespace clearcut::studies {
 namespace {

@@ -4,9 +4,9 @@
 
 #include "base/tolerances.h"
 #include "base/units.h"
-#include "geometry/boolean.h"
+#include "geometry/boolean/boolean.h"
 #include "geometry/box.h"
-#include "geometry/clearance.h"
 #include "geometry/edge.h"
 #include "geometry/region.h"
 #include "geometry/vec2.h"
+#include "geometry/voronoi/clearance.h"

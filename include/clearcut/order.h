@@ -1,7 +1,7 @@
 // Tours over points under any cost: solve_tour() for files and lattices by name, solve_order() for problems of one's own.
 #pragma once
 
-#include "order/solve.h"
+#include "order/search/solve.h"
 #include "pipeline/tour/tour.h"
 
 namespace clearcut {

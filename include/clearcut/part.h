@@ -9,6 +9,7 @@
 #include "post/part/outline_writer.h"
 #include "post/part/stepnc_writer.h"
 #include "post/post.h"
+#include "read/drawing/layer_rules.h"
 #include "read/job/job_file.h"
 #include "read/job/job_setups.h"
 #include "read/job/machine_file.h"

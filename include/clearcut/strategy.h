@@ -7,8 +7,8 @@
 #pragma once
 
 #include "model/layer.h"
+#include "model/options/strategy_entry.h"
 #include "model/pass.h"
-#include "model/strategy_entry.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 

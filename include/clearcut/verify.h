@@ -9,7 +9,7 @@
 #include "pipeline/margin.h"
 #include "pipeline/move_figures.h"
 #include "read/gcode/gcode.h"
-#include "resolve/plan_options.h"
+#include "resolve/asked/plan_options.h"
 
 namespace clearcut {
 

@@ -3,6 +3,16 @@
 
 namespace clearcut::inline base {
 
+/// mm. What the arithmetic of doubles adds to coordinates of a metre, with room: differences below this say nothing.
+inline constexpr double kRoundingMm = 1e-9;
+
+/// mm. Places, heights and sizes that differ by less are the same one: below the last digit of any file or control, above what
+/// reading, turning and moving of numbers adds.
+inline constexpr double kSamePlaceMm = 1e-6;
+
+/// Radians. Directions that differ by less are the same one: a metre along them parts by a micrometre.
+inline constexpr double kSameAngleRad = 1e-6;
+
 struct Tolerances {
   /// mm. Two points nearer than this are one point. Below the resolution of any controller (0.1 um printed).
   double coincident = 1e-7;

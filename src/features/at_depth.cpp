@@ -1,7 +1,7 @@
 #include "features/at_depth.h"
 
 #include "base/elementary.h"
-#include "geometry/clearance.h"
+#include "geometry/voronoi/clearance.h"
 
 namespace clearcut::features {
 

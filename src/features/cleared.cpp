@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/boolean.h"
+#include "geometry/boolean/boolean.h"
 
 namespace clearcut::features {
 namespace {

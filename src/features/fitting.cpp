@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "features/at_depth.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
 
 namespace clearcut::features {
 namespace {

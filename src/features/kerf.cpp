@@ -4,17 +4,15 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "base/tolerances.h"
+#include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
 
 namespace clearcut::features {
 namespace {
 
 /// mm. Arcs narrower than the cutter are replaced by chords this near to them.
 constexpr double kChord = 0.0005;
-
-/// mm. What ends no farther above the underside goes through.
-constexpr double kThrough = 1e-6;
 
 /// mm. Until a cutter is chosen the kerf is taken to be this wide.
 constexpr double kSomeKerf = 0.1;
@@ -91,7 +89,7 @@ std::set<int> profiles_through(const Part& part) {
     const Feature& feature = part.features[i];
     if (!feature.profile) continue;
     const bool follows = feature.profile->side == ProfileSide::kOn;
-    if (!follows || feature.floor_z + feature.profile->beyond <= underside + kThrough)
+    if (!follows || feature.floor_z + feature.profile->beyond <= underside + kSamePlaceMm)
       through.insert(static_cast<int>(i));
   }
   return through;
@@ -100,7 +98,7 @@ std::set<int> profiles_through(const Part& part) {
 bool may_free(const Feature& feature, const Part& part) {
   if (!feature.profile) return false;
   if (feature.profile->side != ProfileSide::kOn) return true;
-  return feature.profile->closed && part.stock && feature.floor_z <= part.stock->z_bottom + kThrough;
+  return feature.profile->closed && part.stock && feature.floor_z <= part.stock->z_bottom + kSamePlaceMm;
 }
 
 void follow(Feature& feature, ProfileCut cut, const Tolerances& tol) {

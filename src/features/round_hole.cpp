@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/tolerances.h"
 #include "model/cutter_profile.h"
 
 namespace clearcut::features {
-namespace {
-
-/// mm. Diameters that differ by a tolerance, as far as numbers tell.
-constexpr double kDiameterRounding = 1e-6;
-
-}  // namespace
+namespace {}  // namespace
 
 std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances& tol) {
   if (!closed_all_round(feature) || feature.wall_slope.radians() != 0 || feature.target.size() != 1)
@@ -39,18 +35,18 @@ double full_depth(const Part& part, const Workingstep& step) {
 
 bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol) {
   const double spare = 2 * hole.radius - tool.diameter;
-  return spare >= -tol.fit - kDiameterRounding && spare <= tol.uncut + kDiameterRounding;
+  return spare >= -tol.fit - kSamePlaceMm && spare <= tol.uncut + kSamePlaceMm;
 }
 
 bool is_near_size(double drill, double hole) {
-  return std::abs(drill - hole) <= kNearDrill + kDiameterRounding;
+  return std::abs(drill - hole) <= kNearDrill + kSamePlaceMm;
 }
 
 bool is_too_narrow_for_hole(const Part& part, const Workingstep& step, const Tolerances& tol) {
   const Tool& tool = tool_of(part, step);
   if (!only_plunges(tool) || !step.operation.is_tool_chosen) return false;
   const auto hole = round_hole_of(feature_of(part, step), tol);
-  if (!hole || 2 * hole->radius <= tool.diameter + tol.uncut + kDiameterRounding) return false;
+  if (!hole || 2 * hole->radius <= tool.diameter + tol.uncut + kSamePlaceMm) return false;
   return std::count_if(part.workplan.begin(), part.workplan.end(),
                        [&](const Workingstep& other) { return other.feature == step.feature; }) == 1;
 }

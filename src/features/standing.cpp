@@ -5,9 +5,9 @@
 
 #include "features/at_depth.h"
 #include "features/round_hole.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
 #include "geometry/spatial/apart.h"
+#include "geometry/voronoi/clearance.h"
 
 namespace clearcut::features {
 namespace {

@@ -2,18 +2,17 @@
 
 #include <algorithm>
 
+#include "base/tolerances.h"
 #include "features/fitting.h"
 #include "features/round_hole.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
 
 namespace clearcut::features {
 namespace {
 
 /// mm2. What a mill may leave in corners before a smaller one is taken.
 constexpr double kCorners = 1;
-/// Radians. Angles of files have digits.
-constexpr double kSameSlope = 1e-6;
 
 /// mm2 that a cutter leaves in the corners of a profile.
 double left_in_corners(const ProfileCut& cut, double radius, const Tolerances& tol) {
@@ -66,7 +65,7 @@ int carving_tool(const Feature& feature, const std::vector<Tool>& tools) {
 
 bool keeps_walls(const Tool& tool, const Feature& feature) {
   if (tool.kind != ToolKind::kTapered) return true;
-  return tool.tip_angle.value_or(Radians{}).radians() / 2 <= feature.wall_slope.radians() + kSameSlope;
+  return tool.tip_angle.value_or(Radians{}).radians() / 2 <= feature.wall_slope.radians() + kSameAngleRad;
 }
 
 int tool_for_tabs(const Feature& feature, int chosen, const std::vector<Tool>& tools) {

@@ -4,13 +4,12 @@
 #include <cmath>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 
 namespace clearcut::inline geometry {
 namespace {
 
-/// mm. Edges nearer than this meet: far above the rounding of coordinates in metres, far below any tolerance.
-constexpr double kTouch = 1e-9;
 /// Rounding of places on an arc, per mm of its radius: counts on arcs of a kilometre and more.
 constexpr double kTouchPerRadius = 1e-15;
 /// Below this bulge the sagitta is under the rounding of the centre: a line is the more exact curve.
@@ -75,7 +74,7 @@ Nearest nearer_end(const Edge& edge, Vec2 p) {
 
 /// mm. How near two edges must come to meet.
 double touch_of(const Edge& a, const Edge& b) {
-  double touch = kTouch;
+  double touch = kRoundingMm;
   for (const Edge* edge : {&a, &b}) {
     if (edge->is_arc()) touch = std::max(touch, kTouchPerRadius * norm(edge->from - edge->center));
   }
@@ -127,7 +126,7 @@ void line_circle_candidates(const Edge& line, const Edge& arc, std::vector<Vec2>
   const Vec2 u = unit(line.to - line.from);
   const Vec2 foot = line.from + u * dot(arc.center - line.from, u);
   const double h = cross(u, arc.center - line.from), r = circle_radius(arc);
-  if (std::abs(std::abs(h) - r) <= kTouch) return out.push_back(foot);
+  if (std::abs(std::abs(h) - r) <= kRoundingMm) return out.push_back(foot);
   if (std::abs(h) > r) return;
   const double half = std::sqrt((r - std::abs(h)) * (r + std::abs(h)));
   out.push_back(foot - u * half);
@@ -140,12 +139,12 @@ void circle_circle_candidates(const Edge& a, const Edge& b, std::vector<Vec2>& o
   if (ra > rb) return circle_circle_candidates(b, a, out);
   const Vec2 between = b.center - a.center;
   const double d = norm(between);
-  if (d <= kTouch) return;
+  if (d <= kRoundingMm) return;
   const Vec2 u = between / d;
   // Difference of squares factored: radii may be huge against their difference.
   const double x = 0.5 * (d + (ra - rb) * (ra + rb) / d);
   const double gap = std::min(std::abs(d - ra - rb), std::abs(d - std::abs(ra - rb)));
-  if (gap <= kTouch) return out.push_back(a.center + u * (x < 0 ? -ra : ra));
+  if (gap <= kRoundingMm) return out.push_back(a.center + u * (x < 0 ? -ra : ra));
   if (std::abs(x) > ra) return;
   const double y = std::sqrt((ra - std::abs(x)) * (ra + std::abs(x)));
   out.push_back(a.center + u * x + left_of(u) * y);
@@ -342,12 +341,11 @@ Path reversed(const Path& path) {
 }
 
 Path beginning(const Path& path, double mm) {
-  constexpr double kNone = 1e-6;  // mm; shorter pieces are none
   Path first;
   for (const Edge& edge : path) {
     const double own = edge.length();
     if (own >= mm) {
-      if (mm > kNone) first.push_back(own - mm > kNone ? edge.part(0, mm / own) : edge);
+      if (mm > kSamePlaceMm) first.push_back(own - mm > kSamePlaceMm ? edge.part(0, mm / own) : edge);
       break;
     }
     first.push_back(edge);

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/tolerances.h"
+
 namespace clearcut::kinematics {
 namespace {
 
-/// mm; a move that begins farther from where the last ended is reached by means that are not known.
-constexpr double kSamePlace = 1e-6;
-
 bool is_continued(const Move& before, const Move& after) {
-  return distance(before.path.to, after.path.from) <= kSamePlace &&
-         std::abs(before.z_to - after.z_from) <= kSamePlace;
+  return distance(before.path.to, after.path.from) <= kSamePlaceMm &&
+         std::abs(before.z_to - after.z_from) <= kSamePlaceMm;
 }
 
 /// Whether the control empties its queue of moves where one state follows the other.

@@ -4,13 +4,13 @@
 #include <array>
 #include <limits>
 
+#include "base/tolerances.h"
+
 namespace clearcut::link {
 namespace {
 
 /// mm by which a cutter may be wider than a predrilled hole.
 constexpr double kHoleSlack = 0.001;
-/// mm. Distances that differ by rounding alone.
-constexpr double kSame = 1e-9;
 /// Seconds. Longer access paths round corners are used only by cutters that must not plunge.
 constexpr double kLongestAccess = 5;
 /// Greatest number of places on the rim of cleared stock that are tried.
@@ -32,7 +32,7 @@ bool AccessPaths::is_clear(std::size_t item, Vec2 a, Vec2 b) const {
 }
 
 bool AccessPaths::in_air(Vec2 p) const {
-  if (options_.stock && options_.stock->distance_to(p) >= beside_stock() - kSame) return true;
+  if (options_.stock && options_.stock->distance_to(p) >= beside_stock() - kRoundingMm) return true;
   return std::any_of(options_.predrilled.begin(), options_.predrilled.end(), [&](const PredrilledHole& hole) {
     return distance(p, hole.center) + options_.tool_radius <= hole.diameter / 2 + kHoleSlack;
   });

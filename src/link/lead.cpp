@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 #include "geometry/route/legal_area.h"
 
@@ -14,8 +15,6 @@ namespace {
 constexpr double kShares[] = {1, 0.5, 0.25};
 /// Greatest number of edges whose middle is tried.
 constexpr std::size_t kMostLeadPlaces = 48;
-/// mm. A place nearer than this to the end of an edge is taken to be that end.
-constexpr double kJoint = 1e-6;
 
 /// The outer end of a line must be this share of its distance from the pass away from every wall.
 constexpr double kLeastOff = 0.5;
@@ -101,7 +100,8 @@ class LeadSearch {
         place.point + (ahead + left_of(place.heading) * (side * base::sin(angle.radians()))) * size;
     if (!area_.holds_line(off, place.point)) return std::nullopt;
     const double off_wall = kLeastOff * size * base::sin(angle.radians());
-    if (off_wall > kJoint && !holds_disc(legal_, off, off_wall)) return std::nullopt;  // near another wall
+    if (off_wall > kSamePlaceMm && !holds_disc(legal_, off, off_wall))
+      return std::nullopt;  // near another wall
     return in ? Edge::line(off, place.point) : Edge::line(place.point, off);
   }
 
@@ -122,11 +122,12 @@ std::optional<Lead> lead_for(const Path& path, const Regions& legal, const LeadS
 
 Path begun_at(const Path& path, double along) {
   std::size_t first = 0;
-  while (first + 1 < path.size() && along >= path[first].length() - kJoint) along -= path[first++].length();
+  while (first + 1 < path.size() && along >= path[first].length() - kSamePlaceMm)
+    along -= path[first++].length();
   const double size = path[first].length();
-  if (along >= size - kJoint) return path;
+  if (along >= size - kSamePlaceMm) return path;
   Path out;
-  const bool split = along > kJoint;
+  const bool split = along > kSamePlaceMm;
   out.push_back(split ? path[first].part(along / size, 1) : path[first]);
   for (std::size_t i = 1; i < path.size(); ++i) out.push_back(path[(first + i) % path.size()]);
   if (split) out.push_back(path[first].part(0, along / size));
@@ -135,10 +136,10 @@ Path begun_at(const Path& path, double along) {
 
 Path overlapped(Path path, double overlap) {
   const std::size_t whole = path.size();
-  for (std::size_t i = 0; i < whole && overlap > kJoint; ++i) {
+  for (std::size_t i = 0; i < whole && overlap > kSamePlaceMm; ++i) {
     const Edge edge = path[i];
     const double size = edge.length();
-    path.push_back(overlap < size - kJoint ? edge.part(0, overlap / size) : edge);
+    path.push_back(overlap < size - kSamePlaceMm ? edge.part(0, overlap / size) : edge);
     overlap -= size;
   }
   return path;

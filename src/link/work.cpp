@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/clearance.h"
+#include "geometry/voronoi/clearance.h"
 
 namespace clearcut::link {
 namespace {

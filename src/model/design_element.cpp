@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/tolerances.h"
+
 namespace clearcut::inline model {
 
 const char* name_of(ElementKind kind) {
@@ -37,10 +39,9 @@ Square SquareGrid::nearest(Vec2 p) const {
 }
 
 SquareGrid grid_of(const ElementJob& job) {
-  constexpr double kRounding = 1e-9;
   const Box& plan = job.stock.plan;
   const auto squares = [&](double extent) {
-    return static_cast<int>(std::floor(extent / job.resolution + kRounding)) + 1;
+    return static_cast<int>(std::floor(extent / job.resolution + kRoundingMm)) + 1;
   };
   return {plan.min, job.resolution, squares(plan.width()), squares(plan.height())};
 }

@@ -9,8 +9,8 @@
 #include "base/tolerances.h"
 #include "geometry/region.h"
 #include "model/hole.h"
-#include "model/options/tab_options.h"
 #include "model/stated_path.h"
+#include "model/tab_options.h"
 #include "model/tool.h"
 
 namespace clearcut::inline model {

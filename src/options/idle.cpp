@@ -10,7 +10,8 @@
 #include <initializer_list>
 #include <set>
 
-#include "geometry/mitred_inset.h"
+#include "base/tolerances.h"
+#include "geometry/boolean/mitred_inset.h"
 
 namespace clearcut::inline options {
 namespace {
@@ -20,9 +21,6 @@ struct InputKindName {
   const char* one;      ///< "a STEP solid"
   const char* several;  ///< "STEP solids"
 };
-
-/// mm; paths whose lengths differ by less are the same.
-constexpr double kSameLength = 1e-9;
 
 constexpr std::array<InputKindName, 7> kInputNames{
     {{kStepNcInput, "a STEP-NC program", "STEP-NC programs"},
@@ -83,7 +81,7 @@ bool is_planned(const CandidateResult& candidate, const StrategySelection& selec
   if (candidate.outcome == Outcome::kNotTried || candidate.outcome == Outcome::kCannotWin) return false;
   return std::none_of(
       selection.candidates.begin(), selection.candidates.end(), [&](const CandidateResult& other) {
-        return other.outcome == Outcome::kKept && std::abs(other.feed_mm - candidate.feed_mm) < kSameLength;
+        return other.outcome == Outcome::kKept && std::abs(other.feed_mm - candidate.feed_mm) < kRoundingMm;
       });
 }
 

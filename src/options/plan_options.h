@@ -17,10 +17,10 @@
 #include "model/options/post_options.h"
 #include "model/options/published_solver.h"
 #include "model/options/shop_options.h"
-#include "model/options/tab_options.h"
+#include "model/options/strategy_entry.h"
 #include "model/part.h"
 #include "model/results/earlier_state.h"
-#include "model/strategy_entry.h"
+#include "model/tab_options.h"
 
 namespace clearcut::inline options {
 

@@ -6,9 +6,9 @@
 #include "order/bounds/lattice_bounds.h"
 #include "order/bounds/line_cover.h"
 #include "order/bounds/run_cover.h"
-#include "order/exact.h"
 #include "order/lattice.h"
-#include "order/solve.h"
+#include "order/search/exact.h"
+#include "order/search/solve.h"
 #include "order/test_problems.h"
 #include "order/test_support.h"
 

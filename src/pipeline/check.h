@@ -10,8 +10,8 @@
 #include "model/part.h"
 #include "model/results/findings.h"
 #include "model/results/margin.h"
-#include "read/gcode/dialect.h"
-#include "resolve/plan_options.h"
+#include "read/gcode/program/dialect.h"
+#include "resolve/asked/plan_options.h"
 
 namespace clearcut::pipeline {
 

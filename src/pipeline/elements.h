@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "model/design_element.h"
-#include "pipeline/run.h"
+#include "pipeline/steps/plan_result.h"
 #include "report/picture/grid/grid_page.h"
 #include "report/text_table.h"
-#include "resolve/plan_options.h"
+#include "resolve/asked/plan_options.h"
 
 namespace clearcut::pipeline {
 

@@ -1,7 +1,7 @@
 // Options that were asked for and could do nothing.
 #pragma once
 
-#include "pipeline/run.h"
+#include "pipeline/steps/plan_result.h"
 
 namespace clearcut::pipeline {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "read/gcode/dialect.h"
+#include "read/gcode/program/dialect.h"
 #include "read/job/job_file.h"
-#include "resolve/plan_options.h"
+#include "resolve/asked/plan_options.h"
 
 namespace clearcut::pipeline {
 

@@ -4,14 +4,12 @@
 #include <fmt/ranges.h>
 
 #include "base/text/format.h"
-#include "pipeline/certify.h"
+#include "base/tolerances.h"
+#include "pipeline/steps/certify.h"
 #include "verify/margin.h"
 
 namespace clearcut::pipeline {
 namespace {
-
-/// mm; of the last step of the search.
-constexpr double kRounding = 1e-9;
 
 std::string place_of(const FeatureMargin& least) {
   if (!least.at) return "";
@@ -33,7 +31,7 @@ std::optional<Margin> margin_asked(const ProgramRead& program, const ResolvedPla
   asked.control = &program.control;
   Margin margin = verify::margin_of(program.part, program.toolpath, asked, plan.margin->bounds);
   const FeatureMargin* const least = margin.least();
-  if (least && least->mm < plan.margin->at_least - kRounding) {
+  if (least && least->mm < plan.margin->at_least - kRoundingMm) {
     Condition open;
     open.name = "margin";
     open.text =

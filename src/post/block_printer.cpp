@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "post/comment.h"
+#include "post/words/comment.h"
 
 namespace clearcut::post {
 namespace {

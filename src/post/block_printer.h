@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "post/iso_dialect.h"
-#include "post/print_grid.h"
+#include "post/words/iso_dialect.h"
+#include "post/words/print_grid.h"
 
 namespace clearcut::post {
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "model/part.h"
-#include "post/drill_cycle.h"
-#include "post/print_grid.h"
+#include "post/words/drill_cycle.h"
+#include "post/words/print_grid.h"
 
 namespace clearcut::post {
 

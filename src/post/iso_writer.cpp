@@ -8,14 +8,14 @@
 
 #include "base/inch.h"
 #include "base/text/format.h"
-#include "post/between_steps.h"
 #include "post/block_printer.h"
-#include "post/comment.h"
-#include "post/control_words.h"
 #include "post/cycle_call.h"
-#include "post/drill_cycle.h"
-#include "post/heights.h"
-#include "post/steps.h"
+#include "post/words/between_steps.h"
+#include "post/words/comment.h"
+#include "post/words/control_words.h"
+#include "post/words/drill_cycle.h"
+#include "post/words/heights.h"
+#include "post/words/steps.h"
 
 namespace clearcut::post {
 

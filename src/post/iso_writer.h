@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "post/iso_dialect.h"
-#include "post/post.h"
+#include "model/options/post_options.h"
+#include "post/words/iso_dialect.h"
 
 namespace clearcut::post {
 

@@ -5,11 +5,11 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
-#include "post/control_words.h"
 #include "post/iso_writer.h"
 #include "post/klartext/klartext_writer.h"
-#include "post/print_grid.h"
-#include "post/steps.h"
+#include "post/words/control_words.h"
+#include "post/words/print_grid.h"
+#include "post/words/steps.h"
 
 namespace clearcut::post {
 

@@ -2,8 +2,8 @@
 #include <numeric>
 #include <sstream>
 
-#include "report/text.h"
 #include "report/text_table.h"
+#include "report/words/text.h"
 
 namespace clearcut::report {
 namespace {

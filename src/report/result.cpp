@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "base/units.h"
-#include "report/text.h"
+#include "report/words/text.h"
 
 namespace clearcut::report {
 

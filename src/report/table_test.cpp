@@ -6,8 +6,8 @@
 #include <limits>
 #include <sstream>
 
-#include "report/text.h"
 #include "report/text_table.h"
+#include "report/words/text.h"
 
 namespace clearcut::report {
 namespace {

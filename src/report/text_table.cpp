@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "report/text.h"
+#include "report/words/text.h"
 
 namespace clearcut::report {
 

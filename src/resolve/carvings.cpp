@@ -9,10 +9,10 @@
 #include "base/text/format.h"
 #include "features/fitting.h"
 #include "features/kerf.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
+#include "resolve/cutting/tool_cutting.h"
 #include "resolve/prepare.h"
-#include "resolve/tool_cutting.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/tolerances.h"
 #include "features/round_hole.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
 #include "model/cutter_profile.h"
 
 namespace clearcut::resolve {
@@ -21,8 +22,6 @@ constexpr double kResidual = 0.007;
 constexpr double kResidualSliver = 0.001;
 /// mm. How far what is planned for a rest reaches over what is cut already.
 constexpr double kOverlap = 0.05;
-/// mm. Height differences that are rounding.
-constexpr double kSameHeight = 1e-6;
 /// mm. Chord of the arcs of an earlier program.
 constexpr double kChord = 0.002;
 
@@ -72,7 +71,7 @@ Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, dou
     const CutterProfile removes =
         section.carried_below ? CutterProfile::cylinder(tool->radius()) : inner_profile(*tool);
     for (const Move& move : section.moves) {
-      if (is_rapid(move.kind) || tip_of(move) > z + kSameHeight) continue;
+      if (is_rapid(move.kind) || tip_of(move) > z + kSamePlaceMm) continue;
       const double radius = removes.radius_at(std::max(0.0, z - tip_of(move)));
       const Box path = move.path.box();
       if (radius > 0 && path.grown(radius).overlaps(where)) add_swept(move, radius + kResidual, loops);
@@ -102,7 +101,7 @@ double lowest_tip(const Part& part, const Workingstep& step) {
 
 bool reaches(const Part& part, const Workingstep& step, double z) {
   if (step.operation.kind == OperationKind::kSideFinishing) return false;  // along the walls alone
-  return lowest_tip(part, step) <= z + kSameHeight && !features::only_plunges(tool_of(part, step));
+  return lowest_tip(part, step) <= z + kSamePlaceMm && !features::only_plunges(tool_of(part, step));
 }
 
 /// mm; by how much less than its full radius the cutter of a step has cleared at z, where its lowest passes run deeper.

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "model/options/feed_rule.h"
+#include "model/options/strategy_entry.h"
 #include "model/part.h"
-#include "model/strategy_entry.h"
 
 namespace clearcut::resolve {
 

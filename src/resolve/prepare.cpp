@@ -14,10 +14,11 @@
 #include "features/kerf.h"
 #include "features/round_hole.h"
 #include "features/tool_choice.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
 #include "resolve/carvings.h"
 #include "resolve/cutting/cutting_values.h"
+#include "resolve/cutting/tool_cutting.h"
 #include "resolve/features/chamfers.h"
 #include "resolve/features/corner_relief.h"
 #include "resolve/features/facing.h"
@@ -28,7 +29,6 @@
 #include "resolve/left_over.h"
 #include "resolve/profiles.h"
 #include "resolve/refusals.h"
-#include "resolve/tool_cutting.h"
 #include "resolve/work_plan.h"
 
 namespace clearcut::resolve {

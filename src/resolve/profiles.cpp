@@ -8,10 +8,11 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "base/tolerances.h"
 #include "features/kerf.h"
 #include "features/round_hole.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
 #include "model/cutter_profile.h"
 #include "resolve/tabs.h"
 
@@ -31,8 +32,6 @@ constexpr double kBeyondKerf = 0.02;
 constexpr double kBand = 3;
 /// mm. How far the cutter's rim may stray from an engraved line's.
 constexpr double kBesideLine = 0.005;
-/// mm. What ends no farther below the underside ends at it.
-constexpr double kAtUnderside = 1e-6;
 
 Regions within(const ProfileCut& cut) {
   return {Region::from_valid_loops(cut.line, {})};
@@ -94,7 +93,7 @@ void measure_beyond(Part& part) {
   for (Feature& feature : part.features) {
     if (!feature.profile) continue;
     const double below = part.stock->z_bottom - feature.floor_z;
-    if (below > feature.profile->beyond + kAtUnderside) feature.profile->beyond = below;
+    if (below > feature.profile->beyond + kSamePlaceMm) feature.profile->beyond = below;
   }
 }
 

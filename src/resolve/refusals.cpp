@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "base/tolerances.h"
 #include "features/round_hole.h"
 #include "features/stacking.h"
 #include "model/results/not_machined.h"
@@ -16,8 +17,6 @@ namespace {
 
 /// mm. Heights nearer than this are one.
 constexpr double kLevel = 0.01;
-/// mm, for rounding of heights.
-constexpr double kOneHeight = 1e-6;
 /// mm. How far a cut that is not said to go through may go below the material: what a board is fixed on bears that.
 constexpr double kBelowStock = 0.5;
 /// Diameters that flutes of unknown length are taken to reach.
@@ -43,8 +42,8 @@ std::string name_and_place(const Feature& feature) {
 
 void refuse_above_stock(const Feature& feature, const Stock& stock) {
   const bool faces = feature.kind == FeatureKind::kPlanarFace;
-  if (feature.floor_z < stock.z_top + (faces ? kLevel : -kOneHeight)) return;
-  const bool is_cut = feature.top_z > feature.floor_z + kOneHeight;
+  if (feature.floor_z < stock.z_top + (faces ? kLevel : -kSamePlaceMm)) return;
+  const bool is_cut = feature.top_z > feature.floor_z + kSamePlaceMm;
   throw InputError(
       name_and_place(feature),
       fmt::format("it lies above the material: {}, where the material is z {} to {}; correct its "
@@ -55,7 +54,7 @@ void refuse_above_stock(const Feature& feature, const Stock& stock) {
 }
 
 void refuse_spent_hole(const Feature& feature) {
-  if (feature.kind != FeatureKind::kRoundHole || feature.top_z > feature.floor_z + kOneHeight) return;
+  if (feature.kind != FeatureKind::kRoundHole || feature.top_z > feature.floor_z + kSamePlaceMm) return;
   throw InputError(name_and_place(feature),
                    fmt::format("what is cut before it leaves no material above its floor at z "
                                "{}; correct its depth or leave it out",

@@ -8,8 +8,9 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "base/tolerances.h"
+#include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -20,8 +21,6 @@ constexpr double kBeforeTab = 0.02;
 constexpr double kTabHeight = 2;
 /// Of their depth.
 constexpr double kTabShare = 0.5;
-/// mm. Kerfs that overlap by less only touch.
-constexpr double kRounding = 1e-6;
 /// mm along the outline between places that are looked at for a tab.
 constexpr double kTabSearch = 0.5;
 /// mm. Places that are asked for may lie this far beside an outline.
@@ -104,12 +103,13 @@ class TabPlacer {
   /// Middles of as few tabs as it takes that none is farther than `spacing` mm along the outline from the next. Where corners forbid
   /// that: those that come nearest to it.
   std::vector<double> spaced(double spacing) const {
-    const int least = std::max(kLeastOfSpacing, static_cast<int>(std::ceil(around_ / spacing - kRounding)));
+    const int least =
+        std::max(kLeastOfSpacing, static_cast<int>(std::ceil(around_ / spacing - kSamePlaceMm)));
     std::vector<double> best;
     for (int count = least; count <= 2 * least + kLeastOfSpacing; ++count) {
       std::vector<double> places = evenly(count);
       if (best.empty() || widest_gap(places) < widest_gap(best)) best = std::move(places);
-      if (widest_gap(best) <= spacing + kRounding) break;
+      if (widest_gap(best) <= spacing + kSamePlaceMm) break;
     }
     return best;
   }
@@ -245,7 +245,7 @@ class TabPlacer {
     const Box reached = far.box().grown(kerf);
     for (std::size_t i = 0; i < cut_.line.size(); ++i) {
       const Edge& other = cut_.line[i];
-      if (i != on.edge && other.box().overlaps(reached) && distance(far, other) < kerf - kRounding)
+      if (i != on.edge && other.box().overlaps(reached) && distance(far, other) < kerf - kSamePlaceMm)
         return false;
     }
     return true;
@@ -334,7 +334,7 @@ std::vector<double> places_on(const Feature& feature, const TabPlacer& placer, c
                    "only " + std::to_string(count) + " of " + std::to_string(wanted) + " tabs of " + width +
                        " fit on straight stretches and wide arcs of " + feature.name,
                    "; ask for fewer or narrower ones (--tab-width)", count == 0, part);
-  } else if (options.spacing && placer.widest_gap(places) > *options.spacing + kRounding) {
+  } else if (options.spacing && placer.widest_gap(places) > *options.spacing + kSamePlaceMm) {
     refuse_or_warn(feature, "--tab-spacing",
                    "tabs of " + width + " on straight stretches and wide arcs of " + feature.name + " are " +
                        trimmed(std::ceil(100 * placer.widest_gap(places)) / 100, 2) + " mm apart at best",
@@ -348,7 +348,7 @@ std::vector<double> places_on(const Feature& feature, const TabPlacer& placer, c
 bool frees_part(const Feature& feature, const Part& part) {
   const ProfileCut& cut = *feature.profile;
   if (cut.side != ProfileSide::kOn) return cut.side == ProfileSide::kOutside;
-  const double underside = feature.floor_z + cut.beyond + kRounding;
+  const double underside = feature.floor_z + cut.beyond + kSamePlaceMm;
   const auto surrounds = [&](const Feature& other) {
     if (!other.profile || !other.profile->closed || other.profile->line == cut.line) return false;
     const bool frees =
@@ -402,7 +402,7 @@ std::optional<Feature> split_at_tabs(Part& part, int index, const Kerf& kerf, co
   }
   std::vector<OtherLine> others;
   for (const OtherLine& line : wish.lines)
-    if (line.feature != index && line.floor_z < top - kRounding) others.push_back(line);
+    if (line.feature != index && line.floor_z < top - kSamePlaceMm) others.push_back(line);
   const TabPlacer placer(
       *feature.profile, kerf,
       {foot_of(options, height, feature.profile->beyond), options.shape == TabShape::kSquare},

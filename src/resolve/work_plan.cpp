@@ -12,10 +12,10 @@
 #include "features/fitting.h"
 #include "features/round_hole.h"
 #include "features/tool_choice.h"
-#include "geometry/boolean.h"
+#include "geometry/boolean/boolean.h"
 #include "model/cutter_profile.h"
+#include "resolve/cutting/tool_cutting.h"
 #include "resolve/prepare.h"
-#include "resolve/tool_cutting.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -3,17 +3,11 @@
 #include <algorithm>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 
 namespace clearcut::stock {
 namespace {
-
-/// mm. Two discs of one radius with centres nearer than this coincide: neither reaches beyond the other.
-constexpr double kCoincident = 1e-9;
-
-/// mm. A sweep that another continues without a bend is extended by this, so that rounding leaves no gap
-/// between them.
-constexpr double kSeam = 1e-9;
 
 /// Sine. A circle that meets a line or circle at a smaller angle is taken to meet it at this one: at a
 /// tangent the rate of change would be infinite.
@@ -113,7 +107,7 @@ bool EngagementArcs::remove_disc(Vec2 at, double disc) {
   if (!may_meet(at, disc)) return false;
   Bounds bounds;
   bounds.add(within_circle(center_ - at, disc));
-  const double room = radius_ - disc + kCoincident;
+  const double room = radius_ - disc + kRoundingMm;
   if (room >= 0 && bounds.items[0].squared <= room * room) return false;
   return remove_within(bounds);
 }
@@ -128,7 +122,8 @@ bool EngagementArcs::remove_between(const Swept& swept, double before, double af
     bound_ring(swept, bounds);
   }
   if (before > -rest_radius_) bounds.add(within_line(swept.before, swept.from, 0));
-  if (after > -rest_radius_) bounds.add(within_line(swept.after, swept.to, swept.round_end ? 0 : kSeam));
+  if (after > -rest_radius_)
+    bounds.add(within_line(swept.after, swept.to, swept.round_end ? 0 : kRoundingMm));
   return remove_within(bounds);
 }
 

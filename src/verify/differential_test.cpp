@@ -6,8 +6,8 @@
 
 #include "base/random.h"
 #include "verify/coverage/coverage.h"
-#include "verify/faults/gouge.h"
 #include "verify/part/legal_centers.h"
+#include "verify/program/gouge.h"
 #include "verify/test_program.h"
 
 namespace clearcut::verify {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "model/results/findings.h"
-#include "verify/checked_move.h"
+#include "verify/program/checked_move.h"
 
 namespace clearcut::verify {
 

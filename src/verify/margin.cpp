@@ -7,10 +7,10 @@
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "model/cutter_profile.h"
-#include "verify/checked_move.h"
 #include "verify/coverage/feature_work.h"
 #include "verify/faults/move_gouge.h"
 #include "verify/part/finished_parts.h"
+#include "verify/program/checked_move.h"
 
 namespace clearcut::verify {
 namespace {

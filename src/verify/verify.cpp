@@ -6,8 +6,6 @@
 #include "base/parallel.h"
 #include "base/progress_meter.h"
 #include "model/cutter_profile.h"
-#include "verify/blend.h"
-#include "verify/checked_move.h"
 #include "verify/coverage/carving.h"
 #include "verify/coverage/coverage.h"
 #include "verify/coverage/feature_work.h"
@@ -16,7 +14,6 @@
 #include "verify/faults/causes.h"
 #include "verify/faults/driving/cutting_data.h"
 #include "verify/faults/faults.h"
-#include "verify/faults/gouge.h"
 #include "verify/faults/holes.h"
 #include "verify/faults/loose_parts.h"
 #include "verify/faults/move_gouge.h"
@@ -25,6 +22,9 @@
 #include "verify/faults/tapping.h"
 #include "verify/figures.h"
 #include "verify/part/finished_parts.h"
+#include "verify/program/blend.h"
+#include "verify/program/checked_move.h"
+#include "verify/program/gouge.h"
 #include "verify/without_part.h"
 
 namespace clearcut::verify {

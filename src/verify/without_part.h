@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/results/findings.h"
-#include "verify/checked_move.h"
+#include "verify/program/checked_move.h"
 #include "verify/verify.h"
 
 namespace clearcut::verify {

@@ -10,11 +10,11 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
-#include "geometry/clearance.h"
 #include "geometry/side_list.h"
+#include "geometry/voronoi/clearance.h"
+#include "pipeline/comparison/compare.h"
+#include "pipeline/comparison/tool_sets.h"
 #include "pipeline/run.h"
-#include "pipeline/selection/compare.h"
-#include "pipeline/selection/tool_sets.h"
 
 namespace clearcut::studies {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "order/solve.h"
+#include "order/search/solve.h"
 #include "plan/tour/tour.h"
 
 namespace clearcut::studies {

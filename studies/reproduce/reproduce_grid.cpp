@@ -7,7 +7,7 @@
 
 #include "base/text/format.h"
 #include "model/design_element.h"
-#include "order/solve.h"
+#include "order/search/solve.h"
 #include "plan/grid/visit.h"
 #include "studies/reproduce/published_grids.h"
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
 #include "order/lattice.h"
-#include "order/solve.h"
+#include "order/search/solve.h"
 #include "pipeline/tour/tour_solver.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"

@@ -14,7 +14,7 @@
 #include "base/parallel.h"
 #include "order/genetic/genetic.h"
 #include "order/lattice.h"
-#include "order/solve.h"
+#include "order/search/solve.h"
 #include "order/tsplib.h"
 #include "pipeline/tour/tour.h"
 

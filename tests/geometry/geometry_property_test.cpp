@@ -14,8 +14,8 @@
 
 #include "base/random.h"
 #include "base/units.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
 #include "support/random/random_regions.h"
 #include "support/shapes.h"
 

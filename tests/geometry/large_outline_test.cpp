@@ -5,7 +5,7 @@
 
 #include "base/random.h"
 #include "base/units.h"
-#include "geometry/clearance.h"
+#include "geometry/voronoi/clearance.h"
 #include "verify/part/edge_tree.h"
 
 namespace clearcut {

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "geometry/clearance.h"
+#include "geometry/voronoi/clearance.h"
 #include "pipeline/run.h"
 #include "post/part/outline_writer.h"
 #include "support/random/random_regions.h"

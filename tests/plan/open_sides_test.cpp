@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
 #include "pipeline/run.h"
 #include "stock/material.h"
 #include "support/random/random_parts.h"

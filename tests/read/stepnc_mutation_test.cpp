@@ -11,7 +11,7 @@
 #include "base/error.h"
 #include "base/files/file.h"
 #include "pipeline/run.h"
-#include "read/stepnc/entity_list.h"
+#include "read/stepnc/file/entity_list.h"
 #include "read/stepnc/not_used.h"
 #include "read/stepnc/stepnc.h"
 

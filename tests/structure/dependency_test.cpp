@@ -1,6 +1,7 @@
 // Compares every #include in src/ with src/dependencies.txt, and holds the programs in apps/ to the library's own headers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -51,6 +52,60 @@ TEST(Dependencies, EveryIncludeIsAllowed) {
     }
   }
   EXPECT_GT(checked, 50);
+}
+
+/// Folders of src/ by the folders whose files they include, each with one such file. Tests are left out.
+using FolderArrows = std::map<std::string, std::map<std::string, std::string>>;
+
+FolderArrows folder_arrows() {
+  FolderArrows arrows;
+  const std::regex include("^#include \"([a-z0-9_/]+)/([a-z0-9_]+\\.h)\"");
+  for (const auto& entry : fs::recursive_directory_iterator(kSource)) {
+    const std::string name = entry.path().filename().string(), stem = entry.path().stem().string();
+    const bool is_test =
+        name.rfind("test_", 0) == 0 || (stem.size() > 5 && stem.substr(stem.size() - 5) == "_test");
+    if ((entry.path().extension() != ".h" && entry.path().extension() != ".cpp") || is_test) continue;
+    const std::string from = fs::relative(entry.path().parent_path(), kSource).string();
+    std::ifstream file(entry.path());
+    for (std::string line; std::getline(file, line);) {
+      std::smatch match;
+      if (!std::regex_search(line, match, include) || match[1] == from ||
+          !fs::exists(kSource / match[1].str()))
+        continue;
+      arrows[from].emplace(match[1], name + " includes " + match[1].str() + "/" + match[2].str());
+    }
+  }
+  return arrows;
+}
+
+/// Follows the arrows depth first and says the first way that comes back to where it was.
+std::string way_back(const FolderArrows& arrows, const std::string& folder, std::vector<std::string>& way,
+                     std::set<std::string>& done) {
+  if (!done.insert(folder).second) return "";
+  way.push_back(folder);
+  const auto found = arrows.find(folder);
+  if (found != arrows.end()) {
+    for (const auto& [to, why] : found->second) {
+      if (std::find(way.begin(), way.end(), to) != way.end())
+        return folder + "/" + why + ", and that needs " + folder;
+      const std::string back = way_back(arrows, to, way, done);
+      if (!back.empty()) return back;
+    }
+  }
+  way.pop_back();
+  return "";
+}
+
+TEST(Dependencies, FoldersWithinFoldersClimbNowhere) {
+  const FolderArrows arrows = folder_arrows();
+  EXPECT_GT(arrows.size(), 60U);
+  std::set<std::string> done;
+  for (const auto& [folder, to] : arrows) {
+    std::vector<std::string> way;
+    const std::string back = way_back(arrows, folder, way, done);
+    EXPECT_EQ(back, "");
+    if (!back.empty()) return;
+  }
 }
 
 std::vector<fs::directory_entry> sources_of_programs() {

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "pipeline/comparison/compare.h"
 #include "pipeline/run.h"
-#include "pipeline/selection/compare.h"
 #include "pipeline/selection/strategies.h"
 #include "support/plans.h"
 #include "support/random/random_parts.h"

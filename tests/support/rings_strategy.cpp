@@ -1,7 +1,7 @@
 #include "support/rings_strategy.h"
 
 #include "base/error.h"
-#include "geometry/clearance.h"
+#include "geometry/voronoi/clearance.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 

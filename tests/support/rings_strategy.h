@@ -1,7 +1,7 @@
 // The strategy that docs/adding-a-strategy.md adds.
 #pragma once
 
-#include "model/strategy_entry.h"
+#include "model/options/strategy_entry.h"
 
 namespace clearcut::test_support::rings {
 

@@ -11,9 +11,9 @@
 #include "base/random.h"
 #include "pipeline/check.h"
 #include "pipeline/run.h"
-#include "read/gcode/dialect.h"
+#include "read/gcode/program/dialect.h"
 #include "read/read_part.h"
-#include "resolve/plan_options.h"
+#include "resolve/asked/plan_options.h"
 
 namespace clearcut {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "geometry/boolean.h"
+#include "geometry/boolean/boolean.h"
 #include "geometry/spatial/box_tree.h"
 
 namespace clearcut::inline geometry {

@@ -6,14 +6,13 @@
 #include <cstddef>
 #include <memory_resource>
 
+#include "base/tolerances.h"
+
 namespace clearcut::inline geometry {
 namespace {
 
 /// mm. Far above the rounding of boxes of edges.
 constexpr double kAside = 1e-6;
-
-/// mm. Places this near to an edge are on it.
-constexpr double kTouch = 1e-9;
 
 /// mm. A way that strays no more than it may halfway between two crossings strays by less than that.
 constexpr double kNearEnd = 4 * LegalArea::kSlack;
@@ -312,11 +311,11 @@ void LegalArea::add_arc_cuts(Vec2 a, Vec2 b, const Edge& arc, std::pmr::vector<d
   const double off = std::abs(cross(u, arc.center - a)) / length;
   const double radius =
       std::sqrt(0.5 * (norm_squared(arc.from - arc.center) + norm_squared(arc.to - arc.center)));
-  const bool grazes = std::abs(off - radius) <= kTouch;
+  const bool grazes = std::abs(off - radius) <= kRoundingMm;
   if (off > radius && !grazes) return;
   const double half = grazes ? 0 : std::sqrt((radius - off) * (radius + off)) / length;
   for (const double t : {foot - half, foot + half}) {
-    if (t >= 0 && t <= 1 && distance(arc, a + u * t) <= kTouch) cuts.push_back(t);
+    if (t >= 0 && t <= 1 && distance(arc, a + u * t) <= kRoundingMm) cuts.push_back(t);
   }
 }
 

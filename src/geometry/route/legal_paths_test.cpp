@@ -7,7 +7,7 @@
 
 #include "base/random.h"
 #include "base/units.h"
-#include "geometry/boolean.h"
+#include "geometry/boolean/boolean.h"
 
 namespace clearcut::inline geometry {
 namespace {

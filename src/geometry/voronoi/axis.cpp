@@ -6,13 +6,12 @@
 #include <queue>
 
 #include "base/disjoint_sets.h"
+#include "base/tolerances.h"
 #include "geometry/voronoi/index.h"
 
 namespace clearcut::inline geometry::voronoi {
 namespace {
 
-/// mm. Nodes nearer than this are one point of the axis.
-constexpr double kCoincident = 1e-6;
 /// Radians. Walls that meet at a smaller turn go on as one.
 constexpr double kSmoothTurn = 1e-3;
 
@@ -22,7 +21,7 @@ class AxisMaker {
 
   Axis run() {
     for_each_stretch([this](int, int a, int b) {
-      if (inside(a) && inside(b) && norm(node(a).point - node(b).point) <= kCoincident) sets_.join(b, a);
+      if (inside(a) && inside(b) && norm(node(a).point - node(b).point) <= kSamePlaceMm) sets_.join(b, a);
     });
     mark_peaks();
     point_of_.assign(d_.nodes.size(), -1);

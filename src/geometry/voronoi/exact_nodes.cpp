@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/tolerances.h"
 #include "geometry/voronoi/index.h"
 
 namespace clearcut::inline geometry::voronoi {
@@ -16,8 +17,6 @@ constexpr double kMostUnitsMoved = 20;
 constexpr double kSolved = 1e-9;
 /// mm. A wall nearer than a node's own by more than this is an error.
 constexpr double kNearer = 1e-4;
-/// mm. Arcs whose centres and radii agree to this are of one circle.
-constexpr double kSameCircle = 1e-6;
 
 /// The elements that a node lies between.
 struct Around {
@@ -103,7 +102,7 @@ class Corrector {
       const int b = diagram_.element_near(diagram_.cell[index(twin)], diagram_.nodes[index(inside)].point);
       if (b == a) continue;
       center_open_[index(a)] =
-          distance(diagram_.element(b), arc.edge.center) >= arc.radius - kSameCircle ? 1 : 0;
+          distance(diagram_.element(b), arc.edge.center) >= arc.radius - kSamePlaceMm ? 1 : 0;
     }
   }
 

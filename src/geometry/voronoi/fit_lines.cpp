@@ -4,14 +4,13 @@
 #include <cmath>
 #include <map>
 
+#include "base/tolerances.h"
 #include "base/units.h"
 #include "geometry/voronoi/index.h"
 
 namespace clearcut::inline geometry::voronoi {
 namespace {
 
-/// mm. Curves that part by less are merged.
-constexpr double kSameCurve = 1e-6;
 constexpr double kTiny = 0.01;
 /// mm of the axis per mm of clearance in the sharpest corner that is told from a slot: 8 degrees.
 constexpr double kSteepest = 14.3;
@@ -232,7 +231,7 @@ class Band {
     const Element &a = d_.element(walls.a), &b = d_.element(walls.b);
     // Between nodes this near, what is left of the curve is below their own error.
     if ((!a.is_round() && !b.is_round()) || norm(to - from) < kTiny) return Edge::line(from, to);
-    if (a.is_round() && b.is_round() && norm(a.edge.center - b.edge.center) < kSameCurve) {
+    if (a.is_round() && b.is_round() && norm(a.edge.center - b.edge.center) < kSamePlaceMm) {
       const bool ccw = cross(from - a.edge.center, to - a.edge.center) > 0;
       return Edge::arc(from, to, a.edge.center, ccw ? Turn::kCounterClockwise : Turn::kClockwise);
     }
@@ -240,8 +239,8 @@ class Band {
     const double sagitta =
         dot(on_bisector(a, b, from, to, 0.5) - middle, left_of(chord)) / norm_squared(chord);
     // A bow to the left of the chord runs clockwise.
-    return std::abs(sagitta) * norm(chord) < kSameCurve ? Edge::line(from, to)
-                                                        : Edge::from_bulge(from, to, -2 * sagitta);
+    return std::abs(sagitta) * norm(chord) < kSamePlaceMm ? Edge::line(from, to)
+                                                          : Edge::from_bulge(from, to, -2 * sagitta);
   }
 
   /// The place of the bisector nearest to the middle (t = 0.5) or another place of a chord between two of its
@@ -267,9 +266,9 @@ class Band {
   static bool try_merge(Edge& last, const Edge& next) {
     if (last.turn != next.turn || last.from == next.to) return false;
     if (last.is_arc()) {
-      if (norm(last.center - next.center) > kSameCurve || std::abs(last.sweep() + next.sweep()) > kPi)
+      if (norm(last.center - next.center) > kSamePlaceMm || std::abs(last.sweep() + next.sweep()) > kPi)
         return false;
-    } else if (distance(Edge::line(last.from, next.to), last.to) > kSameCurve) {
+    } else if (distance(Edge::line(last.from, next.to), last.to) > kSamePlaceMm) {
       return false;
     }
     last.to = next.to;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 
 namespace clearcut::inline geometry::voronoi {
@@ -14,8 +15,6 @@ namespace {
 constexpr double kLeastArc = 2e-4;
 /// mm. Joints nearer than this are one.
 constexpr double kOneJoint = 1e-7;
-/// mm. Ends this near to an offset curve are on it.
-constexpr double kOnCurve = 1e-9;
 
 double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   const Vec2 d = b - a;
@@ -40,7 +39,7 @@ Edge exact_edge(const OffsetCurve& curve, Vec2 from, Vec2 to) {
   const Edge arc = Edge::arc(from, to, curve.point, curve.turn);
   const double off_from = std::abs(norm(from - curve.point) - curve.radius);
   const double off_to = std::abs(norm(to - curve.point) - curve.radius);
-  return off_from <= kOnCurve && off_to <= kOnCurve ? arc : centred(arc);
+  return off_from <= kRoundingMm && off_to <= kRoundingMm ? arc : centred(arc);
 }
 
 Edge fitted(Edge edge, Vec2 to) {

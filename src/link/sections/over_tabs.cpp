@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 
 namespace clearcut::link {
@@ -17,8 +18,6 @@ constexpr double kParallel = 1e-6;
 constexpr double kPiece = 0.1;
 /// Of a path's length: places nearer to each other are one.
 constexpr double kSamePlace = 1e-9;
-/// mm. Heights that differ by less are the same.
-constexpr double kSameHeight = 1e-9;
 /// mm above the top of a square tab at which the cutter crosses it, rather than rub on it.
 constexpr double kAbove = 0.2;
 /// mm. Ends of passes on both sides of a tab lie on one contour, and as far from its middle, to within this.
@@ -151,7 +150,7 @@ std::vector<Raised> raised_along(const Move& move, const Ridge& ridge) {
   std::vector<Raised> raised;
   for (const double t : places) {
     const double up = over(t);
-    raised.push_back({t, z_at(move, t) + (up > kSameHeight ? up : 0)});
+    raised.push_back({t, z_at(move, t) + (up > kRoundingMm ? up : 0)});
   }
   return raised;
 }
@@ -176,7 +175,7 @@ std::vector<Raised> raised_across(const Move& move, const Ridge& ridge) {
 
 bool is_raised(const Move& move, const std::vector<Raised>& places) {
   return std::any_of(places.begin(), places.end(),
-                     [&](const Raised& place) { return place.z > z_at(move, place.t) + kSameHeight; });
+                     [&](const Raised& place) { return place.z > z_at(move, place.t) + kRoundingMm; });
 }
 
 /// The feed at which the tip goes down no faster than at `plunge_feed`, also where the program rounds both ends of a short move.

@@ -12,7 +12,7 @@
 
 #include "base/random.h"
 #include "order/genetic/fitness.h"
-#include "order/solve.h"
+#include "order/search/solve.h"
 
 namespace clearcut::order {
 

@@ -7,9 +7,9 @@
 #include <map>
 #include <thread>
 
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
 #include "geometry/route/legal_paths.h"
+#include "geometry/voronoi/clearance.h"
 #include "order/genetic/genetic.h"
 #include "order/moves.h"
 #include "order/objective.h"

@@ -11,7 +11,7 @@
 #include "read/gcode/words/feed_word.h"
 #include "read/gcode/words/lines.h"
 #include "resolve/resolve.h"
-#include "verify/load_reference.h"
+#include "verify/program/load_reference.h"
 
 namespace clearcut::pipeline {
 namespace {

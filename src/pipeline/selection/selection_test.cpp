@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/work_budget.h"
-#include "model/strategy_entry.h"
+#include "model/options/strategy_entry.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "model/strategy_entry.h"
+#include "model/options/strategy_entry.h"
 #include "plan/contour/contour.h"
-#include "resolve/plan_options.h"
+#include "resolve/asked/plan_options.h"
 
 namespace clearcut::pipeline {
 

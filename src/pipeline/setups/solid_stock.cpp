@@ -9,7 +9,7 @@
 #include "features/fitting.h"
 #include "pipeline/run.h"
 #include "pipeline/setups/sweeps.h"
-#include "read/moved_part.h"
+#include "read/common/moved_part.h"
 
 namespace clearcut::pipeline {
 namespace {

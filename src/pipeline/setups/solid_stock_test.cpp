@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "pipeline/test_drawings.h"
-#include "read/moved_part.h"
+#include "read/common/moved_part.h"
 #include "resolve/prepare.h"
 
 namespace clearcut::pipeline {

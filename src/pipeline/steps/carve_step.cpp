@@ -4,11 +4,11 @@
 #include <set>
 
 #include "base/elementary.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
 #include "geometry/rectangle.h"
+#include "geometry/voronoi/clearance.h"
 #include "link/tracks/tracks.h"
-#include "pipeline/certify.h"
+#include "pipeline/steps/certify.h"
 #include "plan/carve/carve.h"
 #include "plan/carve/chamfer.h"
 #include "post/post.h"

@@ -5,7 +5,7 @@
 
 #include "link/hole.h"
 #include "link/tracks/thread.h"
-#include "pipeline/certify.h"
+#include "pipeline/steps/certify.h"
 #include "post/post.h"
 
 namespace clearcut::pipeline {

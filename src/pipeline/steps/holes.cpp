@@ -4,7 +4,7 @@
 
 #include "features/round_hole.h"
 #include "link/hole.h"
-#include "pipeline/certify.h"
+#include "pipeline/steps/certify.h"
 #include "plan/common/layers.h"
 
 namespace clearcut::pipeline {

@@ -5,7 +5,7 @@
 #include "link/sections/load_feeds.h"
 #include "stock/cutter_sweep.h"
 #include "stock/material.h"
-#include "verify/load_reference.h"
+#include "verify/program/load_reference.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -5,11 +5,11 @@
 
 #include "features/at_depth.h"
 #include "features/round_hole.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
 #include "geometry/gaps/short_edges.h"
 #include "geometry/gaps/unite_over_gaps.h"
 #include "geometry/spatial/apart.h"
+#include "geometry/voronoi/clearance.h"
 #include "model/cutter_profile.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"

@@ -1,8 +1,8 @@
 #include "pipeline/steps/missed_by_others.h"
 
 #include "features/round_hole.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
 #include "model/cutter_profile.h"
 #include "resolve/left_over.h"
 

@@ -5,10 +5,11 @@
 #include <set>
 
 #include "base/text/format.h"
+#include "base/tolerances.h"
 #include "features/round_hole.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
 #include "geometry/rectangle.h"
+#include "geometry/voronoi/clearance.h"
 #include "model/cutter_profile.h"
 #include "resolve/left_over.h"
 #include "resolve/tabs.h"
@@ -25,8 +26,6 @@ constexpr double kSaid = 0.005;  ///< mm2. Areas that differ by less read the sa
 constexpr int kHalvings = 10;    // of the range of diameters that is searched
 /// mm. Smaller cutters are not proposed.
 constexpr double kSmallest = 0.1;
-/// mm, for rounding of heights.
-constexpr double kAtUnderside = 1e-6;
 /// mm within a piece's edge: where it is looked for.
 constexpr double kInside = 1e-3;
 
@@ -265,7 +264,7 @@ const Tool* narrower_mill(const Part& part, const FeatureFindings& found) {
 bool frees_unheld(const Feature& feature, const Part& part) {
   if (!feature.profile || !feature.profile->closed || !feature.profile->tabs.empty() || !part.stock)
     return false;
-  return feature.floor_z <= part.stock->z_bottom + kAtUnderside && resolve::frees_part(feature, part);
+  return feature.floor_z <= part.stock->z_bottom + kSamePlaceMm && resolve::frees_part(feature, part);
 }
 
 /// One condition for all profiles that cut a part free.

@@ -1,7 +1,7 @@
 // Says why a hole or a narrow slot is not where it was drawn: the digits that the program is written with.
 #pragma once
 
-#include "pipeline/run.h"
+#include "pipeline/steps/plan_result.h"
 
 namespace clearcut::pipeline {
 

@@ -10,7 +10,7 @@
 
 #include "features/kerf.h"
 #include "geometry/box.h"
-#include "order/solve.h"
+#include "order/search/solve.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
+#include "base/tolerances.h"
 #include "link/moves.h"
-#include "pipeline/certify.h"
+#include "pipeline/steps/certify.h"
 
 namespace clearcut::pipeline {
 namespace {
-
-/// mm; ends nearer than this are one place.
-constexpr double kSamePlace = 1e-6;
 
 /// The feed of a move that states none.
 MmPerMin usual_feed(MoveKind kind, const link::LinkOptions& link) {
@@ -39,8 +37,8 @@ class StatedMoves {
       : link_(link), top_z_(top_z), moves_(first.path.from, std::max(link.safe_z, first.z_from)) {}
 
   void add(const StatedMove& move) {
-    const bool goes_on = distance(move.path.from, moves_.at()) <= kSamePlace &&
-                         std::abs(move.z_from - moves_.z()) <= kSamePlace;
+    const bool goes_on = distance(move.path.from, moves_.at()) <= kSamePlaceMm &&
+                         std::abs(move.z_from - moves_.z()) <= kSamePlaceMm;
     if (!goes_on) go_over(move.path.from, move.z_from);
     const MmPerMin feed = move.feed.value_or(usual_feed(move.kind, link_));
     Edge path = move.path;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/strategy_entry.h"
+#include "model/options/strategy_entry.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -6,9 +6,9 @@
 
 #include "order/genetic/genetic.h"
 #include "order/lattice.h"
-#include "order/solve.h"
-#include "pipeline/selection/compare.h"
-#include "pipeline/selection/tool_sets.h"
+#include "order/search/solve.h"
+#include "pipeline/comparison/compare.h"
+#include "pipeline/comparison/tool_sets.h"
 #include "pipeline/tour/engagement_model.h"
 #include "pipeline/tour/tour_solver.h"
 #include "plan/common/layers.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "order/genetic/genetic.h"
-#include "order/solve.h"
+#include "order/search/solve.h"
 
 namespace clearcut::pipeline {
 

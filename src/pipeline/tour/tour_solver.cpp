@@ -9,7 +9,7 @@
 #include "base/elementary.h"
 #include "base/progress.h"
 #include "order/genetic/genetic.h"
-#include "order/solve.h"
+#include "order/search/solve.h"
 #include "pipeline/tour/engagement_model.h"
 
 namespace clearcut::pipeline {

@@ -4,13 +4,13 @@
 
 #include "base/elementary.h"
 #include "base/progress.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
-#include "plan/adaptive/clearing_outline.h"
+#include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
+#include "plan/adaptive/clearing/clearing_outline.h"
+#include "plan/adaptive/clearing/parameters.h"
+#include "plan/adaptive/clearing/step_pictures.h"
 #include "plan/adaptive/entry_regions.h"
 #include "plan/adaptive/finish/finish.h"
-#include "plan/adaptive/parameters.h"
-#include "plan/adaptive/step_pictures.h"
 #include "plan/adaptive/trace/wall_cuts.h"
 
 namespace clearcut::plan::adaptive {

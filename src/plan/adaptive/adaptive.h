@@ -5,7 +5,7 @@
 #include <optional>
 #include <stop_token>
 
-#include "base/debug_sink.h"
+#include "base/files/debug_sink.h"
 #include "base/tolerances.h"
 #include "base/units.h"
 #include "model/layer.h"

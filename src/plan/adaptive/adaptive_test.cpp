@@ -10,8 +10,8 @@
 
 #include "base/random.h"
 #include "base/work_budget.h"
-#include "geometry/clearance.h"
-#include "plan/adaptive/disc_engagement.h"
+#include "geometry/voronoi/clearance.h"
+#include "plan/adaptive/clearing/disc_engagement.h"
 #include "plan/common/cover.h"
 #include "stock/material.h"
 

@@ -1,7 +1,7 @@
 // The entry of this strategy in the table of strategies.
 #pragma once
 
-#include "model/strategy_entry.h"
+#include "model/options/strategy_entry.h"
 
 namespace clearcut::plan::adaptive {
 

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
-#include "geometry/clearance.h"
+#include "geometry/voronoi/clearance.h"
 #include "model/layer.h"
-#include "plan/adaptive/disc_engagement.h"
-#include "plan/adaptive/remaining_stock.h"
+#include "plan/adaptive/clearing/disc_engagement.h"
+#include "plan/adaptive/clearing/remaining_stock.h"
 
 namespace clearcut::plan::adaptive {
 

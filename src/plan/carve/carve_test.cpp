@@ -9,7 +9,7 @@
 
 #include "base/random.h"
 #include "base/units.h"
-#include "geometry/clearance.h"
+#include "geometry/voronoi/clearance.h"
 
 namespace clearcut::plan::carve {
 namespace {

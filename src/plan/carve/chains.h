@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "geometry/clearance.h"
+#include "geometry/voronoi/clearance.h"
 
 namespace clearcut::plan::carve {
 

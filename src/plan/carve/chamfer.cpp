@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "geometry/clearance.h"
+#include "geometry/voronoi/clearance.h"
 
 namespace clearcut::plan::carve {
 namespace {

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "base/units.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
 
 namespace clearcut::plan::carve {
 namespace {

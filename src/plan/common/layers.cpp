@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "features/at_depth.h"
-#include "geometry/boolean.h"
+#include "geometry/boolean/boolean.h"
 
 namespace clearcut::plan {
 namespace {

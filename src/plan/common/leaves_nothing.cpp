@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "geometry/boolean.h"
+#include "geometry/boolean/boolean.h"
 #include "geometry/route/legal_area.h"
 #include "plan/common/cover.h"
 

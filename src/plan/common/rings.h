@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "geometry/clearance.h"
 #include "geometry/region.h"
+#include "geometry/voronoi/clearance.h"
 
 namespace clearcut::plan {
 

@@ -1,6 +1,6 @@
 #include "plan/common/walls.h"
 
-#include "geometry/clearance.h"
+#include "geometry/voronoi/clearance.h"
 #include "plan/common/rings.h"
 
 namespace clearcut::plan {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/strategy_entry.h"
+#include "model/options/strategy_entry.h"
 #include "plan/contour/contour.h"
 
 namespace clearcut::plan::contour {

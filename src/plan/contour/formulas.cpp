@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 #include "plan/contour/contour.h"
 
@@ -9,8 +10,6 @@ namespace {
 
 /// Radians. Interior angles up to this are corners; at greater ones the contour is smooth or reflex.
 constexpr double kSmooth = kPi - 1e-6;
-/// Radians. Angles that differ by less are equal: a regular polygon has no single smallest angle.
-constexpr double kSameAngle = 1e-6;
 
 double interior_angle(const Edge& before, const Edge& after) {
   const Vec2 in = before.tangent_at(1), out = after.tangent_at(0);
@@ -40,7 +39,7 @@ std::vector<Corner> sorted_corners(const Region& contour) {
 }
 
 bool first_is_single(const std::vector<Corner>& sorted) {
-  return !sorted.empty() && (sorted.size() == 1 || sorted[1].angle - sorted[0].angle > kSameAngle);
+  return !sorted.empty() && (sorted.size() == 1 || sorted[1].angle - sorted[0].angle > kSameAngleRad);
 }
 
 }  // namespace

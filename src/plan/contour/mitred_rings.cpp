@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "geometry/clearance.h"
-#include "geometry/mitred_inset.h"
+#include "geometry/boolean/mitred_inset.h"
+#include "geometry/voronoi/clearance.h"
 
 namespace clearcut::plan::contour {
 namespace {

@@ -7,18 +7,15 @@
 #include <vector>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 #include "geometry/route/legal_area.h"
 
 namespace clearcut::plan::contour {
 namespace {
 
-/// Radians. Corners whose angles differ by less are equally sharp: the passage begins at the first of them.
-constexpr double kEquallySharp = 1e-6;
 /// Interior angles outside of these limits, radians, are no corners of a contour: tips of loops, and smooth joints.
 constexpr double kSharpest = 0.01, kBluntest = kPi - 1e-6;
-/// mm. Ends of passages that are nearer than this are the same.
-constexpr double kSamePlace = 1e-6;
 
 struct Place {
   Vec2 point;
@@ -49,7 +46,7 @@ Place sharpest_corner(const Path& ring) {
   double least = kBluntest;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const double angle = angle_before(ring, i);
-    if (angle < kSharpest || angle > least - kEquallySharp) continue;
+    if (angle < kSharpest || angle > least - kSameAngleRad) continue;
     least = angle;
     best = i;
   }
@@ -144,7 +141,7 @@ class Joiner {
   bool is_held(const Pass& pass) const {
     if (pass.path.size() != 1) return false;
     const Edge& own = pass.path.front();
-    const auto same = [](Vec2 a, Vec2 b) { return norm_squared(a - b) < kSamePlace * kSamePlace; };
+    const auto same = [](Vec2 a, Vec2 b) { return norm_squared(a - b) < kSamePlaceMm * kSamePlaceMm; };
     return std::any_of(passages_.begin(), passages_.end(), [&](const Edge& edge) {
       return (same(edge.from, own.from) && same(edge.to, own.to)) ||
              (same(edge.from, own.to) && same(edge.to, own.from));

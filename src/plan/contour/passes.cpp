@@ -4,8 +4,9 @@
 #include <limits>
 #include <optional>
 
+#include "base/tolerances.h"
+#include "geometry/boolean/mitred_inset.h"
 #include "geometry/line_path.h"
-#include "geometry/mitred_inset.h"
 #include "plan/common/residual.h"
 #include "plan/contour/corner_loop.h"
 #include "plan/contour/mitred_rings.h"
@@ -15,9 +16,6 @@ namespace {
 
 /// mm. Curved bisectors are replaced by chords this near to them.
 constexpr double kBisectorChord = 0.005;
-
-/// mm. Above the rounding of distances.
-constexpr double kRounding = 1e-9;
 
 Nearest nearest_on(const Path& path, Vec2 p, std::size_t& edge) {
   Nearest best{{}, std::numeric_limits<double>::infinity(), 0};
@@ -152,7 +150,7 @@ class PassBuilder {
   void look_through(const std::vector<std::size_t>& rings, Vec2 p, NearestRing& best) const {
     std::size_t edge = 0;
     for (const std::size_t ring : rings) {
-      if (boxes_[ring].distance_to(p) > best.distance + kRounding) continue;
+      if (boxes_[ring].distance_to(p) > best.distance + kRoundingMm) continue;
       const double d = nearest_on(passes_[ring].path, p, edge).distance;
       if (d < best.distance) best = {ring, d};
     }

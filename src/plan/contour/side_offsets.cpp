@@ -5,13 +5,12 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 
 namespace clearcut::plan::contour {
 namespace {
 
-/// mm. Sides up to this long have vanished.
-constexpr double kVanished = 1e-9;
 /// rad. Sides nearer to parallel than this do not meet.
 constexpr double kParallel = 1e-9;
 
@@ -34,7 +33,7 @@ class Stepper {
     for (;;) {
       if (list_.sides.size() < 3) return result;
       const auto shortest = shortest_side();
-      if (length_after(shortest) > kVanished) break;
+      if (length_after(shortest) > kRoundingMm) break;
       const SideOffsetEnd end = merge(shortest);
       if (end != SideOffsetEnd::kContour) {
         result.end = end;

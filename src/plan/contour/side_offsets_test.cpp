@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "base/random.h"
-#include "geometry/clearance.h"
+#include "geometry/voronoi/clearance.h"
 #include "plan/contour/contour.h"
 
 namespace clearcut::plan::contour {

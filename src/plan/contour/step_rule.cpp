@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/tolerances.h"
 #include "plan/contour/ring_band.h"
 
 namespace clearcut::plan::contour {
@@ -130,7 +131,6 @@ double step_after(const RingNode& ring, const std::vector<AxisPiece>& inside, co
 
 std::vector<ContourStep> contour_steps(const Regions& allowed, const StepRule& rule, double radius,
                                        double first_level, const Tolerances& tol) {
-  constexpr double kSame = 1e-6;  // mm; contours are at the same distance within this
   std::vector<ContourStep> all, merged;
   for (const auto& region : allowed) {
     const auto step_of = [&](const RingNode& ring, const std::vector<AxisPiece>& inside) {
@@ -144,7 +144,7 @@ std::vector<ContourStep> contour_steps(const Regions& allowed, const StepRule& r
   std::stable_sort(all.begin(), all.end(),
                    [](const ContourStep& a, const ContourStep& b) { return a.from_wall < b.from_wall; });
   for (const ContourStep& one : all) {
-    if (merged.empty() || one.from_wall - merged.back().from_wall >= kSame) {
+    if (merged.empty() || one.from_wall - merged.back().from_wall >= kSamePlaceMm) {
       merged.push_back(one);
     } else if (one.smallest_angle < merged.back().smallest_angle) {
       merged.back() = one;

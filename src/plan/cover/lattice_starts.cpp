@@ -9,7 +9,7 @@
 #include "base/progress.h"
 #include "base/units.h"
 #include "geometry/route/legal_area.h"
-#include "order/solve.h"
+#include "order/search/solve.h"
 
 namespace clearcut::plan::cover {
 namespace {

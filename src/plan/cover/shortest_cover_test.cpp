@@ -7,7 +7,7 @@
 
 #include "base/random.h"
 #include "base/units.h"
-#include "geometry/boolean.h"
+#include "geometry/boolean/boolean.h"
 #include "plan/cover/length_bound.h"
 #include "plan/cover/witnesses.h"
 

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
+#include "base/tolerances.h"
 #include "plan/grid/interpolate.h"
 #include "plan/grid/reduce.h"
 #include "plan/grid/shape.h"
@@ -15,7 +16,6 @@
 namespace clearcut::plan::grid {
 namespace {
 
-constexpr double kCheckRounding = 1e-9;    // mm; smaller differences come from rounding
 constexpr double kMostSquares = 4e6;       // greatest number of squares of one grid
 constexpr double kMostCirclePoints = 5e7;  // greatest number of points of the circle of one arc
 
@@ -64,13 +64,13 @@ class Checker {
     const double thickness = job_.stock.z_top - job_.stock.z_bottom;
     if (!(element_.depth > 0))
       fault(fmt::format("has depth {}; it must be above 0", trimmed(element_.depth, 4)));
-    if (element_.depth > thickness + kCheckRounding)
+    if (element_.depth > thickness + kRoundingMm)
       fault(fmt::format("is {} deep in stock of {}; make it shallower", mm(element_.depth), mm(thickness)));
   }
 
   void check_size() {
     const bool between_points = element_.kind == ElementKind::kLine || element_.kind == ElementKind::kArc;
-    if (between_points && distance(element_.from, element_.to) < kCheckRounding)
+    if (between_points && distance(element_.from, element_.to) < kRoundingMm)
       return fault("has length 0: both end points are the same; move one");
     if (element_.kind == ElementKind::kArc) check_arc();
     if (element_.kind == ElementKind::kRectangle && !(element_.length > 0 && element_.width > 0))
@@ -83,7 +83,7 @@ class Checker {
 
   void check_arc() {
     const double chord = distance(element_.from, element_.to);
-    if (element_.radius < chord / 2 - kCheckRounding)
+    if (element_.radius < chord / 2 - kRoundingMm)
       return fault(fmt::format("has radius {}, too small for its chord of {}: at least {} is needed",
                                mm(element_.radius), mm(chord), mm(chord / 2)));
     if (2 * element_.radius / circle_step(element_.radius, job_.resolution) > kMostCirclePoints)
@@ -98,9 +98,9 @@ class Checker {
     };
     if (element_.kind == ElementKind::kRectangle) {
       const double shortest = std::min(element_.length, element_.width);
-      if (tool.radius() >= shortest / 2 - kCheckRounding) too_large("half the side of " + mm(shortest));
+      if (tool.radius() >= shortest / 2 - kRoundingMm) too_large("half the side of " + mm(shortest));
     } else if (element_.kind == ElementKind::kHole || element_.kind == ElementKind::kSlot) {
-      if (tool.diameter > element_.width + kCheckRounding) too_large("the width of " + mm(element_.width));
+      if (tool.diameter > element_.width + kRoundingMm) too_large("the width of " + mm(element_.width));
     } else if (element_.kind == ElementKind::kArc && tool.radius() >= element_.radius) {
       too_large("the arc's radius of " + mm(element_.radius));
     } else if (!core_of(element_, tool.radius())) {
@@ -113,7 +113,7 @@ class Checker {
 
   void check_stock(const Tool& tool) {
     const Box own = shape_of(element_, tool.radius()).box();
-    const Box stock = job_.stock.plan.grown(kCheckRounding);
+    const Box stock = job_.stock.plan.grown(kRoundingMm);
     if (stock.contains(own.min) && stock.contains(own.max)) return;
     fault(fmt::format("reaches x {}..{} y {}..{}, outside the stock x {}..{} y {}..{}; move or shrink it",
                       trimmed(own.min.x, 3), trimmed(own.max.x, 3), trimmed(own.min.y, 3),
@@ -187,12 +187,12 @@ std::vector<ElementFault> off_grid(const ElementJob& job) {
     if (element.kind != ElementKind::kRectangle) continue;
     const Vec2 low = lower_left(element);
     const double away = std::max(off(grid, low), off(grid, low + Vec2{element.length, element.width}));
-    if (away > kCheckRounding)
+    if (away > kRoundingMm)
       noticed.push_back({place_of(element),
                          fmt::format("corners are up to {} off the squares of {}; a finer resolution helps",
                                      mm(away), mm(grid.cell))});
     const double steps = tool_of(job, element)->radius() / grid.cell;
-    if (std::abs(steps - std::round(steps)) > kCheckRounding)
+    if (std::abs(steps - std::round(steps)) > kRoundingMm)
       noticed.push_back(
           {place_of(element),
            fmt::format(

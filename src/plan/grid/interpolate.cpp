@@ -5,13 +5,13 @@
 #include <set>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 
 namespace clearcut::plan::grid {
 namespace {
 
 constexpr double kPaperStep = 0.001;    // mm in x; "1 micron" in the paper
 constexpr double kPointsPerSquare = 3;  // number of points for each square along a line
-constexpr double kRounding = 1e-9;      // mm; smaller differences come from rounding
 
 /// Angle in [0, 2 pi) from `start` to `p` about the arc's centre, in the arc's direction.
 double swept_to(const Edge& arc, Vec2 p) {
@@ -118,7 +118,7 @@ std::vector<Square> activate_near(Vec2 from, Vec2 to, double reach, const Square
     for (int column = low.column; column <= high.column; ++column) {
       const Vec2 p = grid.center({column, row});
       const double away = from == to ? distance(from, p) : distance(Edge::line(from, to), p);
-      if (away <= reach + kRounding) squares.push_back({column, row});
+      if (away <= reach + kRoundingMm) squares.push_back({column, row});
     }
   }
   return squares;

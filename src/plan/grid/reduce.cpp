@@ -6,11 +6,10 @@
 #include <set>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 
 namespace clearcut::plan::grid {
 namespace {
-
-constexpr double kSquareRounding = 1e-9;
 
 double squared(double v) {
   return v * v;
@@ -35,7 +34,7 @@ std::optional<std::size_t> at_periphery(const std::vector<Square>& squares, std:
   std::optional<std::size_t> best;
   for (std::size_t i = low + 1; i < high; ++i) {
     const double d = apart(squares[corner], squares[i]);
-    if (d < radius - kSquareRounding) continue;
+    if (d < radius - kRoundingMm) continue;
     if (!best || d < apart(squares[corner], squares[*best])) best = i;
   }
   return best;
@@ -58,7 +57,7 @@ class Kept {
       for (auto it = squares_.lower_bound({row, s.column - reach_});
            it != squares_.end() && it->first == row && it->second <= s.column + reach_; ++it) {
         const double d2 = squared(row - s.row) + squared(it->second - s.column);
-        if (d2 < squared(radius_) - kSquareRounding) return true;
+        if (d2 < squared(radius_) - kRoundingMm) return true;
       }
     }
     return false;
@@ -105,7 +104,7 @@ Places reduce_curve(const std::vector<Square>& squares, double radius) {
 }
 
 int edge_step(double radius) {
-  return std::max(1, static_cast<int>(std::ceil(radius - kSquareRounding)));
+  return std::max(1, static_cast<int>(std::ceil(radius - kRoundingMm)));
 }
 
 std::vector<int> kept_rows(int low, int high, int step, MiddleRow rule) {

@@ -4,12 +4,11 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
+#include "base/tolerances.h"
 #include "plan/grid/interpolate.h"
 
 namespace clearcut::plan::grid {
 namespace {
-
-constexpr double kSamePoint = 1e-9;  // mm; points nearer than this are equal
 
 /// All points within `reach` mm of an arc of at most half a turn whose radius is greater than `reach`.
 Region bent_stadium(Edge core, double reach) {
@@ -35,7 +34,7 @@ Region rectangle_region(const DesignElement& element) {
 
 std::optional<Edge> core_of_line(const DesignElement& line, double tool_radius) {
   const double length = distance(line.from, line.to);
-  if (length < 2 * tool_radius + kSamePoint) return std::nullopt;
+  if (length < 2 * tool_radius + kRoundingMm) return std::nullopt;
   const Vec2 inwards = (line.to - line.from) * (tool_radius / length);
   return Edge::line(line.from + inwards, line.to - inwards);
 }
@@ -45,7 +44,7 @@ std::optional<Edge> core_of_arc(const DesignElement& element, double tool_radius
   const double radius = arc.radius();
   if (tool_radius >= radius) return std::nullopt;
   const double trim = 2 * base::asin(tool_radius / (2 * radius)) / std::abs(arc.sweep());
-  if ((1 - 2 * trim) * arc.length() < kSamePoint) return std::nullopt;
+  if ((1 - 2 * trim) * arc.length() < kRoundingMm) return std::nullopt;
   return arc.part(trim, 1 - trim);
 }
 

@@ -6,14 +6,13 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/tolerances.h"
 #include "plan/grid/interpolate.h"
 #include "plan/grid/reduce.h"
 #include "plan/grid/shape.h"
 
 namespace clearcut::plan::grid {
 namespace {
-
-constexpr double kVisitRounding = 1e-9;  // mm; smaller differences come from rounding
 
 /// The squares of one element, which of them are kept by the reduction, and the point where the tool goes for
 /// each.
@@ -56,7 +55,7 @@ Discrete discrete_area(const DesignElement& element, double tool_radius, const S
     const Vec2 p = result.at[i];
     const double away =
         element.from == to ? distance(element.from, p) : distance(Edge::line(element.from, to), p);
-    if (away > room + kVisitRounding) continue;
+    if (away > room + kRoundingMm) continue;
     legal.push_back(i);
     legal_squares.push_back(result.squares[i]);
   }
@@ -91,7 +90,7 @@ Discrete discrete_of(const DesignElement& element, const ElementJob& job, const 
   }
   Discrete result = discrete_area(element, radius, grid);
   const bool any = std::find(result.reduced.begin(), result.reduced.end(), true) != result.reduced.end();
-  const bool wider = element.width > 2 * radius + kVisitRounding;
+  const bool wider = element.width > 2 * radius + kRoundingMm;
   return any && wider ? result : discrete_axis(element, radius, grid);
 }
 
@@ -106,7 +105,7 @@ Path path_through(const std::vector<Vec2>& points, const std::optional<Edge>& co
   Path path;
   Vec2 at = points.front();
   for (const Vec2 p : points) {
-    if (distance(at, p) < kVisitRounding) continue;
+    if (distance(at, p) < kRoundingMm) continue;
     path.push_back(step_between(at, p, core));
     at = p;
   }

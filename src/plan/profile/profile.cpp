@@ -6,8 +6,8 @@
 
 #include "base/elementary.h"
 #include "features/kerf.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
 #include "plan/common/rings.h"
 
 namespace clearcut::plan::profile {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 #include "geometry/spatial/cell_grid.h"
 
@@ -16,8 +17,6 @@ namespace {
 constexpr double kBandPiece = kPi / 6;
 /// mm. Ends nearer than this are joined by moving one of them; shorter remainders of edges are left out.
 constexpr double kFound = 1e-3;
-/// mm. Pieces of the rim whose ends are nearer than this are joined.
-constexpr double kJoined = 1e-6;
 /// mm. Gaps between pieces up to this come from rounding of the loop.
 constexpr double kGap = 2e-4;
 /// Sine of an angle. A piece that turns left by less does not lie farther left.
@@ -111,7 +110,7 @@ class RimPieces {
     for (int i = 0; i < count; ++i) {
       const double t0 = static_cast<double>(i) / count, t1 = static_cast<double>(i + 1) / count;
       const Vec2 a = inner(t0), b = inner(t1);
-      if (distance(a, b) < kJoined) continue;
+      if (distance(a, b) < kSamePlaceMm) continue;
       pieces_.push_back({edge.is_arc() ? through(a, inner((t0 + t1) / 2), b) : Edge::line(a, b), false});
     }
     travelled_ += whole;
@@ -121,7 +120,7 @@ class RimPieces {
   /// piece.
   void add_joint(Vec2 from, Vec2 corner, Vec2 heading) {
     const Vec2 to = corner + towards_rim(heading) * width_at(travelled_);
-    if (cross(from - corner, to - corner) < 0 && distance(from, to) > kJoined)
+    if (cross(from - corner, to - corner) < 0 && distance(from, to) > kSamePlaceMm)
       pieces_.push_back({Edge::arc(from, to, corner, Turn::kClockwise), false});
   }
 
@@ -147,7 +146,7 @@ class RimWalk {
  public:
   RimWalk(std::vector<RimPiece> pieces, double cell) : pieces_(std::move(pieces)), index_(cell) {
     for (std::size_t i = 0; i < pieces_.size(); ++i)
-      index_.add(pieces_[i].edge.box().grown(kJoined), static_cast<std::uint32_t>(i));
+      index_.add(pieces_[i].edge.box().grown(kSamePlaceMm), static_cast<std::uint32_t>(i));
   }
 
   /// The path from `start`, on the first piece, to where the rim reaches the loop; empty if the rim has a
@@ -159,7 +158,7 @@ class RimWalk {
     while (!pieces_[at].on_loop) {
       const auto step = next(at, from);
       if (!step) return {};
-      if (distance(from, step->point) > kJoined) {
+      if (distance(from, step->point) > kSamePlaceMm) {
         path.push_back(between(pieces_[at].edge, from, step->point));
         from = step->point;
       }
@@ -185,13 +184,13 @@ class RimWalk {
     const auto consider = [&](std::size_t piece, Vec2 p) {
       const auto on = nearest(edge, p);
       const double travelled = on.t * whole;
-      if (travelled < begin - kJoined) return;
+      if (travelled < begin - kSamePlaceMm) return;
       const auto& other = pieces_[piece].edge;
       const double left = cross(edge.tangent_at(on.t), other.tangent_at(nearest(other, p).t));
-      const bool goes_on = whole - travelled < kJoined;
+      const bool goes_on = whole - travelled < kSamePlaceMm;
       if (left < kNoTurn && !goes_on) return;
-      const bool later =
-          travelled > best.travelled + kJoined || (travelled > best.travelled - kJoined && left <= best.left);
+      const bool later = travelled > best.travelled + kSamePlaceMm ||
+                         (travelled > best.travelled - kSamePlaceMm && left <= best.left);
       if (best.piece == 0 || !later) best = {piece, p, travelled, left};
     };
     for (const std::uint32_t i : index_.near(edge.box().grown(kGap))) {

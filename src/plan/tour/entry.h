@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "model/strategy_entry.h"
+#include "model/options/strategy_entry.h"
 #include "plan/tour/tour.h"
 
 namespace clearcut::plan::tour {

@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "base/error.h"
-#include "geometry/clearance.h"
 #include "geometry/line_path.h"
 #include "geometry/route/legal_paths.h"
+#include "geometry/voronoi/clearance.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/cover.h"
 #include "plan/contour/step_rule.h"

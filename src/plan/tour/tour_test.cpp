@@ -7,9 +7,9 @@
 
 #include "base/error.h"
 #include "base/random.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
 #include "geometry/route/legal_area.h"
+#include "geometry/voronoi/clearance.h"
 #include "plan/common/cover.h"
 
 namespace clearcut::plan::tour {

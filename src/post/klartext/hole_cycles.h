@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "post/drill_cycle.h"
+#include "post/words/drill_cycle.h"
 
 namespace clearcut::post {
 

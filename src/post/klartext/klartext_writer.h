@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "post/post.h"
+#include "model/options/post_options.h"
 
 namespace clearcut::post {
 

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/tolerances.h"
 #include "base/units.h"
 
 namespace clearcut::post {
 
 namespace {
 
-constexpr double kSame = 1e-6;  // mm; vertices nearer than this to the stock's edge lie on it
-
 bool near(double a, double b) {
-  return std::abs(a - b) <= kSame;
+  return std::abs(a - b) <= kSamePlaceMm;
 }
 
 std::string point(P21Writer& out, Vec2 p, double z = 0) {
@@ -61,7 +60,7 @@ std::string curve(P21Writer& out, const P21Common& common, const Path& path) {
 /// Center of a loop that is one full circle.
 std::optional<Vec2> circle_center(const Loop& loop) {
   for (const Edge& edge : loop)
-    if (!edge.is_arc() || edge.turn != loop[0].turn || distance(edge.center, loop[0].center) > kSame)
+    if (!edge.is_arc() || edge.turn != loop[0].turn || distance(edge.center, loop[0].center) > kSamePlaceMm)
       return std::nullopt;
   return loop[0].center;
 }
@@ -107,7 +106,8 @@ bool is_rectangle(const Loop& loop) {
   for (std::size_t i = 0; i < 4; ++i) {
     const Edge& a = loop[i];
     const Edge& b = loop[(i + 1) % 4];
-    if (a.is_arc() || std::abs(dot(a.to - a.from, b.to - b.from)) > kSame * (1 + a.length() * b.length()))
+    if (a.is_arc() ||
+        std::abs(dot(a.to - a.from, b.to - b.from)) > kSamePlaceMm * (1 + a.length() * b.length()))
       return false;
   }
   return true;

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 
 namespace clearcut::post {
 namespace {
 
 constexpr double kMmPerMinOfMPerS = 60000;
 constexpr double kHelixChord = 0.001;  // mm; polylines leave their helix by no more
-constexpr double kSafeHeight = 1e-6;   // mm
 constexpr double kHelixDigits = 1e6;   // points between the ends of a helix are rounded to 1 nm
 
 /// What moves of one trajectory have in common.
@@ -47,7 +47,7 @@ struct Span {
 /// Without the rapids that only bring the tool to where it goes down and take it away from where it has come up: whoever reads the path does
 /// that.
 Span within_safe_height(const std::vector<Move>& moves, double safe_z) {
-  const double safe = safe_z - kSafeHeight;
+  const double safe = safe_z - kSamePlaceMm;
   Span span{0, moves.size()};
   while (span.first < span.last && is_rapid(moves[span.first].kind) && moves[span.first].z_to >= safe)
     ++span.first;

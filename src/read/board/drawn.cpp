@@ -1,6 +1,6 @@
 #include "read/board/drawn.h"
 
-#include "geometry/boolean.h"
+#include "geometry/boolean/boolean.h"
 #include "read/common/curve_fit.h"
 
 namespace clearcut::read {

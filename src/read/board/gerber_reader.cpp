@@ -8,9 +8,9 @@
 #include "base/error.h"
 #include "geometry/contours/loops.h"
 #include "read/board/gerber_image.h"
-#include "read/common/drawing.h"
-#include "read/common/layers/outline_roles.h"
 #include "read/common/text.h"
+#include "read/drawing/drawing.h"
+#include "read/drawing/outline_roles.h"
 
 namespace clearcut::read {
 namespace {

@@ -13,6 +13,7 @@
 #include "base/units.h"
 #include "geometry/region.h"
 #include "read/board/gerber_image.h"
+#include "read/drawing/layer_rules.h"
 #include "read/read_part.h"
 
 namespace clearcut::read {

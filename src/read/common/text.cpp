@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "read/lettering/characters.h"
+#include "read/common/characters.h"
 
 namespace clearcut::read {
 

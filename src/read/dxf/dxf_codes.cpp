@@ -4,8 +4,8 @@
 
 #include "base/text/format.h"
 #include "base/text/quantity.h"
+#include "read/common/characters.h"
 #include "read/common/text.h"
-#include "read/lettering/characters.h"
 
 namespace clearcut::read {
 namespace {

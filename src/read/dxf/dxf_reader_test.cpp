@@ -7,7 +7,8 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "read/common/drawing.h"
+#include "read/drawing/drawing.h"
+#include "read/drawing/layer_rules.h"
 #include "read/read_part.h"
 
 namespace clearcut::read {

@@ -7,8 +7,8 @@
 
 #include "base/text/stripped.h"
 #include "base/units.h"
+#include "read/common/characters.h"
 #include "read/common/text.h"
-#include "read/lettering/characters.h"
 
 namespace clearcut::read {
 namespace {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "read/drawing/layer_rules.h"
 #include "read/dxf/dxf_reader.h"
 #include "read/read_part.h"
 

@@ -14,11 +14,12 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "base/text/line_end.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 #include "geometry/side_list.h"
-#include "read/common/drawing.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
+#include "read/drawing/drawing.h"
 #include "read/repair/repair.h"
 
 namespace clearcut::read {
@@ -29,8 +30,6 @@ constexpr std::size_t kMostEdges = 1'000'000;
 constexpr double kClosing = 0.05;
 /// rad. Printed angles add up to this much about (N - 2) pi; beyond it something else is meant.
 constexpr double kAngleExcess = 0.02;
-/// rad. Corners nearer to 0, to a straight line (when rounded) or to a full turn cannot be built.
-constexpr double kFlat = 1e-6;
 /// mm. Straight pieces between two arcs may be this much too short by rounding.
 constexpr double kTouching = 1e-6;
 
@@ -125,11 +124,12 @@ class Reader {
     side.angle = number(line, 1, "an interior angle in degrees") * kPi / 180;
     if (line.words.size() == 3) side.radius = number(line, 2, "the radius of the arc at the edge's end");
     if (!(side.length > 0)) fail("the length must be above 0");
-    if (!(side.angle > kFlat && side.angle < 2 * kPi - kFlat)) {
+    if (!(side.angle > kSameAngleRad && side.angle < 2 * kPi - kSameAngleRad)) {
       fail("the interior angle must lie between 0 and 360 degrees");
     }
     if (!(side.radius >= 0)) fail("the radius must be 0 or more");
-    if (side.radius > 0 && std::abs(side.angle - kPi) < kFlat) fail("a corner of 180 degrees has no arc");
+    if (side.radius > 0 && std::abs(side.angle - kPi) < kSameAngleRad)
+      fail("a corner of 180 degrees has no arc");
     draft_.sides.push_back(side);
     draft_.line_of_side.push_back(line.number);
   }

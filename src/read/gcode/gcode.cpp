@@ -5,13 +5,14 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
-#include "read/gcode/interpreter.h"
+#include "base/tolerances.h"
+#include "read/gcode/control/interpreter.h"
 #include "read/gcode/klartext/klartext.h"
 #include "read/gcode/klartext/words.h"
 #include "read/gcode/macros/fanuc.h"
 #include "read/gcode/macros/linuxcnc.h"
-#include "read/gcode/marker.h"
 #include "read/gcode/no_program.h"
+#include "read/gcode/program/marker.h"
 #include "read/gcode/recognise.h"
 #include "read/gcode/sinumerik/sinumerik.h"
 #include "read/gcode/sinumerik/words.h"
@@ -23,8 +24,6 @@ namespace {
 
 using read::gcode::Block;
 
-/// mm; readings that differ by less move the cutter alike.
-constexpr double kSamePlace = 1e-6;
 /// s; likewise.
 constexpr double kSameWait = 1e-6;
 
@@ -144,11 +143,11 @@ Reading read_as(Dialect dialect, std::string_view text, const std::string& file_
 }
 
 bool same(const Move& a, const Move& b) {
-  const auto near = [](Vec2 p, Vec2 q) { return distance(p, q) <= kSamePlace; };
+  const auto near = [](Vec2 p, Vec2 q) { return distance(p, q) <= kSamePlaceMm; };
   return is_rapid(a.kind) == is_rapid(b.kind) && a.path.turn == b.path.turn &&
          near(a.path.from, b.path.from) && near(a.path.to, b.path.to) &&
          (!a.path.is_arc() || near(a.path.center, b.path.center)) &&
-         std::abs(a.z_from - b.z_from) <= kSamePlace && std::abs(a.z_to - b.z_to) <= kSamePlace;
+         std::abs(a.z_from - b.z_from) <= kSamePlaceMm && std::abs(a.z_to - b.z_to) <= kSamePlaceMm;
 }
 
 std::vector<const Move*> moves_of(const Toolpath& toolpath) {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "read/gcode/told_program.h"
+#include "read/gcode/test_told_program.h"
 
 namespace clearcut::read::gcode {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "read/gcode/dialect.h"
+#include "read/gcode/program/dialect.h"
 
 namespace clearcut::read::gcode {
 

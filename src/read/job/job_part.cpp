@@ -9,11 +9,11 @@
 #include "base/text/format.h"
 #include "features/kerf.h"
 #include "features/tool_choice.h"
-#include "read/common/drawing.h"
-#include "read/common/stock_edge.h"
 #include "read/common/text.h"
+#include "read/drawing/drawing.h"
+#include "read/drawing/stock_edge.h"
+#include "read/formats/part_file.h"
 #include "read/job/job_file.h"
-#include "read/read_part.h"
 #include "read/step_solid/step_solid.h"
 
 namespace clearcut::read {
@@ -360,7 +360,7 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
   if (job.stock) options.solid.stock = requested(*job.stock);
   for (const LibraryTool& tool : tools_of(job).tools) options.solid.tools.push_back(tool.tool);
   const std::string text = read_file(job.part_file.string(), kLargestPart);
-  Part part = read_part_text(text, job.part_file.string(), options);
+  Part part = read_part_file(text, job.part_file.string(), options);
   if (options.overview && part.features.empty()) return part;
   if (job.stock && !is_step_solid(text)) {
     part.stock = stock_of(*job.stock, part, job.file);

@@ -6,8 +6,8 @@
 #include "base/error.h"
 #include "base/files/file.h"
 #include "base/text/format.h"
-#include "read/moved_part.h"
-#include "read/read_part.h"
+#include "read/common/moved_part.h"
+#include "read/formats/part_file.h"
 #include "read/step_solid/step_solid.h"
 
 namespace clearcut::read {

@@ -1,7 +1,7 @@
 #include "read/lettering/lettering.h"
 
+#include "read/common/characters.h"
 #include "read/common/text.h"
-#include "read/lettering/characters.h"
 
 namespace clearcut::read {
 namespace {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/diagnostics.h"
-#include "read/common/drawing.h"
+#include "read/drawing/drawing.h"
 #include "read/lettering/face.h"
 #include "read/repair/repair.h"
 

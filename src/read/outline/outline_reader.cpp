@@ -11,12 +11,12 @@
 #include "base/text/format.h"
 #include "features/kerf.h"
 #include "features/stacking.h"
-#include "geometry/boolean.h"
+#include "geometry/boolean/boolean.h"
 #include "read/common/data_value.h"
-#include "read/common/drawing.h"
-#include "read/common/stock_edge.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
+#include "read/drawing/drawing.h"
+#include "read/drawing/stock_edge.h"
 #include "read/repair/repair.h"
 
 namespace clearcut::read {

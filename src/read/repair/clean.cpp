@@ -3,15 +3,12 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/tolerances.h"
 #include "read/repair/mends.h"
 
 namespace clearcut::read {
 namespace {
 
-/// Arcs flatter than this are lines: their centers would be rounding noise. mm.
-constexpr double kFlat = 1e-6;
-/// Disagreement of radii that is only rounding of the file's digits, mm: mended without a word.
-constexpr double kRoundingOfRadii = 1e-6;
 /// Radii that agree: what parts are rounded to after reading is finer. mm.
 constexpr double kSameRadii = 1e-8;
 
@@ -54,9 +51,9 @@ void append_consistent(const Edge& edge, const std::string& source, Cleaning& cl
                                                  ") has radii " + short_number(r1) + " and " +
                                                  short_number(r2) + " mm at its ends; correct its center");
   }
-  if (off > kRoundingOfRadii) cleaning.radii.add(edge.from, off);
+  if (off > kSamePlaceMm) cleaning.radii.add(edge.from, off);
   const Edge mended = off > kSameRadii ? recentered(edge) : edge;
-  out.push_back(flatness(mended) <= kFlat ? Edge::line(edge.from, edge.to) : mended);
+  out.push_back(flatness(mended) <= kSamePlaceMm ? Edge::line(edge.from, edge.to) : mended);
 }
 
 /// The path without edges below kTinyEdge. Vertices stay where they are: the next edge starts at the last
@@ -86,7 +83,7 @@ Edge arc_through(Vec2 from, Vec2 through, Vec2 to) {
   const Vec2 a = through - from, b = to - from;
   const double twice_area = cross(a, b);
   const double longest = std::max({norm(a), norm(b), norm(to - through)});
-  if (longest == 0 || std::abs(twice_area) <= kFlat * longest) return Edge::line(from, to);
+  if (longest == 0 || std::abs(twice_area) <= kSamePlaceMm * longest) return Edge::line(from, to);
   const Vec2 center = from + Vec2{b.y * norm_squared(a) - a.y * norm_squared(b),
                                   a.x * norm_squared(b) - b.x * norm_squared(a)} /
                                  (2 * twice_area);

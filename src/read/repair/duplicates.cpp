@@ -5,7 +5,7 @@
 
 #include "geometry/spatial/cell_grid.h"
 #include "read/repair/clean.h"
-#include "read/repair/crossings/edge_index.h"
+#include "read/repair/edge_index.h"
 #include "read/repair/mends.h"
 
 namespace clearcut::read {

@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "base/random.h"
 #include "base/units.h"
-#include "read/repair/crossings/meetings.h"
+#include "read/repair/meetings.h"
 #include "read/repair/repair.h"
 #include "read/repair/test_curves.h"
 

@@ -4,17 +4,17 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "geometry/boolean.h"
+#include "geometry/boolean/boolean.h"
 #include "geometry/contours/loops.h"
 #include "read/repair/arcs.h"
 #include "read/repair/clean.h"
-#include "read/repair/crossings/crossings.h"
-#include "read/repair/crossings/meetings.h"
-#include "read/repair/crossings/nesting.h"
-#include "read/repair/crossings/trimming.h"
+#include "read/repair/crossings.h"
 #include "read/repair/duplicates.h"
 #include "read/repair/joining.h"
+#include "read/repair/meetings.h"
 #include "read/repair/mends.h"
+#include "read/repair/nesting.h"
+#include "read/repair/trimming.h"
 
 namespace clearcut::read {
 namespace {

@@ -9,8 +9,8 @@
 #include "base/text/format.h"
 #include "features/kerf.h"
 #include "geometry/contours/loops.h"
-#include "read/common/drawing.h"
 #include "read/common/text.h"
+#include "read/drawing/drawing.h"
 #include "read/repair/mends.h"
 
 namespace clearcut::read {

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "geometry/rectangle.h"
+#include "read/drawing/layer_rules.h"
 #include "read/read_part.h"
 
 namespace clearcut::read {

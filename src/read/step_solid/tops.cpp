@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "features/stacking.h"
-#include "read/common/drawing.h"
+#include "read/drawing/drawing.h"
 #include "read/step_solid/height_map.h"
 
 namespace clearcut::read {

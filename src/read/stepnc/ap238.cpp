@@ -5,7 +5,7 @@
 #include <set>
 
 #include "base/error.h"
-#include "read/stepnc/node.h"
+#include "read/stepnc/file/node.h"
 
 namespace clearcut::read::stepnc {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/part.h"
-#include "read/stepnc/node.h"
+#include "read/stepnc/file/node.h"
 
 namespace clearcut::read::stepnc {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <string_view>
 
-#include "read/stepnc/node.h"
+#include "read/stepnc/file/node.h"
 
 namespace clearcut::read::stepnc {
 

@@ -6,7 +6,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
-#include "read/stepnc/entity_list.h"
+#include "read/stepnc/file/entity_list.h"
 #include "read/stepnc/parts.h"
 #include "read/stepnc/toolpaths.h"
 

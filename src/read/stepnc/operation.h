@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/part.h"
-#include "read/stepnc/node.h"
+#include "read/stepnc/file/node.h"
 #include "read/stepnc/tools.h"
 
 namespace clearcut::read::stepnc {

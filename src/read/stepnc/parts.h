@@ -1,7 +1,7 @@
 // Which parts of a compound feature an operation is for.
 #pragma once
 
-#include "read/stepnc/draft.h"
+#include "read/stepnc/shapes/draft.h"
 
 namespace clearcut::read::stepnc {
 

@@ -9,9 +9,10 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
+#include "base/tolerances.h"
 #include "features/at_depth.h"
 #include "features/stacking.h"
-#include "geometry/boolean.h"
+#include "geometry/boolean/boolean.h"
 #include "model/results/not_machined.h"
 #include "read/stepnc/not_used.h"
 #include "read/stepnc/parts.h"
@@ -461,13 +462,12 @@ void Reader::check_part(const Draft& draft, const Node& step, const StatedOperat
 
 /// Steps whose features are cut away before: two drills that go as deep in one hole.
 void Reader::drop_finished_steps() {
-  constexpr double kSame = 1e-6;  // mm
   const auto is_same_hole = [&](const Workingstep& before, const Workingstep& step) {
     const Feature &done = feature_of(before), &asked = feature_of(step);
     return before.operation.tool == step.operation.tool && makes_holes(tool_of(part_, step)) &&
-           distance(box(done.target).min, box(asked.target).min) < kSame &&
-           distance(box(done.target).max, box(asked.target).max) < kSame &&
-           done.floor_z <= asked.floor_z + kSame;
+           distance(box(done.target).min, box(asked.target).min) < kSamePlaceMm &&
+           distance(box(done.target).max, box(asked.target).max) < kSamePlaceMm &&
+           done.floor_z <= asked.floor_z + kSamePlaceMm;
   };
   std::vector<Workingstep> left;
   std::vector<ProgramStop> stops;  // of steps that are dropped
@@ -477,7 +477,7 @@ void Reader::drop_finished_steps() {
     const bool is_made = std::any_of(left.begin(), left.end(),
                                      [&](const Workingstep& before) { return is_same_hole(before, step); });
     // What the point of the drill before has left, the same drill does not take.
-    const double least = is_made ? point_length(tool_of(part_, step)) + kSame : kSame;
+    const double least = is_made ? point_length(tool_of(part_, step)) + kSamePlaceMm : kSamePlaceMm;
     if (feature.top_z - feature.floor_z > least) {
       left.push_back(std::move(step));
       left.back().stops = std::move(stops);

@@ -7,6 +7,7 @@
 
 #include "base/elementary.h"
 #include "base/text/format.h"
+#include "base/tolerances.h"
 
 namespace clearcut::read::stepnc {
 namespace {
@@ -14,8 +15,6 @@ namespace {
 constexpr int kDeepestCurve = 16;       // nesting of composite curves
 constexpr double kOffItsCircle = 0.02;  // mm; ends of arcs farther off their circle are an error
 constexpr double kOffItsHelix = 0.002;  // mm; points farther off are no helix
-constexpr double kSamePoint = 1e-9;     // mm
-constexpr double kTallStep = 1e-6;      // mm; arcs whose ends differ more in height are helices
 
 /// Arguments of a toolpath.
 enum Argument : std::size_t {
@@ -84,7 +83,7 @@ class CurveReader {
 
   static StatedMove straight(Vec3 from, Vec3 to) {
     StatedMove move;
-    const bool is_upright = distance(in_plan(from), in_plan(to)) <= kSamePoint;
+    const bool is_upright = distance(in_plan(from), in_plan(to)) <= kRoundingMm;
     move.path = Edge::line(in_plan(from), is_upright ? in_plan(from) : in_plan(to));
     move.z_from = from.z;
     move.z_to = to.z;
@@ -214,7 +213,7 @@ class CurveReader {
         curve.fail("an end is " + trimmed(off, 4) + " mm off its circle; correct point or circle");
     }
     const bool is_along = curve.flag(4).value_or(true);
-    if (distance(in_plan(a), in_plan(b)) > kSamePoint || std::abs(a.z - b.z) > kTallStep)
+    if (distance(in_plan(a), in_plan(b)) > kRoundingMm || std::abs(a.z - b.z) > kSamePlaceMm)
       return {arc(circle, a, b, is_along)};
     const Vec2 center = in_plan(circle.frame.origin);
     const Vec2 across = center * 2.0 - in_plan(a);

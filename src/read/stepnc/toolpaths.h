@@ -5,7 +5,7 @@
 
 #include "model/stated_path.h"
 #include "model/tool.h"
-#include "read/stepnc/node.h"
+#include "read/stepnc/file/node.h"
 #include "read/stepnc/shapes/placement.h"
 
 namespace clearcut::read::stepnc {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/tool.h"
-#include "read/stepnc/node.h"
+#include "read/stepnc/file/node.h"
 
 namespace clearcut::read::stepnc {
 

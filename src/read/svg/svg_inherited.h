@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "read/common/affine.h"
-#include "read/common/drawing.h"
+#include "read/drawing/drawing.h"
 #include "read/svg/svg_shapes.h"
 #include "read/svg/svg_style.h"
 

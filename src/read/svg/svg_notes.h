@@ -4,8 +4,8 @@
 #include <string>
 
 #include "base/diagnostics.h"
-#include "read/common/drawing.h"
-#include "read/common/not_as_drawn.h"
+#include "read/drawing/drawing.h"
+#include "read/drawing/not_as_drawn.h"
 
 namespace clearcut::read {
 

@@ -9,12 +9,12 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
-#include "read/common/drawing.h"
 #include "read/common/strokes/stroke.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
+#include "read/drawing/drawing.h"
 #include "read/lettering/lettering.h"
-#include "read/svg/clip/svg_clip.h"
+#include "read/svg/svg_clip.h"
 #include "read/svg/svg_document.h"
 #include "read/svg/svg_elements.h"
 #include "read/svg/svg_inherited.h"
@@ -23,7 +23,7 @@
 #include "read/svg/svg_page.h"
 #include "read/svg/svg_shapes.h"
 #include "read/svg/svg_style.h"
-#include "read/svg/text/svg_text.h"
+#include "read/svg/svg_text.h"
 
 namespace clearcut::read {
 namespace {

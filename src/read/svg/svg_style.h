@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "read/common/strokes/stroke.h"
-#include "read/svg/text/svg_font.h"
+#include "read/svg/svg_font.h"
 
 namespace clearcut::read {
 

@@ -7,8 +7,8 @@
 #include "base/error.h"
 #include "base/files/file.h"
 #include "base/text/format.h"
-#include "read/common/drawing.h"
 #include "read/common/text.h"
+#include "read/drawing/drawing.h"
 #include "read/tools/formats.h"
 
 namespace clearcut::read {

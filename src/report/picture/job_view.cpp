@@ -7,13 +7,12 @@
 #include <cmath>
 
 #include "base/text/format.h"
-#include "report/text.h"
+#include "base/tolerances.h"
+#include "report/words/text.h"
 
 namespace clearcut::report {
 
 namespace {
-
-constexpr double kSameLevel = 1e-6;  // mm
 
 bool removes_sideways(const Move& move) {
   return !is_rapid(move.kind) && move.kind != MoveKind::kPlunge && move.kind != MoveKind::kRamp &&
@@ -28,7 +27,7 @@ double lowest(const Move& move) {
 double layer_above(const Section& section, double last) {
   double above = std::numeric_limits<double>::infinity();
   for (const Move& move : section.moves) {
-    if (removes_sideways(move) && lowest(move) > last + kSameLevel) above = std::min(above, lowest(move));
+    if (removes_sideways(move) && lowest(move) > last + kSamePlaceMm) above = std::min(above, lowest(move));
   }
   return above;
 }
@@ -85,14 +84,14 @@ std::vector<Move> shown_moves(const Section& section, bool all_layers) {
   if (all_layers) return section.moves;
   const double last = last_layer(section), above = layer_above(section, last);
   const auto in_layer = [last](const Move& move) {
-    return removes_sideways(move) && lowest(move) <= last + kSameLevel;
+    return removes_sideways(move) && lowest(move) <= last + kSamePlaceMm;
   };
   const auto first = std::find_if(section.moves.begin(), section.moves.end(), in_layer);
   const auto end = std::find_if(section.moves.rbegin(), section.moves.rend(), in_layer).base();
   std::vector<Move> shown;
   for (auto move = section.moves.begin(); move != section.moves.end(); ++move) {
     const bool entry =
-        !is_rapid(move->kind) && !removes_sideways(*move) && lowest(*move) < above - kSameLevel;
+        !is_rapid(move->kind) && !removes_sideways(*move) && lowest(*move) < above - kSamePlaceMm;
     const bool between = is_rapid(move->kind) && move >= first && move < end;
     if (in_layer(*move) || entry || between) shown.push_back(*move);
   }

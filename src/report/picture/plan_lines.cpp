@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "base/tolerances.h"
 #include "report/picture/job_view.h"
 #include "report/picture/palette.h"
 #include "report/picture/reach.h"
@@ -11,7 +12,6 @@ namespace clearcut::report {
 
 namespace {
 
-constexpr double kSameDepth = 1e-6;   // mm
 constexpr double kArrowEvery = 110;   // page units along the path
 constexpr double kArrowLength = 8.5;  // page units
 
@@ -135,7 +135,7 @@ void add_sweeps(const Job& job, const Section& section, double z, double height,
   if (tool == nullptr || !(tool->diameter > 0)) return;
   const Box reach = seen.grown(widest_radius(*tool));
   for (const Move& move : section.moves) {
-    const bool counts = !is_rapid(move.kind) && height_cut(move) <= z + kSameDepth;
+    const bool counts = !is_rapid(move.kind) && height_cut(move) <= z + kSamePlaceMm;
     if (!counts || !drawable(move.path) || !move.path.box().overlaps(reach)) continue;
     const double width = width_at(job, section, *tool, move, height);
     if (width <= 0) continue;

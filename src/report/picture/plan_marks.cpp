@@ -6,7 +6,7 @@
 #include "base/elementary.h"
 #include "base/text/format.h"
 #include "report/picture/palette.h"
-#include "report/text.h"
+#include "report/words/text.h"
 
 namespace clearcut::report {
 

@@ -14,7 +14,7 @@
 #include "report/picture/plan_lines.h"
 #include "report/picture/plan_marks.h"
 #include "report/picture/reach.h"
-#include "report/text.h"
+#include "report/words/text.h"
 
 namespace clearcut::report {
 

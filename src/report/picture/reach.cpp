@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "features/at_depth.h"
-#include "geometry/clearance.h"
+#include "geometry/voronoi/clearance.h"
 #include "report/picture/job_view.h"
 
 namespace clearcut::report {

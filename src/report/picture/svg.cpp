@@ -11,7 +11,7 @@
 #include "report/picture/palette.h"
 #include "report/picture/plan_picture.h"
 #include "report/picture/svg_page.h"
-#include "report/text.h"
+#include "report/words/text.h"
 
 namespace clearcut::report {
 

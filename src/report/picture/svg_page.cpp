@@ -8,7 +8,7 @@
 #include "model/results/told_faults.h"
 #include "report/picture/job_view.h"
 #include "report/picture/palette.h"
-#include "report/text.h"
+#include "report/words/text.h"
 
 namespace clearcut::report {
 

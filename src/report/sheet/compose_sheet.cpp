@@ -8,7 +8,7 @@
 #include "report/picture/palette.h"
 #include "report/picture/plan_picture.h"
 #include "report/sheet/sheet_facts.h"
-#include "report/text.h"
+#include "report/words/text.h"
 
 namespace clearcut::report {
 namespace {

@@ -8,20 +8,18 @@
 #include <set>
 
 #include "base/text/format.h"
+#include "base/tolerances.h"
 
 namespace clearcut::report {
 namespace {
-
-/// mm. Nearer than this to a side is on it.
-constexpr double kOnSide = 1e-6;
 
 /// Where zero lies between two sides.
 std::string between(double low, double high, const std::string& low_side, const std::string& high_side,
                     const std::string& middle, const std::string& beyond, double unit_mm,
                     const std::string& unit) {
-  if (std::abs(low) <= kOnSide) return low_side;
-  if (std::abs(high) <= kOnSide) return high_side;
-  if (std::abs(low + high) <= kOnSide) return middle;
+  if (std::abs(low) <= kSamePlaceMm) return low_side;
+  if (std::abs(high) <= kSamePlaceMm) return high_side;
+  if (std::abs(low + high) <= kSamePlaceMm) return middle;
   const std::string away = trimmed(std::abs(low) / unit_mm, unit_mm == 1 ? 3 : 4) + " " + unit + " ";
   return away + (low < 0 ? beyond : "before") + " the " + low_side;
 }

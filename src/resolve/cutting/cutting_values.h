@@ -1,7 +1,7 @@
 // Starting values of feeds and speeds from what is cut and with what.
 #pragma once
 
-#include "resolve/plan_options.h"
+#include "resolve/asked/plan_options.h"
 
 namespace clearcut::resolve {
 

@@ -9,9 +9,9 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "features/round_hole.h"
-#include "geometry/boolean.h"
-#include "geometry/clearance.h"
+#include "geometry/boolean/boolean.h"
 #include "geometry/rectangle.h"
+#include "geometry/voronoi/clearance.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -10,10 +10,10 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "features/round_hole.h"
-#include "geometry/boolean.h"
+#include "geometry/boolean/boolean.h"
 #include "geometry/rectangle.h"
+#include "resolve/cutting/tool_cutting.h"
 #include "resolve/features/hole_tools.h"
-#include "resolve/tool_cutting.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -11,9 +11,9 @@
 #include "features/kerf.h"
 #include "features/raw_stock.h"
 #include "features/tool_choice.h"
-#include "geometry/boolean.h"
+#include "geometry/boolean/boolean.h"
 #include "geometry/rectangle.h"
-#include "resolve/tool_cutting.h"
+#include "resolve/cutting/tool_cutting.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -6,10 +6,11 @@
 
 #include "base/elementary.h"
 #include "base/text/format.h"
+#include "base/tolerances.h"
 #include "model/cutter_profile.h"
 #include "verify/coverage/chamfered_wall.h"
-#include "verify/faults/shaped_cutter.h"
 #include "verify/part/edge_tree.h"
+#include "verify/program/shaped_cutter.h"
 
 namespace clearcut::verify {
 namespace {
@@ -24,8 +25,6 @@ constexpr int kMostShrinks = 200;
 constexpr double kSmallestCell = 0.004;
 /// mm. Squares in which the place of a flat tip is looked for are not divided below this half diagonal.
 constexpr double kSmallestPlace = 0.0005;
-/// Radians. A smaller turn of the outline is no corner.
-constexpr double kSmooth = 1e-6;
 
 /// The cone with the smallest tip of those that carve a feature; null if none does.
 const Tool* carver_of(const Part& part, int feature) {
@@ -117,7 +116,7 @@ class CarvingCheck {
   void check_corner(const Edge& before, const Edge& after) {
     const Vec2 in = before.tangent_at(1), out = after.tangent_at(0);
     const double turn = base::atan2(cross(in, out), dot(in, out));
-    if (turn >= -kSmooth) return;
+    if (turn >= -kSameAngleRad) return;
     const double from = angle_of(left_of(in));
     const int steps = std::max(1, static_cast<int>(std::ceil(-turn * widest_ / kRaySpacing)));
     for (int i = 0; i <= steps; ++i) check_ray(after.from, direction_of(from + turn * i / steps));

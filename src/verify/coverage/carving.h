@@ -4,9 +4,9 @@
 #include <functional>
 #include <vector>
 
-#include "verify/checked_move.h"
 #include "verify/coverage/coverage.h"
-#include "verify/verify.h"
+#include "verify/program/checked_move.h"
+#include "verify/program/verify_options.h"
 
 namespace clearcut::verify {
 

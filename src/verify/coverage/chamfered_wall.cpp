@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "base/elementary.h"
-#include "verify/faults/shaped_cutter.h"
 #include "verify/part/edge_tree.h"
+#include "verify/program/shaped_cutter.h"
 
 namespace clearcut::verify {
 namespace {

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 #include "verify/coverage/swath_cover.h"
 #include "verify/coverage/wall_residual.h"
 #include "verify/part/legal_centers.h"
@@ -24,8 +25,6 @@ constexpr int kLeavesPerSize = 4000;
 constexpr double kAreaCells = 64;
 /// If something is left, its area is measured with residuals down to this fraction of the tolerance.
 constexpr double kFineShare = 50;
-/// mm, for rounding of coordinates.
-constexpr double kRounding = 1e-9;
 /// mm. A point so much farther from the nearest legal centre than the cutter reaches is out of reach.
 constexpr double kBeyondReach = 1e-6;
 /// The area of unreachable corners is counted in cells of R / kCornerCells.
@@ -270,7 +269,7 @@ class CoverageProof {
     }
     if (cell.legality == Legality::kAll || least + cell.reach() <= question_.flat) return true;
     return nearest >= 0 &&
-           excess_over(part, {legal_.boundary().edges()[nearest], question_.flat}) <= kRounding;
+           excess_over(part, {legal_.boundary().edges()[nearest], question_.flat}) <= kRoundingMm;
   }
 
   bool program_follows(Range legals) {

@@ -10,11 +10,12 @@
 #include "base/elementary.h"
 #include "base/parallel.h"
 #include "base/progress.h"
+#include "base/tolerances.h"
 #include "geometry/spatial/box_tree.h"
 #include "model/cutter_profile.h"
-#include "verify/blend.h"
 #include "verify/coverage/within_stock.h"
 #include "verify/engagement/removal.h"
+#include "verify/program/blend.h"
 
 namespace clearcut::verify {
 namespace {
@@ -179,16 +180,11 @@ struct FinestWork {
       false;  ///< it only goes down, and the hole that it makes is narrower than the one that is drawn
 };
 
-/// mm. Sizes that differ by less are rounded.
-constexpr double kSameSize = 1e-9;
-/// mm. Widths of holes, which are found from their areas.
-constexpr double kSameWidth = 1e-6;
-
 /// Whether all that `b` reaches is reached by `a`, which goes down as far: it comes as near to walls and leaves no more between
 /// walls and floors.
 bool covers(const FinestWork& a, const FinestWork& b) {
   return a.radius <= b.radius && a.allowance_side <= b.allowance_side && a.above <= b.above &&
-         a.radius - a.flat <= b.radius - b.flat + kSameSize;
+         a.radius - a.flat <= b.radius - b.flat + kRoundingMm;
 }
 
 /// Where a drill makes a hole, its width counts from the top of its point, give or take what may be left on floors; pockets are
@@ -198,7 +194,7 @@ FinestWork work_of(const Feature& feature, const Tool& tool, double allowance_si
   const CutterProfile profile = outer_profile(tool);
   const bool is_other_hole =
       makes_holes(tool) && feature.target.size() == 1 &&
-      2 * std::sqrt(area(feature.target) / kPi) > tool.diameter + tol.uncut + kSameWidth;
+      2 * std::sqrt(area(feature.target) / kPi) > tool.diameter + tol.uncut + kSamePlaceMm;
   if (is_hole && tool.kind == ToolKind::kDrill)
     return {tool.radius(), tool.radius(), allowance_side, profile.full_height() + tol.uncut, is_other_hole};
   return {tool.radius(), std::min(tool.radius(), profile.flat), allowance_side, 0, is_other_hole};

@@ -4,10 +4,10 @@
 #include <functional>
 #include <vector>
 
-#include "verify/checked_move.h"
 #include "verify/coverage/coverage.h"
 #include "verify/part/finished_parts.h"
-#include "verify/verify.h"
+#include "verify/program/checked_move.h"
+#include "verify/program/verify_options.h"
 
 namespace clearcut::verify {
 

@@ -2,15 +2,11 @@
 
 #include <algorithm>
 
+#include "base/tolerances.h"
 #include "verify/coverage/swath_cover.h"
 
 namespace clearcut::verify {
-namespace {
-
-/// mm. Smaller differences come from rounding.
-constexpr double kResidualRounding = 1e-9;
-
-}  // namespace
+namespace {}  // namespace
 
 WallResidual::WallResidual(const CoverageQuestion& question) : question_(question) {
   if (question.allowance <= 0) return;
@@ -54,14 +50,14 @@ bool WallResidual::wall_holds(const Wall& wall, const ConvexPolygon& polygon, Ve
   const double residual = question_.allowance + wall.draft_offset(question_.z);
   if (wall.edge.is_arc()) {
     if (distance(wall.edge, center) + reach > residual) return false;
-  } else if (excess_over(polygon, {wall.edge, residual}) > kResidualRounding) {
+  } else if (excess_over(polygon, {wall.edge, residual}) > kRoundingMm) {
     return false;
   }
   const std::vector<Edge> ends = wall.flat_ends(question_.z);
   return std::all_of(ends.begin(), ends.end(), [&](const Edge& end) {
     const Vec2 outward = left_of(end.tangent_at(0));
     return std::all_of(polygon.points().begin(), polygon.points().end(),
-                       [&](Vec2 p) { return dot(p - end.from, outward) <= kResidualRounding; });
+                       [&](Vec2 p) { return dot(p - end.from, outward) <= kRoundingMm; });
   });
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "base/tolerances.h"
 #include "verify/part/finished_part.h"
 
 namespace clearcut::verify {
@@ -14,12 +15,9 @@ namespace {
 /// mm2; a loop that encloses less lay wholly beyond the stock.
 constexpr double kNoArea = 1e-9;
 
-/// mm. Crossings with a side that are computed lie on it but for this.
-constexpr double kAtSide = 1e-9;
-
 double nearest_between(double low, double high, double value) {
-  if (value < low + kAtSide) return low;
-  return value > high - kAtSide ? high : value;
+  if (value < low + kRoundingMm) return low;
+  return value > high - kRoundingMm ? high : value;
 }
 
 Vec2 nearest_in(const Box& box, Vec2 p) {

@@ -5,8 +5,8 @@
 
 #include "model/work_material.h"
 #include "stock/material.h"
-#include "verify/checked_move.h"
 #include "verify/part/finished_part.h"
+#include "verify/program/checked_move.h"
 
 namespace clearcut::verify {
 

@@ -10,9 +10,9 @@
 #include "base/tolerances.h"
 #include "model/part.h"
 #include "model/work_material.h"
-#include "verify/checked_move.h"
-#include "verify/load_reference.h"
 #include "verify/part/finished_part.h"
+#include "verify/program/checked_move.h"
+#include "verify/program/load_reference.h"
 
 namespace clearcut::verify {
 

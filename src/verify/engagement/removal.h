@@ -2,7 +2,7 @@
 #pragma once
 
 #include "stock/cutter_sweep.h"
-#include "verify/checked_move.h"
+#include "verify/program/checked_move.h"
 
 namespace clearcut::verify {
 

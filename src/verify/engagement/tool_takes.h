@@ -7,7 +7,7 @@
 
 #include "model/cutter_profile.h"
 #include "stock/material.h"
-#include "verify/checked_move.h"
+#include "verify/program/checked_move.h"
 
 namespace clearcut::verify {
 

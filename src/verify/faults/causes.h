@@ -5,8 +5,8 @@
 
 #include "model/part.h"
 #include "model/results/findings.h"
-#include "verify/checked_move.h"
-#include "verify/verify.h"
+#include "verify/program/checked_move.h"
+#include "verify/program/verify_options.h"
 
 namespace clearcut::verify {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "model/control.h"
-#include "verify/checked_move.h"
-#include "verify/verify.h"
+#include "verify/program/checked_move.h"
+#include "verify/program/verify_options.h"
 
 namespace clearcut::verify {
 

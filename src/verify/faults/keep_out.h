@@ -5,7 +5,7 @@
 
 #include "model/part.h"
 #include "model/results/findings.h"
-#include "verify/checked_move.h"
+#include "verify/program/checked_move.h"
 
 namespace clearcut::verify {
 

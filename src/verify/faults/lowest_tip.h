@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "verify/checked_move.h"
+#include "verify/program/checked_move.h"
 
 namespace clearcut::verify {
 

@@ -2,9 +2,9 @@
 
 #include "model/cutter_profile.h"
 #include "verify/faults/crossed_draft.h"
-#include "verify/faults/gouge.h"
-#include "verify/faults/shaped_cutter.h"
 #include "verify/faults/undercut.h"
+#include "verify/program/gouge.h"
+#include "verify/program/shaped_cutter.h"
 
 namespace clearcut::verify {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "verify/checked_move.h"
 #include "verify/part/finished_parts.h"
+#include "verify/program/checked_move.h"
 
 namespace clearcut::verify {
 

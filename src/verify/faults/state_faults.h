@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "model/results/findings.h"
-#include "verify/checked_move.h"
 #include "verify/faults/hand_work.h"
-#include "verify/verify.h"
+#include "verify/program/checked_move.h"
+#include "verify/program/verify_options.h"
 
 namespace clearcut::verify {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "geometry/boolean.h"
+#include "geometry/boolean/boolean.h"
 
 namespace clearcut::verify {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/tolerances.h"
-#include "verify/checked_move.h"
+#include "verify/program/checked_move.h"
 
 namespace clearcut::verify {
 

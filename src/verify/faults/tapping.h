@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "model/control.h"
-#include "verify/checked_move.h"
 #include "verify/faults/state_faults.h"
-#include "verify/verify.h"
+#include "verify/program/checked_move.h"
+#include "verify/program/verify_options.h"
 
 namespace clearcut::verify {
 

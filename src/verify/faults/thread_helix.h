@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/checked_move.h"
+#include "verify/program/checked_move.h"
 
 namespace clearcut::verify {
 

@@ -5,8 +5,8 @@
 
 #include "model/move.h"
 #include "model/tool.h"
-#include "verify/faults/gouge.h"
 #include "verify/part/finished_parts.h"
+#include "verify/program/gouge.h"
 
 namespace clearcut::verify {
 

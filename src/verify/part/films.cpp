@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/tolerances.h"
+
 namespace clearcut::verify {
 namespace {
 
 /// Share of a wall's length to which the end of a film is found; places that are nearer to each other are one.
 constexpr double kEndOfFilm = 1e-6;
-/// mm. Walls that cross or share a line are on both sides of each other by this, for rounding.
-constexpr double kBothSides = 1e-9;
 constexpr double kNoFilm = std::numeric_limits<double>::infinity();
 
 class FilmFinder {
@@ -79,7 +79,7 @@ class FilmFinder {
       const auto there = nearest(other->edge, p);
       const Vec2 back = other->edge.tangent_at(there.t);
       const bool is_behind =
-          dot(left_of(back), p - other->edge.at(there.t)) <= kBothSides && dot(heading, back) < 0;
+          dot(left_of(back), p - other->edge.at(there.t)) <= kRoundingMm && dot(heading, back) < 0;
       if (is_behind && there.distance <= kFilm) lowest = std::min(lowest, std::max(wall.z_low, other->z_low));
     }
     return lowest;

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 #include "verify/part/films.h"
 #include "verify/part/trimmed_curve.h"
 
@@ -17,8 +18,6 @@ constexpr double kBeside = 1e-8;
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
 /// mm under the stock that nothing of the part lies in: deeper than any way through. How far a cutter may go is asked of the stock.
 constexpr double kUnderStock = 1000;
-/// mm. A floor no higher over the stock's underside goes through it.
-constexpr double kThrough = 1e-6;
 
 double top_of(const Part& part) {
   if (part.stock) return part.stock->z_top;
@@ -54,7 +53,7 @@ bool is_cut(const Feature& feature, int number, const CutFeatures& cut) {
 /// Whether nothing of the part stands under the feature.
 bool goes_through(const Feature& feature, const std::optional<Stock>& stock) {
   return stock && feature.through && feature.wall_slope.radians() == 0 &&
-         feature.floor_z <= stock->z_bottom + kThrough;
+         feature.floor_z <= stock->z_bottom + kSamePlaceMm;
 }
 
 /// Walls without those upright ones that another feature with the same outline has given before: operations on one outline, such

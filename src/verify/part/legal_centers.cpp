@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/tolerances.h"
 #include "verify/part/trimmed_curve.h"
 
 namespace clearcut::verify {
 namespace {
 
-/// mm. Two walls whose ends are this near form a corner.
-constexpr double kCorner = 1e-6;
 /// mm, for rounding of parallel curves: a wall nearer than reach by less than this is not too near.
 constexpr double kRounding = 1e-7;
 /// mm. A curve on which the cutter fits only within the fit tolerance is a slot if it is this long, or this
@@ -95,10 +94,10 @@ void LegalCenters::add_corner_curves(const std::vector<int>& walls) {
     const Vec2 corner = wall.edge.to, heading = wall.edge.tangent_at(1);
     const double d = reach_ + wall.draft_offset(z_);
     bool matched = false;
-    auto next = std::lower_bound(starts.begin(), starts.end(), corner.x - kCorner,
+    auto next = std::lower_bound(starts.begin(), starts.end(), corner.x - kSamePlaceMm,
                                  [](const auto& start, double x) { return start.first.x < x; });
-    for (; next != starts.end() && next->first.x <= corner.x + kCorner; ++next) {
-      if (distance(next->first, corner) > kCorner) continue;
+    for (; next != starts.end() && next->first.x <= corner.x + kSamePlaceMm; ++next) {
+      if (distance(next->first, corner) > kSamePlaceMm) continue;
       matched = true;
       const Vec2 after = part_.walls()[next->second].edge.tangent_at(0);
       if (cross(heading, after) >= 0) continue;

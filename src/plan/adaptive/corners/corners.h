@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "plan/adaptive/remaining_stock.h"
+#include "plan/adaptive/clearing/remaining_stock.h"
 #include "plan/adaptive/trace/walls.h"
 
 namespace clearcut::plan::adaptive {

@@ -2,7 +2,7 @@
 // limit.
 #pragma once
 
-#include "plan/adaptive/remaining_stock.h"
+#include "plan/adaptive/clearing/remaining_stock.h"
 #include "plan/adaptive/trace/walls.h"
 
 namespace clearcut::plan::adaptive {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/boolean.h"
-#include "plan/adaptive/parameters.h"
+#include "geometry/boolean/boolean.h"
+#include "plan/adaptive/clearing/parameters.h"
 #include "plan/common/cover.h"
 
 namespace clearcut::plan::adaptive {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "plan/adaptive/clearing/step_pictures.h"
 #include "plan/adaptive/corners/corners.h"
-#include "plan/adaptive/step_pictures.h"
 #include "plan/adaptive/trace/wall_cuts.h"
 #include "plan/common/cover.h"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "base/elementary.h"
+#include "plan/adaptive/clearing/parameters.h"
 #include "plan/adaptive/corners/trochoidal.h"
 #include "plan/adaptive/finish/finish.h"
-#include "plan/adaptive/parameters.h"
 
 namespace clearcut::plan::adaptive {
 namespace {

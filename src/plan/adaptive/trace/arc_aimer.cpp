@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/elementary.h"
-#include "plan/adaptive/parameters.h"
-#include "plan/adaptive/trace/arcs.h"
+#include "plan/adaptive/clearing/arcs.h"
+#include "plan/adaptive/clearing/parameters.h"
 
 namespace clearcut::plan::adaptive {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "plan/adaptive/remaining_stock.h"
+#include "plan/adaptive/clearing/remaining_stock.h"
 
 namespace clearcut::plan::adaptive {
 

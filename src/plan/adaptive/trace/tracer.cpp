@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/elementary.h"
-#include "plan/adaptive/parameters.h"
-#include "plan/adaptive/trace/arcs.h"
+#include "plan/adaptive/clearing/arcs.h"
+#include "plan/adaptive/clearing/parameters.h"
 
 namespace clearcut::plan::adaptive {
 namespace {

@@ -1,7 +1,7 @@
 // The part of Tracer that cuts off the walls: arcs at the limit, one after the other, up to a wall.
 #include <cmath>
 
-#include "plan/adaptive/parameters.h"
+#include "plan/adaptive/clearing/parameters.h"
 #include "plan/adaptive/trace/tracer.h"
 
 namespace clearcut::plan::adaptive {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plan/adaptive/parameters.h"
+#include "plan/adaptive/clearing/parameters.h"
 
 namespace clearcut::plan::adaptive {
 namespace {

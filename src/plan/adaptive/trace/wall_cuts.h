@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "plan/adaptive/clearing_path.h"
+#include "plan/adaptive/clearing/clearing_path.h"
 #include "plan/adaptive/trace/tracer.h"
 #include "plan/adaptive/trace/walls.h"
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plan/adaptive/parameters.h"
+#include "base/tolerances.h"
+#include "plan/adaptive/clearing/parameters.h"
 
 namespace clearcut::plan::adaptive {
 namespace {
@@ -43,18 +44,17 @@ double Wall::edge_end(double s) const {
 }
 
 Path Wall::part(double s0, double s1) const {
-  constexpr double kShortestPart = 1e-6;
   Path out;
-  for (double s = s0; s1 - s > kShortestPart;) {
+  for (double s = s0; s1 - s > kSamePlaceMm;) {
     const Spot place = spot(s);
     const double begin = place.lap + (place.edge == 0 ? 0 : ends_[place.edge - 1]);
     const double end = place.lap + ends_[place.edge];
     const double until = std::min(end, s1), whole = end - begin;
-    if (until - s > kShortestPart) {
+    if (until - s > kSamePlaceMm) {
       const double t0 = (s - begin) / whole, t1 = (until - begin) / whole;
       out.push_back(t0 < 1e-9 && t1 > 1 - 1e-9 ? loop_[place.edge] : loop_[place.edge].part(t0, t1));
     }
-    s = until + (until == end ? kShortestPart * 1e-3 : 0);
+    s = until + (until == end ? kSamePlaceMm * 1e-3 : 0);
   }
   return out;
 }
@@ -230,8 +230,8 @@ void Walls::leave_wedge(const WallPlace& place, double residual) {
 }
 
 bool Walls::is_alone(const WallPlace& place, const std::vector<WallPlace>& places, double least) const {
-  constexpr double kOther = 1e-6;  // mm; nearer to `place` is the place itself
-  return to_nearest(places, place, 1, kOther) > least && to_nearest(places, place, -1, kOther) > least;
+  return to_nearest(places, place, 1, kSamePlaceMm) > least &&
+         to_nearest(places, place, -1, kSamePlaceMm) > least;
 }
 
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry/region.h"
-#include "plan/adaptive/remaining_stock.h"
+#include "plan/adaptive/clearing/remaining_stock.h"
 
 namespace clearcut::plan::adaptive {
 

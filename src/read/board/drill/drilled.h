@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "read/common/drawing.h"
-#include "read/read_options.h"
+#include "read/asked/read_options.h"
+#include "read/drawing/drawing.h"
 
 namespace clearcut::read {
 

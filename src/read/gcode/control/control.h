@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "read/gcode/dialect.h"
-#include "read/gcode/gcode.h"
 #include "read/gcode/motion/builder.h"
 #include "read/gcode/motion/cycle.h"
 #include "read/gcode/motion/frame.h"
+#include "read/gcode/program/dialect.h"
+#include "read/gcode/program/program.h"
 #include "read/gcode/words/block.h"
 
 namespace clearcut::read::gcode {

@@ -13,9 +13,9 @@
 #include "read/gcode/klartext/path_words.h"
 #include "read/gcode/klartext/q_parameters.h"
 #include "read/gcode/klartext/words.h"
-#include "read/gcode/marker.h"
 #include "read/gcode/motion/arc.h"
 #include "read/gcode/motion/dwell.h"
+#include "read/gcode/program/marker.h"
 #include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {

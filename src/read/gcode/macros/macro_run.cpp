@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "base/files/digest.h"
-#include "read/gcode/marker.h"
+#include "read/gcode/program/marker.h"
 #include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "read/gcode/control/control.h"
-#include "read/gcode/interpreter.h"
+#include "read/gcode/control/interpreter.h"
 #include "read/gcode/macros/macro_line.h"
 
 namespace clearcut::read::gcode {

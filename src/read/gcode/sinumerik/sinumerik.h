@@ -3,9 +3,9 @@
 
 #include <string_view>
 
-#include "read/gcode/dialect.h"
-#include "read/gcode/gcode.h"
 #include "read/gcode/motion/builder.h"
+#include "read/gcode/program/dialect.h"
+#include "read/gcode/program/program.h"
 
 namespace clearcut::read::gcode {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "read/gcode/sinumerik/words.h"
-#include "read/gcode/told_program.h"
+#include "read/gcode/test_told_program.h"
 
 namespace clearcut::read::gcode {
 namespace {

@@ -3,12 +3,11 @@
 #include <cmath>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 
 namespace clearcut::read::stepnc {
 
 namespace {
-
-constexpr double kParallel = 1e-6;  // radians; axes nearer to parallel than this are parallel
 
 Vec3 operator+(Vec3 a, Vec3 b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
@@ -56,7 +55,7 @@ Frame inverse(const Frame& frame) {
 }
 
 bool is_identity(const Frame& frame) {
-  const auto near = [](Vec3 a, Vec3 b) { return norm3(a + b * -1.0) < kParallel; };
+  const auto near = [](Vec3 a, Vec3 b) { return norm3(a + b * -1.0) < kSameAngleRad; };
   return near(frame.origin, {}) && near(frame.x, {1, 0, 0}) && near(frame.z, {0, 0, 1});
 }
 
@@ -85,7 +84,8 @@ Frame frame_of(const std::optional<Node>& node) {
   const auto ref_direction = node->ref(flat ? 2 : 3);
   if (axis) frame.z = unit3(axis_of(*axis), {0, 0, 1});
   Vec3 x = ref_direction ? unit3(axis_of(*ref_direction), {1, 0, 0}) : Vec3{1, 0, 0};
-  if (norm3(cross3(frame.z, x)) < kParallel) x = std::abs(frame.z.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  if (norm3(cross3(frame.z, x)) < kSameAngleRad)
+    x = std::abs(frame.z.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   frame.x = unit3(x + frame.z * -dot3(x, frame.z), {1, 0, 0});
   frame.y = cross3(frame.z, frame.x);
   return frame;
@@ -109,7 +109,7 @@ bool is_upright(const Frame& frame) {
   return frame.z.z > 0 && is_planar(frame);
 }
 bool is_planar(const Frame& frame) {
-  return base::hypot(frame.z.x, frame.z.y) < kParallel;
+  return base::hypot(frame.z.x, frame.z.y) < kSameAngleRad;
 }
 
 PlanarMap planar_map(const Frame& frame) {

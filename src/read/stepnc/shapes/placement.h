@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "geometry/edge.h"
-#include "read/stepnc/node.h"
+#include "read/stepnc/file/node.h"
 
 namespace clearcut::read::stepnc {
 

@@ -6,7 +6,7 @@
 #include "base/elementary.h"
 #include "base/units.h"
 #include "model/part.h"
-#include "read/stepnc/entity_list.h"
+#include "read/stepnc/file/entity_list.h"
 
 namespace clearcut::read::stepnc {
 

@@ -14,16 +14,15 @@
 #include <cmath>
 
 #include "base/text/format.h"
-#include "geometry/boolean.h"
+#include "base/tolerances.h"
+#include "geometry/boolean/boolean.h"
 #include "geometry/rectangle.h"
-#include "read/repair/crossings/edge_index.h"
+#include "read/repair/edge_index.h"
 #include "read/repair/repair.h"
 
 namespace clearcut::read::stepnc {
 
 namespace {
-
-constexpr double kTouch = 1e-6;  // mm; loops nearer than this touch
 
 bool within(const Box& inner, const Box& outer) {
   return outer.contains(inner.min) && outer.contains(inner.max);
@@ -61,8 +60,8 @@ bool crosses(const Loop& a, const Loop& b) {
   const EdgeIndex index(others);
   bool found = false;
   for (const Edge& e : a) {
-    index.visit(e.box().grown(kTouch), [&](EdgeId id) {
-      found = distance(e, index.edge(id)) < kTouch;
+    index.visit(e.box().grown(kSamePlaceMm), [&](EdgeId id) {
+      found = distance(e, index.edge(id)) < kSamePlaceMm;
       return !found;
     });
     if (found) return true;

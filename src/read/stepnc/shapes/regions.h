@@ -1,7 +1,7 @@
 // From drafts to the regions a cutter removes and the regions it may enter.
 #pragma once
 
-#include "read/stepnc/draft.h"
+#include "read/stepnc/shapes/draft.h"
 
 namespace clearcut::read::stepnc {
 

@@ -1,0 +1,157 @@
+#include "pipeline/planning/planned_step.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/work_budget.h"
+#include "geometry/boolean/boolean.h"
+#include "kinematics/kinematics.h"
+#include "kinematics/planner.h"
+#include "pipeline/steps/certify.h"
+#include "plan/common/clearing_area.h"
+#include "plan/common/layers.h"
+#include "plan/common/leaves_nothing.h"
+#include "plan/common/walls.h"
+#include "plan/profile/profile.h"
+#include "post/post.h"
+#include "read/gcode/program/dialect.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+/// mm. What others cleared may hold residuals up to this thick: no place for rapids.
+constexpr double kResidualOfOthers = 0.01;
+
+/// Share of the rim's length times the radius that is reached beyond it, at least: corners reach less than straight
+/// walls.
+constexpr double kBeyondRim = 0.9;
+
+/// What bounds the length of any strategy, layer by layer.
+class Sizes {
+ public:
+  explicit Sizes(const Tolerances& tol) : tol_(tol) {}
+
+  void add(StepPlan& plan, const Layer& layer, const LayerPasses& passes) {
+    double rim = 0;
+    for (const auto& region : passes.legal) {
+      for (const auto& edge : region.edges()) rim += edge.length();
+    }
+    const bool pocket = plan::closed_all_round(layer);
+    plan.size.reached_mm2 += pocket ? area(passes.legal) + kBeyondRim * layer.tool_radius * rim
+                                    : reached_of_open(layer, passes.legal);
+    plan.size.legal_rim_mm += rim;
+    plan.size.edges = std::max(plan.size.edges, edge_count(passes.legal));
+    plan.pocket = plan.pocket && pocket;
+  }
+
+ private:
+  /// Layers mostly differ from the one before in height alone.
+  double reached_of_open(const Layer& layer, const Regions& legal) {
+    if (legal.empty()) return 0;
+    if (!plan::same_outline(legal, legal_) || !plan::same_outline(layer.target, target_)) {
+      legal_ = legal;
+      target_ = layer.target;
+      reached_mm2_ = area(intersect(layer.target, dilate(legal, layer.tool_radius, tol_), tol_));
+    }
+    return reached_mm2_;
+  }
+
+  const Tolerances& tol_;
+  Regions legal_, target_;
+  double reached_mm2_ = 0;
+};
+
+/// The passes of a workingstep layer by layer; what they clear and whether they leave anything goes into `plan`.
+std::vector<LayerPasses> passes_of(const StepWork& work, const Feature& feature,
+                                   const StrategyCandidate& candidate, const ResolvedPlan& job,
+                                   StepPlan& plan) {
+  const auto strategy = strategy_for(candidate, job.steps[static_cast<std::size_t>(work.workingstep)], job);
+  std::vector<LayerPasses> passes;
+  Sizes sizes(job.tol);
+  for (const auto& layer : work.layers) {
+    throw_if_cancelled(job.cancel);
+    passes.push_back(feature.profile    ? plan::profile::plan_profile(layer.layer, *feature.profile, job.tol)
+                     : layer.walls_only ? plan::plan_walls(layer.layer, job.tol)
+                                        : strategy(layer.layer));
+    passes.back().wall_top = work.wall_top;
+    if (work.meets_others && plan.leaves_nothing && candidate.as_rival)
+      plan.leaves_nothing = plan::leaves_nothing(passes.back(), layer.layer.tool_radius);
+    if (layer.rest) passes.back().residual = std::max(passes.back().residual, kResidualOfOthers);
+    sizes.add(plan, layer.layer, passes.back());
+    plan.rest = plan.rest || layer.rest;
+  }
+  return passes;
+}
+
+/// s, as the planner of the control needs that the program is for.
+double time_on_machine(const Section& section, const ResolvedPlan& job) {
+  PostOptions post = post_options_of(job);
+  const auto dialect = read::gcode::dialect_named(post.dialect);
+  return kinematics::planned_time(section.moves, post::path_control_of(post), job.machine,
+                                  dialect ? std::optional(planner_of(*dialect)) : std::nullopt)
+      .seconds();
+}
+
+/// Edges of an outline beyond which rivals are not tried: their time would be felt.
+constexpr std::size_t kMostEdgesForRivals = 400;
+
+}  // namespace
+
+StepPlan plan_step(const StepWork& work, const StrategyCandidate& candidate, const ResolvedPlan& job,
+                   std::uint64_t most_work) {
+  const ResolvedStep& step = job.steps[static_cast<std::size_t>(work.workingstep)];
+  const WorkBudget budget(most_work);
+  StepPlan plan;
+  const auto& feature = feature_of(job.part, job.part.workplan[static_cast<std::size_t>(work.workingstep)]);
+  if (work.hole) {
+    plan.section = *work.hole;
+    plan.hole = true;
+  } else {
+    const auto passes = passes_of(work, feature, candidate, job, plan);
+    const EntryKind entry =
+        !feature.profile && candidate.strategy->limits_engagement ? step.entry_at_limit : step.entry;
+    plan.hole = feature.profile.has_value();
+    plan.section = link_step(passes, work.workingstep, entry, job);
+  }
+  plan.time_s = time_on_machine(plan.section, job);
+  return plan;
+}
+
+std::vector<SelectionStep> selection_steps(const ResolvedPlan& plan, const StrategyTable& strategies) {
+  std::vector<SelectionStep> steps;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const auto& step = plan.part.workplan[i];
+    steps.push_back({feature_of(plan.part, step).name, static_cast<int>(i), tool_of(plan.part, step).radius(),
+                     plan.steps[i].feed, candidates_for(plan.steps[i], plan, strategies)});
+  }
+  return steps;
+}
+
+StepPlan fastest_plan(const StepWork& work, const StrategyCandidate& candidate, const ResolvedPlan& job,
+                      const StrategyTable& strategies, std::uint64_t most_work) {
+  const Part& part = job.part;
+  StepPlan best = plan_step(work, candidate, job, most_work);
+  const auto& feature = feature_of(part, part.workplan[static_cast<std::size_t>(work.workingstep)]);
+  const bool alone =
+      !candidate.beside_rivals || best.hole || edge_count(feature.allowed) > kMostEdgesForRivals;
+  if (alone || best.section.moves.empty()) return best;
+  double best_time = kinematics::kinematic_time(best.section.moves, job.machine).seconds();
+  for (const auto& name : candidate.strategy->rivals) {
+    const StrategyEntry* rival = strategies.find(name);
+    if (!rival) continue;
+    try {
+      StepPlan plan = plan_step(work, {rival, {}, false, false, true}, job, most_work);
+      // By the plain rule that plans within strategies go by, so that a strategy is the same path for every control.
+      const double time = kinematics::kinematic_time(plan.section.moves, job.machine).seconds();
+      if (plan.section.moves.empty() || time >= best_time || !plan.leaves_nothing) continue;
+      best.section = std::move(plan.section);
+      best.time_s = plan.time_s;
+      best_time = time;
+    } catch (const OutOfWork&) {
+      continue;  // the candidate itself stands
+    }
+  }
+  return best;
+}
+
+}  // namespace clearcut::pipeline

@@ -1,0 +1,389 @@
+#include "pipeline/steps/certify.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+
+#include "base/error.h"
+#include "base/files/digest.h"
+#include "base/inch.h"
+#include "base/text/format.h"
+#include "base/tolerances.h"
+#include "base/version.h"
+#include "features/raw_stock.h"
+#include "features/round_hole.h"
+#include "link/link.h"
+#include "link/sections/over_tabs.h"
+#include "model/results/not_machined.h"
+#include "model/section_names.h"
+#include "pipeline/alone/far_moves.h"
+#include "post/post.h"
+#include "post/words/comment.h"
+#include "read/gcode/gcode.h"
+#include "read/gcode/tool_comments.h"
+#include "report/motion_text.h"
+#include "verify/verify.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+/// Hexadecimal digits of a hash in a header.
+constexpr std::size_t kHashShown = 16;
+
+/// Lengths of a header, in the program's unit.
+struct Lengths {
+  bool inch = false;
+
+  double of(double mm) const { return inch ? mm / kMmPerInch : mm; }
+  const char* unit() const { return inch ? "IN" : "MM"; }
+  std::string place(double mm) const { return trimmed(of(mm), inch ? 4 : 3); }
+  std::string error(double mm) const { return fmt::format("{:.{}f} {}", of(mm), inch ? 5 : 4, unit()); }
+};
+
+std::string stock_line(const Part& part, const Lengths& lengths) {
+  if (!part.stock) return "STOCK: NOT GIVEN";
+  const auto& stock = *part.stock;
+  const auto range = [&](double low, double high) {
+    return lengths.place(low) + " TO " + lengths.place(high);
+  };
+  return fmt::format("STOCK: X {} Y {} Z {} {}", range(stock.plan.min.x, stock.plan.max.x),
+                     range(stock.plan.min.y, stock.plan.max.y), range(stock.z_bottom, stock.z_top),
+                     lengths.unit());
+}
+
+/// Characters; every control takes a comment as long in one line.
+constexpr std::size_t kConditionLine = 60;
+/// Of them for how many more kinds there are.
+constexpr std::size_t kForMore = 9;
+
+/// Each kind of condition once, with how often it is there: "2 X OUT-OF-REACH (AT MOST ...)".
+std::vector<std::string> kinds_of(const std::vector<Condition>& conditions) {
+  std::vector<std::string> kinds;
+  std::map<std::string, int> counts;
+  for (const Condition& one : conditions) {
+    const std::string kind = one.name + (one.met_by.empty() ? "" : " (" + one.met_by + ")");
+    if (++counts[kind] == 1) kinds.push_back(kind);
+  }
+  for (std::string& kind : kinds)
+    if (const int count = counts[kind]; count > 1) kind = fmt::format("{} X {}", count, kind);
+  return kinds;
+}
+
+/// "NONE", or the first few kinds.
+std::string condition_line(const Findings& findings) {
+  std::string text = "CONDITIONS:";
+  const std::vector<std::string> kinds = kinds_of(findings.conditions);
+  if (kinds.empty()) return text + " NONE";
+  std::size_t shown = 0;
+  for (; shown < kinds.size(); ++shown) {
+    const std::string more = (shown > 0 ? ", " : " ") + kinds[shown];
+    const std::size_t room = kConditionLine - (shown + 1 < kinds.size() ? kForMore : 0);
+    if (shown > 0 && text.size() + more.size() > room) break;
+    text += more.substr(0, room - text.size());
+  }
+  if (shown < kinds.size()) text += fmt::format(", {} MORE", kinds.size() - shown);
+  return text;
+}
+
+/// The certificate in short lines, always as many: the numbered places of the findings must stay true.
+std::vector<std::string> verdict_lines(const Findings* findings, const std::string& motion_hash,
+                                       const Lengths& lengths) {
+  if (findings == nullptr) return {"CERTIFICATE: PENDING", "-", "-", "-", "-", "-", "-"};
+  const Figures& all = findings->all;
+  return {fmt::format("CERTIFICATE: {}", name_of(verdict_of(*findings))),
+          condition_line(*findings),
+          "LEFT UNCUT: BELOW " + lengths.error(all.uncut_thickness_mm),
+          "GOUGE: " + lengths.error(all.gouge_mm),
+          fmt::format("RAPIDS IN MATERIAL: {}", all.rapid_in_material),
+          fmt::format("TIME: {:.1f} S", all.time_s),
+          fmt::format("MOTION SHA-256: {}", motion_hash.substr(0, kHashShown))};
+}
+
+/// The tools that the program calls, in the order of the part's.
+std::vector<std::string> tool_lines(const Part& part, const Toolpath& toolpath, bool inch) {
+  std::vector<std::string> lines;
+  for (const Tool& tool : part.tools) {
+    const bool called =
+        std::any_of(toolpath.sections.begin(), toolpath.sections.end(),
+                    [&](const Section& section) { return section.tool_number == tool.number; });
+    if (!called) continue;
+    lines.push_back(fmt::format("TOOL T{}: {} {}{}", tool.number, name_of(tool.kind),
+                                post::size_text(tool.diameter, inch), post::shape_words(tool, inch)));
+  }
+  return lines;
+}
+
+std::vector<std::string> header(const Part& part, const Toolpath& toolpath, const Findings* findings,
+                                const std::string& motion_hash, bool inch) {
+  const Lengths lengths{inch};
+  std::vector<std::string> lines{fmt::format("PART: {}", part.name), stock_line(part, lengths)};
+  for (auto& line : tool_lines(part, toolpath, inch)) lines.push_back(std::move(line));
+  lines.push_back(fmt::format("WRITTEN BY CLEARCUT {}", kVersion));
+  for (auto& line : verdict_lines(findings, motion_hash, lengths)) lines.push_back(std::move(line));
+  for (const auto& name : names_not_machined(part.diagnostics)) lines.push_back("NOT MACHINED: " + name);
+  return lines;
+}
+
+bool same_moves(const Toolpath& a, const Toolpath& b) {
+  const auto same_move = [](const Move& m, const Move& n) {
+    return m.path == n.path && m.z_from == n.z_from && m.z_to == n.z_to && m.kind == n.kind &&
+           m.feed == n.feed && m.line == n.line;
+  };
+  return std::equal(a.sections.begin(), a.sections.end(), b.sections.begin(), b.sections.end(),
+                    [&](const Section& s, const Section& t) {
+                      return s.tool_number == t.tool_number &&
+                             std::equal(s.moves.begin(), s.moves.end(), t.moves.begin(), t.moves.end(),
+                                        same_move);
+                    });
+}
+
+/// Findings and the motion's hash come into the header of a program that has been checked.
+std::string post_with(const Findings* findings, const std::string& motion_hash, const Toolpath& toolpath,
+                      const Part& part, const ResolvedPlan& plan) {
+  PostOptions post_options = post_options_of(plan);
+  post_options.header = header(part, toolpath, findings, motion_hash, post_options.inch);
+  if (post_options.program_name.empty()) post_options.program_name = part.name;
+  return post::write_program(toolpath, part, post_options);
+}
+
+}  // namespace
+
+PostOptions post_options_of(const ResolvedPlan& plan) {
+  PostOptions post = plan.post;
+  const AxisValues speeds = axis_speeds(plan.machine);  // the control slows each axis down to its own
+  post.rapid = MmPerMin::of(std::max({speeds[0], speeds[1], speeds[2]}));
+  if (!post.spindle_wait && plan.machine.spindle_wait_s > 0)
+    post.spindle_wait = Seconds::of(plan.machine.spindle_wait_s);
+  const auto& numbered = plan.machine.program_number;
+  if (!post.program_number && numbered && post::program_number_of(post.dialect, post.program_name))
+    post.program_number = numbered;
+  const auto& accepted = plan.accept;
+  post.continuous = std::find(accepted.begin(), accepted.end(), "blending") != accepted.end();
+  return post;
+}
+
+link::LinkOptions link_options(const ResolvedPlan& plan, int workingstep, EntryKind entry) {
+  const ResolvedStep& step = plan.steps.at(static_cast<std::size_t>(workingstep));
+  const Tool& tool = tool_of(plan.part, plan.part.workplan.at(static_cast<std::size_t>(workingstep)));
+  link::LinkOptions link;
+  link.tool_radius = tool.radius();
+  link.safe_z = plan.part.safe_z();
+  link.cross_z = step.cross_z;
+  link.direction = step.direction;
+  link.spindle_clockwise = step.spindle_clockwise;
+  link.feed = step.feed;
+  link.plunge_feed = step.plunge_feed;
+  link.ramp_feed = step.ramp_feed;
+  link.entry = entry;
+  link.entry_angle = step.entry_angle;
+  link.may_plunge = tool.center_cutting;
+  link.helix_widest = step.helix_widest;
+  link.helix_narrowest = step.helix_narrowest;
+  link.zigzag_length = step.zigzag_length;
+  link.lead = {step.lead, step.lead_angle, plan.lead_overlap};
+  link.lead_feed = step.lead_feed;
+  link.link_feed = plan.link_feed;
+  link.link_lift = plan.link_lift;
+  link.predrilled = features::holes_before(plan.part, workingstep, plan.tol);
+  if (plan.part.stock) link.stock = plan.part.stock->plan;
+  link.beside_stock = features::clear_of_raw_stock(tool.radius()) + plan.stock_oversize;
+  link.above_material += plan.stock_oversize;
+  link.machine = plan.machine;
+  return link;
+}
+
+void describe(Section& section, int workingstep, const ResolvedPlan& plan) {
+  const auto index = static_cast<std::size_t>(workingstep);
+  const ResolvedStep& step = plan.steps.at(index);
+  section.label = feature_of(plan.part, plan.part.workplan.at(index)).name;
+  section.workingstep = workingstep;
+  section.tool_number = tool_of(plan.part, plan.part.workplan.at(index)).number;
+  section.spindle_rpm = step.spindle_rpm;
+  section.spindle_clockwise = step.spindle_clockwise;
+  section.coolant = step.coolant;
+}
+
+/// Distances of the contours from the walls, ascending; of contour-parallel passes only.
+std::vector<double> contour_levels(const std::vector<LayerPasses>& layers) {
+  std::vector<double> levels;
+  for (const LayerPasses& layer : layers) {
+    if (layer.strategy != "contour") continue;
+    for (const Pass& pass : layer.passes) {
+      if (pass.closed && pass.offset > 0) levels.push_back(pass.offset);
+    }
+  }
+  std::sort(levels.begin(), levels.end());
+  const auto same = [](double a, double b) { return b - a < kSamePlaceMm; };
+  levels.erase(std::unique(levels.begin(), levels.end(), same), levels.end());
+  return levels;
+}
+
+Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry,
+                  const ResolvedPlan& plan) {
+  const link::LinkOptions options = link_options(plan, workingstep, entry);
+  Section section = link::link_layers(passes, options, plan.tol);
+  const auto& profile =
+      feature_of(plan.part, plan.part.workplan[static_cast<std::size_t>(workingstep)]).profile;
+  if (profile) {
+    link::rise_over_tabs(section, profile->tabs, options.tool_radius, options.plunge_feed);
+    link::feed_across_tabs(section, profile->tabs, options.tool_radius,
+                           options.link_feed.value_or(options.feed));
+  }
+  describe(section, workingstep, plan);
+  section.contours = contour_levels(passes);
+  return section;
+}
+
+HandTools hand_tools_of(std::string_view program, HandTools usual) {
+  HandTools said{read::gcode::tools_announced(program), "that its comments name"};
+  const auto is_known = [&](int number) {
+    return std::find(usual.numbers.begin(), usual.numbers.end(), number) != usual.numbers.end();
+  };
+  const bool all_known = std::all_of(said.numbers.begin(), said.numbers.end(), is_known);
+  HandTools tools = said.numbers.empty() || !all_known ? std::move(usual) : std::move(said);
+  std::erase_if(tools.numbers, [](int number) { return number <= 0; });
+  tools.numbers.erase(std::unique(tools.numbers.begin(), tools.numbers.end()), tools.numbers.end());
+  return tools;
+}
+
+Condition hand_tools_condition(const HandTools& tools) {
+  return {"tool-by-hand",
+          fmt::format("the tools are put in by hand in the order {}, one at each pause: T{}", tools.order,
+                      fmt::join(tools.numbers, ", T")),
+          0};
+}
+
+verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
+  verify::VerifyOptions verify;
+  verify.tol = plan.tol;
+  verify.machine = plan.machine;
+  verify.engagement_limit_deg = plan.engagement_deg;
+  verify.threads = plan.threads;
+  verify.cancel = plan.cancel;
+  verify.progress = plan.progress;
+  if (plan.earlier) verify.earlier = &*plan.earlier;
+  if (plan.earlier && !plan.earlier_state.control.spans.empty())
+    verify.earlier_control = &plan.earlier_state.control;
+  verify.material = plan.material;
+  if (plan.feed_rule) {
+    verify.reference.emplace().rule = *plan.feed_rule;
+    for (const ResolvedStep& step : plan.steps) verify.reference->feed_of_step.push_back(step.feed);
+  }
+  return verify;
+}
+
+namespace {
+
+/// As the control that the program is posted for reads it; tools are put in by hand in the order of work where it has no
+/// words for them.
+read::gcode::Program read_back(const std::string& program, const Toolpath& planned,
+                               const ResolvedPlan& plan) {
+  read::gcode::ReadControllerOptions reading;
+  reading.dialect = read::gcode::dialect_named(plan.post.dialect);
+  reading.home_z = home_z(plan.machine);
+  reading.safe_z = plan.part.top_z();
+  HandTools usual{{}, kOrderOfWork};
+  for (const Section& section : planned.sections) usual.numbers.push_back(section.tool_number);
+  const HandTools tools = hand_tools_of(program, std::move(usual));
+  reading.hand_tools = tools.numbers;
+  auto read = read::gcode::read_gcode(program, "program", reading);
+  if (tools.numbers.size() > 1 && reading.dialect == read::gcode::Dialect::kMarlin)
+    read.conditions.push_back(hand_tools_condition(tools));
+  return read;
+}
+
+bool has_wrong_units(const Findings& findings) {
+  return std::any_of(findings.faults.begin(), findings.faults.end(),
+                     [](const Fault& fault) { return fault.kind == FaultKind::kUnits; });
+}
+
+/// Feeds and ways of another size are no question of their own.
+void drop_what_follows_from_units(Findings& findings) {
+  std::erase_if(findings.conditions, [](const Condition& one) {
+    return one.name == "far-move" || one.name == "chip-load" || one.name == "stated-feed" ||
+           one.name == "cuts-nothing";
+  });
+}
+
+/// A length that is a fault is no open question beside it: the sentence of the fault says how it is accepted.
+void drop_what_lengths_say(Findings& findings, const std::vector<std::string>& accepted) {
+  const auto is_length = [](const Fault& fault) { return fault.kind == FaultKind::kToolLength; };
+  if (std::none_of(findings.faults.begin(), findings.faults.end(), is_length)) return;
+  std::erase_if(findings.conditions, [&](const Condition& one) {
+    const bool is_said = one.name.starts_with("tool-length-h") || one.name == "tool-length-off";
+    return is_said && std::find(accepted.begin(), accepted.end(), one.name) == accepted.end();
+  });
+}
+
+/// What ran before has cut what counts as cut only where it is right itself.
+void add_earlier(Findings& findings, const ResolvedPlan& plan) {
+  const EarlierState& earlier = plan.earlier_state;
+  for (Condition one : earlier.conditions) {
+    if (one.name == "blending" && plan.machine.path_tolerance) one.met_by = "machine file";
+    findings.conditions.push_back(std::move(one));
+  }
+  findings.faults.insert(findings.faults.end(), earlier.faults.begin(), earlier.faults.end());
+  findings.all.clean = findings.faults.empty();
+}
+
+/// How far the control may leave the path before anything found here is no longer so; or the machine file says it.
+void name_blending_bound(Findings& findings, const ResolvedPlan& plan) {
+  for (Condition& one : findings.conditions) {
+    if (one.name != "blending") continue;
+    if (findings.without_part && !plan.machine.path_tolerance) continue;  // nothing bounds it
+    if (plan.machine.path_tolerance) {
+      one.met_by = "machine file";
+      continue;
+    }
+    const double bound =
+        std::min(plan.tol.uncut - findings.all.uncut_thickness_mm, plan.tol.gouge - findings.all.gouge_mm);
+    one.text += fmt::format("; what is found here holds up to {} mm", trimmed(std::max(bound, 0.0), 4));
+  }
+}
+
+}  // namespace
+
+Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& control,
+               const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
+               const ResolvedPlan& plan, StatedOfTools stated) {
+  verify::VerifyOptions verify = verify_options(plan);
+  verify.tool_limits = std::move(stated.limits);
+  verify.stated = std::move(stated.drives);
+  if (verify.reference) verify.reference->feed_of_tool = std::move(stated.reference_feeds);
+  verify.control = &control;
+  verify.accepted = plan.accept;
+  const read::gcode::DialectRules& rules = read::gcode::rules_of(dialect);
+  verify.speed_may_be_power = rules.speed_may_be_power;
+  verify.needs_tool_length = rules.needs_lengths;
+  verify.changes_tools_alone = rules.changer_alone;
+  Findings findings = verify::verify_program(part, toolpath, verify);
+  findings.conditions.insert(findings.conditions.begin(), conditions.begin(), conditions.end());
+  if (auto far = far_move(part, toolpath)) findings.conditions.push_back(*std::move(far));
+  if (has_wrong_units(findings)) drop_what_follows_from_units(findings);
+  drop_what_lengths_say(findings, plan.accept);
+  name_blending_bound(findings, plan);
+  add_earlier(findings, plan);
+  accept_conditions(findings, plan.accept);
+  return findings;
+}
+
+void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {
+  result.program = post_with(nullptr, "", planned, result.part, plan);
+  read::gcode::Program read = read_back(result.program, planned, plan);
+  result.toolpath = std::move(read.toolpath);
+  SectionNames(result.part).settle(result.toolpath);
+  result.control = std::move(read.control);
+  result.findings = check(result.part, result.toolpath, result.control, read.conditions, read.dialect, plan);
+}
+
+void sign(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {
+  const std::string hash = sha256_hex(report::motion_text(result.program));
+  result.program = post_with(&result.findings, hash, planned, result.part, plan);
+  const auto again = read_back(result.program, planned, plan);
+  CLEARCUT_ASSERT(same_moves(again.toolpath, result.toolpath));
+  CLEARCUT_ASSERT(sha256_hex(report::motion_text(result.program)) == hash);
+}
+
+}  // namespace clearcut::pipeline

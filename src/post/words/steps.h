@@ -1,0 +1,50 @@
+// From moves to what a program can say: lines and arcs between printed positions.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "model/move.h"
+#include "model/options/post_options.h"
+#include "post/words/print_grid.h"
+
+namespace clearcut::post {
+
+/// One motion word: straight to `to`, or an arc whose centre is (i, j) from the printed start.
+struct Step {
+  Ticks to;
+  Turn turn = Turn::kStraight;
+  long long i = 0;
+  long long j = 0;
+};
+
+struct StepRules {
+  PrintGrid grid;
+  bool arcs = true;
+  double largest_radius = 10000;  ///< mm; 32-bit controllers lose the centre of wider arcs
+  double chord = 0.0002;          ///< mm, where an arc has to become lines
+  /// Largest difference of the printed radii at an arc's ends, mm: the tightest rule of any control.
+  double radius_mismatch = 0.002;
+};
+
+/// Largest distance in plan between a move and its steps, mm, where no arc becomes lines: an arc lies beside
+/// by at most a step (or 0.3 um), and an end may lie half a step on in each axis besides.
+double largest_deviation(const PrintGrid& grid);
+
+StepRules step_rules(const PostOptions& options, int decimals, double largest_radius);
+
+/// Appends the steps of `move` starting from the printed position `from` (within a step of the move's start);
+/// motion that rounds to nothing gives no step.
+///
+/// Error   ends within half a grid step per axis; arcs leave the wanted curve by at most about two grid
+/// steps,
+///         arcs that cannot be printed so well become shorter arcs or lines within rules.chord.
+/// Cost    constant per step.
+/// Returns the printed position reached.
+Ticks append_steps(const Move& move, Ticks from, const StepRules& rules, std::vector<Step>& out);
+
+/// The moves with straight ones joined that go on in exactly the printed direction at the same feed: one block says them all.
+/// Rapids are joined along Z or level, because controls may drive others as a bend.
+std::vector<Move> with_lines_joined(std::span<const Move> moves, const PrintGrid& grid);
+
+}  // namespace clearcut::post

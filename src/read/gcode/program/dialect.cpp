@@ -1,0 +1,294 @@
+#include "read/gcode/program/dialect.h"
+
+#include <algorithm>
+#include <array>
+
+#include "base/error.h"
+#include "read/gcode/words/g_words.h"
+
+namespace clearcut::read::gcode {
+
+namespace {
+
+// Grbl 1.1: the only words of its groups.
+constexpr int kGrblWords[] = {0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 210, 280, 281,
+                              300, 301, 382, 383, 384, 385, 400, 431, 490, 530, 540, 550, 560,
+                              570, 580, 590, 610, 800, 900, 910, 911, 920, 921, 930, 940};
+
+constexpr int kGrblMiscellaneous[] = {0, 10, 20, 30, 40, 50, 70, 80, 90, 300, 560, 990};
+
+// LinuxCNC, "M-Codes" of its manual.
+constexpr int kLinuxCncMiscellaneous[] = {0,   10,  20,  30,  40,  50,  60,  70,  80,  90,  190,
+                                          300, 480, 490, 500, 510, 520, 530, 600, 610, 620, 630,
+                                          640, 650, 660, 670, 680, 700, 710, 720, 730, 980, 990};
+constexpr int kFirstOfUser = 1000, kLastOfUser = 1990;
+
+// M13 and M14 turn the spindle and switch the coolant on where a builder gives them that sense; M48 tests the probe on Marlin.
+constexpr int kSpindleAndFlood[] = {130, 140};
+constexpr int kMissingOnMarlin[] = {130, 140, 480};
+
+constexpr DialectRules mach_rules(Dialect dialect, std::string_view name, std::string_view title) {
+  DialectRules rules;
+  rules.dialect = dialect;
+  rules.name = name;
+  rules.title = title;
+  rules.planner = MotionPlanner::kMach;
+  rules.needs_lengths = true;
+  rules.macros = MacroLanguage::kMach;
+  rules.g.sets = kPlanMaps | kSkipMoves | kDrillCycles | kToolLengths | kFractionalOffsets | kKeptShifts |
+                 kExactStopBesidePath | kAbsoluteCenters;
+  rules.m.missing = kSpindleAndFlood;
+  rules.centers_set_up = true;
+  rules.has_old_units = true;
+  return rules;
+}
+
+constexpr DialectRules mach3_rules() {
+  DialectRules rules = mach_rules(Dialect::kMach3, "mach3", "Mach3");
+  rules.numbered_offsets = 254;
+  rules.offset_with_number = 590;
+  return rules;
+}
+
+constexpr DialectRules mach4_rules() {
+  DialectRules rules = mach_rules(Dialect::kMach4, "mach4", "Mach4");
+  rules.g.sets |= kOffsetsByNumber;
+  rules.numbered_offsets = 248;
+  return rules;
+}
+
+/// In the order of Dialect.
+constexpr std::array kRules{
+    DialectRules{.dialect = Dialect::kLinuxCnc,
+                 .name = "linuxcnc",
+                 .title = "LinuxCNC",
+                 .planner = MotionPlanner::kLinuxCnc,
+                 .macros = MacroLanguage::kLinuxCnc,
+                 .g = {kProbing | kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets |
+                       kKeptShifts | kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters},
+                 .m = {.only = kLinuxCncMiscellaneous,
+                       .user_words = true,
+                       .at_others = ", which stops there; its set-up has a REMAP for it that moves nothing"},
+                 .stray_words = StrayWords::kLinuxCnc,
+                 .zero_length_is_off = false,
+                 .bounded_blending = true,
+                 .returns_to_r = true,
+                 .cycle_rises_over = true,
+                 .cycle_needs_dwell = true,
+                 .feeds_out_to_clear = true,
+                 .keeps_cycle_words = false,
+                 .rereads_cycle_numbers = true,
+                 .feed_in_unit_before = true,
+                 .resets_modes = true,
+                 .saves_modes = true,
+                 .polar_words = true},
+    DialectRules{.dialect = Dialect::kGrbl,
+                 .name = "grbl",
+                 .title = "Grbl",
+                 .planner = MotionPlanner::kGrbl,
+                 .end = ProgramEnd::kWordOrText,
+                 .g = {.only = kGrblWords},
+                 .m = {.only = kGrblMiscellaneous,
+                       .at_others = ", which stops there; what sends the program leaves it out"},
+                 .stray_words = StrayWords::kGrbl,
+                 .changer = false,
+                 .path_words = false,
+                 .radius_beats_center = true,
+                 .resets_modes = true,
+                 .mist_needs = "M7 is a word of firmware that was built with ENABLE_M7; this one was"},
+    DialectRules{.dialect = Dialect::kFanuc,
+                 .name = "fanuc",
+                 .title = "Fanuc",
+                 .macros = MacroLanguage::kFanuc,
+                 .needs_lengths = true,
+                 .changer_alone = true,
+                 .g = {kPlanMaps | kSkipMoves | kDrillCycles | kToolLengths | kOffsetsByNumber},
+                 .lengths_by_number = true,
+                 .taps = TapRule::kTiedByM29,
+                 .radius_beats_center = true,
+                 .home_is_top = true,
+                 .no_home_in_cycle = true,
+                 .adds_to_offsets = true,
+                 .points_matter = true,
+                 .dwell_by_x = true,
+                 .dwell_in_ms = true,
+                 .count_in_program_number = true,
+                 .most_calls = 10,
+                 .numbered_offsets = 300,
+                 .offset_with_number = 540,
+                 .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on"},
+    DialectRules{.dialect = Dialect::kHaas,
+                 .name = "haas",
+                 .title = "Haas",
+                 .macros = MacroLanguage::kFanuc,
+                 .needs_lengths = true,
+                 .changer_alone = true,
+                 .g = {kPlanMaps | kSkipMoves | kDrillCycles | kToolLengths | kHaasWords | kOffsetsByNumber},
+                 .m = {.missing = kSpindleAndFlood},
+                 .lengths_by_number = true,
+                 .taps = TapRule::kTied,
+                 .radius_beats_center = true,
+                 .home_is_top = true,
+                 .resets_modes = true,
+                 .points_matter = true,
+                 .dwell_in_ms = true,
+                 .dwell_with_point_in_s = true,
+                 .calls_blocks = true,
+                 .numbered_offsets = 99,
+                 .mist_on = 830,
+                 .mist_off = 840,
+                 .mist_needs = "M83 is an option of the machine; it has it, for mist"},
+    DialectRules{.dialect = Dialect::kHeidenhain,
+                 .name = "heidenhain",
+                 .title = "Heidenhain",
+                 .language = Language::kKlartext,
+                 .changer_alone = true},
+    mach3_rules(),
+    mach4_rules(),
+    DialectRules{.dialect = Dialect::kMarlin,
+                 .name = "marlin",
+                 .title = "Marlin",
+                 .planner = MotionPlanner::kMarlin,
+                 .end = ProgramEnd::kText,
+                 .speed_may_be_power = true,
+                 .names_no_tools = true,
+                 .g = {kFractionalOffsets},
+                 .m = {.missing = kMissingOnMarlin},
+                 .changer = false,
+                 .path_words = false,
+                 .radius_beats_center = true,
+                 .home_is_switches = true,
+                 .always_in_xy = true,
+                 .always_mm = true,
+                 .dwell_in_ms = true,
+                 .dwell_by_s = true,
+                 .inch_needs = "G20 is a word of firmware that was built with INCH_MODE_SUPPORT; this one "
+                               "was, and does not take inches for mm",
+                 .pause_says_text = true,
+                 .mist_needs = "M7 is a word of firmware that was built with COOLANT_MIST; this one was"},
+    DialectRules{.dialect = Dialect::kSiemens,
+                 .name = "siemens",
+                 .title = "Sinumerik",
+                 .language = Language::kSinumerik,
+                 .unit_words = "neither G700 nor G710",
+                 .no_path_word = "neither G60 nor a path tolerance (G642 with CTOL)",
+                 .blends_freely = "G64 (or G641 without ADIS, G644)",
+                 .blends_by_setting = "G642 without CTOL",
+                 .needs_lengths = true,
+                 .changer_alone = true,
+                 .home_is_top = true,
+                 .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on"},
+    // EIA/ISO programs: the words of Fanuc, with synchronous tapping under words of their own.
+    DialectRules{.dialect = Dialect::kMazak,
+                 .name = "mazak",
+                 .title = "Mazak EIA/ISO",
+                 .needs_lengths = true,
+                 .changer_alone = true,
+                 .g = {kDrillCycles | kToolLengths | kOffsetsByNumber | kExactStopBesidePath},
+                 .lengths_by_number = true,
+                 .radius_beats_center = true,
+                 .home_is_top = true,
+                 .no_home_in_cycle = true,
+                 .adds_to_offsets = true,
+                 .points_matter = true,
+                 .dwell_by_x = true,
+                 .dwell_in_ms = true,
+                 .numbered_offsets = 300,
+                 .offset_with_number = 540,
+                 .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on"},
+    // PathPilot is built on LinuxCNC's interpreter. Its work offsets by number (G54.1 P) are not read.
+    DialectRules{.dialect = Dialect::kTormach,
+                 .name = "tormach",
+                 .title = "Tormach PathPilot",
+                 .planner = MotionPlanner::kLinuxCnc,
+                 .g = {kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets | kKeptShifts |
+                       kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters},
+                 .m = {.only = kLinuxCncMiscellaneous,
+                       .user_words = true,
+                       .at_others = ", which stops there; its set-up has a word for it that moves nothing"},
+                 .stray_words = StrayWords::kLinuxCnc,
+                 .zero_length_is_off = false,
+                 .bounded_blending = true,
+                 .returns_to_r = true,
+                 .cycle_rises_over = true,
+                 .cycle_needs_dwell = true,
+                 .feeds_out_to_clear = true,
+                 .keeps_cycle_words = false,
+                 .rereads_cycle_numbers = true,
+                 .feed_in_unit_before = true,
+                 .resets_modes = true,
+                 .saves_modes = true},
+};
+
+constexpr bool rows_are_in_order() {
+  for (std::size_t k = 0; k < kRules.size(); ++k)
+    if (kRules[k].dialect != static_cast<Dialect>(k)) return false;
+  return true;
+}
+static_assert(rows_are_in_order());
+
+/// G words from `first` to `last`, in tenths, that a control has only where its row has the set.
+struct SpecialWords {
+  int first, last;
+  GWordSet set;
+};
+constexpr SpecialWords kSpecialWords[] = {
+    {730, 730, kDrillCycles},       {740, 799, kDrillCycles},   {801, 890, kDrillCycles},
+    {430, 430, kToolLengths},       {431, 431, kStatedLengths}, {1540, 1540, kHaasWords},
+    {1870, 1870, kHaasWords},       {1100, 1290, kHaasWords},   {541, 541, kOffsetsByNumber},
+    {591, 593, kFractionalOffsets}, {922, 923, kKeptShifts},    {611, 611, kExactStopBesidePath},
+    {281, 281, kStoredPlaces},      {301, 301, kStoredPlaces},  {901, 901, kAbsoluteCenters},
+    {160, 160, kPlanMaps},          {680, 680, kPlanMaps},      {501, 501, kPlanMaps},
+    {511, 511, kPlanMaps},          {310, 310, kSkipMoves},     {382, 385, kProbing}};
+
+bool among(std::span<const int> list, int code) {
+  return std::find(list.begin(), list.end(), code) != list.end();
+}
+
+}  // namespace
+
+const DialectRules& rules_of(Dialect dialect) {
+  return kRules[static_cast<std::size_t>(dialect)];
+}
+
+MotionPlanner planner_of(Dialect dialect) {
+  return rules_of(dialect).planner;
+}
+
+std::string_view name_of(Dialect dialect) {
+  return rules_of(dialect).name;
+}
+
+std::optional<Dialect> dialect_named(std::string_view name) {
+  for (const DialectRules& rules : kRules)
+    if (rules.name == name) return rules.dialect;
+  return std::nullopt;
+}
+
+Dialect dialect_of(Language language) {
+  const auto* const found = std::find_if(
+      kRules.begin(), kRules.end(), [&](const DialectRules& rules) { return rules.language == language; });
+  CLEARCUT_ASSERT(found != kRules.end());
+  return found->dialect;
+}
+
+std::vector<Dialect> word_address_dialects() {
+  std::vector<Dialect> dialects;
+  for (const DialectRules& rules : kRules)
+    if (rules.language == Language::kWordAddress) dialects.push_back(rules.dialect);
+  return dialects;
+}
+
+bool knows_g(const DialectRules& rules, int code) {
+  if (!rules.g.only.empty()) return among(rules.g.only, code);
+  for (const SpecialWords& words : kSpecialWords)
+    if (words.first <= code && code <= words.last) return (rules.g.sets & words.set) != 0;
+  return true;
+}
+
+bool knows_m(const DialectRules& rules, int code) {
+  if (rules.m.only.empty()) return !among(rules.m.missing, code);
+  return among(rules.m.only, code) || (rules.m.user_words && code >= kFirstOfUser && code <= kLastOfUser);
+}
+
+}  // namespace clearcut::read::gcode

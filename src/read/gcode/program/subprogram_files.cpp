@@ -1,0 +1,23 @@
+#include "read/gcode/program/subprogram_files.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include "base/files/file.h"
+
+namespace clearcut::read::gcode {
+
+SubprogramFiles files_beside(const std::string& program) {
+  const std::filesystem::path folder = std::filesystem::path(program).parent_path();
+  return [folder](const std::string& name) -> std::optional<std::string> {
+    if (name.empty() || name[0] == '.' || name.find_first_of("/\\:") != std::string::npos)
+      return std::nullopt;
+    std::error_code error;
+    const std::filesystem::path path = folder / name;
+    if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
+    constexpr std::size_t kLargest = std::size_t{64} << 20;
+    return read_file(path.string(), kLargest);
+  };
+}
+
+}  // namespace clearcut::read::gcode

@@ -1,0 +1,40 @@
+// Which workingstep a move serves.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "model/move.h"
+#include "model/part.h"
+#include "model/section_names.h"
+#include "verify/part/edge_tree.h"
+#include "verify/program/checked_move.h"
+
+namespace clearcut::verify {
+
+/// Finds the workingstep that a feed move serves. Labels of the program group figures and name faults; no verdict rests on them.
+class Attribution {
+ public:
+  explicit Attribution(const Part& part);
+
+  /// The workingstep that the whole section names: by its label, else by its number; -1: none.
+  int by_section(const Section& section) const;
+
+  /// `previous`, if the move lies in its feature; else a workingstep for which that is so, if possible with its tool; -1: none.
+  int by_place(const CheckedMove& checked, int previous) const;
+
+  /// mm. The greatest stepdown of all workingsteps whose feature holds the move or is less than a radius away, because work on
+  /// one feature reaches into the next; if some of them use the move's tool, of these. Absent where none states a stepdown.
+  std::optional<double> stepdown_at(const CheckedMove& checked) const;
+
+ private:
+  bool has_tool(const CheckedMove& checked, int workingstep) const;
+  /// Whether the cutter at p touches the workingstep's feature, or comes within `beside` mm of it, at the move's depth.
+  bool fits(const CheckedMove& checked, Vec2 p, int workingstep, double beside = 0) const;
+
+  const Part& part_;
+  SectionNames names_;
+  std::vector<EdgeTree> outlines_;  ///< of the features' targets
+};
+
+}  // namespace clearcut::verify

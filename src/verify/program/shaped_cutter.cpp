@@ -1,0 +1,287 @@
+#include "verify/program/shaped_cutter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "base/elementary.h"
+#include "base/tolerances.h"
+
+namespace clearcut::verify {
+namespace {
+
+/// mm. Stretches of a path along which the excess can change by less than the first, or that are shorter than the second, are not
+/// halved again.
+constexpr double kExact = 1e-5, kShortest = 2e-4;
+constexpr int kSections = 40;
+constexpr double kGolden = 0.6180339887498949;
+/// Alternate projections between a path and a wall: good enough for messages.
+constexpr int kProjections = 12;
+
+bool has_flat_end(const Wall& wall) {
+  return wall.flat_from || wall.flat_to;
+}
+
+/// The height between `low` and `high` at which a cutter with its tip at z comes nearest to a wall with draft.
+double nearest_height(const Wall& wall, const CutterProfile& cutter, double z, double low, double high) {
+  // A flank steeper than the wall comes nearest at low, else at its upper end; a rounding where it is as steep.
+  if (cutter.round > 0) {
+    const double touch = cutter.round * (1 - wall.slope / base::hypot(1.0, wall.slope));
+    return std::clamp(z + touch, low, high);
+  }
+  return cutter.slope <= wall.slope ? low : std::clamp(z + cutter.full_height(), low, high);
+}
+
+/// mm; how far a cutter with its tip at z has to stay from the outline of a wall.
+double distance_needed(const Wall& wall, const CutterProfile& cutter, double z, bool is_drafted_here) {
+  if (z >= wall.z_high) return 0;
+  if (!is_drafted_here || wall.slope <= 0) return cutter.radius_at(wall.z_high - z);
+  const double low = std::max(z, wall.z_low), high = std::max(low, std::min(wall.z_high, wall.top_z));
+  const double height = nearest_height(wall, cutter, z, low, high);
+  // Above its outline the wall is upright, up to z_high.
+  return std::max(cutter.radius_at(height - z) + wall.draft_offset(height),
+                  cutter.radius_at(wall.z_high - z));
+}
+
+class ShapedCheck {
+ public:
+  ShapedCheck(const FinishedPart& part, const Move& move, const CutterProfile& cutter, double slack)
+      : part_(part), move_(move), cutter_(cutter), slack_(slack) {
+    half_ = move.is_vertical() ? 0 : move.path.length() / 2;
+  }
+
+  std::optional<Gouge> check() {
+    const double low = std::min(move_.z_from, move_.z_to);
+    if (low >= part_.top_z()) return std::nullopt;
+    part_.wall_tree().within(at(0.5), half_ + cutter_.widest + part_.greatest_draft_offset(),
+                             [&](int i) { against_wall(part_.walls()[static_cast<std::size_t>(i)]); });
+    for (const double t : {0.0, 0.5, 1.0}) against_inside(t);
+    return worst_;
+  }
+
+ private:
+  /// A place of the path with its excess over one wall.
+  struct Sample {
+    double t, excess;
+    bool leans;  ///< whether the wall's draft counts there
+  };
+
+  Vec2 at(double t) const { return move_.is_vertical() ? move_.path.from : move_.path.at(t); }
+  double z_at(double t) const { return move_.z_from + (move_.z_to - move_.z_from) * t; }
+
+  Sample sample(const Wall& wall, double t) const {
+    const Vec2 p = at(t);
+    const bool leans = wall.slope > 0 && part_.is_inside(wall.feature, p);
+    if (leans && has_flat_end(wall)) return {t, excess_at_flat_end(wall, p, z_at(t)), true};
+    return {t, distance_needed(wall, cutter_, z_at(t), leans) - distance(wall.edge, p), leans};
+  }
+
+  /// Where the stock's side cuts the wall off square, what stands is told height by height.
+  double excess_at_flat_end(const Wall& wall, Vec2 p, double z) const {
+    if (z >= wall.z_high) return -distance(wall.edge, p);
+    const double low = std::max(z, wall.z_low), high = std::max(low, std::min(wall.z_high, wall.top_z));
+    double worst = cutter_.radius_at(wall.z_high - z) - distance(wall.edge, p);
+    between_heights(wall, Edge::line(p, p), z, {low, high}, worst);
+    return worst;
+  }
+
+  /// Raises `worst` to the greatest excess between two heights: upwards both the cutter's radius and the distance grow.
+  void between_heights(const Wall& wall, const Edge& place, double z, std::array<double, 2> heights,
+                       double& worst) const {
+    const auto [low, high] = heights;
+    const double most = cutter_.radius_at(high - z) - part_.apart(wall, low, place);
+    if (most <= worst + kExact) return;
+    if (high - low < kExact) {
+      worst = most;
+      return;
+    }
+    const double middle = (low + high) / 2;
+    between_heights(wall, place, z, {low, middle}, worst);
+    between_heights(wall, place, z, {middle, high}, worst);
+  }
+
+  /// The parameters between which the tip is below the wall's top.
+  std::array<double, 2> below_top(const Wall& wall) const {
+    const double dz = move_.z_to - move_.z_from;
+    if (dz == 0) return {0, 1};
+    const double passes = std::clamp((wall.z_high - move_.z_from) / dz, 0.0, 1.0);
+    return dz < 0 ? std::array{passes, 1.0} : std::array{0.0, passes};
+  }
+
+  void against_wall(const Wall& wall) {
+    if (std::min(move_.z_from, move_.z_to) >= wall.z_high) return;
+    const Sample first = sample(wall, 0), last = sample(wall, 1);
+    Sample worst = first.excess > last.excess ? first : last;
+    if (!move_.is_vertical()) {
+      const bool is_level = move_.z_from == move_.z_to;
+      if (is_level || wall.edge.is_arc() || move_.path.is_arc() || has_flat_end(wall)) {
+        by_halves(wall, first, last, worst);
+      } else if (greatest_between(wall, first, last) > worst.excess) {
+        by_sections(wall, below_top(wall), worst);
+      }
+    }
+    if (worst.excess > 0) keep(wall, worst);
+  }
+
+  /// Golden section search. Below the wall's top the excess is concave, because the distance from the wall is convex.
+  void by_sections(const Wall& wall, std::array<double, 2> range, Sample& worst) const {
+    const auto asked = [&](double t) {
+      const Sample found = sample(wall, t);
+      if (found.excess > worst.excess) worst = found;
+      return found.excess;
+    };
+    auto [low, high] = range;
+    double a = high - kGolden * (high - low), b = low + kGolden * (high - low), fa = asked(a), fb = asked(b);
+    for (int i = 0; i < kSections; ++i) {
+      if (fa < fb) {
+        low = a, a = b, fa = fb;
+        fb = asked(b = low + kGolden * (high - low));
+      } else {
+        high = b, b = a, fb = fa;
+        fa = asked(a = high - kGolden * (high - low));
+      }
+    }
+  }
+
+  Edge piece_of(double from, double to) const {
+    return from == 0 && to == 1 ? move_.path : move_.path.part(from, to);
+  }
+
+  /// No place between two has a greater excess: that of the lowest tip at the least distance.
+  double greatest_between(const Wall& wall, const Sample& a, const Sample& b) const {
+    const bool leans = a.leans || b.leans || sample_leans(wall, (a.t + b.t) / 2);
+    const double low = std::min(z_at(a.t), z_at(b.t));
+    return distance_needed(wall, cutter_, low, leans) - distance(piece_of(a.t, b.t), wall.edge);
+  }
+  bool sample_leans(const Wall& wall, double t) const {
+    return wall.slope > 0 && part_.is_inside(wall.feature, at(t));
+  }
+
+  /// mm; how much less the excess at the highest tip may be than at the lowest, at the same distance.
+  double change_by_height(const Wall& wall, const Sample& a, const Sample& b) const {
+    const double low = std::min(z_at(a.t), z_at(b.t)), high = std::max(z_at(a.t), z_at(b.t));
+    return distance_needed(wall, cutter_, low, a.leans || b.leans) -
+           distance_needed(wall, cutter_, high, a.leans && b.leans);
+  }
+
+  void by_halves(const Wall& wall, const Sample& a, const Sample& b, Sample& worst) const {
+    const double length = 2 * half_ * (b.t - a.t), change = change_by_height(wall, a, b);
+    double above = greatest_between(wall, a, b);
+    // At ends that are cut off square less stands than the distance from the outline says.
+    const bool is_told = !has_flat_end(wall) && a.leans == b.leans;
+    if (!is_told) above = std::min(above, (a.excess + b.excess + length) / 2 + change);
+    if (above <= std::max(slack_ / 2, worst.excess)) return;
+    if (is_told && change < kExact) {
+      worst = {nearest_parameter(wall, a.t, b.t), above, a.leans};
+      return;
+    }
+    if (length < kShortest) return;
+    const Sample middle = sample(wall, (a.t + b.t) / 2);
+    if (middle.excess > worst.excess) worst = middle;
+    by_halves(wall, a, middle, worst);
+    by_halves(wall, middle, b, worst);
+  }
+
+  double nearest_parameter(const Wall& wall, double from, double to) const {
+    const Edge piece = piece_of(from, to);
+    double t = 0.5;
+    for (int i = 0; i < kProjections; ++i)
+      t = std::clamp(nearest(piece, nearest_point(wall.edge, piece.at(t))).t, 0.0, 1.0);
+    return from + (to - from) * t;
+  }
+
+  void keep(const Wall& wall, const Sample& worst) {
+    const double z = z_at(worst.t), sideways = worst.excess;
+    // On its flank a cutter comes free upwards, too.
+    const bool by_flank = cutter_.slope > 0 && cutter_.radius_at(wall.z_high - z) < cutter_.widest;
+    const double upwards = by_flank ? sideways / cutter_.slope : sideways;
+    const double depth = std::min({sideways, upwards, wall.z_high - z});
+    if (depth <= 0 || (worst_ && depth <= worst_->depth)) return;
+    worst_ = Gouge{depth, at(worst.t), z, false, wall.feature};
+  }
+
+  /// The tip itself may be below a floor or inside a wall.
+  void against_inside(double t) {
+    const double height = part_.height(at(t)), z = z_at(t);
+    if (height <= z + slack_ || (worst_ && height - z <= worst_->depth)) return;
+    if (part_.is_film(at(t), z)) return;
+    worst_ = Gouge{height - z, at(t), z, true, -1};
+  }
+
+  const FinishedPart& part_;
+  const Move& move_;
+  const CutterProfile& cutter_;
+  double slack_;
+  double half_ = 0;
+  std::optional<Gouge> worst_;
+};
+
+/// Parameter along a straight move, prolonged at both ends, at which a cone's flank is lowest over p.
+double lowest_place(const Move& move, double slope, Vec2 p) {
+  const Vec2 along = move.path.to - move.path.from;
+  const double length = norm(along), near = dot(p - move.path.from, along) / (length * length);
+  const double aside = std::abs(cross(p - move.path.from, along)) / length;
+  const double rise = (move.z_to - move.z_from) / length, steep = rise * slope;
+  if (std::abs(steep) >= 1) return rise < 0 ? 1 : 0;
+  return near - steep * aside / std::sqrt(1 - steep * steep) / length;
+}
+
+}  // namespace
+
+std::optional<Gouge> shaped_gouge_of(const FinishedPart& part, const Move& move, const CutterProfile& cutter,
+                                     double slack) {
+  return ShapedCheck(part, move, cutter, slack).check();
+}
+
+std::optional<double> height_at(const Tool& tool, double distance) {
+  const double height = outer_profile(tool).height_at(distance);
+  return std::isinf(height) ? std::nullopt : std::optional(height);
+}
+
+void CutHeights::add(const Move& move, const Tool& tool) {
+  const Box path = move.path.box();
+  index_.add(path.grown(widest_radius(tool)), static_cast<std::uint32_t>(entries_.size()));
+  entries_.push_back({&move, &tool, has_flanks(tool) ? flank_slope(tool) : 0, path});
+}
+
+std::optional<double> CutHeights::height_over(const Entry& entry, double distance) {
+  if (entry.slope <= 0) return height_at(*entry.tool, distance);
+  if (distance > widest_radius(*entry.tool)) return std::nullopt;
+  return std::max(0.0, distance - tip_radius(*entry.tool)) / entry.slope;
+}
+
+/// mm; no cutter's surface comes lower over p along this move.
+double CutHeights::least_height(const Entry& entry, Vec2 p) {
+  const double low = std::min(entry.move->z_from, entry.move->z_to);
+  if (entry.slope <= 0) return low;
+  return low + std::max(0.0, entry.path.distance_to(p) - tip_radius(*entry.tool)) / entry.slope - kRoundingMm;
+}
+
+double CutHeights::at(Vec2 p) const {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const std::uint32_t i : index_.at(p)) {
+    const Entry& entry = entries_[i];
+    if (least_height(entry, p) >= lowest) continue;
+    const Move& move = *entry.move;
+    const auto sample = [&](double t) {
+      const double c = std::clamp(t, 0.0, 1.0);
+      const Vec2 center = move.is_vertical() ? move.path.from : move.path.at(c);
+      const double z =
+          move.is_vertical() ? std::min(move.z_from, move.z_to) : move.z_from + (move.z_to - move.z_from) * c;
+      if (const auto above = height_over(entry, distance(center, p))) lowest = std::min(lowest, z + *above);
+    };
+    if (move.is_vertical()) {
+      sample(0);
+      continue;
+    }
+    sample(nearest(move.path, p).t);
+    if (move.z_from == move.z_to) continue;
+    sample(0);
+    sample(1);
+    if (entry.slope > 0 && !move.path.is_arc()) sample(lowest_place(move, entry.slope, p));
+  }
+  return lowest;
+}
+
+}  // namespace clearcut::verify

@@ -1,0 +1,54 @@
+// Cutters that cut by their shape: how deep they go into the finished part, and what they leave.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/spatial/cell_grid.h"
+#include "model/cutter_profile.h"
+#include "model/move.h"
+#include "model/tool.h"
+#include "verify/part/edge_tree.h"
+#include "verify/part/finished_part.h"
+#include "verify/program/gouge.h"
+
+namespace clearcut::verify {
+
+/// The deepest cut of a cutter of that profile into the part along `move`: how far, sideways or upwards, it would have to be shifted.
+///
+/// For each wall near, the excess is the cutter's radius at the height of the wall's top, less the distance of the path from the
+/// wall; for walls with draft at the height where the cutter comes nearest. On level moves the least distance decides. On straight
+/// sloping ones beside straight walls the excess has one maximum, found by golden section; else the path is halved until the
+/// excess of its lowest tip at its least distance decides.
+/// `slack`: mm; gouges less deep need not be found.
+std::optional<Gouge> shaped_gouge_of(const FinishedPart& part, const Move& move, const CutterProfile& cutter,
+                                     double slack);
+
+/// mm; height over its tip at which a cutter's surface is `distance` mm from its axis; nothing beyond its radius.
+std::optional<double> height_at(const Tool& tool, double distance);
+
+/// How deep cutters have cut so far, place by place. Every answer is a height that some cutter has reached.
+class CutHeights {
+ public:
+  /// Adds a feed move. Pointers to both are kept.
+  void add(const Move& move, const Tool& tool);
+
+  /// mm; lowest height at which a cutter's surface passed over p; infinite where none did.
+  double at(Vec2 p) const;
+
+ private:
+  struct Entry {
+    const Move* move;
+    const Tool* tool;
+    double slope;  ///< of a cone's flank, kept because it takes a tangent; 0 for other cutters
+    Box path;
+  };
+
+  static std::optional<double> height_over(const Entry& entry, double distance);
+  static double least_height(const Entry& entry, Vec2 p);
+
+  std::vector<Entry> entries_;
+  BoxIndex index_{1};  ///< cells of 1 mm: smaller than most cutters
+};
+
+}  // namespace clearcut::verify
