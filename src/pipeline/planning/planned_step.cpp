@@ -5,6 +5,7 @@
 
 #include "base/work_budget.h"
 #include "geometry/boolean/boolean.h"
+#include "geometry/voronoi/clearance.h"
 #include "kinematics/kinematics.h"
 #include "kinematics/planner.h"
 #include "pipeline/steps/certify.h"

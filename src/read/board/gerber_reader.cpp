@@ -10,6 +10,7 @@
 #include "read/board/gerber_image.h"
 #include "read/common/text.h"
 #include "read/drawing/drawing.h"
+#include "read/drawing/layer_rules.h"
 #include "read/drawing/outline_roles.h"
 
 namespace clearcut::read {

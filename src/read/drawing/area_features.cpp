@@ -7,6 +7,7 @@
 #include "geometry/contours/loops.h"
 #include "geometry/rectangle.h"
 #include "geometry/voronoi/clearance.h"
+#include "read/drawing/layer_rules.h"
 
 namespace clearcut::read {
 namespace {

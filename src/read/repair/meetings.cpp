@@ -150,7 +150,7 @@ class Search {
   MeetingKind kind_at(EdgeId a, EdgeId b, Vec2 place) const {
     const Passage one = passage(a, place), other = passage(b, place);
     const auto back = is_left(one, other.back), ahead = is_left(one, other.ahead);
-    return back && ahead && *back != *ahead ? MeetingKind::kCrossing : MeetingKind::kRoundingMm;
+    return back && ahead && *back != *ahead ? MeetingKind::kCrossing : MeetingKind::kTouch;
   }
 
   /// Whether a path departs to the left of a passage; nothing when it runs along it. Of equal directions the one that bends

@@ -45,10 +45,6 @@ const TrajectoryType& type_of(const Node& element) {
                ".; write APPROACH, LIFT, CONNECT, NON_CONTACT, CONTACT or TRAJECTORY_PATH");
 }
 
-Vec2 in_plan(Vec3 p) {
-  return {p.x, p.y};
-}
-
 StatedMove reversed_move(StatedMove move) {
   move.path = move.path.from == move.path.to ? move.path : move.path.reversed();
   std::swap(move.z_from, move.z_to);

@@ -17,10 +17,6 @@ constexpr int kDeepest = 16;         // nesting of composite curves
 constexpr double kOnCircle = 1e-8;   // mm; trim points this near to their circle are on it
 constexpr double kOffCircle = 0.02;  // mm; trim points farther off than this are an error
 
-Vec2 plan(Vec3 p) {
-  return {p.x, p.y};
-}
-
 std::string shown(Vec2 p) {
   return "(" + trimmed(p.x, 4) + ", " + trimmed(p.y, 4) + ")";
 }
@@ -30,7 +26,7 @@ Path polyline_path(const Node& curve, Context& context) {
   context.spend(points.size(), curve);
   Path path;
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const Vec2 from = plan(location_of(points[i - 1])), to = plan(location_of(points[i]));
+    const Vec2 from = in_plan(location_of(points[i - 1])), to = in_plan(location_of(points[i]));
     if (from != to) path.push_back(Edge::line(from, to));
   }
   return path;
@@ -49,7 +45,7 @@ Circle circle_of(const Node& node) {
     node.fail("the circle is tilted out of the plane; only plane outlines can be milled");
   const double radius = node.needed_length(2, "radius");
   if (radius <= 0) node.fail("the radius is not above zero; correct it");
-  return {plan(frame.origin), radius, planar_map(frame)};
+  return {in_plan(frame.origin), radius, planar_map(frame)};
 }
 
 Path full_circle(const Circle& circle, double start, bool counter_clockwise) {
@@ -72,7 +68,7 @@ Trim trim_of(const Node& curve, std::size_t argument) {
       const P21Entity* entity = curve.file().find(v.id);
       if (entity == nullptr)
         curve.fail("refers to #" + std::to_string(v.id) + ", which is not in the file; add it");
-      trim.point = plan(location_of(Node(curve.file(), *entity)));
+      trim.point = in_plan(location_of(Node(curve.file(), *entity)));
     } else if (v.kind == P21Kind::kTyped) {
       const auto inner = curve.file().children(v);
       if (inner.size() == 1) trim.parameter = inner[0].number;
@@ -119,10 +115,11 @@ Path line_path(const Node& curve, const Node& base) {
     const Trim trim = trim_of(curve, argument);
     if (trim.point) return *trim.point;
     const Node vector = base.needed_ref(2, "direction");
-    const Vec2 direction = plan(axis_of(vector.needed_ref(1, "direction")));
+    const Vec2 direction = in_plan(axis_of(vector.needed_ref(1, "direction")));
     const double magnitude = vector.length(2).value_or(1.0);
     if (norm(direction) == 0) base.fail("the line has no direction in the plane; correct it");
-    return plan(location_of(base.needed_ref(1, "point"))) + unit(direction) * (magnitude * *trim.parameter);
+    return in_plan(location_of(base.needed_ref(1, "point"))) +
+           unit(direction) * (magnitude * *trim.parameter);
   };
   const Vec2 a = end(2), b = end(3);
   return a == b ? Path{} : Path{Edge::line(a, b)};
@@ -135,7 +132,7 @@ Path ellipse_path(const Node& curve, Context& context) {
   const double a = curve.needed_length(2, "first semi-axis"), b = curve.needed_length(3, "second semi-axis");
   if (a <= 0 || b <= 0) curve.fail("a semi-axis is not above zero; correct it");
   const PlanarMap map = planar_map(frame);
-  const Vec2 center = plan(frame.origin);
+  const Vec2 center = in_plan(frame.origin);
   Path path;
   append_elliptical(center, map.point({a, 0}) - center, map.point({0, b}) - center, 0, 2 * kPi,
                     kCurveTolerance, path);
@@ -169,7 +166,7 @@ Path spline_path(const Node& curve, Context& context) {
   const double degree = curve.needed_number(1, "degree");
   BSpline spline;
   spline.degree = degree >= 1 && degree < 100 ? static_cast<int>(degree) : 0;
-  for (const Node& point : points) spline.poles.push_back({plan(location_of(point)), 1});
+  for (const Node& point : points) spline.poles.push_back({in_plan(location_of(point)), 1});
   if (spline.degree > 0 && !spline.poles.empty())
     spline.knots = knots_of(curve, spline.degree, spline.poles.size());
   if (const std::string fault = fault_of(spline); !fault.empty())

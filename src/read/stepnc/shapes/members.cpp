@@ -13,9 +13,9 @@ namespace clearcut::read::stepnc {
 
 namespace {
 
-constexpr int kDeepest = 8;                   // patterns of patterns of compounds ...
+constexpr int kDeepestPattern = 8;            // patterns of patterns of compounds ...
 constexpr std::size_t kMostMembers = 10'000;  // of all patterns in one another
-constexpr double kSameAngle = 1e-9;           // radians
+constexpr double kSameTurn = 1e-9;            // radians
 constexpr double kSameDiameter = 0.01;        // mm; of the circle of a pattern
 
 bool is_compound(const Node& node) {
@@ -41,10 +41,6 @@ Frame placed(const Frame& space, const Node& feature) {
   return has_place ? composed(space, frame_of(feature.ref(3))) : space;
 }
 
-Vec2 plan(Vec3 v) {
-  return {v.x, v.y};
-}
-
 Vec3 moved(Vec3 v, Vec2 by) {
   return {v.x + by.x, v.y + by.y, v.z};
 }
@@ -65,7 +61,7 @@ Frame turned(const Frame& frame, Vec2 center, double angle, double spin) {
 }
 
 bool same_place(const Frame& a, const Frame& b) {
-  return distance(plan(a.origin), plan(b.origin)) < kSamePlaceMm &&
+  return distance(in_plan(a.origin), in_plan(b.origin)) < kSamePlaceMm &&
          std::abs(a.origin.z - b.origin.z) < kSamePlaceMm;
 }
 
@@ -134,7 +130,7 @@ class CircularPattern {
     std::vector<Frame> result;
     for (int i = 0; i < count; ++i) {
       if (omitted.count(i)) continue;
-      result.push_back(turned(base, plan(frame_.origin), angles[static_cast<std::size_t>(i)], i * spin));
+      result.push_back(turned(base, in_plan(frame_.origin), angles[static_cast<std::size_t>(i)], i * spin));
     }
     return result;
   }
@@ -143,14 +139,14 @@ class CircularPattern {
   /// Members that went round more than once in radians are meant in degrees.
   bool are_degrees(int count) const {
     const double step = std::abs(pattern_.needed_number(5, "angle increment"));
-    return context_.degrees || (count - 1) * step > 2 * kPi - kSameAngle;
+    return context_.degrees || (count - 1) * step > 2 * kPi - kSameTurn;
   }
 
   /// The base as the standard has it lies on the circle. Some writers place it in the pattern's frame, or at the centre.
   Frame on_circle(const Frame& base) const {
     const auto diameter = pattern_.length(9);
     const auto fits = [&](const Frame& frame) {
-      const double there = 2 * distance(plan(frame.origin), plan(frame_.origin));
+      const double there = 2 * distance(in_plan(frame.origin), in_plan(frame_.origin));
       return there > kSamePlaceMm && (!diameter || std::abs(there - *diameter) <= kSameDiameter);
     };
     if (fits(base)) return base;
@@ -161,7 +157,7 @@ class CircularPattern {
           pattern_);
       return inside;
     }
-    if (distance(plan(base.origin), plan(frame_.origin)) > kSamePlaceMm) {
+    if (distance(in_plan(base.origin), in_plan(frame_.origin)) > kSamePlaceMm) {
       context_.warn("its diameter does not fit the place of its base feature; the place counts", pattern_);
       return base;
     }
@@ -172,7 +168,7 @@ class CircularPattern {
     context_.warn("its base feature is placed at its centre; it is moved along x to the pattern's circle",
                   pattern_);
     Frame result = base;
-    result.origin = moved(base.origin, plan(frame_.direction({*diameter / 2, 0, 0})));
+    result.origin = moved(base.origin, in_plan(frame_.direction({*diameter / 2, 0, 0})));
     return result;
   }
 
@@ -182,12 +178,12 @@ class CircularPattern {
 };
 
 /// A level direction of the pattern's frame, of length 1.
-Vec2 direction_of(const Node& node, const Frame& frame) {
+Vec2 row_direction(const Node& node, const Frame& frame) {
   const Vec3 axis = frame.direction(axis_of(node));
-  const double length = norm(plan(axis));
+  const double length = norm(in_plan(axis));
   if (!(length > 0) || std::abs(axis.z) > 1e-6 * length)
     node.fail("the direction does not lie in the plane of the pattern; correct it");
-  return plan(axis) / length;
+  return in_plan(axis) / length;
 }
 
 double spacing_of(const Node& pattern, std::size_t argument, const char* what) {
@@ -202,10 +198,10 @@ std::vector<Frame> rectangular_members(const Node& pattern, const Frame& frame, 
   const int columns = count_of(pattern, 8, "number of columns");
   if (static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns) > kMostMembers)
     pattern.fail("more than 10000 members; split the pattern");
-  const Vec2 along = direction_of(pattern.needed_ref(6, "direction"), frame);
+  const Vec2 along = row_direction(pattern.needed_ref(6, "direction"), frame);
   const Vec2 column = columns > 1 ? along * spacing_of(pattern, 5, "spacing") : Vec2{};
   const Vec2 across =
-      pattern.unset(10) ? left_of(along) : direction_of(pattern.needed_ref(10, "row direction"), frame);
+      pattern.unset(10) ? left_of(along) : row_direction(pattern.needed_ref(10, "row direction"), frame);
   const Vec2 row = rows > 1 ? across * spacing_of(pattern, 9, "row spacing") : Vec2{};
   std::vector<Vec2> shift;
   for (int r = 0; r < rows; ++r)
@@ -218,7 +214,7 @@ std::vector<Frame> rectangular_members(const Node& pattern, const Frame& frame, 
   };
   for (const Node& node : relocated)
     shift[place(node, 2)] =
-        shift[place(node, 2)] + direction_of(node.needed_ref(0, "offset direction"), frame) *
+        shift[place(node, 2)] + row_direction(node.needed_ref(0, "offset direction"), frame) *
                                     node.needed_length(1, "offset distance");
   std::set<std::size_t> omitted;
   for (const Node& node : missing) omitted.insert(place(node, 0));
@@ -248,7 +244,7 @@ class Expansion {
   /// `space` is the frame that placements beside the feature's are given in.
   void expand(const Node& feature, const Frame& space, const Frame& placement, const std::string& outer_name,
               int depth) {
-    if (depth > kDeepest)
+    if (depth > kDeepestPattern)
       feature.fail("patterns and compounds are nested more than 8 deep (or in a circle); flatten them");
     context_.spend(1, feature);
     context_.use_head(feature);
@@ -328,7 +324,8 @@ Members::Members(Context& context, const Frame& turn) : context_(&context), turn
 Frame Members::space_of(const Node& feature, int depth) const {
   const auto compound = compound_of_.find(feature.id());
   if (compound == compound_of_.end()) return turn_;
-  if (depth > kDeepest) feature.fail("compounds are nested more than 8 deep (or in a circle); flatten them");
+  if (depth > kDeepestPattern)
+    feature.fail("compounds are nested more than 8 deep (or in a circle); flatten them");
   return composed(space_of(compound->second, depth + 1), frame_of(compound->second.ref(3)));
 }
 

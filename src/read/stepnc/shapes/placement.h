@@ -16,6 +16,11 @@ struct Vec3 {
   friend constexpr bool operator==(Vec3, Vec3) = default;
 };
 
+/// The point or direction as seen from above.
+inline Vec2 in_plan(Vec3 p) {
+  return {p.x, p.y};
+}
+
 /// A right-handed frame; the default is the identity.
 struct Frame {
   Vec3 origin;
