@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "read/elements/read_elements.h"
+#include "read/outline/read_elements.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace clearcut;

@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "read/board/drill/excellon_reader.h"
+#include "read/board/excellon_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace clearcut;

@@ -37,7 +37,7 @@ mutant $formulas '(radius - w)' '(radius - 1.01 * w)' plan_test 'Formulas.*'
 mutant $formulas '(radius - 2 * radius * overlap)' '(radius - 2.02 * radius * overlap)' plan_test 'Formulas.*'
 mutant $formulas 'return step / std::sin(alpha / 2)' 'return 1.01 * step / std::sin(alpha / 2)' plan_test 'Formulas.*:*Triangle*'
 mutant src/plan/contour/side_offsets.cpp 'std::cos(angle / 2)' 'std::cos(angle / 1.98)' plan_test 'SideOffsets.*'
-mutant src/pipeline/comparison/compare.cpp 'kTau = 0.177' 'kTau = 0.17877' pipeline_test 'PublishedConstants.*'
+mutant src/pipeline/compare.cpp 'kTau = 0.177' 'kTau = 0.17877' pipeline_test 'PublishedConstants.*'
 mutant src/pipeline/tour/engagement_model.cpp 'std::expm1(5 *' 'std::expm1(5.05 *' pipeline_test 'PublishedConstants.*'
 mutant src/pipeline/tour/engagement_model.cpp 'kLeast = 0.02' 'kLeast = 0.0202' pipeline_test 'PublishedConstants.*:Engagement.*'
 constants='PublishedConstants.*'
@@ -46,7 +46,7 @@ mutant src/plan/contour/step_rule.cpp '1.5 * radius * share' '1.515 * radius * s
 mutant src/order/objective.h 'tau_s = 0.177' 'tau_s = 0.17877' pipeline_test "$constants"
 mutant src/order/objective/machining_time.cpp '.constant = 2 * tau_' '.constant = 2.02 * tau_' pipeline_test "$constants"
 mutant src/pipeline/tour/engagement_model.cpp 'accuracy * std::sqrt(2.0)' 'accuracy * std::sqrt(2.04)' pipeline_test "$constants"
-mutant src/pipeline/comparison/tool_sets.cpp '1000 * cutting_speed' '1010 * cutting_speed' pipeline_test "$constants"
+mutant src/pipeline/tool_sets.cpp '1000 * cutting_speed' '1010 * cutting_speed' pipeline_test "$constants"
 mutant src/order/genetic/genetic.h 'most_shared = 0.2;' 'most_shared = 0.202;' pipeline_test "$constants"
 mutant src/order/genetic/genetic.h 'population = 25;' 'population = 26;' pipeline_test "$constants"
 mutant src/order/genetic/genetic.h 'neighbours = 24;' 'neighbours = 25;' pipeline_test "$constants"

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "report/text_table.h"
-#include "resolve/asked/plan_options.h"
+#include "report/words/text_table.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::studies {
 

@@ -3,9 +3,9 @@
 
 #include "model/design_element.h"
 #include "pipeline/elements.h"
-#include "read/elements/element_options.h"
-#include "read/elements/read_elements.h"
-#include "report/picture/grid/grid_picture.h"
+#include "read/outline/element_options.h"
+#include "read/outline/read_elements.h"
+#include "report/picture/grid_picture.h"
 
 namespace clearcut {
 

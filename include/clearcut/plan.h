@@ -11,17 +11,17 @@
 #include "base/progress.h"
 #include "clearcut/part.h"
 #include "features/fitting.h"
-#include "pipeline/comparison/compare.h"
-#include "pipeline/comparison/tool_sets.h"
+#include "pipeline/compare.h"
 #include "pipeline/job_options.h"
 #include "pipeline/run.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/setups/carried_stock.h"
 #include "pipeline/setups/solid_stock.h"
-#include "resolve/asked/plan_options.h"
-#include "resolve/names.h"
+#include "pipeline/tool_sets.h"
 #include "resolve/prepare.h"
 #include "resolve/resolve.h"
+#include "resolve/values/names.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut {
 

@@ -5,7 +5,7 @@
 #include "clearcut/text.h"
 #include "clearcut/verify.h"
 #include "model/results/not_machined.h"
-#include "pipeline/output/texts.h"
+#include "pipeline/texts.h"
 #include "report/picture/svg_path.h"
 #include "report/sheet/sheet_html.h"
 #include "report/sheet/sheet_pdf.h"

@@ -3,7 +3,7 @@
 
 #include "base/text/format.h"
 #include "base/text/quantity.h"
-#include "report/text_table.h"
+#include "report/words/text_table.h"
 
 namespace clearcut {
 

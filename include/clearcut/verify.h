@@ -5,11 +5,11 @@
 #include "model/move.h"
 #include "model/results/findings.h"
 #include "pipeline/check.h"
-#include "pipeline/feeds/program_feeds.h"
 #include "pipeline/margin.h"
 #include "pipeline/move_figures.h"
+#include "pipeline/program_feeds.h"
 #include "read/gcode/gcode.h"
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "order/visit/visit_order.h"
+#include "order/search/visit_order.h"
 
 namespace clearcut::link {
 namespace {

@@ -15,7 +15,7 @@ enum class Together {
 
 /// The passes in an order with fewer seconds between them, by estimate; found from the order in which
 /// `linker` has cut them all. Precedence is respected; a ring that stands alone may begin elsewhere. Empty if
-/// there is nothing to choose. Cost: see order/visit/visit_order.h.
+/// there is nothing to choose. Cost: see order/search/visit_order.h.
 std::vector<Task> short_order(const Work& work, const Linker& linker, Together together);
 
 }  // namespace clearcut::link

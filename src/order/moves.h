@@ -6,9 +6,9 @@
 #include <memory>
 #include <utility>
 
+#include "order/move_shape.h"
 #include "order/problem.h"
-#include "order/ways/move_shape.h"
-#include "order/ways/shape_store.h"
+#include "order/shape_store.h"
 
 namespace clearcut::order {
 

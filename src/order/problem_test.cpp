@@ -6,8 +6,8 @@
 
 #include "base/error.h"
 #include "order/lattice.h"
+#include "order/length/neighbours.h"
 #include "order/moves.h"
-#include "order/near/neighbours.h"
 #include "order/test_support.h"
 
 namespace clearcut::order {

@@ -12,17 +12,17 @@
 #include "features/round_hole.h"
 #include "model/results/not_machined.h"
 #include "model/section_names.h"
-#include "pipeline/alone/stock_taken.h"
 #include "pipeline/margin.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/certify.h"
 #include "pipeline/steps/out_of_reach.h"
+#include "pipeline/steps/stock_taken.h"
 #include "read/gcode/gcode.h"
 #include "read/gcode/tool_comments.h"
 #include "report/sheet/sheet_facts.h"
-#include "resolve/cutting/tool_cutting.h"
 #include "resolve/prepare.h"
 #include "resolve/resolve.h"
+#include "resolve/values/tool_cutting.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -11,7 +11,7 @@
 #include "model/results/findings.h"
 #include "model/results/margin.h"
 #include "read/gcode/program/dialect.h"
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {
 

@@ -5,9 +5,9 @@
 
 #include "model/design_element.h"
 #include "pipeline/steps/plan_result.h"
-#include "report/picture/grid/grid_page.h"
-#include "report/text_table.h"
-#include "resolve/asked/plan_options.h"
+#include "report/picture/grid_page.h"
+#include "report/words/text_table.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {
 

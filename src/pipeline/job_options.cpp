@@ -6,7 +6,7 @@
 #include "base/files/file.h"
 #include "pipeline/selection/strategies.h"
 #include "read/gcode/gcode.h"
-#include "resolve/names.h"
+#include "resolve/values/names.h"
 
 namespace clearcut::pipeline {
 namespace {

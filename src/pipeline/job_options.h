@@ -7,7 +7,7 @@
 
 #include "read/gcode/program/dialect.h"
 #include "read/job/job_file.h"
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {
 

@@ -5,7 +5,7 @@
 
 #include "model/control.h"
 #include "model/move.h"
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {
 

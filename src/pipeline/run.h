@@ -2,7 +2,7 @@
 #pragma once
 
 #include "pipeline/steps/plan_result.h"
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {
 

@@ -2,8 +2,8 @@
 #include <numeric>
 #include <sstream>
 
-#include "report/text_table.h"
 #include "report/words/text.h"
+#include "report/words/text_table.h"
 
 namespace clearcut::report {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "model/results/strategy_selection.h"
-#include "report/text_table.h"
+#include "report/words/text_table.h"
 
 namespace clearcut::report {
 

@@ -9,8 +9,8 @@
 #include "model/results/told_faults.h"
 #include "model/section_names.h"
 #include "report/picture/job_view.h"
-#include "report/text_table.h"
 #include "report/words/text.h"
+#include "report/words/text_table.h"
 
 namespace clearcut::report {
 

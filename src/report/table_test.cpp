@@ -6,8 +6,8 @@
 #include <limits>
 #include <sstream>
 
-#include "report/text_table.h"
 #include "report/words/text.h"
+#include "report/words/text_table.h"
 
 namespace clearcut::report {
 namespace {

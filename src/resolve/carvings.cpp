@@ -11,8 +11,8 @@
 #include "features/kerf.h"
 #include "geometry/boolean/boolean.h"
 #include "geometry/voronoi/clearance.h"
-#include "resolve/cutting/tool_cutting.h"
 #include "resolve/prepare.h"
+#include "resolve/values/tool_cutting.h"
 
 namespace clearcut::resolve {
 namespace {

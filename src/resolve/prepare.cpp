@@ -17,8 +17,6 @@
 #include "geometry/boolean/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "resolve/carvings.h"
-#include "resolve/cutting/cutting_values.h"
-#include "resolve/cutting/tool_cutting.h"
 #include "resolve/features/chamfers.h"
 #include "resolve/features/corner_relief.h"
 #include "resolve/features/facing.h"
@@ -29,6 +27,8 @@
 #include "resolve/left_over.h"
 #include "resolve/profiles.h"
 #include "resolve/refusals.h"
+#include "resolve/values/cutting_values.h"
+#include "resolve/values/tool_cutting.h"
 #include "resolve/work_plan.h"
 
 namespace clearcut::resolve {

@@ -1,7 +1,7 @@
 // From a part as read to a part with every value decided.
 #pragma once
 
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::resolve {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::resolve {
 

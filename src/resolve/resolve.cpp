@@ -4,9 +4,9 @@
 
 #include "base/elementary.h"
 #include "base/text/format.h"
-#include "resolve/names.h"
 #include "resolve/prepare.h"
-#include "resolve/value_list.h"
+#include "resolve/values/names.h"
+#include "resolve/values/value_list.h"
 #include "resolve/work_plan.h"
 
 namespace clearcut::resolve {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/options/resolved_plan.h"
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::resolve {
 

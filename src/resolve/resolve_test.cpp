@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "geometry/region.h"
-#include "resolve/names.h"
+#include "resolve/values/names.h"
 
 namespace clearcut::resolve {
 namespace {

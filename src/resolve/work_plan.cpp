@@ -14,8 +14,8 @@
 #include "features/tool_choice.h"
 #include "geometry/boolean/boolean.h"
 #include "model/cutter_profile.h"
-#include "resolve/cutting/tool_cutting.h"
 #include "resolve/prepare.h"
+#include "resolve/values/tool_cutting.h"
 
 namespace clearcut::resolve {
 namespace {

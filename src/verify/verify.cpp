@@ -12,7 +12,7 @@
 #include "verify/engagement/forces.h"
 #include "verify/engagement/load.h"
 #include "verify/faults/causes.h"
-#include "verify/faults/driving/cutting_data.h"
+#include "verify/faults/cutting_data.h"
 #include "verify/faults/faults.h"
 #include "verify/faults/holes.h"
 #include "verify/faults/loose_parts.h"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "order/genetic/genetic.h"
-#include "order/genetic/islands/islands.h"
-#include "report/text_table.h"
+#include "order/genetic/islands.h"
+#include "report/words/text_table.h"
 
 namespace clearcut::studies {
 

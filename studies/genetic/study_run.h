@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "order/genetic/islands/islands.h"
+#include "order/genetic/islands.h"
 #include "studies/genetic/genetic_study.h"
 
 namespace clearcut::studies {

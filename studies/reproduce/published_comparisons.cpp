@@ -12,9 +12,9 @@
 #include "base/units.h"
 #include "geometry/side_list.h"
 #include "geometry/voronoi/clearance.h"
-#include "pipeline/comparison/compare.h"
-#include "pipeline/comparison/tool_sets.h"
+#include "pipeline/compare.h"
 #include "pipeline/run.h"
+#include "pipeline/tool_sets.h"
 
 namespace clearcut::studies {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "report/text_table.h"
+#include "report/words/text_table.h"
 
 namespace clearcut::studies {
 

@@ -9,8 +9,8 @@
 
 #include "base/files/file.h"
 #include "geometry/boolean/boolean.h"
-#include "pipeline/comparison/tool_sets.h"
 #include "pipeline/run.h"
+#include "pipeline/tool_sets.h"
 #include "read/read_part.h"
 #include "report/certificate/certificate_schema.h"
 #include "studies/method_study.h"

@@ -14,7 +14,7 @@
 #include "plan/grid/interpolate.h"
 #include "plan/grid/reduce.h"
 #include "plan/grid/visit.h"
-#include "read/elements/read_elements.h"
+#include "read/outline/read_elements.h"
 #include "studies/reproduce/reproduce_grid.h"
 #include "support/element_jobs.h"
 

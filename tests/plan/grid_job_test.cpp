@@ -10,7 +10,7 @@
 #include "base/files/file.h"
 #include "pipeline/elements.h"
 #include "plan/grid/check.h"
-#include "read/elements/read_elements.h"
+#include "read/outline/read_elements.h"
 #include "support/command.h"
 #include "support/element_jobs.h"
 

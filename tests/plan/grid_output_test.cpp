@@ -7,8 +7,8 @@
 #include "base/error.h"
 #include "base/files/file.h"
 #include "pipeline/elements.h"
-#include "read/elements/read_elements.h"
-#include "report/picture/grid/grid_picture.h"
+#include "read/outline/read_elements.h"
+#include "report/picture/grid_picture.h"
 #include "support/command.h"
 #include "support/element_jobs.h"
 

@@ -9,7 +9,7 @@
 #include "model/part.h"
 #include "pipeline/run.h"
 #include "read/read_part.h"
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut {
 namespace {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "pipeline/comparison/compare.h"
+#include "pipeline/compare.h"
 #include "pipeline/run.h"
 #include "pipeline/selection/strategies.h"
 #include "support/plans.h"

@@ -13,7 +13,7 @@
 #include "pipeline/run.h"
 #include "read/gcode/program/dialect.h"
 #include "read/read_part.h"
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut {
 namespace {

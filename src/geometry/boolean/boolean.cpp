@@ -13,7 +13,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
-#include "geometry/contours/split_contours.h"
+#include "geometry/boolean/split_contours.h"
 #include "geometry/spatial/box_tree.h"
 #include "geometry/unite_all.h"
 

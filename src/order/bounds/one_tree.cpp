@@ -7,7 +7,7 @@
 
 #include "base/disjoint_sets.h"
 #include "base/elementary.h"
-#include "order/near/kd_tree.h"
+#include "order/length/kd_tree.h"
 
 namespace clearcut::order {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "order/near/neighbours.h"
+#include "order/length/neighbours.h"
 
 namespace clearcut::order {
 

@@ -14,8 +14,8 @@
 #include <span>
 #include <vector>
 
+#include "order/length/neighbours.h"
 #include "order/moves.h"
-#include "order/near/neighbours.h"
 #include "order/problem.h"
 
 namespace clearcut::order {

@@ -9,7 +9,7 @@
 
 #include "base/random.h"
 #include "order/length/array_tour.h"
-#include "order/near/neighbours.h"
+#include "order/length/neighbours.h"
 #include "order/objective.h"
 #include "order/stop.h"
 

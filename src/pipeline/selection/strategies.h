@@ -7,7 +7,7 @@
 
 #include "model/options/strategy_entry.h"
 #include "plan/contour/contour.h"
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {
 

@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "pipeline/output/texts.h"
 #include "pipeline/test_drawings.h"
+#include "pipeline/texts.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -18,7 +18,7 @@
 #include "link/sections/over_tabs.h"
 #include "model/results/not_machined.h"
 #include "model/section_names.h"
-#include "pipeline/alone/far_moves.h"
+#include "pipeline/steps/far_moves.h"
 #include "post/post.h"
 #include "post/words/comment.h"
 #include "read/gcode/gcode.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "pipeline/tabs/tab_heights.h"
+#include "pipeline/tabs/test_tab_heights.h"
 #include "pipeline/test_drawings.h"
 
 namespace clearcut::pipeline {

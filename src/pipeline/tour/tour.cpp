@@ -14,7 +14,7 @@
 #include "geometry/box.h"
 #include "geometry/rectangle.h"
 #include "order/lattice.h"
-#include "order/near/neighbours.h"
+#include "order/length/neighbours.h"
 #include "order/tsplib.h"
 #include "pipeline/tour/convergence.h"
 #include "pipeline/tour/engagement_model.h"

@@ -1,7 +1,7 @@
 #include "plan/spiral/entry.h"
 
 #include "plan/common/layers.h"
-#include "plan/lines/line_distance.h"
+#include "plan/contour/line_distance.h"
 #include "plan/spiral/spiral.h"
 #include "plan/spiral/turn.h"
 

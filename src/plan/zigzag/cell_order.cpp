@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "order/visit/visit_order.h"
+#include "order/search/visit_order.h"
 
 namespace clearcut::plan::zigzag {
 

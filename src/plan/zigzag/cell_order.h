@@ -28,7 +28,7 @@ struct OrderQuestion {
   std::function<double(const CellVisit&)> own;
 };
 
-/// All cells once, at low total cost; for method and cost see order/visit/visit_order.h.
+/// All cells once, at low total cost; for method and cost see order/search/visit_order.h.
 std::vector<CellVisit> order_cells(const std::vector<ZigzagCell>& cells, const OrderQuestion& question);
 
 }  // namespace clearcut::plan::zigzag

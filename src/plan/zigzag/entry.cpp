@@ -1,7 +1,7 @@
 #include "plan/zigzag/entry.h"
 
 #include "plan/common/layers.h"
-#include "plan/lines/line_distance.h"
+#include "plan/contour/line_distance.h"
 #include "plan/zigzag/zigzag.h"
 
 namespace clearcut::plan::zigzag {

@@ -5,8 +5,8 @@
 #include "geometry/rectangle.h"
 #include "read/board/coordinates.h"
 #include "read/board/macro_shapes.h"
-#include "read/common/strokes/stroke.h"
 #include "read/common/text.h"
+#include "read/drawing/stroke.h"
 #include "read/repair/clean.h"
 
 namespace clearcut::read {

@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "read/board/gerber_curves.h"
-#include "read/common/strokes/stroke.h"
+#include "read/drawing/stroke.h"
 
 namespace clearcut::read {
 namespace {

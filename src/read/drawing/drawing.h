@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/part.h"
-#include "read/asked/read_options.h"
+#include "read/common/read_options.h"
 #include "read/repair/repair.h"
 
 namespace clearcut::read {

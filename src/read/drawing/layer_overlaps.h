@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "read/asked/read_options.h"
+#include "read/common/read_options.h"
 #include "read/drawing/outline_roles.h"
 
 namespace clearcut::read {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "options/input_options.h"
-#include "read/asked/read_options.h"
+#include "read/common/read_options.h"
 
 namespace clearcut::read {
 

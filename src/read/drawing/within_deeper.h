@@ -7,7 +7,7 @@
 
 #include "base/tolerances.h"
 #include "model/part.h"
-#include "read/asked/read_options.h"
+#include "read/common/read_options.h"
 #include "read/drawing/outline_roles.h"
 
 namespace clearcut::read {

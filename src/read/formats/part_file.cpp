@@ -8,7 +8,7 @@
 #include "base/files/file.h"
 #include "base/text/format.h"
 #include "base/tolerances.h"
-#include "read/board/drill/excellon_reader.h"
+#include "read/board/excellon_reader.h"
 #include "read/board/gerber_reader.h"
 #include "read/common/file_kind.h"
 #include "read/common/foreign_files.h"

@@ -8,7 +8,7 @@
 
 #include "model/part.h"
 #include "model/setup_place.h"
-#include "read/asked/read_options.h"
+#include "read/common/read_options.h"
 
 namespace clearcut::read {
 

@@ -14,8 +14,8 @@
 #include "model/part.h"
 #include "options/plan_options.h"
 #include "options/row.h"
-#include "read/asked/read_options.h"
 #include "read/common/moved_part.h"
+#include "read/common/read_options.h"
 #include "read/tools/tool_library.h"
 
 namespace clearcut::read {

@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/tolerances.h"
 #include "geometry/region.h"
-#include "read/asked/read_options.h"
+#include "read/common/read_options.h"
 
 namespace clearcut::read {
 

@@ -7,7 +7,7 @@
 #include "base/diagnostics.h"
 #include "base/tolerances.h"
 #include "model/part.h"
-#include "read/asked/read_options.h"
+#include "read/common/read_options.h"
 
 namespace clearcut::read {
 

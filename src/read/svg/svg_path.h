@@ -7,7 +7,7 @@
 
 #include "geometry/edge.h"
 #include "read/common/affine.h"
-#include "read/common/strokes/subpath.h"
+#include "read/drawing/subpath.h"
 
 namespace clearcut::read {
 

@@ -9,10 +9,10 @@
 
 #include "base/error.h"
 #include "base/text/format.h"
-#include "read/common/strokes/stroke.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/drawing/drawing.h"
+#include "read/drawing/stroke.h"
 #include "read/lettering/lettering.h"
 #include "read/svg/svg_clip.h"
 #include "read/svg/svg_document.h"

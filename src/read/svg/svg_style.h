@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "read/common/strokes/stroke.h"
+#include "read/drawing/stroke.h"
 #include "read/svg/svg_font.h"
 
 namespace clearcut::read {

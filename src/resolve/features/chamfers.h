@@ -1,7 +1,7 @@
 // Chamfers: which wall each breaks, on which side of its line, and how much room there is beside it.
 #pragma once
 
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::resolve {
 

@@ -6,7 +6,7 @@
 
 #include "base/text/format.h"
 #include "geometry/rectangle.h"
-#include "resolve/cutting/tool_cutting.h"
+#include "resolve/values/tool_cutting.h"
 
 namespace clearcut::resolve {
 namespace {

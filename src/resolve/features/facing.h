@@ -1,7 +1,7 @@
 // Facing: stock that stands over everything that is asked for comes off before anything else.
 #pragma once
 
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::resolve {
 

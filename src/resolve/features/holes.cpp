@@ -12,8 +12,8 @@
 #include "features/round_hole.h"
 #include "geometry/boolean/boolean.h"
 #include "geometry/rectangle.h"
-#include "resolve/cutting/tool_cutting.h"
 #include "resolve/features/hole_tools.h"
+#include "resolve/values/tool_cutting.h"
 
 namespace clearcut::resolve {
 namespace {

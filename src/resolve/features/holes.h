@@ -1,7 +1,7 @@
 // Holes that take more than one tool: what comes before the last one, and how deep each goes.
 #pragma once
 
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::resolve {
 

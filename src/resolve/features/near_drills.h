@@ -1,7 +1,7 @@
 // Drills of nearly the size of a hole.
 #pragma once
 
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::resolve {
 

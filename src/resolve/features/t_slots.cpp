@@ -13,7 +13,7 @@
 #include "features/tool_choice.h"
 #include "geometry/boolean/boolean.h"
 #include "geometry/rectangle.h"
-#include "resolve/cutting/tool_cutting.h"
+#include "resolve/values/tool_cutting.h"
 
 namespace clearcut::resolve {
 namespace {

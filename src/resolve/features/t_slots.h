@@ -1,7 +1,7 @@
 // T-slots: the slot for the neck that comes first, and where the disc goes down and comes up.
 #pragma once
 
-#include "resolve/asked/plan_options.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::resolve {
 

@@ -9,7 +9,7 @@
 #include "base/text/format.h"
 #include "verify/engagement/tool_takes.h"
 #include "verify/faults/causes.h"
-#include "verify/faults/driving/cutting_data.h"
+#include "verify/faults/cutting_data.h"
 #include "verify/faults/keep_out.h"
 #include "verify/faults/state_faults.h"
 #include "verify/faults/tapping.h"

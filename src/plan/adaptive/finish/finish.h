@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "plan/adaptive/clearing/step_pictures.h"
-#include "plan/adaptive/corners/corners.h"
+#include "plan/adaptive/finish/corners.h"
 #include "plan/adaptive/trace/wall_cuts.h"
 #include "plan/common/cover.h"
 

@@ -4,8 +4,8 @@
 
 #include "base/elementary.h"
 #include "plan/adaptive/clearing/parameters.h"
-#include "plan/adaptive/corners/trochoidal.h"
 #include "plan/adaptive/finish/finish.h"
+#include "plan/adaptive/finish/trochoidal.h"
 
 namespace clearcut::plan::adaptive {
 namespace {

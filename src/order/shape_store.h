@@ -1,0 +1,52 @@
+// The shapes of moves that were dear to find, kept by pair of points in bounded memory.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "order/move_shape.h"
+
+namespace clearcut::order {
+
+/// Flat hash tables that grow up to a bound. A table that is full begins anew, and what it held is found again when
+/// it is asked for, so answers never depend on what is kept. Safe for several threads.
+class ShapeStore {
+ public:
+  /// 75 MB of places, three quarters of which are taken at most: all pairs of 1250 points.
+  static constexpr std::size_t kMostPlaces = std::size_t{1} << 20;
+
+  /// `most_places` is rounded up to a power of two, at least 8 for each of the tables.
+  explicit ShapeStore(std::size_t most_places = kMostPlaces);
+
+  /// Absent where it was never kept, or is kept no more.
+  std::optional<MoveShape> find(int low, int high) const;
+  void keep(int low, int high, const MoveShape& shape);
+
+  /// Places for shapes, taken or free, now.
+  std::size_t places() const;
+
+ private:
+  static constexpr std::size_t kTables = 16;  ///< locked each on its own
+  static constexpr std::size_t kFirst = 8;    ///< places of a table at the beginning
+  static constexpr std::uint64_t kNone = ~std::uint64_t{0};
+  struct Place {
+    std::uint64_t pair = kNone;
+    MoveShape shape;
+  };
+  struct Table {
+    mutable std::mutex mutex;
+    std::vector<Place> places;
+    std::size_t taken = 0;
+  };
+  static std::size_t index_in(const Table& table, std::uint64_t pair);
+  void make_room(Table& table) const;
+
+  std::size_t most_in_table_;
+  std::array<Table, kTables> tables_;
+};
+
+}  // namespace clearcut::order

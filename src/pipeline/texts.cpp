@@ -1,0 +1,170 @@
+#include "pipeline/texts.h"
+
+#include "base/files/digest.h"
+#include "base/version.h"
+#include "kinematics/planner.h"
+#include "pipeline/compare.h"
+#include "pipeline/move_figures.h"
+#include "report/certificate/certificate.h"
+#include "report/picture/svg.h"
+#include "report/result.h"
+#include "report/selection_table.h"
+#include "report/sheet/compose_sheet.h"
+#include "report/sheet/sheet_html.h"
+#include "report/table.h"
+#include "report/viewer/html.h"
+#include "report/words/value_table.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+template <typename Result>
+std::string picture_of(const Result& result) {
+  report::SvgOptions options;
+  if (result.earlier) options.earlier = &*result.earlier;
+  return report::svg(result.part, result.toolpath, result.findings, options);
+}
+
+template <typename Result>
+std::string page_of(const Result& result, const resolve::PlanOptions& options, const std::string& program) {
+  report::HtmlOptions page{options.machine, program};
+  if (result.earlier) page.earlier = &*result.earlier;
+  page.move_times_s = times_of_moves(result.part, result.toolpath, result.control, options);
+  return report::html(result.part, result.toolpath, result.findings, page);
+}
+
+/// `control`: what was read of the program, and as which control's.
+report::CertificateInfo certificate_info(const resolve::PlanOptions& options, const CertificateBasis& basis,
+                                         const ControlTable& control) {
+  report::CertificateInfo info;
+  info.version = kVersion;
+  info.seed = options.seed;
+  info.command = basis.command;
+  info.arguments = basis.arguments;
+  info.inputs = basis.inputs;
+  info.proof = basis.proof;
+  info.program_name = basis.program_name;
+  info.dialect = options.post.dialect;
+  info.machine = options.machine;
+  info.machine.planner = kinematics::planner_in_force(options.machine, control.planner);
+  info.tolerances = options.tol;
+  info.engagement_limit_deg = options.engagement_deg;
+  info.material = options.shop.material;
+  return info;
+}
+
+double eq9_time(const PlanResult& result) {
+  return published_time(result.findings.all.time_naive_s, result.findings.all.turns);
+}
+
+report::SetupSheetInfo sheet_info(const resolve::PlanOptions& options, const std::string& program_name,
+                                  const std::string& dialect) {
+  report::SetupSheetInfo info;
+  info.program_name = program_name;
+  info.dialect = dialect;
+  info.inch = options.post.inch;
+  info.work_offset = words_of(options.post.work_offset);
+  return info;
+}
+
+CertificateBasis basis_of_input(const Part& part, const std::string& command, const std::string& input) {
+  CertificateBasis basis;
+  basis.command = command;
+  basis.inputs.push_back({"part", part.source_file, sha256_hex(input)});
+  return basis;
+}
+
+}  // namespace
+
+std::string write_certificate(const PlanResult& result, const resolve::PlanOptions& options,
+                              const CertificateBasis& basis) {
+  report::CertificateInfo info = certificate_info(options, basis, result.control);
+  info.margin = result.margin;
+  info.program = result.program;
+  info.selections = result.selections;
+  info.values = result.values;
+  info.contours = result.contours;
+  info.published_s = eq9_time(result);
+  return report::certificate_json(result.part, result.findings, info);
+}
+
+std::string write_certificate(const CheckResult& result, const resolve::PlanOptions& options,
+                              const CertificateBasis& basis, const std::string& program) {
+  report::CertificateInfo info = certificate_info(options, basis, result.control);
+  info.margin = result.margin;
+  info.program = program;
+  info.dialect = name_of(result.dialect);
+  info.dialect_stated = basis.dialect_stated;
+  return report::certificate_json(result.part, result.findings, info);
+}
+
+std::string write_certificate(const PlanResult& result, const resolve::PlanOptions& options,
+                              const std::string& input) {
+  return write_certificate(result, options, basis_of_input(result.part, "plan", input));
+}
+
+std::string write_certificate(const CheckResult& result, const resolve::PlanOptions& options,
+                              const std::string& input, const std::string& program) {
+  return write_certificate(result, options, basis_of_input(result.part, "verify", input), program);
+}
+
+std::string write_values(const Part& part, const std::vector<ResolvedValue>& values, std::size_t width) {
+  return report::fitted(report::value_table(part, values), width);
+}
+
+std::string write_table(const PlanResult& result, std::size_t width) {
+  return report::table(result.part, result.findings, width);
+}
+
+std::string write_table(const CheckResult& result, std::size_t width) {
+  return report::table(result.part, result.findings, width);
+}
+
+std::string write_selection_table(const PlanResult& result, std::size_t width) {
+  return report::fitted(report::selection_table(result.selections), width);
+}
+
+std::string write_picture(const PlanResult& result) {
+  return picture_of(result);
+}
+
+std::string write_picture(const CheckResult& result) {
+  return picture_of(result);
+}
+
+std::string write_page(const PlanResult& result, const resolve::PlanOptions& options) {
+  return page_of(result, options, result.program);
+}
+
+std::string write_page(const CheckResult& result, const resolve::PlanOptions& options,
+                       const std::string& program) {
+  return page_of(result, options, program);
+}
+
+report::SetupSheet setup_sheet_of(const PlanResult& result, const resolve::PlanOptions& options,
+                                  const std::string& program_name) {
+  return report::compose_sheet(result.part, result.toolpath, result.findings,
+                               sheet_info(options, program_name, options.post.dialect));
+}
+
+report::SetupSheet setup_sheet_of(const CheckResult& result, const resolve::PlanOptions& options,
+                                  const std::string& program_name) {
+  return report::compose_sheet(result.part, result.toolpath, result.findings,
+                               sheet_info(options, program_name, std::string(name_of(result.dialect))));
+}
+
+std::string write_setup_sheet(const PlanResult& result, const resolve::PlanOptions& options,
+                              const std::string& program_name) {
+  return report::setup_sheet_html(setup_sheet_of(result, options, program_name));
+}
+
+std::string write_setup_sheet(const CheckResult& result, const resolve::PlanOptions& options,
+                              const std::string& program_name) {
+  return report::setup_sheet_html(setup_sheet_of(result, options, program_name));
+}
+
+std::string write_segments(const PlanResult& result) {
+  return report::result_file(result.toolpath, {result.part.name, result.contours, eq9_time(result)});
+}
+
+}  // namespace clearcut::pipeline

@@ -1,0 +1,34 @@
+// The area that a line of some width covers.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "geometry/edge.h"
+#include "read/common/affine.h"
+#include "read/drawing/subpath.h"
+
+namespace clearcut::read {
+
+enum class StrokeCap { kButt, kRound, kSquare };
+enum class StrokeJoin { kMiter, kRound, kBevel };
+
+/// How SVG draws a line: stroke-width, stroke-linecap, stroke-linejoin, stroke-miterlimit.
+struct Pen {
+  double width = 1;  ///< in the units of what is drawn, > 0
+  StrokeCap cap = StrokeCap::kButt;
+  StrokeJoin join = StrokeJoin::kMiter;
+  double miter_limit = 4;
+};
+
+/// Counter-clockwise loops whose union, by the nonzero rule, is what the pen covers along the lines: a band for each edge, a
+/// wedge or disc at each corner, a cap at each open end. Exact for lines and arcs. Cost O(edges).
+/// Source: SVG 1.1, section 11.4.
+std::vector<Path> stroke_pieces(const std::vector<Subpath>& lines, const Pen& pen);
+
+/// The same for lines drawn under `map`, which stretches the pen, too; `lines(m)` are the lines under the map m. Where circles
+/// become ellipses within kCurveTolerance mm.
+std::vector<Path> stroke_pieces(const Affine& map, Pen pen,
+                                const std::function<std::vector<Subpath>(const Affine&)>& lines);
+
+}  // namespace clearcut::read
