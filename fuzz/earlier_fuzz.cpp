@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "read/gcode/gcode.h"
 #include "resolve/left_over.h"
 

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "post/part/outline_writer.h"
-#include "read/edges/edges_reader.h"
+#include "read/outline/edges_reader.h"
 #include "read/outline/outline_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -6,7 +6,7 @@
 
 #include "base/elementary.h"
 #include "base/units.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/side_list.h"
 #include "geometry/voronoi/clearance.h"
 

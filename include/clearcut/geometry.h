@@ -4,8 +4,8 @@
 
 #include "base/tolerances.h"
 #include "base/units.h"
-#include "geometry/boolean/boolean.h"
 #include "geometry/box.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/edge.h"
 #include "geometry/region.h"
 #include "geometry/vec2.h"

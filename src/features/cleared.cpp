@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 
 namespace clearcut::features {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "features/at_depth.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 
 namespace clearcut::features {

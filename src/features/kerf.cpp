@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/tolerances.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 
 namespace clearcut::features {

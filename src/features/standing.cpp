@@ -5,7 +5,7 @@
 
 #include "features/at_depth.h"
 #include "features/round_hole.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/spatial/apart.h"
 #include "geometry/voronoi/clearance.h"
 

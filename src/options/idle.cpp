@@ -11,7 +11,7 @@
 #include <set>
 
 #include "base/tolerances.h"
-#include "geometry/boolean/mitred_inset.h"
+#include "geometry/contours/mitred_inset.h"
 
 namespace clearcut::inline options {
 namespace {

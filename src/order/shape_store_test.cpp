@@ -7,7 +7,7 @@
 #include <map>
 #include <thread>
 
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/route/legal_paths.h"
 #include "geometry/voronoi/clearance.h"
 #include "order/genetic/genetic.h"

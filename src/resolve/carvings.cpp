@@ -9,7 +9,7 @@
 #include "base/text/format.h"
 #include "features/fitting.h"
 #include "features/kerf.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "resolve/prepare.h"
 #include "resolve/values/tool_cutting.h"

@@ -5,7 +5,7 @@
 
 #include "base/tolerances.h"
 #include "features/round_hole.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "model/cutter_profile.h"
 

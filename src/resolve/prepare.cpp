@@ -14,7 +14,7 @@
 #include "features/kerf.h"
 #include "features/round_hole.h"
 #include "features/tool_choice.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "resolve/carvings.h"
 #include "resolve/features/chamfers.h"

@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "base/tolerances.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 
 namespace clearcut::resolve {

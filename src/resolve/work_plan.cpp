@@ -12,7 +12,7 @@
 #include "features/fitting.h"
 #include "features/round_hole.h"
 #include "features/tool_choice.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "model/cutter_profile.h"
 #include "resolve/prepare.h"
 #include "resolve/values/tool_cutting.h"

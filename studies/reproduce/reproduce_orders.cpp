@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "order/lattice.h"
 #include "order/search/solve.h"

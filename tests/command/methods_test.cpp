@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files/file.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "pipeline/run.h"
 #include "pipeline/tool_sets.h"
 #include "read/read_part.h"

@@ -14,7 +14,7 @@
 
 #include "base/random.h"
 #include "base/units.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "support/random/random_regions.h"
 #include "support/shapes.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "pipeline/run.h"
 #include "stock/material.h"

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "post/part/outline_writer.h"
 #include "read/job/job_file.h"
 #include "read/outline/outline_reader.h"

@@ -6,7 +6,7 @@
 #include "base/random.h"
 #include "base/units.h"
 #include "features/stacking.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "post/part/stepnc_writer.h"
 #include "read/stepnc/stepnc.h"
 #include "studies/fishhead.h"

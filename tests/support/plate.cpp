@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "features/stacking.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 
 namespace clearcut::test_support {
 namespace {

@@ -8,20 +8,19 @@ namespace clearcut::inline geometry {
 namespace {
 
 using ClipperLib::IntPoint;
-using ClipperLib::Path;
 
 Vec2 place_of(const IntPoint& p) {
   return {static_cast<double>(p.X), static_cast<double>(p.Y)};
 }
 
-Box box_of(const Path& contour) {
+Box box_of(const ClipperLib::Path& contour) {
   Box box;
   for (const IntPoint& p : contour) box.add(place_of(p));
   return box;
 }
 
 /// Whether `inner`, which does not cross `outer`, lies in it.
-bool lies_in(const Path& inner, const Path& outer) {
+bool lies_in(const ClipperLib::Path& inner, const ClipperLib::Path& outer) {
   for (std::size_t i = 0; i < inner.size(); ++i) {
     const IntPoint &p = inner[i], &q = inner[(i + 1) % inner.size()];
     for (const IntPoint& at : {p, IntPoint((p.X + q.X) / 2, (p.Y + q.Y) / 2)}) {
@@ -58,7 +57,7 @@ class Ray {
 
 ContourIndex::ContourIndex(const ClipperLib::Paths& contours) : contours_(contours) {
   std::size_t count = 0;
-  for (const Path& contour : contours) {
+  for (const ClipperLib::Path& contour : contours) {
     areas_.push_back(ClipperLib::Area(contour));
     boxes_.push_back(box_of(contour));
     first_edge_.push_back(count);
@@ -70,7 +69,7 @@ ContourIndex::ContourIndex(const ClipperLib::Paths& contours) : contours_(contou
       ++contour;
       edge = 0;
     }
-    const Path& path = contours_[contour];
+    const ClipperLib::Path& path = contours_[contour];
     Box box;
     box.add(place_of(path[edge]));
     box.add(place_of(path[(edge + 1) % path.size()]));
@@ -104,14 +103,15 @@ void ContourIndex::visit_around(const IntPoint& p, Visit&& visit) const {
           contour = own;
           ray = Ray(from);
         }
-        const Path& path = contours_[own];
+        const ClipperLib::Path& path = contours_[own];
         const std::size_t at = edge - first_edge_[own];
         ray.meet(place_of(path[at]), place_of(path[(at + 1) % path.size()]));
       });
   tell();
 }
 
-std::optional<std::size_t> ContourIndex::smallest_around(const Path& inner, std::size_t member) const {
+std::optional<std::size_t> ContourIndex::smallest_around(const ClipperLib::Path& inner,
+                                                         std::size_t member) const {
   const double own = member < areas_.size() ? areas_[member] : ClipperLib::Area(inner);
   const Box own_box = box_of(inner);
   std::optional<std::size_t> smallest;
@@ -131,7 +131,7 @@ std::optional<std::size_t> ContourIndex::smallest_around(std::size_t member) con
   return smallest_around(contours_[member], member);
 }
 
-std::optional<std::size_t> ContourIndex::smallest_around(const Path& inner) const {
+std::optional<std::size_t> ContourIndex::smallest_around(const ClipperLib::Path& inner) const {
   return smallest_around(inner, areas_.size());
 }
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/gaps/short_edges.h"
 #include "geometry/rectangle.h"
 #include "geometry/unite_all.h"

@@ -4,7 +4,7 @@
 
 #include "base/random.h"
 #include "base/units.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 
 namespace clearcut::inline geometry {
 namespace {

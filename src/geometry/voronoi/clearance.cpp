@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/contours/loops.h"
 #include "geometry/voronoi/axis.h"
 #include "geometry/voronoi/fit_lines.h"

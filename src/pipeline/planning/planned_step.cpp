@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/work_budget.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "kinematics/kinematics.h"
 #include "kinematics/planner.h"

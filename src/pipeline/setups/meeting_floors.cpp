@@ -1,7 +1,7 @@
 #include "pipeline/setups/meeting_floors.h"
 
 #include "base/text/format.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "base/elementary.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/rectangle.h"
 #include "geometry/voronoi/clearance.h"
 #include "link/tracks/tracks.h"

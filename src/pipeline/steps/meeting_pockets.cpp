@@ -5,7 +5,7 @@
 
 #include "features/at_depth.h"
 #include "features/round_hole.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/gaps/short_edges.h"
 #include "geometry/gaps/unite_over_gaps.h"
 #include "geometry/spatial/apart.h"

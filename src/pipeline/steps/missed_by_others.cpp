@@ -1,7 +1,7 @@
 #include "pipeline/steps/missed_by_others.h"
 
 #include "features/round_hole.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "model/cutter_profile.h"
 #include "resolve/left_over.h"

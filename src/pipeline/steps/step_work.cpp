@@ -8,7 +8,7 @@
 #include "base/progress.h"
 #include "features/round_hole.h"
 #include "features/standing.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/spatial/apart.h"
 #include "geometry/voronoi/clearance.h"
 #include "model/cutter_profile.h"

@@ -4,7 +4,7 @@
 
 #include "base/elementary.h"
 #include "base/progress.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "plan/adaptive/clearing/clearing_outline.h"
 #include "plan/adaptive/clearing/parameters.h"

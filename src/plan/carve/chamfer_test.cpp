@@ -8,7 +8,7 @@
 #include <random>
 
 #include "base/units.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 
 namespace clearcut::plan::carve {

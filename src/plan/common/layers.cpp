@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "features/at_depth.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 
 namespace clearcut::plan {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/route/legal_area.h"
 #include "plan/common/cover.h"
 

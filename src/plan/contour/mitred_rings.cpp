@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "geometry/boolean/mitred_inset.h"
+#include "geometry/contours/mitred_inset.h"
 #include "geometry/voronoi/clearance.h"
 
 namespace clearcut::plan::contour {

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "base/units.h"
-#include "geometry/boolean/mitred_inset.h"
+#include "geometry/contours/mitred_inset.h"
 #include "plan/contour/contour.h"
 #include "plan/contour/side_offsets.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/tolerances.h"
-#include "geometry/boolean/mitred_inset.h"
+#include "geometry/contours/mitred_inset.h"
 #include "geometry/line_path.h"
 #include "plan/common/residual.h"
 #include "plan/contour/corner_loop.h"

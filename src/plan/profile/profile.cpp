@@ -6,7 +6,7 @@
 
 #include "base/elementary.h"
 #include "features/kerf.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "plan/common/rings.h"
 

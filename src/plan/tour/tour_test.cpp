@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/route/legal_area.h"
 #include "geometry/voronoi/clearance.h"
 #include "plan/common/cover.h"

@@ -1,6 +1,6 @@
 #include "read/board/drawn.h"
 
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "read/common/curve_fit.h"
 
 namespace clearcut::read {

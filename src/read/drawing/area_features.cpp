@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "features/kerf.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/contours/loops.h"
 #include "geometry/rectangle.h"
 #include "geometry/voronoi/clearance.h"

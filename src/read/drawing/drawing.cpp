@@ -10,7 +10,7 @@
 #include "base/tolerances.h"
 #include "features/kerf.h"
 #include "features/stacking.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/contours/loops.h"
 #include "read/common/text.h"
 #include "read/drawing/area_features.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "read/repair/mends.h"
 
 namespace clearcut::read {

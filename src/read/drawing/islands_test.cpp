@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "read/read_part.h"
 
 namespace clearcut::read {

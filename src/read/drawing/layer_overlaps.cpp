@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/text/format.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "read/common/text.h"
 
 namespace clearcut::read {

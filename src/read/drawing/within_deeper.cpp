@@ -5,7 +5,7 @@
 
 #include "base/text/format.h"
 #include "base/tolerances.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "read/common/text.h"
 #include "read/drawing/layer_overlaps.h"
 

@@ -15,7 +15,7 @@
 #include "read/common/text.h"
 #include "read/drawing/stock_edge.h"
 #include "read/dxf/dxf_reader.h"
-#include "read/edges/edges_reader.h"
+#include "read/outline/edges_reader.h"
 #include "read/outline/outline_reader.h"
 #include "read/step_solid/step_solid.h"
 #include "read/stepnc/stepnc.h"

@@ -11,7 +11,7 @@
 #include "base/text/format.h"
 #include "features/kerf.h"
 #include "features/stacking.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "read/common/data_value.h"
 #include "read/common/text.h"
 #include "read/common/units.h"

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "base/error.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/contours/loops.h"
 #include "geometry/unite_all.h"
 #include "read/repair/clean.h"

@@ -4,7 +4,7 @@
 #include <iterator>
 #include <map>
 
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/contours/loops.h"
 #include "geometry/unite_all.h"
 #include "read/repair/crossings.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/contours/loops.h"
 #include "read/repair/arcs.h"
 #include "read/repair/clean.h"

@@ -9,7 +9,7 @@
 #include <numeric>
 
 #include "base/error.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/rectangle.h"
 #include "geometry/unite_all.h"
 #include "read/repair/repair.h"

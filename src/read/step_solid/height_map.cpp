@@ -6,7 +6,7 @@
 #include <functional>
 #include <iterator>
 
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/contours/loops.h"
 #include "geometry/rectangle.h"
 #include "geometry/spatial/cell_grid.h"

@@ -10,7 +10,7 @@
 #include "base/text/format.h"
 #include "features/kerf.h"
 #include "features/round_hole.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/contours/loops.h"
 #include "geometry/rectangle.h"
 #include "geometry/voronoi/clearance.h"

@@ -12,7 +12,7 @@
 #include "base/tolerances.h"
 #include "features/at_depth.h"
 #include "features/stacking.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "model/results/not_machined.h"
 #include "read/stepnc/not_used.h"
 #include "read/stepnc/parts.h"

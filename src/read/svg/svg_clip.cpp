@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/tolerances.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/contours/loops.h"
 #include "geometry/rectangle.h"
 #include "read/svg/svg_elements.h"

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/text/format.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/contours/loops.h"
 
 namespace clearcut::resolve {

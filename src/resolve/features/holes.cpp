@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "features/round_hole.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/rectangle.h"
 #include "resolve/features/hole_tools.h"
 #include "resolve/values/tool_cutting.h"

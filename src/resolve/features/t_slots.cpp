@@ -11,7 +11,7 @@
 #include "features/kerf.h"
 #include "features/raw_stock.h"
 #include "features/tool_choice.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/rectangle.h"
 #include "resolve/values/tool_cutting.h"
 

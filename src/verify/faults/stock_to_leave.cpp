@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 
 namespace clearcut::verify {
 namespace {

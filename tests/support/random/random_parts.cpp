@@ -1,7 +1,7 @@
 #include "support/random/random_parts.h"
 
 #include "base/units.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 
 namespace clearcut::test_support {
 namespace {

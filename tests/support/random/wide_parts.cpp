@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "support/random/random_parts.h"
 
 namespace clearcut::test_support {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "plan/adaptive/clearing/parameters.h"
 #include "plan/common/cover.h"
 

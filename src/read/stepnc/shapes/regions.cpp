@@ -15,7 +15,7 @@
 
 #include "base/text/format.h"
 #include "base/tolerances.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/rectangle.h"
 #include "read/repair/edge_index.h"
 #include "read/repair/repair.h"

@@ -1,6 +1,6 @@
 // Booleans by polyclipping. Arcs are flattened, clipped, and found again: every piece of the result knows the
 // arc that it came from, because its ends are that arc's own flattened points or lie on its chords.
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
-#include "geometry/boolean/split_contours.h"
+#include "geometry/contours/split_contours.h"
 #include "geometry/spatial/box_tree.h"
 #include "geometry/unite_all.h"
 

@@ -1,4 +1,4 @@
-#include "read/edges/edges_reader.h"
+#include "read/outline/edges_reader.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "geometry/boolean/split_contours.h"
+#include "geometry/contours/split_contours.h"
 
 #include <functional>
 #include <map>

@@ -1,11 +1,11 @@
-#include "geometry/boolean/mitred_inset.h"
+#include "geometry/contours/mitred_inset.h"
 
 #include <algorithm>
 #include <cmath>
 #include <polyclipping/clipper.hpp>
 
 #include "base/error.h"
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 
 namespace clearcut::inline geometry {
 namespace {

@@ -1,4 +1,4 @@
-#include "geometry/boolean/boolean.h"
+#include "geometry/contours/boolean.h"
 
 #include <gtest/gtest.h>
 
