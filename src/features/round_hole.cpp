@@ -25,10 +25,6 @@ std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances&
   return hole;
 }
 
-bool only_plunges(const Tool& tool) {
-  return makes_holes(tool);
-}
-
 double full_depth(const Part& part, const Workingstep& step) {
   return feature_of(part, step).floor_z + step.operation.allowance_floor + point_length(tool_of(part, step));
 }
@@ -44,7 +40,7 @@ bool is_near_size(double drill, double hole) {
 
 bool is_too_narrow_for_hole(const Part& part, const Workingstep& step, const Tolerances& tol) {
   const Tool& tool = tool_of(part, step);
-  if (!only_plunges(tool) || !step.operation.is_tool_chosen) return false;
+  if (!makes_holes(tool) || !step.operation.is_tool_chosen) return false;
   const auto hole = round_hole_of(feature_of(part, step), tol);
   if (!hole || 2 * hole->radius <= tool.diameter + tol.uncut + kSamePlaceMm) return false;
   return std::count_if(part.workplan.begin(), part.workplan.end(),
@@ -67,11 +63,11 @@ std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, cons
     const auto hole = round_hole_of(feature, tol);
     if (!hole) continue;
     const double milled = hole->radius - step.operation.allowance_side;
-    if (tool.radius() > (only_plunges(tool) ? hole->radius : milled) + tol.fit) continue;
+    if (tool.radius() > (makes_holes(tool) ? hole->radius : milled) + tol.fit) continue;
     // Where the tool's end is rounded or pointed the hole is narrower at this depth than higher up.
     const double cleared = radius_cleared(tool, deep - floor);
     const double narrower = std::max(0.0, tool.radius() - cleared);
-    const double width = (only_plunges(tool) ? tool.diameter : 2 * milled) - 2 * narrower;
+    const double width = (makes_holes(tool) ? tool.diameter : 2 * milled) - 2 * narrower;
     if (cleared > 0 && width > 0) holes.push_back({hole->center, width});
   }
   return holes;

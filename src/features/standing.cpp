@@ -34,7 +34,7 @@ struct StockLeft {
 /// Whether the step clears its feature's target; a drill clears only a hole of its own size, and over an undercut material stands.
 bool clears(const Part& part, const Workingstep& step, const Tolerances& tol) {
   if (feature_of(part, step).kind == FeatureKind::kTSlot) return false;
-  if (!only_plunges(tool_of(part, step))) return true;
+  if (!makes_holes(tool_of(part, step))) return true;
   const auto hole = round_hole_of(feature_of(part, step), tol);
   return hole && makes_hole(tool_of(part, step), *hole, tol);
 }

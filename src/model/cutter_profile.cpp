@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/elementary.h"
+#include "model/tool_kinds.h"
 
 namespace clearcut::inline model {
 namespace {
@@ -29,27 +30,18 @@ CutterProfile pointed_form(const Tool& tool) {
   return {0, 0, tool.radius() / point_length(tool), tool.radius()};
 }
 
-/// What is known of one kind's body.
-struct ProfileRow {
-  ToolKind kind;
-  CutterProfile (*form)(const Tool&);
-  bool takes_all;  ///< whether nothing stays within its form, nor above it
-};
-
-constexpr ProfileRow kProfiles[] = {
-    {ToolKind::kEndMill, rounded_form, true},     {ToolKind::kFaceMill, rounded_form, true},
-    {ToolKind::kBallEndMill, rounded_form, true}, {ToolKind::kBullNoseEndMill, rounded_form, true},
-    {ToolKind::kDrill, pointed_form, true},       {ToolKind::kReamer, upright_form, true},
-    {ToolKind::kVBit, flanked_form, true},        {ToolKind::kChamferMill, flanked_form, true},
-    {ToolKind::kSpotDrill, flanked_form, true},   {ToolKind::kTap, upright_form, false},
-    {ToolKind::kThreadMill, upright_form, false}, {ToolKind::kBoringBar, upright_form, true},
-    {ToolKind::kCounterbore, upright_form, true}, {ToolKind::kTapered, flanked_form, true},
-    {ToolKind::kTSlot, upright_form, false},      {ToolKind::kOther, rounded_form, true}};
-
-const ProfileRow& row_of(ToolKind kind) {
-  for (const ProfileRow& row : kProfiles)
-    if (row.kind == kind) return row;
-  return kProfiles[0];
+CutterProfile form_of(const Tool& tool) {
+  switch (row_of(tool.kind).form) {
+    case CutterForm::kRounded:
+      return rounded_form(tool);
+    case CutterForm::kPointed:
+      return pointed_form(tool);
+    case CutterForm::kFlanked:
+      return flanked_form(tool);
+    case CutterForm::kUpright:
+      break;
+  }
+  return upright_form(tool);
 }
 
 }  // namespace
@@ -78,14 +70,13 @@ CutterProfile CutterProfile::narrowed(double by) const {
 }
 
 CutterProfile outer_profile(const Tool& tool) {
-  return row_of(tool.kind).form(tool);
+  return form_of(tool);
 }
 
 CutterProfile inner_profile(const Tool& tool) {
-  const bool is_cone = tool.kind == ToolKind::kVBit || tool.kind == ToolKind::kChamferMill ||
-                       tool.kind == ToolKind::kSpotDrill;
-  const bool is_known = !is_cone || tool.tip_angle.has_value();
-  return row_of(tool.kind).takes_all && is_known ? outer_profile(tool) : CutterProfile{};
+  // Threads and undercuts leave material within the form of their tools and above it; a cone without an angle is not known.
+  const bool is_known = row_of(tool.kind).use != ToolUse::kEdges || tool.tip_angle.has_value();
+  return is_known && !works_at_once(tool) ? outer_profile(tool) : CutterProfile{};
 }
 
 double radius_cleared(const Tool& tool, double above) {

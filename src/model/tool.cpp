@@ -5,45 +5,24 @@
 
 #include "base/elementary.h"
 #include "model/cutter_profile.h"
+#include "model/tool_kinds.h"
 
 namespace clearcut::inline model {
 
 namespace {
 
-struct ToolName {
-  ToolKind kind;
-  const char* name;
-};
-constexpr ToolName kNames[] = {{ToolKind::kEndMill, "endmill"},
-                               {ToolKind::kFaceMill, "facemill"},
-                               {ToolKind::kBallEndMill, "ball"},
-                               {ToolKind::kBullNoseEndMill, "bullnose"},
-                               {ToolKind::kDrill, "drill"},
-                               {ToolKind::kReamer, "reamer"},
-                               {ToolKind::kVBit, "vbit"},
-                               {ToolKind::kChamferMill, "chamfer"},
-                               {ToolKind::kSpotDrill, "spotdrill"},
-                               {ToolKind::kTap, "tap"},
-                               {ToolKind::kThreadMill, "threadmill"},
-                               {ToolKind::kBoringBar, "boringbar"},
-                               {ToolKind::kCounterbore, "counterbore"},
-                               {ToolKind::kTapered, "tapered"},
-                               {ToolKind::kTSlot, "tslot"},
-                               {ToolKind::kOther, "other"}};
 /// Degrees; of common drills.
 constexpr double kUsualPoint = 118;
 
 }  // namespace
 
 const char* name_of(ToolKind kind) {
-  for (const ToolName& entry : kNames)
-    if (entry.kind == kind) return entry.name;
-  return "other";
+  return row_of(kind).name;
 }
 
 std::optional<ToolKind> tool_kind_named(const std::string& name) {
-  for (const ToolName& entry : kNames)
-    if (name == entry.name) return entry.kind;
+  for (const ToolKindRow& row : tool_kinds())
+    if (name == row.name) return row.kind;
   return std::nullopt;
 }
 
@@ -54,9 +33,7 @@ const Tool* tool_numbered(const std::vector<Tool>& tools, int number) {
 }
 
 bool is_conical(const Tool& tool) {
-  const bool kind = tool.kind == ToolKind::kVBit || tool.kind == ToolKind::kChamferMill ||
-                    tool.kind == ToolKind::kSpotDrill;
-  return kind && tool.tip_angle.has_value();
+  return row_of(tool.kind).use == ToolUse::kEdges && tool.tip_angle.has_value();
 }
 
 double flank_slope(const Tool& tool) {
@@ -64,7 +41,7 @@ double flank_slope(const Tool& tool) {
 }
 
 bool has_flanks(const Tool& tool) {
-  return is_conical(tool) || (tool.kind == ToolKind::kTapered && tool.tip_angle.has_value());
+  return row_of(tool.kind).form == CutterForm::kFlanked && tool.tip_angle.has_value();
 }
 
 double flank_height(const Tool& tool) {
@@ -93,22 +70,28 @@ double point_length(const Tool& tool) {
 }
 
 bool makes_holes(const Tool& tool) {
-  return tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kReamer ||
-         tool.kind == ToolKind::kCounterbore || tool.kind == ToolKind::kBoringBar;
+  return row_of(tool.kind).use == ToolUse::kHoles;
 }
 
 bool may_plunge(const Tool& tool) {
-  return tool.center_cutting && tool.kind != ToolKind::kTSlot;
+  return tool.center_cutting && row_of(tool.kind).use != ToolUse::kUndercuts;
 }
 
 bool clears_floors(const Tool& tool) {
-  return !makes_holes(tool) && tool.kind != ToolKind::kSpotDrill && tool.kind != ToolKind::kVBit &&
-         tool.kind != ToolKind::kChamferMill && tool.kind != ToolKind::kTap &&
-         tool.kind != ToolKind::kThreadMill && tool.kind != ToolKind::kTSlot;
+  return row_of(tool.kind).use == ToolUse::kFloors;
 }
 
 bool mills_upright(const Tool& tool) {
-  return clears_floors(tool) && tool.kind != ToolKind::kTapered;
+  return clears_floors(tool) && row_of(tool.kind).form != CutterForm::kFlanked;
+}
+
+bool works_at_once(const Tool& tool) {
+  const ToolUse use = row_of(tool.kind).use;
+  return use == ToolUse::kThreads || use == ToolUse::kUndercuts;
+}
+
+bool is_driven_down(const Tool& tool) {
+  return row_of(tool.kind).straight_down;
 }
 
 }  // namespace clearcut::inline model

@@ -86,6 +86,10 @@ bool may_plunge(const Tool& tool);
 bool clears_floors(const Tool& tool);
 /// Whether it clears floors and leaves walls upright: not tapered end mills.
 bool mills_upright(const Tool& tool);
+/// Whether it makes its work at once, whatever stepdown is asked for: taps, thread mills, T-slot cutters.
+bool works_at_once(const Tool& tool);
+/// Whether it goes straight down alone and is driven as drills are: what makes holes, spot drills, taps.
+bool is_driven_down(const Tool& tool);
 
 /// Feeds and speeds of one operation. Absent values take the documented defaults (see defaults_for).
 struct CuttingData {

@@ -97,7 +97,7 @@ CuttingData keep_stated_limits(Workingstep& step, Operation stated, const Part& 
     resolve::change_tool(stated, step.operation.tool, part, options);
   }
   const Tool& tool = tool_of(prepared, step);
-  const bool mills = !features::only_plunges(tool);
+  const bool mills = !makes_holes(tool);
   if (!resolve::is_made_at_once(feature_of(prepared, step), tool))
     step.operation.stepdown = options.stepdown && mills ? options.stepdown : stated.stepdown;
   const auto& plunge = options.cutting.plunge_feed;

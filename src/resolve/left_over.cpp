@@ -101,7 +101,7 @@ double lowest_tip(const Part& part, const Workingstep& step) {
 
 bool reaches(const Part& part, const Workingstep& step, double z) {
   if (step.operation.kind == OperationKind::kSideFinishing) return false;  // along the walls alone
-  return lowest_tip(part, step) <= z + kSamePlaceMm && !features::only_plunges(tool_of(part, step));
+  return lowest_tip(part, step) <= z + kSamePlaceMm && !makes_holes(tool_of(part, step));
 }
 
 /// mm; by how much less than its full radius the cutter of a step has cleared at z, where its lowest passes run deeper.
@@ -167,7 +167,7 @@ bool follows_milling(const Part& part, int workingstep) {
   const Workingstep& own = step_at(part, workingstep);
   for (int i = 0; i < workingstep; ++i) {
     const Workingstep& step = step_at(part, i);
-    if (step.feature == own.feature && !features::only_plunges(tool_of(part, step))) return true;
+    if (step.feature == own.feature && !makes_holes(tool_of(part, step))) return true;
   }
   return false;
 }

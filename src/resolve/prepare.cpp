@@ -44,11 +44,6 @@ constexpr double kFaceMillStepdown = 2;   // mm
 constexpr double kUnpeckedDiameters = 3;  // depth of a hole / diameter of the drill
 constexpr double kTappingSpeed = 8;       // m/min at the circumference
 
-/// Whether the tool makes its work at once whatever stepdown is asked for.
-bool is_one_pass(const Tool& tool) {
-  return tool.kind == ToolKind::kTap || tool.kind == ToolKind::kThreadMill || tool.kind == ToolKind::kTSlot;
-}
-
 double largest_fitting_diameter_of(const Part& part, const Tolerances& tol) {
   double largest = 0;
   for (const auto& step : part.workplan) {
@@ -128,7 +123,7 @@ class OptionTaker {
 
 void apply_options(Operation& operation, const Tool& tool, const PlanOptions& options, Sources& sources) {
   OptionTaker taker(sources, options);
-  if (!features::only_plunges(tool) && !is_one_pass(tool))
+  if (!makes_holes(tool) && !works_at_once(tool))
     taker.take(operation.stepdown, options.stepdown, "stepdown");
   taker.take(operation.allowance_side, options.allowance, "allowance");
   taker.take(operation.allowance_floor, options.allowance_floor, "allowance-floor");
@@ -140,7 +135,7 @@ void apply_options(Operation& operation, const Tool& tool, const PlanOptions& op
   taker.take(operation.direction, options.direction, "direction");
   auto& cutting = operation.cutting;
   // The feed a file states for a drill is how fast it goes down; one stated for all cutters is not.
-  if (features::only_plunges(tool) && !cutting.plunge_feed && cutting.feed) {
+  if (makes_holes(tool) && !cutting.plunge_feed && cutting.feed) {
     cutting.plunge_feed = cutting.feed;
     sources.set("plunge-feed", {Origin::kDerived, "the feed stated for the drill"});
   }
@@ -154,7 +149,7 @@ void apply_options(Operation& operation, const Tool& tool, const PlanOptions& op
 
 /// Why nothing can be left of what the tool makes of the feature; "" where it can.
 std::string made_to_size(const Feature& feature, const Tool& tool) {
-  if (features::only_plunges(tool) || is_formed(feature)) return "holes are made to size";
+  if (makes_holes(tool) || is_formed(feature)) return "holes are made to size";
   if (tool.kind == ToolKind::kTSlot) return "undercuts are as large as their disc";
   if (is_carved(feature, tool)) return "the cutter's shape makes it";
   return "";
@@ -204,8 +199,7 @@ void tie_tap(Operation& operation, const Tool& tool, const PlanOptions& options,
 double default_stepdown(const Tool& tool, const Feature& feature) {
   const double depth = feature.top_z - feature.floor_z;
   if (tool.kind == ToolKind::kFaceMill) return kFaceMillStepdown;
-  if (tool.kind != ToolKind::kDrill &&
-      (features::only_plunges(tool) || is_one_pass(tool) || is_formed(feature)))
+  if (tool.kind != ToolKind::kDrill && (makes_holes(tool) || works_at_once(tool) || is_formed(feature)))
     return std::max(depth, 1e-3);
   if (tool.kind == ToolKind::kDrill)
     return depth <= kUnpeckedDiameters * tool.diameter ? depth : tool.diameter;
@@ -215,7 +209,7 @@ double default_stepdown(const Tool& tool, const Feature& feature) {
 std::string default_stepdown_rule(const Tool& tool) {
   if (tool.kind == ToolKind::kFaceMill) return "default: 2 mm for face mills";
   if (tool.kind == ToolKind::kDrill) return "default: at once to 3 diameters, else one diameter a peck";
-  if (features::only_plunges(tool) || is_one_pass(tool)) return "default: at once";
+  if (makes_holes(tool) || works_at_once(tool)) return "default: at once";
   return "default: half the diameter";
 }
 
@@ -296,7 +290,7 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
   auto& cutting = operation.cutting;
   const double stepdown = default_stepdown(tool, feature);
   defaults.fill(operation.stepdown, stepdown, "stepdown", {Origin::kDefault, default_stepdown_rule(tool)},
-                features::only_plunges(tool) || is_one_pass(tool) || is_formed(feature)
+                makes_holes(tool) || works_at_once(tool) || is_formed(feature)
                     ? ""
                     : "stepdown " + trimmed(stepdown, 3) + " mm");
   if (leaves_steps(feature, tool)) {
@@ -305,7 +299,7 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
                   {Origin::kDefault, "default: " + trimmed(scallop, 3) + " mm"});
   }
   const std::string feed = trimmed(kDefaultFeed, 0) + " mm/min";
-  if ((features::only_plunges(tool) || tool.kind == ToolKind::kSpotDrill) && cutting.plunge_feed) {
+  if ((makes_holes(tool) || tool.kind == ToolKind::kSpotDrill) && cutting.plunge_feed) {
     defaults.fill(cutting.feed, *cutting.plunge_feed, "feed",
                   {Origin::kDerived, "the plunge feed: the tool only plunges"});
   }

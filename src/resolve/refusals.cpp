@@ -87,7 +87,7 @@ void refuse_beside_stock(const Part& part, const Feature& feature) {
 void refuse_wrong_kind(const Part& part, const Workingstep& step) {
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);
-  if (clears_floors(tool) || features::only_plunges(tool) || is_carved(feature, tool) || is_formed(feature) ||
+  if (clears_floors(tool) || makes_holes(tool) || is_carved(feature, tool) || is_formed(feature) ||
       feature.kind == FeatureKind::kTSlot)
     return;
   if (tool.kind == ToolKind::kTSlot)
@@ -132,7 +132,7 @@ void refuse_beyond_flutes(const Part& part, const Workingstep& step) {
                     trimmed(depth_below_top(part, step), 3), tool.number, trimmed(*tool.flute_length, 3)));
   }
   const double depth = feature.top_z - feature.floor_z;
-  const bool drills = features::only_plunges(tool) || tool.kind == ToolKind::kTap;
+  const bool drills = makes_holes(tool) || tool.kind == ToolKind::kTap;
   if (depth <= (drills ? kReachOfDrill : kReachOfMill) * tool.diameter + kLevel) return;
   throw InputError(
       feature.name,

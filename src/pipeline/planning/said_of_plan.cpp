@@ -38,7 +38,7 @@ std::string no_room_beside_edge(const Feature& feature, const Tool& tool) {
 
 std::string does_not_fit(const Part& part, const Workingstep& step, const Tolerances& tol) {
   if (feature_of(part, step).chamfer) return no_room_beside_edge(feature_of(part, step), tool_of(part, step));
-  if (features::only_plunges(tool_of(part, step)) && !features::round_hole_of(feature_of(part, step), tol)) {
+  if (makes_holes(tool_of(part, step)) && !features::round_hole_of(feature_of(part, step), tol)) {
     return fmt::format("tool T{} ({} {} mm) only makes round holes; {} needs a mill",
                        tool_of(part, step).number, name_of(tool_of(part, step).kind),
                        trimmed(tool_of(part, step).diameter, 4), feature_of(part, step).name);
@@ -69,7 +69,7 @@ std::string no_passes(std::size_t i, const Selection& selection, const std::vect
   }
   const bool fits =
       tool_of(part, step).diameter <= features::largest_fitting_diameter(feature_of(part, step), plan.tol);
-  if (!fits || features::only_plunges(tool_of(part, step))) return does_not_fit(part, step, plan.tol);
+  if (!fits || makes_holes(tool_of(part, step))) return does_not_fit(part, step, plan.tol);
   return fmt::format("{} found no passes for {}; {}", selection.candidate(i).strategy->name, name,
                      plan.steps[i].published_grid
                          ? "no point of the published grid lies where the cutter's centre may be; use a "

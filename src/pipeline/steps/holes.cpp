@@ -16,7 +16,7 @@ link::HoleWork work_of(const features::RoundHole& hole, const std::vector<Layer>
 
 bool is_drilled(const features::RoundHole& hole, const ResolvedStep& step, const Tool& tool,
                 const Tolerances& tol) {
-  if (features::only_plunges(tool)) return tool.radius() <= hole.radius + tol.fit;
+  if (makes_holes(tool)) return tool.radius() <= hole.radius + tol.fit;
   return tool.center_cutting && step.allowance_side == 0 && features::makes_hole(tool, hole, tol);
 }
 
@@ -59,7 +59,7 @@ std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingst
       section = link::bore_hole(work, step.stepdown, link);
     }
   }
-  if (!section && features::only_plunges(tool)) section = Section{};
+  if (!section && makes_holes(tool)) section = Section{};
   if (section) describe(*section, workingstep, plan);
   return section;
 }

@@ -41,7 +41,7 @@ Regions cleared_before(const Part& part, int workingstep, const Tolerances& tol)
     const Feature& other = feature_of(part, step);
     const bool deep = other.floor_z + step.operation.allowance_floor <= pocket.top_z + tol.coincident;
     if (!deep || &other == &pocket || other.wall_slope.radians() != 0 || other.profile || other.chamfer ||
-        features::only_plunges(tool_of(part, step)))
+        makes_holes(tool_of(part, step)))
       continue;
     const Tool& tool = tool_of(part, step);
     const double above = pocket.top_z - other.floor_z - step.operation.allowance_floor;

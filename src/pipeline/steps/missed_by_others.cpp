@@ -24,7 +24,7 @@ Regions reached_by(const Part& part, const Workingstep& step, double z, const To
   const bool reaches = tip <= z + tol.coincident && step.operation.kind != OperationKind::kSideFinishing &&
                        !feature.chamfer && feature.kind != FeatureKind::kTSlot && !is_formed(feature);
   if (!reaches) return {};
-  if (features::only_plunges(tool))
+  if (makes_holes(tool))
     return features::full_depth(part, step) <= z + tol.coincident ? feature.target : Regions{};
   const double narrower = std::max(0.0, tool.radius() - radius_cleared(tool, z - tip));
   return resolve::swept(feature.allowed, tool.radius(), step.operation.allowance_side, -kSpare - narrower,

@@ -302,7 +302,7 @@ class UnmadeHoles {
     const Workingstep& step = part_.workplan[static_cast<std::size_t>(found.workingstep)];
     const Tool& tool = tool_of(part_, step);
     const Feature& feature = feature_of(part_, found);
-    if (!features::only_plunges(tool) || !step.operation.is_tool_chosen ||
+    if (!makes_holes(tool) || !step.operation.is_tool_chosen ||
         !is_nothing_in_reach(found.figures.unreachable_mm2, area(feature.target)))
       return false;
     const auto hole = features::round_hole_of(feature, tol_);

@@ -20,7 +20,7 @@ void explain_rounded_places(PlanResult& result, const ResolvedPlan& plan) {
   for (const FeatureFindings& found : result.findings.features) {
     if (found.figures.clean || found.workingstep < 0) continue;
     const Workingstep& step = result.part.workplan[static_cast<std::size_t>(found.workingstep)];
-    const bool plunges = features::only_plunges(tool_of(result.part, step));
+    const bool plunges = makes_holes(tool_of(result.part, step));
     const double beside = plunges ? post::rounding_of_lines(plan.post) : post::rounding_of(plan.post);
     const double gouge = found.figures.gouge_mm;
     if (gouge <= plan.tol.gouge || gouge > beside + kSlack) continue;

@@ -355,9 +355,7 @@ void read_drilling(const Node& node, StatedOperation& stated) {
 }
 
 void check_cutter(const Node& node, const Operation& operation, const Tool& tool) {
-  const bool drill = tool.kind == ToolKind::kDrill || tool.kind == ToolKind::kReamer ||
-                     tool.kind == ToolKind::kSpotDrill || tool.kind == ToolKind::kBoringBar ||
-                     tool.kind == ToolKind::kCounterbore || tool.kind == ToolKind::kTap;
+  const bool drill = is_driven_down(tool);
   if ((tool.kind == ToolKind::kTap) != node.is("TAPPING"))
     node.fail(tool.kind == ToolKind::kTap ? "a tap is for TAPPING alone; correct the operation"
                                           : "tapping needs a TAP; correct the tool");

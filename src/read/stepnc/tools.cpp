@@ -50,7 +50,7 @@ std::optional<int> number_in(std::string& name) {
 double corner_radius_of(const Node& tool, const Tool& result, std::optional<double> edge_radius,
                         Context& context) {
   if (result.kind == ToolKind::kBallEndMill) return result.radius();
-  if (makes_holes(result) || result.kind == ToolKind::kSpotDrill || result.kind == ToolKind::kTap) return 0;
+  if (is_driven_down(result)) return 0;
   if (!edge_radius) context.note("no edge radius; the cutter is taken as flat-ended", tool);
   if (edge_radius && *edge_radius > result.radius() + 1e-9)
     tool.fail("its edge radius is larger than half its diameter; correct it");

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/files/file.h"
 #include "base/text/format.h"
+#include "model/tool_kinds.h"
 #include "read/common/text.h"
 #include "read/drawing/drawing.h"
 #include "read/tools/formats.h"
@@ -54,8 +55,7 @@ std::vector<CuttingPreset> presets_of(DataSection& section) {
 void read_cone(DataSection& section, Tool& tool) {
   const auto angle = section.positive("tip_angle");
   const auto tip = section.not_negative("tip_diameter");
-  const bool cone = tool.kind == ToolKind::kVBit || tool.kind == ToolKind::kChamferMill ||
-                    tool.kind == ToolKind::kSpotDrill;
+  const bool cone = row_of(tool.kind).use == ToolUse::kEdges;
   const bool drill = tool.kind == ToolKind::kDrill && !tip;
   if (!cone && !drill && (angle || tip))
     section.fail_at(angle ? "tip_angle" : "tip_diameter", "is not of this kind of tool");

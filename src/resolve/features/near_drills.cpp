@@ -30,7 +30,7 @@ double near_drill(const features::RoundHole& hole, const std::vector<Tool>& tool
   double nearest = 0;
   for (const Tool& tool : tools) {
     const bool mills = clears_floors(tool) && tool.diameter <= wanted + tol.fit;
-    if (mills || (features::only_plunges(tool) && features::makes_hole(tool, hole, tol))) return 0;
+    if (mills || (makes_holes(tool) && features::makes_hole(tool, hole, tol))) return 0;
     if (tool.kind != ToolKind::kDrill || !features::is_near_size(tool.diameter, wanted)) continue;
     if (std::abs(tool.diameter - wanted) < std::abs(nearest - wanted)) nearest = tool.diameter;
   }

@@ -54,10 +54,6 @@ double at_diameter(const std::array<double, 4>& feeds, double diameter) {
   return feeds.back();
 }
 
-bool plunges(const Tool& tool) {
-  return features::only_plunges(tool) || tool.kind == ToolKind::kSpotDrill || tool.kind == ToolKind::kTap;
-}
-
 struct Suggestion {
   double speed = 0;  ///< m/min
   double tooth = 0;  ///< mm a tooth, a turn where `teeth` is 1
@@ -110,7 +106,7 @@ Suggestion of_mill(const WorkMaterial& work, const Tool& tool, const Machine& ma
 }
 
 Suggestion suggestion_for(const WorkMaterial& work, const Tool& tool, const Machine& machine, double depth) {
-  Suggestion out = plunges(tool) ? of_hole_tool(work, tool) : of_mill(work, tool, machine, depth);
+  Suggestion out = is_driven_down(tool) ? of_hole_tool(work, tool) : of_mill(work, tool, machine, depth);
   if (tool.coated) out.speed *= kCoating;
   return out;
 }
@@ -193,7 +189,7 @@ class Filler {
 
   /// rpm; where the machine's feed is the limit, routers turn more slowly, because thin chips burn wood and melt plastics.
   double slowed(double rpm, const Suggestion& start, std::string& why) const {
-    if (plunges(tool_) || work_.has_forces()) return rpm;
+    if (is_driven_down(tool_) || work_.has_forces()) return rpm;
     const FeedLimit limit = feed_limit(options_.machine);
     const double kept = limit.most / (start.tooth * start.teeth * thinning(options_.engagement_deg));
     if (kept >= rpm) return rpm;
@@ -202,7 +198,7 @@ class Filler {
   }
 
   void fill_speed(const Suggestion& start, double depth) {
-    const double circle = plunges(tool_) ? 2 * widest_radius(tool_) : cutting_diameter(tool_, depth);
+    const double circle = is_driven_down(tool_) ? 2 * widest_radius(tool_) : cutting_diameter(tool_, depth);
     const double wanted = start.speed * 1000 / (kPi * circle);
     const Limit top = most_rpm();
     double rpm = std::min(wanted, top.most);
@@ -233,7 +229,7 @@ class Filler {
 
   /// Of the whole width and the stepdown; what only goes down cuts its own circle.
   double section(double depth) const {
-    if (plunges(tool_)) return kPi * tool_.diameter * tool_.diameter / 4;
+    if (is_driven_down(tool_)) return kPi * tool_.diameter * tool_.diameter / 4;
     return is_conical(tool_) ? depth * cutting_diameter(tool_, depth) / 2 : depth * tool_.diameter;
   }
 
@@ -241,7 +237,7 @@ class Filler {
     const double rpm = *operation_.cutting.spindle_rpm;
     if (!(depth > 0) || (!work_.has_forces() && !(work_.specific_energy > 0))) return;
     // Mean chip of a slot: 2 / pi of the feed a tooth; of a drill half the feed a turn across its two edges.
-    const double chip = (plunges(tool_) ? 0.5 : 2 / kPi) / (start.teeth * rpm);
+    const double chip = (is_driven_down(tool_) ? 0.5 : 2 / kPi) / (start.teeth * rpm);
     const auto keep_below = [&](std::optional<double> power, const char* by) {
       if (!power) return;
       const double most = feed_at_power(work_, *power, section(depth), chip);
@@ -250,7 +246,7 @@ class Filler {
       why += fmt::format(", no more than {}", by);
     };
     keep_below(allowed_power(options_.machine, rpm), "80 % of the spindle's power");
-    if (plunges(tool_)) return;
+    if (is_driven_down(tool_)) return;
     // A force along the circumference takes its speed as power.
     const double speed = kPi * cutting_diameter(tool_, depth) * rpm / 60000;  // m/s
     const auto power_of = [&](std::optional<double> force) {
@@ -262,11 +258,11 @@ class Filler {
 
   void fill_feed(const Suggestion& start, double depth) {
     CuttingData& cutting = operation_.cutting;
-    const double thin = plunges(tool_) ? 1 : thinning(options_.engagement_deg);
+    const double thin = is_driven_down(tool_) ? 1 : thinning(options_.engagement_deg);
     const double wanted = start.tooth * thin * start.teeth * *cutting.spindle_rpm;
     double feed = wanted;
     std::string why = fmt::format("{}: {} mm a {}", work_.name, trimmed(start.tooth, 4),
-                                  plunges(tool_) && start.teeth == 1 ? "turn" : "tooth");
+                                  is_driven_down(tool_) && start.teeth == 1 ? "turn" : "tooth");
     if (thin > 1) why += fmt::format(" and {} times that for thin chips", trimmed(thin, 2));
     limit_by_power(feed, start, depth, why);
     const FeedLimit limit = feed_limit(options_.machine);
@@ -283,7 +279,7 @@ class Filler {
   /// brought down as far already stays.
   void fill_slot_feed(double wanted) {
     CuttingData& cutting = operation_.cutting;
-    if (plunges(tool_) || !clears_floors(tool_) || cutting.slot_feed) return;
+    if (is_driven_down(tool_) || !clears_floors(tool_) || cutting.slot_feed) return;
     if (!takes_hobby_chips(work_, options_.machine) || options_.shop.feed_by) return;
     const double slot = std::floor(kSlotShare * wanted);
     const Source* of_feed = sources_.find("feed");
@@ -296,15 +292,16 @@ class Filler {
   void take_feed(double feed, double wanted, const std::string& why) {
     CuttingData& cutting = operation_.cutting;
     // What only goes down has one feed, which may be stated as either.
-    std::optional<MmPerMin>& own = plunges(tool_) && cutting.plunge_feed ? cutting.plunge_feed : cutting.feed;
+    std::optional<MmPerMin>& own =
+        is_driven_down(tool_) && cutting.plunge_feed ? cutting.plunge_feed : cutting.feed;
     if (own) check_stated("feed", own->mm_per_min(), wanted, feed, "mm/min");
     if (!cutting.feed) {
       cutting.feed = MmPerMin::of(feed);
       say("feed", why, trimmed(feed, 3) + " mm/min");
     }
     if (cutting.plunge_feed) return;
-    cutting.plunge_feed = plunges(tool_) ? *cutting.feed : *cutting.feed * kPlungeShare;
-    std::string down = plunges(tool_) ? "the feed" : "30 % of the feed";
+    cutting.plunge_feed = is_driven_down(tool_) ? *cutting.feed : *cutting.feed * kPlungeShare;
+    std::string down = is_driven_down(tool_) ? "the feed" : "30 % of the feed";
     const MmPerMin z_rapid = MmPerMin::of(axis_speeds(options_.machine)[2]);
     if (*cutting.plunge_feed > z_rapid) {
       cutting.plunge_feed = z_rapid;

@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "base/text/quantity.h"
+#include "model/tool_kinds.h"
 #include "options/row.h"
 
 namespace clearcut::resolve {
@@ -46,12 +47,8 @@ double required_length(const std::string& text, const std::string& place, const 
 
 std::string kind_names() {
   std::string names;
-  for (const auto kind :
-       {ToolKind::kEndMill, ToolKind::kFaceMill, ToolKind::kBullNoseEndMill, ToolKind::kBallEndMill,
-        ToolKind::kDrill, ToolKind::kReamer, ToolKind::kVBit, ToolKind::kChamferMill, ToolKind::kSpotDrill,
-        ToolKind::kTap, ToolKind::kThreadMill, ToolKind::kBoringBar, ToolKind::kCounterbore,
-        ToolKind::kTapered, ToolKind::kTSlot}) {
-    names += (names.empty() ? "" : ", ") + std::string(name_of(kind));
+  for (const ToolKindRow& row : tool_kinds()) {
+    if (row.kind != ToolKind::kOther) names += (names.empty() ? "" : ", ") + std::string(row.name);
   }
   return names;
 }
@@ -165,8 +162,7 @@ void check_shape(const Tool& tool, const std::string& place) {
 /// What the kind of the tool needs of its cone.
 void check_cone(const Tool& tool, const std::string& place) {
   if (tool.kind == ToolKind::kTapered) return;
-  const bool cone = tool.kind == ToolKind::kVBit || tool.kind == ToolKind::kChamferMill ||
-                    tool.kind == ToolKind::kSpotDrill;
+  const bool cone = row_of(tool.kind).use == ToolUse::kEdges;
   if (cone && !tool.tip_angle)
     throw InputError(
         place,
