@@ -14,7 +14,7 @@ namespace {
 constexpr double kTouchPerRadius = 1e-15;
 /// Below this bulge the sagitta is under the rounding of the centre: a line is the more exact curve.
 constexpr double kStraightBulge = 1e-8;
-/// Rounds by which a crossing of circles is found as exactly as numbers allow.
+/// Newton rounds after which a crossing of circles is as exact as doubles allow.
 constexpr int kRounds = 4;
 
 /// Radius of the circle through the middle between the two ends' radii, by one square root.
@@ -81,7 +81,7 @@ double touch_of(const Edge& a, const Edge& b) {
   return touch;
 }
 
-/// mm beyond the whole circle or line of an edge, and the direction in which it grows.
+/// Distance (mm) beyond the whole circle or line of an edge, and the direction in which this distance grows.
 struct Beyond {
   double distance = 0;
   Vec2 outward;
@@ -104,8 +104,8 @@ Vec2 polished(Vec2 p, const Edge& a, const Edge& b) {
   return p - step / det;
 }
 
-/// The candidate, or where it lies on both edges indeed: formulas of circles lose digits where a circle is huge or
-/// both cross at a small angle.
+/// The candidate, moved onto both edges exactly: formulas of circles lose digits if a circle is huge or both edges
+/// cross at a small angle.
 std::optional<Vec2> place_on_both(Vec2 p, const Edge& a, const Edge& b, double touch) {
   for (int round = 0; round < kRounds; ++round) {
     if (distance(a, p) <= touch && distance(b, p) <= touch) return p;
@@ -235,7 +235,7 @@ double Edge::signed_area() const {
   const double triangle = 0.5 * cross(from, to);
   if (!is_arc()) return triangle;
   const double s = sweep(), s2 = s * s;
-  // s - sin(s) by its series where the difference would cancel.
+  // s - sin(s) by its series if the difference would cancel.
   const double bow = std::abs(s) < 0.1 ? s * s2 / 6 * (1 - s2 / 20 * (1 - s2 / 42)) : s - base::sin(s);
   const double r = radius();
   return triangle + 0.5 * r * r * bow;

@@ -71,7 +71,7 @@ void append_flattened(const Edge& edge, double chord, std::vector<Vec2>& out);
 using Path = std::vector<Edge>;
 double length(const Path& path);
 Path reversed(const Path& path);
-/// The first `mm` of a path, or all of it where it is no longer.
+/// The first `mm` of a path, or the whole path if it is no longer.
 Path beginning(const Path& path, double mm);
 Box box(const Path& path);
 

@@ -14,7 +14,7 @@ Regions subtract(const Regions& a, const Regions& b, const Tolerances& tol);
 Regions intersect(const Regions& a, const Regions& b, const Tolerances& tol);
 
 /// Regions bounded by arbitrary closed loops (crossing, overlapping, any orientation) under the even-odd
-/// rule: what the repair of dirty input stands on.
+/// rule: the basis for the repair of faulty input.
 Regions resolve_even_odd(std::span<const Loop> loops, const Tolerances& tol);
 /// The same under the non-zero rule: loops' orientations count.
 Regions resolve_nonzero(std::span<const Loop> loops, const Tolerances& tol);

@@ -27,7 +27,7 @@ Loop without_short(Loop loop, double shortest) {
   const auto start = std::find_if(loop.begin(), loop.end(), stays);
   if (start == loop.end()) return loop;
   std::rotate(loop.begin(), start, loop.end());
-  // Backwards, so that what is erased moves no edges that are still to come; the first edge is not short.
+  // Backwards, so that erasing does not move edges not yet visited; the first edge is not short.
   for (std::size_t end = loop.size(); end > 1;) {
     std::size_t first = end;
     while (first > 1 && is_short(loop[first - 1], shortest)) --first;

@@ -1,4 +1,4 @@
-// The exact check that the Voronoi builder needs: which segments touch, overlap or cross.
+// Exact detection of segments that touch, overlap or cross; the Voronoi builder must not be given any.
 #pragma once
 
 #include <span>
@@ -8,11 +8,11 @@
 
 namespace clearcut::inline geometry::voronoi {
 
-/// Segment `segment` passes through `at`, which is not one of its ends.
+/// Segment `segment` passes through the point `at`, not one of its ends.
 struct Contact {
   int segment = 0;
   LatticePoint at;
-  int element = -1;  ///< of the end point that touches; -1 for a crossing
+  int element = -1;  ///< of the touching end point; -1 for a crossing
 };
 
 struct Contacts {
