@@ -29,11 +29,11 @@ CutterProfile pointed_form(const Tool& tool) {
   return {0, 0, tool.radius() / point_length(tool), tool.radius()};
 }
 
-/// What is known of one kind's body.
+/// Body of one kind of tool.
 struct ProfileRow {
   ToolKind kind;
   CutterProfile (*form)(const Tool&);
-  bool takes_all;  ///< whether nothing stays within its form, nor above it
+  bool takes_all;  ///< whether no material remains within the tool's form or above the form
 };
 
 constexpr ProfileRow kProfiles[] = {

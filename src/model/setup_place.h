@@ -1,4 +1,4 @@
-// How the block lies in each of several set-ups.
+// Orientation and position of the block in each of several set-ups.
 #pragma once
 
 #include <array>
@@ -23,9 +23,9 @@ std::optional<SetupPlace> place_with_up(const std::string& up, double degrees);
 /// From the coordinates of one set-up to those of another of the same block.
 SetupPlace between(const SetupPlace& from, const SetupPlace& to);
 
-/// Whether axes go to axes, so that a box stays a box.
+/// Whether the rotation maps axes to axes, so that a box stays a box.
 bool keeps_boxes(const SetupPlace& place);
-/// Whether verticals stay vertical, the right way round or turned over.
+/// Whether verticals stay vertical, upright or turned over.
 bool keeps_verticals(const SetupPlace& place);
 bool turns_over(const SetupPlace& place);
 

@@ -1,4 +1,4 @@
-// The controllers that programs are written for and read of, by the names that options, jobs and files give them.
+// The controllers whose programs are written and read, by their names in options, jobs and files.
 #pragma once
 
 #include <string>
