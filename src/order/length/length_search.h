@@ -1,5 +1,5 @@
-// The best known way to short tours: populations of greedy tours with local search, combined by edge
-// assembly; where time or size forbid that, chained local search, on large instances window by window.
+// The best known method for short tours: populations of greedy tours with local search, combined by edge assembly; if
+// time or size forbid this, chained local search, on large instances window by window.
 #pragma once
 
 #include <functional>
