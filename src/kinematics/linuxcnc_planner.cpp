@@ -124,9 +124,9 @@ double blend_tolerance(const Leg& before, const Segment& a, const Segment& b) {
 /// A corner of the path.
 struct Corner {
   double turn = 0;  ///< radians; 0: straight on
-  /// Radians; the turn for blend arcs: measured between chords for arcs that curve in the same direction as.
+  /// Radians; the turn for blend arcs: measured between chords for arcs that curve in the same direction as
+  /// the corner.
   double bent = 0;
-  ///< the corner
   double tolerance = 0;  ///< mm
   double goal = 0;       ///< mm/s, of the slower side
 };

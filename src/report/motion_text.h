@@ -1,4 +1,4 @@
-// What of a program's text the control acts on.
+// The parts of a program's text that a control executes.
 #pragma once
 
 #include <string>
