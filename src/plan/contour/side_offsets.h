@@ -10,8 +10,8 @@
 //   r_j       Side::radius             mm     of the arc there; shrinks by H in convex corners
 //   s                                         sides of a run that vanish together: s + 1 angles become one,
 //                                             alpha_1 + ... + alpha_(s+1) - s pi
-//   gamma rad pi - alpha at the ends of a vanished side: its neighbours are prolonged to their intersection by L
-//   sin(gamma) / sin(alpha)
+//   gamma                              rad    pi - alpha at the ends of a vanished side: its neighbours are
+//                                             prolonged to their intersection by L sin(gamma) / sin(alpha)
 //
 // Departures: CPO-rho prints the length beyond a vanished arc with one r cot(alpha / 2); here both corners
 // have a term of their own. The formulas do not cover splitting contours, nor an arc with a neighbour vanishing

@@ -1,10 +1,10 @@
 // Symbols of the minimisation (an augmented Lagrangian with Newton steps):
 //
 //   v_i       vertices of the paths                       unknown
-//   w         witnesses: points that must be cleared   given, more after each exact check
+//   w         witnesses: points that must be cleared     given, more after each exact check
 //   d(w)      distance from w to the nearest band (straight piece between neighbouring vertices)
 //   lambda_w  force with which w holds its band          multiplier
-//   rho       stiffness of this force                     1 / mm
+//   rho       stiffness of this force                    1 / mm
 //
 //   minimise  sum |v_i - v_(i+1)| + kEven / 2 sum |v_i - v_(i+1)|^2 / spacing   subject to   d(w) <= limit
 //
