@@ -1,4 +1,4 @@
-// Texts that options are given as, and whether their values are sensible.
+// Texts of options, and checks of their values.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace clearcut::resolve {
 using options::PlanOptions;
 using options::ToolCutting;
 
-/// Where a value that is set in the options comes from.
+/// The source of a value set in the options.
 Source source_of(const PlanOptions& options, const std::string& name);
 
 /// How many threads the options stand for: at least one, and no more than cores.
@@ -29,13 +29,13 @@ Stock parse_stock(const std::string& text, double top = 0);
 /// "-10:15,20:40,-20:12": the block of a clamp as ranges of x, y and z, mm or with units. Throws InputError.
 KeepOut parse_keep_out(const std::string& text);
 
-/// Throws InputError at `place` where a holder, or a shank that is wider than its cutter, is half stated.
+/// Throws InputError at `place` if a holder, or a shank wider than its cutter, is only partly stated.
 void check_holder(const Tool& tool, const std::string& place);
 
-/// Throws InputError at `place` where settings of the published solver are given, and the other is chosen.
+/// Throws InputError at `place` if settings of the published solver are given, but the other solver is chosen.
 void check(const VisitSolver& solver, const std::string& place);
 
-/// Checks that every option is in its sensible range; throws InputError naming the first that is not.
+/// Checks that every option is in its sensible range; throws InputError naming the first option that is not.
 void check(const PlanOptions& options);
 
 }  // namespace clearcut::resolve

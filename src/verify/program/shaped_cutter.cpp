@@ -11,8 +11,8 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. Stretches of a path along which the excess can change by less than the first, or that are shorter than the second, are not
-/// halved again.
+/// mm. Stretches of a path are not halved again if the excess can change by less than the first value, or if they are
+/// shorter than the second.
 constexpr double kExact = 1e-5, kShortest = 2e-4;
 constexpr int kSections = 40;
 constexpr double kGolden = 0.6180339887498949;
@@ -23,9 +23,10 @@ bool has_flat_end(const Wall& wall) {
   return wall.flat_from || wall.flat_to;
 }
 
-/// The height between `low` and `high` at which a cutter with its tip at z comes nearest to a wall with draft.
+/// The height between `low` and `high` of the nearest approach of a cutter with its tip at z to a wall with draft.
 double nearest_height(const Wall& wall, const CutterProfile& cutter, double z, double low, double high) {
-  // A flank steeper than the wall comes nearest at low, else at its upper end; a rounding where it is as steep.
+  // A flank steeper than the wall comes nearest at low, else at its upper end; a rounding at its point of equal
+  // slope.
   if (cutter.round > 0) {
     const double touch = cutter.round * (1 - wall.slope / base::hypot(1.0, wall.slope));
     return std::clamp(z + touch, low, high);
@@ -77,7 +78,7 @@ class ShapedCheck {
     return {t, distance_needed(wall, cutter_, z_at(t), leans) - distance(wall.edge, p), leans};
   }
 
-  /// Where the stock's side cuts the wall off square, what stands is told height by height.
+  /// If the stock's side cuts the wall off square, the excess is computed height by height.
   double excess_at_flat_end(const Wall& wall, Vec2 p, double z) const {
     if (z >= wall.z_high) return -distance(wall.edge, p);
     const double low = std::max(z, wall.z_low), high = std::max(low, std::min(wall.z_high, wall.top_z));
