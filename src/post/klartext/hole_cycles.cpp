@@ -11,7 +11,7 @@ namespace clearcut::post {
 namespace {
 
 constexpr int kPitchDecimals = 4;
-constexpr double kPitchShare = 1e-3;  // of a pitch, which its printed digits may miss
+constexpr double kPitchShare = 1e-3;  // of a pitch; permitted error of its printed digits
 
 /// One line of a definition.
 struct Parameter {
@@ -31,7 +31,7 @@ PrintGrid pitch_grid(bool inch) {
   return {inch, kPitchDecimals};
 }
 
-/// Lengths that all of the cycles state.
+/// Lengths stated by all cycles.
 struct Heights {
   std::string above_surface, depth, surface, above;
 };
@@ -53,7 +53,7 @@ std::string drilling(const Heights& at, const std::string& feed) {
                                      {211, "+0", "DWELL TIME AT DEPTH"}});
 }
 
-/// A feed of 0 on the way out is that on the way in.
+/// A retract feed of 0 means the feed on the way in.
 std::string reaming(const Heights& at, const std::string& feed) {
   return definition("201 REAMING", {{200, at.above_surface, "SET-UP CLEARANCE"},
                                     {201, at.depth, "DEPTH"},

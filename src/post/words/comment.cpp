@@ -10,9 +10,9 @@
 namespace clearcut::post {
 namespace {
 
-/// Decimals of an inch that sizes of tools have.
+/// Decimals of an inch in sizes of tools.
 constexpr int kInchDecimals = 4;
-/// mm. What those decimals may miss a size by and still name it.
+/// mm. Greatest error of these decimals for a size to count as exact.
 constexpr double kSameSize = 1e-5;
 
 void append_blank(std::string& text) {

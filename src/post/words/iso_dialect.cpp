@@ -121,7 +121,8 @@ constexpr std::array kDialects{
                .dwell = DwellForm::kFSeconds,
                .tapping = Tapping::kRigid,
                .cycles = CycleForm::kCalls},
-    // Mazak's EIA/ISO: rigid tapping is a word of its own there (G84.2), which is not written; the magazine is called ahead.
+    // Mazak's EIA/ISO: rigid tapping has a separate word there (G84.2), which is not written; the magazine is called
+    // ahead.
     IsoDialect{.name = "mazak",
                .extension = ".eia",
                .mm_decimals = 3,

@@ -102,7 +102,7 @@ class ShapedCheck {
     between_heights(wall, place, z, {middle, high}, worst);
   }
 
-  /// The parameters between which the tip is below the wall's top.
+  /// The range of parameters with the tip below the wall's top.
   std::array<double, 2> below_top(const Wall& wall) const {
     const double dz = move_.z_to - move_.z_from;
     if (dz == 0) return {0, 1};
@@ -149,7 +149,7 @@ class ShapedCheck {
     return from == 0 && to == 1 ? move_.path : move_.path.part(from, to);
   }
 
-  /// No place between two has a greater excess: that of the lowest tip at the least distance.
+  /// Upper bound of the excess between two samples: that of the lowest tip at the least distance.
   double greatest_between(const Wall& wall, const Sample& a, const Sample& b) const {
     const bool leans = a.leans || b.leans || sample_leans(wall, (a.t + b.t) / 2);
     const double low = std::min(z_at(a.t), z_at(b.t));
@@ -169,7 +169,7 @@ class ShapedCheck {
   void by_halves(const Wall& wall, const Sample& a, const Sample& b, Sample& worst) const {
     const double length = 2 * half_ * (b.t - a.t), change = change_by_height(wall, a, b);
     double above = greatest_between(wall, a, b);
-    // At ends that are cut off square less stands than the distance from the outline says.
+    // At ends cut off square there is less material than the distance from the outline suggests.
     const bool is_told = !has_flat_end(wall) && a.leans == b.leans;
     if (!is_told) above = std::min(above, (a.excess + b.excess + length) / 2 + change);
     if (above <= std::max(slack_ / 2, worst.excess)) return;
@@ -218,7 +218,7 @@ class ShapedCheck {
   std::optional<Gouge> worst_;
 };
 
-/// Parameter along a straight move, prolonged at both ends, at which a cone's flank is lowest over p.
+/// Parameter along a straight move, prolonged at both ends, of the lowest place of a cone's flank over p.
 double lowest_place(const Move& move, double slope, Vec2 p) {
   const Vec2 along = move.path.to - move.path.from;
   const double length = norm(along), near = dot(p - move.path.from, along) / (length * length);
