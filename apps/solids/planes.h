@@ -1,4 +1,4 @@
-// Flat faces that a file writes as splines.
+// Flat faces written as splines in a file.
 #pragma once
 
 #include <TopoDS_Shape.hxx>

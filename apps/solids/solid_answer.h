@@ -1,4 +1,4 @@
-// What the CAD kernel makes of a STEP file.
+// Data of a STEP file from the CAD kernel.
 #pragma once
 
 #include <string>

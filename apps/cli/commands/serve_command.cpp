@@ -1,4 +1,4 @@
-// clearcut serve: hands its settings to the server, a program of its own that lies beside this one.
+// clearcut serve: passes its settings to the server, a separate program beside this one.
 #include <clearcut/error.h>
 #include <unistd.h>
 
