@@ -1,4 +1,4 @@
-// The server itself: listens, lets in who may come in, and hands on to the routes.
+// The server itself: listens, admits permitted clients, and calls the routes.
 #pragma once
 
 #include "serve/connections/listener.h"

@@ -19,7 +19,7 @@ struct Settings {
   std::size_t upload = 32U << 20;         ///< bytes of one request
   double keep_seconds = 900;              ///< lifetime of results neither fetched nor dropped
   std::size_t most_waiting = 64;          ///< waiting plans and checks
-  std::size_t most_kept = 200;            ///< results; the oldest goes first
+  std::size_t most_kept = 200;            ///< number of kept results; the oldest is removed first
   std::size_t most_followers = 64;        ///< connections following a plan
   std::uint64_t file_bytes = 2ULL << 30;  ///< of each result
 };

@@ -1,7 +1,7 @@
 // clearcut-solids FILE_NAME UP TURN BODY < file > answer: reads a STEP solid for clearcut.
 //
-// A program of its own, because loading the CAD kernel takes longer than planning a pocket, and because the kernel breaks
-// down over some damaged files.
+// A program of its own, because loading the CAD kernel takes longer than planning a pocket, and because the kernel
+// breaks down over some damaged files.
 #include <unistd.h>
 
 #include <cstdlib>

@@ -140,7 +140,8 @@ void take_nearest(double& value, double candidate) {
   if (std::abs(value - candidate) < kBoxSlack) value = candidate;
 }
 
-/// Radians between the vertical and a plane or an upright cone; 0 for other surfaces, and for level and upright planes.
+/// Radians between the vertical and a plane or an upright cone; 0 for other surfaces, and for level and upright
+/// planes.
 double lean_of(const BRepAdaptor_Surface& surface, const read::SolidFace& face, const gp_Vec& normal) {
   if (face.facing != read::Facing::kUp || face.level) return 0;
   if (surface.GetType() == GeomAbs_Plane) return kPi / 2 - normal.Angle(gp_Vec(0, 0, 1));

@@ -14,7 +14,7 @@ enum class Stage {
   kCertifying  ///< checking the written program; another planning stage may follow if the check finds faults
 };
 
-/// How far a plan has come.
+/// Progress of a plan.
 struct Progress {
   Stage stage = Stage::kPlanning;
   std::size_t done = 0;  ///< of the stage

@@ -59,7 +59,8 @@ std::vector<Vec2> spread_over(const Regions& target) {
 /// mm; error of the axes.
 constexpr double kChordOfCurve = 0.01;
 
-/// The widest discs between walls, from one end of a piece of their medial axis to the other: middles and radii change evenly.
+/// The widest discs between walls, from one end of a piece of their medial axis to the other: middles and radii
+/// change evenly.
 struct Discs {
   AxisPoint from, to;
 };

@@ -19,7 +19,7 @@ struct RoundHole {
 /// no open side. Arcs of the outline may differ by tol.join_gap, as in drawings; the smallest radius counts.
 std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances& tol);
 
-/// Whether the tool only goes straight down: drills, reamers, boring bars, counterbores.
+/// Whether the tool only moves vertically: drills, reamers, boring bars, counterbores.
 bool only_plunges(const Tool& tool);
 
 /// z down to which a step clears its feature to the tool's full width: a drill ends in a point.

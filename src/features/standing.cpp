@@ -31,7 +31,8 @@ struct StockLeft {
   }
 };
 
-/// Whether the step clears its feature's target; a drill clears only a hole of its own size, and over an undercut material stands.
+/// Whether the step clears its feature's target; a drill clears only a hole of its own size, and over an undercut
+/// there is material.
 bool clears(const Part& part, const Workingstep& step, const Tolerances& tol) {
   if (feature_of(part, step).kind == FeatureKind::kTSlot) return false;
   if (!only_plunges(tool_of(part, step))) return true;

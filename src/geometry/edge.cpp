@@ -72,7 +72,7 @@ Nearest nearer_end(const Edge& edge, Vec2 p) {
   return d0 <= d1 ? Nearest{edge.from, std::sqrt(d0), 0.0} : Nearest{edge.to, std::sqrt(d1), 1.0};
 }
 
-/// mm. How near two edges must come to meet.
+/// mm. Distance below which two edges meet.
 double touch_of(const Edge& a, const Edge& b) {
   double touch = kRoundingMm;
   for (const Edge* edge : {&a, &b}) {
@@ -248,7 +248,7 @@ Nearest nearest(const Edge& edge, Vec2 p) {
   const double d = norm(v), r = circle_radius(edge);
   if (d == 0) return {edge.from, r, 0.0};
   const double t = angle_from_start(edge, v) / std::abs(sweep_of(edge));
-  // A direction on the very start may come out just short of a full turn.
+  // A direction exactly at the start may be computed as just short of a full turn.
   if (!(t <= 1)) return nearer_end(edge, p);
   return {edge.center + v * (r / d), std::abs(d - r), t};
 }
@@ -301,7 +301,7 @@ std::vector<Vec2> intersections(const Edge& a, const Edge& b) {
     }
     found.push_back(p);
   };
-  // Ends first, so that a shared vertex comes back bitwise and a shared stretch gives its ends.
+  // Ends first, so that a shared vertex is returned bitwise and a shared stretch gives its ends.
   for (const Vec2 end : {a.from, a.to}) {
     if (distance(b, end) <= touch) add(end, false);
   }

@@ -57,8 +57,8 @@ Vec2 nearest_point(const Edge& edge, Vec2 p);
 double distance(const Edge& edge, Vec2 p);
 /// Smallest distance between two edges (0 when they cross). Exact for lines and arcs. mm.
 double distance(const Edge& a, const Edge& b);
-/// Places where two edges come within 1e-9 mm of each other: at most two, or the ends of shared stretches.
-/// Ends of edges come back bitwise.
+/// Places at which two edges are within 1e-9 mm of each other: at most two, or the ends of shared stretches.
+/// Ends of edges are returned bitwise.
 std::vector<Vec2> intersections(const Edge& a, const Edge& b);
 /// Winding contribution is internal; see contains() in region.h.
 

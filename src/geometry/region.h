@@ -26,7 +26,7 @@ std::vector<Vec2> flattened(const Loop& loop, double chord);
 /// Contribution of one edge to the winding number around p, to be summed over the edges of closed loops. Zero for
 /// edges wholly above, wholly below (bows included) or wholly left of p, so that an index may skip them.
 int winding(const Edge& edge, Vec2 p);
-/// Non-zero winding, exact for arcs; points on the boundary (within 1e-12 relative) may fall either way.
+/// Non-zero winding, exact for arcs; points on the boundary (within 1e-12 relative) may give either result.
 bool contains(const Loop& loop, Vec2 p);
 
 /// One connected area: closed, oriented (outer counter-clockwise, islands clockwise, so the material to cut is on the

@@ -1,5 +1,5 @@
-// LinuxCNC's trajectory planner. Symbols of its documentation ("Trajectory Control", "Planner parameters" [TRAJ]ARC_BLEND_*) and of
-// R. Ellenberg's blend arcs:
+// LinuxCNC's trajectory planner. Symbols of its documentation ("Trajectory Control", "Planner parameters"
+// [TRAJ]ARC_BLEND_*) and of R. Ellenberg's blend arcs:
 //   T      tolerance of G64 P, mm                       tolerance
 //   theta  half of the angle between two segments       half_angle
 //   R      radius of a blend arc, mm                     radius
@@ -276,7 +276,7 @@ class Trajectory {
   std::vector<double> speeds_;  ///< mm/s at the start of each segment, and 0 after the last
 };
 
-/// Decides how the segment before the last goes over to the last.
+/// Decides the transition from the segment before the last to the last one.
 void Trajectory::join() {
   Segment& b = segments_.back();
   Segment& a = segments_[segments_.size() - 2];

@@ -1,5 +1,5 @@
-// Marlin 2. Rules: the pages M201, M203, M204 and M205 of its documentation, and of its planner ("Junction Deviation", "Classic Jerk")
-// and Configuration_adv.h (MAX_ARC_SEGMENT_MM, MIN_CIRCLE_SEGMENTS, BLOCK_BUFFER_SIZE).
+// Marlin 2. Rules: the pages M201, M203, M204 and M205 of its documentation, and of its planner ("Junction
+// Deviation", "Classic Jerk") and Configuration_adv.h (MAX_ARC_SEGMENT_MM, MIN_CIRCLE_SEGMENTS, BLOCK_BUFFER_SIZE).
 #include <algorithm>
 #include <cmath>
 

@@ -27,8 +27,8 @@ using ChordCount = std::size_t (*)(const Leg& arc, const Machine& machine);
 /// Lines as they are, arcs as chords with the limits of their directions.
 std::vector<Piece> chord_pieces(std::span<const Leg> legs, const Machine& machine, ChordCount chords);
 
-/// mm/s by junction deviation: v^2 = a d s / (1 - s), s = sin(theta / 2), theta the angle between the pieces (pi: straight on).
-/// Nearly straight on there is no limit, nearly back there is a stop.
+/// mm/s by junction deviation: v^2 = a d s / (1 - s), s = sin(theta / 2), theta the angle between the pieces (pi:
+/// straight on). Nearly straight on there is no limit, nearly back there is a stop.
 double junction_speed(const Piece& before, const Piece& after, double acceleration, double deviation);
 
 /// Speeds at the start of each piece, and 0 after the last: the greatest ones allowed by entries, accelerations and,

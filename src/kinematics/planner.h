@@ -1,4 +1,5 @@
-// How long a program takes on a machine: one planner for each family of controllers, each by its controller's own rules.
+// How long a program takes on a machine: one planner for each family of controllers, each by its controller's own
+// rules.
 #pragma once
 
 #include <span>

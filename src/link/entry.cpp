@@ -15,7 +15,7 @@ constexpr double kNarrowestHelix = 0.2;
 constexpr double kHelixShrink = 0.8;      // factor from one tried radius to the next
 constexpr double kLongestRamp = 4;        // share of the tool radius
 constexpr double kShortestRamp = 0.2;     // share of the tool radius
-constexpr double kMostRounds = 4;         // times round a ring on the way down
+constexpr double kMostRounds = 4;         // greatest number of rounds along a ring during a descent
 constexpr double kWidestArc = 1.6 * kPi;  // radians
 constexpr double kSameTurn = 1e-6;        // arcs: rounding of a sweep by less adds no further arc
 
@@ -114,7 +114,7 @@ std::optional<Path> straight_stroke(const EntryPlace& place, const LegalArea& ar
   return std::nullopt;
 }
 
-/// The path of a zigzag on the way down.
+/// The path of a zigzag during a descent.
 std::optional<Path> stroke_at(const EntryPlace& place, const LegalArea& area, const LinkOptions& options) {
   Path along;
   if (place.run) along = beginning(*place.run, longest_ramp(options));

@@ -20,7 +20,7 @@ struct HoleWork {
 Section drill_hole(const HoleWork& hole, double peck, const LinkOptions& options,
                    const HoleFeeds& feeds = {});
 
-/// The same, but each peck only breaks the chip: the drill goes up by kPeckGap and stays in the hole.
+/// The same, but each peck only breaks the chip: the drill rises by kPeckGap and stays in the hole.
 Section chip_hole(const HoleWork& hole, double peck, const LinkOptions& options);
 
 /// Down at the plunge feed and out of the hole at the same feed, for reamers, boring bars and taps. (The spindle
@@ -35,7 +35,7 @@ inline constexpr double kPeckGap = 0.254;
 /// plunge.
 bool can_bore(const HoleWork& hole, double tool_radius);
 
-/// Goes down along the wall on a helix no steeper than the entry angle and at most `stepdown` mm deeper in
+/// Descends along the wall on a helix no steeper than the entry angle and at most `stepdown` mm deeper in
 /// each turn, once round at the depth, to the middle and out. Climb or conventional as in `options`.
 Section bore_hole(const HoleWork& hole, double stepdown, const LinkOptions& options);
 

@@ -11,7 +11,7 @@
 namespace clearcut::link {
 namespace {
 
-/// Seconds. A smaller difference comes from rounding, and the order found first stays.
+/// Seconds. A smaller difference is due to rounding, and the order found first is kept.
 constexpr double kFaster = 1e-6;
 
 /// Keeps the fastest of several orders of the same passes.

@@ -57,8 +57,9 @@ struct LinkOptions {
 /// Links     At depth if the straight path is legal and quicker than a retract link. Else by rapids just
 ///           above the layer, if that path is legal and free of material, else at cross_z. A rapid never
 ///           touches material: it comes down to above_material over the top of the layer, outside the stock, or into
-///           volumes cleared by earlier layers. Direction Loops as oriented in their regions are climb for a
-///           clockwise spindle; passes that are not reversible keep their direction.
+///           volumes cleared by earlier layers.
+/// Direction Loops as oriented in their regions are climb for a clockwise spindle; passes that are not
+///           reversible keep their direction.
 /// Shape     section.moves begins and ends at safe_z; empty if no layer has a pass. The caller sets label,
 ///           workingstep and tool number.
 /// Cost      O(passes^2 + links * edges near them), and the cost of the orders.

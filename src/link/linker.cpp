@@ -118,7 +118,7 @@ std::vector<Move> Linker::take_moves() {
   return moves_.take();
 }
 
-/// Seconds to retract to `height`, cross, and come down again.
+/// Seconds to retract to `height`, cross, and descend again.
 double Linker::retract_time(const CutterAt& from, const Beginning& to, double height) const {
   const auto rapid = [this](double length) { return rapid_time(length, options_.machine); };
   const double up = rapid(height - from.z), across = rapid(distance(from.at, to.point));

@@ -59,7 +59,7 @@ struct PathControl {
 struct ControlState {
   int tool = 0;  ///< 0: unknown
   SpindleState spindle = SpindleState::kOff;
-  double spindle_rpm = 0;  ///< S word in force, also while the spindle is off; 0 never said
+  double spindle_rpm = 0;  ///< S word in force, also while the spindle is off; 0: never stated
   Coolant coolant = Coolant::kOff;
   ToolLength length;
   PathControl path;
@@ -87,7 +87,7 @@ enum class ControlEventKind : unsigned char {
 struct TapCycle {
   std::optional<bool> left_hand;  ///< absent: the cycle cuts as the spindle turns
   bool is_tied = true;            ///< the feed follows the spindle, whatever the holder
-  bool turns_by_itself = false;   ///< the control turns the spindle as the cycle asks, whatever M3 or M4 said
+  bool turns_by_itself = false;   ///< the control turns the spindle as the cycle asks, regardless of M3 or M4
 };
 
 /// An event immediately before the move with the given number.

@@ -30,8 +30,8 @@ struct Thread {
   bool left_hand = false;
 };
 
-/// "M6" (coarse), "M6x0.75", "UNC1/4", "UNF1-4" (for 1/4), "UNC#10", "1/4-20", "#10-24", in any case; "LH" at the end: left
-/// hand. Nothing for other texts and for sizes the tables have not.
+/// "M6" (coarse), "M6x0.75", "UNC1/4", "UNF1-4" (for 1/4), "UNC#10", "1/4-20", "#10-24", in any case; "LH" at the
+/// end: left hand. Nothing for other texts and for sizes the tables have not.
 std::optional<Thread> thread_named(std::string_view text);
 
 /// mm; least diameter of the hole before threading: D1 = d - 1.0825 P.

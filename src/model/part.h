@@ -179,7 +179,7 @@ struct Operation {
 enum class StopKind {
   kHalt,      ///< M0
   kOptional,  ///< M1: halts if the operator has enabled optional stops
-  kMessage    ///< tells the operator something and goes on
+  kMessage    ///< shows a message to the operator and continues
 };
 struct ProgramStop {
   StopKind kind = StopKind::kHalt;

@@ -56,7 +56,7 @@ struct LayerPasses {
   std::vector<Pass> passes;
   /// Height of the top of walls above z_top that are no farther away than the layer's walls; absent: there are none.
   std::optional<double> wall_top;
-  bool outside_in = false;    ///< rings come before those they surround
+  bool outside_in = false;    ///< rings come before the rings inside them
   std::optional<Vec2> start;  ///< point at which cutting should begin, or the nearest one of the first pass
   std::string strategy;       ///< name of the strategy that ran
 };

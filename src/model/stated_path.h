@@ -12,7 +12,7 @@ namespace clearcut::inline model {
 enum class ToolpathSource { kFile, kOurs };
 
 struct StatedMove {
-  Edge path;  ///< in plan; z goes linearly. Vertical moves as those of Move
+  Edge path;  ///< in plan; z changes linearly. Vertical moves as those of Move
   double z_from = 0;
   double z_to = 0;
   MoveKind kind = MoveKind::kCut;

@@ -65,7 +65,7 @@ struct PlanOptions {
   CuttingData cutting;
   Machine machine;
   PostOptions post;
-  PublishedChoices published;  ///< of every workingstep; goes before those of `step_published`
+  PublishedChoices published;  ///< of every workingstep; takes precedence over those of `step_published`
   StepChoices step_published;  ///< of the job's operations
   std::string objective = "time";
   std::vector<std::string> accept;  ///< names of conditions that the user confirms

@@ -52,8 +52,8 @@ class Lattice {
 };
 
 /// Orders worth starting from: back-and-forth sweeps along rows and columns from every corner, spirals inward
-/// in both senses, and, for closed tours, combs. On lattices with holes sweeps go run by run. Ends and
-/// precedence are not looked at. Each is a permutation; at most 24.
+/// in both senses, and, for closed tours, combs. On lattices with holes sweeps proceed run by run. Ends and
+/// precedence are ignored. Each is a permutation; at most 24.
 std::vector<Tour> sweeps(const Lattice& lattice, bool closed);
 
 }  // namespace clearcut::order

@@ -24,7 +24,7 @@ struct StopRule {
   double effort = -1;
   long long rounds = std::numeric_limits<long long>::max();  ///< of the method; makes runs repeat exactly
   double gap = 0;                             ///< stop when (objective - bound) / bound is at most this
-  const std::atomic<bool>* cancel = nullptr;  ///< looked at every few milliseconds
+  const std::atomic<bool>* cancel = nullptr;  ///< checked every few milliseconds
   double planned_seconds() const { return effort < 0 ? seconds : effort; }
 };
 

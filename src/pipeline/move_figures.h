@@ -21,8 +21,8 @@ struct MoveFigures {
 std::vector<double> times_of_moves(const Part& part, const Toolpath& toolpath, const ControlTable& control,
                                    const resolve::PlanOptions& options);
 
-/// Figures of all moves, section after section; `part`, `toolpath` and `control` are those of a PlanResult or CheckResult.
-/// Throws Cancelled. Cost as the engagement of the certificate: O(feed length / step).
+/// Figures of all moves, section after section; `part`, `toolpath` and `control` are those of a PlanResult or
+/// CheckResult. Throws Cancelled. Cost as the engagement of the certificate: O(feed length / step).
 std::vector<MoveFigures> figures_of_moves(const Part& part, const Toolpath& toolpath,
                                           const ControlTable& control, const resolve::PlanOptions& options);
 

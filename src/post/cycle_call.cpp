@@ -57,7 +57,8 @@ std::string cycle_call(const CycleCall& call, const PrintGrid& grid, bool inch) 
   }
   switch (hole.form) {
     case DrillForm::kPecks:
-      // First depth, no degression, chips cleared; the least peck is the peck, and feeding begins again kPeckGap above the last.
+      // First depth, no degression, chips cleared; the least peck is the peck, and feeding begins again kPeckGap
+      // above the last.
       return call_text("CYCLE83", with({length(hole.clear - hole.peck), "", "0", "", "", "1", kClearsChips,
                                         "", length(hole.peck), "", "", length(grid.ticks(kPeckGap))}));
     case DrillForm::kFeedsOut: {

@@ -167,7 +167,7 @@ void IsoWriter::set_path_control(bool first) {
     out_.line(fmt::format("G187 P{} E{}", static_cast<int>(level_), trimmed(blend, 6)));
   if (dialect_.path_control == PathControl::kContour) out_.line("G642 CTOL=" + trimmed(blend, 6));
   if (dialect_.path_control != PathControl::kExactStop) return;
-  // Said in the program, because a shop asks why the machine stops at every corner.
+  // Written in the program, because a shop would ask why the machine stops at every corner.
   if (first && !options_.continuous)
     out_.comment("EXACT STOP: G64 ROUNDS CORNERS BY NO STATED BOUND, --ACCEPT BLENDING GIVES IT");
   out_.line(options_.continuous ? "G64" : dialect_.exact_stop);
@@ -388,7 +388,7 @@ void IsoWriter::load_by_changer(int number) {
   if (length_offset() == LengthOffset::kPlain) out_.line("G43");
   if (length_offset() == LengthOffset::kNumbered) out_.line(fmt::format("G43 H{}", number));
   held_.length_due = length_offset() == LengthOffset::kWithApproach || length_offset() == LengthOffset::kEdge;
-  // The first edge counts from the change on, unless a word says otherwise.
+  // The first edge counts from the change on, unless a word states another one.
   if (dialect_.length_offset == LengthOffset::kEdge && !held_.length_due) out_.line("D0");
   // Without lengths each tool is touched off after loading. The first one may have been touched off before the start.
   const bool has_lengths = dialect_.length_offset != LengthOffset::kNone;
@@ -459,7 +459,8 @@ void IsoWriter::approach(const Move& first) {
   rapid_to_height(start.z);
 }
 
-/// The spindle is at its upper end after a tool change: the plan first, the tool's length on the way down.
+/// The spindle is at its upper end after a tool change: first the move in plan, then the tool's length during the
+/// descent.
 void IsoWriter::descend_with_length(const Ticks& start) {
   rapid_to_plan(start);
   out_.word(dialect_.length_offset == LengthOffset::kEdge ? "D1" : fmt::format("G43 H{}", held_.tool));

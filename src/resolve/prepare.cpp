@@ -34,7 +34,8 @@
 namespace clearcut::resolve {
 namespace {
 
-/// Each workingstep is held against all others: beyond this they take minutes and more memory than a command may hold.
+/// Each workingstep is held against all others: beyond this they take minutes and more memory than a command may
+/// hold.
 constexpr std::size_t kMostSteps = 20000;
 
 constexpr double kDefaultFeed = 1000;     // mm/min
@@ -175,8 +176,8 @@ void make_at_once(Operation& operation, const Tool& tool, const Feature& feature
   if (is_made_at_once(feature, tool)) operation.stepdown = std::max(feature.top_z - feature.floor_z, 1e-3);
 }
 
-/// mm/min and rpm of taps: the feed is the pitch times a whole speed, whatever else is asked for, and no faster than the
-/// machine and the tap.
+/// mm/min and rpm of taps: the feed is the pitch times a whole speed, whatever else is asked for, and no faster than
+/// the machine and the tap.
 void tie_tap(Operation& operation, const Tool& tool, const PlanOptions& options, Sources& sources) {
   if (tool.kind != ToolKind::kTap) return;
   CuttingData& cutting = operation.cutting;

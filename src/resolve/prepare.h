@@ -23,8 +23,8 @@ Part prepare(Part part, const PlanOptions& options);
 /// The same; afterwards, `sources` contains the sources of all values that differ from the source of their operation.
 Part prepare(Part part, const PlanOptions& options, StepSources& sources);
 
-/// Whether the tool makes the feature at once, whatever stepdown is asked for all work: cones, taps, thread mills, reamers and
-/// boring bars in holes.
+/// Whether the tool makes the feature at once, whatever stepdown is asked for all work: cones, taps, thread mills,
+/// reamers and boring bars in holes.
 bool is_made_at_once(const Feature& feature, const Tool& tool);
 
 /// Gives a number to each tool without one. Throws InputError if two tools have the same number.

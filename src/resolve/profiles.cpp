@@ -28,7 +28,7 @@ constexpr double kSpeck = 0.01;
 /// Share of the cutter's radius by which the far side of the kerf may be cut too wide. More would let ramps and
 /// rapids leave the contour into the material beside it.
 constexpr double kBeyondKerf = 0.02;
-/// Of the cutter's radius: how far around a profile others are looked for.
+/// Distance around a profile, in radii of the cutter, in which others are searched.
 constexpr double kBand = 3;
 /// mm. How far the cutter's rim may stray from an engraved line's.
 constexpr double kBesideLine = 0.005;

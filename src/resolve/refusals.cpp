@@ -23,7 +23,8 @@ constexpr double kBelowStock = 0.5;
 /// Assumed reach of flutes of unknown length, in diameters.
 constexpr double kReachOfMill = 10;
 constexpr double kReachOfDrill = 20;
-/// mm. A longer path takes months, and its program more memory than there is: the part is mostly read in a wrong unit.
+/// mm. A longer path takes months, and its program more memory than there is: the part is mostly read in a wrong
+/// unit.
 constexpr double kLongestPath = 1e8;
 
 void refuse_low_rapids(const Part& part) {

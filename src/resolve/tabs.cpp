@@ -251,7 +251,7 @@ class TabPlacer {
     return true;
   }
 
-  /// Whether the kerf of no other line comes into the stretch's own.
+  /// Whether the kerf of no other line overlaps the stretch's own.
   bool is_clear_of_others(const Edge& stretch) const {
     const Edge middle = moved(stretch, (across_.from + across_.to) / 2);
     return std::all_of(others_.begin(), others_.end(), [&](const OtherLine& other) {

@@ -6,7 +6,8 @@
 
 namespace clearcut::stock {
 
-/// The load of a contact at a feed of 1, in units of the feed (chips) or of the feed times the cutter's radius (removal).
+/// The load of a contact at a feed of 1, in units of the feed (chips) or of the feed times the cutter's radius
+/// (removal).
 ///
 /// Chip     The circle advances by cos(angle from the direction of travel) of the feed: the greatest over the
 ///          contact, and at least the value of an equal contact beside a straight wall, sin(engagement) below a

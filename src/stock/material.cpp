@@ -12,7 +12,7 @@ namespace {
 /// Radians. Arcs are divided into pieces below this sweep, so that each is the part of a ring between two
 /// half-planes.
 constexpr double kPieceSweep = 2.0;
-/// Radians. A smaller bend between sweeps comes from rounding.
+/// Radians. A smaller bend between sweeps is due to rounding.
 constexpr double kBend = 1e-12;
 /// mm. Sweeps up to this length do not cover the round ends of sweeps before or after.
 constexpr double kShort = 1e-6;

@@ -358,7 +358,7 @@ void forget_tabs_of_job(const OptionValues& values, TabOptions& tabs) {
 
 }  // namespace
 
-/// The command line goes before the job, the job before the defaults.
+/// The command line takes precedence over the job, the job over the defaults.
 PlanOptions PlanArguments::options() const {
   const auto from_job = job();
   PlanOptions options = from_job ? options_of_job(*from_job) : PlanOptions{};

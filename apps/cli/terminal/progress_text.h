@@ -1,4 +1,4 @@
-// How far a plan has come, in words and for programs.
+// Progress of a plan, in words and for programs.
 #pragma once
 
 #include <clearcut/error.h>

@@ -35,8 +35,8 @@ class WaitingConnections {
   std::set<Entry> waiting_;
 };
 
-/// One accepted socket, closed with this object. Neither side may be silent for long, and all headers of the request have to come
-/// within `kLongestHead`, whatever the pace.
+/// One accepted socket, closed with this object. Neither side may be silent for long, and all headers of the request
+/// must arrive within `kLongestHead`, at any pace.
 class Connection : public httplib::Stream {
  public:
   Connection(int socket, WaitingConnections& waiting);

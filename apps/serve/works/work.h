@@ -36,7 +36,7 @@ struct Work {
 
   WorkState state = WorkState::kWaiting;
   WorkEnd end;
-  Json progress;                      ///< last said: stage, done, most
+  Json progress;                      ///< last reported: stage, done, most
   std::vector<std::string> messages;  ///< warnings and notes, in their order
   unsigned version = 0;               ///< counts changes
   Clock::time_point began, ended;

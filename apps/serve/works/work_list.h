@@ -42,7 +42,7 @@ class WorkList {
   std::optional<Json> next_status(const WorkPtr& work, unsigned& seen, double seconds) const;
   /// Waits for its end.
   void wait(const WorkPtr& work) const;
-  /// Everything ends, and everybody who waits comes back.
+  /// Ends all work; all waiting calls return.
   void stop();
   bool is_stopped() const;
 

@@ -284,7 +284,7 @@ void add_regions(const Regions& regions, ClipperLib::PolyType type, Sources& sou
   }
 }
 
-/// Whether a contour comes back to one of its points.
+/// Whether a contour passes one of its points twice.
 bool touches_itself(const ClipperLib::Paths& contours) {
   PointSet seen;
   return std::any_of(contours.begin(), contours.end(), [&](const ClipperLib::Path& contour) {

@@ -6,9 +6,9 @@
 
 namespace clearcut::inline geometry {
 
-/// Shape   disjoint regions, islands and nesting resolved. Arcs of the input come back as arcs on the same
-/// circle. Error   results are within tol.chord of the exact ones; parts thinner than that may vanish. Cost
-/// O((n + k) log n), n flattened vertices, k crossings.
+/// Shape   disjoint regions, islands and nesting resolved. Arcs of the input give arcs on the same circle.
+/// Error   results are within tol.chord of the exact ones; parts thinner than that may vanish.
+/// Cost    O((n + k) log n), n flattened vertices, k crossings.
 Regions unite(const Regions& a, const Regions& b, const Tolerances& tol);
 Regions subtract(const Regions& a, const Regions& b, const Tolerances& tol);
 Regions intersect(const Regions& a, const Regions& b, const Tolerances& tol);

@@ -17,7 +17,7 @@ Regions mitred_inset(const Region& region, double distance, const Tolerances& to
 
 /// Whether some side of the region is an arc.
 bool has_arcs(const Region& region);
-/// Whether material stands in a corner: the boundary turns to the right there, by more than rounding does.
+/// Whether there is a reflex corner: the boundary turns to the right there, by more than rounding does.
 bool has_reflex_corner(const Region& region);
 
 }  // namespace clearcut::inline geometry

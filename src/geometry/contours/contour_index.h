@@ -11,9 +11,9 @@
 namespace clearcut::inline geometry {
 
 /// Finds the contours about another one, by a ray from one of its points. Keeps a reference to `contours`, which must
-/// outlive the index. Contours must not cross each other; they may touch. A contour directly inside another one has the opposite
-/// orientation, as polyclipping returns them: two contours of the same orientation that share an edge are beside each
-/// other. Built in O(n) for n points.
+/// outlive the index. Contours must not cross each other; they may touch. A contour directly inside another one has
+/// the opposite orientation, as polyclipping returns them: two contours of the same orientation that share an edge
+/// are beside each other. Built in O(n) for n points.
 class ContourIndex {
  public:
   explicit ContourIndex(const ClipperLib::Paths& contours);

@@ -14,7 +14,7 @@ using ClipperLib::cInt;
 using ClipperLib::IntPoint;
 using ClipperLib::Path;
 
-/// Cuts off a loop whenever the walk along the contour comes back to a point.
+/// Cuts off a loop whenever the walk along the contour returns to a point.
 void append_loops(const Path& contour, ClipperLib::Paths& loops) {
   std::map<std::pair<cInt, cInt>, std::size_t> places;
   Path walked;

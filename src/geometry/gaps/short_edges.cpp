@@ -10,7 +10,8 @@ bool is_short(const Edge& edge, double shortest) {
   return distance(edge.from, edge.to) <= shortest && edge.length() <= shortest;
 }
 
-/// Draws the edges first to below end of a loop together, if one of their neighbours is straight: an arc keeps its end.
+/// Draws the edges first to below end of a loop together, if one of their neighbours is straight: an arc keeps its
+/// end.
 void draw_together(Loop& loop, std::size_t first, std::size_t end, double shortest) {
   Edge &before = loop[first - 1], &after = loop[end % loop.size()];
   const Vec2 from = loop[first].from, to = loop[end - 1].to;

@@ -18,7 +18,7 @@ class LegalArea {
   bool holds(Vec2 p) const;
   /// Whether p is inside (on the boundary: either). Quick: for most places no edge has to be checked.
   bool contains(Vec2 p) const;
-  /// Whether the boundary comes within `reach` mm of p. Cost: number of cells within `reach`.
+  /// Whether the boundary is within `reach` mm of p. Cost: number of cells within `reach`.
   bool is_near_boundary(Vec2 p, double reach) const;
   /// Whether the whole box `where` is inside and no boundary is near. May return false although this is true.
   bool surely_holds(const Box& where) const;

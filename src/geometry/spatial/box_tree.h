@@ -56,8 +56,8 @@ class BoxTree {
     return best;
   }
 
-  /// Calls visit(number) for all numbers in the boxes for which open(box) is true, in ascending order: up to kLeaf numbers
-  /// share a box. `open` is called again after each visit, so that its condition may become stricter.
+  /// Calls visit(number) for all numbers in the boxes for which open(box) is true, in ascending order: up to kLeaf
+  /// numbers share a box. `open` is called again after each visit, so that its condition may become stricter.
   template <typename Open, typename Visit>
   void descend(Open&& open, Visit&& visit) const {
     descend_ranges([&](const Box& box, std::uint32_t, std::uint32_t) { return open(box); }, visit);

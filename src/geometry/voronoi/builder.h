@@ -1,4 +1,4 @@
-// Boost's Voronoi builder with circle events of our own (docs/offset.md, Speed).
+// Boost's Voronoi builder with its own circle events (docs/offset.md, Speed).
 //
 // The builder asks for circles to within 64 roundings of a double. Its own formulas use an origin far from the three
 // sites, nearly always lose this accuracy on most outlines, and then turn to big integers, which are many times

@@ -18,7 +18,7 @@ struct Contact {
 struct Contacts {
   std::vector<Contact> places;  ///< sorted by segment and along it, without repeats
   bool doubled = false;         ///< two segments have the same two ends
-  bool mixed = false;           ///< two ends at one grid point stand for different elements
+  bool mixed = false;           ///< two ends at one grid point represent different elements
 };
 
 /// Integer arithmetic: exact, but for the rounding of crossing points to the grid. O(n) expected for

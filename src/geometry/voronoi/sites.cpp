@@ -227,7 +227,7 @@ class Builder {
     return place->second;
   }
 
-  /// Ends at one grid point stand for one element: the vertex there, or else the first named.
+  /// Ends at one grid point represent one element: the vertex there, or else the first named.
   void name_points() {
     std::map<LatticePoint, int> names;
     const auto name = [&](LatticePoint p, int element) {

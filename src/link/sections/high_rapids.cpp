@@ -7,7 +7,7 @@
 namespace clearcut::link {
 namespace {
 
-/// mm. Material thinner than this, beside or below the cutter, comes from rounding.
+/// mm. Material thinner than this, beside or below the cutter, is due to rounding.
 constexpr double kRounding = 1e-3;
 /// mm; least increase of the next tried height: places found on a boundary may be below it.
 constexpr double kHigher = 0.05;

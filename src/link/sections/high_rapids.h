@@ -19,7 +19,7 @@ struct HighRapids {
 ///
 /// Places  A rapid meets material that reaches into a cutter 0.001 mm narrower than `tool`, with its tip 0.001 mm
 ///         higher.
-/// Cost    O(heights of material in the way) queries Material::in_reach a rapid.
+/// Cost    O(heights of material in the path) queries Material::in_reach a rapid.
 void keep_rapids_high(Section& section, const Tool& tool, const HighRapids& options,
                       stock::Material& material);
 

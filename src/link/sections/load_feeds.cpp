@@ -14,15 +14,16 @@ namespace {
 constexpr double kLongestSample = 0.04, kSampleOfRadius = 0.02;
 /// mm from the beginning of a move at which the load is also computed.
 constexpr double kCorner = 0.01;
-/// mm. Material thinner than this comes from rounding.
+/// mm. Material thinner than this is due to rounding.
 constexpr double kThinnest = 1e-3;
 /// Usable share of the reference: between two samples the load may be slightly greater than at both.
 constexpr double kUsed = 0.985;
-/// Between two samples whose feeds differ by a greater share the load is computed in the middle, too, so often one within the other.
+/// Between two samples whose feeds differ by a greater share the load is computed in the middle, too, so often one
+/// within the other.
 constexpr double kAlike = 0.01;
 constexpr int kHalvings = 5;
-/// s. A word for another feed has to gain as much: on a pocket of 100 mm 0.001 gains 2 % of the time by equal chips and has five times
-/// the words of 0.02.
+/// s. A word for another feed has to gain as much: on a pocket of 100 mm 0.001 gains 2 % of the time by equal chips
+/// and has five times the words of 0.02.
 constexpr double kWorthAWord = 0.01;
 /// mm/min. Feeds below are not rounded to whole numbers.
 constexpr double kWholeFeeds = 20;

@@ -23,7 +23,8 @@ constexpr double kAbove = 0.2;
 /// mm. Ends of passes on both sides of a tab are on one contour, and equally far from its middle, to within this.
 constexpr double kSameContour = 1e-3;
 constexpr double kSymmetric = 0.1;
-/// mm. Programs of four decimals of an inch round both ends of a move to 0.0013 mm; arcs they may divide into so many pieces.
+/// mm. Programs of four decimals of an inch round both ends of a move to 0.0013 mm; arcs they may divide into so many
+/// pieces.
 constexpr double kRounded = 0.0026;
 constexpr double kPiecesOfArc = 8;
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();

@@ -11,7 +11,7 @@ namespace {
 constexpr double kStepsPerRadius = 8;
 /// Degrees. A link with less engagement touches nothing.
 constexpr double kTouching = 1;
-/// mm. Material thinner than this comes from rounding.
+/// mm. Material thinner than this is due to rounding.
 constexpr double kResidual = 1e-3;
 
 /// Divides a move into equal steps and returns the slow ones among them.

@@ -9,7 +9,7 @@
 namespace clearcut::link {
 namespace {
 
-/// mm above the material down to which the mill goes at the rapid.
+/// mm above the material down to which the mill moves at the rapid.
 constexpr double kAbove = 1;
 
 class ThreadPath {

@@ -16,7 +16,7 @@ struct ThreadWork {
   double full_z = 0;  ///< depth down to which the thread must be full
   bool external = false;
   double crest = 0;  ///< external threads: radius of the boss
-  double aside = 0;  ///< external threads: how far beside the root the mill goes down
+  double aside = 0;  ///< external threads: distance from the root at which the mill descends
   double rows = 0;   ///< length of the mill's rows of teeth, a whole number of pitches; 0: one row
 };
 

@@ -21,7 +21,7 @@ struct TipRoom {
 };
 
 /// Each set of tracks is run before the next. Within a set the track with the nearest beginning comes next; open
-/// tracks may begin at either end. `clear_z`: mm, the height above all material to which rapids come down. On
+/// tracks may begin at either end. `clear_z`: mm, the height above all material to which rapids descend. On
 /// descending tracks the feed is reduced, so that the tip never descends faster than the plunge feed. If `room`
 /// allows a direct move and this is no slower than a retract, the tip moves to the next track at the height of the
 /// shallower end, or higher if that move would cut too much. Cost O(tracks^2).

@@ -14,7 +14,7 @@ enum class Origin {
   kPart,         ///< the part's own file
   kToolLibrary,  ///< a preset of a tool library
   kMachineFile,  ///< a key of a machine file
-  kDefault,      ///< nobody said anything
+  kDefault,      ///< not stated by any source
   kDerived       ///< follows from other values
 };
 /// "user", "job file", "part", "tool library", "machine file", "default", "derived".

@@ -37,7 +37,8 @@ enum class ContourOrder { kInsideOut, kOutsideIn };
 struct ResolvedStep {
   const StrategyEntry* strategy = nullptr;  ///< null: the fastest of the strategies tried ("auto")
   Stepover stepover;
-  std::optional<Radians> stroke_angle;  ///< of parallel lines against x; absent: the fastest is looked for
+  /// Of parallel lines against x; absent: the fastest angle is searched.
+  std::optional<Radians> stroke_angle;
   MmPerMin feed, plunge_feed, ramp_feed;
   MmPerMin lead_feed;  ///< into and out of passes
   MmPerMin slot_feed;  ///< feed with the cutter fully in material; the operation's feed if none is requested

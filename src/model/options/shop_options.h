@@ -10,7 +10,7 @@
 namespace clearcut::inline model {
 
 struct ShopOptions {
-  std::optional<double> helix_widest;     ///< mm, diameter of the centre's circle on the way down
+  std::optional<double> helix_widest;     ///< mm, diameter of the centre's circle during the descent
   std::optional<double> helix_narrowest;  ///< mm
   std::optional<MmPerMin> lead_feed;      ///< arcs and lines into and out of passes
   std::optional<double> lead_overlap;     ///< mm; passes along walls run on over their start

@@ -21,7 +21,8 @@ std::string words_of(const WorkOffset& offset);
 /// Name of the condition that this offset is at the work's zero: "g55", "g59.1", "g54.1-p12".
 std::string condition_of(const WorkOffset& offset);
 
-/// G54 to G59.3, G505 to G599, G54.1 P, G59 P and G154 P, in any case, with or without blanks; nothing for other texts.
+/// G54 to G59.3, G505 to G599, G54.1 P, G59 P and G154 P, in any case, with or without blanks; nothing for other
+/// texts.
 std::optional<WorkOffset> work_offset_named(std::string_view text);
 /// For messages: the words of all known offsets.
 inline constexpr std::string_view kKnownWorkOffsets =

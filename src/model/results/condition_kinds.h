@@ -7,7 +7,7 @@
 
 namespace clearcut::inline model {
 
-/// One kind of condition. `#` in a name stands for the number of an offset, a word or a length: "g#-p#" is g54.1-p2.
+/// One kind of condition. `#` in a name represents the number of an offset, a word or a length: "g#-p#" is g54.1-p2.
 struct ConditionRow {
   std::string_view name = {};
   std::string_view example = {};  ///< an example of a full name, if it differs from `name`

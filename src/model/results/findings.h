@@ -185,7 +185,8 @@ struct Findings {
   std::vector<FeatureFindings> features;  ///< in workplan order
   std::vector<Fault> faults;              ///< worst first
   std::vector<Condition> conditions;      ///< facts that must be true at the machine, met and open
-  /// Degrees, of each move of the program in its order: the largest angle of the cutter in material. Empty: not measured.
+  /// Degrees, of each move of the program in its order: the largest angle of the cutter in material. Empty: not
+  /// measured.
   std::vector<float> move_engagement_deg;
   /// N, likewise: the largest mean tangential force. Empty: the material of the work is not known.
   std::vector<float> move_force_n = {};
@@ -207,7 +208,8 @@ std::vector<Condition> open_conditions(const Findings& findings);
 /// Marks conditions as met; `names` are those accepted by name. Returns the names without a condition.
 std::vector<std::string> accept_conditions(Findings& findings, const std::vector<std::string>& names);
 
-/// The verdict, then each fault and each open condition on a line of its own; of many of one kind the first and their number.
+/// The verdict, then each fault and each open condition on a line of its own; of many of one kind the first and their
+/// number.
 std::string verdict_and_reasons(const Findings& findings);
 
 }  // namespace clearcut::inline model

@@ -77,7 +77,8 @@ struct GeneticState {
 /// The first population of a run. Throws as run_genetic.
 GeneticState begin_genetic(const Problem& problem, const Objective& objective, const GeneticOptions& options);
 
-/// Goes on from `state` until `options` end the run; `stop.rounds` counts the generations from its beginning. Throws as run_genetic.
+/// Continues from `state` until `options` end the run; `stop.rounds` counts the generations from its beginning.
+/// Throws as run_genetic.
 GeneticState continue_genetic(const Problem& problem, const Objective& objective,
                               const GeneticOptions& options, GeneticState state);
 

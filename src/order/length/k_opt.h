@@ -3,7 +3,7 @@
 // Lin and Kernighan's search [lin1973] in the form of [helsgaun2009]: alternately remove an edge and add one
 // to a near candidate as long as the sum stays positive, up to k edges; intermediate states need not be
 // tours, only the closing step is tested for a tour. Depth 2 and 3 with one and two kept pieces contain
-// 2-opt and Or-opt. Nodes whose surroundings did not change are not looked at again (don't-look bits as a
+// 2-opt and Or-opt. Nodes whose surroundings did not change are not examined again (don't-look bits as a
 // queue) [bentley1992].
 #pragma once
 

@@ -13,7 +13,7 @@ constexpr double kNotReached = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostExact = 9;
 /// Greatest size of the table of sets and ways; beyond it even few visits are only improved.
 constexpr std::size_t kMostEntries = 60000;
-/// Rounds of improvement; each looks at every stretch in every place.
+/// Rounds of improvement; each tries every stretch in every place.
 constexpr int kRounds = 4;
 /// Up to this many visits the ways are chosen anew for every tried order.
 constexpr std::size_t kMostWithWays = 24;

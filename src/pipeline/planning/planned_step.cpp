@@ -148,7 +148,7 @@ StepPlan fastest_plan(const StepWork& work, const StrategyCandidate& candidate, 
       best.time_s = plan.time_s;
       best_time = time;
     } catch (const OutOfWork&) {
-      continue;  // the candidate itself stands
+      continue;  // the candidate itself is kept
     }
   }
   return best;

@@ -143,7 +143,7 @@ void Selection::plan_instead() {
   for (const RankedCandidates& ranked : ranked_) throw_without_memory(ranked);
 }
 
-/// Holes come out the same whatever the strategy, so the first stays in front.
+/// Holes are the same for any strategy, so the first candidate stays in front.
 void Selection::sort(RankedCandidates& ranked) const {
   auto& all = ranked.all;
   if (all.front().plan.hole) all.resize(1);

@@ -28,7 +28,7 @@ class EngagementModel {
   virtual ~EngagementModel() = default;
 
   /// The share of the cutter's leading half circle in material, 0 to 1: the mean over each move of the tour
-  /// (one less than points). Before the first move the cutter stands in a hole of its own size.
+  /// (one less than points). Before the first move the cutter is in a hole of its own size.
   const std::vector<double>& along(std::span<const int> tour);
   const EngagementTask& task() const { return task_; }
 

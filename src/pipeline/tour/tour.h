@@ -29,7 +29,8 @@ struct TourOptions {
   std::optional<double> diameter;  ///< mm, of the cutter for engagement; default: two pitches of the points
   double engagement_percent = 50;  ///< wanted share of the leading half circle in material
   std::string solver = "modern";   ///< or "published": the text's genetic algorithm
-  order::GeneticOptions genetic;   ///< of the published solver; seed and time come from here above
+  /// Of the published solver; seed and time are taken from the members above.
+  order::GeneticOptions genetic;
   std::optional<int> genetic_neighbours;  ///< 0: all points; default 24
   std::stop_token cancel;  ///< asked to stop, the search ends with Cancelled within some milliseconds
   /// Called for each better value, by one thread at a time; may be empty.

@@ -20,7 +20,7 @@ struct ChamferShape {
   double stepdown = 0;     ///< greatest increase of depth from one pass to the next
 };
 
-/// In plan view, everything outside of `free` stands up to the height `z`, mm.
+/// In plan view, there is material outside of `free` up to the height `z`, mm.
 struct StandingUpTo {
   double z = 0;
   Regions free;

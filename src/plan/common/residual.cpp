@@ -7,7 +7,7 @@
 namespace clearcut::plan {
 namespace {
 
-/// mm. Residuals thinner than this come from rounding.
+/// mm. Residuals thinner than this are due to rounding.
 constexpr double kNothing = 1e-6;
 /// mm. A path deviating from its contour by less than this clears no significant material.
 constexpr double kTooShort = 0.003;

@@ -13,7 +13,8 @@
 namespace clearcut::plan::contour {
 
 enum class CornerLoop {
-  /// Zhao et al.: the circle through root and tip. Its length, CPO-rho eq. (2) (docs/texts.md), is illegible in print.
+  /// Zhao et al.: the circle through root and tip. Its length, CPO-rho eq. (2) (docs/texts.md), is illegible in
+  /// print.
   kCircle,
   /// Park et al., pair-wise interference detection: a kite with sides parallel to the corner's at the tip.
   kPwid,

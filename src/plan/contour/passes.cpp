@@ -146,7 +146,7 @@ class PassBuilder {
     double distance = std::numeric_limits<double>::infinity();
   };
 
-  /// Of a node round many islands only the rings are measured whose boxes come near enough.
+  /// For a node around many islands only rings with sufficiently near boxes are measured.
   void look_through(const std::vector<std::size_t>& rings, Vec2 p, NearestRing& best) const {
     std::size_t edge = 0;
     for (const std::size_t ring : rings) {

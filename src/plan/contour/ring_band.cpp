@@ -9,7 +9,7 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// mm. Rests thinner than this come from rounding.
+/// mm. Rests thinner than this are due to rounding.
 constexpr double kNothing = 0.002;
 /// mm of clearance per mm of axis; a branch of smaller slope is a ridge.
 constexpr double kFlat = 0.01;

@@ -23,8 +23,8 @@ struct ContourStep {
   double step = 0;            ///< mm to the contours inside; 0: there are none
 };
 
-/// All contours of a rule in a closed area, from the wall inwards, first at `first_level`; of several at one distance the one
-/// with the sharpest corner.
+/// All contours of a rule in a closed area, from the wall inwards, first at `first_level`; of several at one distance
+/// the one with the sharpest corner.
 std::vector<ContourStep> contour_steps(const Regions& allowed, const StepRule& rule, double radius,
                                        double first_level, const Tolerances& tol);
 

@@ -14,8 +14,8 @@ namespace clearcut::plan::cover {
 /// Index of a corner of the path.
 using Corner = int;
 
-/// Straight moves from corner to corner, closed or open. An open path is a ring, too: its ends are joined by kNowhere, whose
-/// two moves clear nothing and cost nothing.
+/// Straight moves from corner to corner, closed or open. An open path is a ring, too: its ends are joined by
+/// kNowhere, whose two moves clear nothing and cost nothing.
 class CoverPath {
  public:
   /// In open paths: the corner between the last one and the first.
@@ -44,7 +44,8 @@ class CoverPath {
   /// Reverses the corners from b to c, with c after b along the path.
   void reverse(Corner b, Corner c, std::vector<Vec2>& bare);
 
-  /// Takes the moves at the corners from `first` to `last` out of the counts; then place() sets corners, and lay() puts them in.
+  /// Removes the moves at the corners from `first` to `last` from the counts; then place() sets corners, and lay()
+  /// inserts them.
   void lift(Corner first, Corner last, std::vector<Vec2>& bare);
   void place(Corner c, Vec2 p);
   void lay(Corner first, Corner last);
@@ -78,7 +79,7 @@ class CoverPath {
       }
     }
   }
-  /// How many moves come within `reach` of p.
+  /// Number of moves within `reach` of p.
   int moves_within(Vec2 p, double reach) const;
   double extent() const { return cell_ * static_cast<double>(std::max(columns_, rows_)); }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint8_t kOutside = 128;
 /// Curves count as chords no farther from them than this share of the radius.
 constexpr double kChordShare = 1e-3;
-/// Points along the boundary stand closer than those of the raster by this factor.
+/// Points along the boundary are closer to each other than those of the raster by this factor.
 constexpr double kBoundaryShare = 0.6;
 /// Radians, of the raster against x. Its tangent is derived from the golden ratio, so that no simple direction
 /// coincides with it.

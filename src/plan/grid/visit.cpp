@@ -33,7 +33,7 @@ void mark(Discrete& result, const Places& kept) {
   for (const std::size_t i : kept) result.reduced[i] = true;
 }
 
-/// Lines and arcs: the tool goes to the point of the curve nearest to each square.
+/// Lines and arcs: the tool is at the point of the curve nearest to each square.
 Discrete discrete_curve(const DesignElement& element, double tool_radius, const SquareGrid& grid) {
   Discrete result = discrete(interpolate(element, grid), grid);
   mark(result, reduce_curve(result.squares, tool_radius / grid.cell));

@@ -15,8 +15,8 @@ namespace {
 
 /// mm. An edge whose distance from the outline is right to within this belongs to the profile.
 constexpr double kOnContour = 1e-3;
-/// Of the cutter's radius, and mm: how far beside its contour the centre may go down or come from. Just more than the play of
-/// the kerf.
+/// Share of the cutter's radius, and mm: distance from its contour at which the centre may descend or approach.
+/// Slightly more than the play of the kerf.
 constexpr double kBesideContour = 0.02;
 constexpr double kBesideSpare = 0.02;
 /// mm. Passes along a line end this much before the cutter touches a square tab.

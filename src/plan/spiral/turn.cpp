@@ -17,7 +17,7 @@ namespace {
 constexpr double kBandPiece = kPi / 6;
 /// mm. Ends nearer than this are joined by moving one of them; shorter remainders of edges are left out.
 constexpr double kFound = 1e-3;
-/// mm. Gaps between pieces up to this come from rounding of the loop.
+/// mm. Gaps between pieces up to this are due to rounding of the loop.
 constexpr double kGap = 2e-4;
 /// Sine of an angle. A piece that turns left by less does not count as farther left.
 constexpr double kNoTurn = 1e-9;

@@ -1,5 +1,6 @@
-// Cycles 200 (drilling), 201 (reaming), 206 (tapping in a floating holder) and 207 (rigid tapping). Pecks are written as moves: how far above
-// the last depth a cycle feeds again is the same number there as its distance from the surface.
+// Cycles 200 (drilling), 201 (reaming), 206 (tapping in a floating holder) and 207 (rigid tapping). Pecks are written
+// as moves: how far above the last depth a cycle feeds again is the same number there as its distance from the
+// surface.
 #include "post/klartext/hole_cycles.h"
 
 #include <cmath>

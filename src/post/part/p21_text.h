@@ -9,7 +9,7 @@
 
 namespace clearcut::post {
 
-/// Stands for an attribute without a value.
+/// Represents an attribute without a value.
 inline const std::string kUnset = "$";
 
 /// Shortest text that reads back to the same double, with the decimal point required for reals: "5.0", "1.5E-7".

@@ -53,7 +53,7 @@ std::vector<std::string> comment_pieces(std::string_view text, std::size_t room)
     const std::size_t blank = rest.rfind(' ', room);
     const bool between = blank != std::string::npos && blank > 0;
     pieces.push_back(rest.substr(0, between ? blank : room));
-    rest = plain_comment(rest.substr(between ? blank + 1 : room));  // its first word stands first now
+    rest = plain_comment(rest.substr(between ? blank + 1 : room));  // its first word is now first
   }
   pieces.push_back(rest);
   return pieces;

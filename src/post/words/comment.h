@@ -15,8 +15,8 @@ inline constexpr std::string_view kEndComment = "END OF PROGRAM";
 
 /// Upper-case letters, digits and plain punctuation only: no parentheses (they nest), no '%' (ends a tape),
 /// no
-/// '!', '?', '~' (Grbl acts on them even inside comments), no leading word LinuxCNC would execute ("MSG,"), and one blank between
-/// words.
+/// '!', '?', '~' (Grbl acts on them even inside comments), no leading word LinuxCNC would execute ("MSG,"), and one
+/// blank between words.
 std::string plain_comment(std::string_view text);
 
 /// The same in pieces of at most `room` characters, broken between words if there is a blank; one empty piece of "".

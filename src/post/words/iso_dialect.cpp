@@ -83,7 +83,8 @@ constexpr std::array kDialects{
                .spindle_wait = 2,
                .tapping = Tapping::kFloating,
                .cycles = CycleForm::kWords},
-    // G21 and G17 only exist in some builds; M1 stops like M0; N words need checksums; M30 would delete a file on the card.
+    // G21 and G17 only exist in some builds; M1 stops like M0; N words need checksums; M30 would delete a file on the
+    // card.
     IsoDialect{.name = "marlin",
                .extension = ".gcode",
                .comments = CommentForm::kSemicolon,

@@ -106,8 +106,8 @@ struct SolidOptions {
   std::string body;     ///< name or number from 1 of the body to make; "all": all as one part
   std::optional<double> breakthrough;  ///< mm, >= 0; absent: kBreakthrough
   std::vector<double> drills;          ///< mm; diameters at hand, beside those of `tools`
-  /// At hand. Through holes of a drill's width go deeper by its point; edges broken as a cone leans, and fillets as round as a
-  /// cutter's end, are features.
+  /// At hand. Through holes of a drill's width go deeper by its point; edges broken as a cone leans, and fillets as
+  /// round as a cutter's end, are features.
   std::vector<Tool> tools = {};
   std::optional<StockRequest> stock;  ///< absent: the solid's bounding box
   /// The same job has other set-ups: they cut faces with other directions.

@@ -49,7 +49,7 @@ DataValue parse_toml(std::string_view text, const std::string& file_name);
 /// A table in which every key must be used: unused keys are spelling mistakes.
 class DataSection {
  public:
-  /// `name` stands in messages: "[stock]". Throws InputError unless `table` is an object.
+  /// `name` is used in messages: "[stock]". Throws InputError unless `table` is an object.
   DataSection(const DataValue& table, std::string file, std::string name);
 
   bool has(const std::string& key) { return ask(key) != nullptr; }

@@ -37,7 +37,7 @@ LayerMeaning meaning_of_kind(std::string_view kind);
 constexpr bool is_pocket(LayerRole role) {
   return role == LayerRole::kPocket || role == LayerRole::kStep;
 }
-/// Whether `name` matches `pattern`: case is ignored, * stands for anything.
+/// Whether `name` matches `pattern`: case is ignored, * matches any text.
 bool matches(std::string_view pattern, std::string_view name);
 
 /// Curves of one depth.

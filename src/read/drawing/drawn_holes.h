@@ -20,7 +20,7 @@ bool needs_no_depth(const HoleRequest& request);
 /// Throws InputError if the outline is no circle, and if a thread is requested without its name.
 void make_hole(Feature& feature, const DrawnGroup& group, const Tolerances& tol);
 
-/// Whether another hole may come before it on its centre.
+/// Whether another hole on the same centre may come before this one.
 bool comes_after_pilot(const Feature& feature);
 
 /// Gives through holes without a stated depth the depth of the layer STOCK or of the stock of the job.

@@ -15,7 +15,7 @@ struct DxfWords {
   /// Font named by a code before the first letter: "Arial", "txt.shx".
   std::optional<std::string> font;
   bool bold = false, italic = false;    ///< stated with the font
-  std::optional<double> height;         ///< of capitals, said there, in units of the drawing
+  std::optional<double> height;         ///< height of capitals stated there, in units of the drawing
   std::optional<double> height_factor;  ///< the same, of the entity's height
   std::set<std::string> ignored;        ///< unsupported codes that change the appearance: "\\S"
 };

@@ -30,7 +30,7 @@ struct DxfEntity {
 struct DxfBlock {
   Vec2 base;
   std::vector<DxfEntity> entities;
-  bool external = false;  ///< stands for a drawing in a file of its own
+  bool external = false;  ///< represents a drawing in a separate file
   std::string_view path;  ///< path of that file, as written
 };
 

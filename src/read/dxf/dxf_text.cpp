@@ -44,7 +44,8 @@ Vec2 held(const Face& face, double width, int across, int along) {
   return at;
 }
 
-/// From the text's own axes to the drawing's. The point and direction of an MTEXT are of the drawing, not of its own coordinates.
+/// From the text's own axes to the drawing's. The point and direction of an MTEXT are of the drawing, not of its own
+/// coordinates.
 Affine mtext_axes(const DxfDocument& document, const DxfEntity& entity, bool from_below) {
   Vec2 along = direction_of(angle_at(document, entity, 50));
   if (from_below) along.x = -along.x;

@@ -273,7 +273,7 @@ class Dresser {
     }
   }
 
-  /// Finishing comes as a workingstep of its own after all others, once per feature.
+  /// Finishing is a separate workingstep after all others, once per feature.
   void add_finishing(const OperationRule& rule, const std::string& place) {
     std::set<int> done;
     std::vector<Planned> added;

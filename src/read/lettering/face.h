@@ -22,8 +22,8 @@ struct FaceRequest {
   }
 };
 
-/// Found by fontconfig, read with FreeType; neither scaled to pixels nor hinted. All lengths are in em: the font's size is 1.
-/// Immutable, but not to be used by several threads at once.
+/// Found by fontconfig, read with FreeType; neither scaled to pixels nor hinted. All lengths are in em: the font's
+/// size is 1. Immutable, but not to be used by several threads at once.
 class Face {
  public:
   /// The installed face nearest to `request`. Throws InputError if there is none, or no library for reading fonts.

@@ -21,7 +21,7 @@ namespace {
 
 /// Loops thinner than this on average enclose nothing to mill, mm.
 constexpr double kThinnest = 1e-3;
-/// Touches looked through by the last check.
+/// Greatest number of touches examined by the last check.
 constexpr std::size_t kMostTouches = 1'000'000;
 /// mm. Crossings thinner than this are left: the library gives arcs back to within tol.chord on either
 /// side.
@@ -55,7 +55,7 @@ Loop without_ways_back(const Loop& loop) {
   return kept;
 }
 
-/// Lobes of opposite turn may cancel, so a loop without net area is looked at again.
+/// Lobes of opposite turn may cancel, so a loop without net area is examined again.
 bool is_thin(const Loop& loop, const Tolerances& tol) {
   return mean_width(signed_area(loop), loop) <= kThinnest &&
          mean_width(area(resolve_even_odd(std::span(&loop, 1), tol)), loop) <= kThinnest;

@@ -39,7 +39,7 @@ class FloorSweep {
   std::vector<int> highest_first_;  ///< indices of cells
   std::vector<std::size_t> first_curve_;
   std::size_t taken_ = 0;
-  std::size_t united_ = 0;  ///< of those taken, how many stand in standing_
+  std::size_t united_ = 0;  ///< number of taken cells contained in standing_
   /// Boundary of the material: curves present in only one direction, in the order of the file.
   std::vector<Curve> boundary_;
   double sum_of_areas_ = 0;  ///< mm2

@@ -1,4 +1,4 @@
-// How high a solid stands over every place of its plan.
+// Height of a solid over every place of its plan.
 #pragma once
 
 #include <vector>

@@ -539,7 +539,7 @@ void Finder::report_left_out() {
         ": the material up to the top of each stays" + tools);
 }
 
-/// Whether the cutter comes by right in front of a wall, down to its foot.
+/// Whether the cutter passes directly in front of a wall, down to the wall's foot.
 bool Finder::is_reached(const SolidFace& wall) const {
   const Vec2 p = wall.front->before;
   if (!solid_.plan.contains(p)) return true;

@@ -51,7 +51,7 @@ std::optional<Vec2> transform_origin(std::string_view text) {
 
 std::string inherit_transform(const pugi::xml_node& node, SvgInherited& own) {
   const std::string_view attribute = svg_text_of(node, "transform");
-  // The style's goes before the attribute.
+  // The transform of the style takes precedence over the attribute.
   const std::string_view text = own.style.transform.empty() ? attribute : own.style.transform;
   if (!own.style.moved_by.empty())
     return "the property " + own.style.moved_by + " of a style is not read; write it as a transform";

@@ -68,7 +68,8 @@ void read_cone(DataSection& section, Tool& tool) {
   if (tool.tip_diameter >= tool.diameter) section.fail_at("tip_diameter", "is not less than the diameter");
 }
 
-/// Tapered end mills: taper_angle, degrees of each side, from the flat tip up along the flutes. T-slot cutters: a disc on its neck.
+/// Tapered end mills: taper_angle, degrees of each side, from the flat tip up along the flutes. T-slot cutters: a
+/// disc on its neck.
 void read_shape(DataSection& section, Tool& tool) {
   const auto taper = section.positive("taper_angle");
   if (taper && tool.kind != ToolKind::kTapered) section.fail_at("taper_angle", "is not of this kind of tool");

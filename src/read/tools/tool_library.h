@@ -45,7 +45,7 @@ struct ToolOptions {
 ///         than rotating cutters (probes, taps without a pitch, V-bits of other programs, ...) are dropped and
 ///         reported.
 ToolLibrary read_tool_library(const std::filesystem::path& file, const ToolOptions& options);
-/// The same for text already read. A .fctl has its tools looked for beside `file_name`.
+/// The same for text already read. A .fctl has its tools searched beside `file_name`.
 ToolLibrary read_tool_library_text(std::string_view text, const std::string& file_name,
                                    const ToolOptions& options);
 

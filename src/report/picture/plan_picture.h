@@ -40,7 +40,8 @@ Box world_of(const Job& job);
 Box world_of(const Job& job, int feature);
 
 /// Every floor in the shade of its depth, deeper over shallower as one sees them from above, each with the
-/// lines of its last layer and its badge; faults. `badges`: a text for each feature, "" for none; empty: the features' numbers.
+/// lines of its last layer and its badge; faults. `badges`: a text for each feature, "" for none; empty: the
+/// features' numbers.
 void draw_overview(SvgWriter& svg, const PlanView& view, const Job& job,
                    const std::vector<std::string>& badges = {});
 

@@ -31,7 +31,8 @@ struct Extents {
 /// Extents of cuts only, or with rapids. Empty without moves.
 Extents extents_of(const Toolpath& toolpath, bool with_rapids);
 
-/// How far a tool has to stand out of its holder, mm: down to its deepest cut below the top of the material, and kAboveTop more.
+/// Required projection of a tool from its holder, mm: down to its deepest cut below the top of the material, plus
+/// kAboveTop.
 inline constexpr double kAboveTop = 5;
 double stickout_of(const Part& part, const Toolpath& toolpath, int tool);
 

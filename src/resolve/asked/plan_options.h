@@ -13,17 +13,18 @@ using options::ToolCutting;
 /// The source of a value set in the options.
 Source source_of(const PlanOptions& options, const std::string& name);
 
-/// How many threads the options stand for: at least one, and no more than cores.
+/// Number of threads given by the options: at least one, and no more than cores.
 int thread_count(const PlanOptions& options);
 
-/// "endmill:10[:T3][:flutes=2][:corner=0.5][:max_spindle=12000][:name=ROUGHER][:noplunge]", "tap:M6[:floating]". Throws InputError.
+/// "endmill:10[:T3][:flutes=2][:corner=0.5][:max_spindle=12000][:name=ROUGHER][:noplunge]", "tap:M6[:floating]".
+/// Throws InputError.
 Tool parse_tool(const std::string& text);
 
 /// "X,Y:D": a hole of diameter D at (X, Y), mm. Throws InputError.
 PredrilledHole parse_predrilled(const std::string& text);
 
-/// "100,60,20": the block's size, from X 0 and Y 0 and down from `top`; or each of the three as LOW:HIGH, "-5:95,0:60,-20:0". mm, or
-/// with units as lengths everywhere. Throws InputError.
+/// "100,60,20": the block's size, from X 0 and Y 0 and down from `top`; or each of the three as LOW:HIGH,
+/// "-5:95,0:60,-20:0". mm, or with units as lengths everywhere. Throws InputError.
 Stock parse_stock(const std::string& text, double top = 0);
 
 /// "-10:15,20:40,-20:12": the block of a clamp as ranges of x, y and z, mm or with units. Throws InputError.

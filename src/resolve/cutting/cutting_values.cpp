@@ -38,7 +38,8 @@ constexpr double kMostThinning = 2;
 constexpr double kFarOff = 2;
 /// Share of the feed used for slots on weak machines.
 constexpr double kSlotShare = 0.7;
-/// Chips of router bits are stated for cuts as deep as the cutter is wide; deeper ones take a quarter less for each diameter.
+/// Chips of router bits are stated for cuts as deep as the cutter is wide; deeper ones take a quarter less for each
+/// diameter.
 constexpr double kDeeperShare = 0.25, kLeastDepthShare = 0.5;
 /// mm; permitted deflection of a cutter's tip in roughing; share of the diameter that is its core.
 constexpr double kMostBend = 0.05, kCore = 0.8;

@@ -179,7 +179,8 @@ class CornerRelief {
     });
   }
 
-  /// Takes `wider` unless a wall was broken through: then an island is joined to its surroundings, or areas to each other.
+  /// Takes `wider` unless a wall was broken through: then an island is joined to its surroundings, or areas to each
+  /// other.
   static bool accept(Regions wider, Regions& shape) {
     if (wider.size() != shape.size() || loops_of(wider).size() != loops_of(shape).size()) return false;
     shape = std::move(wider);

@@ -24,7 +24,7 @@ constexpr double kBesideNeck = 0.1;
 constexpr double kBesideWall = 0.1;
 /// mm. Heights, and places at the side of the stock, nearer than this are one.
 constexpr double kSameHeight = 0.01;
-/// mm. How far apart places are looked at beyond the side of the stock.
+/// mm. Distance of sampled places beyond the side of the stock.
 constexpr double kLookStep = 0.25;
 /// mm2. Greatest area of remnants left by booleans of areas that only touch.
 constexpr double kRemnant = 1e-3;

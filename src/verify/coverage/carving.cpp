@@ -176,7 +176,7 @@ class CarvingCheck {
     return found;
   }
 
-  /// Whether a flat tip can stand over p at the floor: narrow ends of the floor are out of its reach.
+  /// Whether a flat tip can be over p at the floor: narrow ends of the floor are out of its reach.
   bool is_in_tips_reach(Vec2 p) const { return tip_ <= 0 || has_place_for_tip(p, p, tip_); }
 
   /// Whether a square about `middle` contains a place for the tip's axis at the floor, within the tip's radius of p.

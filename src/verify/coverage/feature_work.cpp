@@ -50,7 +50,8 @@ double cleared_radius(const CheckedMove& checked, double above) {
   return removal_of(checked).profile.radius_at(std::max(0.0, above));
 }
 
-/// Adds the parts of a feed move whose tip is at or below z, with the cutter's radius at `level`, made smaller by `narrower` mm.
+/// Adds the parts of a feed move whose tip is at or below z, with the cutter's radius at `level`, made smaller by
+/// `narrower` mm.
 void append_swaths(const CheckedMove& checked, double z, double level, double narrower,
                    std::vector<Swath>& out) {
   const Move& move = *checked.move;
@@ -78,13 +79,14 @@ struct Around {
   double top_z;
 };
 
-/// Whether the cutter has cleared all above its tip up to the feature's top: over the disc of a T-slot cutter material may stand.
+/// Whether the cutter has cleared all above its tip up to the feature's top: over the disc of a T-slot cutter there
+/// may be material.
 bool reaches_up(const CheckedMove& checked, double top_z, const Tolerances& tol) {
   if (checked.tool->kind != ToolKind::kTSlot) return true;
   return checked.low_z() + checked.tool->flute_length.value_or(HUGE_VAL) >= top_z - tol.uncut;
 }
 
-/// Whether a feed move comes near the target with its tip at or below z.
+/// Whether a feed move is near the target with its tip at or below z.
 bool counts_at(const CheckedMove& checked, double z, const Around& target, const Tolerances& tol) {
   if (!checked.feeds() || !checked.tool || checked.low_z() > z || !checked.counts_below(target.top_z))
     return false;
@@ -445,7 +447,7 @@ std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& wor
     if (left > scallop.height_mm) scallop.height_mm = left, scallop.z = layers[i].z;
     above = layers[i].z;
   }
-  // Looked at place by place no more than may stand was found.
+  // The test place by place found no more than the permitted material.
   if (work.is_cut_between_layers) scallop.height_mm = std::min(scallop.height_mm, *scallop.asked_mm);
   return scallop;
 }

@@ -11,7 +11,8 @@ namespace clearcut::verify {
 /// the edge. Boundaries of the result may run to and fro along the stock's edge; this changes neither areas nor
 /// winding numbers.
 ///
-/// Method  Every point beyond the stock moves to the nearest one on its edge: a boundary then winds around each point within
+/// Method  Every point beyond the stock moves to the nearest one on its edge: a boundary then winds around each point
+/// within
 ///         as often as before. O(edges), exact up to rounding.
 Regions within_stock(const Regions& target, const std::optional<Box>& stock);
 

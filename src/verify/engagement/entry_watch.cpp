@@ -11,7 +11,8 @@ namespace {
 /// Degrees. A path of smaller slope is a sinking pass: at half a degree its length is more than a hundred times its
 /// depth.
 constexpr double kEntryAngle = 0.5;
-/// mm down for each mm of advance, 0.17 degrees: on the first turn, because an entry takes one whole turn for the thinnest layer, too.
+/// mm down for each mm of advance, 0.17 degrees: on the first turn, because an entry takes one whole turn for the
+/// thinnest layer, too.
 constexpr double kLeastEntrySlope = 3e-3;
 /// Share of a stated angle, for rounding of coordinates.
 constexpr double kAngleRounding = 0.02;

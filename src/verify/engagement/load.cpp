@@ -15,7 +15,7 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. Thinner material, beside or below the cutter, comes from rounding of printed coordinates.
+/// mm. Thinner material, beside or below the cutter, is due to rounding of printed coordinates.
 constexpr double kResidual = 1e-3;
 /// mm. Thinner material beside or below the cutter is not compared with a reference load: two passes of a program,
 /// each rounded, leave more than kResidual between them, over a wide angle, and a chip is ten times as thick.
@@ -423,8 +423,8 @@ double bottom_of(const Part& part) {
 
 /// Least number of samples in a part of the program: each part must run all earlier moves again.
 constexpr double kLeastSamples = 20000;
-/// Greatest number of parts, and greatest length of path over all of them in cutter radii: each part keeps the material of its
-/// own run, about half a kB for each radius of path.
+/// Greatest number of parts, and greatest length of path over all of them in cutter radii: each part keeps the
+/// material of its own run, about half a kB for each radius of path.
 constexpr int kMostParts = 4;
 constexpr double kMostRadii = 6e5;
 

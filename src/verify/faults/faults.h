@@ -26,7 +26,7 @@ std::vector<Condition> conditions_of_moves(const CheckedProgram& program, const 
 /// For walls with draft, the level with the most material left; the floor otherwise.
 const LevelCoverage& worst_level(const FeatureWork& work);
 
-/// Whether the layers leave more on a wall with draft than may stand there.
+/// Whether the layers leave more on a wall with draft than permitted.
 bool leaves_steps(const FeatureWork& work, const Scallop& scallop, const Tolerances& tol);
 
 /// Material left in a feature, a wholly uncut feature, or too high steps on a wall with draft.

@@ -51,7 +51,8 @@ void HandWork::find_changes() {
   }
 }
 
-/// Whether somebody stands at the machine between the cut before and this one: at a pause, or because tools are changed by hand.
+/// Whether an operator is at the machine between the previous cut and this one: at a pause, or because tools are
+/// changed by hand.
 bool HandWork::somebody_comes_before(const CheckedMove& cut) const {
   if (!changes_tools_alone_) return true;
   const auto index = static_cast<std::size_t>(&cut - moves_.data());

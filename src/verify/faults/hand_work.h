@@ -16,7 +16,7 @@ namespace clearcut::verify {
 /// condition; an action done in one place and missing in another is a mistake.
 class HandWork {
  public:
-  /// Nothing is left to hands, since nothing is known.
+  /// No manual actions, since nothing is known.
   HandWork() = default;
   /// `control` is the control table of `moves`, whose first move has the number 0; null: unknown.
   HandWork(std::span<const CheckedMove> moves, const ControlTable* control, const VerifyOptions& options);
@@ -41,7 +41,7 @@ class HandWork {
   std::span<const CheckedMove> moves_;
   const ControlTable* control_ = nullptr;
   bool needs_tool_length_ = false;    ///< without a length the control cuts at wrong heights
-  bool changes_tools_alone_ = false;  ///< nobody stands beside a tool change
+  bool changes_tools_alone_ = false;  ///< tools are changed without an operator
   bool switches_spindle_ = false, sets_speed_ = false;
   const CheckedMove* first_cut_ = nullptr;          ///< first move that removes material
   const CheckedMove* first_with_length_ = nullptr;  ///< of all moves

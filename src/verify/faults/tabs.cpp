@@ -15,7 +15,7 @@ namespace {
 /// mm, square to the side of a tab. Sampled places are so close that an error between them is greater by at most
 /// this.
 constexpr double kBetweenPlaces = 0.0025;
-/// mm. Places are looked at as far beside a tab.
+/// mm. Distance beside a tab up to which places are sampled.
 constexpr double kBesideBody = 0.5;
 /// Number of lines of places along the kerf; one of them is its middle.
 constexpr int kLines = 9;
@@ -107,7 +107,8 @@ struct SideError {
   Lowest lowest;
 };
 
-/// Whether the sides of a triangular tab are as they should be: nowhere lower, and in the middle of the kerf nowhere higher.
+/// Whether the sides of a triangular tab are as they should be: nowhere lower, and in the middle of the kerf nowhere
+/// higher.
 class SideCheck {
  public:
   SideCheck(const Tab& tab, const std::vector<const CheckedMove*>& moves, StockLeft left)

@@ -1,4 +1,4 @@
-// Whether the tabs of profiles stand, and how high.
+// Checks the presence and the height of the tabs of profiles.
 #pragma once
 
 #include <vector>

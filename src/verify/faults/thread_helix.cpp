@@ -21,7 +21,8 @@ constexpr double kPitchShare = 0.01;
 constexpr double kThreadHeightSlack = 0.006;
 /// Number of places checked on each move.
 constexpr int kThreadPlaces = 48;
-/// mm. Lines whose ends are as far from the axis as each other to within this are chords of a turn: rounding makes less.
+/// mm. Lines whose ends are as far from the axis as each other to within this are chords of a turn: rounding makes
+/// less.
 constexpr double kSameRadius = 0.003;
 /// Radians. Runs of chords with a smaller turn do not determine a pitch.
 constexpr double kLeastTurn = 0.1;

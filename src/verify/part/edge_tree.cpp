@@ -40,7 +40,8 @@ void EdgeTree::find_chains() {
     chains_[i].open_before = chains_[i - 1].open_before + (chains_[i - 1].from == chains_[i - 1].to ? 0 : 1);
 }
 
-/// Regions with hundreds of islands list them in any order: only those about a point are of use to find its winding number.
+/// Regions with hundreds of islands list them in any order: only those about a point are of use to find its winding
+/// number.
 void EdgeTree::sort_loops() {
   if (chains_.size() < kManyLoops ||
       std::any_of(chains_.begin(), chains_.end(), [](const Chain& c) { return c.from != c.to; }))

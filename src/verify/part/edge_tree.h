@@ -31,7 +31,7 @@ class EdgeTree {
     descend([&box](const Box& b) { return b.overlaps(box); }, visit);
   }
 
-  /// Calls visit(index) for every edge whose box comes within `reach` of p.
+  /// Calls visit(index) for every edge with a box within `reach` of p.
   template <typename Visit>
   void within(Vec2 p, double reach, Visit visit) const {
     const double squared = reach * reach;

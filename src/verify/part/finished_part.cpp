@@ -52,7 +52,7 @@ bool is_cut(const Feature& feature, int number, const CutFeatures& cut) {
   return !cut.only_draft || *cut.only_draft == number || feature.wall_slope.radians() <= 0;
 }
 
-/// Whether nothing of the part stands under the feature.
+/// Whether there is no part material below the feature.
 bool goes_through(const Feature& feature, const std::optional<Stock>& stock) {
   return stock && feature.through && feature.wall_slope.radians() == 0 &&
          feature.floor_z <= stock->z_bottom + kSamePlaceMm;

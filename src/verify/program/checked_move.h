@@ -93,7 +93,7 @@ struct CheckedMove {
   /// The move belongs to an earlier program: it removes material, but is not in the figures.
   bool earlier = false;
   std::optional<double> carried_below = {};  ///< for cuts of an earlier set-up, see Section
-  /// The move stands for a volume missing in the stock, see Section.
+  /// The move represents a volume missing in the stock, see Section.
   bool is_of_stock = false;
   int workingstep = -1;                   ///< workingstep of the move; -1: none. Used only for grouping
   int layer = -1;                         ///< index among the workingstep's layers

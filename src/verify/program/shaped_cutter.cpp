@@ -87,7 +87,8 @@ class ShapedCheck {
     return worst;
   }
 
-  /// Raises `worst` to the greatest excess between two heights: upwards both the cutter's radius and the distance grow.
+  /// Raises `worst` to the greatest excess between two heights: upwards both the cutter's radius and the distance
+  /// grow.
   void between_heights(const Wall& wall, const Edge& place, double z, std::array<double, 2> heights,
                        double& worst) const {
     const auto [low, high] = heights;
@@ -194,7 +195,7 @@ class ShapedCheck {
 
   void keep(const Wall& wall, const Sample& worst) {
     const double z = z_at(worst.t), sideways = worst.excess;
-    // On its flank a cutter comes free upwards, too.
+    // A cutter in contact on its flank is also freed by an upward shift.
     const bool by_flank = cutter_.slope > 0 && cutter_.radius_at(wall.z_high - z) < cutter_.widest;
     const double upwards = by_flank ? sideways / cutter_.slope : sideways;
     const double depth = std::min({sideways, upwards, wall.z_high - z});
@@ -252,7 +253,7 @@ std::optional<double> CutHeights::height_over(const Entry& entry, double distanc
   return std::max(0.0, distance - tip_radius(*entry.tool)) / entry.slope;
 }
 
-/// mm; no cutter's surface comes lower over p along this move.
+/// mm; lower bound of the height of the cutter's surface over p along this move.
 double CutHeights::least_height(const Entry& entry, Vec2 p) {
   const double low = std::min(entry.move->z_from, entry.move->z_to);
   if (entry.slope <= 0) return low;

@@ -45,7 +45,7 @@ struct VerifyOptions {
   const ControlTable* control = nullptr;
   bool speed_may_be_power = false;  ///< small S words say how strongly the spindle is driven, not its turns
   bool needs_tool_length = false;  ///< without the tool's length (G43) the control would cut at wrong heights
-  bool changes_tools_alone = false;   ///< a changer puts tools in while nobody stands at the machine
+  bool changes_tools_alone = false;   ///< a changer loads tools without an operator at the machine
   std::vector<std::string> accepted;  ///< confirmed conditions: they cause no faults
   /// Limits for tools without a workingstep, by number. Other tools are limited by their operations.
   std::map<int, ToolLimits> tool_limits;

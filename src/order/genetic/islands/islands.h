@@ -22,7 +22,7 @@ void check_islands(const IslandOptions& islands, const GeneticOptions& options);
 /// How many epochs a run of `stop.rounds` generations has.
 long long epoch_count(const IslandOptions& islands, const GeneticOptions& options);
 
-/// The island whose best come to this one.
+/// The island that sends its best to this one.
 int island_before(int island, const IslandOptions& islands);
 
 /// One epoch of one island.

@@ -8,7 +8,7 @@
 
 namespace clearcut::plan::contour {
 
-/// How one series of Newton steps goes.
+/// Settings of one series of Newton steps.
 struct Pull {
   int steps = 0;
   double reach = 0;       ///< longest first step, as a share of the tool radius
