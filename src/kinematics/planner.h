@@ -24,7 +24,8 @@ struct PlannedMove {
 /// Time of each of the moves, run in this order from rest to rest, as the controller plans them.
 ///
 /// Planner `machine.planner`, or `of_control` if the machine states none; kGrbl if neither is stated.
-/// Error   LinuxCNC: 1 % at the median and 3 % at most of its own planner; docs/machine-time.md has the rules of all, with sources.
+/// Error   LinuxCNC: 1 % at the median and 3 % at most of its own planner; docs/machine-time.md has the rules of
+///         all planners, with sources.
 /// Cost    O(n) for n moves; arcs count as their chords if the controller cuts them into chords.
 std::vector<Seconds> planned_times(std::span<const PlannedMove> moves, const Machine& machine,
                                    std::optional<MotionPlanner> of_control = {});

@@ -33,6 +33,7 @@ std::string outline_name(const std::string& witness);
 WitnessFile witness_of(const Proven& what);
 /// The certificate's text on a witness.
 CertificateProof proof_of(const WitnessFile& witness);
+/// The witness as the file `path`, and its outline if there is one; empty if no witness was found.
 std::vector<OutputFile> witness_files(const WitnessFile& witness, const std::string& path);
 /// The result, or the reason for its absence, as lines.
 std::string witness_lines(const WitnessFile& witness, const std::string& path, const Proven& what);

@@ -13,8 +13,8 @@ namespace clearcut::read {
 /// While faces do not overlap in plan view their own edges make the boundary, exactly. From the first level with
 /// overlaps on, the material is kept as regions.
 ///
-/// Cost    all levels together: O(e log^2 e) for the faces' e edges, each united with its neighbours once, and per level
-///         O(b log b) for the b edges of the boundary there. Memory O(e).
+/// Cost    all levels together: O(e log^2 e) for the faces' e edges, each united with its neighbours once, and for
+///         each level O(b log b) for the b edges of the boundary there. Memory O(e).
 class FloorSweep {
  public:
   FloorSweep(const HeightMap& map, const Tolerances& tol);

@@ -141,13 +141,13 @@ class TSlotShaper {
     return whole < cutter.diameter ? whole : (cutter.shank_diameter + cutter.diameter) / 2;
   }
 
-  /// mm; distance of the cutter's centre from the stock during its descent. The line is extended to the place of the
-  /// descent, which becomes its beginning.
+  /// mm; distance of the cutter's centre from the stock during its descent.
   double off_stock(const Tool& cutter) const {
     return cutter.radius() + features::clear_of_raw_stock(cutter.radius()) +
            options_.shop.stock_oversize.value_or(0);
   }
 
+  /// Extends the line to the place of the disc's descent, which becomes its beginning.
   void find_ends(Feature& feature, const Tool& cutter) const {
     ProfileCut& cut = *feature.profile;
     if (cut.closed)

@@ -39,6 +39,7 @@ class EntryWatch {
   void follow(std::span<const CheckedMove> moves, const StatedEntry& stated);
   /// Whether the move belongs to an entry.
   bool is_inside() const { return state_ != State::kOutside; }
+  /// Whether the move is the first one of an entry.
   bool begins() const { return begins_; }
   /// mm; with the tip at z, the height above which material does not belong to the entry.
   double others_from(double z) const;
