@@ -1,4 +1,4 @@
-// The commands of `clearcut`: the product's own, and those that it hands over to clearcut-studies.
+// The commands of `clearcut`: the product's own, and those handed over to clearcut-studies.
 #include "commands/commands.h"
 #include "commands/hand_over.h"
 

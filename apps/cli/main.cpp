@@ -24,7 +24,7 @@ namespace {
 
 using namespace clearcut::cli;
 
-/// What was wrong with the arguments, in one line.
+/// The error in the arguments, in one line.
 std::string about(const CLI::ParseError& error, const CLI::App& app,
                   const std::vector<std::string>& arguments) {
   const auto commands = app.get_subcommands();
@@ -62,14 +62,14 @@ int parse_and_run(int argc, char** argv) {
   return exit_code;
 }
 
-/// What was printed may not have arrived: a full disk, a closed pipe.
+/// Printed output may have been lost: a full disk, a closed pipe.
 int checked_output(int exit_code) {
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return exit_code;
   complain("the output could not be written; make room, or name another file");
   return kUnusable;
 }
 
-/// Commands that work on one file of somebody's. Others make many plans at once and know what they need.
+/// Commands for one file of a user. Other commands make many plans at once and have their own limits.
 constexpr std::array<std::string_view, 8> kOfOneFile{"plan",    "info", "tools", "verify",
                                                      "convert", "init", "check", "feeds"};
 
@@ -78,7 +78,7 @@ void limit_memory(std::string_view command) {
   clearcut::memory::limit_to(clearcut::memory::limit_asked_for());
 }
 
-/// What to do where the memory does not suffice.
+/// Advice if the memory does not suffice.
 std::string beyond_memory(std::string_view command) {
   const std::string help = command == "plan" || command == "tools"
                                ? "use a wider cutter, a larger --stepdown or --stepover, --strategy zigzag, "

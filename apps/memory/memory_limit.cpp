@@ -16,7 +16,7 @@ namespace clearcut::memory {
 namespace {
 
 constexpr double kGigabyte = 1e9;
-/// Bytes that a thread takes or gives back before the common count hears of it.
+/// Bytes a thread may allocate or free before the common count is updated.
 constexpr std::ptrdiff_t kHeard = 1 << 16;
 
 std::atomic<std::ptrdiff_t> in_common{0};
@@ -29,7 +29,7 @@ thread_local std::ptrdiff_t own = 0;  // not yet in the common count
   return left < 0 || bytes > static_cast<std::size_t>(left);
 }
 
-/// Counts what a block really takes.
+/// Counts the real size of a block.
 [[maybe_unused]] void count_taken(void* block) noexcept {
   own += static_cast<std::ptrdiff_t>(malloc_usable_size(block));
   if (own > kHeard) in_common.fetch_add(std::exchange(own, 0), std::memory_order_relaxed);

@@ -1,4 +1,4 @@
-// How much memory this process may hold: what needs more is refused in one line, before the machine suffers.
+// Limit of this process' memory: larger needs are refused in one line, before the machine is affected.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace clearcut::memory {
 
-/// Bytes that a command holds at most where nothing else is said. The process takes some more: its code, and what its heap
-/// keeps between two uses.
+/// Default limit of a command's allocated bytes. The process takes more: its code, and memory kept by its heap
+/// between uses.
 inline constexpr std::size_t kUsualLimit = 900'000'000;
 
 /// An allocation would have gone beyond the limit.
@@ -16,14 +16,14 @@ class LimitReached : public std::bad_alloc {
   const char* what() const noexcept override { return "the limit of memory is reached"; }
 };
 
-/// The limit that CLEARCUT_MEMORY names in GB, else the usual one. Throws std::invalid_argument where it is no number above 0.
+/// The limit in CLEARCUT_MEMORY in GB, else the usual one. Throws std::invalid_argument if it is no number above 0.
 std::size_t limit_asked_for();
 
-/// From now on `new` throws LimitReached where all that is held would come to more than so many bytes. Builds with sanitizers
-/// keep their own allocator and have no limit.
+/// From now on `new` throws LimitReached if the total allocation would exceed this number of bytes. Builds with
+/// sanitizers keep their own allocator and have no limit.
 void limit_to(std::size_t bytes);
 
-/// Bytes that are held, to some 100 kB for each thread.
+/// Allocated bytes, to about 100 kB for each thread.
 std::size_t held();
 
 }  // namespace clearcut::memory

@@ -18,7 +18,7 @@ using Clock = std::chrono::steady_clock;
 constexpr auto kPollInterval = std::chrono::milliseconds(5);
 constexpr int kNotStarted = 127;
 
-/// In the child: only calls that are safe between fork and exec, as all that follow.
+/// In the child: only calls safe between fork and exec, as in all following functions.
 void limit(decltype(RLIMIT_AS) resource, std::uint64_t most) {
   if (most == 0) return;
   const rlimit both{most, most};
@@ -42,7 +42,7 @@ bool connect_streams(const ChildPlace& place) {
 
 [[noreturn]] void become(char* const* words, const ChildPlace& place, const ChildLimits& limits,
                          pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // nobody waits for it any more
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // its parent has ended
   if (getppid() != parent) _exit(kNotStarted);
   if (place.is_apart) setpgid(0, 0);
   set_signals_back();

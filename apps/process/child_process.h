@@ -1,4 +1,4 @@
-// A program that runs apart from this one, within limits.
+// A program run in a separate process, within limits.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace clearcut::process {
 
-/// Sanitizers reserve more address space than any limit leaves: such a build has none.
+/// Sanitizers reserve more address space than any limit leaves: builds with them have none.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 inline constexpr bool kLimitsMemory = false;
 #else
@@ -18,14 +18,14 @@ inline constexpr bool kLimitsMemory = true;
 struct ChildLimits {
   double seconds = 0;            ///< wall clock; 0: none
   std::uint64_t bytes = 0;       ///< of address space; 0: none
-  std::uint64_t file_bytes = 0;  ///< of each file that it writes; 0: none
+  std::uint64_t file_bytes = 0;  ///< limit of each written file; 0: none
 };
 
 struct ChildPlace {
-  std::string log;        ///< file for what it says as errors
-  std::string output;     ///< file for what it prints; "": `log`, too
-  std::string folder;     ///< where it runs; "": here
-  bool is_apart = false;  ///< it and what it starts end together, whoever ends it
+  std::string log;        ///< file for its error messages
+  std::string output;     ///< file for its output; "": also `log`
+  std::string folder;     ///< working folder; "": the current one
+  bool is_apart = false;  ///< the child and its own children end together, however it is ended
 };
 
 struct ChildEnd {
@@ -34,8 +34,9 @@ struct ChildEnd {
   int code = 0;  ///< exit code or signal
 };
 
-/// Runs `words` (the first names the program by its path) and waits for it. `goes_on` is asked every few milliseconds; "no" ends the child.
-/// The child ends with the calling thread. Throws InputError where it cannot be started.
+/// Runs `words` (the first names the program by its path) and waits for it. `goes_on` is called every few
+/// milliseconds; false ends the child. The child ends with the calling thread. Throws InputError if it cannot be
+/// started.
 ChildEnd run_child(const std::vector<std::string>& words, const ChildPlace& place, const ChildLimits& limits,
                    const std::function<bool()>& goes_on = {});
 

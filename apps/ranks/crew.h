@@ -1,4 +1,4 @@
-// The threads of one process that do its share of the work.
+// Threads of one process for its share of the work.
 #pragma once
 
 #include <atomic>
@@ -14,17 +14,18 @@
 
 namespace clearcut::ranks {
 
-/// Does a task and gives its result; asked to stop, it may throw or give anything. `input`: what the task rests on.
+/// Does a task and gives its result; after a request to stop, it may throw or return anything. `input`: data needed
+/// by the task.
 using Perform = std::function<std::string(const std::string& task, const std::string& input,
                                           const std::atomic<bool>& stop)>;
 
 class Crew {
  public:
-  /// `ahead`: tasks that may wait for a thread.
+  /// `ahead`: number of tasks that may wait for a thread.
   Crew(Perform perform, int threads, int ahead);
   Crew(const Crew&) = delete;
   Crew& operator=(const Crew&) = delete;
-  /// Tells tasks under way to stop and waits until they have.
+  /// Requests running tasks to stop and waits for their end.
   ~Crew();
 
   void give(const std::string& task, const std::string& input);
@@ -34,7 +35,7 @@ class Crew {
   std::vector<std::string> in_hand() const;
   /// Tasks with their results, each pair once.
   std::vector<std::pair<std::string, std::string>> take_results();
-  /// What a task threw; "" where none did.
+  /// Text of a task's exception; "" if there was none.
   std::string error() const;
 
  private:

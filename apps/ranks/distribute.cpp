@@ -16,7 +16,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Results = std::vector<std::pair<std::string, std::string>>;
 
-/// What a rank tells the one that hands out.
+/// Report of a rank to the distributing one.
 struct Report {
   int room = 0;
   std::vector<std::string> in_hand;
@@ -26,7 +26,7 @@ struct Report {
 
 constexpr const char* kReport = "report";
 constexpr const char* kTasks = "tasks";  // the answer to a report
-constexpr const char* kMore = "more";    // tasks that came up after it
+constexpr const char* kMore = "more";    // tasks that became possible afterwards
 constexpr const char* kEnd = "end";
 constexpr const char* kSomeDied = "some died";
 
@@ -84,7 +84,7 @@ class Distribution {
     }
     ledger_.emplace(work_.tasks(), ranks_.count(), now());
     room_.assign(static_cast<std::size_t>(ranks_.count()), 0);
-    // Who takes another's place first hears what the others have in hand.
+    // A rank taking another's place first waits for reports on the others' current tasks.
     hands_out_from_ = leader_ == 0 ? 0 : now() + 2 * timing_.beat;
     for (int rank = 0; rank < leader_; ++rank) ledger_->bury(rank);
     ledger_->heard(leader_, crew_.in_hand(), now());
@@ -101,7 +101,7 @@ class Distribution {
     if (fields.at(0) == kTasks && message.from == leader_ && waits_) take_answer(unpack(fields.at(1)));
     if (fields.at(0) == kMore && message.from == leader_) take(unpack(fields.at(1)));
     if (fields.at(0) != kReport) return;
-    // A report to one that does not hand out: its sender knows that all before it have died.
+    // A report to a non-distributing rank: its sender has found all earlier ranks dead.
     if (!ledger_) lead();
     answer(message.from, report_of(fields));
   }
@@ -132,7 +132,7 @@ class Distribution {
     if (work_.next) ledger_->add(work_.next(task));
   }
 
-  /// To those that were given less than they had room for.
+  /// Sends new tasks to ranks with free room.
   void give_what_came_up() {
     for (int rank = 0; rank < ranks_.count(); ++rank) {
       int& room = room_[static_cast<std::size_t>(rank)];
@@ -149,7 +149,7 @@ class Distribution {
     }
   }
 
-  /// One round of the rank that hands out.
+  /// One round of the distributing rank.
   void serve() {
     const int self = ranks_.number();
     for (const auto& [task, result] : crew_.take_results()) finish(task, result);
@@ -189,7 +189,7 @@ class Distribution {
     last_answer_ = now();
     unanswered_.clear();
     take(tasks);
-    // Where there is nothing to do, asking all the time would only keep others from working.
+    // Without tasks, asking continuously would only hinder others.
     if (tasks.empty()) asks_again_ = now() + timing_.beat / 4;
   }
 
@@ -197,7 +197,7 @@ class Distribution {
     for (std::size_t i = 0; i + 1 < tasks.size(); i += 2) crew_.give(tasks[i], tasks[i + 1]);
   }
 
-  /// Whoever hands out has died: the next rank does it.
+  /// The distributing rank has died: the next rank takes over.
   void succeed() {
     waits_ = false;
     asked_ = 0;
@@ -210,8 +210,8 @@ class Distribution {
   const Work& work_;
   Timing timing_;
   Clock::time_point began_ = Clock::now();
-  std::optional<Ledger> ledger_;  ///< of the rank that hands out
-  std::vector<int> room_;  ///< by rank: what it could do beside what it was given, where this rank hands out
+  std::optional<Ledger> ledger_;  ///< on the distributing rank
+  std::vector<int> room_;         ///< by rank: its room beyond its current tasks, on the distributing rank
   int leader_ = 0;
   double hands_out_from_ = 0;
   bool waits_ = false;  ///< for an answer to a report
@@ -229,7 +229,7 @@ Outcome distribute(Ranks& ranks, const Work& work, const Timing& timing) {
 }
 
 int on_mpi_ranks(const std::function<Outcome(Ranks& ranks)>& work, const std::function<int()>& write) {
-  // Open MPI may wait for ever for one that has died. Where none has, the others are here while the leader still writes.
+  // Open MPI may wait forever for a dead rank. If none has died, the others arrive while the leader still writes.
   constexpr double kAtOnce = 2, kSoon = 10, kLater = 120;
   constexpr int kRefused = 2;
   const auto ranks = mpi_ranks();

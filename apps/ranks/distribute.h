@@ -1,9 +1,11 @@
-// Work handed out to the processes of a job as they have room for it, none of it lost when one of them dies.
+// Work distributed to the processes of a job as they have room for it; no work is lost if one of them dies.
 //
-// Rank 0 hands out. Every rank, also that one, does tasks on threads of its own and reports at least once in `beat` seconds: what it
-// has room for, what it has in hand, what it has finished. Each report is answered, with tasks or none; a rank that got none gets some as soon as there are. A rank that is not heard of for
-// `silence` seconds has died: others do what it had in hand. Where rank 0 itself no longer answers, the next one takes its place and
-// asks anew what is still to be done. A rank that only seemed dead does no harm: a task gives the same result anywhere, and the first counts.
+// Rank 0 distributes. Every rank, including rank 0, does tasks on its own threads and reports at least once in `beat`
+// seconds: its free room, its current tasks, its finished tasks. Each report is answered, with or without tasks; a
+// rank without tasks gets some as soon as there are any. A rank without reports for `silence` seconds has died:
+// others do its current tasks. If rank 0 itself no longer answers, the next rank takes its place and computes the
+// remaining tasks anew. A rank wrongly taken as dead does no harm: a task gives the same result anywhere, and the
+// first result counts.
 #pragma once
 
 #include <functional>
@@ -16,40 +18,42 @@
 namespace clearcut::ranks {
 
 struct Work {
-  /// All that is not done yet. Asked on rank 0, and again on one that takes its place.
+  /// All tasks not done yet. Called on rank 0, and again on a rank that takes its place.
   std::function<std::vector<std::string>()> tasks;
-  /// What a task rests on and its rank may not have, on the rank that hands out; travels with the task. May be empty.
+  /// Data needed by a task and possibly missing on its rank; called on the distributing rank and sent with the task.
+  /// May be empty.
   std::function<std::string(const std::string& task)> input{};
-  /// On any rank, from several threads. What it throws ends the work on all of them.
+  /// Called on any rank, from several threads. An exception ends the work on all ranks.
   Perform perform;
-  /// On the rank that hands out, once for each task.
+  /// Called on the distributing rank, once for each task.
   std::function<void(const std::string& task, const std::string& result)> finished;
-  /// The same, after that: tasks that can be done only now. They come before all others. May be empty.
+  /// The same, called afterwards: returns tasks now possible. They come before all others. May be empty.
   std::function<std::vector<std::string>(const std::string& task)> next{};
-  /// Told of deaths, on the rank that hands out.
+  /// Called for deaths of ranks, on the distributing rank.
   std::function<void(const std::string& text)> say;
   int threads = 1;
-  int ahead = 0;  ///< tasks that a rank may have waiting, so that short ones need not wait for an answer
+  int ahead = 0;  ///< number of tasks waiting on a rank, so that short ones need not wait for an answer
 };
 
 /// Seconds.
 struct Timing {
-  double pause = 0.001;  ///< between two looks for messages, so that waiting takes no processor's time
+  double pause = 0.001;  ///< between two checks for messages, so that waiting takes no processor time
   double beat = 1;       ///< longest time between two reports
-  double silence = 10;   ///< after which a rank has died
-  double first = 300;    ///< the same before the first answer: reading what is done already takes its time
+  double silence = 10;   ///< after which a rank counts as dead
+  double first = 300;    ///< the same before the first answer: reading finished work takes time
 };
 
 struct Outcome {
-  bool leads = false;      ///< this rank handed out at the end, and was told of all results
+  bool leads = false;      ///< this rank distributed at the end, and has all results
   bool some_died = false;  ///< as far as is known
 };
 
-/// Comes back on every rank when all is done. Throws InputError with what a task threw, on the rank that hands out.
+/// Returns on every rank when all is done. Throws InputError with the text of a task's exception, on the distributing
+/// rank.
 Outcome distribute(Ranks& ranks, const Work& work, const Timing& timing = {});
 
-/// Shares work among the processes of an MPI job, calls `write` on the rank that knows the results, and leaves the job; gives the exit
-/// code, that of `write` or 0.
+/// Shares work among the processes of an MPI job, calls `write` on the rank with the results, and leaves the job;
+/// returns the exit code of `write`, or 0.
 int on_mpi_ranks(const std::function<Outcome(Ranks& ranks)>& work, const std::function<int()>& write);
 
 }  // namespace clearcut::ranks

@@ -30,7 +30,7 @@ void forget_what_arrived() {
   });
 }
 
-/// A message that is being received. Where its sender dies halfway it stays here: waiting for it would be waiting for ever.
+/// A message being received. If its sender dies halfway the message stays here: waiting for it would never end.
 struct Coming {
   int from = 0;
   std::string bytes;
@@ -38,13 +38,13 @@ struct Coming {
   bool has_arrived = false;
 };
 
-/// In the order in which they were sent, by each sender. A list, because MPI holds on to the bytes' address.
+/// In the order of sending, for each sender. A list, because MPI keeps the bytes' addresses.
 std::list<Coming>& on_their_way_here() {
   static std::list<Coming> all;
   return all;
 }
 
-/// Begins to receive what there is to be received.
+/// Begins to receive the available messages.
 bool begin_receiving() {
   for (;;) {
     int found = 0, bytes = 0;
@@ -70,7 +70,7 @@ bool has_arrived(Coming& coming) {
   return coming.has_arrived;
 }
 
-/// The first that is there whole and no earlier one of the same sender is still to come; null where there is none.
+/// The first complete message without an incomplete earlier one of the same sender; null if there is none.
 Coming* first_arrived() {
   std::set<int> awaited;
   for (Coming& coming : on_their_way_here()) {

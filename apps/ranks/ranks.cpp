@@ -22,13 +22,13 @@ namespace fs = std::filesystem;
   throw InputError("--mpi", what);
 }
 
-/// clearcut-mpi.so beside the command, where it is built, or where it is installed.
+/// clearcut-mpi.so beside the command, at its build place, or at its installed place.
 const ClearcutMpi& loaded() {
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
   for (const fs::path& file :
        {folder / "clearcut-mpi.so", folder.parent_path() / "lib" / "clearcut" / "clearcut-mpi.so"}) {
     if (!fs::exists(file)) continue;
-    // MPI loads parts of itself, which look for its functions among those of the whole program.
+    // MPI loads further parts, which search its functions among those of the whole program.
     void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_GLOBAL);
     if (library == nullptr) refuse(fmt::format("{} cannot be loaded: {}", file.string(), dlerror()));
     const auto function = reinterpret_cast<decltype(&clearcut_mpi)>(dlsym(library, kClearcutMpiFunction));

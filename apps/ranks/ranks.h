@@ -1,4 +1,4 @@
-// Processes that mpirun or Slurm started together, and messages between them.
+// Processes started together by mpirun or Slurm, and messages between them.
 #pragma once
 
 #include <memory>
@@ -9,11 +9,11 @@
 namespace clearcut::ranks {
 
 struct Message {
-  int from = 0;  ///< number of the process that sent it
+  int from = 0;  ///< number of the sending process
   std::string text;
 };
 
-/// This process among those that were started with it. Nothing here waits for another process but `leave`.
+/// This process among those started with it. Only `leave` waits for other processes.
 class Ranks {
  public:
   Ranks() = default;
@@ -24,18 +24,20 @@ class Ranks {
   virtual int number() const = 0;  ///< of this process, from 0
   virtual int count() const = 0;   ///< of all processes
   virtual int here() const = 0;    ///< how many of them run on this machine
-  /// The text is on its way when this returns, and lost where the other process has ended.
+  /// The text is being sent when this returns; it is lost if the other process has ended.
   virtual void send(int to, const std::string& text) = 0;
-  /// The next message, where there is one.
+  /// The next message, if there is one.
   virtual std::optional<Message> receive() = 0;
-  /// The last call. Waits for the others to come here too. Some may have died: after that time the whole process ends, with `exit_code`.
+  /// The last call. Waits for this call on the other ranks. Some may have died: after `seconds` the whole process
+  /// ends, with `exit_code`.
   virtual void leave(double seconds, int exit_code) = 0;
 };
 
-/// The processes of an MPI job; a process that was started alone is one of one. Throws InputError where this installation has no MPI.
+/// The processes of an MPI job; a process started by itself is one of one. Throws InputError if this installation has
+/// no MPI.
 std::unique_ptr<Ranks> mpi_ranks();
 
-/// Several texts as one, and back. Throws InputError for what `pack` did not write.
+/// Several texts as one, and back. Throws InputError for text not written by `pack`.
 std::string pack(const std::vector<std::string>& texts);
 std::vector<std::string> unpack(const std::string& packed);
 

@@ -1,4 +1,4 @@
-// What each route does.
+// Handlers of the routes.
 #include <clearcut/error.h>
 #include <clearcut/file.h>
 
@@ -34,7 +34,7 @@ class Place {
 constexpr double kHeartbeat = 10;  // s between signs of life of events
 constexpr double kLongestUpload = 60;
 
-/// Reads the form into `upload`. Throws Refusal. `response` says where the request is too large to be read.
+/// Reads the form into `upload`. Throws Refusal. `response` is set if the request is too large to be read.
 void read_form(const Request& request, const Response& response, const ContentReader& content,
                Upload& upload) {
   if (!request.is_multipart_form_data()) throw Refusal{400, "send a form with files: multipart/form-data"};
@@ -84,7 +84,7 @@ WorkPtr new_work(Service& service, Upload& upload, const std::string& id) {
   return std::make_shared<Work>(id, upload.take());
 }
 
-/// Answers with what `action` refuses.
+/// Runs `action` and answers with its refusal, if any.
 template <typename Action>
 void refusing(Response& response, const Action& action) {
   try {
@@ -110,7 +110,8 @@ std::string part_of(const Upload& upload) {
   return part;
 }
 
-/// The file of points that was sent, or the lattice in words; nothing else, which the command might read as a file's name.
+/// The uploaded file of points, or the lattice in words; no other text, since the command might read it as a file's
+/// name.
 std::string tour_input(const Upload& upload) {
   static const std::regex lattice_words("[1-9][0-9]{0,3}x[1-9][0-9]{0,3}");
   const std::string points = upload.file_of("points"), lattice = upload.text_of("lattice");
@@ -126,7 +127,7 @@ struct Task {
   bool has_verdict = true;
 };
 
-/// Queues what `task_of` makes of a request's form; says where its state and its results will be.
+/// Queues the work made by `task_of` from a request's form; answers with the addresses of its state and its results.
 template <typename TaskOf>
 void answer_queued(Service& service, const Request& request, Response& response, const ContentReader& content,
                    const TaskOf& task_of) {
@@ -153,7 +154,7 @@ WorkPtr work_of(Service& service, const Request& request, Response& response) {
   return work;
 }
 
-/// A file as it lies there, in pieces; the work keeps it alive.
+/// Sends a file in pieces; the work keeps the file alive.
 void stream_file(const WorkPtr& work, const std::string& file, const std::string& type, Response& response) {
   const fs::path path = work->folder / "results" / file;
   std::error_code absent;
@@ -243,7 +244,7 @@ void get_result(Service& service, const Request& request, Response& response) {
   const std::string name = request.path.substr(request.path.rfind('/') + 1);
   const ResultKind* const kind = kind_of_result(name);
   if (kind == nullptr) return answer_refusal(response, 404, "there is no such result");
-  // A page of its own origin that may run its scripts and fetch nothing.
+  // A page with its own origin, permitted to run its scripts but not to fetch.
   const std::string_view type = kind->type;
   if (type.starts_with("text/html") || type.starts_with("image/svg"))
     response.set_header(
@@ -274,7 +275,7 @@ void post_compare(Service& service, const Request& request, Response& response,
   });
 }
 
-/// Waits for the command, and answers with its state and the JSON that it prints.
+/// Waits for the command, and answers with its state and its printed JSON.
 void post_info(Service& service, const Request& request, Response& response, const ContentReader& content) {
   refusing(response, [&] {
     const Place place(service.questions);
@@ -294,7 +295,7 @@ void post_info(Service& service, const Request& request, Response& response, con
     const fs::path text = work->folder / "results/text.txt";
     Json said = fs::exists(text) ? Json::parse(read_file(text.string()), nullptr, false) : Json();
     json["info"] = said.is_object() ? said : Json();
-    if (said.is_object()) {  // it gives no verdict, by which plans and checks are known to be done
+    if (said.is_object()) {  // the command gives no verdict, by which finished plans and checks are recognised
       json["state"] = name_of(WorkState::kDone);
       json.erase("message");
     }

@@ -1,4 +1,4 @@
-// clearcut-serve: the program behind `clearcut serve`, which hands it its settings as JSON.
+// clearcut-serve: the program behind `clearcut serve`, which passes the settings as JSON.
 #include <clearcut/error.h>
 #include <clearcut/file.h>
 #include <malloc.h>
@@ -28,7 +28,7 @@ sigset_t signals_that_end() {
   return set;
 }
 
-/// What noise may take of this process; plans have limits of their own.
+/// Memory limit of this process for small requests; plans have their own limits.
 void limit_memory() {
   constexpr rlim_t kMost = rlim_t{6} << 30;
   rlimit both{};
@@ -38,7 +38,7 @@ void limit_memory() {
   mallopt(M_ARENA_MAX, 4);
 }
 
-/// The options of plan and verify, as the command itself says them.
+/// The options of plan and verify, from the command itself.
 std::string options_of_command(const std::string& command, const SessionFolder& folder) {
   const std::string file = folder.path() + "/options.json";
   const auto end = process::run_child({command, "generate", "options"}, {file, "", "", false}, {60, 0, 0});
@@ -51,7 +51,7 @@ void serve_with(const Settings& settings) {
   const SessionFolder folder;
   const sigset_t ending = signals_that_end();
   pthread_sigmask(SIG_BLOCK, &ending, nullptr);
-  // For the commands that it runs: lines of progress to read, and tables of a page's width.
+  // For the commands run by the server: readable lines of progress, and tables of a page's width.
   setenv("CLEARCUT_PROGRESS", "json", 1);
   setenv("COLUMNS", "100", 1);
   setenv("NO_COLOR", "1", 1);

@@ -26,7 +26,7 @@ void check_file(const std::string& option, const std::string& value, const std::
     throw InputError(option, "'" + value + "' was not sent; send that file with the request");
 }
 
-/// The words of one option from `at` on, which moves behind them.
+/// Takes the words of one option from `at` on, and moves `at` behind them.
 void take_option(const std::vector<std::string>& words, std::size_t& at,
                  const std::vector<KnownOption>& options, const std::set<std::string>& files,
                  std::vector<std::string>& out) {

@@ -1,4 +1,4 @@
-// The options of a request: as on the command line, and no way to a file of this machine.
+// The options of a request: as on the command line, but without access to files of this machine.
 #pragma once
 
 #include <set>
@@ -8,29 +8,30 @@
 
 namespace clearcut::serve {
 
-/// One option of a command, as `clearcut generate options` says it.
+/// One option of a command, from `clearcut generate options`.
 struct KnownOption {
   std::vector<std::string> names;  ///< "-o", "--output"
   bool takes_value = false;
   bool takes_many = false;
   bool is_file = false;
-  bool is_refused = false;  ///< names a result, which the server chooses, or is no work at all
+  bool is_refused = false;  ///< names a result, which the server chooses, or requests no work
 };
 
-/// Of one command, from that JSON. Throws InputError for other text.
+/// The options of one command, from that JSON. Throws InputError for other text.
 std::vector<KnownOption> known_options(std::string_view json, const std::string& command);
 
-/// Words as a shell takes them apart: blanks part them, quotes hold them together. Throws InputError for a quote that stays open.
+/// Words separated as in a shell: by blanks, with quotes holding them together. Throws InputError for an unclosed
+/// quote.
 std::vector<std::string> words_of(std::string_view text);
 
-/// The words as the command is called with, each option with its value in one: "--tool=endmill:6". Throws InputError for words
-/// that are no option of the command, for options that the server sets, and where a file is named that is not one of `files`.
+/// The words for calling the command, each option with its value in one word: "--tool=endmill:6". Throws InputError
+/// for words other than the command's options, for options set by the server, and for files outside of `files`.
 std::vector<std::string> checked_words(const std::vector<std::string>& words,
                                        const std::vector<KnownOption>& options,
                                        const std::set<std::string>& files);
 
-/// Throws InputError where a job (TOML) could name a file in another folder: a slash or a backslash outside of its comments, or
-/// a text of several lines, in which comments cannot be told.
+/// Throws InputError if a job (TOML) could name a file in another folder: a slash or a backslash outside of its
+/// comments, or a text of several lines, in which comments cannot be recognised.
 void check_job(const std::string& text, const std::string& name);
 
 }  // namespace clearcut::serve

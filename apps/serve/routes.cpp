@@ -46,7 +46,7 @@ std::vector<Route> result_routes() {
   return out;
 }
 
-/// A text that the service holds or makes.
+/// A text stored or made by the service.
 Route text_route(const std::string& path, const std::string& summary,
                  std::function<std::string(Service&)> text) {
   Route route{"GET", path, summary, {}, {{200, summary}}, "application/json", {}, {}};

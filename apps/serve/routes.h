@@ -1,4 +1,4 @@
-// What the server answers: a table of routes, from which the description for programs is made.
+// Routes of the server as a table, also the source of the description for programs.
 #pragma once
 
 #include <httplib.h>
@@ -13,7 +13,7 @@
 
 namespace clearcut::serve {
 
-/// What the routes share.
+/// Data common to all routes.
 struct Service {
   const Settings& settings;
   std::filesystem::path folder;  ///< of the session
@@ -21,20 +21,20 @@ struct Service {
   std::vector<KnownOption> plan_options, check_options;
   WorkList works;
   std::atomic<std::size_t> followers = 0;  ///< connections with events
-  std::atomic<std::size_t> questions = 0;  ///< that somebody waits for
+  std::atomic<std::size_t> questions = 0;  ///< questions with a waiting client
 
   Service(const Settings& given, std::filesystem::path place, std::string options_json);
 };
 
 struct Route {
   std::string method;                                ///< GET, POST, DELETE
-  std::string path;                                  ///< as OpenAPI writes it: /plan/{id}/events
+  std::string path;                                  ///< in OpenAPI's form: /plan/{id}/events
   std::string summary;                               ///< one line
-  std::vector<std::string> form;                     ///< fields of the form that it takes
-  std::vector<std::pair<int, std::string>> answers;  ///< status, and what it means
+  std::vector<std::string> form;                     ///< accepted fields of the form
+  std::vector<std::pair<int, std::string>> answers;  ///< status, and its meaning
   std::string type = "application/json";             ///< of the answer
   std::function<void(Service&, const httplib::Request&, httplib::Response&)> handler;
-  /// For requests with a form, read as it comes.
+  /// For requests with a form, read in pieces.
   std::function<void(Service&, const httplib::Request&, httplib::Response&, const httplib::ContentReader&)>
       reader;
   std::string schema{};     ///< of a good answer, by its name in schemas(); "": any

@@ -48,7 +48,7 @@ Json progress_of_search() {
                 {"stage", "best", "found_s", "left_s"});
 }
 
-/// What every answer about work holds.
+/// Fields of every answer about work.
 Json work() {
   return {{"state", {{"type", "string"}, {"enum", {"waiting", "running", "done", "failed", "cancelled"}}}},
           {"ahead", described("integer", "plans before it, while it waits")},

@@ -1,11 +1,11 @@
-// What the server's answers hold, as JSON Schema, for its description.
+// JSON Schemas of the server's answers, for its description.
 #pragma once
 
 #include "serve/works/work_list.h"
 
 namespace clearcut::serve {
 
-/// By their names, which routes refer to: Route::schema.
+/// Schemas by name, referenced by routes: Route::schema.
 Json schemas();
 
 }  // namespace clearcut::serve

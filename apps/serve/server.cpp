@@ -17,7 +17,7 @@ using httplib::Request;
 using httplib::Response;
 using Answered = httplib::Server::HandlerResponse;
 
-constexpr int kWaiting = 128;  // connections that are not accepted yet
+constexpr int kWaiting = 128;  // connections not accepted yet
 constexpr std::size_t kMostHeaders = 100;
 
 /// "/plan/([0-9a-f]{32})/program-([1-9][0-9]?)"
@@ -114,7 +114,7 @@ int Server::bind() {
   } else if (!server_.bind_to_port(settings.listen, port)) {
     port = -1;
   }
-  // The library lets five wait to be accepted; those who come beyond that would be turned away.
+  // The library lets five connections wait to be accepted; further ones would be refused.
   if (port > 0 && ::listen(socket, kWaiting) == 0) return port;
   throw InputError("--port", "cannot be listened on (" + settings.listen + ", " +
                                  std::to_string(settings.port) +

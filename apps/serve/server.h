@@ -1,4 +1,4 @@
-// The server itself: listens, lets in who may come in, and hands on to the routes.
+// The server itself: listens, admits permitted clients, and calls the routes.
 #pragma once
 
 #include "serve/connections/listener.h"
@@ -9,7 +9,7 @@ namespace clearcut::serve {
 class Server {
  public:
   explicit Server(Service& service);
-  /// The port that it listens on. Throws InputError where it is taken.
+  /// Binds the port and returns it. Throws InputError if it is in use.
   int bind();
   /// Until stop().
   void run();

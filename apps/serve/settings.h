@@ -1,4 +1,4 @@
-// What the server was started with, and how much it takes on.
+// Start settings of the server, and its limits.
 #pragma once
 
 #include <cstddef>
@@ -11,20 +11,20 @@ namespace clearcut::serve {
 struct Settings {
   std::string command;                    ///< path of `clearcut`
   std::string listen = "127.0.0.1";       ///< address
-  int port = 0;                           ///< 0: any that is free
-  std::vector<std::string> hosts;         ///< further names that it is called by
+  int port = 0;                           ///< 0: any free one
+  std::vector<std::string> hosts;         ///< further names of the server
   int jobs = 1;                           ///< plans and checks at once
   double seconds = 600;                   ///< for one of them
   std::uint64_t bytes = 0;                ///< of memory, for one of them; 0: the machine's by `jobs`
   std::size_t upload = 32U << 20;         ///< bytes of one request
-  double keep_seconds = 900;              ///< results that nobody fetched or dropped
-  std::size_t most_waiting = 64;          ///< plans and checks that wait for their turn
-  std::size_t most_kept = 200;            ///< results; the oldest goes first
-  std::size_t most_followers = 64;        ///< connections that follow a plan
+  double keep_seconds = 900;              ///< lifetime of results neither fetched nor dropped
+  std::size_t most_waiting = 64;          ///< waiting plans and checks
+  std::size_t most_kept = 200;            ///< number of kept results; the oldest is removed first
+  std::size_t most_followers = 64;        ///< connections following a plan
   std::uint64_t file_bytes = 2ULL << 30;  ///< of each result
 };
 
-/// From the JSON that `clearcut serve` hands over. Throws InputError where an entry is of the wrong kind.
+/// Settings from the JSON passed by `clearcut serve`. Throws InputError if an entry is of the wrong kind.
 Settings settings_of(const std::string& json);
 
 /// Whether the address is this machine's own.

@@ -1,6 +1,6 @@
 // clearcut-sheet < sheets > pages: draws set-up sheets (JSON, report/sheet/sheet_json.h) as PDF for clearcut.
 //
-// A program of its own, because loading what lays out text takes longer than planning a pocket.
+// A separate program, because loading the text layout libraries takes longer than planning a pocket.
 #include <unistd.h>
 
 #include <cstdio>
@@ -34,6 +34,6 @@ int main(int count, char** /*arguments*/) {
   const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
   const std::string pages = answer(text);
   const bool written = std::fwrite(pages.data(), 1, pages.size(), stdout) == pages.size();
-  // Without the libraries' own farewell: fonts that they keep until the end are not given back one by one.
+  // Skips the libraries' own shutdown: fonts kept until the end are not released one by one.
   _exit(written && std::fflush(stdout) == 0 ? 0 : 1);
 }

@@ -14,7 +14,7 @@ cairo_status_t append(void* bytes, const unsigned char* data, unsigned int count
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// Letters lie where the paper has them, not where the points of a screen are.
+/// Letters are placed for paper, not on the pixels of a screen.
 PangoLayout* layout_for(cairo_t* cairo) {
   PangoLayout* layout = pango_cairo_create_layout(cairo);
   PangoContext* context = pango_layout_get_context(layout);
@@ -25,7 +25,7 @@ PangoLayout* layout_for(cairo_t* cairo) {
   cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
   pango_cairo_context_set_font_options(context, options);
   cairo_font_options_destroy(options);
-  // Figures are of one width in every font that can have them so; names of files that are parted get no hyphen.
+  // Figures have equal width in every font with this feature; divided file names get no hyphen.
   PangoAttrList* attributes = pango_attr_list_new();
   pango_attr_list_insert(attributes, pango_attr_insert_hyphens_new(FALSE));
   pango_attr_list_insert(attributes, pango_attr_font_features_new("tnum=1"));
@@ -35,7 +35,7 @@ PangoLayout* layout_for(cairo_t* cairo) {
   return layout;
 }
 
-/// As a page of HTML takes it: line ends are spaces.
+/// Line ends as spaces, as in HTML.
 std::string in_one_paragraph(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char letter) { return letter < ' '; }, ' ');
@@ -66,7 +66,7 @@ Paper::Paper(const std::string& title, bool is_trial)
       cairo_(cairo_create(surface_)),
       layout_(layout_for(cairo_)) {
   cairo_pdf_surface_set_metadata(surface_, CAIRO_PDF_METADATA_TITLE, in_one_paragraph(title).c_str());
-  // The day on which it is written: without one the same sheets are the same bytes.
+  // Date of creation: without one equal sheets give equal bytes.
   cairo_pdf_surface_set_metadata(surface_, CAIRO_PDF_METADATA_CREATE_DATE, "");
 }
 

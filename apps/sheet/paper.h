@@ -21,10 +21,10 @@ struct Style {
   PangoAlignment side = PANGO_ALIGN_LEFT;
 };
 
-/// Where text is put: as wide as that, and no more lines than those.
+/// Column for text: width, and greatest number of lines.
 struct Column {
   double x = 0, width = 0;
-  int most_lines = 60;  ///< of a page; what is more ends in dots
+  int most_lines = 60;  ///< of a page; longer text ends in dots
 };
 
 class Paper {
@@ -37,11 +37,11 @@ class Paper {
 
   /// Of one line of text.
   double width(const std::string& text, const Style& style);
-  /// Of the widest piece that no line end parts.
+  /// Width of the widest piece without a possible line end.
   double widest_word(const std::string& text, const Style& style);
   double height(const std::string& text, double width, const Style& style);
 
-  /// Wrapped to the column's width with its top at `y`; the height that it takes.
+  /// Draws text wrapped to the column's width with its top at `y`; returns its height.
   double text(const std::string& text, const Column& column, double y, const Style& style);
   void line(double x, double to_x, double y, double thickness, std::uint32_t colour);
   void picture(const Picture& picture, double x, double y, double width, double height);

@@ -18,7 +18,7 @@ RsvgHandle* handle_of(const std::string& svg) {
   GError* error = nullptr;
   GInputStream* bytes =
       g_memory_input_stream_new_from_data(svg.data(), static_cast<gssize>(svg.size()), nullptr);
-  // Paths of large parts are longer than what is taken from strangers.
+  // Paths of large parts exceed the limits for untrusted input.
   RsvgHandle* handle =
       rsvg_handle_new_from_stream_sync(bytes, nullptr, RSVG_HANDLE_FLAG_UNLIMITED, nullptr, &error);
   g_object_unref(bytes);
@@ -37,7 +37,7 @@ struct Picture::Loaded {
 };
 
 Picture::Picture(const std::string& svg) : loaded_(new Loaded{handle_of(svg)}) {
-  // As on the page of HTML, whose letters it takes.
+  // As on the HTML page, with the same letters.
   constexpr std::string_view kStyle = "svg { font-family: sans-serif; }";
   GError* error = nullptr;
   if (rsvg_handle_set_stylesheet(loaded_->handle, reinterpret_cast<const guint8*>(kStyle.data()),

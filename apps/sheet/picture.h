@@ -10,7 +10,7 @@ namespace clearcut::sheet {
 
 class Picture {
  public:
-  /// Throws std::runtime_error for what is no SVG.
+  /// Throws std::runtime_error for anything other than SVG.
   explicit Picture(const std::string& svg);
   ~Picture();
   Picture(const Picture&) = delete;
@@ -18,7 +18,7 @@ class Picture {
 
   /// Width by height.
   double aspect() const;
-  /// Fills the rectangle as far as its aspect lets it.
+  /// Fills the rectangle as far as the aspect ratio allows.
   void draw(cairo_t* cairo, double x, double y, double width, double height) const;
 
  private:

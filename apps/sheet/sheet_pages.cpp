@@ -29,7 +29,7 @@ struct Look {
 };
 /// Tried one after the other until all fits on one page.
 constexpr std::array<Look, 5> kLooks{{{9.5, 180}, {9, 180}, {8.5, 170}, {8, 150}, {7.5, 130}}};
-/// Where nothing does.
+/// If no look fits on one page.
 constexpr Look kManyPages{8.5, 220};
 
 std::uint32_t colour_of(const std::string& verdict) {
@@ -40,7 +40,7 @@ std::uint32_t colour_of(const std::string& verdict) {
 /// One sheet, from the top of a page on.
 class Layout {
  public:
-  /// `pages`: how many it comes to, as a trial has told; each says so where there are several.
+  /// `pages`: number of pages found by a trial; printed on each page if there are several.
   Layout(Paper& paper, const SetupSheet& sheet, const Picture& picture, const Look& look, int pages)
       : paper_(paper), sheet_(sheet), picture_(picture), look_(look), pages_(pages) {}
 
@@ -55,7 +55,7 @@ class Layout {
     end_page();
   }
   int pages() const { return page_ - 1; }
-  /// Height that is left on the last page.
+  /// Remaining height on the last page.
   double spare() const { return spare_; }
 
  private:
@@ -173,7 +173,7 @@ class Layout {
   int page_ = 1;
 };
 
-/// The largest letters with which all fits on one page, and then the largest picture.
+/// Uses the largest letters for one page, and then the largest picture.
 void draw_sheet(Paper& paper, const SetupSheet& sheet) {
   Paper trial_paper("", true);
   const Picture picture(sheet.picture);

@@ -8,8 +8,8 @@
 
 namespace clearcut::sheet {
 
-/// A PDF with each sheet on one page where it fits, from a page of its own on.
-/// Throws std::runtime_error with one line where no font is installed, or a picture cannot be drawn.
+/// A PDF with each sheet on one page if it fits, each beginning on its own page. Throws std::runtime_error with one
+/// line if no font is installed, or a picture cannot be drawn.
 std::string pages_of(const std::vector<report::SetupSheet>& sheets);
 
 }  // namespace clearcut::sheet

@@ -5,9 +5,9 @@
 namespace clearcut::sheet {
 namespace {
 
-/// Points: beside and above what is in a cell.
+/// Points: margins beside and above the contents of a cell.
 constexpr double kBeside = 3.5, kAbove = 1.4;
-/// Points. Longer words, such as the name of a file, are parted.
+/// Points. Longer words, for example file names, are divided.
 constexpr double kLongWord = 130;
 constexpr std::uint32_t kHeadRule = 0x66727f, kRowRule = 0xd5dbe1;
 
@@ -54,7 +54,7 @@ double Table::head_in_two_lines(std::size_t column) {
   return width;
 }
 
-/// Heads are parted before what is below them, words last; what is left over is spread evenly.
+/// Heads are divided before the cells below, words last; remaining width is spread evenly.
 void Table::share(double width) {
   std::vector<Needs> needs;
   Needs all;
@@ -79,7 +79,7 @@ void Table::share(double width) {
 }
 
 double Table::inner_width(std::size_t column) const {
-  // A hair more, so that what was measured is not parted for the last bit of its width.
+  // Slightly more, so that rounding of the measured width causes no division.
   return widths_[column] - 2 * kBeside + 0.01;
 }
 

@@ -1,4 +1,4 @@
-// Tables whose columns are as wide as what is in them.
+// Tables with columns as wide as their contents.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace clearcut::sheet {
 
-/// A table laid out to a width; rows are drawn one by one, so that pages can end between them.
+/// A table laid out to a width; rows are drawn one by one, so that page breaks are possible between them.
 class Table {
  public:
-  /// `size`: of its letters. Numbers and their units stay in one line; words are parted where they have to be.
+  /// `size`: size of its letters. Numbers and their units stay on one line; words are divided if necessary.
   Table(Paper& paper, const report::SheetTable& table, double x, double width, double size);
 
   double height_of_head() { return height(names_, true); }
@@ -23,7 +23,7 @@ class Table {
   /// Widths of a column, points.
   struct Needs {
     double least = 0;    ///< words are not parted
-    double body = 0;     ///< what is below the head is in one line, the head in two
+    double body = 0;     ///< cells below the head use one line, the head two
     double natural = 0;  ///< all is in one line
   };
   Needs needs_of(std::size_t column);

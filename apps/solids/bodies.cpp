@@ -22,7 +22,7 @@
 namespace clearcut {
 namespace {
 
-/// What a solid is, wherever an assembly puts it.
+/// Identity of a solid, independent of its place in an assembly.
 using Geometry = const TopoDS_TShape*;
 
 struct Product {
@@ -41,7 +41,7 @@ std::string name_of(const Handle(StepBasic_ProductDefinition) & definition) {
   return name.empty() ? text_of(product->Id()) : name;
 }
 
-/// The product with the fewest solids that holds each: the part, not the assembly.
+/// For each solid, the product containing it with the fewest solids: the part, not the assembly.
 std::map<Geometry, Product> products_of(const STEPControl_Reader& reader) {
   std::map<Geometry, Product> products;
   const auto model = reader.WS()->Model();

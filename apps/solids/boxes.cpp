@@ -20,7 +20,7 @@ struct Range {
   double most = 0;
 };
 
-/// Of a cos t + b sin t where t runs from `first` to `last`.
+/// Range of a cos t + b sin t for t from `first` to `last`.
 Range wave(double a, double b, double first, double last) {
   const auto at = [&](double t) { return a * base::cos(t) + b * base::sin(t); };
   const double height = base::hypot(a, b), crest = base::atan2(b, a);
@@ -29,8 +29,9 @@ Range wave(double a, double b, double first, double last) {
           reaches(crest) ? height : std::max(at(first), at(last))};
 }
 
-/// Of a torus along one axis of space, from its middle. A point at u, v lies (R + r cos v) times what the direction of u
-/// has along that axis, and r sin v times what the torus' own axis has: for each v it is linear in the former.
+/// Range of a torus along one axis of space, from its middle. The coordinate of a point at u, v is (R + r cos v)
+/// times the component of the direction of u along this axis, plus r sin v times the component of the torus' own
+/// axis: for each v it is linear in the former component.
 Range along(const gp_Torus& torus, int axis, const BRepAdaptor_Surface& part) {
   const double r = torus.MinorRadius();
   const Range turned = wave(torus.XAxis().Direction().Coord(axis), torus.YAxis().Direction().Coord(axis),

@@ -6,10 +6,10 @@
 
 namespace clearcut {
 
-/// A box that holds the face and may be larger: by the kernel's tolerances, and round splines by what their poles take.
-/// The kernel's own boxes may be narrower than the face. Part of a torus may have none of its thickness (a bent rod whose seam
-/// is on the inside, 7.6), so that is worked out here, exactly for what lies between two meridians and two parallels; free
-/// surfaces may lack what lies along their edges, whose boxes are added.
+/// A box around the face, possibly larger: by the kernel's tolerances, and for splines by the box of their poles. The
+/// kernel's own boxes may be narrower than the face. For part of a torus they may ignore its thickness (a bent rod
+/// with its seam on the inside, 7.6), so this box is computed here, exactly for a patch between two meridians and two
+/// parallels; for free surfaces they may miss the edges, so the boxes of the edges are added.
 Bnd_Box box_of(const TopoDS_Face& face);
 
 /// The same round all faces of a shape.

@@ -1,7 +1,7 @@
 // clearcut-solids FILE_NAME UP TURN BODY < file > answer: reads a STEP solid for clearcut.
 //
-// A program of its own, because loading the CAD kernel takes longer than planning a pocket, and because the kernel breaks
-// down over some damaged files.
+// A program of its own, because loading the CAD kernel takes longer than planning a pocket, and because the kernel
+// breaks down over some damaged files.
 #include <unistd.h>
 
 #include <cstdlib>
@@ -16,7 +16,7 @@ int main(int count, char** arguments) {
     return 2;
   }
   const clearcut::read::SolidChoice choice{arguments[2], std::strtod(arguments[3], nullptr), arguments[4]};
-  // The kernel speaks on standard output.
+  // The kernel prints messages on standard output.
   const int out = dup(STDOUT_FILENO);
   if (out < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) return 1;
   const std::string text{std::istreambuf_iterator<char>(std::cin), {}};
@@ -27,6 +27,6 @@ int main(int count, char** arguments) {
     if (written <= 0) return 1;
     sent += static_cast<std::size_t>(written);
   }
-  // Without the kernel's own farewell, which takes as long as its start.
+  // Skips the kernel's own shutdown, which takes as long as its start.
   _exit(0);
 }

@@ -22,7 +22,7 @@
 namespace clearcut {
 namespace {
 
-/// Components of unit vectors that differ by less are the same: 1 um over a metre.
+/// Components of unit vectors differing by less are equal: 1 um over a metre.
 constexpr double kSameDirection = 1e-6;
 /// mm. Planes nearer to each other than this are at one height.
 constexpr double kSamePlane = 1e-4;
@@ -30,7 +30,7 @@ constexpr double kSamePlane = 1e-4;
 struct Axis {
   const char* name;
   gp_XYZ direction;
-  /// Rows of the turn that makes it look along +Z.
+  /// Rows of the rotation that makes the side face +Z.
   gp_XYZ x, y;
 };
 
@@ -51,7 +51,7 @@ const Axis* axis_along(const gp_XYZ& direction) {
   return found == std::end(kAxes) ? nullptr : found;
 }
 
-/// The outside's unit normal; nothing where the face is not flat.
+/// The outside's unit normal; nothing if the face is not flat.
 std::optional<gp_XYZ> flat_normal(const BRepAdaptor_Surface& surface, const TopoDS_Face& face) {
   if (surface.GetType() != GeomAbs_Plane) return std::nullopt;
   const gp_Ax3 position = surface.Plane().Position();
@@ -126,7 +126,7 @@ Side& side_along(std::vector<Side>& sides, const gp_XYZ& direction, int number) 
   return sides.back();
 }
 
-/// mm; 0 where nothing flat looks the opposite way.
+/// mm; 0 if no flat side faces the opposite direction.
 double thickness_along(const Side& side, const std::vector<Side>& sides) {
   for (const Side& other : sides)
     if ((side.direction + other.direction).Modulus() < kSameDirection)

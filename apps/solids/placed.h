@@ -1,4 +1,4 @@
-// How a solid is turned before it is looked at from above, and which turns would show its flat sides.
+// Rotation of a solid before it is viewed from above, and the rotations that turn its flat sides up.
 #pragma once
 
 #include <TopoDS_Shape.hxx>
@@ -9,11 +9,11 @@
 
 namespace clearcut {
 
-/// The shape turned so that `up` ("+Z", "-Z", "+X", "-X", "+Y", "-Y", or "faceN" for the N-th face's outside) looks
-/// along +Z, then by `degrees` counter-clockwise about Z seen from above; both about the file's origin. Quarter turns
-/// are exact.
+/// The shape rotated so that `up` ("+Z", "-Z", "+X", "-X", "+Y", "-Y", or "faceN" for the N-th face's outside) faces
+/// +Z, then by `degrees` counter-clockwise about Z seen from above; both about the file's origin. Quarter turns are
+/// exact.
 ///
-/// Throws  InputError where `up` is none of these, or the face is not flat or not there.
+/// Throws  InputError if `up` is none of these, or the face is not flat or does not exist.
 TopoDS_Shape placed(const TopoDS_Shape& shape, const std::string& up, double degrees,
                     const std::string& file_name);
 

@@ -13,10 +13,11 @@
 namespace clearcut {
 namespace {
 
-/// mm. How far a surface may lie from its plane: the least difference of heights that counts.
+/// mm. Greatest distance of a surface from its plane: the least significant difference of heights.
 constexpr double kFlat = 1e-4;
 
-/// The plane of a flat surface, with its normal on the same side; null for surfaces that are not flat, or planes already.
+/// The plane of a flat surface, with its normal on the same side; null for surfaces that are not flat, or already
+/// planes.
 Handle(Geom_Plane) plane_of(const TopoDS_Face& face) {
   const Handle(Geom_Surface) surface = BRep_Tool::Surface(face);
   if (surface.IsNull() || surface->IsKind(STANDARD_TYPE(Geom_Plane))) return nullptr;

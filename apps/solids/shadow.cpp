@@ -18,7 +18,7 @@ namespace {
 constexpr double kTurn = 1;
 /// Of the face's size, mm. Finer triangles of large faces take too long.
 constexpr double kFinest = 1.0 / 20000;
-/// mm2. Smaller triangles stand upright.
+/// mm2. Smaller triangles in plan view are vertical.
 constexpr double kUpright = 1e-12;
 
 double fineness(const TopoDS_Face& face) {

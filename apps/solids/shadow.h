@@ -8,11 +8,11 @@
 
 namespace clearcut {
 
-/// What of a face looks up, in plan view: triangles that turn counter-clockwise and may overlap. The face's own triangulation is
-/// replaced.
+/// The upward part of a face in plan view: counter-clockwise triangles that may overlap. The face's own triangulation
+/// is replaced.
 ///
-/// Error   their union ends within read::kCurveTolerance of the shadow's edge, and within a 20000th of the face's size where that
-///         is more.
+/// Error   their union ends within read::kCurveTolerance of the shadow's edge, and within a 20000th of the face's
+///         size if that is more.
 std::vector<Path> shadow_of(const TopoDS_Face& face);
 
 }  // namespace clearcut

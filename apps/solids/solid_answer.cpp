@@ -1,4 +1,4 @@
-// From the CAD kernel's shapes to the faces that the library reads.
+// From the CAD kernel's shapes to the faces used by the library.
 #include "solid_answer.h"
 
 #include <BRepAdaptor_Curve.hxx>
@@ -40,7 +40,7 @@ namespace {
 constexpr double kSquare = 1e-6;
 /// mm. Shorter edges in plan view are vertical edges of the solid.
 constexpr double kVertical = 1e-6;
-/// mm. The kernel's box is taken to the faces' own extents where it differs by less.
+/// mm. The kernel's box is replaced by the faces' own extents if it differs by less.
 constexpr double kBoxSlack = 1e-3;
 
 Vec2 plan_of(const gp_Pnt& p) {
@@ -64,7 +64,7 @@ std::string surface_name(GeomAbs_SurfaceType type) {
   }
 }
 
-/// A horizontal circle or part of it, in the sense of its parameter.
+/// A horizontal circle or part of it, in the direction of its parameter.
 Path circular(const gp_Circ& circle, double first, double last) {
   const Vec2 center = plan_of(circle.Location());
   const auto turn = circle.Axis().Direction().Z() > 0 ? Turn::kCounterClockwise : Turn::kClockwise;
@@ -140,7 +140,8 @@ void take_nearest(double& value, double candidate) {
   if (std::abs(value - candidate) < kBoxSlack) value = candidate;
 }
 
-/// Radians between the vertical and a plane or an upright cone; 0 for other surfaces, and for level and upright planes.
+/// Radians between the vertical and a plane or an upright cone; 0 for other surfaces, and for level and upright
+/// planes.
 double lean_of(const BRepAdaptor_Surface& surface, const read::SolidFace& face, const gp_Vec& normal) {
   if (face.facing != read::Facing::kUp || face.level) return 0;
   if (surface.GetType() == GeomAbs_Plane) return kPi / 2 - normal.Angle(gp_Vec(0, 0, 1));
@@ -163,7 +164,8 @@ double radius_of(const BRepAdaptor_Surface& surface) {
   }
 }
 
-/// mm; the radius of a face that is level at its lowest place and upright at its highest, a radius above; 0 for all others.
+/// mm; the radius of a face that is level at its lowest place and vertical at its highest, a radius above; 0 for all
+/// others.
 double fillet_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& shape, const read::SolidFace& face) {
   const double radius = radius_of(surface);
   if (radius <= 0 || face.facing != read::Facing::kUp ||
@@ -189,7 +191,7 @@ double fillet_of(const BRepAdaptor_Surface& surface, const TopoDS_Face& shape, c
   return up > kLevel ? radius : 0;
 }
 
-/// Whether all of an edge lies at a height.
+/// Whether a whole edge is at a height.
 bool is_at(const TopoDS_Edge& edge, double z) {
   if (BRep_Tool::Degenerated(edge)) return false;
   const BRepAdaptor_Curve curve(edge);
@@ -246,7 +248,7 @@ read::SolidFace face_of(const TopoDS_Face& face, int number) {
   return out;
 }
 
-/// The box of the whole, exact where lines, circles and levels make it.
+/// The box of the whole, exact if determined by lines, circles and levels.
 void set_box(const Bnd_Box& box, read::SolidModel& solid) {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   box.Get(x0, y0, solid.z_bottom, x1, y1, solid.z_top);
@@ -265,7 +267,7 @@ void set_box(const Bnd_Box& box, read::SolidModel& solid) {
   take_nearest(solid.plan.max.y, edges.max.y);
 }
 
-/// Closed solids look outwards; kept as one shape, so that faces are numbered once.
+/// Orients closed solids outwards; kept as one shape, so that faces are numbered once.
 TopoDS_Compound facing_outwards(const std::vector<NamedBody>& bodies) {
   const BRep_Builder builder;
   TopoDS_Compound all;
@@ -285,7 +287,7 @@ read::SolidBody described(const NamedBody& body) {
   return {body.name, x1 - x0, y1 - y0, z1 - z0};
 }
 
-/// Faces and box of what is looked at from above.
+/// Faces and box of the solid viewed from above.
 void see_from_above(const TopoDS_Shape& shape, read::SolidModel& solid) {
   Bnd_Box box;
   box.SetGap(0);
@@ -296,7 +298,8 @@ void see_from_above(const TopoDS_Shape& shape, read::SolidModel& solid) {
   if (!solid.faces.empty() && !box.IsVoid()) set_box(box, solid);
 }
 
-/// Says on standard error what the processor's time went for: the kernel's own reading is the file and the shapes.
+/// Prints on standard error the processor time of the stages: the kernel's own reading comprises the file and the
+/// shapes.
 class Stages {
  public:
   void end(const char* stage) {

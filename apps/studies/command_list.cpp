@@ -1,5 +1,5 @@
-// The commands of clearcut-studies. It also prints the man page, the completions and the list of options, since it alone knows the
-// options of every command.
+// The commands of clearcut-studies. It also prints the man page, the completions and the list of options, since it is
+// the only program with the options of every command.
 #include "commands/commands.h"
 #include "research_commands.h"
 
@@ -13,7 +13,7 @@ void add_research(CLI::App& app, int& exit_code) {
   add_study_command(app, exit_code);
 }
 
-/// Everything that `clearcut` offers, with all options.
+/// All commands of `clearcut`, with all options.
 void add_whole(CLI::App& app, int& exit_code) {
   add_product_commands(app, exit_code, compare_at_random);
   add_research(app, exit_code);

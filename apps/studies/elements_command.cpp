@@ -23,7 +23,7 @@
 namespace clearcut::cli {
 namespace {
 
-/// Options that hold one element each, with what they ask for.
+/// Options with one element each, and their placeholders.
 constexpr std::array<std::pair<const char*, const char*>, 5> kElementOptions{
     {{"line",
       "Groove: X1,Y1,X2,Y2, then any of :T2 :depth=MM :stepdown=MM :feed=MM/MIN :id=NAME, as after all of "
@@ -82,7 +82,7 @@ std::vector<OutputFile> output_files(const ElementsCommand& command, const Eleme
   return files;
 }
 
-/// Plans while a line says how far it is.
+/// Plans with a line of progress.
 ElementsResult planned(const ElementsCommand& command, const ElementJob& job) {
   PlanOptions options = command.options;
   std::optional<ProgressLine> line;

@@ -13,7 +13,7 @@
 namespace clearcut::cli {
 namespace {
 
-/// A pocket on which a rival is faster than ours, as an outline whose name says by how much.
+/// A pocket on which a published method is faster than Clearcut's, as an outline named by the difference.
 void write_slower(const studies::StudyCase& one, const std::string& folder) {
   Part part = one.part;
   part.name +=

@@ -21,7 +21,7 @@
 namespace clearcut::cli {
 namespace {
 
-/// What reproduce is asked for.
+/// Options of reproduce.
 struct ReproduceCommand {
   std::vector<std::string> names;
   bool list = false;
@@ -55,7 +55,7 @@ bool keeps(const ReproduceCommand& command) {
   return !command.json.empty() && command.json != "-";
 }
 
-/// Beside the file of tables: the runs of the table that is being made, each as soon as it is done.
+/// Beside the file of tables: the finished runs of the current table.
 std::string runs_file(const ReproduceCommand& command) {
   return command.json + ".runs";
 }
@@ -85,7 +85,7 @@ studies::NamedReproduction reproduction(const studies::ReproducibleTable& table,
   return {table.name, table.place, table.make(watch)};
 }
 
-/// Tables of an earlier run that was asked to write the same file; none where there is no such file yet.
+/// Tables of an earlier run with the same output file; none if the file does not exist yet.
 std::vector<studies::NamedReproduction> kept_tables(const ReproduceCommand& command) {
   if (!command.resume) return {};
   if (command.json.empty() || command.json == "-")
@@ -105,7 +105,7 @@ void print_reproduction(const studies::Reproduction& reproduction) {
   std::fflush(stdout);
 }
 
-/// The JSON file is there after every table, so that a run that is broken off can be taken up again.
+/// The JSON file is written after every table, so that an interrupted run can be continued.
 void reproduce_tables(const ReproduceCommand& command) {
   if (command.list) return print_table(list_of_tables());
   const auto kept = kept_tables(command);

@@ -1,4 +1,4 @@
-// The commands of research with their options. The web build has those of them that a page asks for.
+// The commands of research with their options. The web build contains those needed by a page.
 #pragma once
 
 #include <CLI/CLI.hpp>

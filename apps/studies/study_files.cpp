@@ -68,7 +68,7 @@ void StateFolder::write(const std::string& name, const std::string& text) {
 void StateFolder::erase(const std::string& name) {
   std::error_code ignored;
   fs::remove(folder_ / name, ignored);
-  fs::remove(folder_, ignored);  // where that was the last
+  fs::remove(folder_, ignored);  // if this was the last one
 }
 
 }  // namespace clearcut::cli

@@ -1,4 +1,4 @@
-// What `clearcut study` was asked for, and its files.
+// Options of `clearcut study`, and its files.
 #pragma once
 
 #include <clearcut/studies.h>
@@ -23,7 +23,7 @@ struct StudyCommand {
   bool quiet = false;
 };
 
-/// How far a study is, for who sees it.
+/// Progress of a study, for terminals.
 class StudyProgress {
  public:
   /// `done` of `total` runs are from earlier.
@@ -34,13 +34,13 @@ class StudyProgress {
   std::optional<ProgressLine> line_;
 };
 
-/// The file of the rows while the study runs: every finished run is appended at once, so that a study that was stopped goes on where
-/// it was. At the end it is written anew, sorted.
+/// The file of the rows while the study runs: every finished run is appended at once, so that a stopped study can
+/// continue. At the end the file is written anew, sorted.
 class RowFile {
  public:
   RowFile(const StudyCommand& command, const studies::GeneticStudy& study);
 
-  /// What was in it; now it holds the complete runs of that, or none.
+  /// The former content; afterwards the file contains only its complete runs, or none.
   std::string begin() const;
 
   /// In one piece: a reader sees whole runs.
@@ -52,7 +52,7 @@ class RowFile {
   bool is_file_;
 };
 
-/// States of islands as files of a folder beside the rows, which is there while runs are not finished.
+/// States of islands as files of a folder beside the rows, which exists while runs are unfinished.
 class StateFolder : public studies::StateStore {
  public:
   explicit StateFolder(const std::string& csv) : folder_(csv + ".islands") {}

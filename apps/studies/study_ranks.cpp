@@ -69,7 +69,7 @@ class StudyRank {
     return work;
   }
 
-  /// Where runs have islands, an epoch of one of them is a task.
+  /// For runs with islands, an epoch of one island is a task.
   ranks::Work islands() {
     ranks::Work work;
     work.tasks = [this] {
@@ -103,8 +103,8 @@ class StudyRank {
   const studies::GeneticStudy& study_;
   RowFile file_;
   StateFolder states_;
-  std::optional<studies::IslandRuns> runs_;  ///< where this process hands out
-  std::vector<std::string> next_;            ///< what can be done since a task was finished
+  std::optional<studies::IslandRuns> runs_;  ///< on the distributing process
+  std::vector<std::string> next_;            ///< tasks possible after a finished task
   int done_ = 0, total_ = 0;
   std::optional<StudyProgress> progress_;  ///< likewise
 };

@@ -71,7 +71,7 @@ void add_genetic_options(CLI::App& command, TourOptions& options) {
       ->group(group);
 }
 
-/// Searches while a line says the best value so far.
+/// Searches with a line showing the best value so far.
 TourResult solved(const TourCommand& command) {
   ProgressLine line(kCancel);
   TourOptions options = command.options;

@@ -1,4 +1,4 @@
-// The commands of the web build: what a page asks for. Studies, batches and the server need a machine of their own.
+// The commands of the web build: those needed by a page. Studies, batches and the server need a real machine.
 #include "commands/commands.h"
 #include "research_commands.h"
 

@@ -1,4 +1,5 @@
-// Progress of the web build, where no thread watches the work: lines of JSON from the work itself, five a second at most.
+// Progress of the web build, without a thread watching the work: lines of JSON from the work itself, five a second at
+// most.
 #include "terminal/progress.h"
 
 #include <chrono>

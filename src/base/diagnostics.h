@@ -1,4 +1,5 @@
-// What readers and planners noticed without giving up: collected, never printed by the library.
+// Diagnostics of readers and planners: problems noticed without giving up. The library collects them and never prints
+// them.
 #pragma once
 
 #include <string>
@@ -17,8 +18,9 @@ enum class Severity {
 struct Diagnostic {
   Severity severity = Severity::kNote;
   std::string where;  ///< "file:line", "#216 POCKET1", "outline 2 at (10.5, 3)", ...
-  std::string what;   ///< one sentence, with sizes and what was done
-  /// Warnings that leave a verdict conditional until somebody accepts them by this name (docs/conditions.md); "" for all others.
+  std::string what;   ///< one sentence: the problem, its sizes, and how it was handled
+  /// Name by which somebody accepts this warning; the verdict stays conditional until then (docs/conditions.md); ""
+  /// for warnings without such a name.
   std::string condition = {};
 };
 
@@ -35,7 +37,8 @@ class Diagnostics {
   void skip(std::string where, std::string what) {
     add(Severity::kSkipped, std::move(where), std::move(what));
   }
-  /// A warning that counts: what is cut may not be what was drawn, unless `condition` is accepted.
+  /// A warning that makes the verdict conditional: the cut shape may differ from the drawing, unless `condition` is
+  /// accepted.
   void doubt(std::string where, std::string condition, std::string what) {
     items_.push_back({Severity::kWarning, std::move(where), std::move(what), std::move(condition)});
   }

@@ -6,19 +6,19 @@
 
 namespace clearcut::inline base {
 
-/// Numbers 0..n-1, each in a set of its own until it is joined.
+/// Numbers 0..n-1, each in its own set until sets are joined.
 class DisjointSets {
  public:
   explicit DisjointSets(int n) : parent_(static_cast<std::size_t>(n)) {
     std::iota(parent_.begin(), parent_.end(), 0);
   }
 
-  /// The number that stands for the set of `i`.
+  /// The representative number of the set of `i`.
   int find(int i) {
     while (parent(i) != i) i = parent(i) = parent(parent(i));
     return i;
   }
-  /// That of `b` then stands for both.
+  /// Joins both sets; the representative of `b` becomes the representative of both.
   void join(int a, int b) { parent(find(a)) = find(b); }
 
  private:

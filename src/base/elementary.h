@@ -6,8 +6,8 @@
 
 namespace clearcut::inline base {
 
-/// musl's functions: plain C without fused multiply-add, errors below 0.9 units in the last place, of atan2 below 1.5. They
-/// are called as base::sin(x), because an unqualified call may find the C library's.
+/// musl's functions: plain C without fused multiply-add, errors below 0.9 units in the last place, of atan2 below
+/// 1.5. They are called as base::sin(x), because an unqualified call may find the C library's.
 [[gnu::const]] double sin(double radians);
 [[gnu::const]] double cos(double radians);
 [[gnu::const]] double tan(double radians);

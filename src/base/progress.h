@@ -1,4 +1,4 @@
-// Work that takes long: how far it has come, and how its caller ends it early.
+// Progress of long work: the share done so far, and a way for the caller to end the work early.
 #pragma once
 
 #include <cstddef>
@@ -8,20 +8,21 @@
 
 namespace clearcut::inline base {
 
-/// What a plan is busy with.
+/// Stages of planning.
 enum class Stage {
   kPlanning,   ///< candidates: one strategy on one workingstep each
-  kCertifying  ///< checking the program that was written; planning may follow where it is not clean
+  kCertifying  ///< checking the written program; another planning stage may follow if the check finds faults
 };
 
-/// How far a plan has come.
+/// Progress of a plan.
 struct Progress {
   Stage stage = Stage::kPlanning;
   std::size_t done = 0;  ///< of the stage
-  std::size_t most = 0;  ///< as many as `done` can become; candidates that cannot win are left out
+  std::size_t most = 0;  ///< greatest value that `done` can reach; candidates that cannot win are not counted
 };
 
-/// Called by the threads that plan, by one at a time. It should return quickly; what it throws ends the plan.
+/// Called by the threads that plan, by one at a time. It should return quickly; an exception thrown by it ends the
+/// plan.
 using ProgressCallback = std::function<void(const Progress&)>;
 
 /// Thrown out of work whose stop_token was asked to stop. Nothing was written and nothing is left behind.

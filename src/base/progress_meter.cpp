@@ -5,7 +5,7 @@
 namespace clearcut::inline base {
 namespace {
 
-/// A step that is told is at least this part of the stage.
+/// Steps that are reported to the callback are at least this part of the stage apart.
 constexpr std::size_t kSteps = 1000;
 
 }  // namespace
@@ -16,7 +16,7 @@ void ProgressMeter::begin(Stage stage, std::size_t most) {
   tell();
 }
 
-/// Fallbacks may be planned beyond the candidates that were counted on.
+/// Fallbacks may be planned in addition to the counted candidates.
 void ProgressMeter::add(std::size_t pieces) {
   const std::lock_guard lock(mutex_);
   advance_to(std::min(progress_.done + pieces, progress_.most));

@@ -1,4 +1,5 @@
-// Counts what is done of a work for those who wait for it, and ends it when they ask for that.
+// Counts the finished pieces of a long work, reports them to a callback, and ends the work when the callback asks for
+// an end.
 #pragma once
 
 #include <mutex>
@@ -8,8 +9,8 @@
 
 namespace clearcut::inline base {
 
-/// Safe from several threads; the callback is called by one at a time, with counts that only grow within a stage, about a
-/// thousand times at most for each. Both are kept by reference to what outlives it.
+/// Safe from several threads; the callback is called by one at a time, with counts that only grow within a stage,
+/// about a thousand times at most for each stage. Keeps references to both arguments, which must outlive the meter.
 class ProgressMeter {
  public:
   ProgressMeter(const ProgressCallback& callback, const std::stop_token& cancel)
@@ -30,7 +31,7 @@ class ProgressMeter {
   const std::stop_token& cancel_;
   std::mutex mutex_;
   Progress progress_;
-  std::size_t told_ = 0;  ///< pieces of the stage that were done when the callback heard of it last
+  std::size_t told_ = 0;  ///< pieces of the stage done at the last call of the callback
 };
 
 }  // namespace clearcut::inline base

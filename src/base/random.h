@@ -9,7 +9,7 @@ namespace clearcut::inline base {
 /// xoshiro256** 1.0 seeded by splitmix64 (Blackman & Vigna, public domain algorithm). Not for secrets.
 class Random {
  public:
-  /// All that decides what comes next.
+  /// The whole state of the generator.
   using State = std::array<std::uint64_t, 4>;
 
   explicit Random(std::uint64_t seed) {
@@ -21,7 +21,7 @@ class Random {
       word = z ^ (z >> 31);
     }
   }
-  /// Goes on where another stood.
+  /// Continues from the state of another generator.
   explicit Random(const State& state) : state_(state) {}
   const State& state() const { return state_; }
   std::uint64_t next() {

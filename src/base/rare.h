@@ -1,4 +1,5 @@
-// A value that few of many objects have, held apart so that the others do not pay for its room.
+// A value that only few of many objects have, stored outside the object so that the other objects need no room for
+// it.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
 // Quantities that must not be mixed: feed, angle, time. Lengths are mm everywhere inside and stay plain
-// double (inches exist in read/ and post/ alone), so that formulas stay formulas.
+// double (inches exist only in read/ and post/), so that formulas stay formulas.
 #pragma once
 
 #include <compare>

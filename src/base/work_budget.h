@@ -1,4 +1,4 @@
-// A limit on the work of one task, in steps that are counted, not timed: the same on every machine.
+// A limit on the work of one task, counted in steps, not in time: the same on every machine.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@ class OutOfWork : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// While it lives, what this thread spends counts against it; an inner one takes the place of an outer one. Loops that may
-/// run away spend; where none lives that costs nothing.
+/// While a budget exists, the steps of this thread count against it; an inner budget replaces an outer one. Loops of
+/// possibly unbounded length count their steps; without a budget, counting costs nothing.
 class WorkBudget {
  public:
   explicit WorkBudget(std::uint64_t steps) : left_(steps), outer_(current_) { current_ = this; }
@@ -21,7 +21,7 @@ class WorkBudget {
   WorkBudget(const WorkBudget&) = delete;
   WorkBudget& operator=(const WorkBudget&) = delete;
 
-  /// What runs on whatever thread is free has bounds of its own and is not counted.
+  /// Tasks run on any free thread have their own bounds and are not counted.
   static WorkBudget unlimited() { return WorkBudget(UINT64_MAX); }
 
   /// Throws OutOfWork when no steps are left. One step: some microseconds, or some hundred bytes.

@@ -7,9 +7,9 @@
 namespace clearcut::features {
 namespace {
 
-/// mm. What is thinner than this in the mean, along outlines that were meant to coincide, does not count.
+/// mm. Remainders with a smaller mean thickness, along nominally coincident outlines, do not count.
 constexpr double kSliver = 0.05;
-/// Of a target's own width: what is left of it counts from here on.
+/// Share of a target's own width from which on a remainder counts.
 constexpr double kShareOfOwn = 0.5;
 
 /// mm.

@@ -1,4 +1,4 @@
-// What earlier work has cleared over a target.
+// Areas that earlier work has cleared over a target.
 #pragma once
 
 #include <vector>
@@ -18,15 +18,15 @@ struct Cleared {
   Box extent;  ///< of `area`
 };
 
-/// mm. What subtractions leave of `target` is a sliver, along outlines that were meant to coincide, where it is thinner than
-/// this in the mean: 0.05 mm, and of targets that are themselves hardly wider, half their own width.
+/// mm. Mean thickness below which a remainder of `target` after subtractions counts as a sliver along nominally
+/// coincident outlines: 0.05 mm; for targets hardly wider than that, half of their own width.
 double sliver_width(const Regions& target);
 bool is_sliver(const Region& region, double width);
 
-/// The regions `standing` without what was cleared.
+/// The regions `standing` minus the cleared area.
 Regions without(const Regions& standing, const Cleared& cleared, const Tolerances& tol);
 
-/// mm; height of the highest material over `target`: `start` where any of the target was not cleared.
+/// mm; height of the highest material over `target`: `start` if some part of the target was not cleared.
 /// Subtracts the areas one after the other until nothing of the target is left; the floor of the last one is
 /// the height. Cost O(areas) booleans.
 double top_over(const Regions& target, const std::vector<Cleared>& deepest_first, double start,

@@ -12,15 +12,15 @@
 namespace clearcut::features {
 namespace {
 
-/// Of what a feature allows, and kept for the next one with the same.
+/// Clearance of a feature's walls, kept for the next feature with the same walls.
 struct Walls {
   Walls(const Region& allowed, const Tolerances& tol) : region(allowed), clearance(allowed, tol) {}
   Region region;
   Clearance clearance;
 };
 
-/// Greatest distance of a place in `target` from the walls, by their medial axis; where that runs beside the target (far open
-/// sides), by the middle of the target.
+/// Greatest distance of a place in `target` from the walls, by their medial axis; if the axis runs beside the target
+/// (far open sides), by the middle of the target.
 double widest_over(const Regions& target, const Walls& walls, const Tolerances& tol) {
   double widest = 0;
   for (const AxisPoint& p : walls.clearance.axis().points) {
@@ -56,10 +56,11 @@ std::vector<Vec2> spread_over(const Regions& target) {
   return points;
 }
 
-/// mm; how far axes may lie from where they are.
+/// mm; error of the axes.
 constexpr double kChordOfCurve = 0.01;
 
-/// The widest discs between walls, from one end of a piece of their medial axis to the other: middles and radii change evenly.
+/// The widest discs between walls, from one end of a piece of their medial axis to the other: middles and radii
+/// change evenly.
 struct Discs {
   AxisPoint from, to;
 };
@@ -80,8 +81,8 @@ std::vector<Discs> discs_at(const Box& place, const Clearance& clearance) {
   return discs;
 }
 
-/// mm; radius of the widest of the discs that holds the point, 0 where none does. How far a point lies outside of a disc, in squares,
-/// is quadratic along the piece, which is wider at its end.
+/// mm; radius of the widest of the discs containing the point, 0 if none does. The squared distance of a point
+/// outside of a disc is quadratic along the piece; the piece is wider at its end.
 double widest_about(Vec2 p, const Discs& discs) {
   const Vec2 way = discs.to.point - discs.from.point, off = discs.from.point - p;
   const double low = discs.from.clearance + kChordOfCurve, grows = discs.to.clearance - discs.from.clearance;
@@ -96,7 +97,7 @@ double widest_about(Vec2 p, const Discs& discs) {
   return std::max(radius_of(at), radius_of(other));
 }
 
-/// mm; radius of the largest cutter that, wherever it comes from, reaches nine tenths of the target.
+/// mm; radius of the largest cutter that reaches nine tenths of the target, from any side.
 double radius_that_reaches_most(const Regions& target, const Clearance& clearance) {
   constexpr double kMayStay = 0.1;
   const std::vector<Vec2> points = spread_over(target);

@@ -12,8 +12,9 @@ namespace clearcut::features {
 /// sides only places over the feature itself count.
 double largest_fitting_diameter(const Feature& feature, const Tolerances& tol);
 
-/// For each feature the diameter of the largest cutter that is worth a try, mm: as above, and where sides are open also a wider one that
-/// comes in from outside and reaches nine tenths of the floor. Features in a row with the same walls share the work.
+/// For each feature the diameter of the largest cutter worth trying, mm: as above; for features with open sides also
+/// a wider cutter that enters from outside and reaches nine tenths of the floor. Features in a row with the same
+/// walls share the work.
 std::vector<double> largest_cutters(const Part& part, const Tolerances& tol);
 
 }  // namespace clearcut::features

@@ -58,8 +58,8 @@ std::vector<Loop> capsules(const Path& line, double r) {
   return loops;
 }
 
-/// z of the material's underside: that of the stock, or where none is stated the lowest of profiles on one side of their outline, which
-/// go through, or the lowest floor of all.
+/// z of the material's underside: that of the stock; if no stock is stated, the lowest floor of the profiles on one
+/// side of their outline, since those go through; else the lowest floor of all.
 double underside_of(const Part& part) {
   if (part.stock) return part.stock->z_bottom;
   double of_profiles = part.top_z(), of_all = of_profiles;

@@ -5,7 +5,8 @@
 
 namespace clearcut::features {
 
-/// mm that the rim of a cutter stays off the sawn block where the cutter goes down beside the block: its radius, within usual limits.
+/// mm; distance of a cutter's rim from the sawn block if the cutter descends beside the block: its radius, within
+/// usual limits.
 inline double clear_of_raw_stock(double radius) {
   constexpr double kLeast = 1, kMost = 2;
   return std::clamp(radius, kLeast, kMost);

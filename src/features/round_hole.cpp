@@ -51,8 +51,7 @@ std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, cons
   std::vector<PredrilledHole> holes = part.predrilled;
   const Workingstep& own = part.workplan.at(static_cast<std::size_t>(workingstep));
   const double deep = feature_of(part, own).floor_z + own.operation.allowance_floor;
-  const Box here =
-      box(feature_of(part, own).allowed);  // most holes lie beside it, which is cheap to find out
+  const Box here = box(feature_of(part, own).allowed);  // a quick test: most holes are outside of this box
   for (int i = 0; i < workingstep; ++i) {
     const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
     const Feature& feature = feature_of(part, step);
@@ -64,7 +63,7 @@ std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, cons
     if (!hole) continue;
     const double milled = hole->radius - step.operation.allowance_side;
     if (tool.radius() > (makes_holes(tool) ? hole->radius : milled) + tol.fit) continue;
-    // Where the tool's end is rounded or pointed the hole is narrower at this depth than higher up.
+    // If the tool's end is rounded or pointed, the hole is narrower at this depth than higher up.
     const double cleared = radius_cleared(tool, deep - floor);
     const double narrower = std::max(0.0, tool.radius() - cleared);
     const double width = (makes_holes(tool) ? tool.diameter : 2 * milled) - 2 * narrower;

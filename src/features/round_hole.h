@@ -15,30 +15,31 @@ struct RoundHole {
   double radius = 0;
 };
 
-/// The circle that bounds `feature`, if there is nothing else: one outline, no islands, walls without draft,
+/// The circle bounding `feature`, if the feature has no other boundary: one outline, no islands, walls without draft,
 /// no open side. Arcs of the outline may differ by tol.join_gap, as in drawings; the smallest radius counts.
 std::optional<RoundHole> round_hole_of(const Feature& feature, const Tolerances& tol);
 
-/// z down to which a step clears its feature as wide as its tool is: a drill ends in a point.
+/// z down to which a step clears its feature to the tool's full width: a drill ends in a point.
 double full_depth(const Part& part, const Workingstep& step);
 
 /// Whether a plunge of `tool` at its centre makes the whole hole: its diameter is greater than the hole's by at
 /// most tol.fit, or smaller by at most tol.uncut, up to rounding.
 bool makes_hole(const Tool& tool, const RoundHole& hole, const Tolerances& tol);
 
-/// mm. A hole may be made by a drill that is wider or narrower than it by this much, where no other cutter makes it.
+/// mm. A hole may be made by a drill that is wider or narrower than the hole by this much, if no other cutter makes
+/// the hole.
 inline constexpr double kNearDrill = 0.05;
 
-/// Whether the drill's diameter, mm, is the hole's or so near that it may be taken for it.
+/// Whether the drill's diameter, mm, equals the hole's or is near enough to be used for the hole.
 bool is_near_size(double drill, double hole);
 
-/// Whether the step's tool only goes straight down and is narrower than its round hole, on which no other step works, and nobody named
-/// the tool for it: what it would drill is another hole than the one that is drawn.
+/// Whether the step's tool has only vertical moves, is narrower than its round hole, no other step works on the hole,
+/// and the tool was not named by the user: the drilled hole would differ from the drawn one.
 bool is_too_narrow_for_hole(const Part& part, const Workingstep& step, const Tolerances& tol);
 
-/// The holes that exist within reach of a workingstep's passes when it begins, and in which a cutter no wider
-/// than they are can go down: predrilled ones, and those that earlier steps made at least as deep as this
-/// step goes. Cost O(steps).
+/// The holes that exist within reach of a workingstep's passes when the step begins, and in which a cutter no wider
+/// than the hole can descend: predrilled ones, and those made by earlier steps at least as deep as this step.
+/// Cost O(steps).
 std::vector<PredrilledHole> holes_before(const Part& part, int workingstep, const Tolerances& tol);
 
 }  // namespace clearcut::features

@@ -23,13 +23,14 @@ std::vector<int> cutting_order(const Part& part) {
   return order;
 }
 
-/// mm over its floor down to which a feature is cleared as wide as it is: where drills alone make it, the length of their points.
+/// mm over its floor down to which a feature is cleared to its full width: if only drills make the feature, the
+/// length of their points.
 double left_over_floor(const Part& part, int feature) {
   std::optional<double> left;
   for (const Workingstep& step : part.workplan) {
     const int tool = step.operation.tool;
-    const bool is_known =
-        tool >= 0 && tool < static_cast<int>(part.tools.size());  // readers ask before tools are chosen
+    // readers ask before tools are chosen
+    const bool is_known = tool >= 0 && tool < static_cast<int>(part.tools.size());
     if (step.feature != feature) continue;
     const double point = is_known ? point_length(part.tools[static_cast<std::size_t>(tool)]) : 0;
     left = std::min(left.value_or(point), point);
@@ -53,7 +54,7 @@ std::vector<double> stacked_tops(const Part& part, const Tolerances& tol) {
     const double over = top_over(feature.target, deepest_first, start, tol);
     const double top = feature.chamfer ? over : std::max(over, feature.floor_z);
     tops[static_cast<std::size_t>(index)] = top;
-    // What a chamfer, a countersink, a thread or an undercut removes does not lower the material for other features.
+    // A chamfer, a countersink, a thread or an undercut does not lower the material for other features.
     if (feature.chamfer || is_formed(feature) || feature.kind == FeatureKind::kTSlot) continue;
     const double full = feature.floor_z + left_over_floor(part, index);
     const auto place = std::upper_bound(deepest_first.begin(), deepest_first.end(), full,

@@ -1,4 +1,4 @@
-// Where each feature's material begins, given what was cut before it.
+// Height of the top of each feature's material, after the cuts of earlier features.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace clearcut::features {
 
-/// Sets top_z of every feature, in workplan order, to the height of the material that the features before it
-/// leave over its target. Reports where that differs from the declared top by more than tol.join_gap.
+/// Sets top_z of every feature, in workplan order, to the height of the material left over its target by earlier
+/// features. Reports tops that differ from the declared ones by more than tol.join_gap.
 void stack_tops(Part& part, const Tolerances& tol);
 /// The same heights, mm, one for each feature, without setting or reporting anything. Features outside the
 /// workplan keep their declared top. Slivers thinner than 0.05 mm in the mean do not count. Cost O(features)

@@ -12,8 +12,8 @@
 namespace clearcut::features {
 namespace {
 
-/// By how much, as a multiple of the step's stock, a target reaches into that stock beyond what must be
-/// cleared: planners expect targets that end at walls or where everything is cut.
+/// By how much, as a multiple of the step's stock, a target reaches into that stock beyond the area to be cleared:
+/// planners expect targets that end at walls or in fully cut areas.
 constexpr double kIntoStock = 1.5;
 
 /// mm. The least stock to leave of all steps of one feature so far.
@@ -25,13 +25,14 @@ struct StockLeft {
     side = std::min(side.value_or(operation.allowance_side), operation.allowance_side);
     // If something was cleared before, finishing of walls does not reach the floor.
     if (operation.kind == OperationKind::kSideFinishing && floor) return;
-    const double left =
-        operation.allowance_floor + point_length(tool);  // a drill leaves the cone of its point
+    // a drill leaves the cone of its point
+    const double left = operation.allowance_floor + point_length(tool);
     floor = std::min(floor.value_or(left), left);
   }
 };
 
-/// Whether the step clears its feature's target; a drill clears only a hole of its own size, and over an undercut material stands.
+/// Whether the step clears its feature's target; a drill clears only a hole of its own size, and over an undercut
+/// there is material.
 bool clears(const Part& part, const Workingstep& step, const Tolerances& tol) {
   if (feature_of(part, step).kind == FeatureKind::kTSlot) return false;
   if (!makes_holes(tool_of(part, step))) return true;
@@ -39,7 +40,7 @@ bool clears(const Part& part, const Workingstep& step, const Tolerances& tol) {
   return hole && makes_hole(tool_of(part, step), *hole, tol);
 }
 
-/// `regions` without what lies within `distance` mm of the walls, which bound `allowed`.
+/// `regions` without the strip within `distance` mm of the walls, which bound `allowed`.
 Regions off_the_walls(const Regions& regions, const Regions& allowed, double distance,
                       const Tolerances& tol) {
   if (distance <= 0) return regions;
@@ -83,7 +84,7 @@ Standing::Standing(const Part& part, int workingstep, const Tolerances& tol)
     if (&other == &feature_ || !stock[i].side || !box(other.target).overlaps(here)) continue;
     start_ = std::max(start_, other.top_z);
     stock_left_ = stock_left_ || *stock[i].side > 0 || stock[i].floor.value_or(0) > 0;
-    // Of what only looks near the height counts, and no area.
+    // If the targets are apart, only the height counts and no area.
     if (are_apart(other.target, feature_.target, 2 * tol.chord)) {
       by_work_.push_back({other.floor_z + stock[i].floor.value_or(0), {}});
       continue;

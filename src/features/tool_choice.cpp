@@ -11,10 +11,10 @@
 namespace clearcut::features {
 namespace {
 
-/// mm2. What a mill may leave in corners before a smaller one is taken.
+/// mm2. Area that a mill may leave in corners before a smaller mill is taken.
 constexpr double kCorners = 1;
 
-/// mm2 that a cutter leaves in the corners of a profile.
+/// Area (mm2) left by a cutter in the corners of a profile.
 double left_in_corners(const ProfileCut& cut, double radius, const Tolerances& tol) {
   const Regions inner{Region::from_valid_loops(cut.line, {})};
   if (cut.side == ProfileSide::kOutside) {
@@ -40,7 +40,7 @@ std::vector<int> mills_by_size(const std::vector<Tool>& tools) {
   return mills;
 }
 
-/// Largest mill that reaches all but kCorners of the profile's corners, else the smallest.
+/// Largest mill reaching all but kCorners of the profile's corners, else the smallest.
 int profile_tool(const ProfileCut& cut, const std::vector<Tool>& tools, const Tolerances& tol) {
   const std::vector<int> mills = mills_by_size(tools);
   if (mills.empty()) return 0;
@@ -51,7 +51,7 @@ int profile_tool(const ProfileCut& cut, const std::vector<Tool>& tools, const To
   return mills.back();
 }
 
-/// For V-carving the first V-bit, for engraving the first V-bit or ball; -1 where there is none.
+/// For V-carving the first V-bit, for engraving the first V-bit or ball; -1 if there is none.
 int carving_tool(const Feature& feature, const std::vector<Tool>& tools) {
   for (const ToolKind kind : {ToolKind::kVBit, ToolKind::kChamferMill, ToolKind::kBallEndMill}) {
     for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -76,16 +76,17 @@ int tool_for_tabs(const Feature& feature, int chosen, const std::vector<Tool>& t
 
 namespace {
 
-/// mm, radians. An end as round as a fillet, and a cone that leans as a solid's broken edge does.
+/// mm, radians. Differences within which an end's radius equals a fillet's, and a cone's angle that of a solid's
+/// broken edge.
 constexpr double kSameEndRadius = 0.002, kSameConeLean = 0.002;
 
-/// mm; radius of what the tool's end leaves between a floor and a wall.
+/// mm; radius of the fillet left by the tool's end between a floor and a wall.
 double end_radius_of(const Tool& tool) {
   if (tool.kind == ToolKind::kBallEndMill) return tool.radius();
   return mills_upright(tool) ? tool.corner_radius : 0;
 }
 
-/// The largest mill whose end is as round as the fillet between the feature's floor and walls; -1 where there is none.
+/// The largest mill with the end radius of the fillet between the feature's floor and walls; -1 if there is none.
 int fillet_tool(const Feature& feature, const std::vector<Tool>& tools, double fits) {
   int best = -1;
   for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -97,13 +98,13 @@ int fillet_tool(const Feature& feature, const std::vector<Tool>& tools, double f
   return best;
 }
 
-/// Whether the cone leans as the edge is asked to; any does where nothing is asked.
+/// Whether the cone has the angle requested for the edge; true for any cone if no angle is requested.
 bool leans_as_asked(const Tool& cone, const Feature& edge) {
   if (edge.wall_slope.radians() == 0) return true;
   return std::abs(cone.tip_angle->radians() / 2 - edge.wall_slope.radians()) < kSameConeLean;
 }
 
-/// The first chamfer mill or V-bit that leans as the edge does and is long enough, else the first of all.
+/// The first chamfer mill or V-bit with the edge's angle and sufficient length, else the first of all.
 int cone_of_edge(const Feature& edge, const std::vector<Tool>& tools) {
   for (const ToolKind kind : {ToolKind::kChamferMill, ToolKind::kVBit}) {
     for (std::size_t i = 0; i < tools.size(); ++i) {
@@ -157,7 +158,7 @@ int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::
     if (keeps_walls(a, feature) != keeps_walls(b, feature)) return keeps_walls(a, feature);
     const bool a_fits = a.diameter <= fits, b_fits = b.diameter <= fits;
     if (a_fits != b_fits) return a_fits;
-    // A rounded end leaves its own shape between floor and walls, where the part has a corner.
+    // A rounded end leaves its own shape between floor and walls, although the part has a corner there.
     if (a_fits && leaves_corner(a) != leaves_corner(b)) return leaves_corner(a);
     return a_fits ? a.diameter > b.diameter : a.diameter < b.diameter;
   };

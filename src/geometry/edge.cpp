@@ -14,7 +14,7 @@ namespace {
 constexpr double kTouchPerRadius = 1e-15;
 /// Below this bulge the sagitta is under the rounding of the centre: a line is the more exact curve.
 constexpr double kStraightBulge = 1e-8;
-/// Rounds by which a crossing of circles is found as exactly as numbers allow.
+/// Newton rounds after which a crossing of circles is as exact as doubles allow.
 constexpr int kRounds = 4;
 
 /// Radius of the circle through the middle between the two ends' radii, by one square root.
@@ -72,7 +72,7 @@ Nearest nearer_end(const Edge& edge, Vec2 p) {
   return d0 <= d1 ? Nearest{edge.from, std::sqrt(d0), 0.0} : Nearest{edge.to, std::sqrt(d1), 1.0};
 }
 
-/// mm. How near two edges must come to meet.
+/// mm. Distance below which two edges meet.
 double touch_of(const Edge& a, const Edge& b) {
   double touch = kRoundingMm;
   for (const Edge* edge : {&a, &b}) {
@@ -81,7 +81,7 @@ double touch_of(const Edge& a, const Edge& b) {
   return touch;
 }
 
-/// mm beyond the whole circle or line of an edge, and the direction in which it grows.
+/// Distance (mm) beyond the whole circle or line of an edge, and the direction in which this distance grows.
 struct Beyond {
   double distance = 0;
   Vec2 outward;
@@ -104,8 +104,8 @@ Vec2 polished(Vec2 p, const Edge& a, const Edge& b) {
   return p - step / det;
 }
 
-/// The candidate, or where it lies on both edges indeed: formulas of circles lose digits where a circle is huge or
-/// both cross at a small angle.
+/// The candidate, moved onto both edges exactly: formulas of circles lose digits if a circle is huge or both edges
+/// cross at a small angle.
 std::optional<Vec2> place_on_both(Vec2 p, const Edge& a, const Edge& b, double touch) {
   for (int round = 0; round < kRounds; ++round) {
     if (distance(a, p) <= touch && distance(b, p) <= touch) return p;
@@ -235,7 +235,7 @@ double Edge::signed_area() const {
   const double triangle = 0.5 * cross(from, to);
   if (!is_arc()) return triangle;
   const double s = sweep(), s2 = s * s;
-  // s - sin(s) by its series where the difference would cancel.
+  // s - sin(s) by its series if the difference would cancel.
   const double bow = std::abs(s) < 0.1 ? s * s2 / 6 * (1 - s2 / 20 * (1 - s2 / 42)) : s - base::sin(s);
   const double r = radius();
   return triangle + 0.5 * r * r * bow;
@@ -248,7 +248,7 @@ Nearest nearest(const Edge& edge, Vec2 p) {
   const double d = norm(v), r = circle_radius(edge);
   if (d == 0) return {edge.from, r, 0.0};
   const double t = angle_from_start(edge, v) / std::abs(sweep_of(edge));
-  // A direction on the very start may come out just short of a full turn.
+  // A direction exactly at the start may be computed as just short of a full turn.
   if (!(t <= 1)) return nearer_end(edge, p);
   return {edge.center + v * (r / d), std::abs(d - r), t};
 }
@@ -301,7 +301,7 @@ std::vector<Vec2> intersections(const Edge& a, const Edge& b) {
     }
     found.push_back(p);
   };
-  // Ends first, so that a shared vertex comes back bitwise and a shared stretch gives its ends.
+  // Ends first, so that a shared vertex is returned bitwise and a shared stretch gives its ends.
   for (const Vec2 end : {a.from, a.to}) {
     if (distance(b, end) <= touch) add(end, false);
   }

@@ -57,8 +57,8 @@ Vec2 nearest_point(const Edge& edge, Vec2 p);
 double distance(const Edge& edge, Vec2 p);
 /// Smallest distance between two edges (0 when they cross). Exact for lines and arcs. mm.
 double distance(const Edge& a, const Edge& b);
-/// Places where two edges come within 1e-9 mm of each other: at most two, or the ends of shared stretches.
-/// Ends of edges come back bitwise.
+/// Places at which two edges are within 1e-9 mm of each other: at most two, or the ends of shared stretches.
+/// Ends of edges are returned bitwise.
 std::vector<Vec2> intersections(const Edge& a, const Edge& b);
 /// Winding contribution is internal; see contains() in region.h.
 
@@ -71,7 +71,7 @@ void append_flattened(const Edge& edge, double chord, std::vector<Vec2>& out);
 using Path = std::vector<Edge>;
 double length(const Path& path);
 Path reversed(const Path& path);
-/// The first `mm` of a path, or all of it where it is no longer.
+/// The first `mm` of a path, or the whole path if it is no longer.
 Path beginning(const Path& path, double mm);
 Box box(const Path& path);
 

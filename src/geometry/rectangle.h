@@ -12,7 +12,7 @@ Loop rectangle(const Box& box);
 /// All of a box whose sides are longer than 0.
 Region rectangular_region(const Box& box);
 
-/// What surrounds a box on all sides, as wide as `width` (mm, > 0).
+/// The frame around a box, `width` (mm, > 0) wide on all sides.
 Region frame_around(const Box& box, double width);
 
 }  // namespace clearcut::inline geometry

@@ -9,8 +9,8 @@
 namespace clearcut::inline geometry {
 namespace {
 
-/// Side of p against the directed chord: > 0 left, < 0 right. Points on it fall as they do for a ray towards
-/// +x just above p, so that chords and bows below count each point of the plane once.
+/// Side of p against the directed chord: > 0 left, < 0 right. Points on the chord are treated as by a ray towards +x
+/// just above p, so that the chords and bows below count each point of the plane once.
 int side_of_chord(const Edge& edge, Vec2 p) {
   const Vec2 d = edge.to - edge.from;
   const double side = cross(d, p - edge.from);

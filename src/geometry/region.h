@@ -23,15 +23,15 @@ Loop loop_from_points(std::span<const Vec2> points);
 std::vector<BulgeVertex> to_bulges(const Loop& loop);
 /// Polygon of a loop, without repeating the first point; see append_flattened.
 std::vector<Vec2> flattened(const Loop& loop, double chord);
-/// What one edge adds to the winding number around p: sum over the edges of closed loops. Zero for edges
-/// wholly above, wholly below (bows included) or wholly left of p, so that an index may skip them.
+/// Contribution of one edge to the winding number around p, to be summed over the edges of closed loops. Zero for
+/// edges wholly above, wholly below (bows included) or wholly left of p, so that an index may skip them.
 int winding(const Edge& edge, Vec2 p);
-/// Non-zero winding, exact for arcs; points on the boundary (within 1e-12 relative) may fall either way.
+/// Non-zero winding, exact for arcs; points on the boundary (within 1e-12 relative) may give either result.
 bool contains(const Loop& loop, Vec2 p);
 
-/// One connected area: closed, oriented (outer counter-clockwise, islands clockwise, so the material to cut
-/// lies on the left of every edge), free of crossings, islands inside the outer loop. Islands may touch each
-/// other or the outer loop in points. Valid by construction: nothing downstream asks again.
+/// One connected area: closed, oriented (outer counter-clockwise, islands clockwise, so the material to cut is on the
+/// left of every edge), free of crossings, islands inside the outer loop. Islands may touch each other or the outer
+/// loop in points. Valid by construction: no later stage checks again.
 class Region {
  public:
   /// Orients the loops. The caller promises the rest; readers get their regions from read/outline repair,

@@ -8,9 +8,9 @@
 namespace clearcut::inline geometry {
 namespace {
 
-/// mm. Loops that cross by less touch: what booleans and offsets round to.
+/// mm. Loops that cross by less touch: the rounding of booleans and offsets.
 constexpr double kCrossing = 1e-3;
-/// Sine of the greatest angle between edges that touch where they meet once.
+/// Sine of the greatest angle between two edges that touch rather than cross at their only common point.
 constexpr double kTangent = 1e-4;
 
 struct Placed {
@@ -70,7 +70,8 @@ std::string crossing_fault(const std::vector<const Loop*>& loops) {
   return "";
 }
 
-/// A place on the loop that is well inside or outside of the other; nothing where they touch all along.
+/// Whether the loop is inside the other one, decided at a place of the loop well away from the other; `otherwise` if
+/// they touch everywhere.
 bool lies_inside(const Loop& loop, const Loop& other, bool otherwise) {
   for (const Edge& edge : loop) {
     const Vec2 p = edge.at(0.5);

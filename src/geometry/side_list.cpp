@@ -14,7 +14,7 @@ Vec2 direction(double angle) {
   return {base::cos(angle), base::sin(angle)};
 }
 
-/// The arc that turns from `heading` by `turn`, left where that is positive.
+/// The arc that turns from `heading` by `turn`, to the left if positive.
 Edge corner_arc(Vec2 from, double heading, double turn, double radius) {
   const double side = turn > 0 ? 1 : -1;
   const Vec2 center = from + direction(heading + side * kPi / 2) * radius;

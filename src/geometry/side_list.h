@@ -5,7 +5,7 @@
 //   paper     here                    unit   meaning
 //   L_0j      Side::length            mm     length of side j
 //   alpha_j   Side::angle             rad    interior angle at its end, above pi where the corner is reflex
-//   r_j       Side::radius            mm     of the arc that rounds that corner, 0: a sharp corner
+//   r_j       Side::radius            mm     of the arc rounding that corner, 0: a sharp corner
 //   (x0, y0)  SideList::start         mm     where the first side begins
 //   theta     SideList::orientation   rad    direction of the first side; the papers begin along +x and turn
 #pragma once
@@ -23,7 +23,7 @@ struct Side {
   double radius = 0;
 };
 
-/// The material lies on the left of every side.
+/// The material is on the left of every side.
 struct SideList {
   Vec2 start;  ///< where the first side begins to be straight
   double orientation = 0;
@@ -34,16 +34,16 @@ struct SideList {
 double tangent_length(const Side& corner);
 /// CPO-rho appendix A: L_arc = r (pi - alpha), taken as positive at reflex corners. mm.
 double arc_length(const Side& corner);
-/// How far the sum of the angles lies from (N - 2) pi, rad.
+/// Difference of the sum of the angles from (N - 2) pi, rad.
 double angle_excess(const SideList& list);
 
 /// The sides and arcs one after the other, as they are: the end of the last misses the start by the closing
 /// error. At least one side.
 Path traced(const SideList& list);
-/// From where the last edge ends to where the first begins: nothing when the list closes. mm.
+/// Vector from the end of the last edge to the start of the first, mm: zero if the list closes.
 Vec2 closing_error(const Path& trace);
-/// The loop of a trace that nearly closes. Its closing error is shared out along the way, as surveyors do (the
-/// compass rule), so that no edge turns by more than the error over its length.
+/// The loop of a nearly closed trace. The closing error is distributed along the trace as in surveying (the compass
+/// rule), so that no edge turns by more than the error over its length.
 Loop closed_by_compass_rule(const Path& trace);
 
 }  // namespace clearcut::inline geometry

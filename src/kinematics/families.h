@@ -8,7 +8,7 @@
 
 namespace clearcut::kinematics {
 
-/// Adds the time of each leg to that of its move.
+/// Adds the time of each leg to the time of its move.
 using PlanFamily = void (*)(std::span<const Leg> legs, const Machine& machine, std::vector<Seconds>& times);
 
 void plan_grbl(std::span<const Leg> legs, const Machine& machine, std::vector<Seconds>& times);

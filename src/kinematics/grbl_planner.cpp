@@ -1,6 +1,6 @@
-// Grbl 1.1 and grblHAL. Rules: planner.c (junction deviation, limits of the axes along unit vectors, 16 blocks) and motion_control.c
-// (arcs as chords within $12), both described in the wiki pages "Grbl v1.1 Configuration" ($11, $12, $110 to $122) and in S. Jeon's
-// article "Improving Grbl: cornering algorithm" (2011).
+// Grbl 1.1 and grblHAL. Rules: planner.c (junction deviation, limits of the axes along unit vectors, 16 blocks) and
+// motion_control.c (arcs as chords within $12), both described in the wiki pages "Grbl v1.1 Configuration" ($11, $12,
+// $110 to $122) and in S. Jeon's article "Improving Grbl: cornering algorithm" (2011).
 #include <algorithm>
 #include <cmath>
 

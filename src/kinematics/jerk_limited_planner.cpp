@@ -1,7 +1,8 @@
-// Fanuc, Haas and Heidenhain. Their planners are not published; the rules are those that their manuals state: look-ahead over many
-// blocks, corners by a stated tolerance (Haas G187 E, Heidenhain cycle 32 T; exact stop under G61), speed on arcs by the centripetal
-// acceleration (Fanuc parameter 1735), and bell-shaped acceleration with a time constant (Fanuc parameters 1769 to 1772): the planned
-// speed is averaged over the time in which the acceleration is built up, which every run from rest to rest takes longer.
+// Fanuc, Haas and Heidenhain. Their planners are not published; the rules are taken from their manuals: look-ahead
+// over many blocks, corners by a stated tolerance (Haas G187 E, Heidenhain cycle 32 T; exact stop under G61), speed
+// on arcs by the centripetal acceleration (Fanuc parameter 1735), and bell-shaped acceleration with a time constant
+// (Fanuc parameters 1769 to 1772): the planned speed is averaged over the time in which the acceleration is built up,
+// so that every run from rest to rest takes longer by that time.
 #include <algorithm>
 
 #include "kinematics/families.h"
@@ -10,7 +11,7 @@
 namespace clearcut::kinematics {
 namespace {
 
-/// s in which the acceleration is built up where the machine states no jerk.
+/// s; time in which the acceleration is built up if the machine states no jerk.
 constexpr double kBellTime = 0.05;
 /// mm/s; a slower corner is a stop.
 constexpr double kAtRest = 1e-9;

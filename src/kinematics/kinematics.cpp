@@ -20,13 +20,13 @@ double dot(const Direction& a, const Direction& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// A move of positive length, with what is asked of it again and again.
+/// A move of positive length, with its frequently used values.
 struct Run {
   std::size_t index = 0;
   double plan = 0;        ///< length of its path, mm
   double length = 0;      ///< mm
   double top = 0;         ///< mm/s
-  Direction first, last;  ///< of travel, where it begins and ends
+  Direction first, last;  ///< directions of travel at its beginning and end
 };
 
 /// Unit direction of travel at an end of a move.

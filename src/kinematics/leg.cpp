@@ -7,7 +7,7 @@
 namespace clearcut::kinematics {
 namespace {
 
-/// Unit direction of travel where the tangent in plan is `tangent`.
+/// Unit direction of travel at a point with the tangent `tangent` in plan.
 Vec3 in_space(const Leg& leg, Vec2 tangent) {
   const double flat = leg.plan / leg.length;
   return {tangent.x * flat, tangent.y * flat, leg.climb() / leg.length};

@@ -1,4 +1,5 @@
-// Moves of positive length as planners see them: length, directions at both ends, and what the axes allow along them.
+// Moves of positive length as planners see them: length, directions at both ends, and the limits of the axes along
+// them.
 #pragma once
 
 #include <cmath>
@@ -34,7 +35,7 @@ struct AxisLimits {
 };
 AxisLimits axis_limits(const Machine& machine);
 
-/// The most that can be had along direction `u` while no axis exceeds its own.
+/// The greatest value along direction `u` for which no axis exceeds its own limit.
 double most_along(const Vec3& u, const Vec3& of_axes);
 
 /// A move of positive length.
@@ -43,9 +44,9 @@ struct Leg {
   const Move* move = nullptr;
   double plan = 0;          ///< mm, in plan view
   double length = 0;        ///< mm, in space
-  Vec3 first, last;         ///< unit directions of travel where it begins and ends
+  Vec3 first, last;         ///< unit directions of travel at its beginning and end
   double programmed = 0;    ///< mm/s; infinite for rapids and moves without a feed
-  double speed = 0;         ///< mm/s that the axes allow along it
+  double speed = 0;         ///< mm/s; greatest speed of the axes along it
   double acceleration = 0;  ///< mm/s2 likewise
   bool rapid = false;
   bool arc = false;
@@ -56,8 +57,8 @@ struct Leg {
   double climb() const { return move->z_to - move->z_from; }
 };
 
-/// Moves of no length are left out: they take no time and do not stop the others; the standstill before one is that before
-/// the next. The limits of arcs are those of the slower of X and Y, with their share of Z.
+/// Moves of no length are left out: they take no time and do not stop other moves; a standstill before such a move
+/// becomes one before the next. Arcs have the limits of the slower of X and Y, with their share of Z.
 std::vector<Leg> legs_of(std::span<const PlannedMove> moves, const Machine& machine);
 
 /// s over `length` mm from `v0` to `v1` with at most `top` between, mm/s, at `a` mm/s2.

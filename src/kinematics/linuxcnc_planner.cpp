@@ -1,5 +1,5 @@
-// LinuxCNC's trajectory planner. Symbols of its documentation ("Trajectory Control", "Planner parameters" [TRAJ]ARC_BLEND_*) and of
-// R. Ellenberg's blend arcs:
+// LinuxCNC's trajectory planner. Symbols of its documentation ("Trajectory Control", "Planner parameters"
+// [TRAJ]ARC_BLEND_*) and of R. Ellenberg's blend arcs:
 //   T      tolerance of G64 P, mm                       tolerance
 //   theta  half of the angle between two segments       half_angle
 //   R      radius of a blend arc, mm                     radius
@@ -16,16 +16,18 @@ namespace {
 
 /// s; period of the servo thread in LinuxCNC's own configurations.
 constexpr double kCycle = 0.001;
-/// Of the acceleration, across the path on arcs, and along it where the arc is tight: together they are all of it.
+/// Share of the acceleration across the path on arcs, and along the path on tight arcs: combined they are the whole
+/// acceleration.
 constexpr double kNormalShare = 0.86602540378443864676;
 constexpr double kTangentialShare = 0.5;
-/// [TRAJ]ARC_BLEND_KINK_RATIO: the share of the acceleration that a corner may need in one cycle and still count as tangent.
+/// [TRAJ]ARC_BLEND_KINK_RATIO: share of the acceleration that a corner may need in one cycle and still count as
+/// tangent.
 constexpr double kKinkShare = 0.1;
-/// Cycles that every segment takes at least.
+/// Least number of cycles of every segment.
 constexpr double kFewestCycles = 1.02;
 /// Cosine of 178 degrees: sharper turns are stops.
 constexpr double kReversal = -0.99939082701909573;
-/// Of a segment's length: a blend never takes more than that from the path.
+/// Share of a segment's length: a blend never takes more from the path.
 constexpr double kToleranceOfLength = 0.25;
 /// Radians. Corners that are nearer to a reversal or to straight on get no blend arc.
 constexpr double kLeastAngle = 1e-3;
@@ -36,18 +38,18 @@ enum class Joint : unsigned char { kStop, kTangent, kParabolic };
 struct Segment {
   std::size_t leg = 0;
   double whole = 0;         ///< mm, before blend arcs took their part
-  double length = 0;        ///< mm that are left of it
+  double length = 0;        ///< mm; its remaining length
   double asked = 0;         ///< mm/s of the program
-  double top = 0;           ///< mm/s, of the machine along it
-  double acceleration = 0;  ///< mm/s2, of the machine along it
+  double top = 0;           ///< mm/s; speed limit of the machine along it
+  double acceleration = 0;  ///< mm/s2; limit of the machine along it
   double radius = 0;        ///< mm; 0: straight
   bool blend = false;
   double kink_before = 0,
-         kink_after = 0;  ///< shares of the acceleration that are spent at almost tangent ends
-  bool halved = false;    ///< a parabolic blend may begin or end in it
+         kink_after = 0;  ///< shares of the acceleration used at almost tangent ends
+  bool halved = false;    ///< a parabolic blend may begin or end in this segment
   Joint end = Joint::kStop;
   double through = kNoLimit;  ///< mm/s; most at its end
-  double along = 0;           ///< mm/s2; what is left of the acceleration along the path
+  double along = 0;           ///< mm/s2; remaining acceleration along the path
 
   double target() const { return std::min(asked, top); }
 };
@@ -72,7 +74,7 @@ double overall_acceleration(const Segment& segment) {
   return segment.acceleration * left * (segment.halved ? 0.5 : 1);
 }
 
-/// What an arc's curvature leaves, once both of its ends are known.
+/// Sets the limits left by an arc's curvature, once both of its ends are known.
 void finish(Segment& segment) {
   const double overall = overall_acceleration(segment);
   segment.along = overall;
@@ -90,7 +92,7 @@ void finish(Segment& segment) {
   }
 }
 
-/// The acceleration in one cycle that a change of direction needs, as a share of what the axes have.
+/// The acceleration needed in one cycle for a change of direction, as a share of the axes' acceleration.
 double kink_of(const Leg& before, const Leg& after, double speed, const AxisLimits& limits) {
   const Vec3 change = (after.first - before.last) * (speed / kCycle + after.acceleration);
   const double share =
@@ -112,7 +114,7 @@ Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// mm within which a corner may be rounded; without P a quarter of the shorter segment.
+/// mm; greatest rounding of a corner; without P a quarter of the shorter segment.
 double blend_tolerance(const Leg& before, const Segment& a, const Segment& b) {
   const double of_length = kToleranceOfLength * std::min(a.whole, b.whole);
   const double stated = before.path.mode == PathMode::kTolerance ? before.path.tolerance_mm.value_or(0) : 0;
@@ -122,8 +124,9 @@ double blend_tolerance(const Leg& before, const Segment& a, const Segment& b) {
 /// A corner of the path.
 struct Corner {
   double turn = 0;  ///< radians; 0: straight on
-  double bent =
-      0;  ///< radians; the turn for blend arcs: between chords of arcs that bend the same way as the corner
+  /// Radians; the turn for blend arcs: measured between chords for arcs that curve in the same direction as
+  /// the corner.
+  double bent = 0;
   double tolerance = 0;  ///< mm
   double goal = 0;       ///< mm/s, of the slower side
 };
@@ -134,7 +137,8 @@ double half_angle(double turn) {
 
 /// Of an arc's sweep: how far its chord at the corner turns away from its tangent.
 constexpr double kChordBefore = 1.0 / 3, kChordAfter = 1.0 / 6;
-/// Radians by which a corner is sharper than its tangents where an arc bends the same way: the arc before it, else the one after.
+/// Radians by which a corner is sharper than its tangents if an arc curves in the same direction: the previous arc,
+/// else the next one.
 double chord_turn(const Leg& before, const Leg& after, double turn) {
   const double left = before.last.x * after.first.y - before.last.y * after.first.x;
   const auto inwards = [&](const Leg& leg) { return leg.arc && leg.move->path.sweep() * left > 0; };
@@ -144,7 +148,7 @@ double chord_turn(const Leg& before, const Leg& after, double turn) {
   return 0;
 }
 
-/// mm of a segment that a blend arc may take; arcs lie near their tangent only for so long.
+/// mm of a segment that a blend arc may take; arcs are near their tangent only over this length.
 double room_on(const Leg& leg, const Segment& segment) {
   const double half = std::min(segment.length, segment.whole / 2);
   if (!leg.arc) return half;
@@ -152,16 +156,17 @@ double room_on(const Leg& leg, const Segment& segment) {
   return std::min(half, segment.radius * base::sin(std::min(sweep * 2 / 3, kPi / 3) / 4));
 }
 
-/// A blend arc and what it takes of the segments on both sides, mm.
+/// A blend arc and the lengths it takes from the segments on both sides, mm.
 struct Blend {
   Segment arc;
   double of_before = 0, of_after = 0;
 };
 
-/// Cycles; where a blend arc leaves less of the line before it, that becomes part of the arc ([TRAJ]ARC_BLEND_GAP_CYCLES).
+/// Cycles; if a blend arc leaves less of the previous line, this rest becomes part of the arc
+/// ([TRAJ]ARC_BLEND_GAP_CYCLES).
 constexpr double kGapCycles = 4;
 
-/// The blend arc; of no length where there is none.
+/// The blend arc; of length 0 if there is none.
 Blend blend_arc(const Leg& before, const Leg& after, const Segment& a, const Segment& b, const Corner& corner,
                 const AxisLimits& limits) {
   Blend blend;
@@ -193,13 +198,13 @@ Blend blend_arc(const Leg& before, const Leg& after, const Segment& a, const Seg
   return blend;
 }
 
-/// Of the acceleration: what a parabolic blend may use on each side, sqrt(3)/4 of it and on arcs half of that.
+/// The acceleration that a parabolic blend may use on each side: sqrt(3)/4 of the whole, and on arcs half of this.
 double for_parabola(const Segment& segment) {
   const double both = segment.acceleration * kNormalShare / 2;
   return segment.radius > 0 ? both * kTangentialShare : both;
 }
 
-/// Direction of the acceleration with which a leg begins: on arcs between the tangent and the centre, as measured.
+/// Direction of the acceleration at the start of a leg: on arcs between the tangent and the centre, as measured.
 Vec3 begins_towards(const Leg& leg, const Segment& segment) {
   if (!leg.arc) return leg.first;
   constexpr double kTangential = 0.457;
@@ -210,9 +215,10 @@ Vec3 begins_towards(const Leg& leg, const Segment& segment) {
   return sum * (1 / norm(sum));
 }
 
-/// What a parabolic blend does between two segments.
+/// A parabolic blend between two segments.
 struct Parabola {
-  double speed = 0;  ///< mm/s from which the segment before comes to rest while the other gathers speed
+  /// mm/s; speed from which the previous segment comes to rest while the next one accelerates.
+  double speed = 0;
   double along = 0;  ///< mm/s in the direction of the blend
 };
 
@@ -242,7 +248,7 @@ bool may_blend(const Leg& leg) {
   return !stops_at_all_ends(leg) && leg.path.mode != PathMode::kExactPath;
 }
 
-/// The segments of a program with what happens between them.
+/// The segments of a program with the blends between them.
 class Trajectory {
  public:
   Trajectory(std::span<const Leg> legs, const AxisLimits& limits) : legs_(legs), limits_(limits) {
@@ -250,7 +256,7 @@ class Trajectory {
     for (std::size_t i = 0; i < legs.size(); ++i) {
       segments_.push_back(segment_of(legs[i], i));
       if (i > 0 && !legs[i].from_rest) join();
-      // The last of a queue waits for another that never comes: it is planned for a blend.
+      // The last segment of a queue waits for a successor that never comes: it is planned as if blended.
       const bool last = i + 1 == legs.size() || legs[i + 1].from_rest;
       if (last && may_blend(legs[i])) segments_.back().halved = true;
     }
@@ -267,10 +273,10 @@ class Trajectory {
   std::span<const Leg> legs_;
   const AxisLimits& limits_;
   std::vector<Segment> segments_;
-  std::vector<double> speeds_;  ///< mm/s where each begins, and 0 behind the last
+  std::vector<double> speeds_;  ///< mm/s at the start of each segment, and 0 after the last
 };
 
-/// Decides how the segment before the last goes over to the last.
+/// Decides the transition from the segment before the last to the last one.
 void Trajectory::join() {
   Segment& b = segments_.back();
   Segment& a = segments_[segments_.size() - 2];
@@ -286,7 +292,7 @@ void Trajectory::join() {
     return;
   }
   if (!may_blend(before)) {
-    a.kink_after = b.kink_before = kKinkShare;  // under G61, too, where it then stops
+    a.kink_after = b.kink_before = kKinkShare;  // also under G61, where it then stops
     return;
   }
   Corner corner;

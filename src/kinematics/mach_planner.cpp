@@ -1,5 +1,6 @@
-// Mach3 and Mach4. Rules: "Using Mach3Mill" (constant velocity and exact stop, settings of CV control): in exact stop every move ends at
-// rest; in constant velocity a move begins when the one before begins to slow down, so that both together keep the speed.
+// Mach3 and Mach4. Rules: "Using Mach3Mill" (constant velocity and exact stop, settings of CV control): in exact stop
+// every move ends at rest; in constant velocity a move begins when the previous one begins to slow down, so that both
+// together keep the speed.
 #include <algorithm>
 
 #include "kinematics/families.h"
@@ -8,7 +9,7 @@
 namespace clearcut::kinematics {
 namespace {
 
-/// s that a piece takes to come to rest from the speed that it reaches.
+/// s; time in which a piece comes to rest from its reached speed.
 double braking_time(const Piece& piece) {
   return std::min(piece.top, std::sqrt(piece.acceleration * piece.length)) / piece.acceleration;
 }

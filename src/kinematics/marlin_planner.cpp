@@ -1,5 +1,5 @@
-// Marlin 2. Rules: the pages M201, M203, M204 and M205 of its documentation, and of its planner ("Junction Deviation", "Classic Jerk")
-// and Configuration_adv.h (MAX_ARC_SEGMENT_MM, MIN_CIRCLE_SEGMENTS, BLOCK_BUFFER_SIZE).
+// Marlin 2. Rules: the pages M201, M203, M204 and M205 of its documentation, and of its planner ("Junction
+// Deviation", "Classic Jerk") and Configuration_adv.h (MAX_ARC_SEGMENT_MM, MIN_CIRCLE_SEGMENTS, BLOCK_BUFFER_SIZE).
 #include <algorithm>
 #include <cmath>
 
@@ -13,7 +13,7 @@ namespace {
 constexpr double kChordMm = 1, kShortestChordMm = 0.1;
 constexpr double kChordsOfCircle = 72;
 constexpr std::size_t kMarlinBlocks = 15;
-/// mm and radians; shorter segments that turn by less count as parts of an arc: v^2 <= a r.
+/// mm and radians; shorter segments with smaller turns count as parts of an arc: v^2 <= a r.
 constexpr double kSmallSegment = 1, kSmallTurn = kPi / 4;
 
 std::size_t marlin_chords(const Leg& leg, const Machine&) {
@@ -23,7 +23,7 @@ std::size_t marlin_chords(const Leg& leg, const Machine&) {
   return static_cast<std::size_t>(std::min(std::max(by_length, by_angle), most));
 }
 
-/// The speed at which no axis changes by more than its jump.
+/// The speed at which no axis changes its speed by more than its permitted jump.
 double classic_speed(const Vec3& change, const AxisValues& jump) {
   return most_along(change, {jump[0], jump[1], jump[2]});
 }

@@ -89,7 +89,7 @@ std::vector<double> planned_speeds(std::span<const Piece> pieces, std::size_t lo
     const double most = std::min({pieces[k].entry, pieces[k - 1].top, pieces[k].top});
     squares[k] = most * most;
   }
-  double known = 0;  // mm of the pieces that the control has seen from k on
+  double known = 0;  // mm; length of the pieces seen by the control from k on
   std::size_t end = count;
   for (std::size_t k = count; k-- > 0;) {
     const double a = pieces[k].acceleration;

@@ -1,4 +1,5 @@
-// How long a program takes on a machine: one planner for each family of controllers, each by its controller's own rules.
+// How long a program takes on a machine: one planner for each family of controllers, each by its controller's own
+// rules.
 #pragma once
 
 #include <span>
@@ -12,27 +13,28 @@
 
 namespace clearcut::kinematics {
 
-/// A move as the planner of a control meets it.
+/// A move as input of a control's planner.
 struct PlannedMove {
   const Move* move = nullptr;
   PathControl path;  ///< how far the control may leave the path, from this move on
-  bool from_rest =
-      false;  ///< the control waits for standstill before it: start, dwell, tool change, words of M
+  /// The control waits for standstill before this move: start, dwell, tool change, words of M.
+  bool from_rest = false;
 };
 
 /// Time of each of the moves, run in this order from rest to rest, as the controller plans them.
 ///
-/// Planner `machine.planner`, or `of_control` where the machine states none: kGrbl where neither does.
-/// Error   LinuxCNC: 1 % at the median and 3 % at most of its own planner; docs/machine-time.md has the rules of all, with sources.
-/// Cost    O(n) for n moves; arcs count as their chords where the controller cuts them into chords.
+/// Planner `machine.planner`, or `of_control` if the machine states none; kGrbl if neither is stated.
+/// Error   LinuxCNC: 1 % at the median and 3 % at most of its own planner; docs/machine-time.md has the rules of
+///         all planners, with sources.
+/// Cost    O(n) for n moves; arcs count as their chords if the controller cuts them into chords.
 std::vector<Seconds> planned_times(std::span<const PlannedMove> moves, const Machine& machine,
                                    std::optional<MotionPlanner> of_control = {});
 
-/// Sum of planned_times for moves that run in one go, all under `path`.
+/// Sum of planned_times for moves run without a stop, all under `path`.
 Seconds planned_time(std::span<const Move> moves, const PathControl& path, const Machine& machine,
                      std::optional<MotionPlanner> of_control);
 
-/// What planned_times uses.
+/// The planner used by planned_times.
 MotionPlanner planner_in_force(const Machine& machine, std::optional<MotionPlanner> of_control);
 
 }  // namespace clearcut::kinematics

@@ -13,14 +13,14 @@ bool is_continued(const Move& before, const Move& after) {
          std::abs(before.z_to - after.z_from) <= kSamePlaceMm;
 }
 
-/// Whether the control empties its queue of moves where one state follows the other.
+/// Whether the control empties its queue of moves if `after` follows `before`.
 bool needs_standstill(const ControlState& before, const ControlState& after) {
   return before.tool != after.tool || before.spindle != after.spindle ||
          before.spindle_rpm != after.spindle_rpm || before.coolant != after.coolant ||
          before.length != after.length;
 }
 
-/// Marks the moves before which something else happens.
+/// Marks the moves preceded by an event that needs standstill.
 void mark_standstills(const ControlTable& control, std::vector<PlannedMove>& moves) {
   for (const ControlEvent& event : control.events) {
     if (event.before_move < moves.size()) moves[event.before_move].from_rest = true;

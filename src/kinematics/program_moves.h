@@ -7,8 +7,8 @@
 
 namespace clearcut::kinematics {
 
-/// All moves of all sections. With `control`, what it holds decides where the control waits for standstill and how far it may
-/// leave the path; without, every section begins at rest and no bound of the path is known.
+/// All moves of all sections. With `control`, its states decide the standstills and the permitted deviation from the
+/// path; without, every section begins at rest and no bound of the deviation is known.
 std::vector<PlannedMove> planned_moves(const Toolpath& toolpath, const ControlTable* control);
 
 }  // namespace clearcut::kinematics

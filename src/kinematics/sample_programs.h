@@ -1,4 +1,4 @@
-// Small programs of the kinds that plans consist of, for tests of times.
+// Small programs of the kinds found in plans, for tests of times.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +23,7 @@ class Pen {
     add(Edge::arc(at_, center + to, center, angle > 0 ? Turn::kCounterClockwise : Turn::kClockwise), z,
         MoveKind::kCut, feed);
   }
-  /// An arc of radius `r` that goes on in direction `heading` (degrees), to the left where `degrees` > 0.
+  /// An arc of radius `r` starting in direction `heading` (degrees), to the left if `degrees` > 0.
   void bend(double heading, double r, double degrees, double feed) {
     const double h = heading * kPi / 180;
     const Vec2 left{-base::sin(h), base::cos(h)};
@@ -90,7 +90,7 @@ inline std::vector<Move> zigzag(double feed) {
   return pen.take();
 }
 
-/// Rings of many short lines that turn a little either way.
+/// Rings of many short lines with slight turns in both directions.
 inline std::vector<Move> noisy_rings(double feed) {
   Pen pen;
   Dice dice(3);
@@ -112,7 +112,7 @@ inline std::vector<Move> chords(double feed) {
   return pen.take();
 }
 
-/// Slots with round ends: lines and arcs that join smoothly.
+/// Slots with round ends: smoothly joined lines and arcs.
 inline std::vector<Move> round_slots(double feed) {
   Pen pen;
   go_down(pen, feed);
@@ -128,7 +128,7 @@ inline std::vector<Move> round_slots(double feed) {
   return pen.take();
 }
 
-/// Arcs that meet at corners of all sizes, and bend the same way or the other.
+/// Arcs meeting at corners of all sizes, curved in the same or in opposite directions.
 inline std::vector<Move> arcs_with_corners(double feed) {
   Pen pen;
   Dice dice(7);
@@ -143,7 +143,7 @@ inline std::vector<Move> arcs_with_corners(double feed) {
   return pen.take();
 }
 
-/// What engagement-limited clearing does: arcs into the material and fast lines back to their beginnings.
+/// Moves of engagement-limited clearing: arcs into the material and fast lines back to their beginnings.
 inline std::vector<Move> there_and_back(double feed) {
   Pen pen;
   pen.rapid({20, 0}, 10);
@@ -209,7 +209,7 @@ inline std::vector<Move> random_lines(double feed) {
   return pen.take();
 }
 
-/// Lines and arcs that join at small angles only.
+/// Lines and arcs joined only at small angles.
 inline std::vector<Move> gentle_curve(double feed) {
   Pen pen;
   Dice dice(13);

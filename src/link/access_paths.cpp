@@ -11,7 +11,7 @@ namespace {
 
 /// mm by which a cutter may be wider than a predrilled hole.
 constexpr double kHoleSlack = 0.001;
-/// Seconds. Longer access paths round corners are used only by cutters that must not plunge.
+/// Seconds. Longer access paths round corners are used only for cutters that must not plunge.
 constexpr double kLongestAccess = 5;
 /// Greatest number of places on the rim of cleared stock that are tried.
 constexpr std::size_t kMostPlaces = 32;
@@ -79,7 +79,7 @@ std::optional<PassStart> AccessPaths::start_on_access_path(const PassStart& star
   return start;
 }
 
-/// The nearest predrilled hole from which a straight legal move leads to p.
+/// The nearest predrilled hole with a straight legal move to p.
 std::optional<Vec2> AccessPaths::hole_before(Vec2 p, std::size_t item) const {
   std::optional<Vec2> best;
   for (const PredrilledHole& hole : options_.predrilled) {
@@ -117,8 +117,7 @@ std::optional<Vec2> AccessPaths::cleared_before(Vec2 p, std::size_t item) const 
   return std::nullopt;
 }
 
-/// The path round corners from `from`, a place in the air, without the part before it leaves the air for the
-/// last time.
+/// The path round corners from `from`, a place in the air, beginning at its last exit from the air.
 std::optional<Path> AccessPaths::path_round(Vec2 from, Vec2 to, std::size_t item) const {
   const LayerWork& where = layer(item);
   if (!where.legal().holds(from)) return std::nullopt;

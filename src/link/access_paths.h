@@ -1,5 +1,4 @@
-// Finds access paths: from places where nothing stands, beside the stock or in a hole, to the beginning of a
-// pass.
+// Finds access paths: from places without material, beside the stock or in a hole, to the beginning of a pass.
 #pragma once
 
 #include <optional>
@@ -18,27 +17,25 @@ class AccessPaths {
 
   /// Whether a cutter with its centre over p is beside the stock or in a predrilled hole.
   bool in_air(Vec2 p) const;
-  /// mm from the raw block to the centre of a cutter that comes down beside it.
+  /// mm from the raw block to the centre of a cutter descending beside it.
   double beside_stock() const { return options_.tool_radius + options_.beside_stock; }
-  /// Whether the line from a to b at the depth of the pass is legal and no material of higher layers stands
-  /// in it.
+  /// Whether the line from a to b at the depth of the pass is legal and no material of higher layers is in its path.
   bool is_clear(std::size_t item, Vec2 a, Vec2 b) const;
 
-  /// The nearest point beside the stock or in a predrilled hole from which a straight legal move leads to p.
+  /// The nearest point beside the stock or in a predrilled hole with a straight legal move to p.
   std::optional<Vec2> air_before(Vec2 p, std::size_t item) const;
-  /// The nearest point beside the target of the layer from which a straight legal move leads to p. Earlier
-  /// work has cleared that place, except for residuals into which a cutter that must not plunge should not go
-  /// down.
+  /// The nearest point beside the target of the layer with a straight legal move to p. Earlier work has cleared this
+  /// place except for residuals; a cutter that must not plunge should not descend into them.
   std::optional<Vec2> cleared_before(Vec2 p, std::size_t item) const;
   /// A legal path to p from beside the stock, from a predrilled hole or from cleared stock: straight, else
-  /// the shortest one found round corners. An empty path if p itself is such a place; nothing if there is
+  /// the shortest one found round corners. An empty path if p itself is one of these places; nothing if there is
   /// none.
   std::optional<Path> to(Vec2 p, std::size_t item) const;
-  /// A place on a pass to which a straight legal move leads from the air.
+  /// A place on a pass reached by a straight legal move from the air.
   std::optional<PassStart> start_before_air(std::size_t item) const;
-  /// A place on a ring, of a few that are tried, to which a straight legal move leads from beside the target.
+  /// A place on a ring, among a few candidates, reached by a straight legal move from beside the target.
   std::optional<PassStart> start_before_cleared(std::size_t item) const;
-  /// The place at which the access path to `start` first meets the ring, which may be before `start`.
+  /// The place at which the access path to `start` first meets the ring, possibly before `start`.
   std::optional<PassStart> start_on_access_path(const PassStart& start, std::size_t item) const;
 
  private:

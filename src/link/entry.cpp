@@ -9,14 +9,13 @@
 namespace clearcut::link {
 namespace {
 
-/// Radius of the centre's circle as a share of the tool radius; below 1, so that no post is left in its
-/// middle.
+/// Radius of the centre's circle as a share of the tool radius; below 1, so that no post is left in the middle.
 constexpr double kWidestHelix = 0.9;
 constexpr double kNarrowestHelix = 0.2;
-constexpr double kHelixShrink = 0.8;      // factor from one radius that is tried to the next
+constexpr double kHelixShrink = 0.8;      // factor from one tried radius to the next
 constexpr double kLongestRamp = 4;        // share of the tool radius
 constexpr double kShortestRamp = 0.2;     // share of the tool radius
-constexpr double kMostRounds = 4;         // times round a ring on the way down
+constexpr double kMostRounds = 4;         // greatest number of rounds along a ring during a descent
 constexpr double kWidestArc = 1.6 * kPi;  // radians
 constexpr double kSameTurn = 1e-6;        // arcs: rounding of a sweep by less adds no further arc
 
@@ -68,8 +67,8 @@ void append_turns(const Circle& circle, Vec2 end, double turned, double z_from, 
   }
 }
 
-/// A helix with as many turns as the entry angle needs, at least one, so that the whole depth is met nowhere
-/// at once. It ends at the start of the pass.
+/// A helix with as many turns as the entry angle requires, at least one, so that the whole depth is nowhere cut at
+/// once. It ends at the start of the pass.
 std::vector<Move> helix(const EntryPlace& place, const Circle& circle, const LinkOptions& options) {
   const double asked = (place.z_above - place.z) / (circle.radius * base::tan(options.entry_angle.radians()));
   const double turned = std::max(2 * kPi, asked);
@@ -79,7 +78,7 @@ std::vector<Move> helix(const EntryPlace& place, const Circle& circle, const Lin
   return moves;
 }
 
-/// A ramp along the ring, edge by edge, up to where the depth is reached.
+/// A ramp along the ring, edge by edge, up to the place where the depth is reached.
 std::optional<Entry> ramp_along(const EntryPlace& place, const LinkOptions& options) {
   const double slope = base::tan(options.entry_angle.radians());
   const double around = length(*place.ring), stroke = (place.z_above - place.z) / slope;
@@ -99,7 +98,7 @@ std::optional<Entry> ramp_along(const EntryPlace& place, const LinkOptions& opti
   return entry;
 }
 
-/// mm; the way to and fro.
+/// mm; length of the zigzag.
 double longest_ramp(const LinkOptions& options) {
   return options.zigzag_length > 0 ? options.zigzag_length : kLongestRamp * options.tool_radius;
 }
@@ -115,7 +114,7 @@ std::optional<Path> straight_stroke(const EntryPlace& place, const LegalArea& ar
   return std::nullopt;
 }
 
-/// What is run to and fro on the way down.
+/// The path of a zigzag during a descent.
 std::optional<Path> stroke_at(const EntryPlace& place, const LegalArea& area, const LinkOptions& options) {
   Path along;
   if (place.run) along = beginning(*place.run, longest_ramp(options));

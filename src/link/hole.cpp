@@ -15,7 +15,7 @@ constexpr double kWidestBore = 0.95;
 /// Share of the tool's radius. A narrower helix has too many turns; a plunge and a circle in each layer are
 /// quicker.
 constexpr double kNarrowestBore = 0.1;
-/// mm above the material where the helix begins.
+/// mm above the material at which the helix begins.
 constexpr double kBoreHeight = 0.2;
 
 Section section_of(MoveList& list, const LinkOptions& options) {
@@ -25,7 +25,7 @@ Section section_of(MoveList& list, const LinkOptions& options) {
   return section;
 }
 
-/// Down to z, each stretch at its own feed: where the hole begins, where it ends, and between.
+/// Down to z, each stretch at its own feed: the beginning of the hole, its end, and the stretch between.
 void feed_down(MoveList& list, double z, const HoleWork& hole, const LinkOptions& options,
                const HoleFeeds& feeds) {
   const double start_end = feeds.start_depth > 0 ? hole.z_top - feeds.start_depth : hole.z_top;
@@ -92,7 +92,7 @@ bool can_bore(const HoleWork& hole, double tool_radius) {
 
 namespace {
 
-/// Of the centre, so that the teeth at the wall advance at `feed`: the wall is longer than the way of the centre.
+/// Feed of the centre with which the teeth at the wall advance at `feed`: the wall is longer than the centre's path.
 MmPerMin centre_feed(MmPerMin feed, double centre_radius, double wall_radius) {
   return feed * (centre_radius / wall_radius);
 }

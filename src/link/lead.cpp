@@ -11,14 +11,14 @@
 namespace clearcut::link {
 namespace {
 
-/// Shares of the size asked for that are tried.
+/// Tried sizes as shares of the requested size.
 constexpr double kShares[] = {1, 0.5, 0.25};
 /// Greatest number of edges whose middle is tried.
 constexpr std::size_t kMostLeadPlaces = 48;
 
 /// The outer end of a line must be this share of its distance from the pass away from every wall.
 constexpr double kLeastOff = 0.5;
-/// Radians. Angle between the pass and the lines that replace arcs.
+/// Radians. Angle between the pass and lines used instead of arcs.
 constexpr double kLineAngle = kPi / 4;
 
 struct Place {
@@ -68,7 +68,7 @@ class LeadSearch {
         overlap_(std::min(overlap, length(path))),
         places_(places_on(path)) {}
 
-  /// The first lead that fits: arcs of radius `size` mm or, if there is an `angle`, lines of that length.
+  /// The first fitting lead: arcs of radius `size` mm or, if there is an `angle`, lines of length `size`.
   std::optional<Lead> find(double size, std::optional<Radians> angle) const {
     for (const double share : kShares) {
       for (const Place& place : places_) {

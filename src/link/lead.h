@@ -1,4 +1,4 @@
-// Leads: arcs and lines into and out of a closed pass, so that no mark is left on the wall where it begins.
+// Leads: arcs and lines into and out of a closed pass, so that no mark is left on the wall at its beginning.
 #pragma once
 
 #include <optional>
@@ -10,23 +10,23 @@ namespace clearcut::link {
 
 struct LeadShape {
   double size = 0;               ///< mm; radius of arcs, length of lines
-  std::optional<Radians> angle;  ///< between lines and the pass; absent: arcs that touch the pass
-  double overlap = 0;            ///< mm; the pass goes on this far beyond its start before it is left
+  std::optional<Radians> angle;  ///< between lines and the pass; absent: arcs tangent to the pass
+  double overlap = 0;            ///< mm; the pass continues this far beyond its start before the lead-out
 };
 
 struct Lead {
   Edge in;             ///< ends on the pass
   Edge out;            ///< begins on the pass
-  double along = 0;    ///< mm along the pass from its start to where `in` ends
-  double overlap = 0;  ///< mm from there, once round, to where `out` begins
+  double along = 0;    ///< mm along the pass from its start to the end of `in`
+  double overlap = 0;  ///< mm from there, once round, to the beginning of `out`
 };
 
 /// Places a lead inside `legal`. At the start of the closed `path`, else in the middle of one of its edges,
-/// the nearest first; else half and a quarter as large; else, instead of arcs, lines of 45 degrees in the
-/// same way; else nothing.
+/// the nearest first; else half and a quarter as large; else, instead of arcs, lines of 45 degrees by the same rules;
+/// else nothing.
 ///
-/// Arcs   Quarter circles. The disc that one runs around keeps its radius from the boundary of the legal
-///        area, to within the tolerance of legal moves, which proves the arc legal.
+/// Arcs   Quarter circles. The disc of the arc keeps its radius from the boundary of the legal area, to within the
+///        tolerance of legal moves; this proves the arc legal.
 /// Lines  Legal along their whole length.
 /// Cost   O(edges of path * edges of legal) at worst.
 std::optional<Lead> lead_for(const Path& path, const Regions& legal, const LeadShape& shape);

@@ -11,7 +11,7 @@
 namespace clearcut::link {
 namespace {
 
-/// Seconds. A smaller difference comes from rounding, and the order found first stays.
+/// Seconds. A smaller difference is due to rounding, and the order found first is kept.
 constexpr double kFaster = 1e-6;
 
 /// Keeps the fastest of several orders of the same passes.
@@ -44,7 +44,7 @@ bool same_order(const Linker& a, const Linker& b) {
                     [](const Cut& c, const Cut& d) { return c.item == d.item; });
 }
 
-/// Adds improved orders, found from the one in which `found` has cut the passes.
+/// Adds improved orders, found from the order in which `found` has cut the passes.
 void add_shorter(const Work& work, Linker& found, const LinkOptions& options, Fastest& fastest) {
   const Linker* from = &found;
   std::optional<Linker> areas;

@@ -11,17 +11,17 @@
 namespace clearcut::link {
 namespace {
 
-/// mm above the material where ramps and helices begin.
+/// mm above the material at which ramps and helices begin.
 constexpr double kEntryHeight = 0.2;
 /// mm. A cutter nearer than this to the boundary of the legal area is at the wall.
 constexpr double kAtWall = 0.05;
-/// Number of directions in which the boundary is searched for.
+/// Number of directions in which the boundary is searched.
 constexpr int kDirections = 16;
 
 /// Seconds. Above the rounding of times.
 constexpr double kRounding = 1e-9;
 
-/// Seconds by which an entry beside the material is preferred to one into it.
+/// Advantage, in seconds, of an entry beside the material over one into the material.
 constexpr double kAirWorth = 1e6;
 
 std::size_t index_of(EntryKind kind) {
@@ -53,8 +53,8 @@ MmPerMin feed_of(MoveKind kind, const LinkOptions& options) {
   return leads ? options.lead_feed.value_or(options.feed) : options.feed;
 }
 
-/// mm; the height of rapids to a pass if the cutter stays inside the pocket: just above the layer, because the layer above is
-/// cut there. From a lower layer it could meet residuals of that one.
+/// mm; the height of rapids to a pass if the cutter stays inside the pocket: just above the layer, because the layer
+/// above is cut there. A rapid starting from a lower layer could meet residuals of the layer above.
 double inside_height(const Work& work, const LinkOptions& options, const CutterAt& from, std::size_t item) {
   const LayerPasses& passes = work.layer_of(item).layer();
   const std::size_t index = work.items()[item].layer;
@@ -63,14 +63,15 @@ double inside_height(const Work& work, const LinkOptions& options, const CutterA
   return clear ? std::min(top + options.above_material, options.cross_z) : options.cross_z;
 }
 
-/// Seconds that a retract to a pass takes at least whose box lies `apart` mm away.
+/// Least time, in seconds, of a retract link to a pass whose box is `apart` mm away.
 double least_retract_time(const Work& work, const LinkOptions& options, const CutterAt& from,
                           std::size_t item, double apart) {
   const double up = inside_height(work, options, from, item) - from.z;
   return rapid_time(up, options.machine) + rapid_time(apart, options.machine);
 }
 
-/// Whether a pass has left the cutter at p, at a height between these. Where it has only come down the chips have to come up first.
+/// Whether the previous pass ended with the cutter at p, at a height in this range. If the cutter has only descended
+/// there, the chips must be cleared first.
 bool stand_over(const MoveList& moves, Vec2 p, double z_low, double z_high) {
   return !moves.empty() && !moves.ends_upright() && moves.at() == p && moves.z() > z_low &&
          moves.z() < z_high;
@@ -117,7 +118,7 @@ std::vector<Move> Linker::take_moves() {
   return moves_.take();
 }
 
-/// Seconds to retract to `height`, cross, and come down again.
+/// Seconds to retract to `height`, cross, and descend again.
 double Linker::retract_time(const CutterAt& from, const Beginning& to, double height) const {
   const auto rapid = [this](double length) { return rapid_time(length, options_.machine); };
   const double up = rapid(height - from.z), across = rapid(distance(from.at, to.point));
@@ -146,7 +147,7 @@ double Linker::retract_height(const CutterAt& from, Vec2 to, std::size_t item) c
   return inside < options_.cross_z && access_paths().is_clear(item, from.at, to) ? inside : options_.cross_z;
 }
 
-/// mm; the height at which a rapid down over `p` has to end.
+/// mm; the height at which a rapid down over `p` must end.
 double Linker::approach_z(Vec2 p, std::size_t item) const {
   const LayerPasses& passes = layer(item).layer();
   if (access_paths().in_air(p)) return passes.z + options_.above_material;
@@ -169,7 +170,8 @@ Linker::Candidate Linker::choose() const {
     if (std::min(least, least_retract_time(work_, options_, here(), i, apart)) > best.cost + kRounding)
       continue;
     const PassStart start = nearest_start(work_.pass(i), moves_.at());
-    // Whether the way there is clear is asked only of the few that may be the best: it costs most where there are many.
+    // Whether the link is clear of material is tested only for the few candidates that may be the best: this test is
+    // the costliest with many candidates.
     if (least_cost(i, start) >= best.cost) continue;
     const Candidate candidate = evaluate(i, start);
     if (candidate.cost < best.cost) best = candidate;
@@ -177,7 +179,7 @@ Linker::Candidate Linker::choose() const {
   return best;
 }
 
-/// Seconds that the link to a pass takes if the way there is clear.
+/// Seconds of the link to a pass if the link is clear of material.
 double Linker::least_cost(std::size_t item, const PassStart& start) const {
   const Beginning to = beginning(item, start.point);
   return std::min(retract_time(here(), to, inside_height(work_, options_, here(), item)),
@@ -199,7 +201,7 @@ Linker::Candidate Linker::evaluate(std::size_t item, const PassStart& start) con
   return candidate;
 }
 
-/// The first pass of all, or of an open layer: one that can be entered from the air, if there is any.
+/// The first pass of all, or of an open layer: one that can be entered from the air if possible.
 Linker::Candidate Linker::first_candidate() const {
   Candidate first;
   for (std::size_t i = 0; i < work_.items().size(); ++i) {
@@ -249,8 +251,7 @@ std::optional<Lead> Linker::lead_for_pass(const Path& path, const Candidate& nex
   return lead;
 }
 
-/// Moves the start of a pass that needs an entry to a place that can be reached from the air, if there is
-/// one.
+/// For a pass that needs an entry: moves its start to a place reachable from the air, if there is one.
 void Linker::start_from_air(Candidate& next) const {
   const Pass& pass = work_.pass(next.item);
   if (access_paths().air_before(next.start.point, next.item)) return;
@@ -266,8 +267,8 @@ void Linker::start_from_air(Candidate& next) const {
   }
 }
 
-/// Goes to the beginning of `path` at depth. Returns the mm along it at which the depth is reached, for a
-/// ring that was ramped along.
+/// Moves to the beginning of `path` at depth. For a ramp along a ring, returns the mm along the ring at which the
+/// depth is reached.
 double Linker::go_to(const Candidate& next, const Path& path, bool is_ring) {
   const Vec2 p = next.start.point;
   if (next.stay_down) {
@@ -293,15 +294,15 @@ void Linker::link_to(Vec2 p) {
   moves_.vertical(depth, MoveKind::kPlunge, options_.plunge_feed);
 }
 
-/// Goes over p by rapids, as low as is safe. Where the cutter is at p already it stays in its own cut.
+/// Moves over p by rapids, as low as is safe. If the cutter is already at p it stays in its own cut.
 void Linker::go_over(Vec2 p, std::size_t item) {
   if (!running() || moves_.at() != p)
     rise_and_cross(p, running() ? retract_height(here(), p, item) : options_.safe_z);
   moves_.vertical(approach_z(p, item), MoveKind::kRapid, {});
 }
 
-/// Goes from a little above the material down into it by the entry asked for, or from where the layer above has left the
-/// cutter over the start. Returns the same as go_to.
+/// Moves from slightly above the material into it by the requested entry, or from the cutter's position over the
+/// start after the layer above. Returns the same as go_to.
 double Linker::enter_material(Vec2 start, const Path& path, const Path* ring, std::size_t item) {
   const LayerPasses& passes = layer(item).layer();
   const Edge first = path.front();
@@ -315,7 +316,7 @@ double Linker::enter_material(Vec2 start, const Path& path, const Path* ring, st
   if (stand_over(moves_, start, passes.z, z_above)) {
     place.z_above = moves_.z();
     entry = entry_at(place, passes.legal, options_);
-    if (entry->moves.front().path.from != start) entry.reset();  // a helix begins beside it
+    if (entry->moves.front().path.from != start) entry.reset();  // a helix begins beside the start
   }
   if (!entry) {
     place.z_above = z_above;
@@ -351,7 +352,7 @@ void Linker::cut(const Path& path, const std::vector<MoveKind>& kinds) {
     Edge joined = path[i];
     if (i == 0) joined.from = moves_.at();  // equal up to rounding
     if (joined.from == joined.to)
-      continue;  // a single point where the cutter just fits: the entry has cut it
+      continue;  // the pass is a single point where the cutter just fits: the entry has cut it
     const MoveKind kind = kinds.empty() ? MoveKind::kCut : kinds[i];
     moves_.along(joined, kind, feed_of(kind, options_));
   }

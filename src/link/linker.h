@@ -1,4 +1,4 @@
-// Cuts passes in a given order, or always the one that is reached soonest, and writes the moves with their
+// Cuts passes in a given order, or always next the pass reached soonest, and writes the moves with their
 // links.
 #pragma once
 
@@ -23,7 +23,7 @@ struct Task {
   std::optional<PassStart> start;
 };
 
-/// A pass that was cut, and where its moves began and ended.
+/// A finished pass, with the start and end of its moves.
 struct Cut {
   std::size_t item = 0;
   PassStart start;
@@ -32,17 +32,17 @@ struct Cut {
   bool stayed_down = false;  ///< whether the link to it stayed at depth
 };
 
-/// Where the cutter is, mm.
+/// Position of the cutter, mm.
 struct CutterAt {
   Vec2 at;
   double z = 0;
 };
 
-/// A place where a pass may begin.
+/// A possible start of a pass.
 struct Beginning {
   std::size_t item = 0;
   Vec2 point;
-  double rapid_z = 0;  ///< mm; height at which a rapid down to it ends
+  double rapid_z = 0;  ///< mm; height at which a rapid down to this place ends
 };
 
 /// Writes the moves of one section, pass by pass.
@@ -51,18 +51,18 @@ class Linker {
   Linker(const Work& work, const LinkOptions& options, Progress::Layers layers)
       : work_(work), options_(options), progress_(work, layers) {}
 
-  /// Cuts all passes, always the one that is reached soonest.
+  /// Cuts all passes, always next the pass reached soonest.
   void cut_nearest_first();
-  /// Cuts all passes in this order, which must respect their precedence.
+  /// Cuts all passes in this order, the order must respect their precedence.
   void cut_in_order(const std::vector<Task>& tasks);
 
-  /// Seconds from `from` to the beginning of a pass, as far as that is known before anything is cut. `low`:
+  /// Seconds from `from` to the beginning of a pass, as far as known before cutting begins. `low`:
   /// the link may stay at depth or just above the layer if that is legal.
   double travel(const CutterAt& from, const Beginning& to, bool low) const;
   Beginning beginning(std::size_t item, Vec2 point) const { return {item, point, approach_z(point, item)}; }
 
   const std::vector<Cut>& cuts() const { return cuts_; }
-  /// Sentences on what was asked for and did not fit.
+  /// Sentences on requests that did not fit.
   std::vector<std::string> notes() const;
   /// All moves; ends at the safe height.
   std::vector<Move> take_moves();

@@ -1,4 +1,4 @@
-// A list of moves, each of which begins where the one before ended.
+// A list of moves, each beginning at the end of the previous one.
 #pragma once
 
 #include <vector>
@@ -36,13 +36,13 @@ class MoveList {
     z_ = z;
   }
 
-  /// A level move; `path` has to begin where the list ends.
+  /// A level move; `path` must begin at the end of the list.
   void along(const Edge& path, MoveKind kind, MmPerMin feed) {
     moves_.push_back({path, z_, z_, kind, feed, 0});
     at_ = path.to;
   }
 
-  /// Adds moves that begin where the list ends.
+  /// Adds moves that begin at the end of the list.
   void append(const std::vector<Move>& moves) {
     if (moves.empty()) return;
     moves_.insert(moves_.end(), moves.begin(), moves.end());

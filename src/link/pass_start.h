@@ -1,4 +1,4 @@
-// Where on a pass cutting begins.
+// The place on a pass at which cutting begins.
 #pragma once
 
 #include "model/pass.h"
@@ -7,7 +7,7 @@ namespace clearcut::link {
 
 struct PassStart {
   Vec2 point;
-  std::size_t edge = 0;  ///< of closed passes: the edge on which it lies
+  std::size_t edge = 0;  ///< for closed passes: the edge of the place
   double t = 0;
   bool backwards = false;  ///< of open passes: from the last point to the first
 };

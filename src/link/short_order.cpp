@@ -8,10 +8,10 @@
 namespace clearcut::link {
 namespace {
 
-/// Number of places on a ring at which it may begin: those nearest to other passes.
+/// Number of places on a ring considered for its start: those nearest to other passes.
 constexpr std::size_t kRingStarts = 6;
 
-/// The cuts first to last - 1 of those that a linker has made.
+/// The cuts first to last - 1 of a linker.
 struct Run {
   std::size_t first = 0;
   std::size_t last = 0;
@@ -140,7 +140,7 @@ class ShortOrder {
   const Linker& linker_;
   const std::vector<Cut>& cuts_;
   std::vector<Run> runs_;
-  /// For each run and each manner of cutting it: where its passes begin.
+  /// For each run and each manner of cutting it: the starts of its passes.
   std::vector<std::vector<PassStart>> starts_;
 };
 

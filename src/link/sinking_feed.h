@@ -1,4 +1,4 @@
-// The feed of moves that go down as they go along.
+// The feed of descending moves.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,9 @@
 
 namespace clearcut::link {
 
-/// The feed, or so much less that the tip goes down no faster than at `plunge_feed` on a move that is `along` mm long in plan and
-/// goes `down` mm deeper. A written coordinate is rounded by half of 0.0001 inch at most, which may make a short piece steeper.
+/// The feed, reduced so that the tip descends no faster than at `plunge_feed` on a move `along` mm long in plan and
+/// `down` mm deep. A written coordinate is rounded by at most half of 0.0001 inch; this may make a short piece
+/// steeper.
 inline MmPerMin sinking_feed(MmPerMin feed, MmPerMin plunge_feed, double along, double down) {
   constexpr double kRounded = 0.0013;  // mm
   if (down <= 0) return feed;

@@ -11,7 +11,7 @@ namespace {
 constexpr double kBeside = 3;
 /// More pairs of edges than this are not compared: the passes are taken to be near each other.
 constexpr std::size_t kMostPairs = 10000;
-/// More passes than this are not compared with each other, because it would take too long.
+/// More passes than this are not compared with each other, because the comparison would take too long.
 constexpr std::size_t kMostMixed = 2000;
 
 /// mm. Places nearer than this to the target are not taken to be cleared.
@@ -117,7 +117,7 @@ void Work::add_depths() {
   }
 }
 
-/// LayerWork::part_around of the point where a pass begins. Kept, because many pairs of passes ask for it.
+/// LayerWork::part_around of the start of a pass. Kept, because it is needed for many pairs of passes.
 int Work::part_of_start(std::size_t layer, std::size_t item) {
   const auto found = part_of_start_.find({layer, item});
   if (found != part_of_start_.end()) return found->second;
@@ -126,8 +126,8 @@ int Work::part_of_start(std::size_t layer, std::size_t item) {
   return part;
 }
 
-/// Whether `low` has to wait for `high`. Entries and leads stay beside their pass, in the connected part of
-/// the legal area in which it begins.
+/// Whether `low` must wait for `high`. Entries and leads stay beside their pass, in the connected part of
+/// the legal area of its beginning.
 bool Work::is_above(std::size_t high, std::size_t low) {
   if (!items_[high].swept.overlaps(items_[low].path.grown(kBeside * tool_radius_))) return false;
   if (layer_of(high).parts() < 2) return true;

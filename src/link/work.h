@@ -1,4 +1,4 @@
-// The passes of all layers of one feature as items of work, and which of them have to come before which.
+// The passes of all layers of one feature as items of work, and their precedence.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace clearcut::link {
 
-/// One layer: its passes, and where the cutter's centre may be.
+/// One layer: its passes, and the legal area of the cutter's centre.
 class LayerWork {
  public:
   LayerWork(const LayerPasses& layer, double tool_radius);
@@ -23,7 +23,7 @@ class LayerWork {
   const LegalArea& legal() const { return legal_; }
   /// Finds paths round corners. Made at the first call; the object must not be moved after that.
   const LegalRoutes& routes() const;
-  /// Where the cutter's centre is when the cutter touches the target; elsewhere everything is already
+  /// Positions of the cutter's centre in which the cutter touches the target; elsewhere everything is already
   /// cleared. Made at the first call.
   const Regions& touching() const;
   /// Whether the cutter may leave the material sideways.
@@ -31,9 +31,9 @@ class LayerWork {
   /// Whether a ring is cut in the opposite direction: outer rings of open layers are cut from the air
   /// inwards.
   bool turned_round(std::size_t pass) const;
-  /// Of a pass and the pass around it, the index of the one that has to wait; -1 if there is none around it.
+  /// Of a pass and the pass around it, the index of the one to be cut later; -1 if no pass is around it.
   int later_of_tree_edge(std::size_t pass) const;
-  /// Index of the connected part of the legal area that holds p; -1 if none does.
+  /// Index of the connected part of the legal area around p; -1 if there is none.
   int part_around(Vec2 p) const;
   std::size_t parts() const { return layer_->legal.size(); }
 
@@ -51,14 +51,14 @@ struct WorkItem {
   std::size_t layer = 0;
   std::size_t pass = 0;
   Box path;   ///< of the path of the centre
-  Box swept;  ///< of what the cutter sweeps
+  Box swept;  ///< box of the area swept by the cutter
 };
 
 /// All passes, layer by layer, with their precedence.
 ///
 /// Sequence  A pass waits for those in Pass::after.
-/// Rings     A ring waits for those inside it, or the other way round (see LayerPasses::outside_in).
-/// Depth     A pass waits for passes of higher layers whose material it, its entry or its lead may touch.
+/// Rings     A ring waits for the rings inside it, or for the ring around it (see LayerPasses::outside_in).
+/// Depth     A pass waits for passes of higher layers if the pass, its entry or its lead may touch their material.
 class Work {
  public:
   Work(const std::vector<LayerPasses>& layers, double tool_radius);
@@ -71,7 +71,7 @@ class Work {
   const std::vector<std::size_t>& after(std::size_t item) const { return after_[item]; }
   double tool_radius() const { return tool_radius_; }
 
-  /// Whether precedence allows one order only, that of the items.
+  /// Whether precedence allows only one order, the order of the items.
   bool has_one_order() const;
   /// Whether there are few enough passes to compare those of different layers. If not, precedence between
   /// layers is unknown, and layers have to be cut one after the other.
@@ -93,7 +93,7 @@ class Work {
   bool layers_may_mix_ = true;
 };
 
-/// Which passes have been cut, and which may be next.
+/// The passes already cut, and the ones permitted next.
 class Progress {
  public:
   enum class Layers { kOneByOne, kMixed };
@@ -104,8 +104,7 @@ class Progress {
   bool finished() const { return left_ == 0; }
   void mark_done(std::size_t item);
 
-  /// Whether no material of higher layers stands where the cutter's centre goes through the box `travel` in
-  /// `layer`.
+  /// Whether a cutter with its centre in the box `travel` in `layer` meets no material of higher layers.
   bool clear_above(std::size_t layer, const Box& travel) const;
 
  private:

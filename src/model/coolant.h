@@ -1,4 +1,4 @@
-// What cools the cutter and takes the chips away.
+// Coolant: cools the cutter and removes the chips.
 #pragma once
 
 #include <optional>

@@ -5,10 +5,11 @@
 
 namespace clearcut::inline model {
 
-/// A radius that grows with the height over the tip: a flat, then a rounding or a flank, then upright at the widest. mm.
+/// A cutter's radius as a function of the height over the tip: a flat, then a rounding or a flank, then a cylinder of
+/// the greatest radius. mm.
 ///
-/// Between two points of the surface the profile is never hollow, and it never becomes narrower upwards: a cutter that goes
-/// straight up touches nothing new.
+/// Between two points of the surface the profile is never hollow, and the radius never decreases upwards: a cutter
+/// moving straight up touches no further material.
 struct CutterProfile {
   double flat = 0;    ///< radius of the flat at the tip; 0: a point; below 0: the point was narrowed away
   double round = 0;   ///< radius of the rounding beside the flat; 0: none
@@ -18,30 +19,32 @@ struct CutterProfile {
   static CutterProfile cylinder(double radius) { return {radius, 0, 0, radius}; }
 
   bool is_cylinder() const { return flat >= widest; }
-  /// Radius at `height` mm over the tip; below 0 where there is nothing.
+  /// Radius at `height` mm over the tip; below 0 at heights without a part of the cutter.
   double radius_at(double height) const;
-  /// mm over the tip at which the surface is `distance` mm from the axis; infinite beyond the widest.
+  /// mm over the tip at which the surface is `distance` mm from the axis; infinite beyond the greatest radius.
   double height_at(double distance) const;
-  /// mm over the tip from which on it is as wide as it gets.
+  /// mm over the tip at which the radius reaches its greatest value.
   double full_height() const { return height_at(widest); }
-  /// A profile whose surface lies `by` mm nearer to the axis.
+  /// This profile with its surface `by` mm nearer to the axis.
   CutterProfile narrowed(double by) const;
 
   bool operator==(const CutterProfile&) const = default;
 };
 
-/// A bound from outside: no part of the cutter, its shank apart, stands beyond it.
+/// A bound from outside: no part of the cutter except its shank is outside of this profile.
 CutterProfile outer_profile(const Tool& tool);
 
-/// A bound from inside: what stood in it, and over it, is gone where the cutter was. Nothing of tools that cut a thread or an
-/// undercut, which leave material inside or above, and of cones whose angle nobody states.
+/// A bound from inside: material within this profile, and above it, is removed wherever the cutter was. An empty
+/// profile for tools cutting a thread or an undercut, since they leave material inside or above, and for cones
+/// without a stated angle.
 CutterProfile inner_profile(const Tool& tool);
 
-/// mm; radius to which the passes of a plan clear all round wherever the tool's centre may be, `above` mm over their lowest tips. Passes of
-/// balls are planned as those of flat ends: below their full width ridges stand between them.
+/// mm; radius around every permitted position of the tool's centre that the passes of a plan clear, `above` mm over
+/// the lowest tips. Passes of ball mills are planned like those of flat ends: below the ball's full width, ridges
+/// remain between them.
 double radius_cleared(const Tool& tool, double above);
 
-/// mm; radius with which the cutter's end leaves a floor flat; 0: it has none.
+/// mm; radius of the flat part of the cutter's end; 0: there is no flat part.
 double flat_end(const Tool& tool);
 
 }  // namespace clearcut::inline model

@@ -16,9 +16,9 @@ const char* name_of(ElementKind kind);
 
 enum class Corner { kLowerLeft, kLowerRight, kUpperLeft, kUpperRight };
 
-/// One element with its own tool and cutting data. Lengths in mm. Which members count depends on the kind:
+/// One element with its own tool and cutting data. Lengths in mm. The kind decides the meaning of the members:
 ///   line       the groove from `from` to `to` over all, as wide as the tool
-///   arc        the same along the arc of `radius` that goes round in `direction`, at most half a turn
+///   arc        the same along the arc of `radius` in the sense of rotation `direction`, at most half a turn
 ///   rectangle  `length` along x, `width` along y, `from` is its `base` corner
 ///   hole       about `from`, `width` across
 ///   slot       between the centres of its round ends `from` and `to`, `width` across
@@ -42,10 +42,10 @@ struct DesignElement {
 /// The corner of a rectangle with the smallest x and y, whichever corner is its base.
 Vec2 lower_left(const DesignElement& rectangle);
 
-/// What happens to the middle row of a rectangle when the edges moved inwards meet there.
+/// Treatment of the middle row of a rectangle if the edges moved inwards meet there.
 enum class MiddleRow {
-  kKeep,   ///< it counts once: d3 >= 0
-  kStrict  ///< the paper's words: d3 > 1, so it is dropped
+  kKeep,   ///< the middle row counts once: d3 >= 0
+  kStrict  ///< as the paper's text says: d3 > 1, so the middle row is dropped
 };
 
 /// A whole job: stock, grid, tools and elements; element numbers are 1 + their place in `elements`.
@@ -59,7 +59,7 @@ struct ElementJob {
   std::vector<DesignElement> elements;
 };
 
-/// The tool that an element names, or null.
+/// The tool named by an element, or null.
 const Tool* tool_of(const ElementJob& job, const DesignElement& element);
 
 /// A square of the grid by its column and row.
@@ -69,7 +69,7 @@ struct Square {
   friend auto operator<=>(const Square&, const Square&) = default;
 };
 
-/// Squares of `cell` mm whose centres lie on whole multiples from `origin`: the paper's workMat.
+/// Squares of `cell` mm with centres at whole multiples of `cell` from `origin`: the paper's workMat.
 struct SquareGrid {
   Vec2 origin;
   double cell = 1;
@@ -88,8 +88,8 @@ struct GridPoint {
   int element = 0;  ///< element number, from 1
   int tool = 0;     ///< T word
   Square square;
-  Vec2 at;               ///< where the tool's centre goes for this square, mm
-  bool reduced = false;  ///< kept by the reduction: the tool has to visit it
+  Vec2 at;               ///< position of the tool's centre for this square, mm
+  bool reduced = false;  ///< kept by the reduction: the tool must visit this square
   int visit = -1;        ///< place in the order of visits of the whole job, from 1; -1 if not visited
 };
 

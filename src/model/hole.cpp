@@ -1,5 +1,5 @@
-// Sizes: coarse pitches of ISO 261, unified sizes of ASME B1.1. A thread's basic profile is that of ISO 68-1: its height is
-// H = 0.866 P, and the minor diameter lies 5/8 H inside the major one.
+// Sizes: coarse pitches of ISO 261, unified sizes of ASME B1.1. A thread's basic profile is given in ISO 68-1: its
+// height is H = 0.866 P, and the minor radius is 5/8 H below the major one.
 #include "model/hole.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ constexpr CoarsePitch kMetric[] = {
     {20, 2.5},   {22, 2.5},   {24, 3},     {27, 3},    {30, 3.5},   {33, 3.5},   {36, 4},  {39, 4},
     {42, 4.5},   {45, 4.5},   {48, 5},     {52, 5},    {56, 5.5},   {60, 5.5},   {64, 6},  {68, 6}};
 
-/// Diameter in inches, threads an inch; 0: not in that series.
+/// Diameter in inches, threads an inch; 0: the size is missing in that series.
 struct UnifiedSize {
   double inch;
   int coarse, fine;
@@ -39,7 +39,7 @@ constexpr UnifiedSize kUnified[] = {
     {0.375, 16, 24}, {0.4375, 14, 20}, {0.5, 13, 20},   {0.5625, 12, 18}, {0.625, 11, 18}, {0.75, 10, 16},
     {0.875, 9, 14},  {1, 8, 12},       {1.125, 7, 12},  {1.25, 7, 12},    {1.375, 6, 12},  {1.5, 6, 12}};
 
-/// The number that `text` begins with, which is taken off.
+/// The number at the start of `text`; removes it from `text`.
 std::optional<double> take_number(std::string_view& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -72,7 +72,7 @@ std::optional<Thread> metric(std::string_view text) {
   return text.empty() ? std::optional(thread) : std::nullopt;
 }
 
-/// Inches: "#10", "1/4", "1-4" where `dashed`, "1", "0.25".
+/// Inches: "#10", "1/4", "1-4" if `dashed`, "1", "0.25".
 std::optional<double> take_inches(std::string_view& text, bool dashed) {
   if (take(text, "#")) {
     const auto number = take(text, "0") && (text.empty() || text[0] == '-') ? 0.0 : take_number(text);

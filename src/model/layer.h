@@ -1,4 +1,4 @@
-// What every strategy takes: one layer of one feature with its cutter.
+// Input of every strategy: one layer of one feature with its cutter.
 #pragma once
 
 #include <functional>
@@ -14,23 +14,25 @@
 namespace clearcut::inline model {
 
 struct Layer {
-  double z_top = 0;        ///< where material begins
-  double z = 0;            ///< where the tip runs
+  double z_top = 0;        ///< height of the top of the material
+  double z = 0;            ///< height of the cutter's tip
   Regions target;          ///< material to remove, plan view at z
-  Regions allowed;         ///< where the cutter may be at z; true walls are its boundary
+  Regions allowed;         ///< area in which the cutter may be at z; its boundary is the true walls
   double tool_radius = 0;  ///< of the flat part of the cutter's end, mm
   double wall_stock = 0;   ///< stock to leave on walls and the round of the cutter's corners, mm
-  double rounded = 0;      ///< mm; of wall_stock, the round of the cutter's corners: above it the side cuts
-  double reserve =
-      0;  ///< mm; of wall_stock, what only rounding of the program asks for: exact fits need not keep it
-  std::optional<Box> stock;           ///< plan view; beside it there is nothing. Absent: material without end
-  std::vector<PredrilledHole> holes;  ///< as deep as the layer: ways down
-  double lift = 10;  ///< mm from the tip up to where rapids cross, in the mean of the feature's layers
-  /// Rapids of what is cut later come down through here: not even a residual far thinner than tol.uncut may stay.
+  /// mm; part of wall_stock due to the corner rounding of the cutter: above the rounding its side cuts.
+  double rounded = 0;
+  /// mm; part of wall_stock needed only for rounding in the program: exact fits need not keep this part.
+  double reserve = 0;
+  std::optional<Box> stock;  ///< plan view of the stock; no material outside. Absent: unlimited material
+  /// Holes at least as deep as the layer, through which the cutter can go down.
+  std::vector<PredrilledHole> holes;
+  double lift = 10;  ///< mm from the tip up to the height of rapids across, mean of the feature's layers
+  /// Rapids of later cuts descend here: not even a residual far thinner than tol.uncut may stay.
   bool bare = false;
 };
 
-/// What a strategy is to those who run it.
+/// A strategy as its callers see it.
 using Strategy = std::function<LayerPasses(const Layer&)>;
 
 }  // namespace clearcut::inline model

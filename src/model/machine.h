@@ -1,4 +1,4 @@
-// What the machine can do; used for kinematic times and limit checks.
+// Abilities of the machine; used for kinematic times and checks of limits.
 #pragma once
 
 #include <array>
@@ -13,14 +13,15 @@ namespace clearcut::inline model {
 
 /// Places of the machine in its own coordinates, mm: with them nothing about offsets and reference points is open.
 struct MachinePlaces {
-  std::array<double, 3> start{};                   ///< of the tool's tip when the program begins
-  std::array<std::array<double, 3>, 9> origins{};  ///< of G54, G55 ... G59.3; the work is at that of G54
-  int stated_origins = 9;                          ///< of them, in that order; those beyond are not known
-  std::array<double, 3> reference{};               ///< G28
-  std::array<double, 3> second_reference{};        ///< G30
+  std::array<double, 3> start{};  ///< of the tool's tip when the program begins
+  /// Origins of G54, G55 ... G59.3; the work is at the origin of G54.
+  std::array<std::array<double, 3>, 9> origins{};
+  int stated_origins = 9;             ///< number of known origins, in that order; later ones are unknown
+  std::array<double, 3> reference{};  ///< G28
+  std::array<double, 3> second_reference{};  ///< G30
 };
 
-/// Which chips a machine takes, where its material's table states two.
+/// Chip load for this machine, if the material's table states two values.
 enum class MachineStiffness {
   kUnknown,  ///< woods and plastics as a hobby machine, metals as a stiff one
   kHobby,    ///< a light frame on belts or wheels
@@ -31,28 +32,28 @@ enum class MachineStiffness {
 struct Machine {
   std::string name = "default";
   MmPerMin rapid = MmPerMin::of(5000);
-  double acceleration = 500;                    ///< mm/s2; of the slower of X and Y where the axes differ
+  double acceleration = 500;                    ///< mm/s2; of the slower of X and Y if the axes differ
   double junction_deviation = 0.01;             ///< mm
-  std::optional<MotionPlanner> planner;         ///< absent: that of the control that the program is for
+  std::optional<MotionPlanner> planner;         ///< absent: the planner of the program's control
   std::optional<AxisValues> axis_rapid;         ///< mm/min; greatest speed of each axis; absent: `rapid`
   std::optional<AxisValues> axis_acceleration;  ///< mm/s2; absent: `acceleration`
   std::optional<double> jerk;                   ///< mm/s3; absent: acceleration is built up in 0.05 s
-  std::optional<AxisValues>
-      speed_jump;                ///< mm/s by which an axis may change at once: "classic jerk" of Marlin
+  /// mm/s; allowed instant change of an axis' speed: "classic jerk" of Marlin.
+  std::optional<AxisValues> speed_jump;
   double arc_tolerance = 0.002;  ///< mm; Grbl's chords of arcs stay so near ($12)
   std::optional<double> max_spindle_rpm, min_spindle_rpm;
   std::optional<double> spindle_power_w;    ///< at the cutter, lasting
   std::optional<double> spindle_torque_nm;  ///< likewise
   std::optional<MmPerMin> max_feed;
-  std::optional<double> cutting_force_n;  ///< sideways at the cutter, lasting, that the frame bears
+  std::optional<double> cutting_force_n;  ///< lateral force at the cutter that the frame bears permanently
   MachineStiffness stiffness = MachineStiffness::kUnknown;
-  std::optional<int> program_number;     ///< the O word of its programs, where nobody asks for another
+  std::optional<int> program_number;     ///< the O word of its programs, if no other one is requested
   double spindle_wait_s = 0;             ///< a program has to wait for so long after the spindle starts
   double tool_change_s = 0;              ///< s, for the times
-  std::optional<double> path_tolerance;  ///< mm; rounds corners by no more, where a program states no bound
+  std::optional<double> path_tolerance;  ///< mm; greatest corner rounding if a program states no bound
   std::optional<MachinePlaces> places;
-  /// Travel limits, mm: x, y, z as {min, max}; absent = unlimited. In the machine's own coordinates where `places` says where the
-  /// work lies in them, else in those of the work.
+  /// Travel limits, mm: x, y, z as {min, max}; absent = unlimited. In machine coordinates if `places` states the
+  /// work's position in them, else in workpiece coordinates.
   std::optional<std::array<std::array<double, 2>, 3>> travel;
 };
 
@@ -68,13 +69,13 @@ inline AxisValues axis_accelerations(const Machine& machine) {
   return machine.axis_acceleration.value_or(AxisValues{all, all, all});
 }
 
-/// rpm; no spindle is asked for more by itself where its greatest speed is not stated.
+/// rpm; automatic values do not exceed this speed if the spindle's greatest speed is not stated.
 inline constexpr double kUsualTopRpm = 24000;
 
-/// mm, in workpiece coordinates; taken for the machine's own Z zero where its travel is not known.
+/// mm, in workpiece coordinates; assumed as the machine's own Z zero if its travel is not known.
 inline constexpr double kUsualHomeZ = 100;
 
-/// mm; where the work's zero lies in the coordinates of the machine's travel, along x, y or z.
+/// mm; position of the work's zero in the coordinates of the machine's travel, along x, y or z.
 inline double work_zero(const Machine& machine, std::size_t axis) {
   return machine.places ? machine.places->origins[0][axis] : 0;
 }

@@ -12,7 +12,7 @@ namespace clearcut::inline model {
 /// Whose rules decide how fast the axes run; `kinematics/` has one planner for each.
 enum class MotionPlanner : unsigned char { kGrbl, kLinuxCnc, kMarlin, kMach, kJerkLimited };
 
-/// As machine files and certificates write it: "grbl", "linuxcnc", "marlin", "mach", "jerk-limited".
+/// Name in machine files and certificates: "grbl", "linuxcnc", "marlin", "mach", "jerk-limited".
 std::string_view name_of(MotionPlanner planner);
 /// For people: "Grbl 1.1, grblHAL".
 std::string_view title_of(MotionPlanner planner);

@@ -18,15 +18,15 @@ inline bool is_rapid(MoveKind kind) {
   return kind == MoveKind::kRapid;
 }
 
-/// In plan the edge `path`, while z goes linearly from z_from to z_to. A vertical move has path.from == path.to
-/// (the one case where that is allowed) and turn kStraight. z is the height of the tool's tip. mm.
+/// A move along the edge `path` in plan, with z changing linearly from z_from to z_to. A vertical move has path.from
+/// == path.to (the only case in which these may be equal) and turn kStraight. z is the height of the tool's tip. mm.
 struct Move {
   Edge path;
   double z_from = 0;
   double z_to = 0;
   MoveKind kind = MoveKind::kCut;
   MmPerMin feed;  ///< 0 for rapids
-  int line = 0;   ///< line of the program it was read from; 0 if planned
+  int line = 0;   ///< line of the move in the read program; 0 if planned
 
   bool is_vertical() const { return path.from == path.to; }
   /// Length in space, mm.
@@ -39,7 +39,7 @@ struct Dwell {
   double seconds = 0;
 };
 
-/// Where two passes in one layer meet nothing else is promised. A Section is all work of one tool on one feature.
+/// A Section is all work of one tool on one feature.
 struct Section {
   std::string label;     ///< feature or operation name; "" when unknown
   int workingstep = -1;  ///< index into Part::workplan; -1 when unknown
@@ -47,22 +47,24 @@ struct Section {
   double spindle_rpm = 0;
   bool spindle_clockwise = true;
   Coolant coolant = Coolant::kOff;
-  std::vector<Move> moves;           ///< joined end to start, except that the first may begin anywhere
-  std::vector<std::string> notes{};  ///< what was asked for and could not be done; not part of the program
-  /// Cuts that an earlier set-up made, seen in a later one: mm, the height below which nothing of it is left. They count for features
-  /// that begin no higher; infinite where nothing is left at any height. Absent for all other cuts; not part of the program.
+  std::vector<Move> moves;           ///< joined end to start; the first may begin anywhere
+  std::vector<std::string> notes{};  ///< requests that could not be fulfilled; not part of the program
+  /// For cuts of an earlier set-up, seen in a later one: height (mm) below which none of their cleared volume
+  /// remains. Such cuts count for features that begin no higher; infinite if nothing of the cut remains at any
+  /// height. Absent for all other cuts; not part of the program.
   std::optional<double> carried_below{};
-  bool is_of_stock =
-      false;  ///< with carried_below: nobody cut it, a stock that is stated as a solid lacks it
+  /// With carried_below: this volume was not cut but is missing in a stock stated as a solid.
+  bool is_of_stock = false;
   std::vector<Dwell> dwells{};  ///< besides those at the floors of holes; in the order of moves
-  /// mm from the walls, ascending: where contours of offset outlines run; not part of the program.
+  /// mm from the walls, ascending: distances of contours of offset outlines; not part of the program.
   std::vector<double> contours{};
 
-  /// Whether its cuts count for a feature that begins at height `top`, mm: those of an earlier set-up only where they reach up to it.
+  /// Whether the section's cuts count for a feature beginning at height `top`, mm: cuts of an earlier set-up count
+  /// only if they reach up to `top`.
   bool counts_below(double top) const { return !carried_below || *carried_below >= top; }
 };
 
-/// What the machine will do. A value; the waist between planning and everything that reads it.
+/// All motion of the machine. A value, written by planning and read by all later stages.
 struct Toolpath {
   std::vector<Section> sections;
 };

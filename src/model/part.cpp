@@ -6,7 +6,7 @@ namespace clearcut::inline model {
 
 namespace {
 
-constexpr double kSafeHeight = 10;  // mm above the part where the file gives no security plane
+constexpr double kSafeHeight = 10;  // mm above the part if the file gives no security plane
 
 }  // namespace
 

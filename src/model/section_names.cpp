@@ -6,7 +6,7 @@ namespace clearcut::inline model {
 
 namespace {
 
-/// Letters and digits: what a comment in any control keeps of a name.
+/// Letters and digits: the characters of a name that survive in a comment of any control.
 std::string key_of(const std::string& name) {
   std::string key;
   for (const char c : name) {

@@ -10,7 +10,7 @@
 namespace clearcut::inline model {
 namespace {
 
-/// Entries of turns that differ by less from 0, 1 and -1 are these.
+/// Entries of rotation matrices that differ by less than this from 0, 1 or -1 are taken as that value.
 constexpr double kSameDirection = 1e-9;
 
 using Row = SetupPlace::Row;

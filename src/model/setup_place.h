@@ -1,4 +1,4 @@
-// How the block lies in each of several set-ups.
+// Orientation and position of the block in each of several set-ups.
 #pragma once
 
 #include <array>
@@ -9,23 +9,24 @@
 
 namespace clearcut::inline model {
 
-/// The coordinates of a set-up from those of the block: turn * p + shift, mm. The rows of `turn` are unit vectors at right angles.
+/// The coordinates of a set-up from those of the block: turn * p + shift, mm. The rows of `turn` are unit vectors at
+/// right angles.
 struct SetupPlace {
   using Row = std::array<double, 3>;
   std::array<Row, 3> turn{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   Row shift{0, 0, 0};
 };
 
-/// With the side `up` of the block ("+Z", "-Z", "+X", "-X", "+Y", "-Y"; "" is +Z) looking up, then turned by degrees about the
-/// vertical, counter-clockwise from above: as solids are turned. Nothing for other sides.
+/// With the side `up` of the block ("+Z", "-Z", "+X", "-X", "+Y", "-Y"; "" is +Z) looking up, then turned by degrees
+/// about the vertical, counter-clockwise from above: as solids are turned. Nothing for other sides.
 std::optional<SetupPlace> place_with_up(const std::string& up, double degrees);
 
 /// From the coordinates of one set-up to those of another of the same block.
 SetupPlace between(const SetupPlace& from, const SetupPlace& to);
 
-/// Whether axes go to axes, so that a box stays a box.
+/// Whether the rotation maps axes to axes, so that a box stays a box.
 bool keeps_boxes(const SetupPlace& place);
-/// Whether verticals stay vertical, the right way round or turned over.
+/// Whether verticals stay vertical, upright or turned over.
 bool keeps_verticals(const SetupPlace& place);
 bool turns_over(const SetupPlace& place);
 

@@ -1,4 +1,4 @@
-// A way of the cutter that the input states move by move.
+// A path of the cutter stated move by move in the input.
 #pragma once
 
 #include <optional>
@@ -8,24 +8,24 @@
 
 namespace clearcut::inline model {
 
-/// Whose toolpaths a workingstep is cut by where its input states one.
+/// Source of a workingstep's toolpath if the input states one.
 enum class ToolpathSource { kFile, kOurs };
 
 struct StatedMove {
-  Edge path;  ///< in plan; z goes linearly. Vertical moves as those of Move
+  Edge path;  ///< in plan; z changes linearly. Vertical moves as those of Move
   double z_from = 0;
   double z_to = 0;
   MoveKind kind = MoveKind::kCut;
-  std::optional<MmPerMin> feed = {};  ///< absent: that of the operation
-  double dwell_s = 0;                 ///< the cutter stands for so long after it
+  std::optional<MmPerMin> feed = {};  ///< absent: the feed of the operation
+  double dwell_s = 0;                 ///< dwell after the move
 };
 
-/// Where a move does not begin at the end of the one before, the cutter is lifted between them.
+/// If a move does not begin at the end of the previous one, the cutter is retracted between them.
 struct StatedPath {
   /// Empty: the path of an earlier workingstep makes this one, too.
   std::vector<StatedMove> moves;
-  bool is_explicit =
-      false;             ///< the input asks for it by its strategy: it is used unless somebody says otherwise
+  /// The input requests this path by its strategy: it is used unless the user decides otherwise.
+  bool is_explicit = false;
   bool is_used = false;  ///< decided by resolve()
 };
 

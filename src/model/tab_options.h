@@ -1,4 +1,4 @@
-// What holds the pieces that profiles cut free.
+// Tabs holding the pieces that profiles cut free.
 #pragma once
 
 #include <optional>
@@ -11,15 +11,15 @@ namespace clearcut::inline model {
 /// Seen along the kerf: with upright sides, or rising evenly to a ridge in the middle.
 enum class TabShape : unsigned char { kSquare, kTriangular };
 
-/// Bridges that hold what profiles cut free. Of `count`, `spacing` and `at` one alone may be given.
+/// Tabs holding the pieces that profiles cut free. Only one of `count`, `spacing` and `at` may be given.
 struct TabOptions {
   int count = 0;                  ///< of every profile; 0: none
   std::optional<double> spacing;  ///< mm along every profile from one tab to the next, at most
-  std::vector<Vec2> at;           ///< mm; places on or beside outlines where tabs shall be
+  std::vector<Vec2> at;           ///< mm; requested places of tabs, on or beside outlines
   TabShape shape = TabShape::kSquare;
   double width = 4;              ///< mm, along the outline; of triangular tabs at the material's underside
   std::optional<double> height;  ///< mm above the material's underside; absent: half the depth, 2 mm at most
-  std::optional<double> skin;    ///< mm of material that profiles leave under themselves, instead of tabs
+  std::optional<double> skin;    ///< mm of material left below profiles instead of tabs
 
   bool any() const { return count > 0 || spacing || !at.empty(); }
 };

@@ -18,13 +18,13 @@ enum class ToolKind {
   kDrill,
   kReamer,
   kVBit,         ///< a cone down to a point or a small flat
-  kChamferMill,  ///< a cone with a flat tip that does not cut
-  kSpotDrill,    ///< a cone that goes straight down
+  kChamferMill,  ///< a cone with a flat, non-cutting tip
+  kSpotDrill,    ///< a cone used with vertical moves only
   kTap,          ///< cuts a thread of its own size; its feed is pitch times speed
   kThreadMill,   ///< cuts a thread along a helix; with a pitch in many rows of teeth, else in one
-  kBoringBar,    ///< one edge that bores to its diameter
-  kCounterbore,  ///< a flat end that goes straight down about a narrower hole
-  kTapered,      ///< an end mill that widens upwards from the diameter of its flat tip
+  kBoringBar,    ///< one cutting edge, boring to its own diameter
+  kCounterbore,  ///< a flat end for vertical moves, enlarging a narrower hole
+  kTapered,      ///< an end mill widening upwards from the diameter of its flat tip
   kTSlot,        ///< a disc on a narrower neck, for undercuts
   kOther
 };
@@ -38,7 +38,7 @@ struct Tool {
   int number = 1;    ///< T word
   std::string name;  ///< as in the source ("T3"), for messages and headers
   ToolKind kind = ToolKind::kEndMill;
-  double diameter = 0;       ///< of tapered end mills that of the tip
+  double diameter = 0;       ///< for tapered end mills, the diameter of the tip
   double corner_radius = 0;  ///< 0 flat
   int teeth = 2;
   std::optional<double> flute_length;          ///< of T-slot cutters the height of the disc
@@ -50,41 +50,42 @@ struct Tool {
   bool left_hand = false;               ///< taps: of the thread
   bool floating = false;                ///< taps: held with play along their axis
   std::optional<double> stickout = {};  ///< from the tip up to the holder; absent: the holder is not known
-  double holder_diameter = 0;           ///< of the holder where it begins; 0: not known
+  double holder_diameter = 0;           ///< diameter of the holder at its lower end; 0: not known
   double shank_diameter = 0;  ///< above the flutes; 0: no wider than the cutter; of T-slot cutters the neck
-  std::optional<bool> high_speed_steel =
-      {};               ///< of the edges; absent: what is usual for the kind, docs/feeds.md
+  /// Material of the edges; absent: the usual one for the kind, docs/feeds.md.
+  std::optional<bool> high_speed_steel = {};
   bool coated = false;  ///< the edges
   double radius() const { return diameter / 2; }
 };
 
-/// The first tool that the T word `number` calls; null where none has that number.
+/// The first tool with the T word `number`; null if there is none.
 const Tool* tool_numbered(const std::vector<Tool>& tools, int number);
 
 /// Whether the cutter is a cone from its tip up to its diameter: V-bits, chamfer mills, spot drills with an angle.
 bool is_conical(const Tool& tool);
-/// Whether it widens evenly upwards from its tip: cones and tapered end mills.
+/// Whether the tool widens evenly upwards from its tip: cones and tapered end mills.
 bool has_flanks(const Tool& tool);
-/// Of flanks: mm that they grow sideways for each mm of height.
+/// Slope of the flanks: mm of radius for each mm of height.
 double flank_slope(const Tool& tool);
-/// Of flanks: mm from the tip up to where they end.
+/// Height of the upper end of the flanks over the tip, mm.
 double flank_height(const Tool& tool);
 /// Of a tool with flanks: radius of the flat at its tip, mm.
 double tip_radius(const Tool& tool);
-/// mm; greatest radius of what cuts.
+/// mm; greatest radius of the cutting part.
 double widest_radius(const Tool& tool);
-/// Radius at `height` mm above the tip: there a cutter that runs deeper clears as much. mm.
+/// Radius at `height` mm above the tip: a cutter running deeper by `height` clears this radius. mm.
 double radius_at(const Tool& tool, double height);
-/// mm that a drill's point stands before its full diameter; 118 degrees where its angle is not stated. 0 for other tools.
+/// Length (mm) of a drill's point below its full diameter; 118 degrees if its angle is not stated. 0 for other tools.
 double point_length(const Tool& tool);
-/// Whether it only goes straight down along its axis and makes a hole of its own diameter: drills, reamers, counterbores,
+/// Whether the tool only moves along its axis and makes a hole of its own diameter: drills, reamers, counterbores,
 /// boring bars.
 bool makes_holes(const Tool& tool);
-/// Whether it may go straight down in material.
+/// Whether the tool may move straight down in material.
 bool may_plunge(const Tool& tool);
-/// Whether it clears areas down to a flat floor: not what only goes straight down, nor cones, nor what cuts undercuts.
+/// Whether the tool clears areas down to a flat floor: false for tools with vertical moves only, cones, and cutters
+/// of undercuts.
 bool clears_floors(const Tool& tool);
-/// Whether it clears floors and leaves walls upright: not tapered end mills.
+/// Whether the tool clears floors and leaves vertical walls: false for tapered end mills.
 bool mills_upright(const Tool& tool);
 /// Whether it makes its work at once, whatever stepdown is asked for: taps, thread mills, T-slot cutters.
 bool works_at_once(const Tool& tool);

@@ -1,12 +1,14 @@
 // Symbols
 //
 //   kc1.1, mc   steels and cast iron [kienzle1957]; the others rounded from [sandvik2010]
-//   mills       middle of the range of speeds and the feeds a tooth of [protocutter]; stainless steel the lower end; woods' feeds
-//               [mellowpine] at the lower end, their speeds ours
-//   hobby_feed  light routers: within [shapeoko-a-to-z]'s windows at 1/8 and 1/4 inch, its hard woods' window for metals
-//   energy      N/mm2 from the removal for each horsepower of [shapeoko-a-to-z]; plywood ours, between its two woods
-//   drills      high-speed steel, [protocutter]: speeds of each material, feeds by diameter; docs/feeds.md tells all
-//   C, n        carbide, [groover2013]: 500 m/min for steel, 900 m/min for softer metals, n = 0.25; titanium half of steel
+//   mills       middle of the range of speeds and the feeds a tooth of [protocutter]; stainless steel the lower end;
+//               woods' feeds [mellowpine] at the lower end, their speeds chosen here
+//   hobby_feed  light routers: within [shapeoko-a-to-z]'s windows at 1/8 and 1/4 inch, its hard woods' window
+//               for metals
+//   energy      N/mm2 from the removal for each horsepower of [shapeoko-a-to-z]; plywood chosen between its two woods
+//   drills      high-speed steel, [protocutter]: speeds of each material, feeds by diameter; docs/feeds.md lists all
+//   C, n        carbide, [groover2013]: 500 m/min for steel, 900 m/min for softer metals, n = 0.25; titanium half of
+//               steel
 #include "model/work_material.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What the work is made of, as far as feeds, forces and wear depend on it.
+// Material of the work: the properties that determine feeds, forces and wear.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace clearcut::inline model {
 
-/// Diameters that WorkMaterial states feeds for, mm.
+/// Diameters for which WorkMaterial states feeds, mm.
 inline constexpr std::array<double, 4> kFeedDiameters{3.175, 6.35, 12.7, 19.05};
 
 /// Specific cutting force by Kienzle: kc = kc11 h^-mc, h the chip thickness in mm. Tool life by Taylor with cemented
@@ -26,17 +26,17 @@ struct WorkMaterial {
   double drill_speed = 0;                 ///< m/min, high-speed steel
   std::array<double, 4> drill_feed = {};  ///< mm a turn, at kFeedDiameters
   std::array<double, 4> hobby_feed = {};  ///< mm a tooth on light machines, at kFeedDiameters
-  /// N/mm2 (J/cm3) of whatever chip, for limits on power and force where Kienzle's values are not known.
+  /// N/mm2 (J/cm3) for chips of any thickness; used for limits on power and force if Kienzle's values are not known.
   double specific_energy = 0;
 
   /// Whether forces and wear are known; of woods and plastics they are not.
   bool has_forces() const { return kc11 > 0; }
 };
 
-/// Sources are told in docs/forces.md and docs/feeds.md.
+/// Sources are listed in docs/forces.md and docs/feeds.md.
 const std::vector<WorkMaterial>& work_materials();
 std::optional<WorkMaterial> work_material_named(const std::string& name);
-/// All that work_material_named() knows.
+/// All names accepted by work_material_named().
 std::vector<std::string> work_material_names();
 
 }  // namespace clearcut::inline model

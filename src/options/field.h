@@ -1,4 +1,4 @@
-// How a row's value gets into its place in the options and out of it again.
+// Stores a row's value in its place in the options and loads it again.
 #pragma once
 
 #include <algorithm>
@@ -13,13 +13,12 @@
 
 namespace clearcut::inline options {
 
-/// The position of `name` in `names`; they hold it.
+/// The position of `name` in `names`, which must contain the name.
 inline std::size_t position_of(const std::string& name, const std::vector<std::string>& names) {
   return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-// One `store` and one `load` for each type that a place may have. Names of choices are those of the row, in the order of the
-// enumeration.
+// One `store` and one `load` for each type of place. The row's names of choices are in the order of the enumeration.
 
 inline void store(bool& place, const Value& value, const std::vector<std::string>& names) {
   place = std::holds_alternative<bool>(value) ? std::get<bool>(value)
@@ -116,7 +115,7 @@ std::optional<Value> load(const std::optional<Type>& place, const std::vector<st
   return place ? load(*place, names) : std::nullopt;
 }
 
-/// The field at the place that `Get`, a lambda without captures, gives of the options.
+/// The field at the place in the options returned by `Get`, a lambda without captures.
 template <typename Get>
 Field field(Get) {
   return {

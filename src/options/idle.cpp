@@ -75,7 +75,7 @@ bool is_cleared(const Situation& at, const Workingstep& step) {
          !feature.carving && !feature.t_slot;
 }
 
-/// Whether a candidate was planned, and came to another path than the one that was kept.
+/// Whether a candidate was planned with a path other than the kept one.
 bool is_planned(const CandidateResult& candidate, const StrategySelection& selection) {
   if (candidate.outcome == Outcome::kKept) return true;
   if (candidate.outcome == Outcome::kNotTried || candidate.outcome == Outcome::kCannotWin) return false;
@@ -85,7 +85,7 @@ bool is_planned(const CandidateResult& candidate, const StrategySelection& selec
       });
 }
 
-/// Names of the strategies that were planned for the cleared steps that `counts`.
+/// Names of the strategies planned for the cleared steps for which `counts` is true.
 std::set<std::string> planned_strategies(const Situation& at,
                                          const std::function<bool(const Workingstep&)>& counts) {
   std::set<std::string> names;

@@ -1,4 +1,4 @@
-// Why an option has no effect in a plan that was made: the rows of the options' table name these.
+// Reasons why an option had no effect in a finished plan; the rows of the table of options refer to these functions.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace clearcut::inline options {
 
-/// A plan that was made, and what was asked for it.
+/// A finished plan and the options given for it.
 struct Situation {
   const ResolvedPlan& plan;
   const PlanOptions& asked;
@@ -20,13 +20,13 @@ struct Situation {
   const std::vector<StrategySelection>& selections;
 };
 
-/// The kind of input that a part was read from.
+/// The kind of input of a part.
 InputKinds input_kind_of(const Part& part);
 
-/// Why a row serves no input of that kind: "has no effect on a STEP solid; it serves ..."; "" where it does.
+/// Why a row has no effect on input of this kind: "has no effect on a STEP solid; it serves ..."; "" if it has one.
 std::string idle_on_input(const Row& row, InputKinds input);
 
-// Each gives the reason in words that follow "has no effect: ", or "" where the option has one.
+// Each function returns the reason in words that follow "has no effect: ", or "" if the option has an effect.
 std::string cuts_through_nothing(const Situation& at);
 std::string frees_nothing(const Situation& at);
 std::string without_tabs(const Situation& at);

@@ -1,4 +1,4 @@
-// What a user may say of the file that a part is read from, and of what it is made of. Absent values are left to the file.
+// Options on a part's input file and on the material of the part. Absent values are left to the file.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,10 @@
 
 namespace clearcut::inline options {
 
-/// Lengths in mm. Texts are as the user gives them; the readers say what they mean.
+/// Lengths in mm. Texts are as given by the user; the readers interpret them.
 struct InputOptions {
   std::optional<std::string> origin;  ///< "corner", "centre" or "X,Y,Z"
-  std::optional<int> setup;           ///< which set-up of a job, from 1
+  std::optional<int> setup;           ///< number of the set-up of a job, from 1
   std::vector<std::string> earlier_setups;
   std::optional<std::string> unit;
   std::vector<std::string> layers;

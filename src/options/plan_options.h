@@ -1,5 +1,5 @@
-// What a user may ask of a plan. Absent values are taken from the part's operations, else from the documented
-// defaults of resolve().
+// Options of a plan that a user can give. Absent values are taken from the part's operations, else from the
+// documented defaults of resolve().
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@
 
 namespace clearcut::inline options {
 
-/// How one tool is driven, as its library or job says. What is absent is left to the operation.
+/// Cutting data of one tool from its library or job. Absent values are left to the operation.
 struct ToolCutting {
   bool stated = false;  ///< anything at all
   CuttingData cutting;
@@ -36,7 +36,8 @@ struct PlanOptions {
   std::vector<Tool> tools;  ///< replace the part's own; empty keeps those
   /// Of `tools`, else of the part's own, in their order; those beyond its end state nothing.
   std::vector<ToolCutting> tool_cutting;
-  /// "auto" or a name of `strategies`, for every workingstep; absent: what the part's operations name, else "auto".
+  /// "auto" or a name of `strategies`, for every workingstep; absent: the strategies named by the part's operations,
+  /// else "auto".
   std::optional<std::string> strategy;
   std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "lom", "rho", "3.5mm"
   std::optional<double> angle_deg;      ///< of zigzag lines against x; absent: the fastest found
@@ -53,33 +54,34 @@ struct PlanOptions {
   TabOptions tabs;
   std::vector<PredrilledHole> predrilled;  ///< besides the part's own
   std::vector<KeepOut> keep_outs;          ///< besides the part's own
-  std::optional<Toolpath> earlier;         ///< a program that has run before on this stock
-  EarlierState earlier_state;              ///< what is known of `earlier` besides its moves
-  std::vector<Condition> conditions;  ///< what the caller knows that must hold, besides what is found here
-  /// Absent: the input's where it asks for them by its strategy.
+  std::optional<Toolpath> earlier;         ///< an earlier program already run on this stock
+  EarlierState earlier_state;              ///< facts about `earlier` other than its moves
+  std::vector<Condition> conditions;  ///< conditions known to the caller, in addition to those found here
+  /// Absent: the input's toolpaths if its strategy requests them.
   std::optional<ToolpathSource> toolpaths;
   std::optional<CutDirection> direction;
   bool outside_in = false;    ///< contours from the wall inwards; false: inside-out
-  std::optional<Vec2> start;  ///< where the cutting of contours should begin, or adaptive clearing go down
+  std::optional<Vec2> start;  ///< point at which contours begin, or adaptive clearing descends
   CuttingData cutting;
   Machine machine;
   PostOptions post;
-  PublishedChoices published;  ///< of every workingstep; goes before those of `step_published`
+  PublishedChoices published;  ///< of every workingstep; takes precedence over those of `step_published`
   StepChoices step_published;  ///< of the job's operations
   std::string objective = "time";
-  std::vector<std::string> accept;  ///< conditions that the user says hold at the machine
+  std::vector<std::string> accept;  ///< names of conditions that the user confirms
   std::optional<double> time_s;     ///< longest search
   std::uint64_t seed = 1;
   int threads = 0;            ///< 0: all cores
   std::stop_token cancel;     ///< asked to stop, the plan ends with Cancelled within a second
-  ProgressCallback progress;  ///< told after each candidate and while a program is checked; may be empty
+  ProgressCallback progress;  ///< called after each candidate and during the check of a program; may be empty
   Tolerances tol;
-  /// Whether an option that can have no effect on the part is refused. False where the options are for many parts.
+  /// Whether an option without a possible effect on the part is refused. False for options shared by many parts.
   bool refuse_idle = true;
-  Sources sources;           ///< of values that are not given as options of their own names
-  StepSources step_sources;  ///< of values in the part's operations that are not from where these were read
-  const StrategyTable* strategies =
-      nullptr;  ///< those there are, kept alive by the caller; null: the software's
+  Sources sources;  ///< sources of values not given by options of the same names
+  /// Sources of values in the part's operations that differ from the source of the operations.
+  StepSources step_sources;
+  /// Those there are, kept alive by the caller; null: the software's.
+  const StrategyTable* strategies = nullptr;
 };
 
 }  // namespace clearcut::inline options

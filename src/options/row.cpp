@@ -87,7 +87,7 @@ void check_name(const Row& row, const std::string& name, const std::string& plac
                          meant.empty() ? "" : "did you mean '" + meant + "'? ", fmt::join(row.names, ", ")));
 }
 
-/// A text of a row that does not take every one.
+/// Checks a text of a row with a limited set of valid texts.
 void check_text(const Row& row, const std::string& text, const std::string& place) {
   if (row.is_known(text)) return;
   constexpr std::size_t kShortWord = 4;  // all words of three letters are near to each other

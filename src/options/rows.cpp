@@ -1,4 +1,5 @@
-// The table of options. A new option is a row here and the line of the stage that obeys it; see docs/adding-an-option.md.
+// The table of options. A new option is a row here and a line in the stage that uses it; see
+// docs/adding-an-option.md.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -16,7 +17,7 @@ namespace {
 
 using enum ValueKind;
 
-// The field of a row, from an expression of `it`, which is what was asked.
+// The field of a row, from an expression of `it`, the requested options.
 #define CLEARCUT_FIELD(place) field([](auto& it) -> auto& { return it.place; })
 
 /// Degrees.
@@ -57,7 +58,7 @@ Field which_solver() {
           }};
 }
 
-/// A switch that is on by default, as "no-arcs".
+/// A switch with the default on, as "no-arcs".
 template <auto Member>
 Field switched_off() {
   return {[](Asked& asked, const Value& value, const std::vector<std::string>&) {
@@ -68,7 +69,7 @@ Field switched_off() {
           }};
 }
 
-/// "G55", where a control knows it.
+/// "G55", if the control knows this offset.
 Field work_offset_field() {
   return {[](Asked& asked, const Value& value, const std::vector<std::string>&) {
             asked.plan.post.work_offset = *work_offset_named(std::get<std::string>(value));

@@ -62,7 +62,7 @@ std::string beyond_range(double value, const Range& range, const std::string& un
   return "is farther from zero than " + with_unit(range.most, unit);
 }
 
-/// A third of the letters may differ; or it is the only one that begins so.
+/// Up to a third of the letters may differ, or `word` must be the beginning of only one name.
 std::string nearest_name(const std::string& word, const std::vector<std::string>& names) {
   const std::string asked = word.substr(0, kLongestWord);
   std::string best;

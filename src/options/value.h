@@ -31,13 +31,13 @@ using Value = std::variant<bool, double, std::string, Vec2, std::vector<std::str
 bool takes_several(ValueKind kind);
 bool is_number(ValueKind kind);
 
-/// The lowest and the highest number that a row takes.
+/// The lowest and the highest valid number of a row.
 struct Range {
   double least, most;
   bool above_least = false;  ///< the least itself is refused
 };
 
-/// mm; coordinates and lengths beyond it are mistakes.
+/// mm; greater coordinates and lengths are mistakes.
 inline constexpr double kLongestLength = 1e6;
 inline constexpr double kLargestNumber = 1e9;
 
@@ -51,7 +51,7 @@ constexpr Range between(double least, double most) {
 /// Why `value` is refused, in words that follow the option's name: "must be above 0 mm"; "" for values within.
 std::string beyond_range(double value, const Range& range, const std::string& unit);
 
-/// The name among `names` that is nearest to `word`; "" where none is near.
+/// The name in `names` nearest to `word`; "" if none is near.
 std::string nearest_name(const std::string& word, const std::vector<std::string>& names);
 
 }  // namespace clearcut::inline options

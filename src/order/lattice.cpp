@@ -32,7 +32,7 @@ double smallest_step(std::vector<double> values, double same) {
   return step;
 }
 
-/// Whole number of steps, or -1 when `value` lies between two crossings.
+/// Whole number of steps, or -1 if `value` is between two crossings.
 int whole_steps(double value, double pitch) {
   const double steps = value / pitch;
   const double whole = std::round(steps);
@@ -99,7 +99,7 @@ std::optional<Lattice> Lattice::recognise(const std::vector<Vec2>& points) {
 
 namespace {
 
-/// A lattice seen turned or mirrored, so that each construction is written once.
+/// A lattice seen turned or mirrored, so that each construction is written only once.
 class View {
  public:
   View(const Lattice& lattice, bool transposed, bool flip_columns, bool flip_rows)

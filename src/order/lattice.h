@@ -1,5 +1,4 @@
-// Square lattices: the generator, the recognition of lattices in any point set, and the sweeps that cover
-// them.
+// Square lattices: the generator, the recognition of lattices in any point set, and the sweeps covering them.
 #pragma once
 
 #include <optional>
@@ -19,10 +18,10 @@ struct LatticeSize {
   int rows = 0;
 };
 std::optional<LatticeSize> parse_lattice(std::string_view text);
-/// Whether somebody meant a lattice, also one without points or one that is too large: "0x10", "3x".
+/// Whether the text is meant as a lattice, even one without points or one that is too large: "0x10", "3x".
 bool is_like_lattice(std::string_view text);
 
-/// A point set whose points lie on the crossings of an axis-parallel square lattice, each crossing at most
+/// A point set with points on the crossings of an axis-parallel square lattice, each crossing at most
 /// once.
 class Lattice {
  public:
@@ -53,8 +52,8 @@ class Lattice {
 };
 
 /// Orders worth starting from: back-and-forth sweeps along rows and columns from every corner, spirals inward
-/// in both senses, and, for closed tours, combs. On lattices with holes sweeps go run by run. Ends and
-/// precedence are not looked at. Each is a permutation; at most 24.
+/// in both senses, and, for closed tours, combs. On lattices with holes sweeps proceed run by run. Ends and
+/// precedence are ignored. Each is a permutation; at most 24.
 std::vector<Tour> sweeps(const Lattice& lattice, bool closed);
 
 }  // namespace clearcut::order

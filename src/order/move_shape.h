@@ -1,4 +1,4 @@
-// What an objective asks of one move.
+// Properties of one move used by objectives.
 #pragma once
 
 #include "geometry/vec2.h"

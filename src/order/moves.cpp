@@ -9,7 +9,7 @@
 namespace clearcut::order {
 
 double turn_angle(Vec2 in, Vec2 out) {
-  // atan2 tells 0 from -0, and would answer a half turn for some coincident points.
+  // atan2 distinguishes 0 from -0, and would return a half turn for some coincident points.
   if (in == Vec2{} || out == Vec2{}) return 0;
   return std::abs(base::atan2(cross(in, out), dot(in, out))) * (180.0 / kPi);
 }

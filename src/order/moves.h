@@ -1,4 +1,4 @@
-// The moves between points as objectives see them: length, directions at both ends, turns on the way.
+// The moves between points with the properties used by objectives: length, directions at both ends, turns.
 #pragma once
 
 #include <algorithm>
@@ -19,13 +19,13 @@ inline constexpr double kTurnThresholdDegrees = 0.1;
 /// Tour eq. 4.16-4.19: the minor arc between two subpaths, here by one atan2 of cross and dot product.
 double turn_angle(Vec2 in, Vec2 out);
 
-/// Whether that angle is above the threshold; without trigonometry.
+/// Whether the angle between the directions is above the threshold; without trigonometry.
 bool is_turn(Vec2 in, Vec2 out);
 
-/// Answers from coordinates where moves are straight, and remembers legal detours. Safe for several threads.
+/// Computes straight moves from coordinates, and stores legal detours. Safe for several threads.
 class Moves {
  public:
-  /// Keeps detours in at most so many places; those that give way are found anew when they are asked for.
+  /// Stores detours in at most this many places; overwritten ones are found anew when needed.
   explicit Moves(const Problem& problem, std::size_t most_places = ShapeStore::kMostPlaces);
 
   const Problem& problem() const { return *problem_; }
@@ -36,9 +36,9 @@ class Moves {
   /// Turns of the move's detour between its ends, and their sum in degrees.
   int inner_turns(int a, int b) const;
   double inner_angle(int a, int b) const;
-  /// Directions of travel before and after b on the way a -> b -> c, not normalised.
+  /// Directions of travel before and after b on the path a -> b -> c, not normalised.
   std::pair<Vec2, Vec2> directions(int a, int b, int c) const;
-  /// Turn at b on the way a -> b -> c, degrees.
+  /// Turn at b on the path a -> b -> c, degrees.
   double angle_at(int a, int b, int c) const;
   bool turns_at(int a, int b, int c) const;
 

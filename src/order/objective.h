@@ -1,5 +1,5 @@
-// What an order is checked by. A new objective is one small file in objective/: a class with some of the three
-// parts.
+// Objectives by which orders are judged. A new objective is one small file in objective/: a class with some of the
+// three parts.
 #pragma once
 
 #include <memory>
@@ -13,8 +13,8 @@
 
 namespace clearcut::order {
 
-/// The part of a value that depends on the whole path; remembers the last path it was asked about, so that one
-/// that begins alike is evaluated from its first changed point. For one thread.
+/// The part of a value that depends on the whole path; stores the last evaluated path, so that a path with the same
+/// beginning is evaluated from its first changed point. For one thread.
 class PathValue {
  public:
   virtual ~PathValue() = default;
@@ -25,7 +25,7 @@ class PathValue {
 /// moves
 /// + path(tour).
 /// Smaller is better. Edges and corners are the same in both directions of travel, so a reversed stretch
-/// keeps its value and any exchange is priced from the few moves it touches (Tour fig. 4-19).
+/// keeps its value and any exchange is priced from the few moves that the exchange touches (Tour fig. 4-19).
 class Objective {
  public:
   virtual ~Objective() = default;
@@ -34,7 +34,7 @@ class Objective {
   virtual double edge(const Moves& /*moves*/, int /*a*/, int /*b*/) const { return 0; }
   virtual double corner(const Moves& /*moves*/, int /*a*/, int /*b*/, int /*c*/) const { return 0; }
   double constant() const { return linear().constant; }
-  /// Whether path() matters: such objectives are re-evaluated as a whole.
+  /// Whether path() is used: such objectives are re-evaluated as a whole.
   virtual bool path_dependent() const { return false; }
   virtual double path(const Moves& /*moves*/, std::span<const int> /*tour*/) const { return 0; }
   /// The same for many paths in turn; without an own one every path is evaluated as a whole.
@@ -46,7 +46,7 @@ class Objective {
     bool exact = true;
   };
   virtual Linear linear() const = 0;
-  /// Length and nothing else: the searches made for length alone may be used.
+  /// Whether the objective is length only: searches made for length may then be used.
   bool is_length() const {
     const Linear l = linear();
     return l.exact && l.length > 0 && l.turns == 0 && l.angle == 0 && l.constant == 0;
@@ -86,7 +86,7 @@ inline constexpr double kSameValue = 1e-9;
 /// The whole value from scratch.
 double evaluate(const Objective& objective, const Moves& moves, std::span<const int> tour);
 
-/// The values of many tours in turn: what the whole path needs is made ready once. For one thread; objective and
+/// The values of many tours in turn: preparations for the whole path are made once. For one thread; objective and
 /// moves must outlive it.
 class Evaluator {
  public:
@@ -96,10 +96,10 @@ class Evaluator {
  private:
   const Objective& objective_;
   const Moves& moves_;
-  std::unique_ptr<PathValue> path_;  ///< only for objectives that depend on the whole path
+  std::unique_ptr<PathValue> path_;  ///< null unless the objective depends on the whole path
 };
 
-/// Length, turns and angle of a tour, whatever it was made for.
+/// Length, turns and angle of a tour, regardless of its objective.
 struct TourFigures {
   double length = 0;
   int turns = 0;

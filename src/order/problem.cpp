@@ -126,7 +126,7 @@ Tour topological_order(const Problem& problem) {
     after[p.before].push_back(p.after);
     ++waiting[p.after];
   }
-  // Smallest (rank, index) first, where the fixed ends have ranks of their own.
+  // Smallest (rank, index) first, with separate ranks for the fixed ends.
   const auto rank = [&](int v) { return v == problem.start ? 0 : v == problem.end ? 2 : 1; };
   using Entry = std::pair<int, int>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> ready;

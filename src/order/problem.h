@@ -1,4 +1,4 @@
-// What is to be put in order: points of the plane, joined by straight moves where those are legal.
+// The points to be ordered, joined by straight moves if those are legal.
 #pragma once
 
 #include <functional>
@@ -20,9 +20,9 @@ enum class Metric {
 
 enum class Shape { kClosedTour, kOpenPath };
 
-/// Points strictly between `from` and `to` on the shortest legal way; empty when the straight move is legal.
-/// Symmetric: (to, from) gives the same points backwards. May be called from several threads at once; results
-/// are remembered by the searches. An illegal edge costs its legal detour, so every order is legal.
+/// Points strictly between `from` and `to` on the shortest legal path; empty if the straight move is legal.
+/// Symmetric: (to, from) gives the same points backwards. May be called from several threads at once; the searches
+/// store the results. An illegal edge costs its legal detour, so every order is legal.
 using DetourFunction = std::function<std::vector<Vec2>(int from, int to)>;
 
 /// `before` is visited earlier than `after`; for open paths.
@@ -46,16 +46,16 @@ struct Problem {
   bool closed() const { return shape == Shape::kClosedTour; }
 };
 
-/// Throws InputError when the problem contradicts itself: no points, coordinates that are not finite, ends
+/// Throws InputError if the problem contradicts itself: no points, coordinates that are not finite, ends
 /// out of range or equal, ends or precedence on a closed tour, cyclic precedence, precedence against a fixed
 /// end.
 void check(const Problem& problem);
 
 /// Length of the straight move in the problem's metric.
 double straight_distance(const Problem& problem, int a, int b);
-/// Length of the move from a to b, by its legal detour where the straight move is illegal.
+/// Length of the move from a to b, by its legal detour if the straight move is illegal.
 double move_length(const Problem& problem, int a, int b);
-/// Length of a way through `points` in the problem's metric (rounded once, as a whole).
+/// Length of a path through `points` in the problem's metric (rounded once, as a whole).
 double way_length(const Problem& problem, std::span<const Vec2> points);
 /// Points of the move from a to b, both ends included.
 std::vector<Vec2> move_points(const Problem& problem, int a, int b);
@@ -64,7 +64,7 @@ double tour_length(const Problem& problem, std::span<const int> tour);
 /// Each point once, ends and precedence kept.
 bool is_valid(const Problem& problem, std::span<const int> tour);
 
-/// An order that keeps `problem.precedence` (points by index where free), start first and end last.
+/// An order obeying `problem.precedence` (free points by index), start first and end last.
 /// Throws InputError for cyclic precedence.
 Tour topological_order(const Problem& problem);
 

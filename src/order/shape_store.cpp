@@ -19,7 +19,7 @@ std::uint64_t spread(std::uint64_t pair) {
   return (pair ^ (pair >> 29)) * kGolden;
 }
 
-/// The lowest bits choose the table, the highest the place in it.
+/// The lowest bits choose the table, the highest bits the place in the table.
 constexpr int kPlaceShift = 32;
 
 }  // namespace
@@ -36,7 +36,7 @@ std::size_t ShapeStore::places() const {
   return sum;
 }
 
-/// Where the pair is, or the free place that it would take. There is always one.
+/// Place of the pair, or the free place for it. There is always one.
 std::size_t ShapeStore::index_in(const Table& table, std::uint64_t pair) {
   const std::size_t mask = table.places.size() - 1;
   std::size_t i = (spread(pair) >> kPlaceShift) & mask;

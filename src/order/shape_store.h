@@ -1,4 +1,4 @@
-// The shapes of moves that were dear to find, kept by pair of points in bounded memory.
+// Shapes of moves that are costly to find, kept by pair of points in bounded memory.
 #pragma once
 
 #include <array>
@@ -12,17 +12,17 @@
 
 namespace clearcut::order {
 
-/// Flat hash tables that grow up to a bound. A table that is full begins anew, and what it held is found again when
-/// it is asked for, so answers never depend on what is kept. Safe for several threads.
+/// Flat hash tables that grow up to a bound. A full table is cleared, and its entries are computed again when needed,
+/// so results never depend on the stored entries. Safe for several threads.
 class ShapeStore {
  public:
-  /// 75 MB of places, three quarters of which are taken at most: all pairs of 1250 points.
+  /// 75 MB of places, of which at most three quarters are used: all pairs of 1250 points.
   static constexpr std::size_t kMostPlaces = std::size_t{1} << 20;
 
   /// `most_places` is rounded up to a power of two, at least 8 for each of the tables.
   explicit ShapeStore(std::size_t most_places = kMostPlaces);
 
-  /// Absent where it was never kept, or is kept no more.
+  /// Absent if the shape was never stored, or is no longer stored.
   std::optional<MoveShape> find(int low, int high) const;
   void keep(int low, int high, const MoveShape& shape);
 

@@ -1,4 +1,4 @@
-// When a search ends, and how it tells what it has found so far.
+// Stopping rule of a search, and reports of its intermediate results.
 #pragma once
 
 #include <atomic>
@@ -19,16 +19,16 @@ struct Progress {
 
 struct StopRule {
   double seconds = 10;  ///< wall clock; infinity: no limit
-  /// Seconds of one core that the method makes its plan for (sizes of populations); below 0: `seconds`. With
-  /// `rounds` and no clock a run repeats exactly, however busy the machine.
+  /// Seconds of one core for which the method plans its work (sizes of populations); below 0: `seconds`. With
+  /// `rounds` and no clock a run repeats exactly, regardless of the machine's load.
   double effort = -1;
   long long rounds = std::numeric_limits<long long>::max();  ///< of the method; makes runs repeat exactly
   double gap = 0;                             ///< stop when (objective - bound) / bound is at most this
-  const std::atomic<bool>* cancel = nullptr;  ///< looked at every few milliseconds
+  const std::atomic<bool>* cancel = nullptr;  ///< checked every few milliseconds
   double planned_seconds() const { return effort < 0 ? seconds : effort; }
 };
 
-/// Asks for the time rarely enough to cost nothing.
+/// Reads the clock so seldom that its cost is negligible.
 class StopWatch {
  public:
   explicit StopWatch(const StopRule& rule) : rule_(rule), start_(Clock::now()) {}

@@ -44,8 +44,8 @@ inline KnownInstance known_instance(const std::string& name, const std::vector<V
   return {name, text + "EOF\n", std::move(tour)};
 }
 
-/// `n` points on the curve r = 10000 (1 + wave cos 5 t), mixed. A circle's tour is the convex hull; a curve that is sampled
-/// much more closely than it bends has itself as its shortest tour.
+/// `n` points on the curve r = 10000 (1 + wave cos 5 t), mixed. A circle's tour is the convex hull; a curve that is
+/// sampled much more closely than it bends has itself as its shortest tour.
 inline KnownInstance known_curve(const std::string& name, int n, double wave) {
   Random random(7);
   Tour tour(static_cast<std::size_t>(n));
@@ -62,8 +62,8 @@ inline KnownInstance known_curve(const std::string& name, int n, double wave) {
   return known_instance(name, points, tour);
 }
 
-/// columns x rows points, columns even, 10 mm apart: along the first row and back through the columns, up one and down the
-/// next. No edge is longer than the pitch, so no tour is shorter.
+/// columns x rows points, columns even, 10 mm apart: along the first row and back through the columns, up one and
+/// down the next. No edge is longer than the pitch, so no tour is shorter.
 inline KnownInstance known_lattice(int columns, int rows) {
   std::vector<Vec2> points;
   for (int y = 0; y < rows; ++y)

@@ -20,7 +20,7 @@ class Lines {
  public:
   Lines(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
 
-  /// Next line that is not blank, trimmed; false at the end.
+  /// Next non-blank line, trimmed; false at the end.
   bool next(std::string_view& line) {
     while (!rest_.empty()) {
       const auto end = rest_.find(line_end_);

@@ -27,11 +27,12 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// Of the tools that were given, those that the program, or the one before it, calls: a library may hold many more. All, where it calls others.
+/// Of the given tools, those called by the program or the earlier one: a library may contain many more. All tools if
+/// the program calls unknown ones.
 resolve::PlanOptions with_tools_of(const Toolpath& toolpath, resolve::PlanOptions options) {
   std::set<int> called;
   for (const Section& section : toolpath.sections) called.insert(section.tool_number);
-  // What ran before may have had tools of its own; a number that is none of those that were given says nothing of these.
+  // The earlier program may have had its own tools; a number missing among the given tools means nothing for these.
   if (options.earlier) {
     for (const Section& section : options.earlier->sections)
       if (tool_numbered(options.tools, section.tool_number)) called.insert(section.tool_number);
@@ -49,7 +50,8 @@ resolve::PlanOptions with_tools_of(const Toolpath& toolpath, resolve::PlanOption
   return options;
 }
 
-/// One unnumbered tool given for a program that uses one tool: they are the same, whatever its number there.
+/// One unnumbered tool given for a program that uses one tool: they are the same tool, with any number in the
+/// program.
 resolve::PlanOptions numbered_by(const Toolpath& toolpath, resolve::PlanOptions options) {
   if (options.tools.size() != 1 || options.tools.front().number != 0 || toolpath.sections.empty())
     return options;
@@ -68,8 +70,8 @@ void number_sections(Toolpath& toolpath, const Part& part) {
   }
 }
 
-/// The question with the tools that the program calls; with all that were given where the part cannot be made with those alone,
-/// because the program leaves work out. `asked` becomes what was resolved.
+/// The question with the tools called by the program; with all given tools if the part cannot be made with only the
+/// called ones, because the program leaves work out. `asked` becomes the resolved options.
 ResolvedPlan resolved_for(const Toolpath& toolpath, const Part& part, resolve::PlanOptions& asked,
                           const StrategyTable& strategies) {
   resolve::PlanOptions called = with_tools_of(toolpath, asked);
@@ -78,16 +80,15 @@ ResolvedPlan resolved_for(const Toolpath& toolpath, const Part& part, resolve::P
       ResolvedPlan plan = resolve::resolve(part, called, strategies);
       asked = std::move(called);
       return plan;
-    } catch (const InputError&) {  // said below, where it is so with all tools
+    } catch (const InputError&) {  // reported below if it also fails with all tools
     }
   }
   return resolve::resolve(part, asked, strategies);
 }
 
-/// What is stated for the tool that a workingstep of `prepared` is made with goes before what `stated`, the step as it was
-/// read in `part`, says; what was asked for everything goes before both. Our own defaults bind nobody, and what
-/// makes its hole at once may go as deep as the hole.
-/// Returns what is stated about the step.
+/// Values stated for the tool of a workingstep of `prepared` take precedence over those of `stated`, the step as read
+/// in `part`; values requested for everything take precedence over both. Clearcut's own defaults are not binding, and
+/// tools that make their hole at once may go as deep as the hole. Returns the values stated for the step.
 CuttingData keep_stated_limits(Workingstep& step, Operation stated, const Part& prepared, const Part& part,
                                const resolve::PlanOptions& options) {
   if (!options.tools.empty()) {
@@ -105,7 +106,7 @@ CuttingData keep_stated_limits(Workingstep& step, Operation stated, const Part& 
   return stated.cutting;
 }
 
-/// Of the tool of a step that follows from others, such as the drilling before a thread.
+/// Values stated for the tool of a derived step, for example the drilling before a thread.
 CuttingData stated_for_tool(int number, const Part& part, const resolve::PlanOptions& options) {
   const std::vector<Tool>& tools = options.tools.empty() ? part.tools : options.tools;
   const Tool* const tool = tool_numbered(tools, number);
@@ -120,7 +121,7 @@ double mm_per_min(const std::optional<MmPerMin>& feed) {
   return feed ? feed->mm_per_min() : 0;
 }
 
-/// One operation with a tool more. What was asked for everything goes before what is stated for it.
+/// Adds one more operation of a tool. Values requested for everything take precedence over its stated values.
 void add_drive(std::map<int, verify::StatedDrive>& drives, int tool, const CuttingData& stated,
                const resolve::PlanOptions& options) {
   const CuttingData& asked = options.cutting;
@@ -138,19 +139,19 @@ void add_drive(std::map<int, verify::StatedDrive>& drives, int tool, const Cutti
   all.least_rpm = std::min(all.least_rpm, rpm);
 }
 
-/// Whether `name` is that of a narrower mill's work on what the step `of` leaves, and not of its finishing.
+/// Whether `name` names a narrower mill's step on the material left by the step `of`, and not its finishing.
 bool is_rest_of(const std::string& name, const std::string& of) {
   const std::string begin = of + "_rest_T";
   return name.starts_with(begin) && name.find_first_not_of("0123456789", begin.size()) == std::string::npos;
 }
 
-/// A program of another CAM is held to the stepdown and the plunge feed that somebody stated, not to our defaults.
-/// Returns how the tools are stated to be driven.
+/// A program of another CAM is checked against the stated stepdown and plunge feed, not against Clearcut's defaults.
+/// Returns the stated cutting data of the tools.
 std::map<int, verify::StatedDrive> keep_stated_limits(Part& prepared, const Part& part,
                                                       const resolve::PlanOptions& options) {
   std::map<int, verify::StatedDrive> drives;
   for (std::size_t i = 0; i < prepared.workplan.size(); ++i) {
-    // Tabs, T-slots and narrower mills put steps of their own in between, which are named after those above or after them.
+    // Tabs, T-slots and narrower mills insert their own steps, named after the steps above or after them.
     const std::string& name = prepared.workplan[i].name;
     const bool same = i < part.workplan.size() && part.workplan[i].name == name;
     const auto stated =
@@ -169,7 +170,7 @@ std::map<int, verify::StatedDrive> keep_stated_limits(Part& prepared, const Part
   return drives;
 }
 
-/// What is stated for tools that no workingstep is made with: a program may use them all the same.
+/// Values stated for tools without a workingstep: a program may use them nevertheless.
 /// Adds them to `all`.
 void add_other_tools(const Part& prepared, const resolve::PlanOptions& options, StatedOfTools& all) {
   auto& limits = all.limits;
@@ -188,18 +189,18 @@ void add_other_tools(const Part& prepared, const resolve::PlanOptions& options, 
   for (const Workingstep& step : prepared.workplan) limits.erase(tool_of(prepared, step).number);
 }
 
-/// A program's text, and which control's it is; none where the text tells.
+/// A program's text, and its control; no control if it is recognised from the text.
 struct ProgramText {
   const std::string& text;
   const std::string& name;
   std::optional<read::gcode::Dialect> dialect;
 
-  /// Whether it has no words for tools: they are put in by hand.
+  /// Whether the control has no words for tools: they are loaded by hand.
   bool names_no_tools() const { return dialect && read::gcode::rules_of(*dialect).names_no_tools; }
 };
 
-/// What the comments of a program call its tools, as options: "--tool endmill:6:T1 --tool drill:3:T2"; "" where none does. `called`:
-/// the numbers that the program calls, none where it calls no tool.
+/// The tools named in a program's comments, as options: "--tool endmill:6:T1 --tool drill:3:T2"; "" if there are
+/// none. `called`: the tool numbers called by the program; empty if it calls no tool.
 std::string tools_by_comments(const std::string& program, const std::vector<int>& called) {
   std::string text;
   for (const read::gcode::ToolComment& one : read::gcode::tools_in_comments(program)) {
@@ -210,7 +211,7 @@ std::string tools_by_comments(const std::string& program, const std::vector<int>
   return text;
 }
 
-/// Asks for tools where none are given, by what the comments say of them.
+/// Throws if no tools are given, suggesting those named in the comments.
 void require_tools(bool are_given, const Toolpath& toolpath, const ProgramText& program) {
   if (are_given) return;
   std::vector<int> numbers;
@@ -239,8 +240,8 @@ void require_moves(const Toolpath& toolpath, const std::string& program_name) {
                    "check; give the whole program");
 }
 
-/// The stock that was stated, else the one that the program's own cuts make below `stated_top`; where nobody states that, below Z 0 if
-/// nothing is cut above it.
+/// The stated stock, else the box of the program's cuts below `stated_top`; without a stated top, below Z 0, if no
+/// cut is above.
 Stock stock_for(const std::optional<Stock>& stated, const Toolpath& toolpath, const std::vector<Tool>& tools,
                 std::optional<double> stated_top, const std::string& program_name,
                 std::vector<Condition>& conditions) {
@@ -275,7 +276,7 @@ HandTools as_worked(const Part& part) {
   return by_hand;
 }
 
-/// The program as its control reads it, with nothing above `safe_z`, mm.
+/// The program as its control reads it, limited to heights up to `safe_z`, mm.
 read::gcode::Program read_program(const ProgramText& program, const resolve::PlanOptions& options,
                                   double safe_z, HandTools usual_by_hand) {
   read::gcode::ReadControllerOptions reading;

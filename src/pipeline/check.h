@@ -1,4 +1,4 @@
-// Checking any program against a part, whoever wrote it.
+// Checks any program against a part, regardless of its author.
 #pragma once
 
 #include <map>
@@ -20,23 +20,24 @@ struct CheckResult {
   Part part;
   Toolpath toolpath;
   Findings findings;
-  read::gcode::Dialect dialect = read::gcode::Dialect::kLinuxCnc;  ///< as which the program was read
-  ControlTable control;             ///< what the control held at each move of `toolpath`
-  std::optional<Toolpath> earlier;  ///< what was cut before
+  read::gcode::Dialect dialect = read::gcode::Dialect::kLinuxCnc;  ///< dialect in which the program was read
+  ControlTable control;             ///< state of the control at each move of `toolpath`
+  std::optional<Toolpath> earlier;  ///< earlier cuts
   std::optional<Margin> margin;     ///< absent: not asked
 };
-/// `dialect`: the control that will run it; absent: recognised.
-/// `reference_feeds`: by number of the tool, meant at the reference where feeds follow the load and no option states one.
+/// `dialect`: the control that will run the program; absent: recognised. `reference_feeds`: feeds at the reference by
+/// tool number, used if feeds follow the load and no option states one.
 CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
                           const resolve::PlanOptions& options,
                           std::optional<read::gcode::Dialect> dialect = {},
                           const std::map<int, MmPerMin>& reference_feeds = {});
 
-/// Checks any program text as far as can be said without a part: rapids, plunges, depths and engagement in `stock`, feeds, spindle
-/// and tools, limits and travel, arcs. What is left and what is gouged is not asked (Findings::without_part). Without a stock the
-/// box of what is cut below `top`, mm, is taken, which is the condition "stock"; where `top` is absent, too, below Z 0 if nothing is cut
-/// above it. Throws InputError for text that no control takes, and where nothing moves, no tool is given, or nothing is cut below `top`
-/// in a stock that is not stated, or something above Z 0 where nobody states the top.
+/// Checks any program text as far as possible without a part: rapids, plunges, depths and engagement in `stock`,
+/// feeds, spindle and tools, limits and travel, arcs. Uncut material and gouges are not examined
+/// (Findings::without_part). Without a stock the box of all cuts below `top`, mm, is assumed, with the condition
+/// "stock"; if `top` is absent, too, below Z 0, provided no cut is above. Throws InputError for text that no control
+/// accepts, and if nothing moves, no tool is given, no cut is below `top` without a stated stock, or some cut is
+/// above Z 0 without a stated top.
 CheckResult check_program_alone(const std::optional<Stock>& stock, const std::string& program,
                                 const std::string& program_name, const resolve::PlanOptions& options,
                                 std::optional<read::gcode::Dialect> dialect = {},

@@ -23,7 +23,7 @@ StrategyRun run_of(const std::string& strategy, const Part& part, resolve::PlanO
   }
 }
 
-/// Length against plain contours at a fixed step: what a method adds to them, or saves.
+/// Length against plain contours at a fixed step: length added or saved by a method.
 std::string added(const StrategyRun& row, const StrategyRun* fixed) {
   if (!fixed || !fixed->figures) return "";
   return fmt::format("{:+.1f}", row.figures->feed_mm - fixed->figures->feed_mm);

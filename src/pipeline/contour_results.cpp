@@ -14,7 +14,8 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// Contours of a published method in the top layer of a section's feature; none for other strategies and for open sides.
+/// Contours of a published method in the top layer of a section's feature; none for other strategies and for open
+/// sides.
 std::vector<plan::contour::ContourStep> published_contours(const Section& section, const ResolvedPlan& plan) {
   const auto index = static_cast<std::size_t>(section.workingstep);
   if (section.workingstep < 0 || index >= plan.steps.size()) return {};

@@ -1,4 +1,4 @@
-// What the published contour methods came to, for their result file and the certificate.
+// Results of the published contour methods, for their result file and the certificate.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace clearcut::pipeline {
 
-/// Contours of each section that was planned by contours, with the coefficients where a published method takes its steps from
+/// Contours of each section planned by contours, with coefficients if a published method derives its steps from
 /// angles (CPO-kappa, CPO-rho).
 std::vector<report::ContourLevels> contours_of(const Toolpath& toolpath, const ResolvedPlan& plan);
 
-/// Notes the coefficient that the rule of CPO-rho came to, which is that paper's result.
+/// Notes the coefficient computed by the rule of CPO-rho, the result of that paper.
 void report_rho(const std::vector<report::ContourLevels>& contours, const ResolvedPlan& plan, Part& part);
 
 }  // namespace clearcut::pipeline

@@ -22,7 +22,7 @@
 namespace clearcut::pipeline {
 namespace {
 
-constexpr double kSearchSeconds = 2;  // for one order, where options set nothing
+constexpr double kSearchSeconds = 2;  // default for one order
 constexpr long long kSearchRounds = 200;
 
 order::Problem visit_problem(const std::vector<Vec2>& points) {
@@ -47,7 +47,7 @@ bool is_published(const resolve::PlanOptions& options) {
   return options.published.solver && options.published.solver->is_published;
 }
 
-/// The order that a solver finds, and how it came to it.
+/// The order found by a solver, with its convergence.
 std::vector<int> searched_visit(const std::vector<Vec2>& points, const resolve::PlanOptions& options,
                                 report::VisitSearch& search) {
   search.points = points.size();
@@ -85,7 +85,7 @@ Workingstep step_of(std::size_t element, const ElementJob& job) {
   return step;
 }
 
-/// The part that the elements describe, its workplan in the order of the visits.
+/// The part described by the elements, its workplan in the order of the visits.
 Part part_of(const ElementJob& job, const std::vector<plan::grid::ElementVisit>& visits,
              const Tolerances& tol) {
   Part part;
@@ -100,7 +100,7 @@ Part part_of(const ElementJob& job, const std::vector<plan::grid::ElementVisit>&
   return part;
 }
 
-/// Where the tool's centre may be. Grooves as wide as the tool have room for nothing but their own line.
+/// Legal area of the tool's centre. Grooves as wide as the tool have room only for their own line.
 Regions legal_of(const Region& target, double tool_radius, const Tolerances& tol) {
   const Clearance clearance(target, tol);
   Regions legal = clearance.inset(tool_radius);

@@ -11,7 +11,7 @@
 
 namespace clearcut::pipeline {
 
-/// One element as it was planned.
+/// One planned element.
 struct ElementFigures {
   std::string id;
   std::size_t squares = 0;
@@ -27,9 +27,9 @@ struct ElementsResult {
 };
 
 /// Checks the job, tabulates and reduces its elements, orders the visits, and makes a checked program of them.
-/// options: post, machine, tol, seed, time_s (longest search for one order, default 2 s), progress (told before each
-/// search), cancel count; the rest comes from the job. What the reduction leaves uncut is in the findings, as everywhere. Throws InputError
-/// with all faults of the job on one line.
+/// options: post, machine, tol, seed, time_s (longest search for one order, default 2 s), progress (called before
+/// each search), cancel are used; the rest comes from the job. Material left uncut by the reduction is in the
+/// findings, as everywhere. Throws InputError with all faults of the job on one line.
 ElementsResult plan_elements(const ElementJob& job, const resolve::PlanOptions& options);
 
 /// The elements with their squares, reduced squares and lengths of visit.

@@ -10,7 +10,8 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// The name under which the origin of a row's value is kept: that of the key for switches of what is on by default.
+/// The name under which the origin of a row's value is stored: for switches of defaults that are on, the name of the
+/// key.
 std::string source_name(const Row& row) {
   std::string name = row.key_is_opposite ? row.job_key() : row.name;
   std::replace(name.begin(), name.end(), '_', '-');
@@ -22,14 +23,14 @@ std::string place_of(const Row& row, const Source& source) {
   return source.origin == Origin::kJobFile ? source.text + ": " + row.job_key() : source.text;
 }
 
-/// Whether the value is the one by which nothing is asked: 0 tabs, a lift of 0 mm.
+/// Whether the value is the one that requests no effect: 0 tabs, a lift of 0 mm.
 bool asks_nothing(const Row& row, const Asked& asked) {
   if (!row.neutral || !row.field.get) return false;
   const auto value = row.field.get(asked, row.names);
   return value && std::get<double>(*value) == *row.neutral;
 }
 
-/// How a program is written is compared with how it would be without the option.
+/// Compares the written program with the program written without the option.
 std::string idle_in_program(const Row& row, const PlanResult& result, const Toolpath& planned,
                             const ResolvedPlan& plan, const Asked& asked) {
   static const Asked kNothing;

@@ -1,12 +1,12 @@
-// Options that were asked for and could do nothing.
+// Refuses requested options without effect.
 #pragma once
 
 #include "pipeline/steps/plan_result.h"
 
 namespace clearcut::pipeline {
 
-/// Throws InputError for the first option of the user or of a job, as `asked.sources` name them, that has no effect in this plan:
-/// with what it serves. `planned` is the toolpath before it was posted.
+/// Throws InputError for the first option of the user or of a job (by `asked.sources`) without effect in this plan,
+/// naming its purpose. `planned` is the toolpath before posting.
 void refuse_idle_options(const PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan,
                          const PlanOptions& asked);
 

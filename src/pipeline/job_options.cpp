@@ -11,7 +11,7 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// Also those that a later rule puts aside: a name that is unknown is never meant.
+/// Also strategies overridden by a later rule: an unknown name is never intended.
 void check_strategies(const read::JobFile& job) {
   const auto check = [](const read::CutSettings& settings) {
     const Source* source = settings.sources.find("strategy");
@@ -22,7 +22,8 @@ void check_strategies(const read::JobFile& job) {
   for (const read::OperationRule& rule : job.operations) check(rule.settings);
 }
 
-/// As the control that is named; where that does not take it, as the one for which it was written.
+/// Read in the dialect of the named control; if that does not accept the program, in the dialect for which it was
+/// written.
 read::gcode::Program read_as_its_control(const std::string& file, const Machine& machine,
                                          std::optional<read::gcode::Dialect> dialect) {
   read::gcode::ReadControllerOptions reading;
@@ -73,7 +74,7 @@ resolve::PlanOptions options_of_job(const read::JobFile& job) {
   resolve::PlanOptions options = job.whole;
   options.tool_cutting = cutting_of_tools(tools_of_job(job), job.preset);
   options.machine = job.machine;
-  // Where the job says which offset the zero is at, that is no open question.
+  // If the job states the offset of the zero, this condition is met.
   if (job.sources.find("work-offset")) options.accept.push_back(condition_of(options.post.work_offset));
   if (holds_parts(job.sources)) options.accept.emplace_back("loose-part");
   options.sources = job.sources;
@@ -85,7 +86,7 @@ resolve::PlanOptions options_of_job(const read::JobFile& job) {
   if (job.after)
     read_earlier_program(options, job.after->string(), read::gcode::dialect_named(options.post.dialect));
   options.post.programs_before = std::max(0, job.setup_number - 1);
-  // What is said for all set-ups need not mean something to each.
+  // Options for all set-ups need not have an effect in each.
   options.refuse_idle = job.setup_number == 0;
   return options;
 }

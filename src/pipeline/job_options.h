@@ -1,4 +1,4 @@
-// What a job file asks of a plan, beside what its part holds.
+// Options of a job file for a plan, in addition to its part.
 #pragma once
 
 #include <optional>
@@ -11,22 +11,22 @@
 
 namespace clearcut::pipeline {
 
-/// The options of a job's [plan], [machine] and [output] with where each is said, and how its tools are driven. Its operations
-/// are in its part already, see part_of_job. Reads the job's tool library and the program that has run before.
-/// Throws InputError for strategies that nobody knows, also where a later rule puts them aside, and for files that cannot be read.
+/// The options of a job's [plan], [machine] and [output] with their sources, and the cutting data of its tools. Its
+/// operations are already in its part, see part_of_job. Reads the job's tool library and the earlier program. Throws
+/// InputError for unknown strategies, even if overridden by a later rule, and for unreadable files.
 resolve::PlanOptions options_of_job(const read::JobFile& job);
 
-/// Whether a machine file or a job's machine table has the key `holding`, which says how loose parts are held and so answers the
-/// condition `loose-part`.
+/// Whether a machine file or a job's machine table has the key `holding`, which states how loose parts are held and
+/// so meets the condition `loose-part`.
 bool holds_parts(const Sources& sources);
 
-/// What a library states for its tools, in their order; `preset` names which of several, "" the first.
+/// Cutting data stated by a library for its tools, in their order; `preset` names one of several sets, "" the first.
 std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::LibraryTool>& tools,
                                                    const std::string& preset);
 
-/// Reads into `options` a program that has run before on the same stock on options.machine: its moves, what the control held meanwhile,
-/// and the conditions under which it moves so. `dialect`: the control; absent, or where that does not take the program: recognised.
-/// Throws InputError.
+/// Reads into `options` an earlier program on the same stock on options.machine: its moves, the state of the control
+/// meanwhile, and the conditions for these moves. `dialect`: the control; absent, or if it does not accept the
+/// program: recognised. Throws InputError.
 void read_earlier_program(resolve::PlanOptions& options, const std::string& file,
                           std::optional<read::gcode::Dialect> dialect = {});
 

@@ -1,4 +1,4 @@
-// How far a machine may leave the path of a program that was planned or checked.
+// Allowed deviation of a machine from the path of a planned or checked program.
 #pragma once
 
 #include <optional>
@@ -12,14 +12,15 @@
 
 namespace clearcut::pipeline {
 
-/// A program as it was read.
+/// A program as read.
 struct ProgramRead {
   const Part& part;
   const Toolpath& toolpath;
   const ControlTable& control;
 };
 
-/// The margin where `plan` asks for one; see verify::margin_of. Where it is smaller than was asked that is an open condition of `findings`.
+/// The margin if `plan` requests one; see verify::margin_of. A margin smaller than requested is an open condition of
+/// `findings`.
 std::optional<Margin> margin_asked(const ProgramRead& program, const ResolvedPlan& plan, Findings& findings);
 
 /// One sentence for people: "margin: holds for 0.0034 mm of machine error; ...".

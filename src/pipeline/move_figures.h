@@ -1,4 +1,4 @@
-// What verification finds out about each single move of a program.
+// Results of verification for each single move of a program.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace clearcut::pipeline {
 
 struct MoveFigures {
   double time_s = 0;               ///< kinematic, with the waits before the move
-  double max_engagement_deg = 0;   ///< 0 where nothing is cut, and for entries
+  double max_engagement_deg = 0;   ///< 0 without a cut, and for entries
   double mean_engagement_deg = 0;  ///< over the length in contact
   double cutting_mm = 0;           ///< length in contact with material
   double air_mm = 0;               ///< length below the stock's top without contact
@@ -21,8 +21,8 @@ struct MoveFigures {
 std::vector<double> times_of_moves(const Part& part, const Toolpath& toolpath, const ControlTable& control,
                                    const resolve::PlanOptions& options);
 
-/// Figures of all moves, section after section; `part`, `toolpath` and `control` are those of a PlanResult or CheckResult.
-/// Throws Cancelled. Cost as the engagement of the certificate: O(feed length / step).
+/// Figures of all moves, section after section; `part`, `toolpath` and `control` are those of a PlanResult or
+/// CheckResult. Throws Cancelled. Cost as the engagement of the certificate: O(feed length / step).
 std::vector<MoveFigures> figures_of_moves(const Part& part, const Toolpath& toolpath,
                                           const ControlTable& control, const resolve::PlanOptions& options);
 

@@ -16,14 +16,14 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// Share by which two feeds may differ and be the same word, rounded.
+/// Greatest relative difference of two feeds that are the same rounded word.
 constexpr double kSameFeed = 1e-6;
 
 bool is_level_cut(const Move& move) {
   return !is_rapid(move.kind) && !move.is_vertical() && move.z_from == move.z_to;
 }
 
-/// The feed at which each tool cuts most of its level way, by number.
+/// The feed of the greatest part of each tool's level cutting length, by tool number.
 std::map<int, MmPerMin> usual_feeds(const Toolpath& toolpath) {
   std::map<int, std::map<double, double>> ways;
   for (const Section& section : toolpath.sections)
@@ -47,7 +47,7 @@ CheckResult checked(const ProgramQuestion& question, const std::string& program,
                                    reference_feeds);
 }
 
-/// The moves with the feeds that the rule allows, each as long as before.
+/// The moves with the feeds allowed by the rule; their lengths are unchanged.
 Toolpath with_feeds_by_load(const CheckResult& before, const resolve::PlanOptions& options,
                             const ProgramFeeds& feeds, const std::map<int, MmPerMin>& usual) {
   const Part& part = before.part;
@@ -76,12 +76,12 @@ Toolpath with_feeds_by_load(const CheckResult& before, const resolve::PlanOption
   return toolpath;
 }
 
-/// What a line of the program is fed with before and after, mm/min.
+/// Feed of a program line before and after, mm/min.
 struct LineFeed {
   double before = 0, after = 0;
 };
 
-/// By number of the line; of lines that make several moves the least.
+/// By line number; for lines with several moves the least feed.
 std::map<int, LineFeed> feeds_by_line(const Toolpath& before, const Toolpath& after) {
   std::map<int, LineFeed> lines;
   for (std::size_t i = 0; i < before.sections.size(); ++i) {
@@ -120,7 +120,7 @@ class FeedWriter {
   int words_after() const { return words_after_; }
 
  private:
-  /// The value in force is followed in the old text and in the new one: a word is written where they have to differ.
+  /// The value in force is followed in the old text and in the new one: a word is written if they must differ.
   std::string rewritten(std::string_view line, int number) {
     const auto word = read::gcode::feed_word_in(line);
     if (word) {
@@ -171,7 +171,7 @@ bool moves_alike(const Toolpath& a, const Toolpath& b) {
                     });
 }
 
-/// The line of the first move that is fed faster than planned; 0 where there is none.
+/// The line of the first move with a feed above the planned one; 0 if there is none.
 int line_above(const Toolpath& planned, const Toolpath& read) {
   for (std::size_t i = 0; i < planned.sections.size(); ++i)
     for (std::size_t k = 0; k < planned.sections[i].moves.size(); ++k) {

@@ -1,4 +1,4 @@
-// Feeds that follow the load for a program that somebody else wrote: its F words change, and nothing else of its text.
+// Adapts the feeds of a program of other origin to the load: only its F words change, and no other text.
 #pragma once
 
 #include <map>
@@ -9,28 +9,28 @@
 
 namespace clearcut::pipeline {
 
-/// What a program is checked against: a part, or a stock alone.
+/// Basis of a program's check: a part, or only a stock.
 struct ProgramQuestion {
   const Part* part = nullptr;  ///< null: there is none
-  std::optional<Stock> stock;  ///< without a part; absent: the box of what is cut
+  std::optional<Stock> stock;  ///< without a part; absent: the box of all cuts
   std::optional<double> top;   ///< mm, likewise
   std::optional<read::gcode::Dialect> dialect;
 };
 
 struct ProgramFeeds {
   std::string program;                        ///< with other F words
-  CheckResult before;                         ///< of the program as it was
+  CheckResult before;                         ///< check of the original program
   CheckResult after;                          ///< of `program`, read back
   int words_before = 0, words_after = 0;      ///< F words
   std::map<int, MmPerMin> reference_feeds{};  ///< meant at the reference, by tool
 };
 
-/// The feeds of level moves that are made at the tool's usual feed, which is the one at which it cuts most of its way, go up to what the
-/// rule of `options.shop.feed_by` allows over the whole of their block, at most to the cap; every feed above that goes down. Where
-/// no reference feed is stated the usual feed of each tool is meant at the reference.
+/// Level moves at the tool's usual feed (the feed of the greatest part of its cutting length) are raised to the feed
+/// allowed by the rule of `options.shop.feed_by` over their whole block, at most to the cap; every feed above the
+/// allowed one is lowered. If no reference feed is stated the usual feed of each tool is the feed at the reference.
 ///
-/// Throws InputError where no rule is asked for, for Klartext, for a program that the reader refuses, and where the new text does not
-/// move just as before.
+/// Throws InputError if no rule is requested, for Klartext, for a program refused by the reader, and if the moves of
+/// the new text differ from those of the old one.
 ProgramFeeds feeds_of_program(const ProgramQuestion& question, const std::string& program,
                               const std::string& program_name, const resolve::PlanOptions& options);
 

@@ -32,15 +32,15 @@ namespace {
 /// Degrees. So much more than the limit in a figure is no fault.
 constexpr double kFaultlessExcess = 2;
 
-/// Whether another plan of a workingstep may do without the fault. The workingsteps of one feature share its name, and where
-/// its walls are finished beyond the limit of engagement the clearing before them is none the worse.
+/// Whether another plan of a workingstep may avoid the fault. The workingsteps of one feature share its name; an
+/// exceeded limit of engagement in finishing its walls does not concern the clearing before.
 bool may_be_avoided(const Fault& fault, const FeatureFindings& step, const ResolvedPlan& plan) {
   if (fault.feature != step.name || !row_of(fault.kind).by_strategy) return false;
   return fault.kind != FaultKind::kOverEngagement ||
          step.figures.engagement.max_deg > plan.engagement_deg.value_or(0) + kFaultlessExcess;
 }
 
-/// Takes the next best plan of every workingstep that was not certified clean. False when there was nothing to do.
+/// Takes the next best plan of every workingstep that was not certified clean. False if there was none.
 bool retry_unclean(Selection& selection, const ResolvedPlan& plan, PlanResult& result) {
   bool retried = false;
   for (const auto& feature : result.findings.features) {
@@ -62,8 +62,8 @@ bool retry_unclean(Selection& selection, const ResolvedPlan& plan, PlanResult& r
   return retried;
 }
 
-/// Whether rapids meet what passes leave by design, so that the program is linked again with rapids over that; said in the
-/// diagnostics. False when they are over it already.
+/// Whether rapids touch material left by passes by design; the program is then linked again with rapids above this
+/// material, with a diagnostic. False if the rapids are already above.
 bool begin_to_go_over_rests(bool& over_rests, const Selection& selection, const ResolvedPlan& plan,
                             PlanResult& result) {
   const int met = result.findings.all.rapid_in_material;
@@ -82,7 +82,7 @@ std::size_t candidates_in(const std::vector<SelectionStep>& steps) {
   return count;
 }
 
-/// The plan with every value decided, without workingsteps that no tool of the part can make.
+/// The plan with every value decided, without workingsteps impossible with the part's tools.
 ResolvedPlan resolved(const Part& part, const resolve::PlanOptions& options,
                       const StrategyTable& strategies) {
   ResolvedPlan plan = resolve::resolve(part, options, strategies);
@@ -90,7 +90,7 @@ ResolvedPlan resolved(const Part& part, const resolve::PlanOptions& options,
   return rest ? resolve::resolve(*rest, options, strategies) : std::move(plan);
 }
 
-/// Refuses what cannot be, and says what is asked for and does nothing.
+/// Refuses impossible requests, and reports requests without effect.
 void look_at_what_is_asked(const ResolvedPlan& plan, const resolve::PlanOptions& options, Part& part) {
   resolve::refuse_what_cannot_be(part, options);
   resolve::tell_of_shallow(part, options.tol);
@@ -114,7 +114,8 @@ Selection planned_selection(const std::vector<StepWork>& works, const ResolvedPl
   return Selection(steps, planner, plan.threads);
 }
 
-/// The toolpath of the chosen plans, written, read back and checked; others are chosen until it is clean or none is left.
+/// The toolpath of the chosen plans, written, read back and checked; others are chosen until the program is clean or
+/// no plan is left.
 Toolpath certified_toolpath(Selection& selection, const ResolvedPlan& plan, PlanResult& result) {
   Toolpath toolpath;
   bool over_rests = false;
@@ -127,7 +128,8 @@ Toolpath certified_toolpath(Selection& selection, const ResolvedPlan& plan, Plan
   return toolpath;
 }
 
-/// What the verdict says beside the faults of moves: conditions of the part, what is not machined, margins; then signs the program.
+/// Adds the parts of the verdict other than the faults of moves: conditions of the part, unmachined features,
+/// margins; then signs the program.
 void complete_verdict(const Toolpath& toolpath, const ResolvedPlan& plan, PlanResult& result) {
   add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);

@@ -1,4 +1,4 @@
-// The one place that puts the stages in order: read -> plan -> order -> link -> post -> read back -> verify.
+// Runs the stages in order: read -> plan -> order -> link -> post -> read back -> verify.
 #pragma once
 
 #include "pipeline/steps/plan_result.h"
@@ -7,8 +7,8 @@
 namespace clearcut::pipeline {
 
 /// Plans, posts and certifies a part.
-/// Safe to call from several threads at once, each with options of its own. Throws InputError where the options cannot
-/// be met or nothing at all can be cut, Cancelled when options.cancel asks to stop.
+/// Safe to call from several threads at once, each call with its own options. Throws InputError if the options cannot
+/// be met or nothing at all can be cut, Cancelled if options.cancel requests a stop.
 PlanResult plan_part(const Part& part, const resolve::PlanOptions& options);
 
 }  // namespace clearcut::pipeline

@@ -33,7 +33,7 @@ std::string page_of(const Result& result, const resolve::PlanOptions& options, c
   return report::html(result.part, result.toolpath, result.findings, page);
 }
 
-/// `control`: what was read of the program, and as which control's.
+/// `control`: control table of the read program, and its dialect.
 report::CertificateInfo certificate_info(const resolve::PlanOptions& options, const CertificateBasis& basis,
                                          const ControlTable& control) {
   report::CertificateInfo info;

@@ -15,7 +15,7 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// A tool and what is asked of it.
+/// A tool and its request.
 struct Candidate {
   Tool tool;
   CuttingData cutting;
@@ -108,16 +108,16 @@ struct Sequence {
   double time_s = 0;
 };
 
-/// Share of a cutter's radius squared by which the area of corners out of its reach may be estimated wrong.
+/// Share of a cutter's radius squared for the error of the estimated area of unreachable corners.
 constexpr double kCornerError = 0.01;
 
-/// Whether a cutter leaves no more than the smallest one alone.
+/// Whether a cutter leaves no more than the smallest one.
 bool may_end(const ToolRun& run, const ToolRun& smallest) {
   const double error = kCornerError * run.tool.radius() * run.tool.radius();
   return run.clean && smallest.clean && run.unreachable_mm2 <= smallest.unreachable_mm2 + error;
 }
 
-/// Time of `then` on what `first` leaves, with its own speeds; none where that cannot be cut clean.
+/// Time of `then` on the material left by `first`, with its own speeds; none if this cannot be cut clean.
 std::optional<double> rest_time(const Candidate& first, const Candidate& then, const Part& part,
                                 resolve::PlanOptions options) {
   options.tools = {first.tool, then.tool};
@@ -135,7 +135,7 @@ std::optional<double> rest_time(const Candidate& first, const Candidate& then, c
   }
 }
 
-/// Counts plans: every cutter alone, then every pair.
+/// Counts plans: every single cutter, then every pair.
 class PlanCount {
  public:
   PlanCount(std::size_t tools, CountCallback callback)
@@ -149,7 +149,7 @@ class PlanCount {
   CountCallback callback_;
 };
 
-/// The fastest way to end with each cutter; `all` and `runs` run from the smallest up.
+/// The fastest sequence ending with each cutter; `all` and `runs` are in ascending order of size.
 std::vector<std::optional<Sequence>> fastest_to_each(const std::vector<Candidate>& all,
                                                      const std::vector<ToolRun>& runs, const Part& part,
                                                      const ToolSpeeds& speeds,

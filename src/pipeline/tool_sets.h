@@ -1,4 +1,4 @@
-// Which of several cutters, or which sequence of them, cuts a part soonest (CPO-rho section 4).
+// Finds the one of several cutters, or the sequence of them, that cuts a part fastest (CPO-rho section 4).
 //
 //   paper   here                        unit     meaning
 //   R_i     Tool::radius()              mm
@@ -19,7 +19,7 @@
 
 namespace clearcut::pipeline {
 
-/// How cutters are driven; what is absent comes from the part or the defaults of prepare().
+/// Cutting data of cutters; absent values come from the part or the defaults of prepare().
 struct ToolSpeeds {
   std::optional<double> cutting_speed;
   std::vector<double> feeds_per_tooth;  ///< of each tool in the order given; the last serves the rest
@@ -29,27 +29,26 @@ struct ToolSpeeds {
 /// Spindle and feed of a tool with `feed_per_tooth`. Units and formulas above.
 CuttingData driven(const Tool& tool, double cutting_speed, double feed_per_tooth);
 
-/// One cutter, alone on the whole part.
+/// One cutter, used for the whole part.
 struct ToolRun {
   Tool tool;
   double spindle_rpm = 0;
   double feed_mm_per_min = 0;
   bool fits = false;
-  std::string refusal;  ///< why it does not
+  std::string refusal;  ///< reason for a refusal
   bool clean = false;
   double feed_mm = 0;
   double time_s = 0;           ///< kinematic
   double published_s = 0;      ///< CPO-rho eq. 9
-  double unreachable_mm2 = 0;  ///< corners that it cannot reach
+  double unreachable_mm2 = 0;  ///< area of corners out of its reach
 };
 
-/// Every tool of the options (else of the part) alone on every feature, smallest first. Throws InputError without tools
-/// and for speeds that are not above 0.
-/// Cost one plan each.
+/// Runs every tool of the options (else of the part) by itself on every feature, smallest first. Throws InputError
+/// without tools and for speeds not above 0. Cost one plan each.
 std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds,
                                const resolve::PlanOptions& options, const CountCallback& count = {});
 
-/// The fastest that is certified clean; null where none is.
+/// The fastest run certified clean; null if none is.
 const ToolRun* fastest_clean(const std::vector<ToolRun>& runs);
 
 /// Cutters one after the other, largest first.
@@ -58,23 +57,23 @@ struct ToolSequence {
   double time_s = 0;  ///< kinematic, with the changes between them
 };
 
-/// The fastest sequence that leaves no more than the smallest cutter alone would; none where that cannot be cut clean.
-/// Each one cuts what larger ones cannot reach, which depends on the one before it alone: a shortest way over pairs.
-/// Cost a plan for every two tools.
+/// The fastest sequence that leaves no more than the smallest cutter by itself; none if no sequence can be cut clean.
+/// Each cutter cuts the areas out of reach of larger ones, which depend only on the previous cutter: a shortest path
+/// over pairs. Cost: one plan for every pair of tools.
 std::optional<ToolSequence> fastest_sequence(const Part& part, const ToolSpeeds& speeds,
                                              const resolve::PlanOptions& options);
 
-/// Every cutter alone, and the fastest sequence of them.
+/// Every cutter by itself, and the fastest sequence of them.
 struct ToolComparison {
   std::vector<ToolRun> runs;
   std::optional<ToolSequence> sequence;
 };
 
-/// Throws InputError where no cutter can be used. `count` hears of the plans of cutters alone and of pairs.
+/// Throws InputError if no cutter can be used. `count` is called for the plans of single cutters and of pairs.
 ToolComparison compare_tools(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options,
                              const CountCallback& count = {});
 
-/// The table, with the fastest clean cutter marked and the fastest sequence under it.
+/// The table, with the fastest clean cutter marked and the fastest sequence below.
 report::TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const ToolComparison& comparison);
 
 }  // namespace clearcut::pipeline

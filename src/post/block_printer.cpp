@@ -37,7 +37,7 @@ void BlockPrinter::end_block() {
 }
 
 void BlockPrinter::line(std::string_view text) {
-  // Comments, the tape's ends and the program's number stand alone.
+  // Comments, the tape's ends and the program's number have their own lines.
   const bool is_block =
       !text.empty() && std::string_view("(;%O").find(text.front()) == std::string_view::npos;
   if (numbered_ && is_block) out_ += 'N' + std::to_string(next_number()) + ' ';

@@ -25,9 +25,9 @@ class BlockPrinter {
   void end_block();
   /// The next block begins with this N word, unless all have theirs.
   void number_next(int number) { due_number_ = number; }
-  /// A whole line as it is, after its number.
+  /// A whole line unchanged, after its number.
   void line(std::string_view text);
-  /// The program's number, or "", and its name, or "": in one block where there is room, as controls list them together.
+  /// The program's number, or "", and its name, or "": in one block if there is room, as controls list them together.
   void title(const std::string& number, std::string_view name);
   /// One comment, on as many lines as its length needs.
   void comment(std::string_view text);

@@ -10,9 +10,9 @@ namespace {
 
 /// Rotation words as the cycles count them.
 constexpr int kClockwiseTurn = 3, kCounterClockwiseTurn = 4;
-/// CYCLE840 without an encoder: the feed is that of the F word.
+/// CYCLE840 without an encoder: the feed is given by the F word.
 constexpr const char* kByFeed = "1";
-/// CYCLE83 that lifts the drill out of the hole after each peck.
+/// CYCLE83 with a retract out of the hole after each peck.
 constexpr const char* kClearsChips = "1";
 
 /// "CYCLE81(1,,2)": absent parameters are empty, and those at the end are left out.
@@ -39,7 +39,7 @@ std::string cycle_call(const CycleCall& call, const PrintGrid& grid, bool inch) 
   const DrillBlock& hole = call.hole;
   const auto length = [&](long long ticks) { return number_text(ticks, grid); };
   const std::string dwell = call.dwell_s > 0 ? trimmed(call.dwell_s, 2) : "";
-  // The plane where feeding begins is the reference plane; nothing is added to it.
+  // The plane at which feeding begins is the reference plane; nothing is added to it.
   const std::vector<std::string> heights{length(hole.above), length(hole.clear), "0", length(hole.bottom.z),
                                          ""};
   const auto with = [&](std::vector<std::string> more) {
@@ -57,7 +57,8 @@ std::string cycle_call(const CycleCall& call, const PrintGrid& grid, bool inch) 
   }
   switch (hole.form) {
     case DrillForm::kPecks:
-      // First depth, no degression, chips cleared; the least peck is the peck, and feeding begins again kPeckGap above the last.
+      // First depth, no degression, chips cleared; the least peck is the peck, and feeding begins again kPeckGap
+      // above the last.
       return call_text("CYCLE83", with({length(hole.clear - hole.peck), "", "0", "", "", "1", kClearsChips,
                                         "", length(hole.peck), "", "", length(grid.ticks(kPeckGap))}));
     case DrillForm::kFeedsOut: {

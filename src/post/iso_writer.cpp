@@ -21,7 +21,7 @@ namespace clearcut::post {
 
 namespace {
 
-/// A cycle that has not been ended: places alone repeat it.
+/// A cycle not ended yet: blocks with only a place repeat it.
 struct OpenCycle {
   DrillBlock hole;
   std::string word;
@@ -32,7 +32,7 @@ bool is_same_cycle(const DrillBlock& a, const DrillBlock& b) {
          a.peck == b.peck && a.feed == b.feed;
 }
 
-/// What the control holds. Modal words are forgotten at a tool change, so that everything is said again.
+/// State of the control. Modal words are cleared at a tool change, so that all are written again.
 struct Held {
   Ticks at;
   bool plan = false;    ///< x and y of `at` are known
@@ -167,7 +167,7 @@ void IsoWriter::set_path_control(bool first) {
     out_.line(fmt::format("G187 P{} E{}", static_cast<int>(level_), trimmed(blend, 6)));
   if (dialect_.path_control == PathControl::kContour) out_.line("G642 CTOL=" + trimmed(blend, 6));
   if (dialect_.path_control != PathControl::kExactStop) return;
-  // Said in the program, because a shop asks why the machine stops at every corner.
+  // Written in the program, because a shop would ask why the machine stops at every corner.
   if (first && !options_.continuous)
     out_.comment("EXACT STOP: G64 ROUNDS CORNERS BY NO STATED BOUND, --ACCEPT BLENDING GIVES IT");
   out_.line(options_.continuous ? "G64" : dialect_.exact_stop);
@@ -229,7 +229,7 @@ void IsoWriter::write_section(const Section& section) {
   // Without a tool length in force a height means nothing: the first tool change comes before any motion.
   if (new_tool && held_.height) retract();
   out_.comment(operation_comment(section.workingstep >= 0 ? ++sections_ : 0, section.label));
-  held_.motion = -1;  // said again, so that the program can be entered here
+  held_.motion = -1;  // written again, so that the program can be entered here
   if (new_tool) {
     level_ = level_of(section, part_);
     change_tool(section.tool_number);
@@ -268,7 +268,7 @@ void IsoWriter::write_moves(std::span<const Move> run, const Section& section, c
   }
 }
 
-/// The hole that `moves` begin with, where the control has a cycle for it.
+/// The hole at the beginning of `moves`, if the control has a cycle for it.
 std::optional<DrillBlock> IsoWriter::hole_at(std::span<const Move> moves, double at_floor) const {
   if (dialect_.cycles == CycleForm::kNone) return std::nullopt;
   if (dialect_.cycles == CycleForm::kWords && at_floor > 0) return std::nullopt;
@@ -277,7 +277,7 @@ std::optional<DrillBlock> IsoWriter::hole_at(std::span<const Move> moves, double
   return is_there ? hole : std::nullopt;
 }
 
-/// The cycle is called at the end of the block that says the place; a second MCALL ends it.
+/// The cycle is called at the end of the block with the place; a second MCALL ends it.
 void IsoWriter::call_cycle(const CycleCall& call) {
   held_.feed = -1;
   feed_word(call.hole.feed);
@@ -293,8 +293,8 @@ void IsoWriter::call_cycle(const CycleCall& call) {
   held_.feed = -1;
 }
 
-/// G98: back to the height before it, as the moves do. G33.1 goes from where feeding begins and back there, tied to the
-/// spindle.
+/// G98: back to the height before the cycle, as the moves do. G33.1 moves from the height at which feeding begins and
+/// back, synchronised with the spindle.
 void IsoWriter::write_hole(const DrillBlock& hole, const Tool* tap) {
   const std::string_view word = cycle_word(hole, tap, dialect_);
   if (word == "G33.1") {
@@ -388,21 +388,22 @@ void IsoWriter::load_by_changer(int number) {
   if (length_offset() == LengthOffset::kPlain) out_.line("G43");
   if (length_offset() == LengthOffset::kNumbered) out_.line(fmt::format("G43 H{}", number));
   held_.length_due = length_offset() == LengthOffset::kWithApproach || length_offset() == LengthOffset::kEdge;
-  // The first edge counts from the change on, unless a word says otherwise.
+  // The first edge counts from the change on, unless a word states another one.
   if (dialect_.length_offset == LengthOffset::kEdge && !held_.length_due) out_.line("D0");
-  // Without lengths each tool is touched off once it is in. The first one may have been before the start.
+  // Without lengths each tool is touched off after loading. The first one may have been touched off before the start.
   const bool has_lengths = dialect_.length_offset != LengthOffset::kNone;
   if (!has_lengths || options_.length_offset || held_.tool == 0) return;
   out_.comment("TOUCH OFF Z WITH THIS TOOL");
   out_.line("M0");
 }
 
-/// The first tool is in the spindle when the program starts. Others have other lengths, which such a control does not know.
+/// The first tool is in the spindle when the program starts. Other tools have other lengths, unknown to controls
+/// without lengths.
 void IsoWriter::load_by_hand(int number) {
   if (dialect_.tool_word) out_.line(fmt::format("T{}", number));
   if (held_.tool == 0) return;
   out_.comment("TOUCH OFF Z WITH THIS TOOL");
-  // No P or S with a number may stand in the text: it would be how long to wait.
+  // The text must not contain a P or S with a number: it would be read as a dwell time.
   out_.line(dialect_.pause_says_tool ? fmt::format("M0 INSERT T{}, TOUCH OFF Z", number) : "M0");
 }
 
@@ -445,7 +446,7 @@ void IsoWriter::set_coolant(Coolant wanted) {
   held_.coolant = wanted;
 }
 
-/// Over the first move's start at the safe height, then down to it.
+/// To the first move's start at the safe height, then down.
 void IsoWriter::approach(const Move& first) {
   const Ticks start = rules_.grid.ticks(first.path.from, first.z_from);
   if (held_.length_due) return descend_with_length(start);
@@ -458,7 +459,8 @@ void IsoWriter::approach(const Move& first) {
   rapid_to_height(start.z);
 }
 
-/// The spindle is at its upper end after a tool change: the plan first, the tool's length on the way down.
+/// The spindle is at its upper end after a tool change: first the move in plan, then the tool's length during the
+/// descent.
 void IsoWriter::descend_with_length(const Ticks& start) {
   rapid_to_plan(start);
   out_.word(dialect_.length_offset == LengthOffset::kEdge ? "D1" : fmt::format("G43 H{}", held_.tool));
@@ -493,7 +495,7 @@ void IsoWriter::rapid_to_height(long long z) {
   end_rapid();
 }
 
-/// The first feed move after a rapid says its feed again.
+/// The first feed move after a rapid states its feed again.
 void IsoWriter::end_rapid() {
   held_.feed = -1;
   if (dialect_.rapid_feed) feed_word(options_.rapid);
@@ -563,7 +565,7 @@ void IsoWriter::feed_word(MmPerMin feed) {
   held_.feed = ticks;
   std::string word = "F";
   append_number(word, ticks, feed_grid_.decimals(), dialect_.always_point);
-  // Where the block would be longer than senders take the feed stands in one of its own before it.
+  // If the block would be too long for senders, the feed is written in its own block before.
   const bool is_long =
       dialect_.packed_length > 0 && out_.packed_size() + word.size() > dialect_.packed_length;
   if (is_long) return out_.line(word);

@@ -72,7 +72,7 @@ void refuse_missing_offset(const PostOptions& options, const IsoDialect* dialect
   throw InputError("--work-offset", options.dialect + " has no " + words_of(wanted) + ": " + instead);
 }
 
-/// What was asked for and this control has not. Null: Klartext.
+/// Throws for requests not supported by this control. Null: Klartext.
 void refuse_missing_words(const PostOptions& options, const IsoDialect* dialect) {
   const auto refuse = [&](const char* option, const std::string& what) {
     throw InputError(option, options.dialect + " has no " + what + "; leave it out");

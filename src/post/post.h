@@ -18,30 +18,30 @@ const std::vector<std::string>& post_dialects();
 /// Customary ending of a program's file name: ".ngc", ".nc", ".h", ".tap", ".gcode".
 std::string file_extension_of(const std::string& dialect);
 
-/// The number that the O word of a program by that name says where nobody states one; nothing where the control has no O word.
+/// The default number in the O word of a program with this name; nothing if the control has no O word.
 std::optional<int> program_number_of(const std::string& dialect, const std::string& program_name);
 
 /// Whether programs of the control say the places of holes alike behind one cycle.
 bool repeats_cycles(const std::string& dialect);
 
-/// Digits behind the point that lengths are written with: those asked for, else what the controller resolves.
+/// Digits after the decimal point of lengths: those requested, else the controller's resolution.
 int decimals_of(const PostOptions& options);
 /// Largest distance in plan between a toolpath and the program written for it, mm: rounding to the printed
-/// decimals. Arcs that have to become lines add tol.chord.
+/// decimals. Arcs replaced by lines add tol.chord.
 double rounding_of(const PostOptions& options);
-/// The same for straight lines alone: no arc's radius is rounded.
+/// The same only for straight lines: no arc's radius is rounded.
 double rounding_of_lines(const PostOptions& options);
 /// The same for heights, mm: half a step.
 double rounding_of_heights(const PostOptions& options);
 
-/// How far the control may leave the path, as programs with these options say it.
+/// Permitted deviation of the control from the path, as stated in programs with these options.
 clearcut::PathControl path_control_of(const PostOptions& options);
 
 /// The program's text: LF line ends, ASCII. Same input, same bytes.
 ///
 /// Shape   one OPERATION comment per section; sections are joined over the safe height.
 /// Error   rounding_of(options); arcs are checked after rounding, from the previous printed point.
-/// Throws  InputError for an unknown dialect, a number that is not finite or beyond 1 km, a feed move without feed.
+/// Throws  InputError for an unknown dialect, a number not finite or beyond 1 km, a feed move without feed.
 /// Cost    linear.
 std::string write_program(const Toolpath& toolpath, const Part& part, const PostOptions& options);
 

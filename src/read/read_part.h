@@ -1,4 +1,4 @@
-// Any file that describes a part, by extension and content.
+// Reads any file describing a part, by extension and content.
 #pragma once
 
 #include <filesystem>
@@ -13,11 +13,11 @@ namespace clearcut::read {
 /// (lengths and angles), .toml (job); files of other names by their first bytes. See docs/input.md.
 ///
 /// Throws  InputError, one line, for a file that is missing, empty, unreadable, of another kind, or larger
-///         than 256 MB, and whatever its reader throws.
+///         than 256 MB, and all exceptions of its reader.
 Part read_part(const std::filesystem::path& file, const ReadOptions& options);
 
-/// The same as read_part() for text already read; `file_name` gives the extension and stands in messages. Job files name
-/// other files, which are looked for beside `file_name`.
+/// The same as read_part() for text already read; `file_name` gives the extension and the name in messages. Other
+/// files named in job files are searched beside `file_name`.
 Part read_part_text(std::string_view text, const std::string& file_name, const ReadOptions& options);
 
 }  // namespace clearcut::read

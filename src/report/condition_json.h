@@ -7,7 +7,7 @@
 
 namespace clearcut::report {
 
-/// Keys name, text, line (0: none) and met_by ("" while it is open).
+/// Keys name, text, line (0: none) and met_by ("" while the condition is open).
 nlohmann::ordered_json condition_json(const Condition& condition);
 
 }  // namespace clearcut::report

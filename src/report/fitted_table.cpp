@@ -13,14 +13,14 @@ using Cells = std::vector<std::string>;
 constexpr std::size_t kGap = 2;         // between columns
 constexpr std::size_t kLeastText = 12;  // a column of words is never wrapped to less
 
-/// A row that says something in words, in place of the figures it has not: its last cell may run over the columns to its right.
+/// A row with words instead of missing figures: its last cell may extend over the columns to its right.
 bool runs_over(const TextTable& table, const Cells& row) {
   return row.size() == 2 && table.columns.size() > 2;
 }
 
 struct Layout {
   std::vector<std::size_t> widths;               ///< of each column
-  std::vector<std::vector<std::size_t>> blocks;  ///< columns that stand side by side
+  std::vector<std::vector<std::size_t>> blocks;  ///< columns placed side by side
 };
 
 std::size_t longest_word(const std::string& text) {
@@ -29,7 +29,7 @@ std::size_t longest_word(const std::string& text) {
   return longest;
 }
 
-/// Of the cells and of the heading, or the longest word of the heading where it is wrapped.
+/// Widths of the cells and the heading, or of the heading's longest word if the heading is wrapped.
 std::vector<std::size_t> widths_of(const TextTable& table, bool wraps_headings) {
   std::vector<std::size_t> widths;
   for (std::size_t column = 0; column < table.columns.size(); ++column) {
@@ -48,7 +48,7 @@ std::size_t total_of(const std::vector<std::size_t>& widths) {
   return std::accumulate(widths.begin(), widths.end(), kGap * (widths.size() - 1));
 }
 
-/// As many columns to a block as find room beside the first, which every block repeats.
+/// As many columns per block as fit beside the first column, which every block repeats.
 Layout layout_of(const TextTable& table, std::size_t width) {
   Layout layout{widths_of(table, false), {{0}}};
   if (total_of(layout.widths) > width) layout.widths = widths_of(table, true);
@@ -62,7 +62,7 @@ Layout layout_of(const TextTable& table, std::size_t width) {
     layout.blocks.back().push_back(column);
     used += more;
   }
-  // A last column of words is wrapped where it alone is too wide.
+  // A last column of words is wrapped if it is too wide by itself.
   if (used > width && table.columns.back().align == Align::kLeft) {
     std::size_t& last = layout.widths.back();
     last = std::max(kLeastText, last - std::min(last, used - width));

@@ -48,7 +48,7 @@ double append_section(const Section& section, std::string& text) {
   return total;
 }
 
-/// "7.2000", or all of them where they differ.
+/// "7.2000", or all steps if they differ.
 std::string steps_of(const std::vector<double>& from_wall) {
   std::vector<std::string> steps;
   for (std::size_t i = 1; i < from_wall.size(); ++i) {

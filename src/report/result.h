@@ -9,7 +9,7 @@
 
 namespace clearcut::report {
 
-/// What a contour's smallest angle makes of the step to the next.
+/// Step to the next contour, given by a contour's smallest angle.
 struct ContourCoefficient {
   double from_wall = 0;       ///< mm
   double smallest_angle = 0;  ///< radians
@@ -17,11 +17,12 @@ struct ContourCoefficient {
   double residual = 0;        ///< mm, F of CPO-kappa eq. 4; below 0 the rings overlap
 };
 
-/// Where the contours of one feature run, mm from its walls, ascending.
+/// Distances of the contours of one feature from its walls, mm, ascending.
 struct ContourLevels {
   std::string feature;
   std::vector<double> from_wall;
-  std::vector<ContourCoefficient> coefficients = {};  ///< of all but the innermost, where the method has them
+  /// Coefficients of all but the innermost contour, if the method has any.
+  std::vector<ContourCoefficient> coefficients = {};
 };
 
 struct ResultInfo {
@@ -30,9 +31,9 @@ struct ResultInfo {
   std::optional<double> published_s = {};  ///< CPO-rho eq. 9, s
 };
 
-/// Shape   comment lines start with '#': name, columns; distances of the contours and the steps between them, one
-///         where all are equal; then for each section and layer a comment and its segments in order of cutting, "x_i y_i x_f y_f"; an arc adds "x_c y_c" and G02 (clockwise)
-///         or G03; last the total length.
+/// Shape   comment lines start with '#': name, columns; distances of the contours and the steps between them, only
+///         one step if all are equal; then for each section and layer a comment and its segments in order of cutting,
+///         "x_i y_i x_f y_f"; an arc adds "x_c y_c" and G02 (clockwise) or G03; last the total length.
 /// Units   mm, four decimals. Feed moves in plan only: rapids and vertical moves have no segment.
 /// Source  [cpo_kappa] fig. 10: the total is contours plus the passages between them.
 std::string result_file(const Toolpath& toolpath, const ResultInfo& info);

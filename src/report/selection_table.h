@@ -1,4 +1,4 @@
-// What the strategies came to, feature by feature.
+// Results of the strategies, feature by feature.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace clearcut::report {
 
-/// One row a feature and strategy: time, feed length, what became of it. Times with ">" are bounds of what was not
-/// planned because it cannot win.
+/// One row for each feature and strategy: time, feed length, outcome. Times with ">" are lower bounds of strategies
+/// not planned because they cannot win.
 TextTable selection_table(const std::vector<StrategySelection>& selections);
 
 }  // namespace clearcut::report

@@ -46,7 +46,7 @@ std::string place_of(const Place& place) {
   return text;
 }
 
-/// The sentence of a fault says where; one without a sentence is given its place here.
+/// The sentence of a fault contains its place; a fault without a sentence gets its place here.
 std::string line_of(const Fault& fault) {
   if (!fault.text.empty()) return fmt::format("  {}: {}\n", name_of(fault.kind), ascii(fault.text));
   std::string text = "  " + headline_of(fault) + " at " + place_of(fault.at);
@@ -102,7 +102,7 @@ void fit_names(TextTable& text) {
   }
 }
 
-/// Share of climb milling, and forces where the material is known.
+/// Share of climb milling, and forces if the material is known.
 std::string load_lines(const Figures& all) {
   std::string text;
   const Engagement& engagement = all.engagement;
@@ -128,7 +128,7 @@ std::string load_lines(const Figures& all) {
   return text;
 }
 
-/// What layers leave on drafted walls.
+/// Scallops left by layers on drafted walls.
 std::string scallop_lines(const Findings& findings) {
   std::string text;
   for (const FeatureFindings& feature : findings.features) {
@@ -142,7 +142,7 @@ std::string scallop_lines(const Findings& findings) {
   return text;
 }
 
-/// Figures that need no part, of each tool.
+/// Figures of each tool that need no part.
 TextTable table_of_tools(const Part& part, const Findings& findings) {
   TextTable text;
   text.title = shortened(ascii(part.name), kWidth);
@@ -163,7 +163,7 @@ TextTable table_of_tools(const Part& part, const Findings& findings) {
   return text;
 }
 
-/// The block that was checked against.
+/// The stock block used in the check.
 std::string stock_line(const Part& part) {
   if (!part.stock) return "";
   const auto range = [](double low, double high) {

@@ -1,4 +1,4 @@
-// What the command prints when it is done: one line per feature, the total, and what is wrong.
+// The final table of the command: one line per feature, the total, and the faults.
 #pragma once
 
 #include <cstddef>

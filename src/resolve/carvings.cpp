@@ -28,7 +28,7 @@ double widest_clearance(const Regions& regions, const Tolerances& tol) {
   return widest;
 }
 
-/// Largest mill that clears floors and fits; -1 for none.
+/// Largest fitting mill that clears floors; -1 for none.
 int floor_mill(const Feature& feature, const std::vector<Tool>& tools, const Tolerances& tol) {
   const double fits = features::largest_fitting_diameter(feature, tol) - kRoom;
   int best = -1;
@@ -59,7 +59,8 @@ std::string size_of(const Tool& bit) {
                   feature.carving->limit ? ", or allow more depth" : ", or a wider bit"));
 }
 
-/// How deep the bit goes in the feature: to its limit, as wide as it is, or as deep as the widest place asks for.
+/// Depth of the bit in the feature: down to its limit, to the bit's full width, or to the depth required by the
+/// widest place.
 double depth_of(const Feature& feature, const Tool& bit, double widest) {
   const double asked = (widest - bit.tip_diameter / 2) / flank_slope(bit);
   return std::min({asked, flank_height(bit), feature.carving->limit.value_or(asked)});
@@ -75,8 +76,8 @@ void shape_carving(Feature& feature, const Tool& bit, double widest) {
   feature.floor_z = feature.top_z - depth_of(feature, bit, widest);
 }
 
-/// A plug for an inlay: its outline is as drawn `start` below the top, so that its walls, which lean outwards, lie farther in at the
-/// top. At the border of the carved area nothing is widened beyond what may be cut.
+/// A plug for an inlay: its outline is as drawn at `start` below the top, so that its walls, inclined outwards, are
+/// farther in at the top. At the border of the carved area, the area is not widened beyond the permitted area.
 void widen_to_start(Feature& feature, const Tool& bit, const Tolerances& tol) {
   const double start = feature.carving->start;
   if (start <= 0) return;
@@ -100,7 +101,7 @@ Workingstep floor_step(const Workingstep& step, int mill, const Part& part, cons
   return out;
 }
 
-/// The groove that a shaped cutter leaves along a line.
+/// Gives the feature the groove of a shaped cutter along a line.
 void shape_groove(Feature& feature, const Tool& tool) {
   const double depth = feature.top_z - feature.floor_z;
   if (is_conical(tool) && depth > flank_height(tool)) {

@@ -1,4 +1,4 @@
-// V-carving and engraving for the cutters that were chosen: slopes, depths, and the mill that clears wide floors.
+// V-carving and engraving for the chosen cutters: slopes, depths, and the mill that clears wide floors.
 #pragma once
 
 #include "model/part.h"
@@ -6,9 +6,9 @@
 
 namespace clearcut::resolve {
 
-/// Gives every V-carving the slope and the depth of its bit, and where its floor is wide enough a step before it that clears the
-/// floor with the largest mill that fits; every engraving with a shaped cutter the groove that it cuts. Throws InputError where
-/// the tools cannot make it.
+/// Gives every V-carving the slope and the depth of its bit, and, if its floor is wide enough, a preceding step that
+/// clears the floor with the largest fitting mill; gives every engraving with a shaped cutter its groove. Throws
+/// InputError if the tools cannot make the feature.
 void shape_carvings(Part& part, const PlanOptions& options, StepSources& sources);
 
 }  // namespace clearcut::resolve

@@ -12,15 +12,16 @@
 namespace clearcut::resolve {
 namespace {
 
-/// mm. What is taken to be swept stays this far inside of what is.
+/// mm. The area assumed as swept is smaller by this than the really swept area.
 constexpr double kSpare = 0.002;
-/// mm. What is narrower than twice this is left out: more than the strip that kSpare leaves along walls.
+/// mm. Rests narrower than twice this are left out: more than the strip left by kSpare along walls.
 constexpr double kSliver = 0.003;
-/// mm. What an earlier program has left no farther than this from what it cut stays: the certificate allows more.
+/// mm. Material left by an earlier program within this distance of its cut area is accepted: the certificate allows
+/// more.
 constexpr double kResidual = 0.007;
-/// mm. Half the width of what the chords of swept arcs make of it.
+/// mm. Half the width of slivers of that material caused by the chords of swept arcs.
 constexpr double kResidualSliver = 0.001;
-/// mm. How far what is planned for a rest reaches over what is cut already.
+/// mm. Overlap of the area planned for a rest with areas already cut.
 constexpr double kOverlap = 0.05;
 /// mm. Chord of the arcs of an earlier program.
 constexpr double kChord = 0.002;
@@ -29,7 +30,7 @@ const Workingstep& step_at(const Part& part, int index) {
   return part.workplan.at(static_cast<std::size_t>(index));
 }
 
-/// Outline of what a disc sweeps along a line.
+/// Outline of the area swept by a disc along a line.
 Loop capsule(Vec2 a, Vec2 b, double radius) {
   const Vec2 across = left_of(a == b ? Vec2{1, 0} : (b - a) / distance(a, b)) * radius;
   const Edge end = Edge::arc(b - across, b + across, b, Turn::kCounterClockwise);
@@ -38,7 +39,7 @@ Loop capsule(Vec2 a, Vec2 b, double radius) {
   return {Edge::line(a - across, b - across), end, Edge::line(b + across, a + across), start};
 }
 
-/// Outlines that make up the area which `radius` mm round a move cover.
+/// Outlines whose union is the area within `radius` mm of a move.
 void add_swept(const Move& move, double radius, std::vector<Loop>& out) {
   if (move.is_vertical()) return out.push_back(capsule(move.path.from, move.path.from, radius));
   std::vector<Vec2> points{move.path.from};
@@ -46,7 +47,7 @@ void add_swept(const Move& move, double radius, std::vector<Loop>& out) {
   for (std::size_t i = 1; i < points.size(); ++i) out.push_back(capsule(points[i - 1], points[i], radius));
 }
 
-/// Union of many outlines, pairwise, so that each takes part in few operations.
+/// Union of many outlines, pairwise, so that each outline takes part in few operations.
 Regions union_of(std::span<const Loop> loops, const Tolerances& tol) {
   constexpr std::size_t kAtOnce = 64;
   if (loops.size() <= kAtOnce) return resolve_nonzero(loops, tol);
@@ -59,7 +60,8 @@ double tip_of(const Move& move) {
   return move.is_vertical() ? std::min(move.z_from, move.z_to) : std::max(move.z_from, move.z_to);
 }
 
-/// What the earlier program has cut down to z near `where`, for a feature that begins at `top`, and residuals beside it.
+/// The area cut down to z near `where` by the earlier program, for a feature beginning at `top`, with residuals
+/// beside this area.
 Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, double top, const Box& where,
                        Tolerances tol) {
   tol.chord = kChord;
@@ -80,8 +82,8 @@ Regions cut_by_program(const Toolpath& toolpath, const Part& part, double z, dou
   return loops.empty() ? Regions{} : union_of(loops, tol);
 }
 
-/// What the cutter of a step can reach of a layer with the flat of its end, lines on which it just fits included. Ball ends are planned
-/// as flat.
+/// The part of a layer within reach of the flat end of a step's cutter, including lines on which the cutter just
+/// fits. Ball ends are planned as flat.
 Regions within_reach(const Layer& layer, const Tool& tool, double stock, const Tolerances& tol) {
   const double radius = tool.radius(), flat = flat_end(tool) > 0 ? std::min(radius, flat_end(tool)) : radius;
   Regions reached = swept(layer.allowed, radius, stock, flat - radius, tol);
@@ -100,11 +102,12 @@ double lowest_tip(const Part& part, const Workingstep& step) {
 }
 
 bool reaches(const Part& part, const Workingstep& step, double z) {
-  if (step.operation.kind == OperationKind::kSideFinishing) return false;  // along the walls alone
+  if (step.operation.kind == OperationKind::kSideFinishing) return false;  // only along the walls
   return lowest_tip(part, step) <= z + kSamePlaceMm && !makes_holes(tool_of(part, step));
 }
 
-/// mm; by how much less than its full radius the cutter of a step has cleared at z, where its lowest passes run deeper.
+/// mm; difference between the full radius of a step's cutter and its cleared radius at z, if its lowest passes run
+/// deeper.
 double narrower_at(const Part& part, const Workingstep& step, double z) {
   const Tool& tool = tool_of(part, step);
   return std::max(0.0, tool.radius() - radius_cleared(tool, z - lowest_tip(part, step)));
@@ -143,7 +146,7 @@ Regions left_over(const Part& part, int workingstep, const Layer& layer,
   const double sliver = earlier ? kResidualSliver : kSliver;
   const Regions thick = inset(left, sliver, tol);
   if (thick.empty()) return thick;
-  // Up to the wall over the stock that stays there: targets are bounded by walls or by what is cut.
+  // Up to the wall across the stock left there: targets are bounded by walls or by cut areas.
   const double grow = sliver + (earlier ? kResidual : 0) + kOverlap + 1.5 * own_stock;
   return intersect(dilate(thick, grow, tol), layer.target, tol);
 }

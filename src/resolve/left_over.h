@@ -1,4 +1,4 @@
-// What earlier steps of a feature, or an earlier program, leave of a layer.
+// The part of a layer left by earlier steps of a feature, or by an earlier program.
 #pragma once
 
 #include <functional>
@@ -9,25 +9,26 @@
 
 namespace clearcut::resolve {
 
-/// Where the centre line's outline was bounded when an earlier workingstep of the feature cut down to a layer, or nothing where it
-/// was by what bounds the layer.
+/// The permitted area (`allowed`) of an earlier workingstep of the feature when it cut down to a layer; nothing if
+/// this was the area of the layer itself.
 using RoomBefore = std::function<std::optional<Regions>(int workingstep)>;
 
-/// The part of `layer.target` that the milling steps before `workingstep` on the same feature cannot have reached, less
-/// what `earlier`, a program that has run before, has cut down to the layer. A little more than that at its borders, so that
-/// what is planned for it overlaps; slivers below half of tol.uncut are left out. Of what an earlier program has left, only what
-/// lies in reach of the step's cutter counts, farther than 0.007 mm from what is cut. With drafted walls, and where no earlier
-/// step reaches the layer: all of the target. The part is prepared. `room`: pockets that run into the feature may have bounded
-/// earlier steps otherwise, whose layers lie at other heights.
+/// The part of `layer.target` not reachable by the milling steps before `workingstep` on the same feature, minus the
+/// area cut down to the layer by `earlier`, a program run before. It is slightly enlarged at its borders, so that
+/// passes planned for it overlap with cut areas; slivers below half of tol.uncut are left out. Of the material left
+/// by an earlier program, only the part within reach of the step's cutter and farther than 0.007 mm from the cut area
+/// counts. With drafted walls, and if no earlier step reaches the layer: the whole target. The part must be prepared.
+/// `room`: pockets running into the feature may have bounded earlier steps differently, since their layers are at
+/// other heights.
 Regions left_over(const Part& part, int workingstep, const Layer& layer,
                   const std::optional<Toolpath>& earlier, const Tolerances& tol, const RoomBefore& room = {});
 
-/// What a cutter of `radius` mm sweeps that keeps `stock` mm from the walls of `allowed`, and `more` mm round it (less than
-/// 0: inside it).
+/// The area swept by a cutter of `radius` mm at a distance of `stock` mm from the walls of `allowed`, enlarged by
+/// `more` mm (negative: reduced).
 Regions swept(const Regions& allowed, double radius, double stock, double more, const Tolerances& tol);
 
-/// Whether `earlier` may have cut anything of a workingstep's feature: a program on the same set-up always may, cuts of other
-/// set-ups where they come near.
+/// Whether `earlier` may have cut a part of a workingstep's feature: always possible for a program on the same
+/// set-up; for cuts of other set-ups if they are near.
 bool meets_earlier(const Part& part, int workingstep, const std::optional<Toolpath>& earlier);
 
 /// Whether an earlier step of the workplan mills the same feature.

@@ -34,7 +34,8 @@
 namespace clearcut::resolve {
 namespace {
 
-/// Each workingstep is held against all others: beyond this they take minutes and more memory than a command may hold.
+/// Each workingstep is held against all others: beyond this they take minutes and more memory than a command may
+/// hold.
 constexpr std::size_t kMostSteps = 20000;
 
 constexpr double kDefaultFeed = 1000;     // mm/min
@@ -53,7 +54,7 @@ double largest_fitting_diameter_of(const Part& part, const Tolerances& tol) {
   return largest;
 }
 
-/// Tools that an earlier program has used are not chosen again while there are others.
+/// Tools used by an earlier program are not chosen again while there are others.
 std::vector<char> used_before(const std::vector<Tool>& tools, const PlanOptions& options) {
   std::vector<char> used(tools.size(), 0);
   if (!options.earlier) return used;
@@ -91,7 +92,7 @@ void choose_tools(Part& part, const PlanOptions& options, StepSources& sources) 
   }
 }
 
-/// The fastest that both the tool and the machine may turn, rpm; infinity where neither has a limit.
+/// The greatest speed permitted by both tool and machine, rpm; infinity if neither has a limit.
 double most_rpm(const Tool& tool, const Machine& machine) {
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   return std::min(tool.max_spindle_rpm.value_or(kNoLimit), machine.max_spindle_rpm.value_or(kNoLimit));
@@ -104,7 +105,7 @@ double default_spindle(const Tool& tool, const Machine& machine) {
   return std::min(std::max(usual, machine.min_spindle_rpm.value_or(0)), most_rpm(tool, machine));
 }
 
-/// Puts the values that options set into an operation, with their sources.
+/// Copies the values set by options into an operation, with their sources.
 class OptionTaker {
  public:
   OptionTaker(Sources& sources, const PlanOptions& options) : sources_(sources), options_(options) {}
@@ -134,7 +135,7 @@ void apply_options(Operation& operation, const Tool& tool, const PlanOptions& op
   taker.take(operation.scallop, options.scallop, "scallop");
   taker.take(operation.direction, options.direction, "direction");
   auto& cutting = operation.cutting;
-  // The feed a file states for a drill is how fast it goes down; one stated for all cutters is not.
+  // A feed stated for a drill in a file is its plunge feed; a feed stated for all cutters is not.
   if (makes_holes(tool) && !cutting.plunge_feed && cutting.feed) {
     cutting.plunge_feed = cutting.feed;
     sources.set("plunge-feed", {Origin::kDerived, "the feed stated for the drill"});
@@ -147,7 +148,7 @@ void apply_options(Operation& operation, const Tool& tool, const PlanOptions& op
   taker.take(cutting.coolant, options.cutting.coolant, "coolant");
 }
 
-/// Why nothing can be left of what the tool makes of the feature; "" where it can.
+/// Why no stock can be left on the feature made by the tool; "" if it can.
 std::string made_to_size(const Feature& feature, const Tool& tool) {
   if (makes_holes(tool) || is_formed(feature)) return "holes are made to size";
   if (tool.kind == ToolKind::kTSlot) return "undercuts are as large as their disc";
@@ -155,7 +156,7 @@ std::string made_to_size(const Feature& feature, const Tool& tool) {
   return "";
 }
 
-/// Takes stock to leave back where none can be left, and says so where somebody asked for it.
+/// Removes stock to leave if none can be left, and reports this if the user had requested it.
 void leave_nothing_of_what_is_made_to_size(Part& part, Workingstep& step, Sources& sources) {
   Operation& operation = step.operation;
   const std::string why = made_to_size(feature_of(part, step), tool_of(part, step));
@@ -170,8 +171,8 @@ void make_at_once(Operation& operation, const Tool& tool, const Feature& feature
   if (is_made_at_once(feature, tool)) operation.stepdown = std::max(feature.top_z - feature.floor_z, 1e-3);
 }
 
-/// mm/min and rpm of taps: the feed is the pitch times a whole speed, whatever else is asked for, and no faster than the
-/// machine and the tap.
+/// mm/min and rpm of taps: the feed is the pitch times a whole speed, whatever else is asked for, and no faster than
+/// the machine and the tap.
 void tie_tap(Operation& operation, const Tool& tool, const PlanOptions& options, Sources& sources) {
   if (tool.kind != ToolKind::kTap) return;
   CuttingData& cutting = operation.cutting;
@@ -213,7 +214,7 @@ std::string default_stepdown_rule(const Tool& tool) {
   return "default: half the diameter";
 }
 
-/// Fills what is still absent, with its source; keeps the values that were defaulted as texts.
+/// Fills absent values, with their sources; keeps the defaulted values as texts.
 class Defaults {
  public:
   explicit Defaults(Sources& sources) : sources_(sources) {}
@@ -233,7 +234,7 @@ class Defaults {
   std::vector<std::string> defaulted_;
 };
 
-/// Whatever was stated, no feed is above what the machine states.
+/// No feed, even a stated one, exceeds the machine's stated limit.
 void limit_feeds(CuttingData& cutting, const PlanOptions& options, Sources& sources) {
   const Machine& machine = options.machine;
   const auto keep_below = [&](std::optional<MmPerMin>& feed, MmPerMin most, const char* name,
@@ -255,7 +256,8 @@ void limit_feeds(CuttingData& cutting, const PlanOptions& options, Sources& sour
   limit(cutting.slot_feed, "slot-feed", level);
 }
 
-/// What the material of the work says, of taps before their feed is tied to the speed. Adds what is told to `noted`.
+/// Applies the values of the work's material; for taps before their feed is derived from the speed. Adds messages to
+/// `noted`.
 void apply_material(Part& part, Workingstep& step, const PlanOptions& options, Sources& sources,
                     std::vector<std::string>& noted) {
   const Tool& tool = tool_of(part, step);
@@ -275,7 +277,8 @@ void apply_material(Part& part, Workingstep& step, const PlanOptions& options, S
     if (is_new(text)) part.diagnostics.warn("material", text), noted.push_back(text);
 }
 
-/// Whether the layers of that tool leave steps on the feature's walls: on those that lean more than its own flanks do.
+/// Whether the tool's layers leave steps on the feature's walls: true for walls with more draft than the tool's own
+/// flanks.
 bool leaves_steps(const Feature& feature, const Tool& tool) {
   if (feature.wall_slope.radians() <= 0 || !clears_floors(tool) || feature.chamfer || feature.carving)
     return false;
@@ -283,7 +286,7 @@ bool leaves_steps(const Feature& feature, const Tool& tool) {
   return base::tan(feature.wall_slope.radians()) > flank * (1 + 1e-9);
 }
 
-/// Fills what is still absent; returns the names of the values that were defaulted.
+/// Fills absent values; returns the names of the defaulted values.
 std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, const Feature& feature,
                                         const PlanOptions& options, Sources& sources) {
   Defaults defaults(sources);
@@ -318,8 +321,8 @@ std::vector<std::string> apply_defaults(Operation& operation, const Tool& tool, 
   return defaults.defaulted();
 }
 
-/// Says where a mill takes far more at once than cutters of its diameter bear. Finishing cuts are thin, and so are those under a
-/// limit on the engagement.
+/// Reports steps in which a mill takes far more at once than cutters of its diameter bear. Finishing cuts are thin,
+/// as are cuts with a limit on the engagement.
 void tell_of_deep_steps(const Workingstep& step, const Tool& tool, const Feature& feature,
                         const PlanOptions& options, Diagnostics& diagnostics,
                         std::vector<std::string>& told) {

@@ -21,14 +21,14 @@ namespace {
 
 /// mm. The same for cutters of any size.
 constexpr double kToolSpare = 0.01;
-/// mm. Stock on walls for finishing where nobody says how much.
+/// mm. Stock on walls for finishing if none is stated.
 constexpr double kFinishStock = 0.3;
-/// mm2. What a boolean leaves of areas that only touch.
+/// mm2. Greatest area of specks left by a boolean of areas that only touch.
 constexpr double kSpeck = 0.01;
-/// Of the cutter's radius: how far the far side of the kerf may be cut beyond it. More would let ramps and rapids leave the
-/// contour for what stands beside it.
+/// Share of the cutter's radius by which the far side of the kerf may be cut too wide. More would let ramps and
+/// rapids leave the contour into the material beside it.
 constexpr double kBeyondKerf = 0.02;
-/// Of the cutter's radius: how far around a profile others are looked for.
+/// Distance around a profile, in radii of the cutter, in which others are searched.
 constexpr double kBand = 3;
 /// mm. How far the cutter's rim may stray from an engraved line's.
 constexpr double kBesideLine = 0.005;
@@ -37,7 +37,7 @@ Regions within(const ProfileCut& cut) {
   return {Region::from_valid_loops(cut.line, {})};
 }
 
-/// What belongs to parts near `cut`: of all profiles from large to small the outer ones add, the inner ones take away.
+/// The area of parts near `cut`: over all profiles from large to small, outer ones add area, inner ones subtract it.
 Regions solid_around(const Part& part, const ProfileCut& cut, double reach, const Tolerances& tol) {
   const Box near = box(cut.line).grown(reach);
   std::vector<const ProfileCut*> others;
@@ -60,15 +60,15 @@ Regions solid_around(const Part& part, const ProfileCut& cut, double reach, cons
   return solid;
 }
 
-/// mm across the kerf of a profile: what its cutter may take, with stock left for finishing on both sides. Along a line that is
-/// followed there is none.
+/// mm across the kerf of a profile: width permitted to its cutter, with stock left for finishing on both sides. A
+/// followed line has no such stock.
 double allowed_width(ProfileSide side, double radius, double stock) {
   if (side == ProfileSide::kOn) return 2 * (radius + kBesideLine);
   return (2 + kBeyondKerf) * radius + kToolSpare + 2 * stock;
 }
 
-/// mm across what a profile's cutter has to clear: a rounded end leaves the far side of its kerf standing at the floor, along a line both
-/// sides, which are nobody's walls.
+/// mm across the area that a profile's cutter must clear: a rounded end leaves material on the far side of its kerf
+/// at the floor, and along a line on both sides; these sides are no walls of a part.
 double target_width(ProfileSide side, const Tool& tool) {
   const double flat = flat_end(tool) > 0 ? flat_end(tool) : tool.radius();
   return side == ProfileSide::kOn ? 2 * flat : tool.radius() + flat;
@@ -81,13 +81,13 @@ void shape(Feature& feature, const Part& part, const Tool& tool, double stock, c
   feature.allowed = features::kerf_of(cut, allowed_width(cut.side, radius, stock), tol);
   if (cut.side == ProfileSide::kOn) return;
   const Regions solid = solid_around(part, cut, kBand * radius, tol);
-  // Without others in the way it stays exact as it is.
+  // Without other parts in the way the area is unchanged and exact.
   if (solid.empty() || area(intersect(feature.allowed, solid, tol)) < kSpeck) return;
   feature.target = subtract(feature.target, solid, tol);
   feature.allowed = subtract(feature.allowed, solid, tol);
 }
 
-/// Drawings may go deeper than the stock: what is below it is no material.
+/// Drawings may go deeper than the stock: there is no material below the stock.
 void measure_beyond(Part& part) {
   if (!part.stock) return;
   for (Feature& feature : part.features) {
@@ -97,8 +97,9 @@ void measure_beyond(Part& part) {
   }
 }
 
-/// Lines that are followed are drawn to be engraved, before what frees the part; those that go through may free it themselves. Then
-/// all that may free anything comes last, what surrounds less before what surrounds more.
+/// Followed lines are engraved, before the profiles that free the part; lines that go through may free the part
+/// themselves. Therefore all features that may free a piece come last, features around a smaller area before those
+/// around a larger one.
 void put_lines_among_cut_outs(Part& part) {
   const auto frees = [&part](const Workingstep& step) {
     return features::may_free(feature_of(part, step), part);
@@ -129,7 +130,7 @@ void leave_skin(Feature& feature, double skin, Diagnostics& diagnostics) {
                                      (feature.profile->closed ? ", which holds what it surrounds" : ""));
 }
 
-/// Says of a part without profiles, and of lines that are engraved into the material, that nothing is left to hold anything.
+/// Reports that tabs have no effect on a part without profiles, and on lines engraved into the material.
 void tell_of_nothing_held(Part& part, const TabOptions& tabs, const std::set<int>& through) {
   std::string first;
   int count = 0;
@@ -150,7 +151,7 @@ void tell_of_nothing_held(Part& part, const TabOptions& tabs, const std::set<int
                                    (tabs.skin ? "no skin is left" : "no tabs are left"));
 }
 
-/// Whether tabs can be left in the profile by its tool; if not, says so, or throws where the line frees the part itself.
+/// Whether the profile's tool can leave tabs; if not, reports this, or throws if the line frees the part itself.
 bool can_leave_tabs(const Feature& feature, const Tool& tool, Part& part) {
   if (!is_carved(feature, tool)) return true;
   const std::string what =
@@ -164,7 +165,7 @@ bool can_leave_tabs(const Feature& feature, const Tool& tool, Part& part) {
   return false;
 }
 
-/// What each step leaves under its profile or in its kerf to hold what that cuts free.
+/// Skins and tabs that each step leaves below its profile or in its kerf to hold the freed piece.
 class Holds {
  public:
   Holds(Part& part, const PlanOptions& options)
@@ -182,14 +183,14 @@ class Holds {
     }
   }
 
-  /// Ends the profile of `step` above the underside where a skin is asked for.
+  /// Ends the profile of `step` above the underside if a skin is requested.
   void leave_skin(const Workingstep& step) const {
     if (options_.tabs.skin && through_.contains(step.feature))
       resolve::leave_skin(part_.features[static_cast<std::size_t>(step.feature)], *options_.tabs.skin,
                           part_.diagnostics);
   }
 
-  /// The layers between tabs, where any are left.
+  /// The layers between tabs, if there are tabs.
   std::optional<Feature> split(const Workingstep& step, const Kerf& kerf) const {
     if (!options_.tabs.any() || !through_.contains(step.feature)) return std::nullopt;
     if (!can_leave_tabs(feature_of(part_, step), tool_of(part_, step), part_)) return std::nullopt;
@@ -204,14 +205,14 @@ class Holds {
   std::vector<OtherLine> lines_;
 };
 
-/// The slot of a line that is followed is as wide as its cutter.
+/// The slot of a followed line is as wide as its cutter.
 void leave_nothing_beside_lines(const Feature& feature, Workingstep& step, StepSources& sources) {
   if (feature.profile->side != ProfileSide::kOn || step.operation.allowance_side == 0) return;
   step.operation.allowance_side = 0;
   sources[step_key(step)].set("allowance", {Origin::kDerived, "the slot of a line is as wide as its cutter"});
 }
 
-/// The layers above tabs end at their tops, on which nothing more is left.
+/// The layers above tabs end at their tops, without additional stock on them.
 void leave_tabs_as_high_as_asked(Workingstep& above, StepSources& sources) {
   if (above.operation.allowance_floor == 0) return;
   above.operation.allowance_floor = 0;
@@ -232,7 +233,7 @@ void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources
     leave_nothing_beside_lines(feature, workplan.back(), sources);
     holds.leave_skin(step);
     const double radius = tool_of(part, step).radius();
-    // What is left for finishing counts on both sides of the kerf.
+    // Stock for finishing counts on both sides of the kerf.
     const double finish = options.shop.finish ? options.shop.finish_stock.value_or(kFinishStock) : 0;
     const double stock = workplan.back().operation.allowance_side + finish;
     shape(feature, part, tool_of(part, step), stock, options.tol);

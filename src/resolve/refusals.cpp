@@ -17,12 +17,14 @@ namespace {
 
 /// mm. Heights nearer than this are one.
 constexpr double kLevel = 0.01;
-/// mm. How far a cut that is not said to go through may go below the material: what a board is fixed on bears that.
+/// mm. Permitted depth below the material of a cut not marked as going through: the surface below the board bears
+/// this.
 constexpr double kBelowStock = 0.5;
-/// Diameters that flutes of unknown length are taken to reach.
+/// Assumed reach of flutes of unknown length, in diameters.
 constexpr double kReachOfMill = 10;
 constexpr double kReachOfDrill = 20;
-/// mm. A longer path takes months, and its program more memory than there is: the part is mostly read in a wrong unit.
+/// mm. A longer path takes months, and its program more memory than there is: the part is mostly read in a wrong
+/// unit.
 constexpr double kLongestPath = 1e8;
 
 void refuse_low_rapids(const Part& part) {
@@ -34,7 +36,7 @@ void refuse_low_rapids(const Part& part) {
                   trimmed(*part.clearance_z, 3), trimmed(part.top_z(), 3), trimmed(part.top_z() + 5, 3)));
 }
 
-/// The feature's name, and where it was read: "h (#30)".
+/// The feature's name, and its place in the input: "h (#30)".
 std::string name_and_place(const Feature& feature) {
   const bool apart = !feature.source.empty() && feature.source != feature.name;
   return feature.name + (apart ? " (" + feature.source + ")" : "");
@@ -103,12 +105,12 @@ void refuse_wrong_kind(const Part& part, const Workingstep& step) {
                                tool.number, name_of(tool.kind), trimmed(tool.diameter, 4)));
 }
 
-/// mm from the top of the part down to the floor: what the length of flutes is held against, as in `verify`.
+/// mm from the top of the part down to the floor: the length compared with that of the flutes, as in `verify`.
 double depth_below_top(const Part& part, const Workingstep& step) {
   return part.top_z() - feature_of(part, step).floor_z;
 }
 
-/// mm; of all that the step's tool does.
+/// mm; greatest depth of all steps with the step's tool.
 double deepest_with_tool_of(const Part& part, const Workingstep& step) {
   double deepest = 0;
   for (const Workingstep& other : part.workplan) {
@@ -148,7 +150,7 @@ double widest_radius(const Part& part) {
   return widest;
 }
 
-/// mm of path that clears a feature's floor with passes half a diameter apart; 0 where no floor is cleared.
+/// mm of path needed to clear a feature's floor with passes half a diameter apart; 0 if no floor is cleared.
 double path_of(const Part& part, const Workingstep& step) {
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);
@@ -170,7 +172,7 @@ void refuse_endless(const Part& part) {
                                path / 1e6, trimmed(2 * narrowest, 4)));
 }
 
-/// Whether a feature covers the point, or comes so near that a cutter over the point touches it.
+/// Whether a feature covers the point, or is so near that a cutter over the point touches it.
 bool is_in_a_feature(const Part& part, Vec2 point, double near) {
   return std::any_of(part.features.begin(), part.features.end(), [&](const Feature& feature) {
     return std::any_of(feature.target.begin(), feature.target.end(), [&](const Region& region) {

@@ -12,31 +12,31 @@
 namespace clearcut::resolve {
 namespace {
 
-/// mm over all that stands, where nothing is said.
+/// mm; default height of crossing rapids over all remaining material.
 constexpr double kCrossing = 2;
-/// mm. The least of what is said, likewise.
+/// mm. Least stated height of crossing rapids, likewise.
 constexpr double kLeastCrossing = 1;
 /// Degrees, of helices and ramps against the plane.
 constexpr double kEntryAngle = 3;
 /// Degrees. Above this the cutter is taken to be in a slot.
 constexpr double kSlotAngle = 150;
 
-/// Degrees. Half of the cutter's width is cut there, and below it chips get thinner.
+/// Degrees. At this engagement half of the cutter's width is cut; below it chips get thinner.
 constexpr double kReferenceEngagement = 90;
 
-/// Where rapids of a step cross: its retract plane, over all that stands.
+/// Height of a step's crossing rapids: its retract plane, over all remaining material.
 double crossing_z(const Part& part, const Operation& operation) {
   const double top = part.top_z();
   const double asked = operation.retract_z.value_or(top + kCrossing);
   return std::min(part.safe_z(), std::max(asked, top + kLeastCrossing));
 }
 
-/// What a machinist would choose in metal: passes at 45 % of the diameter, which is an engagement of 84 degrees; the cutter goes down
-/// along a helix; climb milling is kept; nothing is cut full width where clearing can do without.
+/// A machinist's choices in metal: passes at 45 % of the diameter, an engagement of 84 degrees; the cutter descends
+/// along a helix; climb milling is kept; no cut at full width if clearing can avoid it.
 constexpr double kMachinistStepover = 0.45;
 const Source kMachinist{Origin::kDerived, "the style machinist"};
 
-/// A choice with where it comes from.
+/// A choice and its source.
 template <typename Value>
 struct Sourced {
   Value value{};
@@ -45,13 +45,14 @@ struct Sourced {
 
 const Source kAutoByDefault{Origin::kDefault, "default: the fastest that is certified clean"};
 
-/// The source of a step's value, where it is known.
+/// The source of a step's value, if known.
 const Source* find(const StepSources& sources, const Workingstep& step, const char* name) {
   const auto found = sources.find(step_key(step));
   return found == sources.end() ? nullptr : found->second.find(name);
 }
 
-/// Whose toolpaths are used: those that the input states where the user or the strategy of the input says so.
+/// Chooses the source of toolpaths: the paths stated in the input if the user or the strategy of the input requests
+/// them.
 void choose_toolpaths(Part& part, const PlanOptions& options) {
   for (Workingstep& step : part.workplan) {
     if (!step.stated_path) continue;
@@ -64,7 +65,7 @@ void choose_toolpaths(Part& part, const PlanOptions& options) {
   }
 }
 
-/// The strategy that the part's file names for a step; one that is not among ours is noted.
+/// The strategy named for a step in the part's file; an unknown one is noted.
 Sourced<const StrategyEntry*> strategy_of_part(const Workingstep& step, const StrategyTable& strategies,
                                                Diagnostics& diagnostics, const Source& read_from) {
   const std::string& hint = step.operation.strategy_hint;
@@ -77,7 +78,7 @@ Sourced<const StrategyEntry*> strategy_of_part(const Workingstep& step, const St
   return {nullptr, {Origin::kDefault, "default: " + hint + " is not among the strategies"}};
 }
 
-/// `of_job`: where a job names it; null where it does not.
+/// `of_job`: source of a job's choice; null if the job makes none.
 Sourced<const StrategyEntry*> strategy_of(const Workingstep& step, const PlanOptions& options,
                                           const StrategyTable& strategies, Diagnostics& diagnostics,
                                           const Source* of_job, const Source& read_from) {
@@ -94,7 +95,7 @@ Sourced<const StrategyEntry*> strategy_of(const Workingstep& step, const PlanOpt
   return strategy_of_part(step, strategies, diagnostics, read_from);
 }
 
-/// Of the options, unless a rule of a job (`of_job`: where it stands) says something else of this operation.
+/// The stepover of the options, unless a rule of a job (`of_job`: its place) states another one for this operation.
 Sourced<Stepover> stepover_of(const Operation& operation, const PlanOptions& options, const Source* of_job) {
   const Source asked = source_of(options, "stepover");
   const bool is_typed = options.stepover && asked.origin == Origin::kUser;
@@ -119,8 +120,8 @@ void resolve_feeds(ResolvedStep& step, const CuttingData& cutting, const PlanOpt
   step.coolant = cutting.coolant.value_or(Coolant::kOff);
 }
 
-/// Where nobody says how to go down: profiles along themselves, others straight, or along a helix for cutters that cannot plunge
-/// and under limited engagement.
+/// Entry if none is requested: profiles ramp along themselves, others plunge, or descend along a helix for cutters
+/// that cannot plunge and with limited engagement.
 EntryKind usual_entry(const Feature& feature, const Tool& tool) {
   if (feature.profile) return EntryKind::kRamp;
   return tool.center_cutting ? EntryKind::kPlunge : EntryKind::kHelix;
@@ -137,7 +138,7 @@ void resolve_entry(ResolvedStep& step, const Operation& operation, const Feature
   step.helix_narrowest = shop.helix_narrowest;
 }
 
-/// Fills what nobody has said of an operation; `sources`: of its values.
+/// Fills unstated entry values of an operation; `sources`: sources of its values.
 void take_entry_of_style(Operation& operation, const Feature& feature, const Tool& tool,
                          const PlanOptions& options, Sources& sources) {
   if (!options.shop.is_machinist() || !clears_floors(tool) || operation.entry || feature.profile) return;
@@ -146,7 +147,7 @@ void take_entry_of_style(Operation& operation, const Feature& feature, const Too
 }
 
 void take_style(ResolvedStep& step, const Tool& tool, const PlanOptions& options, Sources& sources) {
-  // A strategy that is named goes by its own rules.
+  // A named strategy uses its own rules.
   if (!options.shop.is_machinist() || !clears_floors(tool) || step.strategy) return;
   step.is_direction_asked = true;
   if (step.stepover.is_given()) return;
@@ -155,7 +156,8 @@ void take_style(ResolvedStep& step, const Tool& tool, const PlanOptions& options
   step.aimed_engagement_deg = base::acos(1 - 2 * kMachinistStepover) * 180 / kPi;
 }
 
-/// Where neither a style nor a material is stated, that mills plunge and cut as wide as they are is a choice that has to be known.
+/// If neither a style nor a material is stated, mills plunge and cut at their full width; the user must be informed
+/// of this choice.
 void tell_of_style(ResolvedPlan& plan, const PlanOptions& options) {
   if (options.shop.style || options.shop.material) return;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
@@ -196,13 +198,14 @@ ResolvedStep resolve_step(const Part& part, const Workingstep& planned, const Pl
   return step;
 }
 
-/// Lines in the direction that the file states for a zigzag; among other strategies they run where they are fastest.
+/// Lines in the direction stated in the file for a zigzag; with other strategies they run in the fastest direction.
 void resolve_strokes(ResolvedStep& step, const Operation& operation, const PlanOptions& options) {
   if (step.strategy && step.strategy->name == "zigzag") step.stroke_angle = operation.feed_direction;
   if (options.angle_deg) step.stroke_angle = Radians::of_degrees(*options.angle_deg);
 }
 
-/// How feeds follow the load; nothing where nobody asks. Without --feed-by the other options of it mean nothing.
+/// The rule by which feeds follow the load; nothing if not requested. Without --feed-by its other options have no
+/// effect.
 std::optional<FeedRule> feed_rule_of(const ShopOptions& shop) {
   if (!shop.feed_by) return std::nullopt;
   return FeedRule{*shop.feed_by,
@@ -221,7 +224,7 @@ std::optional<MarginRule> margin_rule_of(const ShopOptions& shop) {
 void resolve_shop(ResolvedPlan& plan, const ShopOptions& shop) {
   plan.margin = margin_rule_of(shop);
   plan.lead_overlap = shop.lead_overlap.value_or(0);
-  plan.overrun = shop.overrun.value_or(shop.stock_oversize.value_or(0));  // what may stand there is cut, too
+  plan.overrun = shop.overrun.value_or(shop.stock_oversize.value_or(0));  // possible excess stock is cut, too
   plan.link_lift = shop.link_lift.value_or(0);
   plan.stock_oversize = shop.stock_oversize.value_or(0);
   plan.link_feed = shop.link_feed;
@@ -237,7 +240,7 @@ void limit_feed_rule(FeedRule& rule, const Machine& machine) {
   if (rule.cap) rule.cap = limited(*rule.cap, machine);
 }
 
-/// Whether the user or a job says so, not the part's own file.
+/// Whether the source is the user or a job, not the part's own file.
 bool is_asked(const Source* source) {
   return source && (source->origin == Origin::kUser || source->origin == Origin::kJobFile);
 }
@@ -286,7 +289,7 @@ ResolvedPlan resolve(const Part& part, const PlanOptions& options, const Strateg
     ResolvedStep step = resolve_step(plan.part, planned, options);
     step.strategy = strategy.value;
     step.stepover = stepover.value;
-    // Foil tears where a cutter leaves it the wrong way.
+    // Foil tears if a cutter leaves it in the wrong direction.
     const bool is_foil = feature_of(plan.part, planned).kind == FeatureKind::kIsolation;
     step.is_direction_asked = is_foil || is_asked(own.find("direction"));
     take_style(step, tool_of(plan.part, planned), options, own);

@@ -1,4 +1,4 @@
-// From a part and what a user asks to a plan in which every value is decided once, with its origin.
+// From a part and a user's options to a plan in which every value is decided once, with its origin.
 #pragma once
 
 #include "model/options/resolved_plan.h"
@@ -6,13 +6,13 @@
 
 namespace clearcut::resolve {
 
-/// An option goes before what the part's operations say, that before the defaults; see docs/input.md. The values of the
-/// result list each with where it came from. A strategy that a file names and `strategies` has not is noted in the part's
-/// diagnostics, by workingstep; one that an option or a job names is an InputError.
+/// An option takes precedence over the values of the part's operations, these over the defaults; see docs/input.md.
+/// The values of the result are listed with their sources. A strategy named in a file but missing in `strategies` is
+/// noted in the part's diagnostics, by workingstep; an unknown strategy of an option or a job is an InputError.
 ResolvedPlan resolve(const Part& part, const PlanOptions& options, const StrategyTable& strategies);
 
-/// What the options say of a program that is for no part: limits, machine, material, tools. Its part has no work, and
-/// Part::is_shape_stated is false. Throws InputError where there is no tool, or two have one number.
+/// The options for a program without a part: limits, machine, material, tools. The result's part has no work, and
+/// Part::is_shape_stated is false. Throws InputError if there is no tool, or if two have one number.
 ResolvedPlan resolve_without_part(const PlanOptions& options);
 
 }  // namespace clearcut::resolve

@@ -17,15 +17,15 @@ namespace {
 
 /// mm. Kerfs end this much before the cutter's widest place beside a tab.
 constexpr double kBeforeTab = 0.02;
-/// mm. Tabs that nobody measured are no higher.
+/// mm. Greatest height of tabs without a stated height.
 constexpr double kTabHeight = 2;
 /// Of their depth.
 constexpr double kTabShare = 0.5;
-/// mm along the outline between places that are looked at for a tab.
+/// mm along the outline between places tested for a tab.
 constexpr double kTabSearch = 0.5;
-/// mm. Places that are asked for may lie this far beside an outline.
+/// mm. Greatest distance of requested places from an outline.
 constexpr double kBesideOutline = 5;
-/// Tabs are this many at least where only their spacing is asked for: one alone lets what it holds swing.
+/// Least number of tabs if only their spacing is given: a single tab would let the piece swing.
 constexpr int kLeastOfSpacing = 2;
 
 /// A stretch of one edge of the outline.
@@ -41,7 +41,7 @@ struct Across {
   double to = 0;
 };
 
-/// Where the kerf lies, which is `width` wide: outer profiles have it on the right of their counter-clockwise outline.
+/// Position of the kerf of `width`: for outer profiles it is on the right of their counter-clockwise outline.
 Across across_kerf(ProfileSide side, double width) {
   switch (side) {
     case ProfileSide::kOutside:
@@ -54,22 +54,22 @@ Across across_kerf(ProfileSide side, double width) {
   return {};
 }
 
-/// mm; on how much of the outline a tab stands at the profile's floor, where it is `height` high over the material's underside.
-/// The sides of triangular tabs run on below that.
+/// mm; length of a tab along the outline at the profile's floor, for a tab of `height` over the material's underside.
+/// The sides of triangular tabs continue below the underside.
 double foot_of(const TabOptions& options, double height, double beyond) {
   return options.shape == TabShape::kSquare ? options.width : options.width * (height + beyond) / height;
 }
 
-/// What a tab stands on.
+/// The base of a tab.
 struct Foot {
   double length = 0;  ///< mm along the outline
-  /// Passes end beside the tab; else they rise over it, with room for that before the next corner.
+  /// Passes end beside the tab; else they rise over it, with room for the rise before the next corner.
   bool is_level = true;
 };
 
 class TabPlacer {
  public:
-  /// `others`: lines of other features that tabs have to keep clear of.
+  /// `others`: lines of other features that tabs must avoid.
   TabPlacer(const ProfileCut& cut, const Kerf& kerf, const Foot& foot, std::vector<OtherLine> others)
       : cut_(cut),
         radius_(kerf.radius),
@@ -91,7 +91,7 @@ class TabPlacer {
 
   double around() const { return around_; }
 
-  /// Middles of `count` tabs, mm along the outline, spread evenly as far as places allow; fewer where they do not fit.
+  /// Middles of `count` tabs, mm along the outline, spread as evenly as places allow; fewer if they do not fit.
   std::vector<double> evenly(int count) const {
     std::vector<double> chosen;
     for (int i = 0; i < count; ++i) {
@@ -100,8 +100,8 @@ class TabPlacer {
     return chosen;
   }
 
-  /// Middles of as few tabs as it takes that none is farther than `spacing` mm along the outline from the next. Where corners forbid
-  /// that: those that come nearest to it.
+  /// Middles of the least number of tabs with no more than `spacing` mm along the outline between neighbours. If
+  /// corners prevent this: the tabs that come nearest to it.
   std::vector<double> spaced(double spacing) const {
     const int least =
         std::max(kLeastOfSpacing, static_cast<int>(std::ceil(around_ / spacing - kSamePlaceMm)));
@@ -114,7 +114,7 @@ class TabPlacer {
     return best;
   }
 
-  /// mm along the outline between tabs that follow each other, at most; of open lines to their ends, too.
+  /// mm; greatest distance along the outline between successive tabs; on open lines also to their ends.
   double widest_gap(std::vector<double> places) const {
     if (places.empty()) return std::numeric_limits<double>::infinity();
     std::sort(places.begin(), places.end());
@@ -136,7 +136,7 @@ class TabPlacer {
     return cut_.closed ? std::fmod(at, around_) : at;
   }
 
-  /// The place nearest to `wanted`, mm along the outline, where a tab fits beside those that were chosen.
+  /// The place nearest to `wanted`, mm along the outline, at which a tab fits beside the chosen ones.
   std::optional<double> nearest_fit(double wanted, const std::vector<double>& chosen) const {
     const double most = cut_.closed ? around_ / 2 : std::max(wanted, around_ - wanted);
     for (double away = 0; away <= most; away += kTabSearch) {
@@ -155,7 +155,7 @@ class TabPlacer {
 
   Tab tab(double middle) const {
     Tab tab;
-    // Seen from the foot a kerf lies on one side: beside a line that is followed the foot is on the kerf's right rim.
+    // Seen from the foot a kerf is on one side: for a followed line the foot is on the kerf's right rim.
     const bool on = cut_.side == ProfileSide::kOn;
     tab.foot = moved(piece(middle, foot_ / 2), on ? -radius_ : 0);
     tab.aside = on ? radius_ + across_.to : across_.from + across_.to;
@@ -164,7 +164,7 @@ class TabPlacer {
     return tab;
   }
 
-  /// Plan view of where the cutter's widest place cannot be at depth.
+  /// Plan view of the area that the cutter's widest part cannot enter at depth.
   Regions gap(double middle) const { return across(middle, half_gap(middle) + kBeforeTab); }
 
   /// On one line, or an arc much wider than the tab, away from corners and other tabs.
@@ -184,8 +184,8 @@ class TabPlacer {
 
  private:
   static constexpr double kOverlap = 0.01;  ///< mm
-  static constexpr double kNarrowArc =
-      1.25;  ///< Of the kerf. Radius of arcs that are too narrow to move across it.
+  /// Share of the kerf: radius of arcs that are too narrow to move across the kerf.
+  static constexpr double kNarrowArc = 1.25;
 
   static Edge moved(const Edge& edge, double d) {
     Edge out = edge;
@@ -206,11 +206,11 @@ class TabPlacer {
     return edge.part(on.from / edge.length(), on.to / edge.length());
   }
 
-  /// Outline's stretch of `half` mm to both sides of the middle, moved over the kerf; no farther, for beyond it may lie the
-  /// kerf of another side.
+  /// Outline's stretch of `half` mm to both sides of the middle, moved over the kerf; no farther, since the kerf of
+  /// another side may be beyond it.
   Regions across(double middle, double half) const {
     const Edge own = piece(middle, half);
-    // A little of the part goes along, so that no sliver stays between.
+    // A little of the part is included, so that no sliver remains between.
     const Edge right = moved(own, across_.from - kOverlap),
                left = moved(own, across_.to + kOverlap).reversed();
     return {Region::from_valid_loops(
@@ -224,18 +224,18 @@ class TabPlacer {
     return edge.at(t) + left_of(edge.tangent_at(t)) * middle_;
   }
 
-  /// mm along the outline, to both sides of the middle, over which the cutter's widest place cannot be at depth.
+  /// mm along the outline, to both sides of the middle, over which the cutter's widest part cannot be at depth.
   double half_gap(double middle) const {
     const Edge& edge = cut_.line[stretch(middle, 0).edge];
     if (!edge.is_arc()) return foot_ / 2 + radius_;
-    // The tab's sides run to the arc's centre; the cutter touches them from a circle about it.
+    // The tab's sides point to the arc's centre; the cutter touches them from a circle about this centre.
     const double inwards = edge.turn == Turn::kCounterClockwise ? middle_ : -middle_;
     const double around = edge.radius() - (inwards > 0 ? kerf_ / 2 : inwards);
     return foot_ / 2 + edge.radius() * base::asin(std::min(1.0, radius_ / std::max(around, radius_)));
   }
 
-  /// Whether no kerf along another side, in a notch or an acute corner, comes into the stretch's own: a tab there would be cut,
-  /// and nothing stands beyond it that it could hold.
+  /// Whether no kerf along another side, in a notch or an acute corner, overlaps the stretch's own kerf: a tab there
+  /// would be cut, and there would be no material beyond for it to hold.
   bool is_free(const Stretch& on) const {
     const Edge& own = cut_.line[on.edge];
     const double kerf = kerf_ + kOverlap;
@@ -251,7 +251,7 @@ class TabPlacer {
     return true;
   }
 
-  /// Whether the kerf of no other line comes into the stretch's own.
+  /// Whether the kerf of no other line overlaps the stretch's own.
   bool is_clear_of_others(const Edge& stretch) const {
     const Edge middle = moved(stretch, (across_.from + across_.to) / 2);
     return std::all_of(others_.begin(), others_.end(), [&](const OtherLine& other) {
@@ -263,7 +263,7 @@ class TabPlacer {
     });
   }
 
-  /// Whether the other line's kerf lies on the side of it where the stretch is.
+  /// Whether the other line's kerf is on the stretch's side of that line.
   bool is_cut_about(const OtherLine& other, const Edge& stretch) const {
     if (other.side == ProfileSide::kOn || cut_.side == ProfileSide::kOn) return true;
     return contains(other.line, stretch.at(0.5)) == (other.side == ProfileSide::kInside);
@@ -273,7 +273,7 @@ class TabPlacer {
   double radius_;
   double kerf_;
   Across across_;
-  double middle_;  ///< mm to the left of the outline: where the cutter's centre runs
+  double middle_;  ///< mm to the left of the outline; path of the cutter's centre
   double foot_;
   double corner_;  ///< mm between a tab's gap and the next corner
   std::vector<OtherLine> others_;
@@ -285,13 +285,13 @@ std::string text_of(Vec2 p) {
   return trimmed(p.x, 2) + "," + trimmed(p.y, 2);
 }
 
-/// Whether the kerf along the inside of an outline takes all that is in it.
+/// Whether the kerf along the inside of an outline covers the whole inside.
 bool leaves_nothing_within(const ProfileCut& cut, const Kerf& kerf, const Tolerances& tol) {
   return cut.side == ProfileSide::kInside &&
          inset(Region::from_valid_loops(cut.line, {}), 2 * kerf.radius, tol).empty();
 }
 
-/// Middles of tabs at the places that were asked for, mm along the outline.
+/// Middles of tabs at the requested places, mm along the outline.
 std::vector<double> chosen_places(const Feature& feature, const TabPlacer& placer,
                                   const std::vector<Vec2>& asked, double width) {
   std::vector<double> chosen;
@@ -310,8 +310,8 @@ std::vector<double> chosen_places(const Feature& feature, const TabPlacer& place
   return chosen;
 }
 
-/// Says, or throws where the profile frees the part itself, that not all that was asked for is possible. Where nothing is left that
-/// holds what it cuts free, that is a condition.
+/// Reports, or throws if the profile frees the part itself, that the request is not fully possible. If nothing is
+/// left to hold the freed piece, this becomes a condition.
 void refuse_or_warn(const Feature& feature, const char* option, const std::string& what,
                     const std::string& instead, bool holds_nothing, Part& part) {
   if (frees_part(feature, part)) throw InputError(option, what + instead);

@@ -20,24 +20,24 @@
 namespace clearcut::resolve {
 namespace {
 
-constexpr double kWallStock = 0.3;   // mm, where nothing is said
+constexpr double kWallStock = 0.3;   // mm; default
 constexpr double kFloorStock = 0.2;  // mm
 constexpr const char* kForFinishing = "stock for the finishing steps on top";
 /// Of the cutter's radius.
 constexpr double kLead = 0.5;
 
-/// mm by which the flat of a mill's end stays off the walls: where it rounds off, something stands on floors along them.
+/// mm between the flat of a mill's end and the walls: below the rounding, material remains on floors along the walls.
 double rounded_off(const Tool& tool) {
   return std::max(0.0, tool.radius() - flat_end(tool));
 }
 
-/// Whether `tool` reaches what `other` leaves: in corners, being narrower, or along floors, being less rounded off.
+/// Whether `tool` reaches material left by `other`: in corners if narrower, or along floors if less rounded.
 bool reaches_more(const Tool& tool, const Tool& other) {
   if (tool.diameter != other.diameter) return tool.diameter < other.diameter;
   return rounded_off(tool) < rounded_off(other);
 }
 
-/// Indices of the mills, those that reach least first, of each shape the first.
+/// Indices of the mills, in ascending order of reach, only the first of each shape.
 std::vector<int> mills_of(const std::vector<Tool>& tools) {
   std::vector<int> mills;
   const auto at = [&](int i) -> const Tool& { return tools[static_cast<std::size_t>(i)]; };
@@ -52,7 +52,7 @@ std::vector<int> mills_of(const std::vector<Tool>& tools) {
   return mills;
 }
 
-/// The last step of each feature that mills it, in the order of the workplan.
+/// The last milling step of each feature, in the order of the workplan.
 std::vector<Workingstep> last_milling_steps(const Part& part) {
   std::vector<Workingstep> last;
   for (const Workingstep& step : part.workplan) {
@@ -65,7 +65,7 @@ std::vector<Workingstep> last_milling_steps(const Part& part) {
   return last;
 }
 
-/// Whether narrower mills go over what the step leaves. `is_over_another`: a step lies under it.
+/// Whether narrower mills cut the material left by the step. `is_over_another`: another step is below it.
 bool has_rest_steps(const Part& part, const Workingstep& step, bool is_over_another,
                     const PlanOptions& options) {
   const Feature& feature = feature_of(part, step);
@@ -74,7 +74,7 @@ bool has_rest_steps(const Part& part, const Workingstep& step, bool is_over_anot
   return is_over_another && step.operation.is_tool_chosen && feature.wall_slope.radians() == 0;
 }
 
-/// Whether `tool` reaches more than some cutter that works on the feature of `step`.
+/// Whether `tool` reaches more than some cutter used on the feature of `step`.
 bool reaches_more_than_before(const Part& part, const Workingstep& step, const Tool& tool) {
   return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& other) {
     return other.feature == step.feature && clears_floors(tool_of(part, other)) &&
@@ -94,7 +94,7 @@ Workingstep named_step(const Workingstep& step, const char* ending, OperationKin
   return out;
 }
 
-/// Along the walls, with the tool that came last.
+/// A step along the walls, with the last tool.
 Workingstep wall_step(const Workingstep& last, const Part& part, const ShopOptions& shop,
                       StepSources& sources) {
   Workingstep step = named_step(last, "_walls", OperationKind::kSideFinishing, sources);
@@ -114,7 +114,8 @@ Workingstep wall_step(const Workingstep& last, const Part& part, const ShopOptio
   return step;
 }
 
-/// Over the floor with the same tool, or what wider ones leave of it; away from walls that are finished afterwards.
+/// A step over the floor with the same tool, or over its part left by wider tools; away from walls finished
+/// afterwards.
 Workingstep floor_step(const Workingstep& roughing, bool rest, const ShopOptions& shop,
                        StepSources& sources) {
   Workingstep step = named_step(roughing, "_floor", OperationKind::kBottomFinishing, sources);
@@ -126,7 +127,7 @@ Workingstep floor_step(const Workingstep& roughing, bool rest, const ShopOptions
   return step;
 }
 
-/// The floor of a feature with its first mill, then with every one that reaches more.
+/// The floor of a feature with its first mill, then with every mill of greater reach.
 void add_floor_steps(const Part& part, int feature, const ShopOptions& shop, std::vector<Workingstep>& floors,
                      StepSources& sources) {
   const Tool* before = nullptr;
@@ -164,8 +165,8 @@ Workingstep rest_step(const Workingstep& step, int mill, const Part& part, const
   return rest;
 }
 
-/// Position in the workplan of the first later step on a feature that lies under that of `step`: what `step` leaves would
-/// stand over it.
+/// Position in the workplan of the first later step on a feature below that of `step`: material left by `step` would
+/// remain over it.
 std::optional<std::size_t> first_step_under(const Part& part, const Workingstep& step,
                                             const Tolerances& tol) {
   const Feature& feature = feature_of(part, step);
@@ -179,7 +180,7 @@ std::optional<std::size_t> first_step_under(const Part& part, const Workingstep&
   return std::nullopt;
 }
 
-/// Radians by which a cutter of `radius` mm turns at once in the sharpest corner between walls of `loop`.
+/// Radians turned at once by a cutter of `radius` mm in the sharpest corner between walls of `loop`.
 double sharpest_turn(const Loop& loop, double radius) {
   double sharpest = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -192,7 +193,8 @@ double sharpest_turn(const Loop& loop, double radius) {
   return sharpest;
 }
 
-/// Where walls meet, the cutter takes the stock of both at once: no path along the wall keeps a limit that this is above.
+/// In a corner of two walls, the cutter cuts the stock of both at once: if the resulting engagement exceeds the
+/// limit, no path along the wall can keep the limit.
 void warn_of_corners(const Workingstep& walls, const PlanOptions& options, Part& part) {
   if (!options.engagement_deg) return;
   const double radius = tool_of(part, walls).radius();

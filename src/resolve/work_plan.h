@@ -1,4 +1,4 @@
-// Adds the steps that options ask for to a workplan: smaller tools on what larger ones leave, finishing.
+// Adds the steps requested by options to a workplan: smaller tools for material left by larger ones, finishing.
 #pragma once
 
 #include "model/options/resolved_plan.h"
@@ -9,14 +9,16 @@ namespace clearcut::resolve {
 /// "walls", "floor", "all". Throws InputError for other names.
 Finish finish_of(const ShopOptions& shop);
 
-/// For milled features one step more for each smaller mill of the part, on what is left: for all where rest machining is
-/// asked for, else for those whose tool was chosen by size and under which others lie, since what stands there would stand in their way. Such steps come
-/// before the first step underneath, the others after all steps there are, tool by tool.
+/// Adds for milled features one step for each smaller mill of the part, on the material left: for all features if
+/// rest machining is requested, else for features with a tool chosen by size and with other features below, since the
+/// remaining material would be in their way. These latter steps come before the first step underneath, the others
+/// after all existing steps, tool by tool.
 void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources);
 
-/// For every milled feature the finishing steps asked for, after all others, which leave stock for them: the floor with
-/// the feature's first mill and what is left of it with its narrower ones, then the walls with its last, in
-/// options.shop.finish_depths depths (drafted ones in the layers of roughing) and with leads of half the cutter's radius.
+/// Adds for every milled feature the requested finishing steps, after all others, which leave stock for them: the
+/// floor with the feature's first mill and the rest of the floor with its narrower ones, then the walls with its last
+/// mill, in options.shop.finish_depths depths (drafted ones in the layers of roughing) and with leads of half the
+/// cutter's radius.
 void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& sources);
 
 }  // namespace clearcut::resolve

@@ -1,4 +1,4 @@
-// What a tool takes away for certain, as the remaining stock knows it.
+// The volume a tool removes for certain, in the form used by the remaining stock.
 #pragma once
 
 #include "model/cutter_profile.h"
@@ -8,7 +8,8 @@
 
 namespace clearcut::stock {
 
-/// What a cutter removes, and the circle with which it asks for engagement, mm; 0: never, as cones and T-slot cutters.
+/// The volume removed by a cutter, and the circle for its engagement, mm; 0: no engagement, as for cones and T-slot
+/// cutters.
 struct Removal {
   CutterProfile profile;
   double circle = 0;
@@ -18,7 +19,7 @@ Removal removal_by(const Tool& tool);
 /// Makes the tool known to the material; returns the number of its cutter.
 int add_tool(Material& material, const Tool& tool);
 
-/// Removes what the tool sweeps along `move`.
+/// Removes the volume swept by the tool along `move`.
 void remove_cut(Material& material, const Move& move, const Tool& tool);
 
 }  // namespace clearcut::stock

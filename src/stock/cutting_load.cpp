@@ -7,7 +7,7 @@
 namespace clearcut::stock {
 namespace {
 
-/// The greatest cosine of any angle of the interval; angles lie within a quarter turn of 0.
+/// The greatest cosine of any angle of the interval; angles are within a quarter turn of 0.
 double greatest_cosine(const AngleInterval& contact) {
   if (contact.from <= 0 && contact.to >= 0) return 1;
   return std::max(base::cos(contact.from), base::cos(contact.to));

@@ -9,7 +9,7 @@
 namespace clearcut::stock {
 namespace {
 
-/// Sine. A circle that meets a line or circle at a smaller angle is taken to meet it at this one: at a
+/// Sine. A circle crossing a line or circle at a smaller angle is treated as crossing at this angle: at a
 /// tangent the rate of change would be infinite.
 constexpr double kTangent = 1e-6;
 
@@ -19,13 +19,13 @@ double pseudo_angle(Vec2 v) {
   return v.y < 0 ? -q : q;
 }
 
-/// The direction with that pseudo-angle, of any length.
+/// The direction with the given pseudo-angle, of any length.
 Vec2 direction_of(double pseudo) {
   const double q = std::abs(pseudo);
   return {1 - q, std::copysign(q <= 1 ? q : 2 - q, pseudo)};
 }
 
-/// A radius that rounding cannot have made smaller.
+/// A radius enlarged so that rounding cannot have made it too small.
 double enclosing(double radius) {
   return radius * (1 + 1e-12) + 1e-12;
 }
@@ -66,8 +66,8 @@ double EngagementArcs::Span::width() const {
   return is_wide() && angle <= 0 ? angle + 2 * kPi : std::max(angle, 0.0);
 }
 
-/// The end where a bound crosses a span, which rounding may have moved past an end of the span or past
-/// straight behind.
+/// The end where a bound crosses a span, corrected if rounding moved it past an end of the span or past straight
+/// behind.
 EngagementArcs::End EngagementArcs::end_in(const Span& span, const Bound& bound, Vec2 direction) const {
   const double order = pseudo_angle({dot(ahead_, direction), cross(ahead_, direction)});
   const double turn = 4, before = span.from.order - order, after = order - span.to.order;
@@ -77,8 +77,8 @@ EngagementArcs::End EngagementArcs::end_in(const Span& span, const Bound& bound,
   return {order, direction.x, direction.y, normal.x, normal.y};
 }
 
-/// The bound for being within another circle: |w + radius u|^2 <= its_radius^2, where w leads from that
-/// circle's centre to the cutter's.
+/// The bound for being within another circle: |w + radius u|^2 <= its_radius^2, with w the vector from that circle's
+/// centre to the cutter's.
 EngagementArcs::Bound EngagementArcs::within_circle(Vec2 w, double its_radius) const {
   const double squared = norm_squared(w);
   return {w, (its_radius * its_radius - squared - radius_ * radius_) * (0.5 * inverse_), squared, radius_};
@@ -112,8 +112,8 @@ bool EngagementArcs::remove_disc(Vec2 at, double disc) {
   return remove_within(bounds);
 }
 
-/// Removes the rectangle, or part of a ring, between the planes across the ends of `swept`. Bounds that
-/// everything left is within are skipped.
+/// Removes the rectangle, or part of a ring, between the planes across the ends of `swept`. Bounds around all
+/// remaining directions are skipped.
 bool EngagementArcs::remove_between(const Swept& swept, double before, double after) {
   Bounds bounds;
   if (swept.kind == Swept::Kind::kLine) {
@@ -155,8 +155,8 @@ EngagementArcs::Side EngagementArcs::side_of(const Bound& bound, const Span& spa
   return (bound.most < 0 || meets) && span.holds(bound.normal) ? Side::kMiddleBeyond : Side::kWithin;
 }
 
-/// The end where a bound crosses a span, on the left (1) or right (-1) of the bound's normal; what is beyond
-/// begins on the right.
+/// The end where a bound crosses a span, on the left (1) or right (-1) of the bound's normal; the part beyond begins
+/// on the right.
 EngagementArcs::End EngagementArcs::crossing(const Bound& bound, double side, const Span& span) const {
   const double inverse = 1 / bound.squared;
   const double half = std::sqrt(std::max(0.0, bound.squared - bound.most * bound.most));
@@ -165,7 +165,7 @@ EngagementArcs::End EngagementArcs::crossing(const Bound& bound, double side, co
   return end_in(span, bound, direction);
 }
 
-/// Adds the parts of a span that are beyond a bound which crosses it.
+/// Adds the parts of a span beyond a bound crossing it.
 void EngagementArcs::add_beyond(const Bound& bound, Side side, const Span& span, Pieces& pieces) const {
   switch (side) {
     case Side::kFromBeyond:
@@ -202,7 +202,7 @@ void EngagementArcs::Pieces::merge() {
   count = std::min(count, merged + 1);
 }
 
-/// Removes what is within all bounds.
+/// Removes the directions within all bounds.
 bool EngagementArcs::remove_within(const Bounds& bounds) {
   bool changed = false;
   for (int i = 0; i < count_;) {
@@ -229,7 +229,7 @@ bool EngagementArcs::is_beyond_any(const Bounds& bounds, const Span& span, Cross
   return false;
 }
 
-/// Keeps of a span what is beyond one of the bounds that cross it; returns the index after that.
+/// Keeps the parts of a span beyond one of the bounds crossing it; returns the index after these parts.
 int EngagementArcs::cut(int place, const Crossed& crossed, bool& changed) {
   Span& span = items_[place];
   // In nearly all cases one end moves.
@@ -287,7 +287,7 @@ void EngagementArcs::drop_narrowest() {
   --count_;
 }
 
-/// Sets the disc that holds everything left: the part of the circle opposite to the widest gap.
+/// Sets the disc around all remaining directions: the part of the circle opposite to the widest gap.
 void EngagementArcs::bound_rest() {
   int first = 0;
   double widest = items_[0].from.order + 4 - items_[count_ - 1].to.order;
@@ -325,7 +325,7 @@ double EngagementArcs::measure() const {
   return sum;
 }
 
-/// Radians to the left that an end moves per mm that the cutter goes ahead.
+/// Radians to the left that an end moves per mm of the cutter's advance.
 double EngagementArcs::drift(const End& end) const {
   const Vec2 normal = end.normal();
   const double least = kTangent * std::sqrt(norm_squared(normal)),

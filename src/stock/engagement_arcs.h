@@ -1,4 +1,4 @@
-// Engagement arcs: the directions around a cutter's centre that are in material. Computed without
+// Engagement arcs: the directions around a cutter's centre with material at its circle. Computed without
 // trigonometric functions, because planning and checking spend most of their time here.
 #pragma once
 
@@ -10,17 +10,18 @@
 
 namespace clearcut::stock {
 
-/// The area that a cutter swept along a point, a line, or an arc of less than half a turn: all points within
-/// `radius` of it. mm.
+/// The area that a cutter swept along a point, a line, or an arc of less than half a turn: all points within `radius`
+/// of its path. mm.
 ///
 /// Between the planes across its ends it is a rectangle or a part of a ring; beyond them it is a half disc.
 struct Swept {
   enum class Kind : unsigned char { kDisc, kLine, kArc };
   Kind kind = Kind::kDisc;
-  bool round_start = true;  ///< false: another sweep covers what lies beyond the start
-  bool round_end = true;    ///< false: another sweep covers what lies beyond the end, and a little before it
-  double radius = 0;        ///< of the cutter
-  Vec2 from;                ///< its beginning; of a disc the centre
+  bool round_start = true;  ///< false: another sweep covers the area beyond the start
+  /// False: another sweep covers the area beyond the end, and a little before the end.
+  bool round_end = true;
+  double radius = 0;  ///< of the cutter
+  Vec2 from;          ///< its beginning; of a disc the centre
   Vec2 to;
   Vec2 before;      ///< unit vector, backwards at the start
   Vec2 after;       ///< unit vector, forwards at the end
@@ -34,15 +35,15 @@ struct Swept {
 
 /// How fast the engagement changes.
 struct EngagementChange {
-  double per_mm = 0;      ///< radians per mm that the cutter goes straight ahead
-  double per_radian = 0;  ///< radians per radian that the heading turns to the left
+  double per_mm = 0;      ///< radians per mm of straight advance
+  double per_radian = 0;  ///< radians per radian of left turn of the heading
 };
 
-/// The circle of a cutter, or its front half, minus the directions that lie in swept areas.
+/// The circle of a cutter, or its front half, minus the directions in swept areas.
 ///
-/// What is left is kept as spans between two directions. A swept area covers the part of the circle within up
-/// to four bounds, each a line or a circle. Most spans lie on one side of most bounds, which one product for
-/// each end decides; a square root is needed only where a bound crosses a span. Exact up to rounding.
+/// The rest is kept as spans between two directions. A swept area covers the part of the circle within up
+/// to four bounds, each a line or a circle. Most spans are on one side of most bounds, as decided by one product for
+/// each end; a square root is needed only if a bound crosses a span. Exact up to rounding.
 class EngagementArcs {
  public:
   enum class Part { kFront, kWhole };
@@ -50,22 +51,22 @@ class EngagementArcs {
   EngagementArcs(Vec2 center, double radius, Vec2 ahead, Part part);
 
   bool empty() const { return count_ == 0; }
-  /// Whether a disc of radius `reach` about `at` may cover some of what is left.
+  /// Whether a disc of radius `reach` about `at` may cover some of the remaining directions.
   bool may_meet(Vec2 at, double reach) const {
     const double far = reach + rest_radius_;
     return norm_squared(at - rest_center_) <= far * far;
   }
   void clear() { count_ = 0; }
-  /// Removes the directions that `swept` covers. True if some of them were left before.
+  /// Removes the directions covered by `swept`. True if some of them had remained.
   bool remove(const Swept& swept);
   /// Removes the directions u with dot(normal, u) > q; `normal` is a unit vector.
   void remove_beyond(Vec2 normal, double q);
 
-  /// What is left, as angles from `ahead` in [-pi, pi].
+  /// The remaining directions, as angles from `ahead` in [-pi, pi].
   AngleSet angles() const;
-  /// Sum of the widths of what is left, radians.
+  /// Total width of the remaining directions, radians.
   double measure() const;
-  /// The number of separate intervals that are left.
+  /// The number of remaining separate intervals.
   int parts() const { return count_; }
   /// The change of measure() as the cutter moves straight ahead and as `ahead` turns.
   EngagementChange change() const;
@@ -73,12 +74,13 @@ class EngagementArcs {
   Vec2 middle_of_widest() const;
 
  private:
-  /// Where a span begins or ends. Members have no initial values, because most of the many objects are never
+  /// The beginning or end of a span. Members have no initial values, because most of the many objects are never
   /// used.
   struct End {
     double order;  ///< grows with the angle from `ahead`: 0 ahead, 1 on the left, +-2 behind, -1 on the right
     double x, y;   ///< the direction, a unit vector
-    double nx, ny;  ///< normal of the line or circle that made it, of any length; zero: it turns with `ahead`
+    /// Normal of the line or circle that caused this end, of any length; zero: the end turns with `ahead`.
+    double nx, ny;
     Vec2 direction() const { return {x, y}; }
     Vec2 normal() const { return {nx, ny}; }
   };
@@ -86,7 +88,7 @@ class EngagementArcs {
   struct Span {
     End from, to;
     bool is_wide() const { return to.order - from.order >= 2; }  ///< half a turn or more
-    /// Whether the direction v, of any length, may lie in it.
+    /// Whether the direction v, of any length, may be in the span.
     bool holds(Vec2 v) const {
       const bool after = cross(from.direction(), v) >= 0, before = cross(v, to.direction()) >= 0;
       return is_wide() ? after || before : after && before;
@@ -100,8 +102,7 @@ class EngagementArcs {
     double squared;  ///< squared length of the normal
     double round;    ///< mm; the normal of the bound at the direction u is normal + round * u
   };
-  /// Where the ends of a span lie with respect to a bound, and what is between them if that differs from
-  /// both.
+  /// Position of the ends of a span relative to a bound, and of the middle if different from both.
   enum class Side { kWithin, kBeyond, kFromBeyond, kToBeyond, kMiddleBeyond, kMiddleWithin };
   /// The bounds of one swept area; a direction within all of them is removed.
   struct Bounds {
@@ -109,7 +110,7 @@ class EngagementArcs {
     int count = 0;
     void add(const Bound& bound) { items[count++] = bound; }
   };
-  /// The bounds that cross one span.
+  /// The bounds crossing one span.
   struct Crossed {
     const Bound* bounds[4];
     Side sides[4];
@@ -123,7 +124,7 @@ class EngagementArcs {
     void merge();
   };
 
-  // All points of the circle that are left lie within rest_radius_ of rest_center_.
+  // All remaining points of the circle are within rest_radius_ of rest_center_.
   bool may_pass(Vec2 at, Vec2 normal) const { return dot(normal, rest_center_ - at) > -rest_radius_; }
   double drift(const End& end) const;
   bool remove_disc(Vec2 at, double disc);

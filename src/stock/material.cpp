@@ -12,13 +12,13 @@ namespace {
 /// Radians. Arcs are divided into pieces below this sweep, so that each is the part of a ring between two
 /// half-planes.
 constexpr double kPieceSweep = 2.0;
-/// Radians. A smaller bend between sweeps comes from rounding.
+/// Radians. A smaller bend between sweeps is due to rounding.
 constexpr double kBend = 1e-12;
 /// mm. Sweeps up to this length do not cover the round ends of sweeps before or after.
 constexpr double kShort = 1e-6;
-/// Number of stretches of a ramp, each of which counts with the profile over its highest tip where circles are asked.
+/// Number of stretches of a ramp, each counted in queries of circles with the profile over its highest tip.
 constexpr int kStretches = 4;
-/// Number of steps in which the place of a ramp is found that comes lowest over a point: to 1e-6 of its length.
+/// Number of steps of the search for the lowest place of a ramp over a point: exact to 1e-6 of its length.
 constexpr int kSections = 30;
 constexpr double kGolden = 0.6180339887498949;
 
@@ -44,7 +44,7 @@ int Material::Grid::place(double v) const {
   return static_cast<int>(static_cast<std::int64_t>(std::floor(v / cell)));
 }
 
-/// Index of a tile in the table, or the one at which it would be put.
+/// Index of a tile in the table, or the index of the free place for it.
 std::size_t Material::Grid::slot_of(int tile_x, int tile_y) const {
   const std::uint64_t key =
       (std::uint64_t{static_cast<std::uint32_t>(tile_x)} << 32) | static_cast<std::uint32_t>(tile_y);
@@ -81,8 +81,7 @@ void Material::Grid::grow() {
     table[slot_of(tiles[i].x, tiles[i].y)] = static_cast<std::uint32_t>(i);
 }
 
-/// Calls f for the lists of all cells from which a circle may touch what was swept along the path; each at
-/// least once.
+/// Calls f for the lists of all cells from which a circle may touch the sweep along the path; each at least once.
 template <typename F>
 void Material::Grid::for_lists(const Swept& swept, const Edge& path, F&& f) {
   const double far = reach + swept.radius;
@@ -108,7 +107,7 @@ void Material::Grid::insert(const Sweep& sweep, std::uint32_t index) {
   });
 }
 
-/// Removes the newest sweep, which comes last in all its lists.
+/// Removes the newest sweep, the last one in all its lists.
 void Material::Grid::remove(const Sweep& sweep, std::uint32_t index) {
   for_lists(sweep.shape, sweep.path, [&](List& list) {
     if (!list.empty() && list.back() == index) list.pop_back();
@@ -210,7 +209,7 @@ const Material::Grid& Material::grid_for(double radius) const {
   throw_broken_promise("the radius asked about is among those announced", __FILE__, __LINE__);
 }
 
-/// The part of a sweep on which the tip is at or below z.
+/// The part of a sweep with the tip at or below z.
 std::optional<Material::Sweep> Material::below(const Sweep& sweep, double z) {
   if (sweep.z_low > z) return std::nullopt;
   if (sweep.z_high <= z) return sweep;
@@ -221,14 +220,14 @@ std::optional<Material::Sweep> Material::below(const Sweep& sweep, double z) {
   return make_sweep(part, sweep.z_low, sweep.z_low, sweep.shape.radius);
 }
 
-/// mm; radius that counts as removed `above` mm over the tip; below 0: none.
+/// mm; removed radius `above` mm over the tip; below 0: none.
 double Material::radius_over(const Cutter& cutter, double above, bool is_own) const {
   const double radius = cutter.removes.radius_at(above);
   return is_own && above >= 0 ? std::max(radius, cutter.circle) : radius;
 }
 
-/// Calls f with the path and the shape of what a sweep has removed at height z: of ramps of cutters with a profile with several,
-/// which together are no more than that.
+/// Calls f with the path and the shape of the area removed by a sweep at height z: for ramps of cutters with a
+/// profile, with several shapes, together no larger than that area.
 template <typename F>
 void Material::for_parts_at(const Sweep& sweep, double z, int own, F&& f) const {
   if (sweep.z_low > z) return;
@@ -255,8 +254,8 @@ void Material::for_parts_at(const Sweep& sweep, double z, int own, F&& f) const 
   }
 }
 
-/// mm; lowest height at which the surface of a sweep's cutter, moved `aside` mm away, passed over p; infinite where that is
-/// not below `below`.
+/// mm; lowest height at which the surface of a sweep's cutter, moved `aside` mm away, passed over p; infinite if this
+/// height is not below `below`.
 double Material::surface_over(const Sweep& sweep, Vec2 p, double aside, double below) const {
   const CutterProfile profile = sweep.cutter == kCylinder
                                     ? CutterProfile::cylinder(sweep.shape.radius)
@@ -284,7 +283,7 @@ bool Material::is_removed(Vec2 p, double z, int own) const {
   if (z >= z_top_ || (plan_ && !plan_->contains(p))) return true;
   const List* near = grids_.front().at(p);
   if (!near) return false;
-  // The latest sweeps first, which reach deepest.
+  // The latest sweeps first, since they reach deepest.
   for (auto i = near->rbegin(); i != near->rend(); ++i) {
     const Disc& disc = discs_[*i];
     if (disc.z_low > z || norm_squared(disc.middle - p) > disc.reach * disc.reach) continue;
@@ -298,7 +297,8 @@ bool Material::is_removed(Vec2 p, double z, int own) const {
   return false;
 }
 
-/// mm; height down to which a sweep has removed what stood over p, if its cutter is a cylinder; infinite where it has not.
+/// mm; height down to which a sweep has removed the material over p, if its cutter is a cylinder; infinite if it has
+/// not.
 double Material::height_of_cylinder(const Sweep& sweep, Vec2 p) const {
   if (!sweep.shape.covers(p)) return std::numeric_limits<double>::infinity();
   double low = sweep.z_low,
@@ -311,7 +311,7 @@ double Material::height_of_cylinder(const Sweep& sweep, Vec2 p) const {
   return high;
 }
 
-/// mm; height that a sweep has left over p, `own` being the cutter that asks; infinite where that is not below `below`.
+/// mm; height left by a sweep over p, with `own` the querying cutter; infinite if the height is not below `below`.
 double Material::height_of(const Sweep& sweep, Vec2 p, int own, double below) const {
   if (sweep.cutter == kCylinder) return height_of_cylinder(sweep, p);
   const double surface = surface_over(sweep, p, 0, below);
@@ -347,7 +347,7 @@ void Material::remove_everything(EngagementArcs& arcs, Vec2 center, double radiu
   remove_outside(arcs, center, radius);
   const List* near = grid_for(radius).at(center);
   if (!near) return;
-  // The latest sweeps first, because the circle most often touches what was cut last.
+  // The latest sweeps first, because the circle most often touches the latest cuts.
   for (auto i = near->rbegin(); i != near->rend() && !arcs.empty(); ++i) {
     const Disc& disc = discs_[*i];
     if (disc.z_low > z || !arcs.may_meet(disc.middle, disc.reach)) continue;
@@ -387,8 +387,8 @@ CutterEngagement Material::engagement(const Move& move, double t, double radius,
   const Vec2 center = move.path.at(t), direction = move.path.tangent_at(t);
   EngagementArcs arcs(center, radius, direction, EngagementArcs::Part::kFront);
   remove_everything(arcs, center, radius, z, own);
-  // A straight move never meets its own beginning with its front half; an arc may. What a descending move has
-  // passed stands higher than its tip is now, so it does not count.
+  // A straight move never meets its own beginning with its front half; an arc may. The volume passed by a descending
+  // move ended higher than its tip is now, so it does not count.
   const bool counts = move.path.is_arc() && move.z_to >= move.z_from;
   const int pieces = counts ? static_cast<int>(std::ceil(std::abs(move.path.sweep()) * t / kPieceSweep)) : 0;
   for (int i = 0; i < pieces && !arcs.empty(); ++i) {

@@ -15,12 +15,12 @@
 
 namespace clearcut::stock {
 
-/// Which directions of the front half of a cutter's circle are in material.
+/// The directions of the front half of a cutter's circle with material.
 struct CutterEngagement {
   AngleSet angles;   ///< radians from the direction of travel, in [-pi/2, pi/2], positive to the left
   double angle = 0;  ///< radians, sum of the widths
-  double left = 0;   ///< radians of it to the left of the direction of travel
-  double right = 0;  ///< radians of it to the right
+  double left = 0;   ///< engaged radians to the left of the direction of travel
+  double right = 0;  ///< engaged radians to the right
 };
 
 /// The engagement as a number, without directions; cheaper than CutterEngagement.
@@ -29,81 +29,80 @@ struct EngagementSize {
   int parts = 0;     ///< number of separate parts of the front half circle in material
 };
 
-/// The engagement as a number and its rate of change as the cutter goes on. Exact, except where a part just
-/// begins, ends or is divided.
+/// The engagement as a number and its rate of change as the cutter advances. Exact, except at places where a part
+/// just begins, ends or is divided.
 struct EngagementTrend {
   EngagementSize size;
   EngagementChange change;
 };
 
-/// How much of the whole circle is in material, and where.
+/// Angle and direction of the material on the whole circle.
 struct CircleTouch {
   double angle = 0;  ///< radians, sum of the widths
   Vec2 toward;       ///< unit vector to the middle of the widest part
 };
 
-/// The remaining stock: a block, or material without end, minus the volumes that cutters have swept so far.
+/// The remaining stock: a block, or unlimited material, minus the volumes swept by cutters so far.
 ///
 /// Exact, without a raster: sweeps are kept as lines and arcs with a radius, and queries intersect circles
-/// with their outlines. A cutter whose tip passes at or below a height removes everything above it that lies
-/// within its radius; one with a profile of its own as wide as that is at this height over its tip.
+/// with their outlines. A cutter with its tip at or below a height removes everything above this height within its
+/// radius; a cutter with its own profile removes the width of the profile at this height over its tip.
 ///
-/// Own cutter: queries of engagement and depth take a cutter's circle at its tip. Of the sweeps of the cutter that asks (`own`, as
-/// add_cutter numbered it) the same circle counts, because where the shape is the same it leaves nothing between the two circles
-/// that it would not have left before.
+/// Own cutter: queries of engagement and depth take a cutter's circle at its tip. Earlier sweeps of the querying
+/// cutter (`own`, its number from add_cutter) count with the same circle, because a cutter of equal shape leaves no
+/// additional material between the two circles.
 ///
-/// Cost    add: O(length / radius + 1). A query but in_reach: O(moves within two radii) in programs of any length.
+/// Cost    add: O(length / radius + 1). A query except in_reach: O(moves within two radii) in programs of any length.
 class Material {
  public:
-  /// `plan`: outline of the block in plan view; absent: material everywhere. It reaches down from z_top, mm.
-  /// `radii`: those of the cutters that will be asked about, mm, all > 0; smaller ones may be asked about,
-  /// too.
+  /// `plan`: outline of the block in plan view; absent: material everywhere. The block extends down from z_top, mm.
+  /// `radii`: radii of the cutters in later queries, mm, all > 0; queries with smaller ones are permitted, too.
   Material(std::optional<Box> plan, double z_top, const std::vector<double>& radii);
 
-  /// Stands for all cutters that are cylinders.
+  /// Number for all cylindrical cutters.
   static constexpr int kCylinder = -1;
-  /// Makes a cutter known that removes what lies in `removes`, and whose engagement is asked with a circle of `circle` mm; 0: it is
-  /// not asked. Returns its number, the same for the same cutter.
+  /// Registers a cutter that removes the profile `removes`, with a circle of `circle` mm for queries of engagement;
+  /// 0: no such queries. Returns its number, the same for the same cutter.
   int add_cutter(const CutterProfile& removes, double circle);
 
-  /// Removes what a cutter of `radius` mm sweeps along `move`.
+  /// Removes the volume swept by a cutter of `radius` mm along `move`.
   void add(const Move& move, double radius);
-  /// Removes what a cutter that add_cutter numbered sweeps along `move`.
+  /// Removes the volume swept along `move` by a cutter registered with add_cutter.
   void add_sweep(const Move& move, int cutter);
 
   /// How many pieces of moves have been added.
   std::size_t sweeps() const { return sweeps_.size(); }
-  /// Removes all but the first `sweeps` pieces: what later ones swept is material again.
+  /// Removes all but the first `sweeps` pieces: the volume of later ones is material again.
   void forget_beyond(std::size_t sweeps);
 
   /// Whether no material reaches above z at p.
   bool is_removed(Vec2 p, double z, int own = kCylinder) const;
-  /// mm; height of the material at p: z_top, or the lowest tip that passed over p, on ramps to 1e-6 mm;
+  /// mm; height of the material at p: z_top, or the height of the lowest tip that passed over p, on ramps to 1e-6 mm;
   /// -infinity beside the block.
   double height(Vec2 p, int own = kCylinder) const;
 
-  /// Engagement of a cutter at `center` that moves along `direction` (of any length > 0) with its tip at z.
+  /// Engagement of a cutter at `center` moving along `direction` (of any length > 0) with its tip at z.
   CutterEngagement engagement(Vec2 center, Vec2 direction, double radius, double z) const;
   /// The engagement at parameter t of `move`, if the cutter has swept the move up to t; nothing of the move
   /// may have been added.
   CutterEngagement engagement(const Move& move, double t, double radius, int own = kCylinder) const;
-  /// The total angle and the number of parts alone; cheaper.
+  /// Only the total angle and the number of parts; cheaper.
   EngagementSize engagement_size(Vec2 center, Vec2 direction, double radius, double z) const;
   EngagementTrend engagement_trend(Vec2 center, Vec2 direction, double radius, double z) const;
   /// The parts of the whole circle in material, as absolute angles in [-pi, pi].
   AngleSet circle_in_material(Vec2 center, double radius, double z) const;
-  /// Their total angle and the direction of the widest alone; nothing if the circle touches no material.
+  /// Only the total angle and the direction of the widest part; nothing if the circle touches no material.
   /// Cheaper.
   std::optional<CircleTouch> circle_touch(Vec2 center, double radius, double z) const;
 
-  /// A point within `radius` mm of `path` where material reaches above z; nothing if there is none. Finds
-  /// every piece of material that holds a square 0.02 mm wide, and most others.
+  /// A point within `radius` mm of `path` with material above z; nothing if there is none. Finds every piece of
+  /// material that contains a square 0.02 mm wide, and most others.
   ///
-  /// Cost    O((sweeps near + length of their outlines / 0.02 mm) log); for paths that are long, or wider than the cutters
-  ///         announced, O(all sweeps) for their boxes as well.
+  /// Cost    O((sweeps near + length of their outlines / 0.02 mm) log); for long paths, or paths wider than the
+  ///         announced cutters, O(all sweeps) for their boxes as well.
   std::optional<Vec2> in_reach(const Edge& path, double radius, double z, int own = kCylinder) const;
-  /// The same for a cutter of any profile with its tip at z: a point where material reaches into it. Finds every piece of material
-  /// that holds a square 0.04 mm wide.
+  /// The same for a cutter of any profile with its tip at z: a point with material inside the cutter. Finds every
+  /// piece of material that contains a square 0.04 mm wide.
   std::optional<Vec2> in_reach(const Edge& path, const CutterProfile& cutter, double z) const;
 
   double z_top() const { return z_top_; }
@@ -122,10 +121,10 @@ class Material {
   /// A cutter with a profile of its own.
   struct Cutter {
     CutterProfile removes;
-    double circle;  ///< mm; with which it asks for engagement
+    double circle;  ///< mm; circle for queries of engagement
   };
-  /// The disc around a sweep, which rules most sweeps out quickly. Kept apart from the cells' lists: a sweep is in twenty
-  /// and more of them, and they are what takes the memory.
+  /// The disc around a sweep, to rule most sweeps out quickly. Kept outside of the cells' lists: a sweep is in twenty
+  /// and more of them, and the lists take most of the memory.
   struct Disc {
     double z_low;
     Vec2 middle;
@@ -133,7 +132,7 @@ class Material {
   };
   /// Indices of sweeps, ascending.
   using List = std::vector<std::uint32_t>;
-  /// Square cells, each with the sweeps that a circle of up to `reach` mm around any of its points may touch.
+  /// Square cells, each with the sweeps touched by circles of up to `reach` mm around any of its points.
   struct Grid {
     explicit Grid(double largest) : reach(largest), cell(largest * 0.7) {}
     /// Cells by eight times eight, because queries and sweeps follow each other at small distances.

@@ -1,4 +1,4 @@
-// Searches for material within reach of a path: by area, in cells that are divided until they are decided.
+// Searches for material within reach of a path: by area, in cells divided until decided.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@
 namespace clearcut::stock {
 namespace {
 
-/// mm; half the side of the smallest cells, of which only the middle is tested.
+/// mm; half the side of the smallest cells, only their middle is tested.
 constexpr double kSmallest = 0.01;
 constexpr double kDiagonal = 1.41421356237309515;
 
@@ -33,8 +33,7 @@ class AreaSearch {
  private:
   bool inside(Vec2 p) const { return distance(path_, p) < radius_ && (!plan_ || plan_->contains(p)); }
 
-  /// A point of the cell that may hold material: its middle, or its point nearest to the path that lies in
-  /// the block.
+  /// A point of the cell with possible material: its middle, or its point in the block nearest to the path.
   std::optional<Vec2> place_in(Vec2 center, double half) const {
     if (inside(center)) return center;
     const Vec2 on = nearest(path_, center).point;
@@ -84,13 +83,13 @@ class AreaSearch {
   double radius_;
   const std::optional<Box>& plan_;
   std::vector<Cover> covers_;
-  /// Stack of indices: the covers that touch each of the cells from the whole down to the present one.
+  /// Stack of indices: the covers touching each of the cells from the whole down to the current one.
   std::vector<std::size_t> near_;
 };
 
 }  // namespace
 
-/// Ascending indices of sweeps: all that a disc of `radius` on the path may touch, and others.
+/// Ascending indices of sweeps: all sweeps touched by a disc of `radius` on the path, and others.
 Material::List Material::sweeps_about(const Edge& path, double radius) const {
   const Box box = path.from == path.to ? Box{path.from, path.from} : path.box();
   List found;
@@ -98,7 +97,7 @@ Material::List Material::sweeps_about(const Edge& path, double radius) const {
     if (radius > grid.reach) continue;
     const int x0 = grid.place(box.min.x), x1 = grid.place(box.max.x);
     const int y0 = grid.place(box.min.y), y1 = grid.place(box.max.y);
-    // Long slanting paths lie in the boxes of more cells than there are sweeps.
+    // The box of a long inclined path covers more cells than there are sweeps.
     const double cells = (1.0 + x1 - x0) * (1.0 + y1 - y0);
     if (cells > static_cast<double>(sweeps_.size()) / 8) break;
     for (int y = y0; y <= y1; ++y) {
@@ -126,7 +125,7 @@ std::optional<Vec2> Material::in_reach(const Edge& path, double radius, double z
         (sweep.path.from == sweep.path.to ? Box{sweep.path.from, sweep.path.from} : sweep.path.box())
             .grown(sweep.shape.radius);
     if (!swept.overlaps(box)) continue;
-    // What ramps with a profile have taken at one height is no strip of one width.
+    // The area removed by ramps with a profile at one height is no strip of constant width.
     if (sweep.cutter != kCylinder && sweep.cutter != own && sweep.z_low < sweep.z_high)
       return in_reach_of_profile(path, CutterProfile::cylinder(radius), z);
     for_parts_at(sweep, z, own, [&](const Edge& part, const Swept& shape) {
@@ -136,7 +135,8 @@ std::optional<Vec2> Material::in_reach(const Edge& path, double radius, double z
   return AreaSearch(path, radius, plan_, std::move(covers)).run();
 }
 
-/// Searches for a place where material reaches into a cutter with a profile, in cells as above: both surfaces are bounded in each.
+/// Searches for a place with material inside a cutter with a profile, in cells as above: both surfaces are bounded in
+/// each.
 class ProfileSearch {
  public:
   ProfileSearch(const Material& material, const Edge& path, const CutterProfile& cutter, double z,
@@ -164,7 +164,7 @@ class ProfileSearch {
   /// Whether uncut material at p reaches into the cutter.
   bool meets_top(Vec2 p) const { return is_in_block(p) && surface(distance(path_, p)) < material_.z_top_; }
 
-  /// A point of the cell that is in the cutter's way where nothing was cut: its middle, or its point nearest to the path.
+  /// A point of the cell in the cutter's path and in uncut material: its middle, or its point nearest to the path.
   std::optional<Vec2> place_in(Vec2 center, double half) const {
     if (meets_top(center)) return center;
     const Vec2 on = nearest(path_, center).point;
@@ -173,7 +173,7 @@ class ProfileSearch {
     return meets_top(p) ? std::optional(p) : std::nullopt;
   }
 
-  /// Whether a sweep has taken away all that stood over `low` within `reach` of the center.
+  /// Whether a sweep has removed all material over `low` within `reach` of the center.
   bool frees(const Material::Sweep& sweep, Vec2 center, double reach, double low) const {
     const double above = std::nextafter(low, std::numeric_limits<double>::infinity());
     return material_.surface_over(sweep, center, reach, std::min(above, material_.z_top_)) <= low;
@@ -223,9 +223,11 @@ class ProfileSearch {
   const Edge& path_;
   const CutterProfile cutter_;
   const double z_;
-  const double radius_;                       ///< mm; of the cutter where the material's top is
+  /// mm; radius of the cutter at the height of the material's top.
+  const double radius_;
   std::vector<const Material::Sweep*> near_;  ///< stack as of AreaSearch
-  const Material::Sweep* last_ = nullptr;     ///< that freed a cell: the next cells are beside it
+  /// The sweep that freed the last cell: the next cells are beside it.
+  const Material::Sweep* last_ = nullptr;
 };
 
 std::optional<Vec2> Material::in_reach(const Edge& path, const CutterProfile& cutter, double z) const {

@@ -8,7 +8,7 @@
 namespace clearcut::verify {
 namespace {
 
-/// Degrees. Smaller changes of direction come from rounding and are no turns.
+/// Degrees. Smaller changes of direction are due to rounding and are no turns.
 constexpr double kTurn = 0.1;
 
 double degrees_between(Vec2 a, Vec2 b) {

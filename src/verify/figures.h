@@ -8,8 +8,9 @@
 
 namespace clearcut::verify {
 
-/// Figures of some moves of a program in their order: of all, of a workingstep or of a layer. The caller sets
-/// coverage and `clean`. `top_z`: top of the stock, mm; a rise to it between feed moves counts as a retract.
+/// Figures of some moves of a program in their order: all moves, or those of a workingstep or of a layer. The caller
+/// sets coverage and `clean`. `top_z`: top of the stock, mm; a rise to this height between feed moves counts as a
+/// retract.
 Figures figures_of(std::span<const CheckedMove* const> moves, double top_z);
 
 }  // namespace clearcut::verify

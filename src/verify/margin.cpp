@@ -15,7 +15,8 @@
 namespace clearcut::verify {
 namespace {
 
-/// The largest number of steps of kMarginStep, at most `most`, at which `holds`, which holds below where it holds; -1: not even at none.
+/// The largest number of steps of kMarginStep, at most `most`, for which `holds` is true; `holds` must be monotone.
+/// -1: false even for 0 steps.
 template <typename Holds>
 int largest_at(int most, Holds holds) {
   if (!holds(0)) return -1;
@@ -92,21 +93,22 @@ class MarginSearch {
     return margin;
   }
 
-  /// The gouge that counts of a move `off` mm off its path in any direction.
+  /// The relevant gouge of a move displaced by `off` mm from its path in any direction.
   std::optional<Gouge> gouge_at(const CheckedMove& checked, double off) const {
     Move lower = *checked.move;
     lower.z_from -= off;
     lower.z_to -= off;
     const double before = &checked == program_.moves.data() ? 0 : (&checked - 1)->path_tolerance;
     const double liberty = std::max({checked.doubt, checked.path_tolerance, before});
-    // A flank that is that much lower comes as much nearer as it leans.
+    // A lower flank comes nearer to walls according to its slope.
     const double lean = has_flanks(*checked.tool) ? base::hypot(1.0, flank_slope(*checked.tool)) : 1;
     const auto gouge =
         gouge_of_move(finished_, checked, lower, (off + liberty) * lean, options_.tol.gouge, false);
     return gouge && gouge->depth > options_.tol.gouge ? gouge : std::nullopt;
   }
 
-  /// The margin that this move counts for: its step's, or, where it belongs to none, that of the feature whose wall it meets.
+  /// The margin to which this move applies: that of its step's feature, or, without a step, that of the feature whose
+  /// wall is gouged.
   FeatureMargin* margin_for(const CheckedMove& checked, const Gouge& gouge) const {
     const int feature = checked.workingstep >= 0
                             ? part_.workplan[static_cast<std::size_t>(checked.workingstep)].feature
@@ -115,7 +117,7 @@ class MarginSearch {
     return found == by_feature_.end() ? nullptr : found->second;
   }
 
-  /// Makes its feature's margin smaller where this move allows less.
+  /// Reduces its feature's margin if this move allows less.
   void by_gouges(const CheckedMove& checked) {
     throw_if_cancelled(options_.cancel);
     if (checked.radius() <= 0 || checked.is_of_stock || checked.is_carried()) return;

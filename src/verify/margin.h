@@ -6,14 +6,16 @@
 
 namespace clearcut::verify {
 
-/// For each feature the largest e, to kMarginStep, such that on every path of which each point lies within e of its place on the
-/// programmed one (in space, all moves at once) no more than bounds.uncut of what is within reach stays, and nothing is cut deeper than
-/// bounds.gouge. At most bounds.uncut: a floor is left that much higher.
+/// For each feature the largest e, to kMarginStep, with the following property: on every path with each point within
+/// e of its place on the programmed path (in space, all moves at once), no more than bounds.uncut of the reachable
+/// material remains, and no gouge is deeper than bounds.gouge. The margin is at most bounds.uncut: a floor is left
+/// higher by the margin.
 ///
-/// A cutter of radius r on such a path clears what one of radius r - e clears on the programmed path, and stays within what one of
-/// radius r + e, e lower, would cut there. Both are asked by the same proofs as the verdict, and bisected.
+/// A cutter of radius r on such a path clears at least the area of a cutter of radius r - e on the programmed path,
+/// and stays within the volume of a cutter of radius r + e, lower by e, on that path. Both are tested by the same
+/// proofs as the verdict, with bisection.
 ///
-/// options  tolerances are replaced by the bounds; limits of load are not asked, nor are rapids in material
+/// options  tolerances are replaced by the bounds; limits of load and rapids in material are not tested
 /// Throws   Cancelled
 /// Cost     some ten times that of coverage and gouges of a verdict
 Margin margin_of(const Part& part, const Toolpath& toolpath, const VerifyOptions& options,

@@ -30,11 +30,11 @@
 namespace clearcut::verify {
 namespace {
 
-/// Number of moves that are checked as one task.
+/// Number of moves checked in one task.
 constexpr std::size_t kChunk = 2000;
 
 void check_gouges(const FinishedParts& finished, std::span<CheckedMove> moves, const Tolerances& tol) {
-  const CheckedMove* before = nullptr;  // the last move, if it is known to end outside the part
+  const CheckedMove* before = nullptr;  // the last move, if known to end outside the part
   for (CheckedMove& checked : moves) {
     if (checked.radius() <= 0) {
       before = nullptr;
@@ -58,7 +58,7 @@ void keep_deeper(std::optional<Gouge>& gouge, const std::optional<Gouge>& other)
   if (other && (!gouge || other->depth > gouge->depth)) gouge = other;
 }
 
-/// Adds the gouge of a cutter with flanks that the control may run off its path.
+/// Adds the gouge of a cutter with flanks for the permitted deviation of the control from its path.
 void check_shaped_liberty(const FinishedParts& finished, const std::vector<CheckedMove>& all,
                           CheckedMove& checked, const Tolerances& tol) {
   const double before = &checked == all.data() ? 0 : (&checked - 1)->path_tolerance;
@@ -69,7 +69,7 @@ void check_shaped_liberty(const FinishedParts& finished, const std::vector<Check
   keep_deeper(checked.gouge, gouge_of_move(finished, checked, *checked.move, aside, tol.gouge, false));
 }
 
-/// Adds the gouges that the control may make within its tolerance: at rounded corners, on arcs of another radius.
+/// Adds possible gouges by the control within its tolerance: at rounded corners, on arcs of another radius.
 void check_liberties(const FinishedParts& finished, const std::vector<CheckedMove>& all,
                      std::span<CheckedMove> moves, const Tolerances& tol) {
   for (CheckedMove& checked : moves) {
@@ -91,7 +91,7 @@ void check_liberties(const FinishedParts& finished, const std::vector<CheckedMov
   }
 }
 
-/// mm; a feed length below which the area within reach cannot be cut in one level: area / (2 R), the disc at the
+/// mm; lower bound of the feed length for cutting the reachable area in one level: area / (2 R), the disc at the
 /// beginning taken off.
 double lower_bound_of(const FeatureWork& work, const Feature& feature) {
   double perimeter = 0;
@@ -213,7 +213,7 @@ class FindingsBuilder {
     }
   }
 
-  /// Steps on walls that may not stand are left like anything else.
+  /// Impermissible steps on walls count as uncut material.
   void add_steps(Figures& own, const Scallop& steps) {
     for (Figures* figures : {&findings_.all, &own})
       figures->uncut_thickness_mm = std::max(figures->uncut_thickness_mm, steps.height_mm);

@@ -12,7 +12,7 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. Heights that differ by less belong to one layer.
+/// mm. Heights differing by less belong to one layer.
 constexpr double kSameHeight = 1e-3;
 
 Figures figures_not_asked(Figures figures) {
@@ -22,7 +22,7 @@ Figures figures_not_asked(Figures figures) {
   return figures;
 }
 
-/// Heights at which a tool runs level through material, the highest first.
+/// Heights of a tool's level moves through material, the highest first.
 std::vector<LayerFindings> layers_of(const std::vector<const CheckedMove*>& moves, double top_z) {
   std::map<long long, std::vector<const CheckedMove*>, std::greater<>> by_height;
   for (const CheckedMove* checked : moves) {

@@ -1,4 +1,4 @@
-// What can be said of a program that nobody has stated a part for.
+// Checks of a program without a stated part.
 #pragma once
 
 #include "model/results/findings.h"
@@ -7,8 +7,9 @@
 
 namespace clearcut::verify {
 
-/// Findings of a program against a stock alone: all faults of its moves and of the control's state, and a row of figures for each
-/// tool. What is left and what is gouged is no question: those figures are not numbers. The load of the moves was measured before.
+/// Findings of a program against a stock alone: all faults of its moves and of the control's state, and a row of
+/// figures for each tool. Uncut material and gouges are not examined: those figures are NaN. The load of the moves
+/// must have been measured before.
 Findings findings_without_part(const Part& part, const CheckedProgram& program, const VerifyOptions& options);
 
 }  // namespace clearcut::verify

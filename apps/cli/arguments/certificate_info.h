@@ -1,4 +1,4 @@
-// What the certificates of all commands say they rest on.
+// Basis stated in the certificates of all commands.
 #pragma once
 
 #include <clearcut/report.h>
@@ -8,7 +8,7 @@
 
 namespace clearcut::cli {
 
-/// The arguments of the subcommand that runs, as typed.
+/// Stores the arguments of the running subcommand, as typed.
 void remember_arguments(std::vector<std::string> arguments);
 const std::vector<std::string>& remembered_arguments();
 
@@ -21,8 +21,8 @@ struct CertificateFileName {
 CertificateBasis certificate_basis(const std::string& command, const std::vector<CertificateFileName>& files,
                                    const std::string& program_name);
 
-/// The certificate that `clearcut plan` or `verify` gives for these arguments now. Writes nothing. `program`: of several
-/// set-ups the one with the program of this name.
+/// The current certificate of `clearcut plan` or `verify` for these arguments. Writes no file. `program`: selects, of
+/// several set-ups, the one with the program of this name.
 std::string plan_certificate(const std::vector<std::string>& arguments, const std::string& program);
 std::string verify_certificate(const std::vector<std::string>& arguments);
 

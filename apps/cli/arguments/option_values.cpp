@@ -13,7 +13,7 @@ std::string type_of(const Row& row) {
   return is_number(row.kind) || row.kind == ValueKind::kSeed ? "FLOAT" : "TEXT";
 }
 
-/// What was typed is understood when it is parsed, so that mistakes are said before anything is read.
+/// Typed values are checked during parsing, so that mistakes are reported before any file is read.
 CLI::Validator understood(const Row& row) {
   return {[&row](std::string& text) {
             const std::string place = "--" + row.name;

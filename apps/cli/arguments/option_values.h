@@ -12,21 +12,22 @@
 
 namespace clearcut::cli {
 
-/// The values that were typed, by the names of their rows. What a row refuses is an InputError while the command line is parsed.
+/// The typed values, by the names of their rows. Values refused by a row give an InputError during parsing of the
+/// command line.
 class OptionValues {
  public:
-  /// Adds every row that is `wanted` to the command, under the heading of its group.
+  /// Adds every `wanted` row to the command, under the heading of its group.
   void add(CLI::App& command, const std::function<bool(const Row&)>& wanted);
   bool has(const std::string& name) const;
-  /// The names of the rows that were typed.
+  /// The names of the typed rows.
   std::set<std::string> names() const;
-  /// Puts what was typed into `asked`, over what is there.
+  /// Stores the typed values into `asked`, replacing existing ones.
   void put_into(Asked& asked) const;
   Asked asked() const;
 
  private:
   void add_row(CLI::App& command, const Row& row);
-  // In nodes that stay where they are: the parser keeps their addresses.
+  // In nodes with fixed addresses: the parser keeps their addresses.
   std::map<std::string, std::vector<std::string>> texts_;
   std::map<std::string, bool> flags_;
 };

@@ -12,19 +12,19 @@
 namespace clearcut::cli {
 namespace {
 
-/// Of the limits that nothing else states.
+/// Sets the source of limits not stated otherwise.
 void name_kind_as_source(Sources& sources) {
   for (const std::string& limit : read::limits_of_kinds())
     if (!sources.find(limit)) sources.set(limit, {Origin::kUser, "--machine-kind"});
 }
 
-/// A tool library and the files that its tools lie in.
+/// Adds a tool library and the files of its tools.
 void add_library(const std::filesystem::path& library, std::vector<CertificateFileName>& files) {
   files.push_back({"tools", library.string()});
   for (const std::string& tool : read_tool_library(library, {}).files) files.push_back({"tools", tool});
 }
 
-/// Clamps, and holes that are there before the work begins.
+/// Clamps, and holes that exist before the work begins.
 void add_places(const std::vector<std::string>& keep_outs, const std::vector<std::string>& predrilled,
                 PlanOptions& options) {
   for (const std::string& text : keep_outs) options.keep_outs.push_back(parse_keep_out(text));
@@ -67,7 +67,8 @@ void PlanArguments::add_tool_list_options(CLI::App& command) {
 
 namespace {
 
-/// Of the machine and what a program is checked by; the relief of corners belongs to the part that is asked for.
+/// Whether a row concerns the machine or the checks of a program; the relief of corners belongs to the requested
+/// part.
 bool is_of_question(const Row& row) {
   return row.group == Group::kMachine || row.group == Group::kLimits || row.name == "threads" ||
          row.name == "dogbones";
@@ -133,7 +134,7 @@ Part PlanArguments::read_overview(DrawingOverview& overview) const {
   if (setup_.number == 0) return read_part(input_, options);
   if (!job()) return read(Block::kWhole);
   JobFile setup = *job();
-  setup.stock.reset();  // is that of the first set-up
+  setup.stock.reset();  // is the stock of the first set-up
   Part part = part_of_job(setup, options);
   return part.features.empty() ? part : read(Block::kWhole);
 }
@@ -198,7 +199,7 @@ int setup_count_of(const std::string& input) {
   return static_cast<int>(read_job(input).setups.size());
 }
 
-/// The part of the chosen set-up on what the set-ups before have left.
+/// The part of the chosen set-up on the stock left by earlier set-ups.
 Part PlanArguments::read_setup(const JobFile& whole, Block block) const {
   Part part =
       part_of_setup(whole, setup_.number, read_options(), setup_.place, step_sources_, step_published_);
@@ -219,7 +220,7 @@ Part PlanArguments::on_what_is_left(Part part, Block block) const {
   return part;
 }
 
-/// The set-ups whose programs --earlier-setup names. Each program is checked on the stock that the ones before it leave.
+/// The set-ups with programs named by --earlier-setup. Each program is checked on the stock left by the earlier ones.
 std::vector<MachinedSetup> PlanArguments::machined_before() const {
   const bool is_job = std::filesystem::path(input_).extension() == ".toml";
   const JobFile whole = is_job ? read_job(input_) : JobFile{};
@@ -269,7 +270,7 @@ std::optional<read::gcode::Dialect> PlanArguments::dialect() const {
   return dialect;
 }
 
-/// The one that runs programs that were written before: as it was named, else the one that is posted for.
+/// The control of existing programs: the named one, else the one for which programs are posted.
 std::optional<read::gcode::Dialect> PlanArguments::control(const PostOptions& of_job) const {
   return reads_programs_
              ? dialect()
@@ -330,7 +331,7 @@ void PlanArguments::take_sources(const CLI::App& command) {
   }
 }
 
-/// Settings that were typed without a solver's name refine the published solvers of a job's operations.
+/// Settings typed without a solver's name apply to the published solvers of a job's operations.
 void PlanArguments::take_solver(PlanOptions& options, bool has_job) const {
   auto& solver = options.published.solver;
   if (!solver) return;
@@ -347,7 +348,7 @@ void PlanArguments::take_solver(PlanOptions& options, bool has_job) const {
 
 namespace {
 
-/// Whatever is typed of how many tabs there are goes before all that the job says of it.
+/// Any typed option on the number of tabs replaces all such values of the job.
 void forget_tabs_of_job(const OptionValues& values, TabOptions& tabs) {
   if (!values.has("tabs") && !values.has("tab-spacing") && !values.has("tab-at")) return;
   tabs.count = 0;
@@ -357,7 +358,7 @@ void forget_tabs_of_job(const OptionValues& values, TabOptions& tabs) {
 
 }  // namespace
 
-/// The command line goes before the job, the job before the defaults.
+/// The command line takes precedence over the job, the job over the defaults.
 PlanOptions PlanArguments::options() const {
   const auto from_job = job();
   PlanOptions options = from_job ? options_of_job(*from_job) : PlanOptions{};
@@ -377,7 +378,7 @@ PlanOptions PlanArguments::options() const {
   if (typed_.input.machine_kind) name_kind_as_source(options.sources);
   options.step_sources = step_sources_;
   options.sources.merge(sources_);
-  // The height that the program calls home is the machine's, which may be another than the job's.
+  // The height of the program's home is the machine's; this may differ from the job's.
   const auto earlier = stock_.program(from_job);
   if (earlier && (stock_.after || stock_.from || typed_.input.machine_file))
     read_earlier_program(options, *earlier, control(options.post));

@@ -1,4 +1,4 @@
-// The options that plan, compare and verify share, as the user types them.
+// The options common to plan, compare and verify, as typed by the user.
 #pragma once
 
 #include <clearcut/part.h>
@@ -17,16 +17,16 @@
 
 namespace clearcut::cli {
 
-/// Which of several set-ups of a job is meant, and what is known of those before it.
+/// The chosen one of several set-ups of a job, and data of earlier ones.
 struct ChosenSetup {
   int number = 0;                             ///< from 1; 0: none was chosen
   std::vector<std::string> earlier_programs;  ///< of the set-ups before, in order
-  std::vector<MachinedSetup> machined;        ///< those that have been planned
-  SetupPlace place;                           ///< of the set-up that was read
-  std::optional<CarriedStock> carried;        ///< what the ones before leave to it
+  std::vector<MachinedSetup> machined;        ///< set-ups already planned
+  SetupPlace place;                           ///< place of the set-up read
+  std::optional<CarriedStock> carried;        ///< stock left by earlier set-ups
 };
 
-/// What a later set-up begins with.
+/// The initial block of a later set-up.
 enum class Block : unsigned char {
   kAsLeft,  ///< by the set-ups before
   kWhole    ///< nothing was cut yet
@@ -39,38 +39,38 @@ int setup_count_of(const std::string& input);
 class PlanArguments {
  public:
   void add_part_options(CLI::App& command, const std::string& input_name);
-  /// Which tools there are; add_tool_options adds these, too.
+  /// Options for the available tools; add_tool_options adds these, too.
   void add_tool_list_options(CLI::App& command);
   void add_tool_options(CLI::App& command);
   void add_cutting_options(CLI::App& command);
-  /// Which steps the work has: what goes before, narrower mills, finishing.
+  /// Options for the steps of the work: earlier work, narrower mills, finishing.
   void add_steps_options(CLI::App& command);
 
-  /// Before options(), which tell where the values of a job stand only then.
+  /// Must be called before options(); only then do these contain the sources of a job's values.
   Part read(Block block = Block::kAsLeft) const;
-  /// The names of all options that were typed, for the origins of values.
+  /// Stores the names of all typed options, for the origins of values.
   void take_sources(const CLI::App& command);
   /// Of a drawing, without asking for depth or roles.
   Part read_overview(DrawingOverview& overview) const;
   PlanOptions options() const;
-  /// The options are for many parts: one that has no effect on this part is none the worse.
+  /// The options are for many parts: an option without effect on this part is permitted.
   void let_options_be_idle() { refuses_idle_ = false; }
-  /// What was typed of the options' table.
+  /// The typed options of the table of options.
   StatedOptions stated() const { return {typed_, values_.names()}; }
-  /// An option that was typed and serves planning alone; "" where none was.
+  /// A typed option that only serves planning; "" if there is none.
   std::string typed_for_planning() const;
-  /// The part with the tools that were typed one by one in place of its own.
+  /// The part with individually typed tools instead of its own.
   Part with_typed_tools(Part part) const;
-  /// Of a command that reads programs and writes none: --dialect, which control runs them.
+  /// For a command that reads programs and writes none: --dialect, the control that runs them.
   void add_dialect_option(CLI::App& command);
-  /// As it was typed. Throws InputError for a name that no control has.
+  /// The typed dialect. Throws InputError for an unknown name.
   std::optional<read::gcode::Dialect> dialect() const;
   const std::string& input() const { return input_; }
-  /// mm; of the material, where it was typed.
+  /// mm; top of the material, if typed.
   std::optional<double> top() const { return typed_.input.top; }
-  /// Every file that the options rest on, by its role, those that a job names included.
+  /// All files on which the options are based, with their roles, including files named in a job.
   std::vector<CertificateFileName> input_files() const;
-  /// How a solid lies, as typed.
+  /// Orientation of a solid, as typed.
   SolidOptions solid() const;
   /// The job file, when the input is one; of several set-ups the chosen one.
   std::optional<JobFile> job() const;
@@ -89,7 +89,7 @@ class PlanArguments {
   std::vector<Tool> tools() const;
   ToolLibrary library() const;
   Machine machine(const Machine& of_job) const;
-  /// What was typed, once the command line has been parsed.
+  /// Takes the typed values, after the command line has been parsed.
   void take_values();
   void take_solver(PlanOptions& options, bool has_job) const;
   void refuse_what_serves_other_inputs(const Part& part, const std::optional<JobFile>& from_job) const;
@@ -97,17 +97,17 @@ class PlanArguments {
   std::string input_;
   bool refuses_idle_ = true;
   OptionValues values_;
-  Asked typed_;  ///< what the values say by themselves
+  Asked typed_;  ///< options from the typed values only
   mutable ChosenSetup setup_;
   StockArguments stock_;
   Sources sources_;
   mutable StepChoices step_published_;  ///< likewise
-  mutable StepSources step_sources_;    ///< of the part that was read
+  mutable StepSources step_sources_;    ///< sources of the part read
   bool reads_programs_ = false;         ///< there is --dialect
-  std::optional<std::string> dialect_;  ///< as it was typed
+  std::optional<std::string> dialect_;  ///< as typed
 };
 
-/// The paths alone.
+/// Only the paths.
 std::vector<std::string> paths_of(const std::vector<CertificateFileName>& files);
 
 }  // namespace clearcut::cli

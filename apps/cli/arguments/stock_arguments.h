@@ -1,4 +1,4 @@
-// What the work begins with, where that is not the full block.
+// Initial stock of the work, if other than the full block.
 #pragma once
 
 #include <clearcut/part.h>
@@ -14,16 +14,17 @@ namespace clearcut::cli {
 struct StockArguments {
   std::optional<std::string> after, from;
 
-  /// Whether a solid (STEP) says what there is.
+  /// Whether a solid (STEP) states the stock.
   bool has_solid() const;
-  /// That solid, which lies as the part's do. Throws InputError.
+  /// The solid of the stock, in the orientation of the part's solids. Throws InputError.
   const Part& solid(const SolidOptions& lies) const;
-  /// Keeps where `part`, which is made of the solid's block, has it and what it is made with; says so in its diagnostics.
+  /// Stores the place of the solid's block in `part`, and the part's tools; adds a note to its diagnostics.
   void lay_out(Part& part) const;
   bool is_laid_out() const { return block_.has_value(); }
-  /// What the solid lacks of its block, found once, by the narrowest of `tools`, or of the part's where none are given.
+  /// The volume of its block missing in the solid, computed once, with the narrowest of `tools`, or of the part's
+  /// tools if none are given.
   const Toolpath& missing(std::vector<Tool> tools) const;
-  /// The program that has run before: typed, or the job's.
+  /// The earlier program: typed, or the job's.
   std::optional<std::string> program(const std::optional<JobFile>& job) const;
 
  private:

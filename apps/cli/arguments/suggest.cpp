@@ -22,7 +22,7 @@ std::vector<std::string> command_names(const CLI::App& app) {
   return names;
 }
 
-/// What other programs and shops call an option of ours.
+/// Name of an option in other programs and shops.
 struct Synonym {
   const char* word;
   const char* option;
@@ -62,7 +62,7 @@ constexpr Synonym kSynonyms[] = {
     {"--operation", "--op"},
 };
 
-/// The option that another name means, "" where it is none of the names.
+/// The option with another usual name, "" if it is none of `names`.
 std::string meant_by(const std::string& word, const std::vector<std::string>& names) {
   for (const Synonym& synonym : kSynonyms) {
     if (word == synonym.word && std::find(names.begin(), names.end(), synonym.option) != names.end())

@@ -1,4 +1,4 @@
-// What somebody may have meant by a word the command does not know.
+// Suggestions for words unknown to the command.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -7,12 +7,12 @@
 
 namespace clearcut::cli {
 
-/// "'--stepdwn' is no option of plan; did you mean '--stepdown'?" for the first argument that nothing took.
+/// "'--stepdwn' is no option of plan; did you mean '--stepdown'?" for the first unused argument.
 std::string about_unexpected(const CLI::App& app, const std::vector<std::string>& arguments);
 
-/// Takes one of these names, and says which was meant by another; they stand in help and completion.
+/// Accepts one of these names, and suggests one for other words; the names are shown in help and completion.
 CLI::Validator one_of(const std::vector<std::string>& names);
-/// Takes anything; the names stand in completion alone.
+/// Accepts any text; the names are used only in completion.
 CLI::Validator for_example(const std::vector<std::string>& names);
 
 }  // namespace clearcut::cli

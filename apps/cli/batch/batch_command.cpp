@@ -45,7 +45,7 @@ struct BatchCommand {
   bool quiet = false;
 };
 
-/// "3/8": every eighth part, beginning with the third; all where nothing is said.
+/// "3/8": every eighth part, beginning with the third; all by default.
 struct Share {
   std::size_t number = 1, of = 1;
   bool holds(std::size_t index) const { return index % of == number - 1; }
@@ -61,8 +61,8 @@ Share share_of(const std::string& text) {
   return share;
 }
 
-/// What each part's own command may hold, unless the caller's environment says: less than its address space, so that it refuses in a
-/// line what needs more.
+/// Sets the memory limit of each part's own command, unless the caller's environment states one: less than its
+/// address space, so that the command refuses larger needs in one line.
 void allow_parts(double megabytes) {
   constexpr double kShare = 0.9, kMegabytesInGigabyte = 1000;
   ::setenv("CLEARCUT_MEMORY", trimmed(kShare * megabytes / kMegabytesInGigabyte, 6).c_str(), 0);
@@ -70,7 +70,8 @@ void allow_parts(double megabytes) {
 
 class Batch {
  public:
-  /// `processes` share the machine, each with as many jobs as the command says; one alone takes all cores where it says nothing.
+  /// `processes` share the machine, each with the number of jobs in the command; without this number a single process
+  /// takes all cores.
   Batch(const BatchCommand& command, std::vector<BatchPart> parts, std::vector<std::string> plan_options,
         std::optional<int> processes = {})
       : command_(command),
@@ -104,7 +105,7 @@ class Batch {
       std::vector<std::string> names;
       for (const BatchPart& part : parts_) names.push_back(part.name);
       most_ = names.size();
-      begin_progress();  // on the process that hands out
+      begin_progress();  // on the process that distributes the work
       return names;
     };
     work.perform = [this](const std::string& name, const std::string&, const std::atomic<bool>& stop) {
@@ -127,13 +128,13 @@ class Batch {
   std::size_t kept() const { return kept_; }
 
  private:
-  /// What became of a part: planned now, or as it was.
+  /// Result of a part: planned now, or kept from before.
   struct Taken {
     BatchRow row;
     bool is_kept = false;
   };
 
-  /// A signal ends the parts that are under way, and with them the batch; those that are done stay.
+  /// A signal ends the running parts, and with them the batch; finished parts are kept.
   void take_all(const Share& share) {
     const SignalsHeld signals;
     std::atomic<std::size_t> next = 0;
@@ -149,7 +150,7 @@ class Batch {
     line_.reset();
   }
 
-  /// For who sees it; elsewhere the lines of the parts say enough.
+  /// Shows progress on a terminal; otherwise the lines of the parts suffice.
   void begin_progress() {
     if (command_.quiet || !is_watched()) return;
     line_.emplace("Ctrl-C stops; parts that are done are not planned again by the same command.");
@@ -171,7 +172,7 @@ class Batch {
     return (fs::path(command_.output) / (part.name + ending)).string();
   }
 
-  /// A part that is done, or is now. Faults of this command itself end the batch.
+  /// Takes a part already done, or plans it. Faults of this command itself end the batch.
   void take_safely(std::size_t index) noexcept {
     try {
       const Taken taken = take(index);
@@ -189,7 +190,7 @@ class Batch {
     std::string key;
     try {
       key = batch_key(part, plan_options_);
-    } catch (const InputError&) {  // its file cannot be read: its run says so
+    } catch (const InputError&) {  // its file cannot be read: its run reports this
     }
     Taken taken;
     if (!command_.again && !key.empty() && is_done(part, key, taken.row)) taken.is_kept = true;
@@ -197,7 +198,7 @@ class Batch {
     return taken;
   }
 
-  /// The result of a part, and a line for it unless it was there.
+  /// Stores the result of a part, and prints a line for it unless it was already done.
   void note(std::size_t index, const Taken& taken) {
     rows_[index] = taken.row;
     if (line_) line_->clear();
@@ -245,7 +246,7 @@ class Batch {
                                "--svg", place(part, ".svg"), "--quiet"});
     const ChildEnd end = process::run_child(words, {place(part, ".log"), "", "", false}, limits_,
                                             [stop] { return !is_stopped(stop); });
-    if (is_stopped(stop)) {  // the part may have heard of it first, and ended by itself
+    if (is_stopped(stop)) {  // the part may have received the signal first, and ended by itself
       remove_begun(part);
       throw InputError(part.name, "was stopped, as the whole batch");
     }
@@ -258,7 +259,7 @@ class Batch {
     return SignalsHeld::any() || (stop != nullptr && *stop);
   }
 
-  /// What a part that was stopped has written, whole or not.
+  /// Removes the files written by a stopped part, complete or not.
   void remove_begun(const BatchPart& part) const {
     std::vector<fs::path> begun;
     for (const auto& one : fs::directory_iterator(fs::path(place(part, "")).parent_path())) {
@@ -292,7 +293,7 @@ class Batch {
     return row;
   }
 
-  /// The last line that the command said, without its name.
+  /// The last line of the command's messages, without its name.
   std::string said(const BatchPart& part) const {
     std::istringstream lines(read_file(place(part, ".log")));
     std::string last;
@@ -337,7 +338,7 @@ class Batch {
   std::exception_ptr error_;
 };
 
-/// The options of plan that were typed, as they go to each part.
+/// The typed options of plan, as passed to each part.
 std::vector<std::string> typed_plan_options(const CLI::App& command,
                                             const std::vector<const CLI::Option*>& own) {
   std::vector<std::string> words;
@@ -357,8 +358,8 @@ std::vector<std::string> typed_plan_options(const CLI::App& command,
   return words;
 }
 
-/// What became of all parts, in files and as a line. A share is not the whole: the run without one, which finds all shares done,
-/// writes the overview.
+/// Reports the results of all parts, in files and as a line. A share does not write the overview: the run without a
+/// share, which finds all shares done, writes it.
 int tell_results(const BatchCommand& command, const Batch& batch) {
   const auto& rows = batch.rows();
   const auto at = [&](const char* name) { return (fs::path(command.output) / name).string(); };

@@ -1,4 +1,4 @@
-// What became of the parts of a batch, as CSV, JSON and a page.
+// Results of the parts of a batch, as CSV, JSON and a page.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace clearcut::cli {
 
-/// One part. Figures are those of its certificate; "" and 0 where there is none.
+/// One part. Figures are those of its certificate; "" and 0 if there is none.
 struct BatchRow {
   std::string name;
   std::string part;     ///< its file
@@ -21,7 +21,7 @@ bool has_program(const BatchRow& row);
 
 std::string batch_csv(const std::vector<BatchRow>& rows);
 std::string batch_json(const std::vector<BatchRow>& rows);
-/// One page with a thumbnail of each part; program, certificate and picture lie beside it by their names.
+/// One page with a thumbnail of each part; program, certificate and picture are beside it, linked by name.
 std::string batch_page(const std::vector<BatchRow>& rows, const std::string& title);
 /// A row as texts, and back, the same to the last digit.
 std::vector<std::string> row_fields(const BatchRow& row);

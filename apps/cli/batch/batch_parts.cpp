@@ -62,7 +62,7 @@ std::vector<BatchPart> parts_of_list(const fs::path& list) {
   return parts;
 }
 
-/// Files that a job names: its quoted words that are names of files beside it.
+/// Files named in a job: quoted words equal to names of files beside it.
 std::vector<std::string> files_of_job(const std::string& job) {
   std::vector<std::string> files;
   std::error_code ignored;

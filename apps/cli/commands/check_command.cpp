@@ -1,4 +1,4 @@
-// clearcut check: whether a certificate, the program and the part are what they were.
+// clearcut check: whether a certificate, the program and the part are unchanged.
 #include <clearcut/certificate.h>
 #include <clearcut/error.h>
 #include <clearcut/file.h>
@@ -32,7 +32,7 @@ Json certificate_of(const std::string& file, const std::string& text) {
   return json;
 }
 
-/// The file given for an input of that name, else the name itself.
+/// The file given for an input of this name, else the name itself.
 std::string place_of(const std::string& name, const std::vector<std::string>& given) {
   const auto base = [](const std::string& path) { return std::filesystem::path(path).filename(); };
   for (const std::string& path : given) {
@@ -53,7 +53,7 @@ void check_file(const std::string& what, const std::string& path, const std::str
   if (found != wanted) faults.push_back(what + " " + path + " is not the one that was certified");
 }
 
-/// A given part that no input has the name of is the part itself under another name.
+/// A given part whose name matches no input is the part itself under another name.
 void check_inputs(const Json& certificate, const CheckCommand& command, std::vector<std::string>& faults) {
   const Json& inputs = certificate.at("inputs");
   for (const Json& one : inputs) {
@@ -68,7 +68,7 @@ void check_inputs(const Json& certificate, const CheckCommand& command, std::vec
     check_file("program", path, program.at("sha256").get<std::string>(), faults);
 }
 
-/// The recorded arguments, with the files that were given now.
+/// The recorded arguments, with the files given now.
 std::vector<std::string> arguments_now(const Json& certificate, const CheckCommand& command) {
   auto arguments = certificate.at("question").at("arguments").get<std::vector<std::string>>();
   const std::string program = certificate.at("program").at("name").get<std::string>();
@@ -92,7 +92,7 @@ void check_again(const Json& certificate, const CheckCommand& command, std::vect
   const std::string now =
       kind == "plan" ? plan_certificate(arguments, program) : verify_certificate(arguments);
   std::set<std::string> left_out = {"/seal", "/version"};
-  // Names of files that lie elsewhere now.
+  // Names of files now in other places.
   if (!command.program.empty() || !command.parts.empty())
     left_out.merge(std::set<std::string>{"/source_file", "/question/arguments", "/question/noticed",
                                          "/program/name", "/inputs/*/name"});

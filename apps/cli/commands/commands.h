@@ -1,4 +1,4 @@
-// The subcommands. Each adds itself to the application; when it is chosen its callback sets `exit_code`.
+// The subcommands. Each adds itself to the application; if it is chosen its callback sets `exit_code`.
 #pragma once
 
 #include <clearcut/plan.h>
@@ -27,14 +27,14 @@ void add_feeds_command(CLI::App& app, int& exit_code);
 void add_setup_sheet_command(CLI::App& app, int& exit_code);
 void add_check_command(CLI::App& app, int& exit_code);
 void add_info_command(CLI::App& app, int& exit_code);
-/// What `compare --random` asks for.
+/// Options of `compare --random`.
 struct RandomPockets {
   int count = 0;       ///< 0: a part is compared
-  std::string slower;  ///< folder for pockets on which a published method is faster than ours; "": none
+  std::string slower;  ///< folder for pockets on which a published method is faster than Clearcut's; "": none
   PlanOptions options;
   bool as_markdown = false;
 };
-/// `at_random`: compares the methods on random pockets, which is research.
+/// `at_random`: compares the methods on random pockets, for research.
 void add_compare_command(CLI::App& app, int& exit_code, void (*at_random)(const RandomPockets&));
 void add_tools_command(CLI::App& app, int& exit_code);
 void add_machines_command(CLI::App& app, int& exit_code);
@@ -42,7 +42,7 @@ void add_convert_command(CLI::App& app, int& exit_code);
 void add_init_command(CLI::App& app, int& exit_code);
 /// All commands of `clearcut` but research. `at_random` as add_compare_command.
 void add_product_commands(CLI::App& app, int& exit_code, void (*at_random)(const RandomPockets&));
-/// Hidden. `add_whole`: adds all commands that pages, completions and the list of options speak of.
+/// Hidden. `add_whole`: adds all commands described in pages, completions and the list of options.
 void add_generate_command(CLI::App& app, int& exit_code, void (*add_whole)(CLI::App&, int&));
 void add_serve_command(CLI::App& app, int& exit_code);
 void add_batch_command(CLI::App& app, int& exit_code);

@@ -1,4 +1,4 @@
-// compare and tools: a part planned in several ways, in one table.
+// compare and tools: several plans of a part, in one table.
 #include <clearcut/error.h>
 #include <clearcut/file.h>
 #include <clearcut/part.h>
@@ -34,7 +34,7 @@ struct Answer {
   }
 };
 
-/// What compare is asked for besides a part.
+/// Options of compare in addition to the part.
 struct CompareCommand {
   PlanArguments arguments;
   Answer answer;

@@ -15,7 +15,7 @@
 namespace clearcut::cli {
 namespace {
 
-/// Neither format has words for what follows from a cutter's shape.
+/// Neither format has words for features made by a cutter's shape.
 void refuse_shaped(const Part& part, const std::string& output) {
   for (const Feature& feature : part.features) {
     if (!feature.carving && !feature.chamfer && !feature.hole) continue;
@@ -28,7 +28,7 @@ void refuse_shaped(const Part& part, const std::string& output) {
   }
 }
 
-/// What moves that are written with a hole say of it. Cones and threads have words of the standard that are not written yet.
+/// Whether written moves describe the hole. The standard's words for cones and threads are not written yet.
 bool is_said_by_moves(const HoleForm& hole) {
   return hole.kind != HoleKind::kCountersunk && hole.kind != HoleKind::kTapped &&
          hole.kind != HoleKind::kThreadMilled;
@@ -79,7 +79,7 @@ void refuse_several_setups(const PlanArguments& arguments) {
                        " set-ups, each with toolpaths of its own; choose one with --setup");
 }
 
-/// The part as it is planned, with the moves of its program.
+/// The planned part, with the moves of its program.
 int convert_with_toolpaths(const ConvertCommand& command) {
   if (!is_stepnc(command.output))
     throw InputError(command.output,
@@ -118,7 +118,7 @@ void add_convert_command(CLI::App& app, int& exit_code) {
 
 namespace {
 
-/// The job of what was typed; the files that it names are found from its folder.
+/// The job for the typed options; its files are named relative to its folder.
 std::string job_of(const PlanArguments& arguments, const std::string& output) {
   const auto folder = std::filesystem::absolute(output == "-" ? "." : output).parent_path();
   const auto beside = [&](const std::string& file) {

@@ -1,4 +1,5 @@
-// clearcut generate: hidden; the build makes the man page and the shells' completions with it, and the server asks it for the options.
+// clearcut generate: hidden; used by the build for the man page and the shells' completions, and by the server for
+// the options.
 #include <memory>
 
 #include "arguments/suggest.h"

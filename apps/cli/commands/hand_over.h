@@ -1,4 +1,4 @@
-// What `clearcut` leaves to the program clearcut-studies, which lies beside it.
+// Commands that `clearcut` leaves to the program clearcut-studies beside it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,11 +6,11 @@
 
 namespace clearcut::cli {
 
-/// The commands of research, and `generate`: each takes whatever stands behind its name, and runs clearcut-studies with it.
+/// The commands of research, and `generate`: each passes all arguments after its name to clearcut-studies.
 void hand_over_research_commands(CLI::App& app);
 
-/// Runs clearcut-studies in place of this program, with the arguments that this one was given. Does not come back; throws
-/// InputError where that program is absent.
+/// Runs clearcut-studies in place of this program, with the same arguments. Does not return; throws InputError if
+/// clearcut-studies is absent.
 [[noreturn]] void run_studies(const std::string& command);
 
 }  // namespace clearcut::cli

@@ -104,7 +104,7 @@ bool left_out_any(const Diagnostics& found) {
                      [](const Diagnostic& item) { return item.severity == Severity::kSkipped; });
 }
 
-/// A drawing that is understood is shown even where something is missing that a plan needs: what that is, is said.
+/// A readable drawing is shown even if data needed for a plan is missing: the missing data is reported.
 PartInfo info_of(const PlanArguments& arguments) {
   PartInfo info;
   info.part = arguments.read_overview(info.overview);
@@ -116,7 +116,7 @@ PartInfo info_of(const PlanArguments& arguments) {
     if (!has_depths(info.overview)) info.asks.push_back(kNoDepth);
     return info;
   }
-  // Where nothing was left out of the overview, a plan would not find more.
+  // If nothing was left out of the overview, a plan would not find more.
   if (!info.overview.missing.empty() && !left_out_any(info.found)) {
     info.asks.push_back(info.overview.missing);
     return info;
@@ -129,7 +129,7 @@ PartInfo info_of(const PlanArguments& arguments) {
   return info;
 }
 
-/// Of every set-up of a job that has several, or of the one that is chosen.
+/// Infos of every set-up of a job with several, or of the chosen one.
 std::vector<PartInfo> infos_of(const PlanArguments& arguments) {
   ProgressLine line(kStops);
   line.expect("reading " + arguments.input());
@@ -151,7 +151,7 @@ void print_info(const PartInfo& info) {
   if (info.asks.empty()) print_part(info.part);
 }
 
-/// Files that are refused all the same are listed before: of the command's reading follows why.
+/// Workplans of files refused later are listed before; the command's reading then reports the reason.
 void print_workplans_of_ap238(const std::string& input) {
   const std::string extension = std::filesystem::path(input).extension().string();
   if (extension == ".dxf" || extension == ".svg" || extension == ".toml" || extension == ".json") return;
@@ -159,7 +159,7 @@ void print_workplans_of_ap238(const std::string& input) {
   try {
     lines = ap238_lines(read_file(input), input);
   } catch (const InputError&) {
-    return;  // said where the part is read
+    return;  // reported during reading of the part
   }
   for (const std::string& line : lines) print_line(line);
 }

@@ -1,4 +1,4 @@
-// machines: the machines that --machine knows by name.
+// machines: the machines known to --machine by name.
 #include <clearcut/part.h>
 #include <clearcut/text.h>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 namespace clearcut::cli {
 namespace {
 
-/// One value where the axes are alike, else those of X, Y and Z.
+/// One value if the axes are equal, else those of X, Y and Z.
 std::string of_axes(const AxisValues& values) {
   if (values[0] <= 0) return "not published";
   if (values[0] == values[1] && values[0] == values[2]) return trimmed(values[0], 0);

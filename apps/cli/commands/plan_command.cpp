@@ -64,7 +64,7 @@ std::string in_folder_of(const std::string& job_file, const std::string& name) {
   return (std::filesystem::path(job_file).parent_path() / name).string();
 }
 
-/// Files that the command line leaves open are written where the job says.
+/// Output files not named on the command line are taken from the job.
 void take_outputs_from(const JobFile& job, PlanCommand& command) {
   const auto take = [&](std::string& path, const std::optional<std::string>& from_job) {
     if (path.empty() && from_job) path = in_folder_of(job.file, *from_job);
@@ -78,7 +78,7 @@ void take_outputs_from(const JobFile& job, PlanCommand& command) {
   take(command.witness, job.output.witness);
 }
 
-/// The values alone, without planning.
+/// Only the values, without planning.
 int explain(const Part& part, const PlanOptions& options) {
   const ResolvedPlan plan = resolve_plan(part, options);
   print(plan.part.diagnostics, true);
@@ -95,10 +95,10 @@ std::vector<std::string> output_names(const PlanCommand& command) {
   return names;
 }
 
-/// m of path above which planning may be felt.
+/// m; length of path above which planning may take noticeable time.
 constexpr double kLongPath = 100;
 
-/// How much there is to cut, where that is much.
+/// Amount of cutting, if large.
 std::string hint_of(const Part& part, const PlanOptions& options) {
   const auto& tools = options.tools.empty() ? part.tools : options.tools;
   if (tools.empty()) return kCancel;
@@ -114,7 +114,7 @@ std::string hint_of(const Part& part, const PlanOptions& options) {
       path, trimmed(widest, 4), kCancel);
 }
 
-/// What makes a plan that takes long take less.
+/// Advice for making a slow plan faster.
 std::string advice_of(const Part& part, const PlanOptions& options) {
   const std::string strategy = options.strategy.value_or("auto");
   const std::string faster = strategy == "zigzag" ? "" : "--strategy zigzag plans fastest, ";
@@ -127,7 +127,7 @@ std::string advice_of(const Part& part, const PlanOptions& options) {
                      fewer);
 }
 
-/// Plans while a line says how far it is; warnings of reading do not vanish behind an error.
+/// Plans with a line of progress; warnings of reading are also printed if an error follows.
 PlanResult planned(const PlanCommand& command, const Part& part, PlanOptions options) {
   try {
     std::optional<ProgressLine> line;
@@ -142,7 +142,7 @@ PlanResult planned(const PlanCommand& command, const Part& part, PlanOptions opt
   }
 }
 
-/// What a run says of its plan.
+/// Prints the messages of a plan.
 void tell(const PlanCommand& command, const PlanResult& result, const PlanOptions& options) {
   if (command.explain) print_line(write_values(result.part, result.values, table_width()));
   if (command.quiet) {
@@ -175,7 +175,7 @@ void number_outputs(PlanCommand& command, int setup) {
   }
 }
 
-/// The set-ups of a job one after the other, each on what those before leave.
+/// The set-ups of a job one after the other, each on the stock left by earlier ones.
 std::vector<PlannedSetup> planned_setups(const PlanCommand& command, int count) {
   std::vector<PlannedSetup> setups;
   for (int number = 1; number <= count; ++number) {
@@ -200,7 +200,7 @@ int explain_setups(const PlanCommand& command, int count) {
   return kClean;
 }
 
-/// Every file that the set-ups rest on.
+/// All input files of the set-ups.
 std::vector<std::string> inputs_of_setups(const PlanCommand& command, int count) {
   std::vector<std::string> inputs = paths_of(command.arguments.input_files());
   for (int number = 1; number <= count; ++number) {
@@ -211,7 +211,7 @@ std::vector<std::string> inputs_of_setups(const PlanCommand& command, int count)
   return inputs;
 }
 
-/// What is written of them but the sheet.
+/// Output files of the set-ups, except the sheet.
 std::vector<std::string> output_names_of_setups(PlanCommand command, int count) {
   command.sheet.clear();
   std::vector<std::string> names;

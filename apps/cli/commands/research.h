@@ -1,4 +1,4 @@
-// The commands of research, which the program clearcut-studies holds, as both programs list them.
+// The commands of research, contained in the program clearcut-studies, as listed by both programs.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,7 +8,7 @@ namespace clearcut::cli {
 struct ResearchCommand {
   const char* name;
   const char* group;     ///< of the list of commands
-  const char* sentence;  ///< what it does
+  const char* sentence;  ///< description
 };
 
 inline constexpr ResearchCommand kElements{"elements", "Grids and tours",
@@ -20,7 +20,7 @@ inline constexpr ResearchCommand kReproduce{"reproduce", "Research",
 inline constexpr ResearchCommand kStudy{
     "study", "Research", "Repeat a Monte-Carlo study of the published genetic algorithm on square lattices"};
 
-/// The subcommand with its name, group and sentence alone.
+/// The subcommand with only its name, group and sentence.
 inline CLI::App* add_research_command(CLI::App& app, const ResearchCommand& command) {
   auto* added = app.add_subcommand(command.name, command.sentence);
   added->group(command.group);

@@ -1,4 +1,4 @@
-// clearcut serve: hands its settings to the server, a program of its own that lies beside this one.
+// clearcut serve: passes its settings to the server, a separate program beside this one.
 #include <clearcut/error.h>
 #include <unistd.h>
 
@@ -41,7 +41,7 @@ std::string settings_json(const ServeCommand& command, const std::string& self) 
       .dump();
 }
 
-/// Does not come back.
+/// Does not return.
 void serve(const ServeCommand& command) {
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe");
   const std::string server = (self.parent_path() / "clearcut-serve").string();

@@ -1,4 +1,4 @@
-// Set-up sheets as files: which kind is written is what their names end in.
+// Set-up sheets as files: their kind is given by the ending of their names.
 #pragma once
 
 #include <clearcut/report.h>
@@ -8,7 +8,7 @@
 
 namespace clearcut::cli {
 
-/// Throws InputError before anything is planned where the name asks for a PDF that this build cannot write.
+/// Throws InputError before planning if the name requires a PDF that this build cannot write.
 void check_setup_sheet_name(const std::string& path);
 
 /// PDF for names in .pdf, else HTML.

@@ -33,7 +33,7 @@ struct VerifyCommand {
   bool quiet = false;
 };
 
-/// As which control the program was read, where nobody has said.
+/// The recognised control of the program, if not stated.
 std::string dialect_line(const VerifyCommand& command, const CheckResult& result) {
   if (command.arguments.dialect()) return "";
   return "read as a program for " + std::string(name_of(result.dialect)) + " (--dialect names another)\n";
@@ -81,7 +81,7 @@ Checked checked(const VerifyCommand& command) {
   return out;
 }
 
-/// What was asked and could not be proven is a fault.
+/// A requested but failed proof is a fault.
 int tell_proof(const VerifyCommand& command, const WitnessFile& witness, const Proven& proven, int code) {
   const bool found = !witness.found.bytes.empty();
   if (!command.witness.empty() && (!found || !command.quiet))
@@ -123,7 +123,7 @@ int run(const VerifyCommand& command) {
                              : exit_code_of(result.findings);
 }
 
-/// The program, the part and the tools: what verify and setup-sheet ask alike.
+/// The program, the part and the tools: common to verify and setup-sheet.
 std::shared_ptr<VerifyCommand> declare_question(CLI::App& command) {
   auto state = std::make_shared<VerifyCommand>();
   command.add_option("PROGRAM", state->program, "Program of any CAM: G-code or Klartext")
@@ -137,7 +137,7 @@ std::shared_ptr<VerifyCommand> declare_question(CLI::App& command) {
   return state;
 }
 
-/// A part may be left out; then options that say something of it are refused, and the stock may be said.
+/// A part may be left out; options on the part are then refused, and the stock may be stated.
 void let_part_be_absent(CLI::App& command, VerifyCommand& state) {
   CLI::Option* part = command.get_option("--part")->required(false);
   for (CLI::Option* option : command.get_options()) {
@@ -192,7 +192,8 @@ void add_verify_command(CLI::App& app, int& exit_code) {
 
 namespace {
 
-/// What feeds follow, and what changed: "feeds go by the chip at 90 degrees and 1000 mm/min (T1)", then words and times.
+/// Rule of the feeds, and the changes: "feeds go by the chip at 90 degrees and 1000 mm/min (T1)", then words and
+/// times.
 std::string feeds_lines(const ProgramFeeds& feeds, const PlanOptions& options) {
   std::string tools;
   for (const auto& [number, feed] : feeds.reference_feeds)
@@ -209,7 +210,7 @@ std::string feeds_lines(const ProgramFeeds& feeds, const PlanOptions& options) {
       most ? fmt::format("{:.1f}", 100 * most->share) : "0");
 }
 
-/// Comments are no F words: what a header of ours certifies is another program.
+/// Comments are no F words: Clearcut's header in the comments certifies another program.
 void tell_of_header(const std::string& program) {
   if (program.find("CERTIFICATE: ") != std::string::npos &&
       program.find("MOTION SHA-256: ") != std::string::npos)

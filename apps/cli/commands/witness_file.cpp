@@ -14,17 +14,17 @@
 namespace clearcut::cli {
 namespace {
 
-/// What may be claimed, the strongest first.
+/// Possible claims, the strongest first.
 struct Attempt {
   double uncut;   // mm; the second is for programs whose control rounds corners by more than the first leaves
-  bool straight;  // rapids are taken to be straight, also where a control may move its axes one by one
-  bool as_stated;  // about the outline file as it is; else about its outlines as they were repaired
+  bool straight;  // rapids are assumed straight, also on controls that may move their axes one by one
+  bool as_stated;  // about the original outline file; else about its repaired outlines
 };
 constexpr Attempt kAttempts[] = {{0.01, false, true}, {0.01, true, true},   {0.012, false, true},
                                  {0.012, true, true}, {0.01, false, false}, {0.01, true, false},
                                  {0.012, true, false}};
 
-/// What of a tool counts: cylinders, and drills as the cylinder above their point.
+/// The counting shape of a tool: cylinders, and drills as the cylinder above their point.
 std::optional<WitnessTool> proven_tool(const Tool& tool) {
   const bool mill = tool.kind == ToolKind::kEndMill || tool.kind == ToolKind::kFaceMill ||
                     tool.kind == ToolKind::kCounterbore;
@@ -32,7 +32,7 @@ std::optional<WitnessTool> proven_tool(const Tool& tool) {
   return WitnessTool{tool.number, tool.diameter, mill ? 0.0 : point_length(tool)};
 }
 
-/// As an outline has it: kerfs as areas, and without what no cylinder makes.
+/// The part in the form of an outline: kerfs as areas, without features that no cylinder makes.
 Part part_as_outline(const Part& part, std::vector<std::string>& missing) {
   Part out = part;
   out.features.clear();
@@ -47,7 +47,7 @@ Part part_as_outline(const Part& part, std::vector<std::string>& missing) {
   return out;
 }
 
-/// What the steps of a feature leave, and by which cutter.
+/// Stock left by the steps of a feature, and their cutter.
 WitnessFeature claim_of(const Part& part, const Feature& feature) {
   WitnessFeature claim{.name = feature.name, .floor = feature.floor_z};
   bool first = true;
@@ -130,7 +130,7 @@ std::vector<std::string> options_of(const Attempt& attempt) {
   return options;
 }
 
-/// About the outline file as it is, or about the part as an outline; nothing where the file is none.
+/// A witness about the original outline file, or about the part as an outline; nothing if the file is no outline.
 std::optional<WitnessFile> attempted(const Proven& what, const Attempt& attempt) {
   const bool outline_given = is_outline(what.part_name);
   if (attempt.as_stated && !outline_given) return std::nullopt;

@@ -1,4 +1,4 @@
-// Witnesses: what --witness writes, and what --prove has checked by a program of its own.
+// Witnesses: output of --witness, and checks by a separate program for --prove.
 #pragma once
 
 #include <clearcut/file.h>
@@ -11,33 +11,33 @@
 
 namespace clearcut::cli {
 
-/// A program and what it makes.
+/// A program and its part.
 struct Proven {
-  const Part& part;  ///< as it was planned or checked
+  const Part& part;  ///< as planned or checked
   const Toolpath& toolpath;
   const std::string& program;
   std::string program_name;  ///< path
   std::string part_name;     ///< path
 };
 
-/// A witness, and the options of the checker that it is made for.
+/// A witness, and the checker's options for it.
 struct WitnessFile {
   FoundWitness found;
   std::vector<std::string> options;
-  std::string outline;  ///< the part that it is about, where the one given is no outline file, or was
-                        ///< repaired; else empty
+  /// The part of the witness, if the given one is no outline file, or was repaired; else empty.
+  std::string outline;
 };
 
-/// Beside a witness: the outline that it is about, where that is not the part's own file.
+/// Name of the file beside a witness for its outline, if other than the part's own file.
 std::string outline_name(const std::string& witness);
 WitnessFile witness_of(const Proven& what);
-/// The witness as `path`, and the outline where there is one; nothing where no witness was found.
-/// What a certificate says of it.
+/// The certificate's text on a witness.
 CertificateProof proof_of(const WitnessFile& witness);
+/// The witness as the file `path`, and its outline if there is one; empty if no witness was found.
 std::vector<OutputFile> witness_files(const WitnessFile& witness, const std::string& path);
-/// What was found, or why nothing was, as lines.
+/// The result, or the reason for its absence, as lines.
 std::string witness_lines(const WitnessFile& witness, const std::string& path, const Proven& what);
-/// Runs clearcut-check on them: "proved by witness (checked in 0.04 s)", or that it did not accept. Sets `proved`.
+/// Runs clearcut-check on them: "proved by witness (checked in 0.04 s)", or the refusal. Sets `proved`.
 std::string checked_by_program(const WitnessFile& witness, const Proven& what, bool& proved);
 
 }  // namespace clearcut::cli

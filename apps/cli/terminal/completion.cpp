@@ -49,7 +49,7 @@ std::string bash_values(const CommandText& command) {
   return text;
 }
 
-/// Names that the argument without an option may have.
+/// Names permitted for the argument without an option.
 std::vector<std::string> positional_values(const CommandText& command) {
   for (const OptionText& option : command.options) {
     if (option.positional) return option.values;
@@ -103,7 +103,7 @@ std::string fish_line(const std::string& command, const OptionText& option) {
   } else if (!option.value.empty()) {
     text += option.file ? " -r" : " -x";
   }
-  // fish ends a quoted string at a quote, too, and knows no '\'' but \'.
+  // fish ends a quoted string at a quote, too, and uses \' instead of '\''.
   std::string help = replaced(replaced(option.help, '\\', "\\\\"), '\'', "\\'");
   return text + " -d '" + help + "'\n";
 }

@@ -16,7 +16,7 @@ constexpr std::size_t kIndent = 2;
 constexpr std::size_t kHelpColumn = 28;
 constexpr std::size_t kWidest = 110;  // longer lines are hard to read
 
-/// "  --tool TEXT           what it is", the right column wrapped; on lines of its own below a long left one.
+/// "  --tool TEXT           description", the right column wrapped; on lines of its own below a long left one.
 std::string help_entry(const std::string& left, const std::string& help, std::size_t width) {
   std::string text = std::string(kIndent, ' ') + left;
   if (text.size() + 2 > kHelpColumn) {
@@ -43,7 +43,7 @@ std::string usage(const CommandText& command) {
 
 std::string help_of_option(const OptionText& option) {
   std::string text = option.help;
-  // Names that the sentence does not list itself.
+  // Names not listed in the sentence itself.
   const bool lists = std::any_of(option.values.begin(), option.values.end(), [&](const std::string& one) {
     return one.size() > 2 && option.help.find(one) != std::string::npos;
   });
@@ -59,7 +59,7 @@ bool is_for_beginners(const OptionText& option) {
   return !row || row->level == Level::kFirst;
 }
 
-/// Takes the rarer options out of a command that has many; their number.
+/// Removes the less used options from a command with many; returns their number.
 std::size_t hide_rare(CommandText& command) {
   constexpr std::size_t kMany = 60;
   if (command.options.size() < kMany) return 0;

@@ -1,4 +1,4 @@
-// What --help prints.
+// Text of --help.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,7 +9,7 @@ namespace clearcut::cli {
 /// Prints from the option table, in groups, as wide as the terminal.
 class HelpText : public CLI::Formatter {
  public:
-  /// `shows_all`: rare options and those of research, too, as for `--help all`.
+  /// `shows_all`: also seldom used options and those of research, as for `--help all`.
   explicit HelpText(bool shows_all = true) : shows_all_(shows_all) {}
   std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
 

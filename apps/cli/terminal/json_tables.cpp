@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Rounded as in the certificate, so that the same question gives the same bytes; what is no number is null.
+/// Rounded as in the certificate, so that the same question gives the same bytes; non-numbers are null.
 Json number(double value) {
   constexpr double kUnit = 1e6;
   return std::isfinite(value) ? Json(std::round(value * kUnit) / kUnit) : Json();
@@ -187,8 +187,8 @@ std::string infos_json(const std::vector<PartInfo>& infos) {
 
 namespace {
 
-/// Where a job says the same: its table and key, whether the key means the opposite, and whether the value is a number. Null where a
-/// job has no key for it.
+/// The equivalent in a job: table and key, whether the key means the opposite, and whether the value is a number.
+/// Null if a job has no key for it.
 Json job_key_json(const OptionText& option) {
   const Row* row = option.positional ? nullptr : row_named(option.names.back().substr(2));
   if (!row || row->table == JobTable::kNone) return nullptr;

@@ -9,7 +9,7 @@ namespace {
 
 const std::string kHelpGroup = "Help";
 
-/// The names in braces that a validator adds to the type: "TEXT:{climb,conventional}".
+/// The names in braces added to the type by a validator: "TEXT:{climb,conventional}".
 std::vector<std::string> values_of(const std::string& type) {
   const auto from = type.find('{'), to = type.find('}');
   if (from == std::string::npos || to == std::string::npos || to < from) return {};

@@ -1,4 +1,4 @@
-// Every command and option in plain data, as the parser knows them: help, man page and completion are made from it.
+// Every command and option in plain data, from the parser: the basis of help, man page and completion.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,11 +8,11 @@
 namespace clearcut::cli {
 
 struct OptionText {
-  std::vector<std::string> names;  ///< "-o", "--output"; "INPUT" for one that is told by its place
-  std::string value;               ///< what stands for the value in help: MM, FILE; "" for flags
+  std::vector<std::string> names;  ///< "-o", "--output"; "INPUT" for a positional one
+  std::string value;               ///< placeholder of the value in help: MM, FILE; "" for flags
   std::string help;                ///< with the default in brackets
   std::string group;
-  std::vector<std::string> values;  ///< that can be completed
+  std::vector<std::string> values;  ///< values for completion
   bool positional = false;
   bool required = false;
   bool file = false;
@@ -22,12 +22,12 @@ struct OptionText {
 struct CommandText {
   std::string name;
   std::string help;
-  std::vector<OptionText> options;  ///< as declared; options told by place first
-  std::vector<std::string> groups;  ///< of options told by name, as declared; that of --help last
+  std::vector<OptionText> options;  ///< as declared; positional options first
+  std::vector<std::string> groups;  ///< groups of named options, as declared; that of --help last
 };
 
 CommandText text_of(const CLI::App& command);
-/// Of all commands that are not hidden.
+/// All commands except hidden ones.
 std::vector<CommandText> commands_of(const CLI::App& app);
 
 /// "-o,--output FILE".

@@ -1,4 +1,4 @@
-// What the commands print and write.
+// Output of the commands, printed and written.
 #pragma once
 
 #include <clearcut/error.h>
@@ -10,12 +10,12 @@
 
 namespace clearcut::cli {
 
-/// Diagnostics as lines on standard error: "repair: where: what". Notes only when `verbose`.
+/// Diagnostics as lines on standard error: "repair: place: text". Notes only when `verbose`.
 void print(const Diagnostics& diagnostics, bool verbose);
-/// The same of warnings alone: beside an error that ends the command.
+/// The same for warnings only: printed with an error that ends the command.
 void print_warnings(const Diagnostics& diagnostics);
 void print_line(const std::string& text);
-/// On standard error with the program's name before it, as one line whatever the message holds.
+/// On standard error with the program's name before it, as one line for any message.
 void complain(std::string message);
 /// As wide as the terminal, or for a Markdown page.
 void print_table(const TextTable& table, bool as_markdown = false);
@@ -23,8 +23,8 @@ void print_table(const TextTable& table, bool as_markdown = false);
 /// The name of a file without its folder.
 std::string file_name(const std::string& path);
 
-/// All of the files or (InputError) none; those named "-" go to standard output, last. None of `inputs` (files that were read for
-/// them) is replaced. A signal that ends the program waits meanwhile, so that no temporary file stays behind.
+/// All of the files or (InputError) none; those named "-" go to standard output, last. None of `inputs` (files read
+/// for them) is replaced. Signals that end the program are delayed meanwhile, so that no temporary file is left.
 void write_outputs(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs);
 
 }  // namespace clearcut::cli

@@ -15,10 +15,10 @@ namespace clearcut::cli {
 namespace {
 
 using ProgressClock = std::chrono::steady_clock;
-constexpr double kQuiet = 1;  // s before anything is said on a terminal
+constexpr double kQuiet = 1;  // s before the first output on a terminal
 constexpr double kQuietElsewhere = 3;
-constexpr double kLong = 10;         // s before it is said what would be faster
-constexpr double kLineEvery = 3;     // s between lines where no terminal shows them
+constexpr double kLong = 10;         // s before advice for faster work is printed
+constexpr double kLineEvery = 3;     // s between lines without a terminal
 constexpr double kRenewEvery = 0.2;  // s between renewals on a terminal
 const ProgressClock::time_point kStart = ProgressClock::now();
 

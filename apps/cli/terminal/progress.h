@@ -1,4 +1,4 @@
-// A line on standard error about work that takes more than a second.
+// A line on standard error about work longer than a second.
 #pragma once
 
 #include <clearcut/error.h>
@@ -14,17 +14,18 @@
 
 namespace clearcut::cli {
 
-/// The hint of commands that write their files at the end.
+/// Hint for commands that write their files at the end.
 inline constexpr const char* kCancel = "Ctrl-C stops; nothing is written before the end.";
-/// And of those that print, or write as they go.
+/// Hint for commands that print, or write continuously.
 inline constexpr const char* kStops = "Ctrl-C stops.";
 
-/// Whether a terminal shows standard error: commands that print each result as it comes say no more elsewhere.
+/// Whether a terminal shows standard error: otherwise commands that print each result at once print no more.
 bool is_watched();
 
-/// While it lives: after a second (three where no terminal shows it), what is being done, how far it is, and how long it may still take, on one line that is renewed on
-/// a terminal, every three seconds on a line of its own elsewhere; with CLEARCUT_PROGRESS=json as JSON, a line every fifth of a second. Says `hint` once, when it begins to say anything,
-/// and `advice` once, when the work has taken ten seconds.
+/// During its lifetime shows, after a second (three without a terminal), the work, its progress, and the estimated
+/// remaining time: on one renewed line of a terminal, else on a separate line every three seconds; with
+/// CLEARCUT_PROGRESS=json as JSON, a line every fifth of a second. Prints `hint` once at the first output, and
+/// `advice` once after ten seconds.
 class ProgressLine {
  public:
   explicit ProgressLine(std::string hint, std::string advice = "");
@@ -35,22 +36,21 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   /// For the options of a plan; not to be called after this object's end.
   ProgressCallback callback();
-  /// Of a search: the best that it found so far.
+  /// For a search: the best result so far.
   void search(const SearchProgress& at);
-  /// Of several plans or tables: so many `things` are done.
-  /// What was done at the first call took no time.
+  /// For several plans or tables: the number of `things` done. Things done before the first call took no time.
   void count(std::size_t done, std::size_t of, const std::string& things);
-  /// Removes the line from the terminal, so that what is printed next stands alone; it comes again.
+  /// Removes the line from the terminal before other output; it appears again later.
   void clear();
-  /// A line of its own, at once, that stays.
+  /// Prints a separate, permanent line at once.
   void say(const std::string& line);
-  /// Of work that counts nothing: what it is, and how long it took where it was measured, 0 where it was not.
+  /// For work without counts: its name, and its measured usual time, 0 if unknown.
   void expect(const std::string& work, double usual_s = 0);
 
  private:
   void watch();
   void show(double elapsed_s);
-  /// Says the hint, once.
+  /// Prints the hint, once.
   void begin();
   void hear(const Progress& at);
 

@@ -1,4 +1,4 @@
-// How far a plan has come, in words and for programs.
+// Progress of a plan, in words and for programs.
 #pragma once
 
 #include <clearcut/error.h>
@@ -9,20 +9,20 @@
 
 namespace clearcut::cli {
 
-/// s, as fast as it went so far; none before the first is done.
+/// s, at the speed so far; none before the first is done.
 std::optional<double> time_left(std::size_t done, std::size_t of, double spent_s);
 
 /// For people; `spent_s`: s in this stage.
 std::string described(const Progress& at, double spent_s);
 
-/// A line of JSON that another program reads.
+/// A line of JSON for other programs.
 std::string json_of(const Progress& at, double spent_s);
 
-/// A search that the clock ends at the latest.
+/// A search ended by the clock at the latest.
 struct SearchProgress {
   double best = 0;     ///< of the objective, so far
   double found_s = 0;  ///< since the beginning
-  double most_s = 0;   ///< that it may take
+  double most_s = 0;   ///< greatest permitted time
 };
 
 /// The same of a search; `spent_s`: s since its beginning.
@@ -31,13 +31,14 @@ std::string json_of(const SearchProgress& at, double spent_s);
 
 /// Things of unlike length, one after the other.
 struct CountProgress {
-  std::size_t before = 0;  ///< that were done when it began
+  std::size_t before = 0;  ///< number done at the beginning
   std::size_t done = 0, of = 0;
   std::string things;
 };
 
-/// s, by what was done when the last one ended, `since_s` ago, after `spent_s`: it falls until the next one ends. None before a sixth is
-/// done, which says too little, and where the one under way takes longer than all were thought to.
+/// s, by the state at the end of the last one, `since_s` ago, after `spent_s`: it decreases until the next one ends.
+/// None before a sixth is done, since the estimate is too uncertain, and if the current one takes longer than the
+/// estimate for all.
 std::optional<double> time_left(const CountProgress& at, double spent_s, double since_s);
 
 std::string described(const CountProgress& at, std::optional<double> left_s);

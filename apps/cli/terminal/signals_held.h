@@ -1,4 +1,4 @@
-// Signals that would end the program wait until something is whole.
+// Delays signals that would end the program until an output is complete.
 #pragma once
 
 #include <array>
@@ -7,7 +7,8 @@
 
 namespace clearcut::cli {
 
-/// Ctrl-C, SIGTERM and SIGHUP are kept until this ends, and then do what they did before; those that were ignored stay so.
+/// Ctrl-C, SIGTERM and SIGHUP are held until this object ends, and then have their former effect; ignored ones stay
+/// ignored.
 class SignalsHeld {
  public:
   SignalsHeld();
@@ -15,13 +16,13 @@ class SignalsHeld {
   SignalsHeld(const SignalsHeld&) = delete;
   SignalsHeld& operator=(const SignalsHeld&) = delete;
 
-  /// Whether one has come, which whoever works under this may take for a wish to end.
+  /// Whether a signal has arrived; work under this object may take it as a request to end.
   static bool any();
 
  private:
   static constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
   std::array<struct sigaction, kSignals.size()> before_{};
-  int earlier_;  ///< that came while an outer one held them
+  int earlier_;  ///< signal that arrived while an outer object held them
 };
 
 }  // namespace clearcut::cli

@@ -33,7 +33,7 @@ std::optional<std::size_t> width_given() {
   return width > 0 ? std::optional(static_cast<std::size_t>(width)) : std::nullopt;
 }
 
-/// Only calls that are safe in a signal handler. The temporary files of an output are held back from this (base/files).
+/// Only async-signal-safe calls. The temporary files of an output are held back from this (base/files).
 void interrupted(int signal) {
   constexpr std::string_view kOnTerminal = "\r\x1b[Kclearcut: stopped\n", kElsewhere = "clearcut: stopped\n";
   const auto text = ::isatty(STDERR_FILENO) != 0 ? kOnTerminal : kElsewhere;
@@ -45,7 +45,7 @@ void interrupted(int signal) {
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kColours{
     {{"CLEAN", "\x1b[32m"}, {"CONDITIONAL", "\x1b[33m"}, {"FAULTY", "\x1b[31m"}}};
 
-/// The verdict of a line that states one, "" for others.
+/// The verdict stated in a line, "" for others.
 std::string_view verdict_in(std::string_view line) {
   constexpr std::string_view kLabel = "verdict: ";
   if (line.starts_with(kLabel)) line.remove_prefix(kLabel.size());
@@ -100,7 +100,7 @@ void say_when_interrupted() {
   stop.sa_handler = interrupted;
   for (const int signal : {SIGINT, SIGTERM}) {
     struct sigaction before {};
-    // Work that was started with the signal ignored (nohup, a script's background) goes on.
+    // Work started with the signal ignored (nohup, a script's background) continues.
     const bool is_ignored = ::sigaction(signal, nullptr, &before) == 0 && before.sa_handler == SIG_IGN;
     if (!is_ignored) ::sigaction(signal, &stop, nullptr);
   }

@@ -52,7 +52,7 @@ bool WaitingConnections::wait(int socket, short events, Clock::time_point began,
 
 void WaitingConnections::make_room() {
   if (open_ <= most_ || waiting_.empty()) return;
-  ::shutdown(waiting_.begin()->second, SHUT_RDWR);  // ends the wait; whoever waits closes it
+  ::shutdown(waiting_.begin()->second, SHUT_RDWR);  // ends the wait; the waiting thread closes it
   waiting_.erase(waiting_.begin());
 }
 
@@ -73,7 +73,7 @@ bool Connection::is_readable() const {
   return next_ < filled_ || is_ready(socket_, POLLIN, Clock::now());
 }
 
-/// Asked before every part of a long answer: a client that has gone is sent no more.
+/// Called before every part of a long answer: no more is sent to a client that has gone.
 bool Connection::is_writable() const {
   char next = 0;
   if (::recv(socket_, &next, 1, MSG_PEEK | MSG_DONTWAIT) == 0) return false;

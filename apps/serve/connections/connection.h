@@ -1,4 +1,4 @@
-// A client's connection: what comes and goes, and how long the server waits for it.
+// A client's connection: its input and output, and the server's limits of waiting.
 #pragma once
 
 #include <httplib.h>
@@ -12,31 +12,31 @@
 
 namespace clearcut::serve {
 
-/// The connections whose clients have to send or take something before the server can go on. While more connections are open than
-/// can be served at a time, the oldest of those that wait are given up. May be used from several threads.
+/// The connections waiting for their clients to send or receive data. While more connections are open than can be
+/// served at a time, the oldest waiting ones are closed. May be used from several threads.
 class WaitingConnections {
  public:
-  /// `most`: connections that can be served at a time.
+  /// `most`: number of connections served at a time.
   explicit WaitingConnections(std::size_t most) : most_(most) {}
   void opened();
   void closed();
-  /// Waits until `socket` allows `events` (POLLIN, POLLOUT), at most until `end`. False where it does not or was given up.
+  /// Waits until `socket` allows `events` (POLLIN, POLLOUT), at most until `end`. False if it does not or was closed.
   bool wait(int socket, short events, Clock::time_point began, Clock::time_point end);
   void give_up_all();
 
  private:
   using Entry = std::pair<Clock::time_point, int>;  ///< when the connection began, its socket
-  /// Gives up the connection that began first among those that wait now, where one has to make room.
+  /// Closes the oldest waiting connection if room is needed.
   void make_room();
 
   std::mutex mutex_;
   std::size_t most_;
-  std::size_t open_ = 0;  ///< those being served and those that wait to be
+  std::size_t open_ = 0;  ///< connections being served or waiting
   std::set<Entry> waiting_;
 };
 
-/// One accepted socket, closed with this object. Neither side may be silent for long, and all headers of the request have to come
-/// within `kLongestHead`, whatever the pace.
+/// One accepted socket, closed with this object. Neither side may be silent for long, and all headers of the request
+/// must arrive within `kLongestHead`, at any pace.
 class Connection : public httplib::Stream {
  public:
   Connection(int socket, WaitingConnections& waiting);
@@ -44,7 +44,7 @@ class Connection : public httplib::Stream {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  /// The headers have come; what follows may take longer.
+  /// The headers have arrived; the rest may take longer.
   void end_head() { head_has_come_ = true; }
 
   bool is_readable() const override;
@@ -56,7 +56,7 @@ class Connection : public httplib::Stream {
   socket_t socket() const override { return socket_; }
 
  private:
-  /// Of the socket, into `data`; 0 at the end, -1 where nothing came in time.
+  /// Receives from the socket into `data`; 0 at the end, -1 if no data arrived in time.
   ssize_t receive(char* data, std::size_t size);
 
   int socket_;

@@ -10,7 +10,7 @@
 namespace clearcut::serve {
 namespace {
 
-/// "localhost" of "localhost:8080", "::1" of "[::1]:8080", in small letters; "" where it is none.
+/// "localhost" of "localhost:8080", "::1" of "[::1]:8080", in small letters; "" if there is none.
 std::string name_of_host(const std::string& host) {
   std::string name = host.substr(0, host.find(':'));
   std::string port = name.size() < host.size() ? host.substr(name.size()) : "";

@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::size_t kThreads = 160;  // more than those who follow plans and those who wait for a check
 
-/// A thread that runs out of memory over a request drops that connection alone.
+/// A thread out of memory during a request drops only this connection.
 class Threads : public httplib::TaskQueue {
  public:
   explicit Threads(WaitingConnections& waiting) : waiting_(waiting) {}
@@ -15,7 +15,7 @@ class Threads : public httplib::TaskQueue {
     pool_.enqueue([this, action = std::move(action)] {
       try {
         action();
-      } catch (const std::exception&) {  // nobody is left to be told
+      } catch (const std::exception&) {  // there is no client left to inform
       }
       waiting_.closed();
     });
@@ -38,7 +38,7 @@ void Listener::end() {
   waiting_.give_up_all();
 }
 
-/// One request a connection: what is left of one that was refused is never taken for another.
+/// One request per connection: the rest of a refused one is never read as another.
 bool Listener::process_and_close_socket(socket_t socket) {
   Connection connection(socket, waiting_);
   bool is_closed = false;

@@ -7,12 +7,12 @@
 
 namespace clearcut::serve {
 
-/// The library's server, with connections of ours. Clients that are silent, that send or take a little now and then, or that come
-/// in numbers cannot keep others out: where all threads are taken, the oldest connection that waits for its client makes room.
+/// The library's server, with Clearcut's own connections. Silent, slow or numerous clients cannot block others: if
+/// all threads are in use, the oldest connection waiting for its client is closed.
 class Listener : public httplib::Server {
  public:
   Listener();
-  /// Ends it, and does not wait for clients. From another thread.
+  /// Ends the server without waiting for clients. Called from another thread.
   void end();
 
  private:

@@ -1,4 +1,4 @@
-// What a plan or a check leaves to be fetched: names in addresses, files in its folder, media types.
+// Results of a plan or a check for download: names in addresses, files in its folder, media types.
 #pragma once
 
 #include <filesystem>
@@ -19,13 +19,13 @@ struct ResultKind {
 
 std::span<const ResultKind> result_kinds();
 
-/// Of a name in an address, "program" or "program-2"; null where nothing is called so.
+/// The kind for a name in an address, "program" or "program-2"; null if unknown.
 const ResultKind* kind_of_result(std::string_view name);
 
-/// Its file, within the folder of results. `kind` is that of `name`.
+/// Its file, within the folder of results. `kind` must be the kind of `name`.
 std::string file_of_result(const ResultKind& kind, std::string_view name);
 
-/// Names of the results that there are in a folder, in the order of result_kinds(), set-up by set-up.
+/// Names of the existing results in a folder, in the order of result_kinds(), set-up by set-up.
 std::vector<std::string> results_in(const std::filesystem::path& folder);
 
 }  // namespace clearcut::serve

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A child that is being killed may still write: until nothing is left, or two seconds have passed.
+/// A child being killed may still write: repeats until the folder is removed, or two seconds have passed.
 void remove_whole(const std::string& folder) {
   constexpr int kTries = 20;
   std::error_code failed;
@@ -29,7 +29,7 @@ void remove_whole(const std::string& folder) {
   }
 }
 
-/// Reads until the other end is closed: by the end of the process that holds it.
+/// Reads until the other end is closed by the end of its process.
 [[noreturn]] void remove_at_end(int closed, const std::string& folder) {
   setsid();  // Ctrl-C is for the server
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) ::signal(signal, SIG_IGN);

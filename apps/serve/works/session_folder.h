@@ -1,4 +1,4 @@
-// The one place where the server keeps files.
+// The only folder in which the server stores files.
 #pragma once
 
 #include <sys/types.h>
@@ -7,8 +7,8 @@
 
 namespace clearcut::serve {
 
-/// A new folder that nobody else may read. It is removed with this object, and also where this process is killed: a process
-/// of its own waits for that. To be made before the first thread.
+/// A new folder not readable by other users. It is removed with this object, and also if this process is killed: a
+/// separate process waits for this. Must be made before the first thread.
 class SessionFolder {
  public:
   SessionFolder();
@@ -19,7 +19,7 @@ class SessionFolder {
 
  private:
   std::string path_;
-  int alive_ = -1;  ///< closed when this process ends, however it ends
+  int alive_ = -1;  ///< closed at any end of this process
   pid_t remover_ = -1;
 };
 

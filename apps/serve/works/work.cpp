@@ -28,7 +28,7 @@ int rank(std::string_view verdict) {
   return verdict.empty() ? 0 : 1;
 }
 
-/// The worst of all certificates; "" where there is none.
+/// The worst of all certificates; "" if there is none.
 std::string verdict_in(const fs::path& results) {
   std::string worst;
   for (const std::string& name : results_in(results)) {

@@ -1,4 +1,4 @@
-// One plan or check: what is asked, how far it is, what came of it.
+// One plan or check: request, progress, and result.
 #pragma once
 
 #include <atomic>
@@ -17,26 +17,26 @@ enum class WorkState : unsigned char { kWaiting, kRunning, kDone, kFailed, kCanc
 
 std::string name_of(WorkState state);
 
-/// What its end was, as read from its folder.
+/// Its outcome, as read from its folder.
 struct WorkEnd {
   WorkState state = WorkState::kDone;
   int exit_code = 0;
-  std::string verdict;  ///< of the certificate; "" where there is none
+  std::string verdict;  ///< verdict of the certificate; "" if there is none
   std::string message;  ///< one line: why there is no result
 };
 
 /// Everything but `folder`, `words` and `is_cancelled` is guarded by the list's mutex.
 struct Work {
   std::string id;
-  std::filesystem::path
-      folder;  ///< files of the request and results/; the one around it is removed in the end
+  /// Files of the request and results/; the folder around it is removed in the end.
+  std::filesystem::path folder;
   std::vector<std::string> words;
-  bool has_verdict = true;  ///< a certificate says what came of it
+  bool has_verdict = true;  ///< a certificate states the outcome
   std::atomic<bool> is_cancelled = false;
 
   WorkState state = WorkState::kWaiting;
   WorkEnd end;
-  Json progress;                      ///< last said: stage, done, most
+  Json progress;                      ///< last reported: stage, done, most
   std::vector<std::string> messages;  ///< warnings and notes, in their order
   unsigned version = 0;               ///< counts changes
   Clock::time_point began, ended;
@@ -47,11 +47,11 @@ struct Work {
   Work& operator=(const Work&) = delete;
 };
 
-/// Reads what the child says on its standard error: lines of progress (JSON) and messages.
+/// Reads the child's standard error: lines of progress (JSON) and messages.
 class ChildTalk {
  public:
   explicit ChildTalk(std::filesystem::path log) : log_(std::move(log)) {}
-  /// What was said since the last call; whole lines alone.
+  /// Reads the output since the last call; only whole lines.
   void read(Json& progress, std::vector<std::string>& messages);
 
  private:

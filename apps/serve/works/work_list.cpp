@@ -21,7 +21,7 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
   return std::chrono::duration<double>(to - from).count();
 }
 
-/// What the interface says of a child that did not end by itself.
+/// Outcome, for the interface, of a child that did not end by itself.
 WorkEnd broken_end(const ChildEnd& child, const Settings& settings) {
   WorkEnd end;
   end.state = WorkState::kFailed;
@@ -37,7 +37,7 @@ WorkEnd broken_end(const ChildEnd& child, const Settings& settings) {
   return end;
 }
 
-/// Where results are found, of those that there are.
+/// Addresses of the existing results.
 Json results_of(const Work& work) {
   Json results = Json::object();
   for (const std::string& name : results_in(work.folder / "results"))
@@ -180,7 +180,7 @@ void WorkList::work_on() {
   }
 }
 
-/// Takes up what a child said meanwhile.
+/// Takes a child's output since the last call.
 void WorkList::listen(Work& work, ChildTalk& talk) {
   const std::lock_guard lock(mutex_);
   const Json before = work.progress;

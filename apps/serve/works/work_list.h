@@ -21,27 +21,28 @@ using WorkPtr = std::shared_ptr<Work>;
 class WorkList {
  public:
   explicit WorkList(const Settings& settings);
-  /// Ends what runs.
+  /// Ends all running work.
   ~WorkList();
   WorkList(const WorkList&) = delete;
   WorkList& operator=(const WorkList&) = delete;
 
   /// Whether another may join.
   bool has_room() const;
-  /// Queues it; its folder is removed with the last who knows it. `is_kept`: it can be found by its name afterwards.
+  /// Queues the work; its folder is removed with its last owner. `is_kept`: the work can be found by its name
+  /// afterwards.
   void add(const WorkPtr& work, bool is_kept);
-  /// Null where there is none, or no more.
+  /// Null if there is none, or it is gone.
   WorkPtr find(const std::string& id) const;
-  /// Stops it where it runs, and forgets it. "No" where there is none.
+  /// Stops the work if running, and forgets it. False if there is none.
   bool drop(const std::string& id);
 
-  /// The state as the interface says it.
+  /// The state in the form of the interface.
   Json status(const WorkPtr& work) const;
-  /// The same once its version is not `seen` any more, which it becomes; null after `seconds` without a change.
+  /// The same once its version differs from `seen`, which is then updated; null after `seconds` without a change.
   std::optional<Json> next_status(const WorkPtr& work, unsigned& seen, double seconds) const;
   /// Waits for its end.
   void wait(const WorkPtr& work) const;
-  /// Everything ends, and everybody who waits comes back.
+  /// Ends all work; all waiting calls return.
   void stop();
   bool is_stopped() const;
 
@@ -65,7 +66,7 @@ class WorkList {
   std::vector<std::jthread> threads_;
 };
 
-/// A name that nobody guesses.
+/// An unguessable name.
 std::string new_id();
 
 }  // namespace clearcut::serve

@@ -41,7 +41,7 @@ SvgFrames::~SvgFrames() {
   try {
     finish();
   } catch (const std::exception&) {
-    // A picture that is missing must not end the run that it was to explain.
+    // A missing debug picture must not end the run.
   }
 }
 
@@ -62,7 +62,7 @@ void SvgFrames::arc(double x0, double y0, double x1, double y1, double cx, doubl
     ++skipped_;
     return;
   }
-  // The picture has to hold the arc's outermost points, and not its centre, which may be far away.
+  // The picture must contain the arc's outermost points, but not its centre: the centre may be far away.
   for (const auto& [ux, uy] : {std::pair{1, 0}, {0, 1}, {-1, 0}, {0, -1}}) {
     const double x = cx + radius * ux, y = cy + radius * uy;
     const double side = (x1 - x0) * (y - y0) - (y1 - y0) * (x - x0);

@@ -12,7 +12,7 @@
 
 namespace clearcut::inline base {
 
-/// Takes primitives as plain numbers in mm, x right and y up, so that every folder can draw. Colours are
+/// Takes primitives as plain numbers in mm, x right and y up, so that code of every folder can draw. Colours are
 /// SVG's.
 class DebugSink {
  public:
@@ -20,7 +20,7 @@ class DebugSink {
   /// Ends the picture before it, if any, and starts the next.
   virtual void frame(std::string_view title) = 0;
   virtual void line(double x0, double y0, double x1, double y1, std::string_view color) = 0;
-  /// About (cx, cy); the ends need not lie on the circle exactly. Equal ends: nothing is drawn.
+  /// About (cx, cy); the ends need not be on the circle exactly. Equal ends: nothing is drawn.
   virtual void arc(double x0, double y0, double x1, double y1, double cx, double cy, bool counter_clockwise,
                    std::string_view color) = 0;
   virtual void polyline(const std::vector<std::pair<double, double>>& points, bool closed,
@@ -28,8 +28,8 @@ class DebugSink {
   virtual void dot(double x, double y, std::string_view label, std::string_view color) = 0;
 };
 
-/// Writes every frame that has anything on it as FOLDER/PREFIX-001-title.svg, -002-..., scaled to what was
-/// drawn. Numbers that are not finite are left out, and counted in the title of the picture.
+/// Writes every frame that is not empty as FOLDER/PREFIX-001-title.svg, -002-..., scaled to its drawing. Numbers that
+/// are not finite are left out, and counted in the title of the picture.
 class SvgFrames : public DebugSink {
  public:
   /// The folder is made when the first frame is written.

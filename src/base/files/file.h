@@ -18,9 +18,9 @@ struct OutputFile {
 };
 
 /// Writes every file under a temporary name beside its target, then renames them all: either all targets are
-/// new and complete, or (InputError) none has changed. Devices and pipes are written to and stay what they are. Links are
-/// followed. None of `inputs` (files that were read for these) is replaced. `interrupted` is asked until the first target is
-/// replaced; once it says yes, nothing is written (InputError).
+/// new and complete, or (InputError) none has changed. Devices and pipes are written to directly and not replaced.
+/// Links are followed. None of `inputs` (files that were read for these) is replaced. `interrupted` is asked until
+/// the first target is replaced; once it returns true, nothing is written (InputError).
 void write_files(const std::vector<OutputFile>& files, const std::vector<std::string>& inputs = {},
                  const std::function<bool()>& interrupted = {});
 

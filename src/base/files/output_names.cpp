@@ -11,7 +11,7 @@ bool is_standard_output(const std::string& path) {
   return path == "-" || path == "/dev/stdout" || path == "/dev/fd/1" || path == "/proc/self/fd/1";
 }
 
-/// A device or pipe: nothing is replaced by writing to it.
+/// A device or pipe: writing to it replaces no file.
 bool is_device(const std::string& path) {
   std::error_code ignored;
   const auto status = fs::status(path, ignored);

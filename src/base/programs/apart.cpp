@@ -59,7 +59,7 @@ std::string read_all(int pipe) {
   }
 }
 
-/// Between fork and exec: only calls that are safe there.
+/// Between fork and exec: only async-signal-safe calls.
 [[noreturn]] void become(char* const* command, int input, int output, int nowhere, int seconds) {
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);

@@ -1,4 +1,4 @@
-// Work that may crash or never end, done by a program of its own.
+// Runs work that may crash or never end in a program of its own.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@
 
 namespace clearcut::inline base {
 
-/// What the program `command` (its path, then its arguments) writes when it is given `input`; nothing where it crashed,
-/// failed, or took more than `seconds` of processor time. What it says on standard error is dropped.
+/// Standard output of the program `command` (its path, then its arguments) for the input `input`; nothing if the
+/// program crashed, failed, or took more than `seconds` of processor time. Its standard error is dropped.
 ///
-/// Throws  std::system_error where it cannot be started.
+/// Throws  std::system_error if the program cannot be started.
 /// Cost    about a millisecond on top of the program's own.
 std::optional<std::string> done_apart(const std::vector<std::string>& command, std::string_view input,
                                       int seconds);

@@ -44,7 +44,7 @@ std::optional<double> number_or_fraction(std::string_view text) {
   return *above / *below;
 }
 
-/// The longest unit that ends the text counts.
+/// If several units end the text, the longest one is taken.
 template <std::size_t N>
 std::optional<double> quantity_of(std::string_view text, const std::array<Unit, N>& units) {
   std::string_view number = text;

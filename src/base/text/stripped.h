@@ -5,7 +5,7 @@
 
 namespace clearcut::inline base {
 
-/// Without what is listed in `blanks` at either end; a view into the same text.
+/// The text without the characters of `blanks` at either end; a view into the same text.
 constexpr std::string_view stripped(std::string_view text, std::string_view blanks = " \t\r\n\v\f") {
   const std::size_t first = text.find_first_not_of(blanks);
   if (first == std::string_view::npos) return {};

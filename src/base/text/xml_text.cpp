@@ -8,7 +8,7 @@ bool is_continuation(char c) {
   return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
 }
 
-/// Length in bytes that the first byte of a UTF-8 sequence announces; 0 for a byte that cannot be first.
+/// Length in bytes of a UTF-8 sequence by its first byte; 0 if the byte cannot be a first one.
 std::size_t announced_length(unsigned char first) {
   if (first < 0x80U) return 1;
   if (first >= 0xc2U && first < 0xe0U) return 2;
@@ -17,7 +17,7 @@ std::size_t announced_length(unsigned char first) {
   return 0;
 }
 
-/// Length of the code point at the start of `text` when it is well-formed UTF-8 that XML 1.0 accepts;
+/// Length of the code point at the start of `text` if it is well-formed UTF-8 and accepted by XML 1.0;
 /// otherwise 0.
 std::size_t xml_code_point(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);

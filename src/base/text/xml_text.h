@@ -6,7 +6,7 @@
 
 namespace clearcut::inline base {
 
-/// For XML and HTML text and attributes: & < > " ' escaped, characters that XML forbids and broken UTF-8
+/// For XML and HTML text and attributes: & < > " ' escaped, characters forbidden by XML and broken UTF-8
 /// replaced by '?'.
 std::string xml_escaped(std::string_view text);
 

@@ -1,5 +1,5 @@
-// Booleans by polyclipping. Arcs are flattened, clipped, and found again: every piece of the result knows the
-// arc that it came from, because its ends are that arc's own flattened points or lie on its chords.
+// Booleans by polyclipping. Arcs are flattened, clipped, and found again: the source arc of every piece of the result
+// is known, because the ends of the piece are flattened points of that arc or are on its chords.
 #include "geometry/contours/boolean.h"
 
 #include <algorithm>
@@ -43,13 +43,13 @@ struct GridHash {
 
 using PointSet = std::unordered_set<std::pair<std::int64_t, std::int64_t>, GridHash>;
 
-/// A point of the input: its exact place, and the source edges that run through it.
+/// A point of the input: its exact place, and the source edges through this point.
 struct SourcePoint {
   Vec2 point;
   std::vector<int> edges;
 };
 
-/// All input edges, and what the flattened points stand for.
+/// All input edges, and the exact places of the flattened points.
 class Sources {
  public:
   explicit Sources(const Tolerances& tol) : tol_(tol) {}
@@ -67,8 +67,8 @@ class Sources {
     return path;
   }
 
-  /// To be called with what was clipped before anything is asked about its points: of the input's points, which may be many more, no
-  /// others are filed.
+  /// Must be called with the clipped contours before any question about their points: only the input's points that
+  /// occur there are filed, since the input may have many more.
   void look_up(const ClipperLib::Paths& clipped) {
     PointSet wanted;
     for (const auto& path : clipped)
@@ -84,7 +84,7 @@ class Sources {
 
   bool is_source_point(IntPoint p) const { return points_.count({p.X, p.Y}) > 0; }
 
-  /// The input edge that the chord from p to q is a part of; -1 when none is found.
+  /// The input edge of which the chord from p to q is a part; -1 if none is found.
   int edge_of(IntPoint p, IntPoint q) const {
     bool known = false;
     for (const auto& end : {p, q}) {
@@ -100,7 +100,7 @@ class Sources {
 
   const Edge& edge(int id) const { return edges_[static_cast<std::size_t>(id)]; }
 
-  /// Whether the arc `after` goes on from p where the arc `before` ran: both are on one circle, and p is no end of both.
+  /// Whether the arc `after` continues the arc `before` at p: both are on one circle, and p is no end of both.
   /// Boundaries that coincide are flattened at different points and alternate in the result.
   bool goes_on(int before, int after, IntPoint p) const {
     if (before < 0 || after < 0) return false;
@@ -123,7 +123,7 @@ class Sources {
       source.edges.push_back(id);
   }
 
-  /// Whether p, q and the middle between them lie on the edge as far as its flattening allows.
+  /// Whether p, q and the middle between them are on the edge within the error of its flattening.
   bool carries(int id, IntPoint p, IntPoint q) const {
     const auto& edge = edges_[static_cast<std::size_t>(id)];
     const Vec2 a = from_grid(p), b = from_grid(q);
@@ -133,7 +133,7 @@ class Sources {
            distance(edge, (a + b) / 2.0) <= slack();
   }
 
-  /// For chords that were cut on both sides, as where thousands of strokes cross; -1 when there is none.
+  /// The arc of a chord that was cut at both ends, as happens if thousands of strokes cross; -1 if there is none.
   int arc_carrying(IntPoint p, IntPoint q) const {
     if (!arcs_) {
       arcs_.emplace();
@@ -149,12 +149,12 @@ class Sources {
     return found;
   }
 
-  /// mm. How far flattened points may lie from their arc.
+  /// mm. Greatest distance of flattened points from their arc.
   double slack() const { return 2 * tol_.chord + 4 / kGridPerMm; }
 
   Tolerances tol_;
   std::vector<Edge> edges_;
-  std::vector<std::pair<Vec2, int>> flattened_;  ///< points of the input, and the edge that each is on
+  std::vector<std::pair<Vec2, int>> flattened_;  ///< points of the input, each with its edge
   mutable std::optional<BoxTree> arcs_;          ///< made when first asked
   std::unordered_map<std::pair<std::int64_t, std::int64_t>, SourcePoint, GridHash> points_;
 };
@@ -207,7 +207,7 @@ Edge carrier(const Piece& piece, int arc, const Sources& sources) {
   return Edge::line(a - reach, b + reach);
 }
 
-/// Where two pieces meet. New corners at arcs are solved on the true curves: chords put them off by
+/// The corner between two pieces. New corners at arcs are solved on the true curves: chords displace them by
 /// tol.chord.
 Vec2 corner(const Piece& before, const Piece& after, const Sources& sources, const Tolerances& tol) {
   const Vec2 rough = sources.exact(after.from);
@@ -224,8 +224,9 @@ Vec2 corner(const Piece& before, const Piece& after, const Sources& sources, con
   return best;
 }
 
-/// An arc whose ends lie off its circle, on a chord of it or at another outline's point: again through both, about a centre as
-/// near as can be; the line where it bends less than that.
+/// For an arc whose ends are off its circle (on a chord of the circle or at a point of another outline): an arc
+/// through both ends about a centre as near as possible to the old one; a line if the bow of the arc is smaller than
+/// that error.
 Edge through_ends(Edge arc) {
   const double off = norm(arc.from - arc.center) - norm(arc.to - arc.center);
   if (std::abs(off) <= kOnCircle) return arc;
@@ -241,7 +242,7 @@ Edge joined(Vec2 from, Vec2 to, const Piece& piece, const Sources& sources) {
   if (piece.first < 0) return Edge::line(from, to);
   const Turn turn = piece.sweep > 0 ? Turn::kCounterClockwise : Turn::kClockwise;
   const Edge arc = Edge::arc(from, to, sources.edge(piece.first).center, turn);
-  // Ends that all but coincide may stand the other way about: then the arc would go all round.
+  // Nearly coincident ends may be in reverse order: then the arc would become nearly a full circle.
   return std::abs(arc.sweep()) > std::abs(piece.sweep) + kPi ? Edge::line(from, to) : through_ends(arc);
 }
 
@@ -259,7 +260,7 @@ Loop loop_of(const ClipperLib::Path& path, const Sources& sources, const Toleran
   return loop;
 }
 
-/// Slivers that only the flattening made: twice the area over the perimeter is about their thickness.
+/// Whether the loop is a sliver caused only by flattening: twice the area over the perimeter is about its thickness.
 bool is_sliver(const Loop& loop, const Tolerances& tol) {
   return loop.size() < 2 || 2 * std::abs(signed_area(loop)) <= 2 * tol.chord * length(loop);
 }
@@ -283,7 +284,7 @@ void add_regions(const Regions& regions, ClipperLib::PolyType type, Sources& sou
   }
 }
 
-/// Whether a contour comes back to one of its points.
+/// Whether a contour passes one of its points twice.
 bool touches_itself(const ClipperLib::Paths& contours) {
   PointSet seen;
   return std::any_of(contours.begin(), contours.end(), [&](const ClipperLib::Path& contour) {
@@ -294,13 +295,14 @@ bool touches_itself(const ClipperLib::Paths& contours) {
   });
 }
 
-/// Contours that touch themselves are split there. Polyclipping would do that itself (StrictlySimple), but in the time of all points
-/// for every touch, and where boundaries run along each other for long into many contours that share edges. It would nest them,
-/// too (PolyTree), but in the time of all points for every place where two had an edge in common.
+/// Contours that touch themselves are split there. Polyclipping has an option for this split (StrictlySimple), but
+/// its cost is that of all points for every touch, and boundaries running along each other over long stretches become
+/// many contours that share edges. Polyclipping could nest contours, too (PolyTree), but at the cost of all points
+/// for every place where two contours share an edge.
 Regions executed(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, ClipperLib::PolyFillType fill,
                  Sources& sources, const Tolerances& tol) {
   ClipperLib::Paths contours;
-  // False where there was no input: loops without area are none to it.
+  // Execute returns false if there was no input; loops without area are no input to polyclipping.
   if (!clipper.Execute(operation, contours, fill, fill)) return {};
   std::erase_if(contours, [](const ClipperLib::Path& contour) { return contour.size() < 3; });
   sources.look_up(contours);
@@ -326,7 +328,7 @@ Regions resolved(std::span<const Loop> loops, ClipperLib::PolyFillType fill, con
   return executed(clipper, ClipperLib::ctUnion, fill, sources, tol);
 }
 
-/// What the paths cover, in halves: most of what lies within others is gone before all that is left is looked at together.
+/// Unites the paths by halves: most paths inside others are removed before the remaining ones are united together.
 void add_united(std::span<const ClipperLib::Path> paths, ClipperLib::Clipper& clipper) {
   constexpr std::size_t kAtOnce = 256;
   if (paths.size() <= kAtOnce) {

@@ -6,15 +6,15 @@
 
 namespace clearcut::inline geometry {
 
-/// Shape   disjoint regions, islands and nesting resolved. Arcs of the input come back as arcs on the same
-/// circle. Error   results are within tol.chord of the exact ones; parts thinner than that may vanish. Cost
-/// O((n + k) log n), n flattened vertices, k crossings.
+/// Shape   disjoint regions, islands and nesting resolved. Arcs of the input give arcs on the same circle.
+/// Error   results are within tol.chord of the exact ones; parts thinner than that may vanish.
+/// Cost    O((n + k) log n), n flattened vertices, k crossings.
 Regions unite(const Regions& a, const Regions& b, const Tolerances& tol);
 Regions subtract(const Regions& a, const Regions& b, const Tolerances& tol);
 Regions intersect(const Regions& a, const Regions& b, const Tolerances& tol);
 
 /// Regions bounded by arbitrary closed loops (crossing, overlapping, any orientation) under the even-odd
-/// rule: what the repair of dirty input stands on.
+/// rule: the basis for the repair of faulty input.
 Regions resolve_even_odd(std::span<const Loop> loops, const Tolerances& tol);
 /// The same under the non-zero rule: loops' orientations count.
 Regions resolve_nonzero(std::span<const Loop> loops, const Tolerances& tol);

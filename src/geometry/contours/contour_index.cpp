@@ -19,7 +19,7 @@ Box box_of(const ClipperLib::Path& contour) {
   return box;
 }
 
-/// Whether `inner`, which does not cross `outer`, lies in it.
+/// Whether `inner` is inside `outer`; the two must not cross.
 bool lies_in(const ClipperLib::Path& inner, const ClipperLib::Path& outer) {
   for (std::size_t i = 0; i < inner.size(); ++i) {
     const IntPoint &p = inner[i], &q = inner[(i + 1) % inner.size()];
@@ -31,7 +31,7 @@ bool lies_in(const ClipperLib::Path& inner, const ClipperLib::Path& outer) {
   return true;
 }
 
-/// What a ray from a point towards greater x meets of one contour.
+/// Crossings of one contour with a ray from a point towards greater x.
 class Ray {
  public:
   explicit Ray(Vec2 from) : from_(from) {}
@@ -119,7 +119,7 @@ std::optional<std::size_t> ContourIndex::smallest_around(const ClipperLib::Path&
     const double area = std::abs(areas_[outer]);
     const bool turns_otherwise = (areas_[outer] > 0) != (own > 0);
     const bool may_contain = turns_otherwise && (member == areas_.size() || area > std::abs(own));
-    // A place on an edge in common may be rounded to within a contour that lies beside it.
+    // A point of a shared edge may be rounded into the contour beside it.
     const bool holds_box = boxes_[outer].contains(own_box.min) && boxes_[outer].contains(own_box.max);
     if (!may_contain || !holds_box || (smallest && area >= std::abs(areas_[*smallest]))) return;
     if (!starts_on_it || lies_in(inner, contours_[outer])) smallest = outer;

@@ -1,4 +1,4 @@
-// Which contours of polyclipping lie in which.
+// Nesting of the contours of polyclipping.
 #pragma once
 
 #include <cstddef>
@@ -10,34 +10,35 @@
 
 namespace clearcut::inline geometry {
 
-/// Finds the contours about another one, by a ray from one of its points. Keeps a reference to `contours`, which must outlive it.
-/// Contours must not cross each other; they may touch. Those that lie in one and in nothing between turn the other way round, as
-/// polyclipping returns them: of two that turn alike and share an edge each lies beside the other. Built in O(n) for n points.
+/// Finds the contours about another one, by a ray from one of its points. Keeps a reference to `contours`, which must
+/// outlive the index. Contours must not cross each other; they may touch. A contour directly inside another one has
+/// the opposite orientation, as polyclipping returns them: two contours of the same orientation that share an edge
+/// are beside each other. Built in O(n) for n points.
 class ContourIndex {
  public:
   explicit ContourIndex(const ClipperLib::Paths& contours);
 
-  /// The smallest contour that contour `member` lies in; nothing where it lies in none.
-  /// Cost O(log n + k) for k edges that the ray meets, and the points of those contours that `member` touches.
+  /// The smallest contour around the contour `member`; nothing if there is none.
+  /// Cost O(log n + k) for k edges met by the ray, plus the number of points of the contours touched by `member`.
   std::optional<std::size_t> smallest_around(std::size_t member) const;
-  /// The same for a contour that is no member.
+  /// The same for a contour outside the index.
   std::optional<std::size_t> smallest_around(const ClipperLib::Path& inner) const;
 
  private:
   std::optional<std::size_t> smallest_around(const ClipperLib::Path& inner, std::size_t member) const;
   std::size_t contour_of(std::size_t edge) const;
-  /// Calls visit(contour, runs_through) for contours that hold the point or run through it.
+  /// Calls visit(contour, runs_through) for contours around the point or through it.
   template <typename Visit>
   void visit_around(const ClipperLib::IntPoint& p, Visit&& visit) const;
 
   const ClipperLib::Paths& contours_;
   std::vector<double> areas_;            ///< signed
-  std::vector<Box> boxes_;               ///< in units of the grid, like all that follows
+  std::vector<Box> boxes_;               ///< in units of the grid, like all following members
   std::vector<std::size_t> first_edge_;  ///< of each contour
   BoxTree edges_;
 };
 
-/// For each contour the smallest that it lies in.
+/// For each contour the smallest one around it.
 std::vector<std::optional<std::size_t>> contours_around(const ClipperLib::Paths& contours);
 
 }  // namespace clearcut::inline geometry

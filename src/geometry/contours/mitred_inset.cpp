@@ -11,9 +11,9 @@ namespace clearcut::inline geometry {
 namespace {
 
 constexpr double kNmPerMm = 1e6;
-/// Times the distance that a mitred corner may lie from the corner it belongs to.
+/// Greatest distance of a mitred corner from its source corner, as a multiple of the inset distance.
 constexpr double kMiterLimit = 1200;
-/// nm. Corners of a result that are nearer to each other are one.
+/// nm. Corners of a result nearer to each other than this are one corner.
 constexpr double kOnePlace = 2;
 
 ClipperLib::Path path_of(const Loop& loop) {

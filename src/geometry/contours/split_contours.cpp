@@ -13,7 +13,7 @@ namespace {
 using ClipperLib::cInt;
 using ClipperLib::IntPoint;
 
-/// Cuts off a loop whenever the walk along the contour comes back to a point.
+/// Cuts off a loop whenever the walk along the contour returns to a point.
 void append_loops(const ClipperLib::Path& contour, ClipperLib::Paths& loops) {
   std::map<std::pair<cInt, cInt>, std::size_t> places;
   ClipperLib::Path walked;
@@ -31,7 +31,7 @@ void append_loops(const ClipperLib::Path& contour, ClipperLib::Paths& loops) {
   if (walked.size() > 2) loops.push_back(std::move(walked));
 }
 
-/// Contours by those that they lie in.
+/// Contours sorted by the contour around them.
 class Nesting {
  public:
   explicit Nesting(const ClipperLib::Paths& contours) : inside_(contours.size()) {
@@ -41,7 +41,7 @@ class Nesting {
   }
 
   const std::vector<std::size_t>& outermost() const { return outermost_; }
-  /// Those that lie in a contour and in nothing between.
+  /// The contours directly inside a contour.
   const std::vector<std::size_t>& inside(std::size_t contour) const { return inside_[contour]; }
 
  private:
@@ -49,7 +49,7 @@ class Nesting {
   std::vector<std::vector<std::size_t>> inside_;
 };
 
-/// Every contour before what lies in it.
+/// Every contour before the contours inside it.
 ClipperLib::Paths from_outside_in(const ClipperLib::Paths& contours) {
   const Nesting nesting(contours);
   ClipperLib::Paths sorted;

@@ -11,12 +11,13 @@ struct NestedContour {
   ClipperLib::Paths holes;   ///< clockwise
 };
 
-/// Nests contours that touch neither themselves nor cross each other: those in an even number of others have as holes what lies in
-/// them and in nothing between. What lies in the holes comes before the contour about it. Cost as of ContourIndex for each.
+/// Nests contours that neither touch themselves nor cross each other: a contour inside an even number of others is an
+/// outer one, and its holes are the contours directly inside it. Contours inside the holes come before the contour
+/// around them. Cost as of ContourIndex for each.
 std::vector<NestedContour> nested_contours(const ClipperLib::Paths& contours);
 
-/// Splits every contour where it comes back to one of its points, and nests what comes of it anew: half of a ring that touches
-/// itself is its hole. Contours must not cross. Cost as of ContourIndex for each.
+/// Splits every contour at points that it passes twice, and nests the resulting contours anew: a ring that touches
+/// itself becomes an outer contour and its hole. Contours must not cross. Cost as of ContourIndex for each.
 std::vector<NestedContour> split_contours(const ClipperLib::Paths& contours);
 
 }  // namespace clearcut::inline geometry

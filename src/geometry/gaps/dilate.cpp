@@ -13,7 +13,7 @@
 namespace clearcut::inline geometry {
 namespace {
 
-/// mm. Edges that are no longer make corners in which the outlines of a boolean may cross by its rounding.
+/// mm. Edges up to this length make corners in which outlines of a boolean may cross by its rounding.
 constexpr double kShortEdge = 0.001;
 
 std::optional<Region> grown(const Region& region, double d, const Tolerances& tol) {
@@ -22,7 +22,7 @@ std::optional<Region> grown(const Region& region, double d, const Tolerances& to
   Loop outer;
   std::vector<Loop> islands;
   for (const Region& rest : inset(outside, d, tol)) {
-    // The part along the frame goes around the grown region; all others are bays that have closed.
+    // The part along the frame goes around the grown region; all other parts are closed bays.
     if (rest.islands().empty()) {
       islands.push_back(rest.outer());
     } else {
@@ -46,7 +46,7 @@ Regions straightened(const Region& region, const Tolerances& tol) {
 
 void add_dilated(const Region& region, double d, const Tolerances& tol, Regions& all) {
   if (std::optional<Region> whole = grown(region, d, tol)) return all.push_back(std::move(*whole));
-  // What a boolean leaves may cross itself by its rounding in acute corners.
+  // The result of a boolean may cross itself in acute corners, by rounding.
   for (const Region& piece : straightened(region, tol)) {
     std::optional<Region> whole = grown(piece, d, tol);
     CLEARCUT_ASSERT(whole);

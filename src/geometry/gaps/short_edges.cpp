@@ -10,7 +10,8 @@ bool is_short(const Edge& edge, double shortest) {
   return distance(edge.from, edge.to) <= shortest && edge.length() <= shortest;
 }
 
-/// Draws the edges first to below end of a loop together, if one of their neighbours is straight: an arc keeps its end.
+/// Draws the edges first to below end of a loop together, if one of their neighbours is straight: an arc keeps its
+/// end.
 void draw_together(Loop& loop, std::size_t first, std::size_t end, double shortest) {
   Edge &before = loop[first - 1], &after = loop[end % loop.size()];
   const Vec2 from = loop[first].from, to = loop[end - 1].to;
@@ -27,7 +28,7 @@ Loop without_short(Loop loop, double shortest) {
   const auto start = std::find_if(loop.begin(), loop.end(), stays);
   if (start == loop.end()) return loop;
   std::rotate(loop.begin(), start, loop.end());
-  // Backwards, so that what is erased moves no edges that are still to come; the first edge is not short.
+  // Backwards, so that erasing does not move edges not yet visited; the first edge is not short.
   for (std::size_t end = loop.size(); end > 1;) {
     std::size_t first = end;
     while (first > 1 && is_short(loop[first - 1], shortest)) --first;

@@ -5,10 +5,11 @@
 
 namespace clearcut::inline geometry {
 
-/// The regions with each run of edges of at most `shortest` mm drawn together into one corner: where outlines all but coincide,
-/// booleans leave such edges, and offsets are not reliable around them.
+/// The regions with each run of edges of at most `shortest` mm replaced by one corner. Booleans of nearly coincident
+/// outlines leave runs of short edges, and offsets are unreliable near them.
 ///
-/// Error   a corner moves by no more than `shortest`; runs that are longer in all, or lie between two arcs, stay as they are. O(n).
+/// Error   a corner moves by no more than `shortest`; runs that are longer in total, or between two arcs, stay
+///         unchanged. O(n).
 Regions without_short_edges(const Regions& regions, double shortest);
 
 }  // namespace clearcut::inline geometry

@@ -1,5 +1,6 @@
-// Where an edge of one area runs within the gap before an edge of the other, a patch between the two closes it. The stretch is
-// bounded by where the edge crosses the outline of all that is no farther than the gap from the other.
+// If an edge of one area runs within the gap width along an edge of the other, a patch between the two edges closes
+// the gap. The patched stretch ends at the crossings of the first edge with the outline of all points within the gap
+// width of the other edge.
 #include "geometry/gaps/unite_over_gaps.h"
 
 #include <algorithm>
@@ -13,9 +14,9 @@ namespace {
 
 /// mm. Straight patches reach this far into both areas: more than the grid of polygon booleans.
 constexpr double kOverlap = 1e-5;
-/// mm. What the grid of polygon booleans may move two edges against each other.
+/// mm. Displacement of two edges against each other by the grid of polygon booleans.
 constexpr double kGrid = 2e-6;
-/// Times as long as it reaches into an area a patch's side runs along the edge to get there.
+/// Taper of a patch's sides: length along the edge over depth into the area.
 constexpr double kTaper = 4;
 /// mm. Areas whose edges are this near are one to polygon booleans already.
 constexpr double kSame = 5e-10;
@@ -28,7 +29,7 @@ Edge beside(Edge edge, double distance) {
   return edge;
 }
 
-/// The outline of all that is no farther than `gap` from an edge, in pieces.
+/// The outline of all points within `gap` of an edge, in pieces.
 std::vector<Edge> outline_around(const Edge& edge, double gap) {
   std::vector<Edge> outline;
   for (const Vec2 end : {edge.from, edge.to}) {
@@ -43,8 +44,8 @@ std::vector<Edge> outline_around(const Edge& edge, double gap) {
   return outline;
 }
 
-/// Whether `other` runs back along `edge` at t, on its right hand side and no farther than the gap. Where they overlap by less
-/// than the grid it is one, too: rounding may part them.
+/// Whether `other` runs back along `edge` at t, on its right hand side and no farther than the gap. Also true if the
+/// two overlap by less than the grid: rounding may separate them.
 bool is_across(const Edge& edge, double t, const Edge& other, double gap) {
   const Vec2 p = edge.at(t);
   const Nearest there = nearest(other, p);
@@ -64,8 +65,8 @@ std::vector<double> places_along(const Edge& edge, const Edge& other, double gap
   return places;
 }
 
-/// Appends an edge backwards, its middle `aside` to its left and its ends where they are: what lies behind them stays out, however
-/// acute the corner.
+/// Appends an edge backwards, its middle moved by `aside` to its left and its ends unchanged: areas beyond the ends
+/// stay outside the patch, however acute the corner.
 void append_bulged(const Edge& edge, double aside, Loop& loop) {
   const double slope = kTaper * aside / edge.length();
   const double first = std::min(slope, 0.3), last = 1 - first;
@@ -75,7 +76,8 @@ void append_bulged(const Edge& edge, double aside, Loop& loop) {
   loop.push_back(Edge::line(middle.from, edge.from));
 }
 
-/// What lies between a stretch of an edge and `other`, which runs back along it, and a little of what both bound.
+/// The area between a stretch of an edge and the antiparallel edge `other`, plus a thin strip of the areas bounded by
+/// both.
 Region patch(const Edge& stretch, const Edge& other, const Tolerances& tol) {
   const double overlap = stretch.is_arc() || other.is_arc() ? 1.25 * tol.chord : kOverlap;
   const double first = nearest(other, stretch.to).t, last = nearest(other, stretch.from).t;

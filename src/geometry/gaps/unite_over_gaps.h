@@ -1,4 +1,4 @@
-// Union of areas that all but touch.
+// Union of areas separated by narrow gaps.
 #pragma once
 
 #include "base/tolerances.h"
@@ -6,11 +6,11 @@
 
 namespace clearcut::inline geometry {
 
-/// Both areas as one, also over gaps of up to `gap` mm between edges that run along each other; gaps that are wider somewhere
-/// are closed as far as they are not.
+/// Both areas as one, also over gaps of up to `gap` mm between edges that run along each other; of a gap that is
+/// wider in places, only the narrow parts are closed.
 ///
-/// Shape, error as unite; where a gap is closed, the areas also grow by kOverlap along their own edges there. Cost that of unite,
-/// and O(n log n) to find out that no gap is that narrow.
+/// Shape, error as unite; at closed gaps, the areas also grow by kOverlap along their own edges there. Cost that of
+/// unite, and O(n log n) if no gap is that narrow.
 Regions unite_over_gaps(const Regions& a, const Regions& b, double gap, const Tolerances& tol);
 
 }  // namespace clearcut::inline geometry

@@ -14,24 +14,24 @@ namespace {
 /// mm. Far above the rounding of boxes of edges.
 constexpr double kAside = 1e-6;
 
-/// mm. A way that strays no more than it may halfway between two crossings strays by less than that.
+/// mm. A move within its allowance halfway between two crossings strays by less than this.
 constexpr double kNearEnd = 4 * LegalArea::kSlack;
 
-/// Cells' widths from which on a way is long.
+/// Length, in cell widths, from which on a move is treated as long.
 constexpr double kLongWay = 4;
 
-/// Of a cell with edges: whether it lies inside.
+/// State of a cell with edges: inside or outside is unknown.
 constexpr char kUnknown = 2;
 /// Root of how much longer than wide an area may be for its cells to be as many as those of a square one.
 constexpr double kMostSlender = 64;
-/// Share of an area's box from which on its cells cover the whole of it.
+/// Share of an area's box from which on the cells cover the whole box.
 constexpr double kMuchSmaller = 0.25;
 
 /// A few numbers; when there are many, some are forgotten.
 template <typename T>
 class Few {
  public:
-  /// Whether it is new.
+  /// Adds a number; true if the number is new.
   bool add(T number) {
     const auto end = numbers_.begin() + static_cast<std::ptrdiff_t>(std::min(count_, numbers_.size()));
     if (std::find(numbers_.begin(), end, number) != end) return false;
@@ -53,7 +53,8 @@ double parameter_on(Vec2 a, Vec2 b, Vec2 p) {
   return dot(p - a, b - a) / norm_squared(b - a);
 }
 
-/// Whether two places lie on one side of the line through `on` along `direction`, both more than `off` from it.
+/// Whether two points are on one side of the line through `on` along `direction`, both farther than `off` from the
+/// line.
 bool on_one_side(Vec2 p, Vec2 q, Vec2 on, Vec2 direction, double off) {
   const double left = cross(direction, p - on), right = cross(direction, q - on);
   const double least = off * off * norm_squared(direction);
@@ -106,7 +107,7 @@ LegalArea::LegalArea(Regions regions) : regions_(std::move(regions)) {
   mark_empty_cells();
 }
 
-/// Where nearly all edges lie: a frame far around them would leave them all in one cell.
+/// The box of nearly all edges: with a distant frame included, all other edges would be in one cell.
 Box LegalArea::densest_part() const {
   Box part;
   for (const Box& box : boxes_) {
@@ -116,7 +117,7 @@ Box LegalArea::densest_part() const {
   return !part.empty() && much_smaller ? part : box_;
 }
 
-/// Neighbouring cells without edges lie on the same side: one exact test for each connected group.
+/// Neighbouring cells without edges are on the same side: one exact test for each connected group.
 void LegalArea::mark_empty_cells() {
   inside_.assign(cells_.size(), kUnknown);
   std::vector<std::size_t> open;
@@ -159,7 +160,7 @@ bool LegalArea::contains(Vec2 p) const {
   int around = beside ? 0 : inside_[known];
   for (std::size_t cell = first; cell < known; ++cell) {
     for (const std::size_t i : cells_[cell]) {
-      // In a row an edge stands in cells beside each other: it counts in the first of them.
+      // Within a row an edge is in adjacent cells; the edge is counted only in the first of them.
       const bool counted = cell > first && first_columns_[i] + begin < cell;
       if (!counted) around += crossings(i, p, x);
     }
@@ -182,7 +183,8 @@ std::size_t LegalArea::row(double y) const {
   return static_cast<std::size_t>(std::clamp(y - grid_.min.y, 0.0, grid_.height()) * cells_per_mm_);
 }
 
-/// Calls f(edge) for those near the way, row by row, only in the cells that the way passes through; for most once.
+/// Calls f(edge) for the edges near the straight move, row by row, only in the cells passed by the move; for most
+/// edges once.
 template <typename F>
 void LegalArea::for_edges_along(Vec2 a, Vec2 b, const F& f) const {
   if (a.y > b.y) std::swap(a, b);
@@ -201,7 +203,7 @@ void LegalArea::for_edges_along(Vec2 a, Vec2 b, const F& f) const {
     const double low = grid_.min.y + static_cast<double>(r) * cell_ - 2 * kSlack;
     const double high = low + cell_ + 4 * kSlack;
     const bool level = b.y - a.y < cell_;
-    // The first and the last row hold what lies beyond the grid, too.
+    // The first and the last row also hold edges beyond the grid.
     const double x0 = level || r == 0 ? a.x : x_at(low), x1 = level || r + 1 == rows_ ? b.x : x_at(high);
     const std::size_t last = column(std::max(x0, x1) + kSlack);
     for (std::size_t c = column(std::min(x0, x1) - kSlack); c <= last; ++c) {
@@ -240,8 +242,9 @@ bool LegalArea::surely_holds(const Box& where) const {
   return true;
 }
 
-/// Whether a place on the way, one for each cell's width, lies in a cell without edges outside and so far from its border that
-/// the way is refused in any case. A long way past many islands is settled here. May say no though it is so.
+/// Whether a point of the straight move (one is tested per cell width) is in an edge-free cell outside the area, so
+/// far from the cell's border that the move is refused in any case. Decides long moves past many islands quickly. May
+/// return false although the move is illegal.
 bool LegalArea::passes_outside(Vec2 a, Vec2 b) const {
   const double places = std::ceil(distance(a, b) * cells_per_mm_);
   if (edges_.empty() || places < kLongWay || cell_ <= 2 * kNearEnd) return false;
@@ -269,8 +272,8 @@ bool LegalArea::holds_line(Vec2 a, Vec2 b) const {
   });
   if (strays) return false;
   std::sort(cuts.begin(), cuts.end());
-  // Between two crossings the way is all inside or all outside; where it runs outside it strays farthest in
-  // between, or beside a place where two edges meet.
+  // Between two crossings the move is wholly inside or wholly outside; an outside stretch strays farthest at its
+  // middle, or beside a common end of two edges.
   for (std::size_t i = 1; i < cuts.size(); ++i) {
     if ((cuts[i] - cuts[i - 1]) * length < kSlack) continue;
     if (!holds(lerp(a, b, (cuts[i - 1] + cuts[i]) / 2))) return false;
@@ -278,8 +281,8 @@ bool LegalArea::holds_line(Vec2 a, Vec2 b) const {
   return true;
 }
 
-/// Whether the way from a to b is outside where it passes the end of an edge closely: there it may stray farther than halfway
-/// between two crossings, up to twice as far.
+/// Whether the move from a to b is outside at its nearest point to the end of an edge: there the move may stray
+/// farther than halfway between two crossings, up to twice as far.
 bool LegalArea::strays_beside(Vec2 a, Vec2 b, Vec2 end) const {
   const double t = parameter_on(a, b, end);
   if (t <= 0 || t >= 1) return false;
@@ -288,7 +291,7 @@ bool LegalArea::strays_beside(Vec2 a, Vec2 b, Vec2 end) const {
   return aside > kSlack && aside < kNearEnd && !holds(p);
 }
 
-/// Where an edge crosses the way from a to b, or ends on it: shares of the way.
+/// Adds the crossings of an edge with the move from a to b, and ends of the edge on the move, as shares of the move.
 void LegalArea::add_cuts(Vec2 a, Vec2 b, const Edge& edge, std::pmr::vector<double>& cuts) {
   if (is_far_from(a, b, edge, 2 * kSlack)) return;
   if (edge.is_arc()) {
@@ -299,7 +302,7 @@ void LegalArea::add_cuts(Vec2 a, Vec2 b, const Edge& edge, std::pmr::vector<doub
     const bool parallel = det * det <= 1e-28 * norm_squared(u) * norm_squared(v);
     if (!parallel && is_share(on_edge, det) && is_share(on_line, det)) cuts.push_back(on_line / det);
   }
-  // An edge along the way crosses it nowhere; where it ends the boundary turns away.
+  // An edge parallel to the move has no crossing; the boundary turns away at its ends.
   for (const Vec2 p : {edge.from, edge.to}) {
     if (distance(Edge::line(a, b), p) <= kSlack) cuts.push_back(parameter_on(a, b, p));
   }

@@ -1,4 +1,4 @@
-// Answers quickly and exactly whether a straight move stays where the cutter's centre may be.
+// Answers quickly and exactly whether a straight move stays in the legal area of the cutter's centre.
 #pragma once
 
 #include <memory_resource>
@@ -18,13 +18,13 @@ class LegalArea {
   bool holds(Vec2 p) const;
   /// Whether p is inside (on the boundary: either). Quick: for most places no edge has to be checked.
   bool contains(Vec2 p) const;
-  /// Whether the boundary comes within `reach` mm of p. Cost: the cells that lie so near.
+  /// Whether the boundary is within `reach` mm of p. Cost: number of cells within `reach`.
   bool is_near_boundary(Vec2 p, double reach) const;
-  /// Whether all of `where` is inside and no boundary runs near it. May say no though it is so.
+  /// Whether the whole box `where` is inside and no boundary is near. May return false although this is true.
   bool surely_holds(const Box& where) const;
   const Box& box() const { return box_; }
 
-  /// mm. How far outside the boundary is still on it: half of the smallest gouge that counts.
+  /// mm. Points up to this far outside count as on the boundary: half of the smallest gouge that counts.
   static constexpr double kSlack = 5e-4;
 
  private:
@@ -43,16 +43,16 @@ class LegalArea {
 
   Regions regions_;
   Box box_;
-  Box grid_;  ///< what the cells cover; those at its border hold what lies beyond, too
+  Box grid_;  ///< area covered by the cells; cells at its border also hold edges beyond the border
   std::vector<Edge> edges_;
   std::vector<Box> boxes_;
-  std::vector<std::size_t> first_columns_;  ///< per edge: of the cells it stands in
+  std::vector<std::size_t> first_columns_;  ///< per edge: first column of the cells holding the edge
   double cell_ = 1;
   double cells_per_mm_ = 1;
   std::size_t columns_ = 1;
   std::size_t rows_ = 1;
   std::vector<std::vector<std::size_t>> cells_;
-  std::vector<char> inside_;  ///< of each cell without edges: whether it lies inside
+  std::vector<char> inside_;  ///< per cell without edges: whether the cell is inside
 };
 
 }  // namespace clearcut::inline geometry

@@ -10,16 +10,16 @@
 namespace clearcut::inline geometry {
 namespace {
 
-/// Joints that turn by less are smooth: the arcs beside them bend, not the joint.
+/// Joints turning by less than this are smooth: the arcs beside them bend, not the joint.
 constexpr double kSmoothSine = 1e-6;
 /// Above this many corners pairs are not remembered any more.
 constexpr std::size_t kMostRemembered = 6000;
 /// Above this many pairs of a place and a corner they are not remembered either.
 constexpr std::size_t kMostSights = 36'000'000;
-/// Tangents about one arc; where the area is too narrow for them they are halved up to here.
+/// Tangents about one arc; if the area is too narrow for the tangents they are halved, up to this number.
 constexpr int kMostTangents = 512;
 
-/// Share of a length that sums of lengths may be off by, and much more.
+/// Bound, with a large safety factor, on the relative rounding error of sums of lengths.
 constexpr double kRounding = 1e-12;
 
 /// The answer of `ask`, asked for once.
@@ -49,7 +49,7 @@ LegalPaths::LegalPaths(const Regions& legal) : area_(legal) {
   }
 }
 
-/// The area lies on the left of its boundary, so what turns right sticks out into it.
+/// The area is on the left of its boundary, so corners and arcs turning right stick out into the area.
 void LegalPaths::add_corners(const Loop& loop) {
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Edge& edge = loop[i];
@@ -61,7 +61,7 @@ void LegalPaths::add_corners(const Loop& loop) {
   }
 }
 
-/// Where neighbouring tangents of the arc meet.
+/// Adds the intersections of neighbouring tangents of the arc.
 void LegalPaths::add_wrap(const Edge& arc) {
   const double sweep = std::abs(arc.sweep()), radius = arc.radius();
   const double step = Radians::of_degrees(kWrapDegrees).radians();
@@ -98,8 +98,8 @@ std::vector<std::size_t> LegalPaths::corners_within(Vec2 a, Vec2 b, double reach
   return found;
 }
 
-/// Dijkstra over the corners inside the ellipse of all points whose way to a and b sums to `reach`; a and b are
-/// known not to see each other.
+/// Dijkstra over the corners inside the ellipse of all points whose distances to a and b sum to `reach`; the straight
+/// move from a to b is known to be illegal.
 std::optional<std::vector<Vec2>> LegalPaths::path_within(const End& a, const End& b, double reach) const {
   const auto corners = corners_within(a.point, b.point, reach);
   const std::size_t count = corners.size();
@@ -122,7 +122,7 @@ std::optional<std::vector<Vec2>> LegalPaths::path_within(const End& a, const End
   left.reserve(count + 2);
   for (const Vec2 p : places) left.push_back(norm(b.point - p));
   for (;;) {
-    // What is farther than a way that is known leads to no shorter one.
+    // Corners farther away than the length of a known path lead to no shorter path.
     const double most = std::min(reach, length[count + 1] * (1 + kRounding));
     std::size_t at = count + 2;
     for (std::size_t i = 0; i < count + 2; ++i) {

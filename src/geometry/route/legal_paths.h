@@ -11,12 +11,11 @@
 
 namespace clearcut::inline geometry {
 
-/// The visibility graph of a legal area, looked into only where a question needs it.
+/// The visibility graph of a legal area, evaluated only as far as a query needs.
 ///
-/// A shortest path bends at corners that stick out into the area and along arcs that do. Such arcs are wrapped
-/// in tangents of at most kWrap, so that paths pass outside of them: 0.4 % longer at most than along the arc
-/// itself.
-/// Safe to ask from several threads; the answers depend on nothing but the question.
+/// A shortest path bends only at corners and arcs that stick out into the area. These arcs are wrapped in tangents of
+/// at most kWrap, so that paths pass outside of them: 0.4 % longer at most than along the arc itself. Safe to call
+/// from several threads; the result depends only on the arguments.
 class LegalPaths {
  public:
   explicit LegalPaths(const Regions& legal);
@@ -28,12 +27,12 @@ class LegalPaths {
 
   /// The bends of the shortest legal path from a to b, both of which must be legal; empty when the straight
   /// move is legal, absent when the area does not join them. The path from b to a has the same bends in reverse.
-  /// Cost: one check of the straight move where that is legal; else O(k^2) such checks, k the number of bends
+  /// Cost: one check of the straight move if legal; else O(k^2) such checks, k the number of bends
   /// inside the smallest ellipse about a and b that contains the path (at most twice its size).
   std::optional<std::vector<Vec2>> bends(Vec2 a, Vec2 b) const;
 
-  /// The same for places that are asked about again and again: which corners each of them sees is remembered.
-  /// `paths` and `places` must outlive it. Safe to ask from several threads.
+  /// The same for places that are asked about again and again: the corners visible from each place are stored.
+  /// `paths` and `places` must outlive it. Safe to call from several threads.
   class Between {
    public:
     Between(const LegalPaths& paths, const std::vector<Vec2>& places);

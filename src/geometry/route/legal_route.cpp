@@ -14,7 +14,7 @@ namespace {
 
 /// mm. Pieces shorter than this are rounding.
 constexpr double kNoLength = 1e-7;
-/// Arcs of a way may be left at places this far apart.
+/// Radians. Along an arc, the path may be left at places this far apart.
 constexpr double kArcPiece = kPi / 18;
 /// Paths with more vertices than this are shortened in one pass over windows of so many.
 constexpr std::size_t kWindow = 120;
@@ -26,7 +26,7 @@ void append(Path& path, const Edge& edge) {
     path.push_back(edge);
 }
 
-/// Arcs in pieces, so that a way can be left on its way round.
+/// Arcs in pieces, so that a path can be left at places along the arc.
 Path in_pieces(const Path& path) {
   Path pieces;
   for (const auto& edge : path) {
@@ -91,7 +91,8 @@ std::optional<Path> LegalRoutes::between(Vec2 a, Vec2 b) const {
   const auto all = crossings(a, b);
   Path path;
   Vec2 at = a;
-  // Leave the straight path where it leaves the area, go round that boundary to where the way crosses it last.
+  // Leaves the straight path at its crossing out of the area and follows that boundary to the straight path's last
+  // crossing with it.
   for (std::size_t i = 0; i < all.size();) {
     const double t_next = i + 1 < all.size() ? all[i + 1].t : 1.0;
     const bool goes_on = (t_next - all[i].t) * distance(a, b) < LegalArea::kSlack ||
@@ -109,7 +110,7 @@ std::optional<Path> LegalRoutes::between(Vec2 a, Vec2 b) const {
     i = last;
     if (last + 1 == all.size()) break;
     ++i;
-    // What lies between this crossing and the next is inside: the way has just come in.
+    // The stretch from this crossing to the next is inside: the path has just entered the area.
   }
   append(path, Edge::line(at, b));
   return taut(a, path);
@@ -122,7 +123,7 @@ Path LegalRoutes::around(const Crossing& out, const Crossing& in) const {
   return length(forwards) <= length(backwards) ? forwards : reversed(backwards);
 }
 
-/// Greedily replaces stretches of the way by straight legal ones, the longest first from each place.
+/// Greedily replaces stretches of the path by straight legal ones, the longest first from each place.
 Path LegalRoutes::taut(Vec2 a, const Path& path) const {
   const Path pieces = in_pieces(path);
   Path short_path;

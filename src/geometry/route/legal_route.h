@@ -1,4 +1,4 @@
-// Paths between two places that stay where the cutter's centre may be.
+// Paths between two places within the legal area of the cutter's centre.
 #pragma once
 
 #include <optional>
@@ -13,9 +13,9 @@ class LegalRoutes {
  public:
   LegalRoutes(const Regions& regions, const LegalArea& area);
 
-  /// A path from a to b inside the legal area: the straight one where it is legal, else along the boundaries
-  /// that are in its way, the shorter way round each, pulled taut. Both places must be legal. Nothing when
-  /// they lie in different regions. Short, not always the shortest. Cost O(edges + vertices of the path squared).
+  /// A path from a to b inside the legal area: the straight one if legal, else along the boundaries that block it,
+  /// around the shorter side of each, pulled taut. Both places must be legal. Nothing if they are in different
+  /// regions. Short, not always the shortest. Cost O(edges + vertices of the path squared).
   std::optional<Path> between(Vec2 a, Vec2 b) const;
 
  private:

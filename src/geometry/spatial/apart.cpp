@@ -40,7 +40,7 @@ bool come_near(const EdgesNear& a, const EdgesNear& b, double gap) {
   auto first = b.edges.begin();
   for (const EdgesNear::Boxed& one : a.edges) {
     const Box reach = one.box.grown(gap);
-    // Those that begin farther left are not wide enough to come here, nor to what begins later.
+    // Edges beginning farther left are not wide enough to reach this edge, nor edges beginning later.
     while (first != b.edges.end() && first->box.min.x < reach.min.x - b.widest) ++first;
     for (auto other = first; other != b.edges.end() && other->box.min.x <= reach.max.x; ++other) {
       if (reach.overlaps(other->box) && distance(*one.edge, *other->edge) <= gap) return true;
@@ -49,7 +49,7 @@ bool come_near(const EdgesNear& a, const EdgesNear& b, double gap) {
   return false;
 }
 
-/// Whether one of the regions begins in the other area: enough where their boundaries do not meet.
+/// Whether the start point of one of the regions is in the other area: sufficient if the boundaries do not meet.
 bool begins_in(const Regions& regions, const Regions& other, const Box& common) {
   return std::any_of(regions.begin(), regions.end(), [&](const Region& region) {
     const Vec2 p = region.outer().front().from;

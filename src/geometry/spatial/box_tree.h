@@ -1,4 +1,5 @@
-// Finds numbered things near a place, whose neighbours in number lie near each other as the pieces of a path do.
+// Finds numbered items near a point. Items with neighbouring numbers should be near each other, like the pieces of a
+// path.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +28,7 @@ class BoxTree {
     }
   }
 
-  /// The number with the least squared distance(i) from p, the smallest of several; 0 where there is none.
+  /// The number with the least squared distance(i) from p, the smallest of several; 0 if there are no numbers.
   template <typename SquaredDistance>
   std::uint32_t nearest(Vec2 p, SquaredDistance&& squared_distance) const {
     std::uint32_t best = 0;
@@ -55,8 +56,8 @@ class BoxTree {
     return best;
   }
 
-  /// Calls visit(number) for all numbers in the boxes for which open(box) is true, in ascending order: up to kLeaf numbers share
-  /// a box. Both are asked again after each visit, so that `open` may become stricter.
+  /// Calls visit(number) for all numbers in the boxes for which open(box) is true, in ascending order: up to kLeaf
+  /// numbers share a box. `open` is called again after each visit, so that its condition may become stricter.
   template <typename Open, typename Visit>
   void descend(Open&& open, Visit&& visit) const {
     descend_ranges([&](const Box& box, std::uint32_t, std::uint32_t) { return open(box); }, visit);
@@ -68,7 +69,7 @@ class BoxTree {
     if (count_ > 0) descend_near(1, 0, leaves_ * kLeaf, p, open, visit);
   }
 
-  /// The same as descend; open(box, first, end) is told the numbers that the box holds, first to below end.
+  /// The same as descend; open(box, first, end) also receives the numbers in the box, first to below end.
   template <typename Open, typename Visit>
   void descend_ranges(Open&& open, Visit&& visit) const {
     if (count_ > 0) descend_from(1, 0, leaves_ * kLeaf, open, visit);

@@ -1,4 +1,4 @@
-// Finds what lies near a place: numbers sorted into square cells.
+// Finds items near a point: numbers sorted into square cells.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ class CellLists {
     added_.emplace_back(static_cast<std::uint32_t>(cell), number);
   }
 
-  /// Sorts in what was added since the last time; within a cell, numbers keep the order in which they came.
+  /// Sorts in the numbers added since the last call; within a cell, numbers keep their order of arrival.
   void build(std::size_t cells) {
     first_.assign(cells + 1, 0);
     for (const auto& [cell, number] : added_) ++first_[cell + 1];
@@ -64,7 +64,7 @@ struct CellGrid {
             box.min.y + (static_cast<double>(r) + 0.5) * cell};
   }
 
-  /// Calls f(cell, its centre) for all cells that `where` touches.
+  /// Calls f(cell, its centre) for all cells touched by `where`.
   template <typename F>
   void for_cells(const Box& where, F&& f) const {
     const std::size_t c0 = column(where.min.x), c1 = column(where.max.x), r1 = row(where.max.y);
@@ -79,8 +79,7 @@ struct CellGrid {
   }
 };
 
-/// Numbers by the box or the place they lie in. Cells exist only where something lies; cost of a look-up: cells of its
-/// box.
+/// Numbers by their boxes or points. Only cells with items exist; cost of a look-up: cells of its box.
 class BoxIndex {
  public:
   explicit BoxIndex(double cell) : cell_(cell) {}
@@ -90,7 +89,8 @@ class BoxIndex {
   }
   void add(Vec2 p, std::uint32_t number) { add(Box{p, p}, number); }
 
-  /// All numbers whose cells `box` touches, ascending, each once; some of them lie a cell away.
+  /// All numbers in the cells touched by `box`, ascending, each once; some of their boxes are up to a cell away from
+  /// `box`.
   std::vector<std::uint32_t> near(const Box& box) const {
     std::vector<std::uint32_t> found;
     for_cells(box, [&](const Cell& cell) {
@@ -101,17 +101,17 @@ class BoxIndex {
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
   }
-  /// All numbers that lie within a cell's side of p, and some farther.
+  /// All numbers within a cell's side of p, and some farther away.
   std::vector<std::uint32_t> near(Vec2 p) const { return near(Box{p, p}.grown(cell_)); }
 
-  /// The numbers whose boxes touch the cell in which p lies, in the order in which they came.
+  /// The numbers whose boxes touch the cell of p, in their order of arrival.
   std::span<const std::uint32_t> at(Vec2 p) const {
     const auto found = cells_.find({index(p.x), index(p.y)});
     if (found == cells_.end()) return {};
     return found->second;
   }
 
-  /// The numbers of the fullest cell; of several such, of the one that got the least number first.
+  /// The numbers of the fullest cell; of several equally full cells, of the cell with the least first number.
   std::span<const std::uint32_t> fullest() const {
     std::span<const std::uint32_t> most;
     for (const auto& [cell, numbers] : cells_) {

@@ -12,7 +12,7 @@
 namespace clearcut::inline geometry::voronoi {
 namespace {
 
-/// Radians. Walls that meet at a smaller turn go on as one.
+/// Radians. Walls meeting at a smaller turn count as one wall.
 constexpr double kSmoothTurn = 1e-3;
 
 class AxisMaker {
@@ -27,7 +27,7 @@ class AxisMaker {
     point_of_.assign(d_.nodes.size(), -1);
     for_each_stretch([this](int k, int a, int b) { add_stretch(k, a, b); });
     for (std::size_t i = 0; i < d_.nodes.size(); ++i) {
-      // Round pockets: all edges divide the wall from itself, the centre alone is left.
+      // Round pockets: all edges separate the wall from itself; only the centre is left.
       const int v = static_cast<int>(i);
       if (inside(v) && sets_.find(v) == v && peak_[i] != 0) point(v);
     }
@@ -97,7 +97,7 @@ class AxisMaker {
 
   static bool is_end(const Element& edge, Vec2 p) { return edge.edge.from == p || edge.edge.to == p; }
 
-  /// Whether b goes on from a without a corner and `middle` lies above their joint.
+  /// Whether b continues a without a corner and `middle` is on the normal at their joint.
   static bool smoothly_joined(const Element& a, const Element& b, Vec2 middle) {
     if (a.edge.to != b.edge.from) return false;
     if (std::abs(cross(a.edge.tangent_at(1), b.edge.tangent_at(0))) > kSmoothTurn) return false;
@@ -169,7 +169,7 @@ class PeakFinder {
     int farthest = 0;
   };
 
-  /// Shortest ways from `start` over the plateau.
+  /// Shortest paths from `start` over the plateau.
   Walk walk_from(int start, double floor) const {
     Walk walk;
     walk.farthest = start;

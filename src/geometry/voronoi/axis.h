@@ -20,12 +20,12 @@ struct Axis {
   std::vector<std::vector<int>> incident;  ///< edges at each point of the graph
 };
 
-/// The diagram inside the region without the edges that only divide one wall from itself or from its smooth
+/// The diagram inside the region, without edges that only separate one wall from itself or from its smooth
 /// continuation; coincident nodes become one. A point without edges is the centre of a round pocket.
 Axis make_axis(const Diagram& diagram);
 
-/// Local maxima that rise more than `prominence` above every way to a higher place; the middle of a plateau.
-/// Largest first.
+/// Local maxima that rise more than `prominence` above every path along the axis to a higher place; the middle of a
+/// plateau. Largest first.
 std::vector<AxisPoint> find_centers(const Axis& axis, const Diagram& diagram, double prominence);
 
 }  // namespace clearcut::inline geometry::voronoi

@@ -1,9 +1,9 @@
-// Boost's Voronoi builder with circle events of our own (docs/offset.md, Speed).
+// Boost's Voronoi builder with its own circle events (docs/offset.md, Speed).
 //
-// The builder asks for circles to within 64 roundings of a double. Its own formulas work far from the three
-// sites, lose that on most outlines nearly always, and then turn to big integers, many times slower. Here
-// doubles come first, numbers of twice the precision next, both with a bound on their error; the builder's
-// integers serve for what neither decides.
+// The builder asks for circles to within 64 roundings of a double. Its own formulas use an origin far from the three
+// sites, nearly always lose this accuracy on most outlines, and then turn to big integers, which are many times
+// slower. Here doubles come first, numbers of twice the precision next, both with a bound on their error; the
+// builder's integers serve for cases undecided by both.
 #pragma once
 
 #include <algorithm>
@@ -53,7 +53,7 @@ class CircleFormation {
 
  private:
   using Origin = typename Site::point_type;
-  /// Half of what the builder allows: its largest x is the sum of two of ours.
+  /// Half of the builder's limit: its largest x is the sum of two of ours.
   static constexpr double kMostRoundings = 32;
   /// Of DoubleDouble in roundings of double, generously.
   static constexpr double kFineRounding = 0x1p-48;
@@ -91,8 +91,8 @@ struct Predicates : BuilderPredicates {
       Site, Event, BuilderPredicates::circle_existence_predicate<Site>, CircleFormation<Site, Event>>;
 };
 
-/// Errors are relative to the coordinates of a circle: sites away from both axes, as far as they extend, keep
-/// it from needless precision near them.
+/// Errors are relative to the coordinates of a circle. The sites are therefore moved away from both axes by as much
+/// as they extend: this avoids needless precision near the axes.
 using VoronoiBuilder =
     boost::polygon::voronoi_builder<boost::polygon::detail::int32, BuilderTraits, Predicates>;
 

@@ -15,19 +15,20 @@
 namespace clearcut::inline geometry {
 namespace {
 
-/// mm. Sites lie this near to the boundary where the diagram cannot prove its topology on coarser ones: half
+/// mm. Distance of sites from the boundary if the diagram cannot prove its topology with coarser sites: half
 /// of the promised 1 um.
 constexpr double kFine = 0.0005;
 constexpr double kRefinement = 0.1;
 constexpr int kManyLines = 300;
-/// mm. Runs of lines made one line lie this near to it.
+/// mm. Greatest distance of a run of lines from the one line that replaces the run.
 constexpr double kSimplify = 0.0004;
 /// mm. Offsets smaller than this return the region: its own points are within the promise.
 constexpr double kNoOffset = 0.0005;
-/// mm. Clearance above a level that a place must have to belong to it: above the noise of the grid, so that
-/// walls just 2d apart give a fit line and not slivers.
+/// mm. A place belongs to a level if its clearance exceeds the level by this margin: it is above the noise of the
+/// grid, so that walls exactly 2d apart give a fit line and not slivers.
 constexpr double kMargin = 0.0003;
-/// Share of the fit tolerance that a cutter on a fit line may lack: the rest is for rounding in a program.
+/// Share of the fit tolerance by which the clearance on a fit line may fall short; the rest is kept for rounding in a
+/// program.
 constexpr double kFitShare = 0.9;
 /// Dead ends of fit lines shorter than this many times the fit tolerance are corners, not slots.
 constexpr double kStubFactor = 100;
@@ -43,7 +44,7 @@ Regions nested(std::vector<Loop> loops) {
     else if (area < 0)
       islands.push_back(std::move(loop));
   }
-  // Smallest first: the first that holds an island is the one around it.
+  // Smallest first: the first outer loop containing an island is the one around it.
   std::vector<std::size_t> by_area(outers.size());
   for (std::size_t i = 0; i < by_area.size(); ++i) by_area[i] = i;
   std::stable_sort(by_area.begin(), by_area.end(),
@@ -93,7 +94,7 @@ void append_axis_curve(const WallPair& walls, const AxisPoint& a, const AxisPoin
   }
 }
 
-/// Finer sites for the arcs in doubt; whether there were any that could be.
+/// Requests finer sites for the arcs in doubt; false if no arc could be refined.
 bool refine(const voronoi::Diagram& diagram, voronoi::SiteErrors& errors) {
   bool any = false;
   for (const int i : diagram.doubtful) {
@@ -112,7 +113,8 @@ double usual_error(const Region& region, const Tolerances& tol) {
   return lines < kManyLines ? tol.topology_chord : tol.topology_chord * kRefinement;
 }
 
-/// Tangents for the arcs of a loop as thin as their error may turn it inside out without meeting each other: these start fine.
+/// In a loop no thicker than the error of its arcs' tangents, the tangents may turn the loop inside out without
+/// crossing each other: such loops start with fine sites.
 voronoi::SiteErrors first_errors(const Region& region, const Tolerances& tol) {
   voronoi::SiteErrors errors{usual_error(region, tol), {}};
   std::vector<Edge> thin;
@@ -137,8 +139,8 @@ voronoi::Diagram diagram_of(const Region& region, const Tolerances& tol) {
   }
 }
 
-/// Ends the path where the boundary is `least` mm away: the diagram's sites are as much nearer or farther as runs of lines
-/// were simplified.
+/// Ends the path at the place where the boundary is `least` mm away: the diagram's sites may be nearer or farther, by
+/// the simplification of runs of lines.
 void pull_back_end(Path& path, const Region& region, double least) {
   while (!path.empty() && region.boundary_distance(path.back().from) < least) path.pop_back();
   if (path.empty()) return;

@@ -41,22 +41,21 @@ class Clearance {
 
   /// All points of the region at distance >= d from its boundary.
   ///
-  /// Shape   zero or more regions; islands that meet merge, necks under 2d wide split; edges and runs of
-  /// edges
-  ///         that vanish are gone. Arcs give exact concentric arcs, reflex corners exact arcs about the
-  ///         corner.
+  /// Shape   zero or more regions; islands that meet merge, necks under 2d wide split; vanished edges and runs of
+  ///         edges are left out. Arcs give exact concentric arcs, reflex corners exact arcs about the corner.
   /// Units   d in mm, d >= 0.
-  /// Error   points of the result lie at d +- 1 um from the boundary, and nothing farther than 1 um inside is
-  /// missing. Fit     where the region is 2d wide to within tol.fit, see fit_lines(). Cost    O(edges) per
-  /// call.
+  /// Error   points of the result lie at d +- 1 um from the boundary, and no point farther than 1 um inside is
+  ///         missing.
+  /// Fit     where the region is 2d wide to within tol.fit, see fit_lines().
+  /// Cost    O(edges) per call.
   Regions inset(double d) const;
   /// The same for several ascending distances in one walk.
   std::vector<Regions> insets(const std::vector<double>& ascending) const;
 
-  /// Open or closed curves on which a cutter of radius d just fits: parts of the medial axis whose clearance
-  /// is d within tol.fit and which no region of inset(d) contains. A place where it just fits with no way to go
-  /// (a hole of its own diameter) is a path of one edge with from == to.
-  /// `reserve` (mm): of d, what such places need not keep.
+  /// Open or closed curves on which a cutter of radius d just fits: parts of the medial axis with clearance d within
+  /// tol.fit, outside all regions of inset(d). A place where the cutter just fits but cannot move (a hole of its own
+  /// diameter) is a path of one edge with from == to. `reserve` (mm): part of d by which the clearance there may fall
+  /// short.
   std::vector<Path> fit_lines(double d, double reserve = 0) const;
 
   const MedialAxis& axis() const;

@@ -12,7 +12,7 @@ namespace {
 
 using std::int64_t;
 
-/// > 0 when p lies left of a -> b. Coordinates stay under 2^30, so that nothing overflows.
+/// > 0 when p is on the left of a -> b. Coordinates stay under 2^30, so that nothing overflows.
 int64_t side(LatticePoint a, LatticePoint b, LatticePoint p) {
   const int64_t dx = int64_t{b.x} - a.x, dy = int64_t{b.y} - a.y;
   return dx * (int64_t{p.y} - a.y) - dy * (int64_t{p.x} - a.x);
@@ -25,7 +25,7 @@ bool boxes_apart(const Segment& s, const Segment& t) {
          std::max(t.from.y, t.to.y) < std::min(s.from.y, s.to.y);
 }
 
-/// Whether p, on the line of s, lies strictly between its ends.
+/// Whether p, on the line of s, is strictly between its ends.
 bool inside(const Segment& s, LatticePoint p) {
   if (p == s.from || p == s.to) return false;
   return std::min(s.from.x, s.to.x) <= p.x && p.x <= std::max(s.from.x, s.to.x) &&

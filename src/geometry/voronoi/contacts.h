@@ -1,4 +1,4 @@
-// The exact check that the Voronoi builder needs: which segments touch, overlap or cross.
+// Exact detection of segments that touch, overlap or cross; the Voronoi builder must not be given any.
 #pragma once
 
 #include <span>
@@ -8,17 +8,17 @@
 
 namespace clearcut::inline geometry::voronoi {
 
-/// Segment `segment` passes through `at`, which is not one of its ends.
+/// Segment `segment` passes through the point `at`, not one of its ends.
 struct Contact {
   int segment = 0;
   LatticePoint at;
-  int element = -1;  ///< of the end point that touches; -1 for a crossing
+  int element = -1;  ///< of the touching end point; -1 for a crossing
 };
 
 struct Contacts {
   std::vector<Contact> places;  ///< sorted by segment and along it, without repeats
   bool doubled = false;         ///< two segments have the same two ends
-  bool mixed = false;           ///< two ends at one grid point stand for different elements
+  bool mixed = false;           ///< two ends at one grid point represent different elements
 };
 
 /// Integer arithmetic: exact, but for the rounding of crossing points to the grid. O(n) expected for

@@ -52,8 +52,8 @@ class Maker {
     copy_cells(diagram);
   }
 
-  /// Moves the sites as far from both axes as they extend: what the builder decides by relative errors is
-  /// then decided alike everywhere.
+  /// Moves the sites as far from both axes as they extend: the builder's decisions by relative errors are then alike
+  /// everywhere.
   LatticePoint distance_from_axes() const {
     LatticePoint low = out_.sites.segments.front().from, high = low;
     for (const Segment& s : out_.sites.segments) {
@@ -135,8 +135,8 @@ class Maker {
     return out_.nodes[index(v)].clearance <= kOnBoundaryUnits * grid().unit;
   }
 
-  /// One half-edge out of each node of the connected area around the start of h: Voronoi edges never cross a
-  /// segment, but for those that run through an end point.
+  /// One half-edge out of each node of the connected area around the start of h: Voronoi edges never cross a segment,
+  /// except through its end points.
   std::vector<int> face_from(int h, std::vector<char>& seen) const {
     std::vector<int> face{h};
     seen[index(out_.origin[index(h)])] = 1;
@@ -154,8 +154,8 @@ class Maker {
     return face;
   }
 
-  /// What the direction of the segments around says; where they disagree (crossings that rounding made, walls
-  /// of no thickness) the region itself is asked at the widest place.
+  /// Decided by the direction of the segments around the face; if they disagree (crossings caused by rounding, walls
+  /// of no thickness), by a test of the region itself at the place of largest clearance.
   bool is_inside(const std::vector<int>& face) const {
     bool any_left = false, any_right = false;
     int widest = out_.origin[index(face.front())];
@@ -189,8 +189,7 @@ class Maker {
     return end == segment(s).from || end == segment(s).to;
   }
 
-  /// A segment's edge with its own end point may run through that point, from one side of the wall to the
-  /// other.
+  /// A segment's edge with its own end point may pass through that point to the other side of the wall.
   bool runs_through_point(int h) const {
     LatticePoint end;
     if (!is_secondary(h, end)) return false;

@@ -21,21 +21,20 @@ struct Diagram {
   std::vector<Node> nodes;
   std::vector<char> inside;  ///< of each node: in the material to cut, away from the boundary
   std::vector<int> origin, next, cell;
-  std::vector<int>
-      critical;  ///< of each edge: node of smallest or largest clearance strictly inside it, or -1
-  std::vector<int> cell_start;    ///< of each cell: one half-edge around it, -1 for degenerate cells
-  std::vector<int> cell_element;  ///< of each cell: element, for doubled walls that on the left side
+  std::vector<int> critical;    ///< per edge: node of smallest or largest clearance strictly inside it, or -1
+  std::vector<int> cell_start;  ///< per cell: one half-edge around it, -1 for degenerate cells
+  std::vector<int> cell_element;  ///< per cell: its element; for doubled walls, the element on the left side
   std::vector<int> cell_back;     ///< of each cell: element on the right side of a doubled wall, or -1
   std::vector<int> cell_segment;  ///< of each cell: its segment, -1 for points
-  /// Elements at nodes that are not equally far from them all or nearer to another, and elements that
-  /// crossed: with none, the topology is that of the exact boundary. (That of lines is always exact but for
-  /// the rounding.)
+  /// Elements at nodes that are unequally far from their elements or nearer to another one, and elements that cross:
+  /// if the set is empty, the topology is that of the exact boundary. (The topology of lines is always exact except
+  /// for the rounding.)
   std::set<int> doubtful;
   double largest = 0;  ///< largest clearance inside
 
   int edge_count() const { return static_cast<int>(origin.size() / 2); }
   static int twin(int half_edge) { return half_edge ^ 1; }
-  /// Element that bounds the material in a cell near p.
+  /// Element bounding the material in a cell near p.
   int element_near(int cell_index, Vec2 p) const;
   const Element& element(int i) const { return sites.elements[static_cast<std::size_t>(i)]; }
 };

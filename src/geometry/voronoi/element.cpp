@@ -147,7 +147,8 @@ std::optional<Critical> critical_between(const Element& a, const Element& b, Vec
   if (!place || place->clearance <= 0) return std::nullopt;
   if (cross(normal.direction, p - place->point) * cross(normal.direction, q - place->point) >= 0)
     return std::nullopt;
-  // Smoothly joined walls have their whole common normal for a bisector: the widest place may lie beyond q.
+  // Smoothly joined walls have their whole common normal for a bisector: the place of largest clearance may be beyond
+  // q.
   const double along = dot(place->point - p, q - p);
   if (!near_lowest && (along <= 0 || along >= norm_squared(q - p))) return std::nullopt;
   return place;

@@ -1,4 +1,4 @@
-// What an offset is made from: an edge of the boundary or one of its vertices, with exact distances.
+// Element of an offset: an edge of the boundary or one of its vertices, with exact distances.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace clearcut::inline geometry::voronoi {
 
-/// How an element looks from the material to cut, which lies on the left of every boundary edge.
+/// Shape of an element seen from the material to cut, which is on the left of every boundary edge.
 enum class Wall : unsigned char { kLine, kConcave, kConvex, kPoint };
 
 struct Element {
@@ -33,14 +33,15 @@ struct OffsetCurve {
   bool straight = false;
   Vec2 point;         ///< a point of the line, or the centre
   Vec2 direction;     ///< lines
-  double radius = 0;  ///< circles; negative where a concave arc has shrunk past its centre
+  double radius = 0;  ///< circles; negative if a concave arc has shrunk past its centre
   Turn turn = Turn::kStraight;
 };
 OffsetCurve offset_curve(const Element& element, double d);
-/// Place where two offset curves meet nearest to `guess`; tangents within `slack` mm count.
+/// Intersection of two offset curves nearest to `guess`; curves that pass each other within `slack` mm count as
+/// tangent.
 std::optional<Vec2> meeting_near(const OffsetCurve& a, const OffsetCurve& b, Vec2 guess, double slack);
 
-/// Place with equal distance to two elements where that distance is smallest or largest along their bisector.
+/// Place equally far from two elements, of smallest or largest distance along their bisector.
 struct Critical {
   Vec2 point;
   double clearance = 0;

@@ -11,14 +11,14 @@
 namespace clearcut::inline geometry::voronoi {
 namespace {
 
-/// Grid units by which a node may be off.
+/// Greatest error of a node, in grid units.
 constexpr double kMostUnitsMoved = 20;
-/// mm. Spread of the exact distances at a node below which it is solved.
+/// mm. A node is solved if the spread of its exact distances is below this.
 constexpr double kSolved = 1e-9;
 /// mm. A wall nearer than a node's own by more than this is an error.
 constexpr double kNearer = 1e-4;
 
-/// The elements that a node lies between.
+/// The elements around a node.
 struct Around {
   std::array<int, 6> elements;
   int count = 0;
@@ -69,9 +69,8 @@ class Corrector {
     node = !far && nearer < 0 ? corrected : unmoved(around, node.point);
   }
 
-  /// How far off a node may be: by the rounding of its sites to the grid and, with arcs, as far as tangents
-  /// within their error reach. (Nearly parallel walls hold a node less well than that: there it stays as it
-  /// is.)
+  /// Greatest error of a node: the rounding of its sites to the grid and, with arcs, the error of their tangents.
+  /// (Nearly parallel walls determine a node less well: there the node stays unchanged.)
   double farthest_move(const Around& around, double clearance) const {
     double reach = kMostUnitsMoved * diagram_.sites.grid.unit;
     for (int i = 0; i < around.count; ++i) {
@@ -106,7 +105,7 @@ class Corrector {
     }
   }
 
-  /// An element at the next nodes that is nearer to a corrected node than its own; -1 if there is none.
+  /// An element at the neighbouring nodes that is nearer to a corrected node than its own; -1 if there is none.
   int nearer_element_nearby(int first, const Node& node) const {
     int h = first;
     do {
@@ -138,8 +137,8 @@ class Corrector {
     return best;
   }
 
-  /// An arc's centre that all elements around are equally far from: its own pieces, and walls that go on from
-  /// it smoothly. Where they meet in the diagram is an accident of rounding.
+  /// An arc's centre equally far from all elements around the node (the arc's own pieces and walls that continue the
+  /// arc smoothly). The place of the node in the diagram is then an accident of rounding.
   const Element* common_center(const Around& around, Vec2 p) const {
     for (int i = 0; i < around.count; ++i) {
       const int id = around.elements[index(i)];
@@ -162,7 +161,7 @@ class Corrector {
     return {low, high};
   }
 
-  /// Damped least squares on "all distances equal": the shortest step where walls leave a direction free.
+  /// Damped least squares on "all distances equal": the shortest step if the walls leave a direction free.
   Vec2 newton_step(const Around& around, Vec2 p) const {
     const Element& first = diagram_.element(around.elements[0]);
     const double d0 = distance(first, p);

@@ -1,12 +1,12 @@
-// The exact places of a diagram's nodes: its builder knows sites on a grid and arcs as tangents only.
+// The exact places of a diagram's nodes: the builder sees only sites on a grid and arcs as tangents.
 #pragma once
 
 #include "geometry/voronoi/diagram.h"
 
 namespace clearcut::inline geometry::voronoi {
 
-/// Moves each inside node to where its elements are equally far, by damped least squares, and sets its clearance. Elements of
-/// nodes for which that fails are put among diagram.doubtful.
+/// Moves each inside node to the place equally far from its elements, by damped least squares, and sets its
+/// clearance. If this fails, the elements of the node are added to diagram.doubtful.
 void correct_nodes(Diagram& diagram);
 
 }  // namespace clearcut::inline geometry::voronoi

@@ -12,14 +12,14 @@ namespace clearcut::inline geometry::voronoi {
 namespace {
 
 constexpr double kTiny = 0.01;
-/// mm of the axis per mm of clearance in the sharpest corner that is told from a slot: 8 degrees.
+/// mm of the axis per mm of clearance in the sharpest corner still distinguished from a slot: 8 degrees.
 constexpr double kSteepest = 14.3;
-/// Radians between walls that go on smoothly from one another.
+/// Radians. Walls that meet at a smaller angle continue each other smoothly.
 constexpr double kSmooth = 1e-3;
 /// mm. Rounding of clearances.
 constexpr double kRounding = 1e-7;
-/// mm. Where the cutter fits no farther than this from one place, it fits in a point: what it could clear by
-/// moving there is half as thick as what may be left.
+/// mm. If all places where the cutter fits are within this distance of one place, that place becomes a point: moving
+/// there would clear only half of the thickness that may be left.
 constexpr double kPoint = 0.005;
 
 /// The axis cut to a band of clearances, as a graph of its own.
@@ -33,7 +33,7 @@ class Band {
   std::vector<Path> run(double stub) {
     std::vector<Path> paths = take_points();
     prune_stubs(stub);
-    // Ends and forks first, then what is left are rings.
+    // First from ends and forks; the remaining curves are rings.
     for (const bool rings : {false, true}) {
       for (std::size_t i = 0; i < parts_.size(); ++i) {
         for (const bool forward : {true, false}) {
@@ -79,7 +79,7 @@ class Band {
     return found->second;
   }
 
-  /// Place on an edge that rises from a to b where the clearance is `level`, by bisection on the curved
+  /// Adds the place on an edge rising from a to b at which the clearance is `level`, by bisection on the curved
   /// bisector.
   int cut(const AxisEdge& e, Walls walls, double level, bool into_region) {
     const Element &a = d_.element(walls.a), &b = d_.element(walls.b);
@@ -112,7 +112,7 @@ class Band {
     return group;
   }
 
-  /// Groups no larger than a point become one where there is most room, and their parts go; so do the centres of
+  /// Groups no larger than a point are replaced by one point at the place of largest clearance; so are the centres of
   /// round pockets.
   std::vector<Path> take_points() {
     std::vector<Path> points;
@@ -151,11 +151,11 @@ class Band {
     std::vector<std::pair<std::size_t, bool>> parts;  ///< with their direction
     int first = 0, last = 0;
     double length = 0;
-    double roomy = 0;  ///< length where the cutter fits with nothing to spare or more
+    double roomy = 0;  ///< length of the parts with clearance of at least the radius
   };
 
-  /// A dead end that is the foot of a corner or the mouth of a wider place: there is room for a little less than the
-  /// cutter, for a short way.
+  /// Whether a dead end is only the end in a corner or the mouth of a wider place: a short stretch with slightly less
+  /// room than the cutter needs.
   bool is_foot(const Chain& chain, double stub) const {
     return chain.length < stub && chain.roomy <= std::max(kPoint, kSteepest * (high_ - radius_));
   }
@@ -190,7 +190,7 @@ class Band {
 
   bool is_dead_end(int place) const { return degree(place) == 1 && !places_[index(place)].into_region; }
 
-  /// Short dead ends go, but for the two longest of a star that is nothing else.
+  /// Removes short dead ends, except the two longest of a star made of dead ends only.
   void prune_stubs(double stub) {
     std::map<int, std::vector<Chain>> at_fork;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -229,7 +229,7 @@ class Band {
   /// The bisector of two walls between two of its places: a line, or the arc through its middle.
   Edge curve(Vec2 from, Vec2 to, Walls walls) const {
     const Element &a = d_.element(walls.a), &b = d_.element(walls.b);
-    // Between nodes this near, what is left of the curve is below their own error.
+    // Between nodes this near, the curve's deviation from a line is below the nodes' own error.
     if ((!a.is_round() && !b.is_round()) || norm(to - from) < kTiny) return Edge::line(from, to);
     if (a.is_round() && b.is_round() && norm(a.edge.center - b.edge.center) < kSamePlaceMm) {
       const bool ccw = cross(from - a.edge.center, to - a.edge.center) > 0;
@@ -251,7 +251,8 @@ class Band {
     for (int step = 0; step < 4; ++step) {
       const Vec2 g = away_from(a, p) - away_from(b, p);
       const double f = distance(a, p) - distance(b, p);
-      // Walls that go on smoothly from one another hardly say where it runs: straight, and f is next to nothing.
+      // Walls continuing each other smoothly hardly determine the bisector: the straight guess is kept, and f is
+      // nearly zero.
       if (norm_squared(g) < kSmooth * kSmooth) break;
       p = p - g * (f / norm_squared(g));
     }

@@ -29,7 +29,7 @@ class Tracer {
   struct Cut {
     int level = 0;
     int a = -1, b = -1;  ///< nodes at the ends of its stretch, -1 at infinity
-    int next = -1;       ///< the rising cut that the piece starting here runs to
+    int next = -1;       ///< the rising cut at the end of the piece starting here
     int cell = -1;       ///< cell of that piece
   };
 
@@ -77,7 +77,7 @@ class Tracer {
       walk_edge(h, cell);
       h = diagram_.next[index(h)];
     } while (h != start);
-    // What fell before anything rose closes what is still open, deepest first.
+    // Falling cuts met before any rising one close the pieces still open, deepest first.
     CLEARCUT_ASSERT(open_.size() == unmatched_.size());
     for (const int falling : unmatched_) link_to_open(falling, cell);
   }
@@ -144,14 +144,13 @@ class Tracer {
 
   static void join_ends(std::vector<Piece>& pieces) {
     if (pieces.size() < 2 || pieces.front().element != pieces.back().element) return;
-    // The last piece goes on as the first: the first starts where the last does.
+    // The last piece continues as the first: the first takes over the start of the last.
     pieces.front() = pieces.back();
     pieces.pop_back();
   }
 
   Piece piece_at(const Cut& cut) const {
-    // An edge to infinity ends beyond the region; what matters of it lies between the other node and the
-    // wall.
+    // An edge to infinity ends beyond the region; only its part between the other node and the wall matters.
     const int a = cut.a >= 0 ? cut.a : cut.b, b = cut.b >= 0 ? cut.b : cut.a;
     const Node &p = diagram_.nodes[index(a)], &q = diagram_.nodes[index(b)];
     const double rise = q.clearance - p.clearance, d = levels_[index(cut.level)];

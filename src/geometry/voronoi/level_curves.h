@@ -8,28 +8,28 @@
 
 namespace clearcut::inline geometry::voronoi {
 
-/// The part of a level's curve in the cells of one element. It starts on the bisector with the piece before
-/// it, between the places `low` and `high` of that bisector, near `guess`.
+/// The part of a level's curve in the cells of one element. The piece starts on the bisector with the previous piece,
+/// between the places `low` and `high` of that bisector, near `guess`.
 struct Piece {
   int element = 0;
   Vec2 guess;
   Vec2 low;
   Vec2 high;
-  bool at_node = false;       ///< the bisector ends before it reaches the level exactly: start at `guess`
-  bool mended = false;        ///< pieces before it were dropped: the joint may lie off the bisector
-  std::optional<Vec2> joint;  ///< where it starts, once solved
+  bool at_node = false;  ///< the bisector ends before reaching the level exactly: the piece starts at `guess`
+  bool mended = false;   ///< previous pieces were dropped: the joint may be off the bisector
+  std::optional<Vec2> joint;  ///< start of the piece, once solved
 };
 
-/// Closed; the material at this depth lies on the left. Neighbouring pieces are of different elements, but
-/// for a single piece that is a full circle.
+/// Closed; the material at this depth is on the left. Neighbouring pieces are of different elements, except a single
+/// piece forming a full circle.
 struct LevelCurve {
   int level = 0;
   std::vector<Piece> pieces;
 };
 
-/// Curves at the ascending distances `levels` (mm, > 0), ordered by level. A node belongs to a level when its
-/// clearance exceeds it by `margin`: the same for all, so that widths of twice a level within rounding give
-/// nothing. O(edges + pieces).
+/// Curves at the ascending distances `levels` (mm, > 0), ordered by level. A node belongs to a level if its clearance
+/// exceeds the level by `margin`: the same for all, so that widths of twice a level within rounding give no curve.
+/// O(edges + pieces).
 std::vector<LevelCurve> level_curves(const Diagram& diagram, const std::vector<double>& levels,
                                      double margin);
 

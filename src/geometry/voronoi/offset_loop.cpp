@@ -23,7 +23,7 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
   return norm(p - (a + d * t));
 }
 
-/// An arc's centre moved along its chord until both ends are equally far; a line where no arc is left.
+/// The arc with its centre moved parallel to the chord until both ends are equally far; a line if no arc is left.
 Edge centred(Edge arc) {
   const Vec2 chord = arc.to - arc.from;
   const double excess = norm_squared(arc.from - arc.center) - norm_squared(arc.to - arc.center);
@@ -90,12 +90,12 @@ class Assembler {
   const Element& before(std::size_t i) const { return element(piece(i + count() - 1)); }
   const Element& after(std::size_t i) const { return element(piece(i)); }
 
-  /// Removes pieces; the one after a removed run starts in the middle of what was there. Neighbours that are
-  /// then of one element become one piece.
+  /// Removes pieces; the piece after a removed run starts in the middle of the run. Neighbouring pieces that are then
+  /// of one element become one piece.
   void remove(const std::vector<char>& gone) {
     const auto kept = std::find(gone.begin(), gone.end(), 0);
     if (kept == gone.end()) return pieces_.clear();
-    // From a piece that stays, once around: no run of removed ones is split.
+    // Once around, beginning at a kept piece: no run of removed pieces is split.
     const auto start = static_cast<std::size_t>(kept - gone.begin());
     std::vector<Piece> left;
     for (std::size_t k = 0; k < count(); ++k) {
@@ -113,7 +113,7 @@ class Assembler {
     return {piece(i).element, lerp(from, to, 0.5), from, to, false, true, {}};
   }
 
-  /// The piece before goes on: what starts at the second of two equals is its inside.
+  /// Of two equal neighbours the first continues: the start of the second becomes a place inside the joined piece.
   void merge_equal_neighbours() {
     std::vector<Piece> left;
     for (const Piece& p : pieces_) {
@@ -126,7 +126,7 @@ class Assembler {
     pieces_ = std::move(left);
   }
 
-  /// Removes the pieces for which `is_false` holds; whether there were any.
+  /// Removes the pieces for which `is_false` is true; returns whether there were any.
   template <class Test>
   bool remove_if(Test is_false) {
     std::vector<char> gone(count(), 0);
@@ -140,7 +140,8 @@ class Assembler {
     return true;
   }
 
-  /// Whether neighbours that go on to meet without the arc stay within the slack of it.
+  /// Whether the neighbouring offset curves, prolonged until they meet without the arc, stay within the slack of the
+  /// arc.
   bool is_shrunken(const Element& arc) const {
     const double left = arc.radius - d_, half = std::abs(arc.edge.sweep()) / 2;
     if (left <= kOneJoint) return true;
@@ -155,13 +156,13 @@ class Assembler {
     }
   }
 
-  /// Distance between the offsets of two edges at their common vertex, > 0 where an arc about it joins them.
+  /// Distance between the offsets of two edges at their common vertex, > 0 if an arc about the vertex joins them.
   double opening(const Edge& before, const Edge& after) const {
     const Vec2 a = before.tangent_at(1), b = after.tangent_at(0);
     return -d_ * base::atan2(cross(a, b), dot(a, b));
   }
 
-  /// Place of the offset beside the vertex where edge b follows edge a.
+  /// Point of the offset beside the vertex between edge a and the following edge b.
   Vec2 beside_vertex(const Element& a, const Element& b) const {
     const Vec2 n = left_of(a.edge.tangent_at(1)) + left_of(b.edge.tangent_at(0));
     return a.edge.to + n * (d_ / norm(n));
@@ -171,7 +172,7 @@ class Assembler {
   /// wide one. (A turn by half a round is the tip of a wall of no thickness.)
   bool is_closed(double wide) const { return wide <= kLeastArc && wide > -d_ * kPi / 2; }
 
-  /// Sites are rounded and may turn a vertex the wrong way: decided here by the exact tangents.
+  /// Sites are rounded and may give a vertex the wrong turn: the exact tangents decide here.
   void drop_false_vertices() {
     if (count() < 3) return;
     remove_if([this](std::size_t i) {
@@ -204,7 +205,7 @@ class Assembler {
     return wide > kLeastArc && wide < d_ * kPi / 2 && starts_beside_vertex(i);
   }
 
-  /// Whether the joint before piece i lies beside the common vertex and not where the two edges meet again.
+  /// Whether the joint before piece i is beside the common vertex and not at another meeting point of the two edges.
   bool starts_beside_vertex(std::size_t i) const {
     const Element &a = before(i), &b = after(i);
     const double to_vertex = norm(piece(i).guess - beside_vertex(a, b));
@@ -212,8 +213,8 @@ class Assembler {
     return !met || to_vertex <= norm(*met - piece(i).guess) + opening(a.edge, b.edge);
   }
 
-  /// One element all round: an island that is a point, or an arc that is all but closed. Others are an
-  /// accident of rounding about an arc's centre.
+  /// A full circle around one element: an island of a single point, or a nearly closed arc. All other full circles
+  /// are accidents of rounding about an arc's centre.
   std::optional<Loop> full_circle() const {
     const Element& only = element(pieces_[0]);
     if (only.edge.is_arc() && std::abs(only.edge.sweep()) < 1.9 * kPi) return std::nullopt;
@@ -241,17 +242,17 @@ class Assembler {
     return met && distance_to_segment(*met, here.low, here.high) <= reach(here) ? *met : here.guess;
   }
 
-  /// How far from its bisector's ends a joint may lie.
+  /// Greatest distance of a joint from the ends of its bisector.
   double reach(const Piece& here) const {
     if (here.at_node) return slack_;
-    // Sites within some error of an arc turn from it by up to the root of that.
+    // Sites within an error of an arc may differ from the arc's direction by up to the square root of that error.
     const double root = here.mended ? 2 * std::sqrt(diagram_.sites.error * d_) : 0;
     return 0.5 * norm(here.high - here.low) + 20 * slack_ + root;
   }
 
   Vec2 joint(std::size_t i) const { return *piece(i).joint; }
 
-  /// A piece that would run against its direction exists in the diagram only: its neighbours meet without it.
+  /// A piece running against its direction exists only in the diagram: its neighbours meet without it.
   bool drop_reversed() {
     return remove_if([this](std::size_t i) { return runs_backwards(i); });
   }
@@ -259,8 +260,8 @@ class Assembler {
   bool runs_backwards(std::size_t i) const {
     const OffsetCurve curve = offset_curve(after(i), d_);
     if (curve.straight) return dot(joint(i + 1) - joint(i), curve.direction) < -kOneJoint;
-    // The offset of an arc turns no farther than the arc, that of a vertex no farther than half round. An arc
-    // that runs a little backwards seems to go nearly all round instead.
+    // The offset of an arc turns no farther than the arc, the offset of a vertex no farther than half a circle. An
+    // arc running slightly backwards appears as a nearly full circle instead.
     const Edge& source = after(i).edge;
     const double most = source.is_arc() ? std::abs(source.sweep()) : kPi;
     const Edge arc = Edge::arc(joint(i), joint(i + 1), curve.point, curve.turn);

@@ -9,8 +9,8 @@
 namespace clearcut::inline geometry::voronoi {
 
 /// Loop at distance d from the elements: lines stay parallel, arcs concentric, corners become arcs; joints
-/// are the intersections of neighbouring offset curves. `slack` (mm) is how far the diagram may lie from the
-/// exact boundary; pieces that exist only within it are dropped. Nothing where no area is left.
+/// are the intersections of neighbouring offset curves. `slack` (mm) is the greatest distance of the diagram from the
+/// exact boundary; pieces that exist only within this distance are dropped. Nothing if no area is left.
 std::optional<Loop> offset_loop(const Diagram& diagram, const LevelCurve& curve, double d, double slack);
 
 }  // namespace clearcut::inline geometry::voronoi

@@ -16,13 +16,13 @@ namespace {
 /// Coordinates stay under 2^29 units, so that exact predicates fit 64 bits; 0.1 um up to 100 m.
 constexpr double kFinestUnit = 1e-4;
 constexpr double kLargestExtent = 1e9;
-/// Crossings made by rounding are split at rounded points, which can cross again: a few rounds settle it.
+/// Crossings caused by rounding are split at rounded points, and the parts can cross again: a few rounds suffice.
 constexpr int kMostRounds = 20;
 
 Grid grid_for(const Region& region) {
   const Box box = region.box();
   const Vec2 c = box.center();
-  // Whole mm, so that drawings on a 0.1 um raster stay exact.
+  // Whole mm, so that coordinates on a 0.1 um raster stay exact.
   return {{std::round(c.x), std::round(c.y)},
           std::max(kFinestUnit, (std::max(box.width(), box.height()) + 2) / kLargestExtent)};
 }
@@ -91,8 +91,8 @@ Edge with_ends(const Edge& edge, Vec2 from, Vec2 to) {
   return moved;
 }
 
-/// Points of the polygon around the arc's circle that touches it at both ends, with the last one. Against
-/// chords: the directions at the ends are exact, so a vertex turns the way it really does, and the polygon's
+/// Points, with the last one, of the polygon circumscribed about the arc's circle that touches the arc at both ends.
+/// Unlike chords, the polygon has exact directions at the ends, so a vertex has its true turn, and the polygon's
 /// bisectors of a concave arc and its smooth neighbours all meet in the arc's centre.
 void append_tangents(const Edge& edge, double error, std::vector<Vec2>& out) {
   if (edge.is_arc()) {
@@ -125,7 +125,7 @@ class Builder {
       if (contacts.mixed) name_points();
       if (contacts.doubled) merge_doubled();
       if (contacts.places.empty()) break;
-      // Places name segments by their numbers, which merging has changed: they are looked for again.
+      // Places name segments by their numbers, and merging has changed the numbers: the places are searched again.
       if (contacts.doubled) continue;
       CLEARCUT_ASSERT(splits++ < kMostRounds);
       split(contacts.places);
@@ -139,7 +139,7 @@ class Builder {
     Vec2 exact;
   };
 
-  /// One point element for each grid point that holds a vertex, at the first vertex found there.
+  /// One point element for each grid point with vertices, at the first vertex found there.
   void collect_corners(const std::vector<Loop>& loops) {
     for (const Loop& loop : loops) {
       for (const Edge& edge : loop) corners_.push_back({sites_.grid.to_grid(edge.from), edge.from});
@@ -151,7 +151,7 @@ class Builder {
     for (const Corner& corner : corners_) sites_.elements.push_back(Element::of_point(corner.exact));
   }
 
-  /// Index of the corner at p, which is also that of its element; -1 if there is none.
+  /// Index of the corner at p, also the index of its element; -1 if there is none.
   int corner_at(LatticePoint p) const {
     const auto found = std::lower_bound(corners_.begin(), corners_.end(), p,
                                         [](const Corner& c, LatticePoint q) { return c.at < q; });
@@ -187,13 +187,13 @@ class Builder {
       next.from = next.to;
       next.from_element = element;
     }
-    // The last points of a tiny arc may have fallen on its end: that point is the vertex all the same.
+    // The last points of a tiny arc may have been rounded to its end: the end is the vertex nevertheless.
     if (!sites_.segments.empty() && sites_.segments.back().element == element) {
       sites_.segments.back().to_element = to;
     }
   }
 
-  /// A loop within one square of the grid is a point: a wall of one unit, all of it one element.
+  /// A loop within one square of the grid is a point: a wall of one unit, and the whole wall is one element.
   void add_speck(LatticePoint p) {
     const int element = corner_at(p);
     sites_.segments.push_back({p, {p.x + 1, p.y}, element, element, element, element});
@@ -227,7 +227,7 @@ class Builder {
     return place->second;
   }
 
-  /// Ends at one grid point stand for one element: the vertex there, or else the first named.
+  /// Ends at one grid point represent one element: the vertex there, or else the first named.
   void name_points() {
     std::map<LatticePoint, int> names;
     const auto name = [&](LatticePoint p, int element) {
@@ -244,8 +244,8 @@ class Builder {
     }
   }
 
-  /// Segments with the same ends become one. Where as many run there as back, it is a wall of no thickness
-  /// and keeps both elements; else it keeps the direction that prevails.
+  /// Segments with the same ends become one. If equally many run in both directions, the segment is a wall of no
+  /// thickness and keeps both elements; else it keeps the prevailing direction.
   void merge_doubled() {
     std::map<std::pair<LatticePoint, LatticePoint>, std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < sites_.segments.size(); ++i) {

@@ -1,5 +1,5 @@
 // The boundary of a region as segments between points of an integer grid: the input of the Voronoi builder,
-// which trusts it blindly. Every segment and point knows the exact element it stands for.
+// which does not check its input. Every segment and point stores its exact element.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,8 @@ struct Segment {
   int element = 0;
   int from_element = 0;
   int to_element = 0;
-  /// A wall of no thickness: the element on its right side, whose edge runs the other way; -1 for all others.
+  /// A wall of no thickness: the element on its right side, whose edge runs in the opposite direction; -1 for all
+  /// other sites.
   int back_element = -1;
 };
 
@@ -42,19 +43,19 @@ struct Grid {
   Vec2 to_mm(LatticePoint p) const { return to_mm(p.x, p.y); }
 };
 
-/// Distinct segments that meet in their end points only.
+/// Distinct segments that meet only at their end points.
 struct Sites {
   Grid grid;
-  double error = 0;  ///< mm, how far a site may lie from its element
+  double error = 0;  ///< mm, greatest distance of a site from its element
   std::vector<Element> elements;
   std::vector<Segment> segments;
   std::vector<int> met;  ///< elements whose segments crossed, touched or overlapped
 };
 
-/// How far the tangents for an arc may lie from it. mm.
+/// Greatest distance of an arc's tangents from the arc. mm.
 struct SiteErrors {
   double usual = 0;
-  std::map<int, double> of_element;  ///< those that differ from the usual
+  std::map<int, double> of_element;  ///< errors that differ from `usual`
   double of(int element) const {
     const auto found = of_element.find(element);
     return found == of_element.end() ? usual : found->second;

@@ -2,9 +2,9 @@
 // Voronoi builder.
 //
 // The origin is a point of the sites. Points and directions are exact integers; a line is its direction
-// (a, b) of length l and h, the distance of the origin to the right of it times l, so that a centre (x, y) on
-// its right at the distance r has b x - a y + h = l r. What the formulas share: the radius is a sum of positive terms
-// or comes from the product of both roots.
+// (a, b) of length l and h, the distance of the origin to the right of it times l, hence a centre (x, y) on its right
+// at the distance r has b x - a y + h = l r. In all formulas the radius is a sum of positive terms or comes from the
+// product of both roots.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 
 namespace clearcut::inline geometry::voronoi {
 
-/// About the origin that its maker was given. Coordinates and radius are off by at most `error` roundings
-/// of T: infinite or not a number where there is no such circle or nothing is known.
+/// Relative to the origin given to its maker. Coordinates and radius are off by at most `error` roundings of T;
+/// `error` is infinite or not a number if there is no circle or no bound is known.
 template <class T>
 struct TangentCircle {
   T x, y, radius;
@@ -78,7 +78,7 @@ TangentCircle<T> tangent_circle(SitePoint p, SiteLine line, bool larger) {
   const T mean = (T(line.h) + T(h)) * half, difference(h - line.h);
   const T product = hypotenuse(T(line.a), T(line.b)) * hypotenuse(px, py);
   const T turn = T(line.a * p.x + line.b * p.y) * mean, root = product * sqrt(T(line.h) * T(h));
-  // t = (turn +- root) / difference^2; the one that cancels from the product of both.
+  // t = (turn +- root) / difference^2; the cancelling root is computed from the product of both.
   const bool positive = leading(turn) >= 0;
   const T sum = positive ? turn + root : turn - root;
   T t;
@@ -116,7 +116,7 @@ TangentCircle<T> tangent_circle(SiteLine s, SiteLine t, bool larger) {
   return {x, y, radius, 12 * (terms / magnitude(across) + 2 * magnitude(radius))};
 }
 
-/// On the right of three lines; a negative radius where it would be on their left.
+/// On the right of three lines; a negative radius if the circle would be on their left.
 template <class T>
 TangentCircle<T> tangent_circle(SiteLine s, SiteLine t, SiteLine u) {
   const T sl = hypotenuse(T(s.a), T(s.b)), tl = hypotenuse(T(t.a), T(t.b)), ul = hypotenuse(T(u.a), T(u.b));

@@ -7,12 +7,12 @@
 namespace clearcut::link {
 namespace {
 
-/// mm. Material thinner than this, beside or below the cutter, comes from rounding.
+/// mm. Material thinner than this, beside or below the cutter, is due to rounding.
 constexpr double kRounding = 1e-3;
-/// mm by which the height that is tried next is at least higher: places found on a boundary may lie below it.
+/// mm; least increase of the next tried height: places found on a boundary may be below it.
 constexpr double kHigher = 0.05;
 
-/// mm; the lowest height, `z` or above, at which a cutter meets nothing along `path`.
+/// mm; the lowest height, `z` or above, at which a cutter meets no material along `path`.
 double clear_height(const Edge& path, const CutterProfile& cutter, double z,
                     const stock::Material& material) {
   while (z < material.z_top()) {
@@ -53,7 +53,7 @@ class Rewriter {
     if (z != z_) append({Edge::line(at, at), z_, z, kind, feed, 0});
   }
 
-  /// From where a lifted rapid has ended back to where the next move begins.
+  /// Moves from the end of a lifted rapid back to the start of the next move.
   void return_to(const Move& next) {
     if (z_ != next.z_from) go_to_height(next.path.from, next.z_from);
   }
@@ -93,7 +93,7 @@ class Rewriter {
   const HighRapids& options_;
   stock::Material& material_;
   std::vector<Move> moves_;
-  double z_ = 0;  ///< mm; where the cutter is
+  double z_ = 0;  ///< mm; height of the cutter
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Keeps rapids above what the passes before them have left, once all sections are in their order.
+// Keeps rapids above the material left by earlier passes, once all sections are in their order.
 #pragma once
 
 #include "base/units.h"
@@ -9,16 +9,17 @@
 namespace clearcut::link {
 
 struct HighRapids {
-  double above_material = 1;  ///< mm over what stands where a rapid down ends and the plunge begins
+  double above_material = 1;  ///< mm over the material at which a rapid down ends and the plunge begins
   MmPerMin plunge_feed;
 };
 
-/// Ends the rapids down of `section` above the material in their way and goes on at the plunge feed; lifts level rapids over
-/// what stands in theirs. All other moves stay, and so do rapids that meet nothing. Removes from `material` what the section
-/// sweeps.
+/// Ends the rapids down of `section` above the material in their path and continues at the plunge feed; lifts level
+/// rapids over material in their path. All other moves are unchanged, including rapids without material in their
+/// path. Removes from `material` the volume swept by the section.
 ///
-/// Places  A rapid meets what reaches into a cutter 0.001 mm narrower than `tool`, with its tip 0.001 mm higher.
-/// Cost    O(heights of material in the way) queries Material::in_reach a rapid.
+/// Places  A rapid meets material that reaches into a cutter 0.001 mm narrower than `tool`, with its tip 0.001 mm
+///         higher.
+/// Cost    O(heights of material in the path) queries Material::in_reach a rapid.
 void keep_rapids_high(Section& section, const Tool& tool, const HighRapids& options,
                       stock::Material& material);
 

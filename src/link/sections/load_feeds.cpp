@@ -12,28 +12,29 @@ namespace {
 
 /// mm, and share of the radius: greatest distance between places at which the load is computed.
 constexpr double kLongestSample = 0.04, kSampleOfRadius = 0.02;
-/// mm from the beginning of a move, where the load is computed, too.
+/// mm from the beginning of a move at which the load is also computed.
 constexpr double kCorner = 0.01;
-/// mm. Material thinner than this comes from rounding.
+/// mm. Material thinner than this is due to rounding.
 constexpr double kThinnest = 1e-3;
-/// Share of the reference that may be used: between two samples the load may be a little greater than at both.
+/// Usable share of the reference: between two samples the load may be slightly greater than at both.
 constexpr double kUsed = 0.985;
-/// Between two samples whose feeds differ by a greater share the load is computed in the middle, too, so often one within the other.
+/// Between two samples whose feeds differ by a greater share the load is computed in the middle, too, so often one
+/// within the other.
 constexpr double kAlike = 0.01;
 constexpr int kHalvings = 5;
-/// s. A word for another feed has to gain as much: on a pocket of 100 mm 0.001 gains 2 % of the time by equal chips and has five times
-/// the words of 0.02.
+/// s. A word for another feed has to gain as much: on a pocket of 100 mm 0.001 gains 2 % of the time by equal chips
+/// and has five times the words of 0.02.
 constexpr double kWorthAWord = 0.01;
 /// mm/min. Feeds below are not rounded to whole numbers.
 constexpr double kWholeFeeds = 20;
 
-/// A stretch of a move with the highest feed that the load allows on it.
+/// A stretch of a move with the highest feed allowed by the load.
 struct Stretch {
   std::size_t move = 0;
   double t_from = 0, t_to = 1;
   double length = 0;    ///< mm
   double feed = 0;      ///< mm/min
-  bool joined = false;  ///< may have one feed with the stretch before it
+  bool joined = false;  ///< may share one feed with the previous stretch
 };
 
 /// Neighbouring stretches with one feed.
@@ -45,7 +46,7 @@ struct Run {
   bool gone = false;
 };
 
-/// s that a run of `length` mm takes at `fast` between neighbours at `slow`, mm/s, with the acceleration at both ends.
+/// s; time of a run of `length` mm at `fast` between neighbours at `slow`, mm/s, with the acceleration at both ends.
 double time_between(double length, double fast, double slow, double acceleration) {
   const double ramps = (fast * fast - slow * slow) / acceleration;
   if (length >= ramps) return length / fast + (fast - slow) * (fast - slow) / (acceleration * fast);
@@ -57,7 +58,7 @@ double rounded_down(double feed) {
   return feed < kWholeFeeds ? feed : std::floor(feed + 1e-6);
 }
 
-/// Gives neighbours one feed wherever that costs less than another word for it.
+/// Gives neighbours one feed wherever this costs less than a further feed word.
 class Joiner {
  public:
   Joiner(std::vector<Stretch>& stretches, double acceleration)
@@ -86,7 +87,7 @@ class Joiner {
   }
 
  private:
-  /// To join a run with the one after it.
+  /// A candidate for joining a run with the next one.
   struct Offer {
     double cost = 0;  ///< s
     std::ptrdiff_t run = 0;
@@ -166,12 +167,12 @@ class LoadFeedSetter {
            std::abs(move.feed.mm_per_min() - feeds_.cutting.mm_per_min()) <= 1e-6 * move.feed.mm_per_min();
   }
 
-  /// Where it touches nothing; others than those that are raised keep their feed there.
+  /// Highest feed without contact to material; only moves with raised feeds change their feed there.
   double most_in_air(const Move& move) const {
     return is_raised(move) ? feeds_.cap.mm_per_min() : move.feed.mm_per_min();
   }
 
-  /// The highest feed at a place of a move that `raised` is, a little higher.
+  /// The highest feed at a place of a move; `raised` is that move, slightly higher.
   double feed_at(const Move& raised, double t) const {
     const auto contact = material_.engagement(raised, t, radius_ - kThinnest, cutter_);
     const double load = stock::load_at_feed_of_one(feeds_.rule.by, contact);
@@ -210,7 +211,7 @@ class LoadFeedSetter {
     raised.z_from += kThinnest;
     raised.z_to += kThinnest;
     const bool divides = feeds_.divides && is_raised(move);
-    // Behind a corner the load is greater than in it.
+    // Just after a corner the load is greater than in the corner.
     const double corner = std::min(kCorner / move.path.length(), 0.25 / count);
     Sample before{0, std::min(feed_at(raised, 0), feed_at(raised, corner))};
     Stretch whole{index, 0, 1, move.length(), before.feed, joined};

@@ -13,18 +13,20 @@ namespace clearcut::link {
 
 struct LoadFeeds {
   FeedRule rule;
-  MmPerMin reference;       ///< feed that is meant at the reference's engagement
+  MmPerMin reference;       ///< feed stated for the engagement at the reference
   MmPerMin cap;             ///< no move in material is fed faster
   MmPerMin cutting;         ///< level moves at this feed may go faster; all others only slower
-  double acceleration = 0;  ///< mm/s2; what is too short to gain speed keeps that of its neighbours
-  bool divides = true;      ///< moves may be divided where the load changes
+  double acceleration = 0;  ///< mm/s2; stretches too short to accelerate keep the speed of their neighbours
+  bool divides = true;      ///< moves may be divided at changes of the load
 };
 
-/// Sets the feed of every feed move of `section`, whose tool is a mill that clears floors. Removes from `material` what it sweeps.
+/// Sets the feed of every feed move of `section`, whose tool must be a mill that clears floors. Removes from
+/// `material` the volume swept by the section.
 ///
-/// The load is computed every 0.04 mm or fiftieth of the radius, at both ends of each move, too; what is between two
-/// places counts as the greater of both, and 1.5 % of the reference are kept free for what is between. Neighbours get one feed, the lower
-/// one, where another word for the feed would gain less than 0.01 s. Cost as queries of Material.
+/// The load is computed every 0.04 mm or fiftieth of the radius, at both ends of each move, too; between two places
+/// the load counts as the greater of both, and 1.5 % of the reference are kept in reserve for peaks between them.
+/// Neighbours get one feed, the lower one, if a further feed word would gain less than 0.01 s. Cost as
+/// queries of Material.
 void set_load_feeds(Section& section, const Tool& tool, const LoadFeeds& feeds, stock::Material& material);
 
 }  // namespace clearcut::link

@@ -12,18 +12,19 @@
 namespace clearcut::link {
 namespace {
 
-/// mm. Paths whose distance from the outline changes by less run along it.
+/// mm. Paths with a smaller change of distance from the outline count as parallel to it.
 constexpr double kParallel = 1e-6;
 /// mm. Other paths are raised in pieces of this length.
 constexpr double kPiece = 0.1;
 /// Of a path's length: places nearer to each other are one.
 constexpr double kSamePlace = 1e-9;
-/// mm above the top of a square tab at which the cutter crosses it, rather than rub on it.
+/// mm above the top of a square tab at which the cutter crosses the tab without rubbing on it.
 constexpr double kAbove = 0.2;
-/// mm. Ends of passes on both sides of a tab lie on one contour, and as far from its middle, to within this.
+/// mm. Ends of passes on both sides of a tab are on one contour, and equally far from its middle, to within this.
 constexpr double kSameContour = 1e-3;
 constexpr double kSymmetric = 0.1;
-/// mm. Programs of four decimals of an inch round both ends of a move to 0.0013 mm; arcs they may divide into so many pieces.
+/// mm. Programs of four decimals of an inch round both ends of a move to 0.0013 mm; arcs they may divide into so many
+/// pieces.
 constexpr double kRounded = 0.0026;
 constexpr double kPiecesOfArc = 8;
 constexpr double kNowhere = -std::numeric_limits<double>::infinity();
@@ -49,12 +50,12 @@ Beside beside(const Tab& tab, Vec2 p) {
   }
   const Vec2 arm = middle - tab.foot.center, to = p - tab.foot.center;
   const double angle = base::atan2(cross(arm, to), dot(arm, to)) * turn_of(tab);
-  // Left of a counter-clockwise arc lies its centre.
+  // The centre of a counter-clockwise arc is on its left.
   const double inwards = tab.foot.radius() - norm(to);
   return {angle * tab.foot.radius(), inwards * turn_of(tab) * side, norm(to)};
 }
 
-/// One triangular tab, and how low a cutter may be around it.
+/// One triangular tab, and the lowest permitted heights of a cutter around it.
 class Ridge {
  public:
   Ridge(const Tab& tab, double radius)
@@ -70,7 +71,7 @@ class Ridge {
     return std::min(move.z_from, move.z_to) < tab_.top_z && path.overlaps(around_);
   }
 
-  /// The lowest that the tip may be with the cutter's centre over p.
+  /// The lowest permitted height of the tip with the cutter's centre over p.
   double lowest(Vec2 p) const {
     const Beside at = beside(tab_, p);
     const bool in_kerf = at.aside > -radius_ && at.aside < std::abs(tab_.aside) + radius_;
@@ -78,15 +79,15 @@ class Ridge {
     return tab_.top_z - steepness_ * std::max(0.0, std::abs(at.along) - reach(at));
   }
 
-  /// Whether the lowest height over the path is that of straight pieces between its bends.
+  /// Whether the lowest height over the path is linear between its bends.
   bool is_followed_by(const Edge& path) const {
     if (path.is_arc() != tab_.foot.is_arc()) return false;
     if (path.is_arc()) return distance(path.center, tab_.foot.center) < kParallel;
     return std::abs(beside(tab_, path.from).aside - beside(tab_, path.to).aside) < kParallel;
   }
 
-  /// Parameters of a path that follows the tab where its lowest height turns from rising to level and from level to falling; some
-  /// may lie beyond its ends.
+  /// Parameters of a path along the tab at which its lowest height changes from rising to level and from level to
+  /// falling; some may be beyond its ends.
   std::vector<double> bends(const Edge& path) const {
     const Beside from = beside(tab_, path.from);
     const double r = tab_.foot.radius();
@@ -96,7 +97,7 @@ class Ridge {
     for (const double bend : {-reach(from), reach(from)}) {
       places.push_back((bend - from.along) / way);
       if (!path.is_arc()) continue;
-      // The way may go round past where angles begin anew.
+      // The path may pass the angle at which angles wrap around.
       places.push_back((bend - from.along + 2 * kPi * r) / way);
       places.push_back((bend - from.along - 2 * kPi * r) / way);
     }
@@ -178,7 +179,8 @@ bool is_raised(const Move& move, const std::vector<Raised>& places) {
                      [&](const Raised& place) { return place.z > z_at(move, place.t) + kRoundingMm; });
 }
 
-/// The feed at which the tip goes down no faster than at `plunge_feed`, also where the program rounds both ends of a short move.
+/// The feed at which the tip descends no faster than at `plunge_feed`, even if the program rounds both ends of a
+/// short move.
 MmPerMin slowed(const Move& move, MmPerMin plunge_feed) {
   if (is_rapid(move.kind) || move.z_from <= move.z_to) return move.feed;
   const double rounded = kRounded * (move.path.is_arc() ? kPiecesOfArc : 1);
@@ -214,7 +216,7 @@ void append_raised(const Move& move, const Ridge& ridge, MmPerMin plunge_feed, s
   }
 }
 
-/// The way over a tab from p to q, where these lie on its two sides on one contour beside the outline.
+/// The path over a tab from p to q, if these are on its two sides on one contour beside the outline.
 std::optional<Edge> way_over(const Tab& tab, double radius, Vec2 p, Vec2 q) {
   const Beside from = beside(tab, p), to = beside(tab, q);
   const double reach = std::max(tab.foot.length(), norm(q - p)) / 2 + radius;
@@ -227,7 +229,8 @@ std::optional<Edge> way_over(const Tab& tab, double radius, Vec2 p, Vec2 q) {
   return Edge::arc(p, q, tab.foot.center, turns_left ? Turn::kCounterClockwise : Turn::kClockwise);
 }
 
-/// Adds the way over the tab along `over` from the height z; the entry after it begins at the height that is returned.
+/// Adds the moves over the tab along `over` from the height z; returns the height at which the following entry
+/// begins.
 double append_crossing(const Tab& tab, const Edge& over, double z, double entry_z, MmPerMin feed,
                        std::vector<Move>& out) {
   const double height = std::max(tab.top_z + kAbove, entry_z);
@@ -236,7 +239,7 @@ double append_crossing(const Tab& tab, const Edge& over, double z, double entry_
   return height;
 }
 
-/// Index of the first move from `from` on that is no rapid.
+/// Index of the first move from `from` on other than a rapid.
 std::size_t after_rapids(const std::vector<Move>& moves, std::size_t from) {
   while (from < moves.size() && is_rapid(moves[from].kind)) ++from;
   return from;

@@ -11,10 +11,10 @@ namespace {
 constexpr double kStepsPerRadius = 8;
 /// Degrees. A link with less engagement touches nothing.
 constexpr double kTouching = 1;
-/// mm. Material thinner than this comes from rounding.
+/// mm. Material thinner than this is due to rounding.
 constexpr double kResidual = 1e-3;
 
-/// Divides a move into equal steps and returns which of them are slow.
+/// Divides a move into equal steps and returns the slow ones among them.
 std::vector<bool> slow_steps(const Move& move, double radius, int cutter, Radians limit,
                              const stock::Material& material) {
   const int count = std::max(1, static_cast<int>(std::ceil(move.path.length() * kStepsPerRadius / radius)));
@@ -26,7 +26,7 @@ std::vector<bool> slow_steps(const Move& move, double radius, int cutter, Radian
     const double t = (i + 0.5) / count;
     slow.push_back(material.engagement(raised, t, radius - kResidual, cutter).angle > limit.radians());
   }
-  // One step more on both sides, because the engagement rises before the sample that measures it.
+  // One step more on both sides, because the engagement rises before the sample at which it is measured.
   std::vector<bool> wide = slow;
   for (std::size_t i = 0; i < slow.size(); ++i) {
     if (!slow[i]) continue;
@@ -57,7 +57,8 @@ void append_by_speed(const Move& move, const std::vector<bool>& slow, MmPerMin s
 }  // namespace
 
 void slow_down_slots(Section& section, const Tool& tool, const SlowFeeds& feeds, stock::Material& material) {
-  // What this tool has passed counts with its whole circle, for other tools what its profile has taken.
+  // For this tool, its own passes count with its whole circle; for other tools, with the volume removed by its
+  // profile.
   const double radius = tool.radius();
   const int cutter = material.add_cutter(inner_profile(tool), radius);
   std::vector<Move> moves;

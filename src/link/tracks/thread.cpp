@@ -9,7 +9,7 @@
 namespace clearcut::link {
 namespace {
 
-/// mm above the material down to which the mill goes at the rapid.
+/// mm above the material down to which the mill moves at the rapid.
 constexpr double kAbove = 1;
 
 class ThreadPath {
@@ -44,8 +44,9 @@ class ThreadPath {
  private:
   double step() const { return rises_ ? thread_.pitch : -thread_.pitch; }
 
-  /// mm that the helix rises along a way in or out. In a hole that is a quarter of a turn seen from the axis. About a boss it is on the
-  /// helix at the root and where the teeth come to the crests, and nearly so between.
+  /// Rise (mm) of the helix along a lead-in or lead-out. In a hole a lead is a quarter of a turn seen from the axis.
+  /// About a boss the lead is on the helix at the root and at the point where the teeth reach the crests, and nearly
+  /// so between.
   double rise_of_lead() const {
     if (!thread_.external) return step() / 4;
     const double half = thread_.aside / 2;

@@ -8,24 +8,26 @@ namespace clearcut::link {
 /// The thread to be cut. Lengths in mm.
 struct ThreadWork {
   Vec2 center;
-  double radius = 0;  ///< that the teeth reach: of the thread's major diameter, about a boss of its root
+  /// Radius reached by the teeth: of the thread's major diameter; around a boss, of its root.
+  double radius = 0;
   double pitch = 0;
   bool left_hand = false;
   double z_top = 0;   ///< top of the thread
-  double full_z = 0;  ///< depth down to which the thread has to be full
+  double full_z = 0;  ///< depth down to which the thread must be full
   bool external = false;
   double crest = 0;  ///< external threads: radius of the boss
-  double aside = 0;  ///< external threads: how far beside the root the mill goes down
+  double aside = 0;  ///< external threads: distance from the root at which the mill descends
   double rows = 0;   ///< length of the mill's rows of teeth, a whole number of pitches; 0: one row
 };
 
-/// Goes down on the axis, out to the wall on a half circle, round the thread, back to the axis on a half circle, and up. The
-/// half circles rise or fall by a quarter of the pitch, because seen from the axis they are a quarter of a turn. With one row
-/// of teeth there is a turn for each pitch; with many rows one turn for each length of the rows. With a clockwise spindle,
-/// climb milling cuts right-hand threads upwards and left-hand ones downwards, conventional milling the other way round.
+/// Moves down on the axis, out to the wall on a half circle, round the thread, back to the axis on a half circle, and
+/// up. The half circles rise or fall by a quarter of the pitch, because seen from the axis they are a quarter of a
+/// turn. With one row of teeth there is a turn for each pitch; with many rows one turn for each length of the rows.
+/// With a clockwise spindle, climb milling cuts right-hand threads upwards and left-hand ones downwards, conventional
+/// milling the opposite.
 ///
-/// About a boss the half circles begin and end `aside` of the boss, turn the other way, and rise or fall as the helix does where
-/// they touch it. There climb milling cuts right-hand threads downwards.
+/// About a boss the half circles begin and end `aside` of the boss, have the opposite sense of rotation, and rise or
+/// fall like the helix at their common points. Around a boss, climb milling cuts right-hand threads downwards.
 ///
 /// Upwards, the turns begin one pitch below full_z; downwards, they end there.
 Section mill_thread(const ThreadWork& thread, const LinkOptions& options);

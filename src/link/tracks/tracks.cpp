@@ -11,7 +11,7 @@
 namespace clearcut::link {
 namespace {
 
-/// mm. Of starts that are as near as each other to within this the first is taken, so that no rounding chooses.
+/// mm. Of starts equally near to within this the first is taken, so that rounding does not decide.
 constexpr double kAsNear = 0.01;
 
 Track turned(const Track& track) {
@@ -27,7 +27,7 @@ Track begun_at(Track track, std::size_t piece) {
   return track;
 }
 
-/// How a track may be entered, and how far away that is.
+/// A possible start of a track, and its distance.
 struct TrackStart {
   double distance = std::numeric_limits<double>::infinity();
   std::size_t piece = 0;
@@ -84,7 +84,7 @@ class TrackLinker {
   }
 
  private:
-  /// Goes to the start of a track as low as allowed, if that is as quick as over the part.
+  /// Moves to the start of a track as low as allowed, if this is as quick as a link over the part.
   bool stay_down_to(const Track::Piece& first) {
     const Vec2 to = first.path.from;
     const double apart = distance(list_->at(), to), shallower = std::max(list_->z(), first.z_from);

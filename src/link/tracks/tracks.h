@@ -9,20 +9,22 @@
 
 namespace clearcut::link {
 
-/// Where the tip may go straight from one track to the next, mm.
+/// Room for straight moves of the tip from one track to the next, mm.
 struct TipRoom {
-  /// Whether a straight way at height z lies inside what is carved in the end. Empty: nowhere.
+  /// Whether a straight move at height z is inside the finished carving. Empty: never.
   std::function<bool(Vec2 from, Vec2 to, double z)> holds;
-  /// Ways at this height or above take no more at once than one pass may, whatever they lead through.
+  /// Moves at this height or above remove no more than the permitted depth of one pass, regardless of the material in
+  /// their path.
   double high = -std::numeric_limits<double>::infinity();
-  /// Lower ways are no longer than this: the cone has cut all but as much at their beginning.
+  /// Greatest length of lower moves: the cone has already cut all but this much at their beginning.
   double longest_below = std::numeric_limits<double>::infinity();
 };
 
-/// Each set of tracks is run before the next. Within a set the track whose beginning is nearest comes next; open tracks may
-/// begin at either end. `clear_z`: mm, the height above all material to which rapids come down. Where a track descends the
-/// feed is reduced, so that the tip never goes down faster than the plunge feed. Where `room` allows it and it takes no longer
-/// than lifting, the tip goes to the next track at the height of the shallower end, or higher where that would cut too much. Cost O(tracks^2).
+/// Each set of tracks is run before the next. Within a set the track with the nearest beginning comes next; open
+/// tracks may begin at either end. `clear_z`: mm, the height above all material to which rapids descend. On
+/// descending tracks the feed is reduced, so that the tip never descends faster than the plunge feed. If `room`
+/// allows a direct move and this is no slower than a retract, the tip moves to the next track at the height of the
+/// shallower end, or higher if that move would cut too much. Cost O(tracks^2).
 Section link_tracks(std::vector<std::vector<Track>> sets, double clear_z, const LinkOptions& options,
                     const TipRoom& room = {});
 

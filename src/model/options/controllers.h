@@ -1,4 +1,4 @@
-// The controllers that programs are written for and read of, by the names that options, jobs and files give them.
+// The controllers whose programs are written and read, by their names in options, jobs and files.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace clearcut::inline model {
 
-/// Their rows are in src/post/words/iso_dialect.cpp (Klartext has a writer of its own) and src/read/gcode/program/dialect.cpp.
+/// Their rows are in src/post/words/iso_dialect.cpp (Klartext has a writer of its own) and
+/// src/read/gcode/program/dialect.cpp.
 inline constexpr std::string_view kControllers[] = {"linuxcnc",   "grbl",  "fanuc",  "haas",
                                                     "heidenhain", "mach3", "mach4",  "marlin",
                                                     "siemens",    "mazak", "tormach"};

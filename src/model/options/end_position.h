@@ -1,4 +1,4 @@
-// Where the machine goes once everything is cut.
+// End position of the machine after all cuts.
 #pragma once
 
 #include <optional>

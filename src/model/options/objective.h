@@ -1,4 +1,4 @@
-// What the order of a grid is checked by.
+// Objective by which the order of a grid is judged.
 #pragma once
 
 #include <optional>
@@ -24,13 +24,13 @@ struct ObjectiveTerm {
   double weight = 1;
 };
 
-/// A sum of terms; one term that is not weighted is that quantity itself.
+/// A weighted sum of terms; a single term without weight is that quantity itself.
 struct Objective {
   std::vector<ObjectiveTerm> terms{ObjectiveTerm{}};
   bool weighted = false;
 };
 
-/// "turns", or weights: "1:length,20:turns". Throws InputError at `place` that lists the names.
+/// "turns", or weights: "1:length,20:turns". Throws InputError at `place`, listing the names.
 Objective parse_objective(const std::string& text, const std::string& place);
 
 }  // namespace clearcut::inline model

@@ -1,4 +1,4 @@
-// Where a value of a plan comes from.
+// Sources of the values of a plan.
 #pragma once
 
 #include <map>
@@ -14,7 +14,7 @@ enum class Origin {
   kPart,         ///< the part's own file
   kToolLibrary,  ///< a preset of a tool library
   kMachineFile,  ///< a key of a machine file
-  kDefault,      ///< nobody said anything
+  kDefault,      ///< not stated by any source
   kDerived       ///< follows from other values
 };
 /// "user", "job file", "part", "tool library", "machine file", "default", "derived".
@@ -26,11 +26,11 @@ struct Source {
   std::string text;
 };
 
-/// The sources of values by their names, which are those of the options: "feed", "allowance-floor".
+/// Sources of values by the names of their options: "feed", "allowance-floor".
 class Sources {
  public:
   void set(const std::string& name, Source source) { all_[name] = std::move(source); }
-  /// Null where none is known.
+  /// Null if no source is known.
   const Source* find(const std::string& name) const;
   /// Those of `other` go before these.
   void merge(const Sources& other);
@@ -42,7 +42,7 @@ class Sources {
 /// The sources of the values of workingsteps, by step_key().
 using StepSources = std::map<std::string, Sources>;
 
-/// What tells workingsteps apart: where they were read and their names.
+/// Key that distinguishes workingsteps: their place in the input and their names.
 std::string step_key(const Workingstep& step);
 
 }  // namespace clearcut::inline model

@@ -21,11 +21,12 @@ struct PostOptions {
   bool arcs = true;                 ///< false: lines only, within tol.chord
   bool tool_changer = true;         ///< false: a pause (M0) instead of M6
   bool length_offset = true;        ///< false: no G43
-  bool exact_stop = false;          ///< G61 instead of blending, where the control knows it
-  bool continuous = false;  ///< where the control states no bound: no G61, corners are rounded by its own
+  bool exact_stop = false;          ///< G61 instead of blending, if the control supports G61
+  /// If the control states no bound: no G61; the control rounds corners by its own setting.
+  bool continuous = false;
   std::optional<int> program_number;  ///< of the O word, before any in program_name
-  int programs_before = 0;            ///< of the same job, by which the O word counts on
-  WorkOffset work_offset;             ///< where the part's zero is
+  int programs_before = 0;            ///< number of earlier programs of the same job, added to the O word
+  WorkOffset work_offset;             ///< work offset of the part's zero
   EndPosition end;
   bool block_numbers = false;           ///< N words, in tens
   bool optional_stop = false;           ///< M1 before every tool but the first

@@ -1,4 +1,4 @@
-// How the Tour text's genetic algorithm is run, where somebody asks for it.
+// Settings of the Tour text's genetic algorithm, if the user requests it.
 #pragma once
 
 #include <map>
@@ -7,15 +7,16 @@
 
 namespace clearcut::inline model {
 
-/// The Tour text's genetic algorithm; what is left out is as published.
+/// The Tour text's genetic algorithm; absent values are as published.
 struct PublishedSolver {
   std::optional<long long> generations;  ///< at most; absent: until 1000 bring no gain (4.3.3)
   std::optional<int> population;
   std::optional<std::string> selection, crossover, mutation;  ///< names of operators
   std::optional<double> crossover_rate, mutation_rate;
-  std::optional<double> most_shared;  ///< share of edges above which two individuals are too similar
+  /// Greatest share of common edges of two individuals before they count as too similar.
+  std::optional<double> most_shared;
 
-  /// What `other` sets goes before these.
+  /// Values set in `other` take precedence.
   void merge(const PublishedSolver& other) {
     const auto take = [](auto& own, const auto& theirs) {
       if (theirs) own = theirs;
@@ -36,16 +37,16 @@ struct PublishedSolver {
   }
 };
 
-/// What orders the visits of a grid.
+/// Solver that orders the visits of a grid.
 struct VisitSolver {
   bool is_published = false;  ///< else ours
   PublishedSolver published;
 };
 
-/// Where a user chooses between what the texts print and ours. Absent: nobody says.
+/// A user's choices between the published method and Clearcut's own. Absent: no choice.
 struct PublishedChoices {
   std::optional<bool> bisector_passages;  ///< of contour methods (CPO-kappa eq. 3)
-  std::optional<bool> sharp_reflex;       ///< of contour methods that cut contours alone (CPO-kappa eq. 2)
+  std::optional<bool> sharp_reflex;       ///< for contour methods that cut only contours (CPO-kappa eq. 2)
   std::optional<bool> published_grid;     ///< of the strategy tour: Tour eq. 4.8, nothing else is cut
   std::optional<VisitSolver> solver;      ///< of the strategy tour and of elements
 

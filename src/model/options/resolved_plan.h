@@ -1,4 +1,4 @@
-// A job with everything decided: what the stages after resolve() work from.
+// A job with everything decided: the input of the stages after resolve().
 #pragma once
 
 #include <cstdint>
@@ -30,47 +30,49 @@ struct StrategyEntry;
 /// Finishing after everything else.
 enum class Finish { kNone, kWalls, kFloor, kAll };
 
-/// Whether contours are cut from the middle to the walls or the other way round.
+/// Whether contours are cut from the middle to the walls or from the walls to the middle.
 enum class ContourOrder { kInsideOut, kOutsideIn };
 
 /// One step of the workplan. Lengths in mm.
 struct ResolvedStep {
-  const StrategyEntry* strategy = nullptr;  ///< null: the fastest of those that are tried ("auto")
+  const StrategyEntry* strategy = nullptr;  ///< null: the fastest of the strategies tried ("auto")
   Stepover stepover;
-  std::optional<Radians> stroke_angle;  ///< of parallel lines against x; absent: the fastest is looked for
+  /// Of parallel lines against x; absent: the fastest angle is searched.
+  std::optional<Radians> stroke_angle;
   MmPerMin feed, plunge_feed, ramp_feed;
   MmPerMin lead_feed;  ///< into and out of passes
-  MmPerMin slot_feed;  ///< where the cutter is in the material all round; the feed where nobody asks
+  MmPerMin slot_feed;  ///< feed with the cutter fully in material; the operation's feed if none is requested
   double spindle_rpm = 0;
   bool spindle_clockwise = true;
   Coolant coolant = Coolant::kOff;
   CutDirection direction = CutDirection::kClimb;
-  bool is_direction_asked =
-      false;  ///< by the user, a job or the work: "auto" tries nothing that cuts both ways
+  /// Requested by the user, a job or the work: "auto" tries no strategy that cuts in both directions.
+  bool is_direction_asked = false;
   double stepdown = 0;
   double allowance_side = 0, allowance_floor = 0;
   EntryKind entry = EntryKind::kPlunge;
-  EntryKind entry_at_limit = EntryKind::kHelix;  ///< of strategies that limit the engagement
+  EntryKind entry_at_limit = EntryKind::kHelix;  ///< entry of strategies that limit the engagement
   Radians entry_angle;
   bool is_plunge_asked = false;           ///< round holes are then not bored along a helix
-  double zigzag_length = 0;               ///< of one way of a zigzag ramp; 0: up to two diameters
+  double zigzag_length = 0;               ///< length of one leg of a zigzag ramp; 0: up to two diameters
   std::optional<double> helix_widest;     ///< diameter of the centre's circle; absent: each entry's own limit
   std::optional<double> helix_narrowest;  ///< likewise
   double lead = 0;                        ///< radius of arcs, length of lines; 0: none
   std::optional<Radians> lead_angle;      ///< of lines against the pass; absent: arcs
-  /// Degrees that clearing keeps to, and what "auto" tries first because it does; no limit: where it cannot be kept, more is no fault.
+  /// Engagement in degrees at which clearing aims; "auto" first tries the strategies that keep it. It is no limit: a
+  /// greater engagement in places is no fault.
   std::optional<double> aimed_engagement_deg = {};
-  double cross_z = 0;                     ///< where rapids cross between passes; absolute
+  double cross_z = 0;                     ///< height of rapids between passes; absolute
   std::optional<bool> bisector_passages;  ///< of contour methods; absent: the method decides
   std::optional<bool> sharp_reflex;  ///< corners of contours at reflex corners; absent: the method decides
   VisitSolver solver;                ///< of the strategy tour
   bool published_grid = false;       ///< of the strategy tour: Tour eq. 4.8, nothing else is cut
 
-  /// Where the wall is, seen along closed passes.
+  /// Side of the wall, seen along closed passes.
   bool wall_on_right() const { return (direction == CutDirection::kClimb) == spindle_clockwise; }
 };
 
-/// One line of what was decided, for people and certificates.
+/// One line of the table of decided values, for people and certificates.
 struct ResolvedValue {
   int step = -1;  ///< place in the workplan; -1: of the whole plan
   std::string name;
@@ -80,33 +82,34 @@ struct ResolvedValue {
 };
 
 struct ResolvedPlan {
-  Part part;  ///< with the steps that options add; its operations hold what `steps` hold
+  Part part;                        ///< with the steps added by options; its operations agree with `steps`
   std::vector<ResolvedStep> steps;  ///< as many as part.workplan
   ContourOrder order = ContourOrder::kInsideOut;
-  std::optional<Vec2> start;             ///< where cutting begins; absent: anywhere
+  std::optional<Vec2> start;             ///< point at which cutting begins; absent: anywhere
   std::optional<double> engagement_deg;  ///< limit; absent: none
   Objective objective;
-  std::optional<double>
-      search_s;  ///< longest search; absent: as long as is worth it, the same on any machine
+  /// Longest search; absent: a bound on the number of steps, the same on any machine.
+  std::optional<double> search_s;
   std::uint64_t seed = 1;
   int threads = 1;
   double lead_overlap = 0, overrun = 0, link_lift = 0;  ///< mm
-  double stock_oversize = 0;          ///< mm by which the stock may be larger than stated, beside and above
+  double stock_oversize = 0;  ///< mm; greatest excess of the real stock over the stated one, at its sides and
+                              ///< top
   std::optional<MmPerMin> link_feed;  ///< absent: the feed, or a rapid within a pass through cut material
-  Radians slot_angle;                 ///< engagement above which the slot feed rules
+  Radians slot_angle;                 ///< engagement above which the slot feed is used
   std::optional<MarginRule> margin;   ///< absent: not asked
   std::optional<FeedRule> feed_rule;  ///< absent: feeds are as stated
   Finish finish = Finish::kNone;
   std::optional<WorkMaterial> material;  ///< absent: no forces
-  std::optional<Toolpath> earlier;       ///< a program that has run before on this stock
-  EarlierState earlier_state;            ///< what is known of `earlier` besides its moves
-  std::vector<Condition> conditions;     ///< what the caller knows that must hold
+  std::optional<Toolpath> earlier;       ///< an earlier program already run on this stock
+  EarlierState earlier_state;            ///< facts about `earlier` other than its moves
+  std::vector<Condition> conditions;     ///< conditions known to the caller
   Machine machine;
-  std::vector<std::string> accept;  ///< conditions that the user says hold at the machine
+  std::vector<std::string> accept;  ///< names of conditions that the user confirms
   PostOptions post;
   Tolerances tol;
   std::stop_token cancel;             ///< asked to stop, the stages end with Cancelled
-  ProgressCallback progress;          ///< told how far the check of the program is; may be empty
+  ProgressCallback progress;          ///< receives the progress of the check of the program; may be empty
   std::vector<ResolvedValue> values;  ///< all of the above, in the order of the workplan, then of the whole
 };
 

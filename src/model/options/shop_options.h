@@ -1,4 +1,4 @@
-// What may be asked of the whole work beyond each operation's own data.
+// Requests for the whole work in addition to the data of each operation.
 #pragma once
 
 #include <optional>
@@ -10,38 +10,39 @@
 namespace clearcut::inline model {
 
 struct ShopOptions {
-  std::optional<double> helix_widest;              ///< mm, diameter of the centre's circle on the way down
-  std::optional<double> helix_narrowest;           ///< mm
-  std::optional<MmPerMin> lead_feed;               ///< arcs and lines into and out of passes
-  std::optional<double> lead_overlap;              ///< mm; passes along walls run on over their start
-  std::optional<MmPerMin> link_feed;               ///< ways at depth through what is cut
-  std::optional<double> overrun;                   ///< mm; open sides are cut this far beyond their edge
-  std::optional<double> link_lift;                 ///< mm; such ways are run this much higher
-  bool margin = false;                             ///< how far the machine may leave the path is to be found
-  std::optional<double> margin_at_least;           ///< mm; the plan is to allow that, and the verdict asks it
-  std::optional<double> margin_uncut;              ///< mm; what may be left then
-  std::optional<double> margin_gouge;              ///< mm; what may be cut too deep then
-  std::optional<double> slot_angle_deg;            ///< engagement above which the slot feed rules
-  std::optional<FeedBy> feed_by;                   ///< feeds follow the load; absent: they are as stated
-  std::optional<double> reference_engagement_deg;  ///< at which a feed is meant as stated
-  std::optional<MmPerMin> reference_feed;          ///< meant there; absent: that of the operation
-  std::optional<MmPerMin> feed_cap;                ///< no move is fed faster then
-  std::optional<bool> rest;           ///< all tools given for each pocket, larger first, each on what is left
-  std::optional<std::string> finish;  ///< "walls", "floor", "all": finishing after everything else
-  std::optional<double> finish_stock;  ///< mm left on walls for it
+  std::optional<double> helix_widest;     ///< mm, diameter of the centre's circle during the descent
+  std::optional<double> helix_narrowest;  ///< mm
+  std::optional<MmPerMin> lead_feed;      ///< arcs and lines into and out of passes
+  std::optional<double> lead_overlap;     ///< mm; passes along walls run on over their start
+  std::optional<MmPerMin> link_feed;      ///< feed of links at depth through cleared areas
+  std::optional<double> overrun;          ///< mm; open sides are cut this far beyond their edge
+  std::optional<double> link_lift;        ///< mm; links at depth run higher by this distance
+  bool margin = false;                    ///< how far the machine may leave the path is to be found
+  std::optional<double> margin_at_least;  ///< mm; margin that the plan must allow and the verdict requires
+  std::optional<double> margin_uncut;     ///< mm; greatest uncut thickness with that margin
+  std::optional<double> margin_gouge;     ///< mm; greatest gouge depth with that margin
+  std::optional<double> slot_angle_deg;   ///< engagement above which the slot feed is used
+  std::optional<FeedBy> feed_by;          ///< feeds follow the load; absent: they are as stated
+  std::optional<double> reference_engagement_deg;  ///< engagement for which the feed is stated
+  std::optional<MmPerMin> reference_feed;  ///< feed at the reference engagement; absent: the operation's feed
+  std::optional<MmPerMin> feed_cap;        ///< no move is fed faster then
+  std::optional<bool> rest;  ///< all tools given for each pocket, larger first, each cutting the material
+                             ///< left by the previous one
+  std::optional<std::string> finish;   ///< "walls", "floor", "all": finishing after everything else
+  std::optional<double> finish_stock;  ///< mm left on walls for the finishing pass
   std::optional<double> finish_stock_floor;
-  std::optional<std::string>
-      dogbones;  ///< "corner", "t-bone": relief in inside corners, so that square parts fit
-  std::optional<double>
-      stock_oversize;                   ///< mm by which the stock may be larger than stated, beside and above
-  std::optional<double> finish_depths;  ///< number of depths in which walls are finished
+  /// "corner", "t-bone": relief in inside corners, so that square parts fit.
+  std::optional<std::string> dogbones;
+  /// mm; greatest excess of the real stock over the stated one, at its sides and top.
+  std::optional<double> stock_oversize;
+  std::optional<double> finish_depths;  ///< number of depth levels in which walls are finished
   std::optional<std::string> material;  ///< of the work, for forces and wear: a name of work_materials()
 
-  std::optional<std::string> style;  ///< "machinist", "fastest": what is done where nobody says how
+  std::optional<std::string> style;  ///< "machinist", "fastest": style of all choices left open
 
-  /// The widest helix, mm, where an operation states a greatest radius of its own: these options come first.
+  /// The widest helix, mm, if an operation states its own greatest radius: these options take precedence.
   std::optional<double> widest_helix(std::optional<double> operation_radius) const;
-  /// Whether cuts are those that a machinist would choose: said, or else where the work is a metal.
+  /// Whether cuts are chosen in a machinist's style: as requested, else if the work is a metal.
   bool is_machinist() const;
 };
 

@@ -1,4 +1,5 @@
-// What the software knows of a strategy: a row of the table in pipeline/selection/strategies.cpp. See docs/adding-a-strategy.md.
+// All properties of a strategy: a row of the table in pipeline/selection/strategies.cpp. See
+// docs/adding-a-strategy.md.
 #pragma once
 
 #include <functional>
@@ -10,52 +11,54 @@
 
 namespace clearcut::inline model {
 
-/// What a strategy is made for.
+/// Conditions for which a strategy is made.
 struct StrategyRequest {
   const ResolvedStep& step;
   const ResolvedPlan& plan;
-  Stepover stepover;     ///< may differ from that of the step where it is tried again with another
+  Stepover stepover;     ///< may differ from the step's stepover in a second attempt with another one
   bool briefly = false;  ///< a short search will do: other strategies are planned as well
 };
 
-/// What is known of a workingstep once a first plan is made.
+/// Sizes of a workingstep, known once a first plan is made.
 struct ClearedSize {
-  double reached_mm2 = 0;   ///< area of what the cutter can clear, at least, summed over the layers
-  double legal_rim_mm = 0;  ///< length of the boundary of where its centre may be, likewise
+  double reached_mm2 = 0;   ///< lower bound of the area that the cutter can clear, summed over the layers
+  double legal_rim_mm = 0;  ///< length of the boundary of the centre's legal area, summed likewise
   std::size_t edges = 0;    ///< of the largest layer's boundary
 };
 
-/// Whether a strategy is among those of which "auto" keeps the fastest.
+/// Role of a strategy among the candidates of which "auto" keeps the fastest.
 enum class AutoUse {
   kNever,
-  kFirst,   ///< planned first, the others are measured against it; its refusal is the user's
-  kTried,   ///< planned where it may be faster
+  kFirst,   ///< planned first, the others are compared with it; if it refuses, the user gets its message
+  kTried,   ///< planned if it may be faster
   kBriefly  ///< likewise, with a short search
 };
 
 struct StrategyEntry {
-  std::string name;         ///< as options and files say it
+  std::string name;         ///< name in options and files
   std::string description;  ///< one line for people
-  /// Throws InputError for a stepover that means nothing to it.
+  /// Throws InputError for a stepover that the strategy does not know.
   std::function<Strategy(const StrategyRequest&)> make;
 
   AutoUse in_auto = AutoUse::kNever;
-  bool limits_engagement = false;  ///< the only kind that is tried where a limit is asked for
-  bool keeps_direction = true;  ///< false: its lines go both ways; in "auto" not tried where one is asked for
-  bool takes_stepover = true;   ///< false: in "auto" a stepover is not handed to it
-  bool tried_when_open =
-      false;  ///< in "auto" where a feature has open sides and the first two are planned, too
+  bool limits_engagement = false;  ///< only such strategies are tried if a limit is requested
+  /// False: its lines run in both directions; "auto" does not try it if a direction is requested.
+  bool keeps_direction = true;
+  bool takes_stepover = true;  ///< false: "auto" does not pass a stepover to it
+  /// In "auto" also planned if a feature has open sides and the first two strategies are planned.
+  bool tried_when_open = false;
 
-  /// mm, less than which it cannot travel; empty: the area over the cutter's diameter.
+  /// lower bound on the strategy's length of travel, mm; empty: the area over the cutter's diameter.
   std::function<double(const ClearedSize& size, double radius)> least_length;
-  /// How far above its least time it stays nearly everywhere: nearer to the best known it is not tried.
+  /// Ratio of the strategy's usual time to its least time: if least time times this ratio is not below the best known
+  /// time, the strategy is not tried.
   double margin = 1;
-  /// Whether a workingstep is small enough to try it; empty: always.
+  /// Whether a workingstep is small enough to try the strategy; empty: always.
   std::function<bool(const ClearedSize& size, double radius)> is_small_enough;
 
-  std::vector<std::string> rivals;  ///< names of strategies that are planned beside it, the fastest is kept
-  std::vector<std::string>
-      fallbacks;  ///< stepovers, "" its own, tried in turn where no plan is certified clean
+  std::vector<std::string> rivals;  ///< names of strategies also planned; the fastest is kept
+  /// Stepovers, "" for the strategy's own, tried in turn if no plan is certified clean.
+  std::vector<std::string> fallbacks;
 };
 
 /// The strategies there are, in the order of their listing.
@@ -64,7 +67,7 @@ class StrategyTable {
   explicit StrategyTable(std::vector<StrategyEntry> entries) : entries_(std::move(entries)) {}
 
   const std::vector<StrategyEntry>& entries() const { return entries_; }
-  /// Null when there is none of that name.
+  /// Null if there is none of this name.
   const StrategyEntry* find(const std::string& name) const {
     for (const StrategyEntry& entry : entries_)
       if (entry.name == name) return &entry;

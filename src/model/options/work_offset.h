@@ -1,4 +1,4 @@
-// Which of a control's work offsets the zero of a program is at.
+// Work offset of a control for the zero of a program.
 #pragma once
 
 #include <optional>
@@ -13,17 +13,18 @@ struct WorkOffset {
   friend bool operator==(const WorkOffset&, const WorkOffset&) = default;
 };
 
-/// Codes of the settable offsets beyond G54 to G57 that Sinumerik has: G505 to G599.
+/// Codes of Sinumerik's settable offsets beyond G54 to G57: G505 to G599.
 inline constexpr int kFirstSettable = 5050, kLastSettable = 5990;
 
-/// As programs say it: "G55", "G59.1", "G54.1 P12".
+/// Words in a program: "G55", "G59.1", "G54.1 P12".
 std::string words_of(const WorkOffset& offset);
-/// Of the condition that it lies where the work's zero is: "g55", "g59.1", "g54.1-p12".
+/// Name of the condition that this offset is at the work's zero: "g55", "g59.1", "g54.1-p12".
 std::string condition_of(const WorkOffset& offset);
 
-/// G54 to G59.3, G505 to G599, G54.1 P, G59 P and G154 P, in any case, with or without blanks; nothing for other texts.
+/// G54 to G59.3, G505 to G599, G54.1 P, G59 P and G154 P, in any case, with or without blanks; nothing for other
+/// texts.
 std::optional<WorkOffset> work_offset_named(std::string_view text);
-/// For messages: which words those are.
+/// For messages: the words of all known offsets.
 inline constexpr std::string_view kKnownWorkOffsets =
     "G54 to G59, G59.1 to G59.3, G54.1 P1 to P300, G154 P1 to P99, G59 P7 to P254, G505 to G599";
 

@@ -8,7 +8,7 @@ namespace clearcut::inline model {
 namespace {
 
 constexpr std::array kRows{
-    // What the program leaves to the control and to whoever stands at the machine.
+    // Facts that the program leaves to the control and to the operator.
     ConditionRow{"units"}, ConditionRow{"motion-mode"}, ConditionRow{"arc-centres"},
     ConditionRow{"decimal-point"}, ConditionRow{"dialect"}, ConditionRow{"start-position"},
     ConditionRow{"g#", "g55"}, ConditionRow{"g#-p#", "g54.1-p2"}, ConditionRow{"datum-#", "datum-247"},
@@ -24,10 +24,10 @@ constexpr std::array kRows{
     ConditionRow{"parameter-#", "parameter-100"}, ConditionRow{"measured-move"},
     ConditionRow{"measured-value"}, ConditionRow{"subprogram-#", "subprogram-1"}, ConditionRow{"compressor"},
     ConditionRow{"rtliof"}, ConditionRow{"h"}, ConditionRow{"cycle800"},
-    // What is not known without a part.
+    // Facts unknown without a part.
     ConditionRow{"stock"}, ConditionRow{"below-stock"}, ConditionRow{"arc-radii"},
     ConditionRow{"cuts-nothing"},
-    // What the part has and the program does not make, or makes otherwise.
+    // Shapes of the part that the program does not make, or makes differently.
     ConditionRow{"out-of-reach"}, ConditionRow{"not-parted"}, ConditionRow{"not-as-drawn"},
     ConditionRow{"left-out"}, ConditionRow{"loose-part"}, ConditionRow{"not-followed"},
     ConditionRow{"leaning-walls"}, ConditionRow{"floors-meet"}, ConditionRow{"margin"}};

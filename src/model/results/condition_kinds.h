@@ -1,4 +1,4 @@
-// The names of all conditions that a verdict may depend on.
+// Names of all conditions on which a verdict may depend.
 #pragma once
 
 #include <span>
@@ -7,16 +7,16 @@
 
 namespace clearcut::inline model {
 
-/// One kind of condition. `#` in a name stands for the number of an offset, a word or a length: "g#-p#" is g54.1-p2.
+/// One kind of condition. `#` in a name represents the number of an offset, a word or a length: "g#-p#" is g54.1-p2.
 struct ConditionRow {
   std::string_view name = {};
-  std::string_view example = {};  ///< a name that it stands for, where that is not its own
+  std::string_view example = {};  ///< an example of a full name, if it differs from `name`
 };
 
-/// In the order of docs/conditions.md, which says what must hold for each.
+/// In the order of docs/conditions.md, which explains each condition.
 std::span<const ConditionRow> condition_rows();
 
-/// Whether some program or part can depend on a condition of that name.
+/// Whether there is a condition of this name.
 bool is_condition(const std::string& name);
 
 }  // namespace clearcut::inline model

@@ -1,4 +1,4 @@
-// The state of programs that ran before: control, conditions, faults. Their cuts are in the toolpath.
+// The state after earlier programs: control, conditions, faults. Their cuts are in the toolpath.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,14 @@
 
 namespace clearcut::inline model {
 
-/// The conditions and faults of earlier programs. A verdict that rests on their cuts holds only where these conditions held, and is FAULTY
-/// where there are such faults.
+/// The conditions and faults of earlier programs. A verdict relying on their cuts is valid only if these conditions
+/// were met, and is FAULTY if there are such faults.
 struct EarlierState {
-  ControlTable control;  ///< what the control held at each of their moves; no spans: it was checked elsewhere
-  std::vector<Condition> conditions;  ///< what must have held at the machine; the text names the program
-  std::vector<Fault> faults;  ///< what was found wrong with them elsewhere; the text names the program
+  /// State of the control at each of their moves; without spans: it was checked elsewhere.
+  ControlTable control;
+  /// Facts that must have been true at the machine; the text names the program.
+  std::vector<Condition> conditions;
+  std::vector<Fault> faults;  ///< faults found elsewhere in these programs; the text names the program
 };
 
 }  // namespace clearcut::inline model

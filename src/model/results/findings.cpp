@@ -8,7 +8,7 @@
 namespace clearcut::inline model {
 namespace {
 
-/// Of an area: what areas of arcs and offsets may be wrong by.
+/// Relative error of the areas of arcs and offsets.
 constexpr double kAreaError = 1e-4;
 
 }  // namespace
@@ -223,8 +223,8 @@ std::vector<std::string> accept_conditions(Findings& findings, const std::vector
 
 namespace {
 
-/// Up to this number of reasons of one kind each is told; of more the first, and how many others there are: a sheet of hundreds of
-/// features mostly has one mistake behind them all.
+/// Up to this number of reasons of one kind, each is listed; of more only the first, with the number of others: in a
+/// sheet of hundreds of features all usually have one mistake as their cause.
 constexpr std::size_t kFewAlike = 8;
 
 struct Reason {
@@ -232,7 +232,7 @@ struct Reason {
   std::string text;
 };
 
-/// The reasons one on each line; `others` says what there are more of.
+/// The reasons, one per line; `others` is the noun for the number of further ones.
 std::string lines_of(const std::vector<Reason>& reasons, std::string_view others) {
   std::map<std::string_view, std::size_t> count, told;
   for (const Reason& one : reasons) ++count[one.kind];

@@ -1,4 +1,4 @@
-// What verification found: figures and faults, with places. Data, not exceptions.
+// Results of verification: figures and faults, with places. Data, not exceptions.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct Place {
   int line = 0;  ///< of the program text; 0 if unknown
 };
 
-/// What can be wrong with a program. What is known of each stands in its row, see row_of().
+/// Kinds of faults of a program. The properties of each kind are in its row, see row_of().
 enum class FaultKind {
   kUncut,
   kGouge,
@@ -50,16 +50,17 @@ enum class FaultKind {
   kUnits
 };
 
-/// Everything that is known of a kind of fault.
+/// All properties of a kind of fault.
 struct FaultRow {
   FaultKind kind = FaultKind::kUncut;
   const char* name = "";     ///< short and stable, in certificates and reports
   int rank = 0;              ///< the gravest is listed first: 1
-  const char* meaning = "";  ///< what is wrong, in words for documents
+  const char* meaning = "";  ///< description for documents
   bool has_length = true;    ///< Fault::size is in mm
-  bool by_strategy = true;   ///< another strategy may do without it
-  bool of_state = false;     ///< about the control and the tool alone: one mistake makes it in all features
-  bool of_missing_cuts = false;  ///< says that something was not cut
+  bool by_strategy = true;   ///< another strategy may avoid this fault
+  /// Concerns only the control and the tool: one mistake causes the fault in all features.
+  bool of_state = false;
+  bool of_missing_cuts = false;  ///< means that some material was not cut
 };
 const FaultRow& row_of(FaultKind kind);
 /// In the order of FaultKind.
@@ -72,10 +73,11 @@ struct Fault {
   FaultKind kind = FaultKind::kUncut;
   std::string feature;  ///< name, "" if none
   Place at;
-  double size = 0;   ///< mm (thickness, depth, length) as the kind says
+  double size = 0;   ///< mm; thickness, depth or length, depending on the kind
   std::string text;  ///< one sentence for the user
-  /// The kind of the fault from which this one follows, which is counted there and not told by itself; "" where it stands alone. While
-  /// faults are looked for: what is wrong without its place, for those that say the same have one mistake behind them.
+  /// The kind of the fault that causes this one; this fault is then counted there and not reported by itself. "" if
+  /// there is no such cause. During the search for faults: the description without the place, since faults with equal
+  /// descriptions have one common mistake as their cause.
   std::string cause{};
 };
 
@@ -90,18 +92,18 @@ struct Engagement {
   double conventional_mm = 0;
 };
 
-/// Descents into material, up to where each ends: what their engagement is is no question of the limit.
+/// Descents into material, each up to its end: the limit of engagement does not apply to them.
 struct Entries {
   int count = 0;
   double length_mm = 0;         ///< of feed in material
-  double max_deg = 0;           ///< angle of the cutter's circle in material, where it is greatest
+  double max_deg = 0;           ///< greatest angle of the cutter's circle in material
   double max_axial_mm = 0;      ///< greatest depth of material above the tip
   std::optional<Place> max_at;  ///< of max_deg
 };
 
-/// What a force model makes of the engagement; only where the material of the work is known.
+/// Forces computed from the engagement by a force model; only if the material of the work is known.
 struct CuttingLoad {
-  double max_force_n = 0;  ///< mean tangential force over a turn of the cutter, where it is greatest
+  double max_force_n = 0;  ///< greatest mean tangential force over a turn of the cutter
   std::optional<Place> max_force_at;
   double mean_force_n = 0;  ///< over cutting length
   double max_power_w = 0;   ///< at the cutter
@@ -110,7 +112,7 @@ struct CuttingLoad {
   double wear = 0;  ///< contact time / tool life (Taylor): 1 uses one cutter up
 };
 
-/// The wall of the finished part that gives way most under the greatest force beside it.
+/// The wall of the finished part that bends most under the greatest force beside it.
 struct ThinWall {
   double thickness_mm = 0;
   double height_mm = 0;
@@ -118,7 +120,7 @@ struct ThinWall {
   Place at;
 };
 
-/// The greatest load of any feed move as a share of that at the reference by which feeds go.
+/// The greatest load of any feed move relative to the load at the reference of the feed rule.
 struct ReferenceLoad {
   double share = 0;  ///< 1: as much as at the reference, or as fast as the cap
   Place at;
@@ -132,12 +134,12 @@ struct Figures {
   double turn_angle_deg = 0;
   int retracts = 0;               ///< rises to or above the stock's top between feed moves
   double time_s = 0;              ///< kinematic: acceleration, cornering; with all waits
-  double waits_s = 0;             ///< of it: dwells, spindle starts, tool changes
+  double waits_s = 0;             ///< part of the time: dwells, spindle starts, tool changes
   double time_naive_s = 0;        ///< length / feed
   double uncut_mm2 = 0;           ///< area of reachable material left (upper bound)
   double uncut_thickness_mm = 0;  ///< proven upper bound of the width of anything left
-  double path_tolerance_mm =
-      0;  ///< the control may round corners by this much; it is in the bounds of uncut and gouge
+  /// The control may round corners by this distance; included in the bounds of uncut and gouge.
+  double path_tolerance_mm = 0;
   std::optional<Place> uncut_at;
   double gouge_mm = 0;  ///< depth of the deepest cut into the part
   std::optional<Place> gouge_at;
@@ -146,10 +148,10 @@ struct Figures {
   double max_axial_mm = 0;     ///< greatest depth of material above the tip at a feed move
   Engagement engagement;
   Entries entries;
-  double air_cut_mm = 0;  ///< feed length at depth that touches no material
+  double air_cut_mm = 0;  ///< length at feed and at depth without touching material
   std::optional<CuttingLoad> load;
-  std::optional<ReferenceLoad> reference_load;  ///< where feeds go by the load
-  std::optional<ThinWall> thin_wall;            ///< where it bends by more than 0.02 mm
+  std::optional<ReferenceLoad> reference_load;  ///< if feeds follow the load
+  std::optional<ThinWall> thin_wall;            ///< only if the wall bends by more than 0.02 mm
   double lower_bound_mm = 0;                    ///< no program can cut this with less feed length
   bool clean = false;
 };
@@ -159,11 +161,11 @@ struct LayerFindings {
   Figures figures;
 };
 
-/// Steps that layers leave on drafted walls, mm square to the wall.
+/// Steps left by layers on drafted walls, mm square to the wall.
 struct Scallop {
   double height_mm = 0;            ///< the highest; of a flat end, rounded corners leave less
-  std::optional<double> asked_mm;  ///< the most that may stand
-  double z = 0;                    ///< of the layer under it
+  std::optional<double> asked_mm;  ///< greatest permitted scallop
+  double z = 0;                    ///< height of the layer below
 };
 
 struct FeatureFindings {
@@ -177,19 +179,20 @@ struct FeatureFindings {
 };
 
 struct Findings {
-  /// Nothing said what was to be made: uncut and gouge were not asked, and their figures are not numbers.
+  /// The shape to be made was not stated: uncut and gouge were not examined, and their figures are NaN.
   bool without_part = false;
   Figures all;
   std::vector<FeatureFindings> features;  ///< in workplan order
   std::vector<Fault> faults;              ///< worst first
-  std::vector<Condition> conditions;      ///< what must hold at the machine, met and open
-  /// Degrees, of each move of the program in its order: the largest angle of the cutter in material. Empty: not measured.
+  std::vector<Condition> conditions;      ///< facts that must be true at the machine, met and open
+  /// Degrees, of each move of the program in its order: the largest angle of the cutter in material. Empty: not
+  /// measured.
   std::vector<float> move_engagement_deg;
   /// N, likewise: the largest mean tangential force. Empty: the material of the work is not known.
   std::vector<float> move_force_n = {};
 };
 
-/// Whether so much of an area is out of a cutter's reach, mm2, that the rest is no more than the error of areas.
+/// Whether the reachable rest of an area, mm2, is no more than the error of areas.
 bool is_nothing_in_reach(double unreachable_mm2, double whole_mm2);
 
 /// CLEAN: no fault, and nothing is open. CONDITIONAL: no fault as long as the open conditions hold. FAULTY: a fault.
@@ -197,15 +200,16 @@ enum class Verdict : unsigned char { kClean, kConditional, kFaulty };
 /// "CLEAN", "CONDITIONAL", "FAULTY".
 const char* name_of(Verdict verdict);
 Verdict verdict_of(const Findings& findings);
-/// Its name; without a part with what it cannot speak of: "CLEAN AS FAR AS CAN BE SAID WITHOUT A PART".
+/// Name of the verdict; without a part also its restriction: "CLEAN AS FAR AS CAN BE SAID WITHOUT A PART".
 std::string verdict_words(const Findings& findings);
 
-/// Conditions that nobody has said to hold.
+/// Conditions that nobody has confirmed.
 std::vector<Condition> open_conditions(const Findings& findings);
-/// Marks conditions as met; `names` are those accepted by name. Returns the names that no condition has.
+/// Marks conditions as met; `names` are those accepted by name. Returns the names without a condition.
 std::vector<std::string> accept_conditions(Findings& findings, const std::vector<std::string>& names);
 
-/// The verdict, then each fault and each open condition on a line of its own; of many of one kind the first and their number.
+/// The verdict, then each fault and each open condition on a line of its own; of many of one kind the first and their
+/// number.
 std::string verdict_and_reasons(const Findings& findings);
 
 }  // namespace clearcut::inline model

@@ -1,4 +1,5 @@
-// How far a machine may leave the programmed path before the part suffers: what verify/margin.h finds.
+// Allowed deviation of the machine from the programmed path before the part is out of bounds: the result of
+// verify/margin.h.
 #pragma once
 
 #include <algorithm>
@@ -11,24 +12,24 @@
 
 namespace clearcut::inline model {
 
-/// What may be left and what may be cut too much, mm.
+/// Permitted uncut thickness and gouge depth, mm.
 struct MarginBounds {
   double uncut = Tolerances{}.uncut;
   double gouge = Tolerances{}.gouge;
 };
 
-/// A margin that is asked for.
+/// A requested margin.
 struct MarginRule {
-  double at_least = 0;  ///< mm; 0: it is to be found alone
+  double at_least = 0;  ///< mm; 0: the margin is only computed
   MarginBounds bounds;
 
   /// mm; a control may run arcs of printed digits by so much off.
   static constexpr double kArcs = 0.0012;
-  /// mm; stock that a plan leaves on walls and floors so that a path that far off cuts no deeper than the bound.
+  /// mm; stock left by a plan on walls and floors so that a path with this deviation cuts no deeper than the bound.
   double stock() const { return at_least > 0 ? std::max(0.0, at_least - bounds.gouge + kArcs) : 0; }
 };
 
-/// What a path that lies farther off does first.
+/// Bound that a path of greater deviation violates first.
 enum class MarginLimit : unsigned char { kUncut, kGouge };
 
 inline const char* name_of(MarginLimit limit) {
@@ -39,16 +40,16 @@ struct FeatureMargin {
   std::string feature;
   double mm = 0;  ///< 0: the program itself reaches the bound
   MarginLimit limit = MarginLimit::kUncut;
-  std::optional<Place> at = {};  ///< where that is; absent where the bound alone is what limits
+  std::optional<Place> at = {};  ///< place of the limit; absent if only the bound itself limits
 };
 
 struct Margin {
   MarginBounds bounds;
   std::vector<FeatureMargin> features = {};
-  std::vector<std::string> not_asked =
-      {};  ///< features whose shapes it is not found for: leaning walls, chamfers, carvings, threads
+  /// Features for whose shapes no margin is computed: inclined walls, chamfers, carvings, threads.
+  std::vector<std::string> not_asked = {};
 
-  /// That of the feature with the smallest; null where none has one.
+  /// The margin of the feature with the smallest one; null if no feature has a margin.
   const FeatureMargin* least() const {
     const auto found = std::min_element(features.begin(), features.end(),
                                         [](const auto& a, const auto& b) { return a.mm < b.mm; });

@@ -3,7 +3,7 @@
 namespace clearcut::inline model {
 namespace {
 
-/// Stands between the name and the reason.
+/// Text between the name and the reason.
 const std::string kMark = " is not machined: ";
 
 bool is_not_machined(const Diagnostic& item) {

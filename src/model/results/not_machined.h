@@ -1,4 +1,4 @@
-// What was asked for by name and is not machined at all: a fault, whatever the rest is like.
+// Features requested by name but not machined at all: a fault, regardless of all other results.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace clearcut::inline model {
 
-/// Says that `name` (of a feature or workingstep that the input orders) is not machined, and why.
+/// Reports that `name` (of a feature or workingstep ordered by the input) is not machined, and the reason.
 void say_not_machined(Diagnostics& diagnostics, const std::string& where, const std::string& name,
                       const std::string& why);
 
-/// The names of what is not machined, in the order it was said.
+/// The names of features not machined, in the order of the reports.
 std::vector<std::string> names_not_machined(const Diagnostics& diagnostics);
 
 /// A fault for each of them, before all others; then nothing is clean.

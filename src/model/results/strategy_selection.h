@@ -1,4 +1,4 @@
-// Which strategies were planned for a feature, and what became of them. Data for tables and certificates.
+// Strategies planned for a feature, and their results. Data for tables and certificates.
 #pragma once
 
 #include <string>
@@ -7,31 +7,31 @@
 namespace clearcut::inline model {
 
 enum class Outcome {
-  kKept,           ///< the fastest that is certified clean
+  kKept,           ///< the fastest candidate certified clean
   kOutrun,         ///< planned, not certified: a faster one is clean
   kNotClean,       ///< certified with faults
-  kCannotWin,      ///< not planned: by its least length alone it is slower than another
-  kTooMuchWork,    ///< left out: planning it took more steps than a strategy is given
-  kTooMuchMemory,  ///< left out: planning it alone took more memory than there was
-  kNotTried        ///< not planned: not made for such a feature, hardly to win there, or it has no passes
+  kCannotWin,      ///< not planned: even its least length makes it slower than another candidate
+  kTooMuchWork,    ///< left out: planning took more steps than a strategy may use
+  kTooMuchMemory,  ///< left out: planning even without other candidates took more memory than available
+  kNotTried        ///< not planned: not made for this kind of feature, unlikely to win, or without passes
 };
 
 struct CandidateResult {
   std::string strategy;
-  std::string stepover;  ///< "" where the strategy decides
+  std::string stepover;  ///< "" if the strategy decides
   Outcome outcome = Outcome::kNotTried;
-  double time_s = 0;   ///< kinematic, of the whole section; 0 where it was not planned
-  double feed_mm = 0;  ///< 0 where it was not planned
-  double least_s = 0;  ///< no plan of it can be faster; 0 where nothing is known
+  double time_s = 0;   ///< kinematic, of the whole section; 0 if not planned
+  double feed_mm = 0;  ///< 0 if not planned
+  double least_s = 0;  ///< lower bound on the time of any plan; 0 if unknown
 };
 
-/// All that was considered for one workingstep, the fastest plan first.
+/// All candidates for one workingstep, the fastest plan first.
 struct StrategySelection {
   std::string feature;
   int workingstep = -1;
   std::vector<CandidateResult> candidates;
 
-  /// Name of the strategy that was kept; "" when there is none.
+  /// Name of the kept strategy; "" if there is none.
   std::string kept() const;
 };
 

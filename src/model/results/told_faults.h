@@ -1,4 +1,4 @@
-// The faults that people are told.
+// The faults reported to people.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,8 @@
 
 namespace clearcut::inline model {
 
-/// Those that stand alone, the worst first; those that follow from one of them are counted in its sentence.
+/// Faults without a cause among the others, the worst first; faults caused by one of them are counted in its
+/// sentence.
 std::vector<Fault> told_faults(const Findings& findings);
 
 }  // namespace clearcut::inline model

@@ -12,7 +12,7 @@ double lattice_length_bound(const Lattice& lattice, bool closed) {
   if (n < 2) return 0;
   int balance = 0;
   for (int v = 0; v < n; ++v) balance += (lattice.column_of(v) + lattice.row_of(v)) % 2 == 0 ? 1 : -1;
-  // A walk that alternates colours has |B - W| <= 1 (closed: 0); each other step is at least a diagonal.
+  // A walk alternating colours has |B - W| <= 1 (closed: 0); each other step is at least a diagonal.
   const int diagonals = closed ? std::abs(balance) : std::max(0, std::abs(balance) - 1);
   const int steps = closed ? n : n - 1;
   return (steps + diagonals * (std::sqrt(2.0) - 1)) * lattice.pitch();
@@ -28,10 +28,10 @@ int lattice_turns_bound_any_moves(const Lattice& lattice, bool closed) {
 
 namespace {
 
-/// Maximal horizontal and vertical strips; each point lies in one of either kind.
+/// Maximal horizontal and vertical strips; each point is in one of either kind.
 struct Strips {
-  std::vector<std::vector<int>>
-      crossing[2];  ///< by kind (0 horizontal), strip: the strips of the other kind it meets
+  /// By kind (0 horizontal) and strip: the crossing strips of the other kind.
+  std::vector<std::vector<int>> crossing[2];
 };
 
 Strips strips_of(const Lattice& lattice) {
@@ -60,8 +60,8 @@ Strips strips_of(const Lattice& lattice) {
 }
 
 /// The smallest max(h, v) and the smallest h + v over covers of all points by h horizontal and v vertical
-/// strips: by branching on a strip (in, or out, which forces all that cross it in). Stays a lower bound when
-/// the branching is cut short.
+/// strips: by branching on a strip (in, or out: out forces all crossing strips in). Remains a lower bound if the
+/// branching is stopped early.
 class Covers {
  public:
   explicit Covers(const Strips& strips) : strips_(strips) {
@@ -113,7 +113,7 @@ class Covers {
                                           strips_.crossing[kind][strip].end(),
                                           [&](int other) { return state_[1 - kind][other] == kOpen; }));
   }
-  /// The open strip that meets most open strips; -1 when every point is covered.
+  /// The open strip crossing the most open strips; -1 if every point is covered.
   std::pair<int, int> widest() const {
     std::pair<int, int> best{0, -1};
     int most = 0;

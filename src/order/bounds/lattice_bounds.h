@@ -6,7 +6,7 @@
 namespace clearcut::order {
 
 /// Length of any path or tour through all points, moves of any direction: unit steps alternate the colours of
-/// a chessboard, and every step that does not is at least sqrt 2 long. mm. O(n).
+/// a chessboard, and every step between equal colours is at least sqrt 2 long. mm. O(n).
 double lattice_length_bound(const Lattice& lattice, bool closed);
 
 /// Turns of any path or tour of axis-parallel unit steps through all points: covers by maximal strips.

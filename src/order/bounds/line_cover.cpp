@@ -15,8 +15,8 @@ namespace clearcut::order {
 
 namespace {
 
-/// Legality is asked about for moves up to so many columns and rows; longer ones count as legal, which only
-/// weakens the bound.
+/// Legality is tested for moves up to this many columns and rows; longer moves count as legal, and this only weakens
+/// the bound.
 constexpr int kAskedReach = 2;
 constexpr long long kMembersSeen = 40'000'000;
 constexpr long long kMostMembers = 400'000;
@@ -83,8 +83,8 @@ class LineCover {
   }
 
   /// Bends below the threshold are no turns. Two directions p, q of a lattice are at least 1 / (|p| |q|) apart, so
-  /// |p| |q| > 572 where a piece bends. Of D pitches that leaves D / sqrt 572 points where steps are long, and
-  /// x (D - x) / 572 on x pitches with shorter ones, which need a step of 572 / |p| beside them.
+  /// |p| |q| > 572 if a piece bends. Among D pitches this leaves D / sqrt 572 points with long steps, and x (D - x) /
+  /// 572 on x pitches with shorter steps, since those need a step of 572 / |p| beside them.
   int most_on_bent() const {
     constexpr double kProduct = 572;  // 1 / 0.1 degrees
     const double across = base::hypot(lattice_.columns() - 1, lattice_.rows() - 1);
@@ -103,7 +103,7 @@ class LineCover {
     direction.end = lines_.size();
     directions_.push_back(direction);
   }
-  /// The next point on the way, over holes where the straight move is legal; -1 for none.
+  /// The next point in this direction, across holes if the straight move is legal; -1 for none.
   int next(int v, int dx, int dy) const {
     int column = lattice_.column_of(v) + dx, row = lattice_.row_of(v) + dy;
     while (column >= 0 && row >= 0 && column < lattice_.columns() && row < lattice_.rows()) {
@@ -146,7 +146,7 @@ class LineCover {
     const double ends = closed ? 0 : heaviest.first - heaviest.second;
     return (2 * total - ends) / (heaviest.first + heaviest.second);
   }
-  /// Of pieces that are on no listed line; there may be two in a row.
+  /// Weight of pieces on no listed line; two may follow each other.
   double heaviest_left_out() const {
     if (left_out_ == 0) return 0;
     std::vector<double> sorted = weight_;
@@ -189,7 +189,7 @@ class LineCover {
   std::vector<Direction> directions_;
   std::vector<double> weight_, load_, line_weight_, direction_weight_;
   double heaviest_ = 1;
-  int left_out_ = 0;  ///< most points of a piece that is on no listed line; 0: there are none
+  int left_out_ = 0;  ///< greatest number of points of a piece on no listed line; 0: there are none
 };
 
 }  // namespace

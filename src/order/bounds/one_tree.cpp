@@ -17,7 +17,7 @@ constexpr double kNoEdge = std::numeric_limits<double>::infinity();
 
 using Penalties = std::vector<double>;
 
-/// The node outside the spanning tree. For open paths the extra node; it has no place in the plane.
+/// The node outside the spanning tree. For open paths the extra node, which has no coordinates.
 int special_node(const LengthModel& model) {
   return model.extra_node() >= 0 ? model.extra_node() : 0;
 }
@@ -146,8 +146,8 @@ Penalties ascend(const LengthModel& model, const SparseGraph& graph, int iterati
   return best;
 }
 
-/// Minimum spanning tree of the complete graph under penalties: Boruvka's rounds, each component asking a k-d
-/// tree for its cheapest way out.
+/// Minimum spanning tree of the complete graph under penalties: Boruvka's rounds, with a k-d tree search for the
+/// cheapest edge out of each component.
 class CompleteTree {
  public:
   CompleteTree(const LengthModel& model, const Penalties& penalty)

@@ -8,13 +8,14 @@
 
 namespace clearcut::order {
 
-/// A length no tour or path of the model undercuts, in the problem's unit; typically 0.7 % below the optimum.
+/// A lower bound of the length of any tour or path of the model, in the problem's unit; typically 0.7 % below the
+/// optimum.
 ///
 /// A minimum 1-tree with penalties on nodes bounds every tour from below. The penalties are found by
 /// subgradient ascent [volgenant1982] on a sparse graph (candidate edges and `tour`, any valid tour of the
 /// model); the bound itself is the 1-tree of the complete graph under the final penalties, found exactly
-/// through a k-d tree, so it holds whatever the sparse graph left out. Whole-number problems are rounded up.
-/// Cost O(iterations n log n); deterministic unless `watch` ends first.
+/// through a k-d tree, so the bound is valid regardless of edges missing in the sparse graph. Whole-number problems
+/// are rounded up. Cost O(iterations n log n); deterministic unless `watch` ends first.
 double held_karp_bound(const LengthModel& model, std::span<const int> tour, int iterations,
                        const StopWatch& watch);
 

@@ -1,6 +1,6 @@
 // symbol     here              what
 // pi_v       degree_price_     multiplier of "v has two edges"
-// mu_v       row_share_        share of v's turn that is asked of its row, 0..1; the rest of its column
+// mu_v       row_share_        share of v's turn assigned to its row, 0..1; the rest to its column
 // x_e        taken             whether an edge is used
 #include "order/bounds/run_cover.h"
 
@@ -73,7 +73,7 @@ class RunCover {
     return value;
   }
 
-  /// The best choice of a strip's edges: two states at each edge, and the way back.
+  /// The best choice of a strip's edges: two states at each edge, and backtracking.
   double cheapest(const std::vector<int>& strip, int kind) {
     const std::size_t edges = strip.size() - 1;
     cost_ = {0, kNever};
@@ -108,7 +108,7 @@ class RunCover {
     turned_[kind][static_cast<std::size_t>(strip.front())] = after;
   }
 
-  /// What the two ends of a path, wherever they are, may spare: an edge and a turn each.
+  /// Greatest saving by the two ends of a path, at any points: an edge and a turn each.
   double free_ends() {
     double sum = 0;
     ends_ = {-1, -1};

@@ -1,4 +1,4 @@
-// The value of individuals, by the edges and corners that altered (Tour fig. 4-19, eq. 4.15).
+// The value of individuals, by the altered edges and corners (Tour fig. 4-19, eq. 4.15).
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace clearcut::order {
 struct Individual {
   Genome genome;
   double local = 0;  ///< sum of edges and corners
-  double value = 0;  ///< of the objective: local + constant + what depends on the whole path
+  double value = 0;  ///< value of the objective: local + constant + the part depending on the whole path
 };
 
 /// Not for several threads at once: keeps work space.
@@ -29,10 +29,10 @@ class Fitness {
   /// corners at altered positions are priced.
   double local_after(const Individual& before, const Genome& after);
 
-  /// Change of `local` by a rearrangement, before it is applied. O(1): a reversed stretch keeps its value.
+  /// Change of `local` by a rearrangement not yet applied. O(1): a reversed stretch keeps its value.
   double change(const Genome& genome, const Rearrangement& rearrangement) const;
 
-  /// Whether the value follows from `local` alone.
+  /// Whether the value follows from `local` only.
   bool is_local() const { return !objective_.path_dependent(); }
   double value_of(double local) const { return local + objective_.constant(); }
 

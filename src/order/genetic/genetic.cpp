@@ -36,7 +36,7 @@ GenerationSample sample_of(const Pool& pool, long long generation) {
 
 class Evolution {
  public:
-  /// Begins where `state` holds no individuals.
+  /// Starts a new run if `state` holds no individuals.
   Evolution(const Moves& moves, const Objective& objective, const GeneticOptions& options, GeneticState state)
       : options_(options),
         moves_(moves),
@@ -142,8 +142,8 @@ class Evolution {
   }
 
   /// The second parent comes from the rest of the pool; one too similar to the first is discarded and another
-  /// drawn, which is to draw among those that are not. Where all are, any of the rest serves: 4.3.3 i leaves
-  /// that open.
+  /// drawn, which amounts to drawing among the less similar ones. If all are too similar, any of the rest is taken:
+  /// 4.3.3 i leaves this case open.
   Parents select() {
     const int first = pool_.at_rank(selection_->pick(pool_.values(), random_));
     fill_mates(first, options_.most_shared);

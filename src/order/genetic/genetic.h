@@ -1,4 +1,5 @@
-// The genetic algorithm of the Tour text (4.3), every operator exchangeable by name. docs/tour.md restates it.
+// The genetic algorithm of the Tour text (4.3), every operator exchangeable by name. docs/tour.md describes the
+// algorithm.
 //
 // symbol       here                     where
 // N            population               4.3.2, fig. 4-14: 25
@@ -16,12 +17,12 @@
 
 namespace clearcut::order {
 
-/// Defaults are those of the text where it states one. It states no rates and no replacement: those were
-/// chosen by measurement, see docs/tour.md.
+/// Defaults are the values of the text if stated. The text states no rates and no replacement: these were chosen by
+/// measurement, see docs/tour.md.
 struct GeneticOptions {
   int population = 25;                 ///< 4.3.2
   double most_shared = 0.2;            ///< share of edges above which two individuals are too similar, 4.3.2
-  int breadth = 1;                     ///< nearest points that a first path draws from, 6.2.1
+  int breadth = 1;                     ///< number of nearest points from which a first path draws, 6.2.1
   std::string selection = "roulette";  ///< 4.3.3 i
   std::string crossover = "pmx";       ///< 4.3.3 ii
   std::string mutation = "nearest";    ///< 4.3.3 iii
@@ -32,7 +33,7 @@ struct GeneticOptions {
   int children = 25;            ///< new individuals in a generation
   int neighbours = 24;          ///< 4.3.2; 0: all points, as for the text's reference instances, 5.3.2
   /// Generations without gain that end the run. The text has 1000 (4.3.3) and runs of 5 to 10 million (5.3.2,
-  /// 6.2.1), of which only the latter reach its figures.
+  /// 6.2.1), only the longer runs reach its figures.
   long long patience = 40000;
   /// Also ends the run: `rounds` are generations. Without seconds the same seed gives the same result.
   StopRule stop{.seconds = std::numeric_limits<double>::infinity()};
@@ -60,12 +61,12 @@ struct GeneticResult {
 };
 
 /// Runs the algorithm over any problem and objective. One thread; runs of a study go side by side. Children
-/// that break precedence are dropped. Throws InputError for unknown operators and sizes that make no sense.
-/// Cost O(1) for a mutated child that is not taken in, O(n) for the others; objectives that depend on the whole
+/// that break precedence are dropped. Throws InputError for unknown operators and invalid sizes.
+/// Cost O(1) for a rejected mutated child, O(n) for the others; objectives that depend on the whole
 /// path are evaluated whole. Memory O(population n); no matrix of distances.
 GeneticResult run_genetic(const Problem& problem, const Objective& objective, const GeneticOptions& options);
 
-/// Where a run stands between two generations. It goes on from here to the same result as if it had never stopped.
+/// State of a run between two generations. Continuing from here gives the same result as an uninterrupted run.
 struct GeneticState {
   std::vector<Individual> individuals{};
   Random random{1};
@@ -76,14 +77,15 @@ struct GeneticState {
 /// The first population of a run. Throws as run_genetic.
 GeneticState begin_genetic(const Problem& problem, const Objective& objective, const GeneticOptions& options);
 
-/// Goes on from `state` until `options` end the run; `stop.rounds` counts the generations from its beginning. Throws as run_genetic.
+/// Continues from `state` until `options` end the run; `stop.rounds` counts the generations from its beginning.
+/// Throws as run_genetic.
 GeneticState continue_genetic(const Problem& problem, const Objective& objective,
                               const GeneticOptions& options, GeneticState state);
 
-/// What a run has reached that goes on no more.
+/// The result of a finished run.
 GeneticResult end_genetic(GeneticState state);
 
-/// The same as a Solution with its proven gap, which the algorithm itself cannot know.
+/// The same as a Solution with its proven gap, unknown to the algorithm itself.
 Solution solve_genetic(const Problem& problem, const Objective& objective, const GeneticOptions& options);
 
 }  // namespace clearcut::order

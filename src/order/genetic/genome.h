@@ -17,7 +17,7 @@ struct Rearrangement {
   int last = 0;
 };
 
-/// A permutation that also knows where each gene is.
+/// A permutation that also stores the position of each gene.
 class Genome {
  public:
   Genome() = default;
@@ -57,7 +57,7 @@ inline bool has_edge(const Genome& genome, int a, int b, bool closed) {
   return distance == 1 || (closed && distance == genome.size() - 1);
 }
 
-/// Share of the edges of `a` that `b` has too, 0..1; stops counting above `enough`. O(n).
+/// Share of the edges of `a` also in `b`, 0..1; stops counting above `enough`. O(n).
 double shared_edges(const Genome& a, const Genome& b, bool closed, double enough = 1);
 
 }  // namespace clearcut::order

@@ -105,7 +105,7 @@ std::vector<Genome> first_population(const OperatorContext& context, int count, 
     double least = std::numeric_limits<double>::infinity();
     for (int tried = 0; tried < kTries && least > most_shared; ++tried) {
       Genome genome(nearest_path(context, breadth, random));
-      // Up to the least so far the true share counts, so that the least similar can be told.
+      // The share is exact up to the least one so far, so that the least similar individual can be found.
       const double shared = most_similar(population, genome, context.closed(), std::min(least, 1.0));
       if (shared >= least) continue;
       least = shared;

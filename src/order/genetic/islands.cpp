@@ -24,7 +24,7 @@ bool has_genes(const Pool& pool, const Tour& genes) {
   return false;
 }
 
-/// Those that all islands have: where a run is stopped, some have fewer.
+/// The samples present in all islands: after an early stop, some islands have fewer.
 std::vector<GenerationSample> samples_of_all(const std::vector<GeneticResult>& results) {
   std::vector<GenerationSample> all = results.front().samples;
   for (const GeneticResult& one : results) all.resize(std::min(all.size(), one.samples.size()));

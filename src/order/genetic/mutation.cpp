@@ -38,7 +38,7 @@ class Nearest final : public Mutation {
   }
 
  private:
-  /// Nothing where it would move a fixed end or the genes are next to each other already.
+  /// No rearrangement if a fixed end would move or the genes are already adjacent.
   Rearrangement reversal(int low, int high) const {
     if (low >= high || low < context_.first || high > context_.last) return {};
     return {Kind::kReverse, low, high};

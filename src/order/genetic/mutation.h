@@ -13,7 +13,7 @@ namespace clearcut::order {
 class Mutation {
  public:
   virtual ~Mutation() = default;
-  /// A random rearrangement of free positions; it is priced before it is applied.
+  /// A random rearrangement of free positions; its change of value is computed before it is applied.
   virtual Rearrangement choose(const Genome& genome, Random& random) const = 0;
 };
 
@@ -21,12 +21,12 @@ class Mutation {
 std::unique_ptr<Mutation> exchange_mutation(const OperatorContext& context);
 /// All genes from one random position to another are reversed.
 std::unique_ptr<Mutation> inversion_mutation(const OperatorContext& context);
-/// A random gene gives way to one of the nearest neighbours of the gene before it: the two switch places and
+/// A random gene is exchanged with one of the nearest neighbours of the preceding gene: the two swap places and
 /// all genes between them are reversed. The published choice.
 ///
-/// Where the neighbour comes earlier on the path than the gene before, the same new edge is made on the other
-/// side: the genes between the two are reversed. The first gene of an open path has none before; there the
-/// genes up to one of its own neighbours are reversed, which brings the two together.
+/// If the neighbour comes earlier on the path than the preceding gene, the same new edge is made on the other side:
+/// the genes between the two are reversed. The first gene of an open path has no preceding gene; there the genes up
+/// to one of its own neighbours are reversed, so that the two become adjacent.
 std::unique_ptr<Mutation> nearest_mutation(const OperatorContext& context);
 
 const std::vector<std::string>& mutation_names();

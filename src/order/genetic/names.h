@@ -19,7 +19,7 @@ struct NamedMakers {
     for (const auto& entry : entries) all.push_back(entry.first);
     return all;
   }
-  /// Throws InputError that lists the names.
+  /// Throws InputError, listing the names.
   const Maker& at(const std::string& name) const {
     std::string known;
     for (const auto& entry : entries) {

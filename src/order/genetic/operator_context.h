@@ -1,4 +1,4 @@
-// What all operators of a run share: the points' legal neighbours and the positions they may change.
+// Data shared by all operators of a run: the points' legal neighbours and the changeable positions.
 #pragma once
 
 #include <vector>
@@ -10,10 +10,10 @@
 namespace clearcut::order {
 
 /// "The nearest N points to the gene, excluding any points that would result in an illegal edge"
-/// (Tour 4.3.2). A point none of whose near moves is legal keeps its nearest ones, at the cost of the detour.
+/// (Tour 4.3.2). A point without legal near moves keeps its nearest neighbours, at the cost of the detour.
 class LegalNeighbours {
  public:
-  /// `count` per point; 0 or more than there are: all other points, which costs no memory.
+  /// `count` per point; 0 or more than the number of points: all other points, without use of memory.
   LegalNeighbours(const Moves& moves, int count);
 
   /// Any of them, with equal chances; -1 when there is only one point.
@@ -30,7 +30,7 @@ class LegalNeighbours {
 struct OperatorContext {
   const Moves& moves;
   LegalNeighbours neighbours;
-  int first = 0;  ///< positions that operators may change: first..last; fixed ends lie outside
+  int first = 0;  ///< changeable positions: first..last; fixed ends are outside
   int last = 0;
 
   OperatorContext(const Moves& on, int neighbour_count);

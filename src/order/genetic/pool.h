@@ -1,4 +1,4 @@
-// The population, ranked, with what its members share.
+// The population, ranked, with the similarity of its members.
 #pragma once
 
 #include <span>
@@ -23,7 +23,7 @@ class Pool {
   /// Values by rank.
   std::span<const double> values() const { return values_; }
 
-  /// Puts `by` in the place of individual i; `by` gets what was there.
+  /// Puts `by` in the place of individual i; `by` receives the former individual.
   void replace(int i, Individual& by);
 
   /// In their places; the pool is empty then and of no more use.

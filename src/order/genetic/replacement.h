@@ -1,5 +1,5 @@
-// Who makes room for new individuals. The text says only that "the better solutions will survive while the
-// poor performing solutions are killed off" (Tour 4.3.1); these are the usual readings.
+// Replacement: the individuals that make room for new ones. The text says only that "the better solutions will
+// survive while the poor performing solutions are killed off" (Tour 4.3.1); these are the usual readings.
 #pragma once
 
 #include <memory>
@@ -13,9 +13,9 @@ namespace clearcut::order {
 class Replacement {
  public:
   virtual ~Replacement() = default;
-  /// False when a child of that value would be left anyway.
+  /// False if a child of this value would be rejected anyway.
   virtual bool wants(const Pool& pool, double value, int first_parent) const = 0;
-  /// Takes the child in, or leaves it; `first_parent` is that parent's place in the pool.
+  /// Takes the child in, or rejects it; `first_parent` is the place of the first parent in the pool.
   virtual void offer(Pool& pool, Individual& child, int first_parent) = 0;
   virtual void end_generation(Pool& /*pool*/) {}
 };

@@ -1,4 +1,4 @@
-// Which individuals become parents (Tour 4.3.3 i).
+// Selection of the parents (Tour 4.3.3 i).
 #pragma once
 
 #include <memory>

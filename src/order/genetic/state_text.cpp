@@ -17,9 +17,9 @@ namespace clearcut::order {
 namespace {
 
 constexpr const char* kBegin = "state";
-constexpr const char* kEnd = "end";  // a text that was cut short lacks it
+constexpr const char* kEnd = "end";  // missing in a truncated text
 
-/// std::bit_cast, which not every standard library has.
+/// Replaces std::bit_cast, missing in some standard libraries.
 template <class To, class From>
 To same_bits(const From& from) {
   static_assert(sizeof(To) == sizeof(From));
@@ -43,7 +43,7 @@ class Writer {
   std::string text_;
 };
 
-/// Words one after the other. What is not there or does not fit is 0, and `is_good` says so at the end.
+/// Reads words one after the other. A missing or invalid word gives 0, and `is_good` is then false at the end.
 class Words {
  public:
   explicit Words(std::string_view text) : rest_(text) {}

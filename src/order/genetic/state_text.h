@@ -1,4 +1,4 @@
-// Where a run of the genetic algorithm stands, as text that gives it back to the bit: for files and for other processes.
+// State of a run of the genetic algorithm as text, exact to the bit: for files and for other processes.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace clearcut::order {
 /// One line, without its end.
 std::string text_of_state(const GeneticState& state);
 
-/// Nothing where `text` is no whole state of that many individuals of that many points.
+/// Nothing if `text` is no complete state with these numbers of individuals and points.
 std::optional<GeneticState> state_of_text(const std::string& text, int individuals, int points);
 
 }  // namespace clearcut::order

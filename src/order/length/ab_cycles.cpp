@@ -54,7 +54,7 @@ int AbCycles::take_edge(int v, int kind, Random& random) {
   return w;
 }
 
-/// The path from place `first` to its end has closed: it becomes a cycle, turned to begin with an edge of A.
+/// The path from place `first` to its end has closed: the path becomes a cycle, rotated to begin with an edge of A.
 void AbCycles::extract(int first) {
   const int last = static_cast<int>(path_.size()) - 1;  // the same node as `first`
   const int begin = first + first % 2;

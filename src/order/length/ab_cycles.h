@@ -16,13 +16,12 @@ using Links = std::vector<std::array<int, 2>>;
 Links links_of(std::span<const int> nodes);
 std::vector<int> nodes_of(const Links& links);
 
-/// AB-cycles of one pair of tours. Nodes of a cycle v0 v1 v2 ...: v0-v1 is an edge of A alone, v1-v2 of B
-/// alone, ...
+/// AB-cycles of one pair of tours. Nodes of a cycle v0 v1 v2 ...: v0-v1 is an edge only of A, v1-v2 only of B, ...
 class AbCycles {
  public:
   explicit AbCycles(int nodes);
 
-  /// Random among the ways to take the difference apart. O(n + size of the difference).
+  /// Decomposes the difference at random. O(n + size of the difference).
   void split(const Links& a, const Links& b, Random& random);
 
   int count() const { return static_cast<int>(begins_.size()) - 1; }
@@ -33,7 +32,7 @@ class AbCycles {
 
  private:
   struct Rest {
-    std::array<std::array<int, 2>, 2> end{};  // [A or B][which]: edges not yet taken
+    std::array<std::array<int, 2>, 2> end{};  // [A or B][index]: edges not yet taken
     std::array<signed char, 2> count{};
   };
   void collect(const Links& a, const Links& b);
@@ -42,7 +41,7 @@ class AbCycles {
   void extract(int first);
 
   std::vector<Rest> rest_;
-  std::vector<int> active_;                  // nodes that may have edges left
+  std::vector<int> active_;                  // nodes with possibly unused edges
   std::vector<std::array<int, 2>> on_path_;  // place of a node on the path by parity, -1
   std::vector<int> path_;
   std::vector<int> flat_;

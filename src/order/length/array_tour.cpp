@@ -10,7 +10,7 @@ ArrayTour::ArrayTour(std::vector<int> nodes) : order_(std::move(nodes)), positio
   for (int p = 0; p < size(); ++p) position_[order_[p]] = p;
 }
 
-// Piece r of the old tour lies between the r-th and the (r+1)-th removed edge; its ends are 2r (first node)
+// Piece r of the old tour is between the r-th and the (r+1)-th removed edge; its ends are 2r (first node)
 // and 2r + 1 (last node). Added edges join ends; the new tour enters a piece at one end and leaves by the
 // other.
 int ArrayTour::walk(const Exchange& exchange, std::array<Piece, kMostExchanged>& pieces) const {

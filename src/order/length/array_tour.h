@@ -1,4 +1,4 @@
-// A closed tour as an array, changed by k-exchanges that can be taken back.
+// A closed tour as an array, changed by reversible k-exchanges.
 #pragma once
 
 #include <array>
@@ -39,7 +39,7 @@ class ArrayTour {
   /// Makes the exchange (is_tour must hold) by rewriting all but the longest of the k pieces.
   void apply(const Exchange& exchange);
 
-  /// Rewrites the positions from `first` on (round the end of the array) with a permutation of what is there.
+  /// Rewrites the positions from `first` on (round the end of the array) with a permutation of the nodes there.
   void rewrite(int first, std::span<const int> nodes);
 
   /// Takes back the newest change since the last commit.
@@ -47,7 +47,7 @@ class ArrayTour {
   /// Takes back everything since the last commit.
   void undo();
   void commit();
-  /// While set, changes are not remembered: long descents on large tours need no way back.
+  /// While set, changes are not recorded: long descents on large tours need no undo.
   void forget_changes(bool forget) { forget_ = forget; }
 
  private:

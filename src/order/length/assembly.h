@@ -1,4 +1,4 @@
-// Builds children from parent A and chosen AB-cycles: exchange the edges, then join the subtours that result.
+// Builds children from parent A and chosen AB-cycles: exchange the edges, then join the resulting subtours.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace clearcut::order {
 
-/// Edges by which a child differs from its parent A, without edges that left and came back.
+/// Edges by which a child differs from its parent A, without edges removed and added again.
 struct EdgeChange {
   int a = 0;
   int b = 0;
@@ -34,8 +34,8 @@ class Assembly {
   /// The child of the given cycles; false when subtours could not be joined through candidate neighbours.
   bool build(const AbCycles& cycles, std::span<const int> chosen, Child& child);
 
-  /// After exchanging one central cycle: the other cycles, with fewer edges than it, that touch a subtour
-  /// other than the largest; together with the centre they are a block [nagata2006].
+  /// After exchanging one central cycle: the other cycles, with fewer edges than the centre, touching a subtour other
+  /// than the largest; together with the centre they are a block [nagata2006].
   void block_around(const AbCycles& cycles, int centre, std::vector<int>& chosen);
   /// To be called once for the parent's cycles before block_around.
   void index_cycles(const AbCycles& cycles);

@@ -1,4 +1,4 @@
-// Chained local search: kick a few neighbouring segments out of place, repair, keep what is no worse
+// Chained local search: kick a few neighbouring segments out of place, repair, keep results that are no worse
 // [martin1991].
 #pragma once
 

@@ -1,4 +1,4 @@
-// How often each edge occurs in a population: what diversity is measured by.
+// Number of occurrences of each edge in a population: the measure of diversity.
 #pragma once
 
 #include <vector>

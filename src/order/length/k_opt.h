@@ -1,9 +1,9 @@
-// Sequential k-exchanges over candidate lists: the local search under everything that minimises length.
+// Sequential k-exchanges over candidate lists: the local search of all methods that minimise length.
 //
 // Lin and Kernighan's search [lin1973] in the form of [helsgaun2009]: alternately remove an edge and add one
 // to a near candidate as long as the sum stays positive, up to k edges; intermediate states need not be
-// tours, only the closing is asked whether it gives one. Depth 2 and 3 with one and two kept pieces contain
-// 2-opt and Or-opt. Nodes whose surroundings did not change are not looked at again (don't-look bits as a
+// tours, only the closing step is tested for a tour. Depth 2 and 3 with one and two kept pieces contain
+// 2-opt and Or-opt. Nodes whose surroundings did not change are not examined again (don't-look bits as a
 // queue) [bentley1992].
 #pragma once
 
@@ -38,7 +38,7 @@ class KOpt {
       queue_.push_back(node);
     }
   }
-  /// Exchanges that rewrite more places of the array are left out: on very large tours they cost more than
+  /// Exchanges rewriting more places of the array are left out: on very large tours they cost more than
   /// they gain [johnson1997].
   void rewrite_at_most(int places) { most_rewritten_ = places; }
   ArrayTour& tour() { return tour_; }

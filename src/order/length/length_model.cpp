@@ -65,7 +65,7 @@ void LengthModel::choose_scale(const Problem& problem) {
   if (problem.metric == Metric::kRoundedEuc2d) return;
   Box box;
   for (const Vec2 p : points_) box.add(p);
-  // Sums of n edges stay below 2^50, so that they and their doubles are exact; detours may be 100 times
+  // Sums of n edges stay below 2^50, so that the sums and twice the sums are exact; detours may be 100 times
   // longer.
   const double longest_sum = std::max(base::hypot(box.width(), box.height()), 1e-100) * (size_ + 1.0);
   scale_ = std::ldexp(1.0, static_cast<int>(std::floor(50 - base::log2(longest_sum))));
@@ -107,7 +107,7 @@ void LengthModel::add_extra_node(const Problem& problem) {
   extra_ = size_++;
   points_.push_back({});
 
-  // The extra node comes first in every list: it is the nearest of all.
+  // The extra node comes first in every list: it is the nearest node of all.
   const int old_count = candidates_.count(), count = old_count + 1;
   std::vector<int> rows;
   std::vector<Cost> costs;

@@ -1,11 +1,11 @@
-// Length as the fast searches see it: a closed tour with integer costs.
+// Length in the form used by the fast searches: a closed tour with integer costs.
 //
 // - Costs are whole numbers: TSPLIB distances as they are, real distances in units of 2^-k mm, so that sums
 // are
-//   exact and an exchange that gains nothing is told from one that gains a rounding error.
+//   exact and an exchange without gain is distinguished from one that gains a rounding error.
 // - Points are renumbered along a Hilbert curve: neighbours in the plane are neighbours in memory.
-// - An open path is a closed tour through one more node at cost 0 from everywhere; a fixed end pays a premium
-//   that no shorter way can outweigh for being next to that node.
+// - An open path is a closed tour through one more node at cost 0 from everywhere; a fixed end has a premium for
+//   being next to that node, larger than any saving by a shorter path.
 #pragma once
 
 #include <cmath>
@@ -36,7 +36,7 @@ class LengthModel {
     const Cost straight = straight_cost(a, b);
     return moves_ ? detour_cost(a, b) : straight;
   }
-  /// The cost when it is below `limit`, else any number of at least `limit`: spares the search for detours.
+  /// The cost if below `limit`, else any number of at least `limit`: avoids the search for detours.
   Cost cost_below(int a, int b, Cost limit) const {
     if (a == extra_ || b == extra_) return extra_cost(a, b);
     const Cost straight = straight_cost(a, b);
@@ -50,7 +50,7 @@ class LengthModel {
         static_cast<std::size_t>(candidates_.count())};
   }
   int candidate_count() const { return candidates_.count(); }
-  /// The node that stands for "outside" in open paths, -1 for closed tours.
+  /// The node representing "outside" in open paths, -1 for closed tours.
   int extra_node() const { return extra_; }
   Vec2 point(int v) const { return points_[static_cast<std::size_t>(v)]; }
 
@@ -61,7 +61,7 @@ class LengthModel {
   /// Length in the problem's unit of a tour cost (premiums taken out).
   double length(Cost cost) const;
   Cost to_cost(double length) const { return static_cast<Cost>(length * scale_ + 0.5); }
-  /// Premium contained in every tour that keeps its fixed ends.
+  /// Premium contained in every tour with its fixed ends kept.
   Cost premium() const { return premium_per_end_ * fixed_ends_; }
   bool has_premium() const { return fixed_ends_ > 0; }
 

@@ -79,7 +79,7 @@ std::vector<int> start_tour(const LengthModel& model, std::uint64_t seed, long l
   return search.nodes();
 }
 
-/// Fewer than planned when the machine gives so little time that the plan could not be carried out.
+/// Fewer tours than planned if the available time does not suffice for the plan.
 std::vector<std::vector<int>> start_tours(const LengthModel& model, const Plan& plan, std::uint64_t seed,
                                           const StopWatch& watch) {
   std::vector<std::vector<int>> tours(static_cast<std::size_t>(plan.population));
@@ -93,8 +93,8 @@ std::vector<std::vector<int>> start_tours(const LengthModel& model, const Plan& 
   return tours;
 }
 
-/// Ends when the start tours of a population have had their share of the time left: tours that come later
-/// would not be bred to the end, and a population cut short is far worse than a smaller one.
+/// Ends when the start tours of a population have used their share of the remaining time: populations with more tours
+/// could not finish, and an unfinished population is far worse than a smaller one.
 StopWatch start_watch(const StopRule& stop, const StopWatch& watch) {
   StopRule starts = stop;
   starts.seconds = std::max(0.0, stop.seconds - watch.seconds()) * kShareOfStarts;
@@ -106,7 +106,7 @@ long long search_by_populations(const LengthModel& model, const Plan& plan,
   constexpr int kPatience = 3;
   Random random(options.seed);
   long long round = 0;
-  bool found_again = false;  // a second population that knew nothing of the best ended there as well
+  bool found_again = false;  // a second, independent population reached the same best length
   for (int idle = 0;
        round < options.stop.rounds && idle < kPatience && !found_again && !watch.over() && !best.enough();
        ++round) {
@@ -166,7 +166,7 @@ std::vector<int> window_borders(const Problem& problem, Random& random) {
   return begins;
 }
 
-/// One pass over all windows, some at a time in parallel; `told` after each time.
+/// One pass over all windows, some at a time in parallel; `told` is called after each batch.
 template <typename Told>
 void improve_all_windows(const Problem& problem, Tour& tour, bool kicked, Random& random,
                          const StopWatch& watch, Told told) {
@@ -201,7 +201,7 @@ long long search_by_windows(const Problem& problem, const LengthModel& model,
       best.offer(nodes, model.tour_cost(nodes));
     });
     if (round % 4 != 0) continue;
-    // What lies across the windows' borders is put right on the whole.
+    // Parts across the windows' borders are improved on the whole tour.
     ChainedSearch whole(model, best.nodes(), default_breadth(), random.next());
     whole.descend(watch);
     best.offer(whole.nodes(), whole.cost());

@@ -1,5 +1,5 @@
-// The best known way to short tours: populations of greedy tours with local search, combined by edge
-// assembly; where time or size forbid that, chained local search, on large instances window by window.
+// The best known method for short tours: populations of greedy tours with local search, combined by edge assembly; if
+// time or size forbid this, chained local search, on large instances window by window.
 #pragma once
 
 #include <functional>
@@ -30,7 +30,8 @@ std::vector<int> first_tour(const LengthModel& model, const StopWatch& watch);
 /// Improves `first`. Runs on the caller's TBB arena. The plan depends on the size and on stop.seconds, never
 /// on the clock or the number of threads: with stop.rounds reached before stop.seconds the result repeats
 /// exactly. Stops by itself when a second population ends at the best length of the ones before, or three in
-/// a row found nothing shorter. Keeps fixed ends, not precedence. `model` must be made for `problem`, of at least 8 points.
+/// a row found nothing shorter. Keeps fixed ends, not precedence. `model` must be made for `problem`, of at least 8
+/// points.
 LengthSearchResult search_length(const Problem& problem, const LengthModel& model, std::vector<int> first,
                                  const LengthSearchOptions& options);
 

@@ -15,7 +15,7 @@ Box everywhere() {
   return {{-kInfinity, -kInfinity}, {kInfinity, kInfinity}};
 }
 
-/// Half-open quadrants about the origin, so that each direction belongs to exactly one.
+/// Half-open quadrants about the origin, so that each direction belongs to exactly one quadrant.
 int quadrant_of(Vec2 d) {
   if (d.x > 0 && d.y >= 0) return 0;
   if (d.x <= 0 && d.y > 0) return 1;

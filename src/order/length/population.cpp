@@ -23,7 +23,7 @@ struct Population::Workspace {
   std::vector<int> order, chosen;
 };
 
-/// The child that replaces the parent; no changes: the parent stays.
+/// The child that replaces the parent; no changes: the parent is kept.
 struct Population::Offspring {
   Child child;
   double worth = 0;

@@ -13,7 +13,7 @@ namespace clearcut::order {
 
 namespace {
 
-/// Paths under construction: up to two links a node, and which path a node belongs to.
+/// Paths under construction: up to two links a node, and the path of each node.
 class Fragments {
  public:
   explicit Fragments(int n) : link_(static_cast<std::size_t>(n), {-1, -1}), joined_(n), paths_(n) {}
@@ -34,7 +34,7 @@ class Fragments {
     }
     return result;
   }
-  /// The single path that is left.
+  /// The single remaining path.
   std::vector<int> path() const {
     int v = 0;
     while (!is_end(v)) ++v;
@@ -119,7 +119,7 @@ std::vector<int> greedy_tour(const LengthModel& model, double noise, Random& ran
   const int extra = model.extra_node();
   int paths_wanted = 1;
   if (extra >= 0) {
-    // Fixed ends hang on the extra node; without any it stays apart until the end.
+    // Fixed ends hang on the extra node; without fixed ends it stays separate until the end.
     for (const int v : model.candidates(extra)) {
       if (model.cost(extra, v) < 0 && fragments.can_join(extra, v)) fragments.join(extra, v);
     }

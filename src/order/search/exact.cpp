@@ -47,7 +47,7 @@ class SubsetProgram {
     return trace_back();
   }
 
-  /// Best closed tour that begins with `first` and, unless -1, `second`.
+  /// Best closed tour beginning with `first` and, unless -1, `second`.
   ExactResult best_tour(int first, int second) {
     reset(first, second);
     unsigned begin = 1U << first;
@@ -122,7 +122,7 @@ class SubsetProgram {
     return result;
   }
 
-  /// A state from which the value of this one came; last = -1 at the beginning.
+  /// The predecessor state that gave the value of this one; last = -1 at the beginning.
   std::tuple<unsigned, int, int> predecessor(unsigned visited, int previous, int last) const {
     const unsigned without = visited & ~(1U << last);
     if (without == 0) return {0U, -1, -1};

@@ -1,5 +1,5 @@
-// Proven optima of small problems, for every objective: dynamic programming over subsets [held1962], and
-// complete enumeration where the value depends on the whole path.
+// Proven optima of small problems, for every objective: dynamic programming over subsets [held1962], and complete
+// enumeration if the value depends on the whole path.
 #pragma once
 
 #include <optional>

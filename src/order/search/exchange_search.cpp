@@ -96,7 +96,8 @@ double ExchangeSearch::local_change(const Exchange& exchange) const {
       first = first && j >= i;
       const int leaves = exchange.t[j ^ 1];
       const int enters = exchange.t[j % 2 == 1 ? (j + 1 == ends ? 0 : j + 1) : (j == 0 ? ends - 1 : j - 1)];
-      (around[0] == leaves ? around[0] : around[1]) = ~enters;  // marked, so that it is not taken out again
+      // marked, so that the edge is not removed again
+      (around[0] == leaves ? around[0] : around[1]) = ~enters;
     }
     if (!first) continue;  // a node with both edges exchanged is counted once
     for (int& w : around) w = w < 0 ? ~w : w;
@@ -172,7 +173,8 @@ bool ExchangeSearch::accept_if_better() {
 }
 
 double ExchangeSearch::slack() const {
-  constexpr double kMostGained = 0.1;  // by one exchange, of what depends on the whole path
+  // greatest gain by one exchange in the part depending on the whole path
+  constexpr double kMostGained = 0.1;
   return asks_path() ? kMostGained * path_part_ : 0;
 }
 
@@ -180,9 +182,9 @@ bool ExchangeSearch::asks_path() const {
   return path_value_ && !repairing_;
 }
 
-// The balance kept while an exchange is built: what the removed edges and the corners at their ends cost,
-// less what the added edges and the corners they certainly make cost. Some rotation of every improving
-// exchange keeps it positive throughout [lin1973], so the rest need not be looked at.
+// The balance kept while an exchange is built: cost of the removed edges and of the corners at their ends, less the
+// cost of the added edges and of their certain corners. Some rotation of every improving exchange keeps this balance
+// positive throughout [lin1973], so all other exchanges can be skipped.
 double ExchangeSearch::corners_made(int a, int b, int not_a, int not_b) const {
   const auto other = [&](int v, int gone) {
     return path_.next(v) == gone ? path_.previous(v) : path_.next(v);
@@ -190,7 +192,7 @@ double ExchangeSearch::corners_made(int a, int b, int not_a, int not_b) const {
   return edge(a, b) + corner(other(a, not_a), a, b) + corner(a, b, other(b, not_b));
 }
 
-/// Closes the exchange if that can pay.
+/// Closes the exchange if closing can be profitable.
 bool ExchangeSearch::try_closing(double balance) {
   const int first = exchange_.t[0], last = exchange_.t[2 * exchange_.count - 1];
   if (balance - least_edge(last, first) <= 0 || balance - edge(last, first) <= 0) return false;
@@ -214,7 +216,7 @@ bool ExchangeSearch::extend(int depth, double balance) {
       exchange_.t[2 * depth + 1] = d;
       exchange_.count = depth + 1;
       const double next_balance = rest + release(depth);
-      // A third edge only where the others pay by themselves: the whole path is too dear to ask about all.
+      // A third edge only if the other two gain by themselves: evaluating the whole path for all is too costly.
       if (try_closing(next_balance) || (depth == 1 && extend(2, next_balance - slack()))) return true;
     }
   }
@@ -290,7 +292,7 @@ void ExchangeSearch::kick() {
 
 void ExchangeSearch::repair(const StopWatch& watch) {
   const double path_part = path_part_;
-  // Where edges and corners count, a kick is mended by these alone and the whole path asked about once.
+  // Weight of edges and corners from which on a kick is repaired by these only, and the whole path is evaluated once.
   constexpr double kCounts = 0.01;
   repairing_ = path_value_ && value_ - path_part_ > kCounts * path_part_;
   if (repairing_) drain(watch);

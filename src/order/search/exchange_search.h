@@ -1,6 +1,6 @@
-// Local search for every objective made of edges and corners, and, by re-evaluation, for those that depend on
-// the whole path: 2- and 3-exchanges over neighbour lists (2-opt, Or-opt and or-3opt among them) with
-// don't-look bits, chained by kicks.
+// Local search for every objective made of edges and corners, and, by re-evaluation, for objectives depending on the
+// whole path: 2- and 3-exchanges over neighbour lists (2-opt, Or-opt and or-3opt among them) with don't-look bits,
+// chained by kicks.
 #pragma once
 
 #include <functional>
@@ -22,10 +22,10 @@ class ExchangeSearch {
   ExchangeSearch(const Moves& moves, const Objective& objective, const Neighbours& neighbours,
                  const Tour& start, std::uint64_t seed);
 
-  /// To a local optimum; sooner when the watch ends, and for objectives of the whole path after a number of
-  /// evaluations that is the smaller the longer the path.
+  /// Descends to a local optimum; ends sooner if the watch ends, and for objectives of the whole path after a number
+  /// of evaluations that decreases with the length of the path.
   void descend(const StopWatch& watch);
-  /// Kicks with repair; keeps what is no worse. Stops early at a value of at most `enough`.
+  /// Kicks with repair; keeps results that are no worse. Stops early at a value of at most `enough`.
   void run(long long kicks, double enough, const StopWatch& watch);
 
   double value() const { return value_; }
@@ -39,10 +39,11 @@ class ExchangeSearch {
   bool extend(int depth, double balance);
   bool try_closing(double balance);
   bool is_removed(int a, int b, int depth) const;
-  /// Cost of the edge a-b and of the corners it makes when the edges a-not_a and b-not_b leave.
+  /// Cost of the edge a-b and of its corners if the edges a-not_a and b-not_b are removed.
   double corners_made(int a, int b, int not_a, int not_b) const;
   void allow_evaluations();
-  /// What an exchange may cost in edges and corners and still pay by what depends on the whole path.
+  /// Greatest cost of an exchange in edges and corners that a gain in the part depending on the whole path may still
+  /// outweigh.
   double slack() const;
   bool asks_path() const;
   /// From a kick to a local optimum.
@@ -58,7 +59,7 @@ class ExchangeSearch {
   /// Best possible gain from taking out the last removed edge of the exchange.
   double release(int i) const;
   int candidate(int v, int i, int most) const;
-  /// Edges and corners that an exchange of the `length` nodes after position `before` may change.
+  /// Edges and corners changed by an exchange of the `length` nodes after position `before`.
   double stretch_value(int before, int length) const;
   int candidate_count(int v, int most) const;
   void touch(int v);
@@ -81,9 +82,10 @@ class ExchangeSearch {
   Exchange exchange_;
   double value_ = 0;
   double path_part_ = 0;
-  std::unique_ptr<PathValue> path_value_;  ///< only for objectives that depend on the whole path
-  bool repairing_ = false;                 ///< what depends on the whole path is not asked about for a while
-  long long evaluations_left_ = 0;         ///< of whole paths, until the next call of descend or run
+  std::unique_ptr<PathValue> path_value_;  ///< null unless the objective depends on the whole path
+  /// The part depending on the whole path is temporarily not evaluated.
+  bool repairing_ = false;
+  long long evaluations_left_ = 0;  ///< of whole paths, until the next call of descend or run
   std::vector<int> queue_;
   std::size_t head_ = 0;
   std::vector<char> queued_;

@@ -28,7 +28,7 @@ struct Part {
   std::string basis;
 };
 
-/// Bounds of turns and angle that hold for the class of tours the bound may be compared with.
+/// Bounds of turns and angle valid for the class of tours to which the bound is compared.
 struct TurnBounds {
   int turns = 0;
   double angle = 0;
@@ -47,7 +47,7 @@ TurnBounds turn_bounds(const std::optional<Lattice>& lattice, const Problem& pro
   }
   const Moves moves(problem);
   const int lines = line_cover_bound(*lattice, closed, [&](int a, int b) { return moves.is_straight(a, b); });
-  // Runs share the points where they meet, if no way bends elsewhere.
+  // Runs share their common end points, if no path bends elsewhere.
   const int runs = moves.has_detours() ? 0 : lattice_turns_bound_any_moves(*lattice, closed);
   return {std::max(lines, runs), closed ? 360.0 : 0.0, "line cover"};
 }
@@ -72,14 +72,14 @@ class Bounds {
     }
   }
   const std::optional<Lattice>& lattice() const { return lattice_; }
-  /// The 1-tree bound, where length matters and the lattice's is not already reached by `nodes`.
+  /// The 1-tree bound, if length matters and `nodes` does not already reach the lattice's bound.
   void find_length(const LengthModel& model, std::span<const int> nodes, const StopWatch& watch) {
     if (linear_.length == 0 || model.length(model.tour_cost(nodes)) <= length_.value * (1 + kSameValue))
       return;
     const double tree = held_karp_bound(model, nodes, bound_iterations(problem_.size()), watch);
     if (tree > length_.value) length_ = {tree, "1-tree"};
   }
-  /// The unit-step bound, unless a tour of other steps undercuts it.
+  /// The unit-step bound, unless a tour with other steps undercuts it.
   Bound below(double objective_value) const {
     for (const bool unit_steps : {true, false}) {
       const Bound bound = combine(linear_, length_, turn_bounds_of(unit_steps));
@@ -103,7 +103,7 @@ class Bounds {
   mutable std::optional<TurnBounds> turns_[2];
 };
 
-/// Keeps the best tour and reports it.
+/// Keeps the best tour and reports improvements.
 class Keeper {
  public:
   Keeper(const Problem& problem, const SolveOptions& options, const StopWatch& watch)
@@ -130,13 +130,12 @@ class Keeper {
   double value_ = 0, length_ = 0;
 };
 
-/// Value at which the search may stop: the bound, or the gap asked for.
+/// Value at which the search may stop: the bound, or the requested gap.
 double enough_value(const Bound& bound, const StopRule& stop) {
   return std::max(bound.value * (1 + stop.gap), bound.value + std::abs(bound.value) * kSameValue);
 }
 
-/// A share of what is left of the time. Plans are made for the whole of it, so that they do not hang on the
-/// clock.
+/// A share of the remaining time. Plans use the whole time, so that they do not depend on the clock.
 StopRule remaining(const StopRule& stop, const StopWatch& watch, double share) {
   StopRule rest = stop;
   rest.effort = stop.planned_seconds();
@@ -207,7 +206,7 @@ void sort_best_first(std::vector<std::pair<double, Tour>>& valued) {
                    [](const auto& a, const auto& b) { return a.first < b.first; });
 }
 
-/// Adds a short tour, or one that keeps precedence, and sorts: best first.
+/// Adds a short tour, or one obeying precedence, and sorts: best first.
 void add_starts(const Problem& problem, Evaluator& value_of, const Moves& moves, const SolveOptions& options,
                 const StopWatch& watch, Bounds& bounds, std::vector<std::pair<double, Tour>>& valued) {
   const LengthModel model(problem, kCandidates);
@@ -221,7 +220,7 @@ void add_starts(const Problem& problem, Evaluator& value_of, const Moves& moves,
   sort_best_first(valued);
 }
 
-/// Among tours of equal turns or angle the shorter one: a length so light that it never outweighs a turn.
+/// Among tours of equal turns or angle the shorter one: length with a weight so small that it never outweighs a turn.
 ObjectivePtr with_tie_break(const Objective& objective, const TourFigures& start) {
   const auto borrowed = ObjectivePtr(std::shared_ptr<void>(), &objective);
   if (objective.linear().length > 0 || start.length <= 0) return borrowed;
@@ -230,7 +229,7 @@ ObjectivePtr with_tie_break(const Objective& objective, const TourFigures& start
 
 constexpr int kIslands = 4;  // fixed, whatever the threads
 
-/// Searches that go on their own, side by side.
+/// Independent parallel searches.
 class Islands {
  public:
   /// Begins at the first of `seeds`, one each; objective and neighbours must outlive it.
@@ -268,7 +267,7 @@ class Islands {
   bool descended_ = false;
 };
 
-/// An objective without what depends on the whole path.
+/// An objective without its part depending on the whole path.
 class LocalPart final : public Objective {
  public:
   explicit LocalPart(const Objective& whole) : whole_(whole) {}
@@ -284,8 +283,7 @@ class LocalPart final : public Objective {
   const Objective& whole_;
 };
 
-/// What depends on the whole path is dear to ask for: where edges and corners count as well, tours that are good
-/// in these alone are found first.
+/// Evaluating the whole path is costly: if edges and corners count as well, tours good in these are found first.
 void add_local_starts(const Objective& objective, Evaluator& value_of, const Moves& moves,
                       const Neighbours& neighbours, const SolveOptions& options, const StopWatch& watch,
                       const Bounds& bounds, std::vector<std::pair<double, Tour>>& valued) {
@@ -320,8 +318,8 @@ void add_local_starts(const Objective& objective, Evaluator& value_of, const Mov
                valued.end());
 }
 
-/// Few turns are found by way of short tours: by turns or angles alone nearly every exchange is as good as none.
-/// Here a turn counts as much as a short run of steps. Absent where length counts anyway.
+/// Tours with few turns are found starting from short tours: judged only by turns or angles, nearly every exchange
+/// makes no difference. Here a turn counts as much as a short run of steps. Absent if length counts anyway.
 ObjectivePtr guide(const Objective& objective, const Moves& moves, double length) {
   constexpr double kStepsOfTurn = 7, kDegreesOfTurn = 90;
   const Objective::Linear linear = objective.linear();
@@ -333,7 +331,7 @@ ObjectivePtr guide(const Objective& objective, const Moves& moves, double length
 }
 
 /// Islands, compared after each round; the rounds made. A round ends early at a value of `enough` of the islands'
-/// own objective, the search when what is kept is proven.
+/// own objective, the search ends when the kept tour is proven optimal.
 long long run_islands(Islands& islands, Evaluator& value_of, Keeper& keeper, double enough, double proven,
                       long long most_rounds, const StopWatch& watch) {
   constexpr int kPatience = 25;

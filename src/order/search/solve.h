@@ -25,7 +25,7 @@ struct Solution {
   int turns = 0;
   double angle_deg = 0;
   double bound = 0;         ///< no tour has a smaller objective
-  std::string bound_basis;  ///< what the bound rests on
+  std::string bound_basis;  ///< basis of the bound
   double gap = 0;           ///< (objective - bound) / bound; 0 when proven optimal
   double seconds = 0;
   std::uint64_t seed = 0;
@@ -35,13 +35,13 @@ struct Solution {
 
 /// Orders the points. Any size: up to about ten points the result is proven optimal, to about 20000 length is
 /// within 0.1 % of the optimum in a minute, and a million fits in memory. Keeps fixed ends and precedence;
-/// illegal moves cost their legal detour. The same seed gives the same tour on any number of threads, as long
-/// as it is not the clock that ends the search. Throws InputError for problems that contradict themselves.
+/// illegal moves cost their legal detour. The same seed gives the same tour on any number of threads, unless the
+/// clock ends the search. Throws InputError for contradictory problems.
 Solution solve(const Problem& problem, const Objective& objective, const SolveOptions& options);
 
 /// Lower bound of an objective: combined from the bounds of length (1-tree, lattice) and turns (lattice).
-/// `tour` is any valid tour with value `objective_value`; turn bounds for unit steps are used only if it does
-/// not undercut them.
+/// `tour` is any valid tour with value `objective_value`; turn bounds for unit steps are used only if `tour` does not
+/// undercut them.
 struct Bound {
   double value = 0;
   std::string basis;
@@ -49,7 +49,7 @@ struct Bound {
 Bound lower_bound(const Problem& problem, const Objective& objective, const Tour& tour,
                   const StopWatch& watch);
 
-/// Writes a tour, its value and what follows from both - figures, bound, gap - into a solution.
+/// Writes a tour, its value and the derived figures, bound and gap into a solution.
 void set_result(Solution& solution, const Moves& moves, const Tour& tour, double objective,
                 const Bound& bound);
 

@@ -11,26 +11,26 @@ namespace {
 
 constexpr double kNotReached = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostExact = 9;
-/// Of the table of sets and ways; beyond it even few visits are improved only.
+/// Greatest size of the table of sets and ways; beyond it even few visits are only improved.
 constexpr std::size_t kMostEntries = 60000;
-/// Rounds of improvement; each looks at every stretch in every place.
+/// Rounds of improvement; each tries every stretch in every place.
 constexpr int kRounds = 4;
-/// Up to so many visits the ways are chosen anew for every order that is looked at.
+/// Up to this many visits the ways are chosen anew for every tried order.
 constexpr std::size_t kMostWithWays = 24;
 /// Beyond so many the first order stays.
 constexpr std::size_t kMostImproved = 1000;
 constexpr std::size_t kLongestMoved = 3;
-/// What is cheaper by less is rounding.
+/// Smaller savings count as rounding.
 constexpr double kGain = 1e-9;
-/// All costs between so many ways are remembered.
+/// Up to this many ways all costs between them are stored.
 constexpr std::size_t kMostKnown = 512;
-/// Ways are looked for to so many beginnings near the end of each.
+/// From the end of each visit, this many nearest beginnings are considered.
 constexpr std::ptrdiff_t kMostNear = 24;
 
 using Order = std::vector<std::size_t>;
 using States = std::vector<std::size_t>;
 
-/// All costs, asked for once. States are the ways of all visits in one row.
+/// All costs, each computed once. States are the ways of all visits in one row.
 class Costs {
  public:
   explicit Costs(const VisitQuestion& question) : question_(question) {
@@ -80,7 +80,7 @@ class Costs {
     return question_.visits[steps_[state].visit].ways[steps_[state].way];
   }
 
-  /// The states of other visits that begin nearest to where this one ends.
+  /// The states of other visits with beginnings nearest to the end of this one.
   void find_near(std::size_t from) {
     all_.clear();
     for (std::size_t s = 0; s < states(); ++s) {
@@ -101,11 +101,11 @@ class Costs {
   std::vector<VisitStep> steps_;
   std::vector<std::size_t> first_;
   std::vector<std::vector<Near>> near_;
-  std::vector<Near> all_;      ///< of the state that is looked at
+  std::vector<Near> all_;      ///< neighbours of the current state
   std::vector<double> known_;  ///< from each state to each; below 0: not asked for yet
 };
 
-/// What has to come before and after each visit.
+/// Visits required before and after each visit.
 class VisitPrecedence {
  public:
   explicit VisitPrecedence(const VisitQuestion& question)
@@ -252,7 +252,7 @@ Order nearest_first(Costs& costs, const VisitPrecedence& precedence) {
   return order;
 }
 
-/// The order with `count` visits from place `from` on put before what is at place `to` of the rest.
+/// The order with `count` visits from place `from` on put before place `to` of the rest.
 Order moved(const Order& order, std::size_t from, std::size_t count, std::size_t to) {
   const auto at = [&](std::size_t i) { return order.begin() + static_cast<std::ptrdiff_t>(i); };
   Order rest(order.begin(), at(from));
@@ -261,7 +261,7 @@ Order moved(const Order& order, std::size_t from, std::size_t count, std::size_t
   return rest;
 }
 
-/// Looks for better orders near one that it keeps. Places are those of visits in the order.
+/// Searches better orders near the current one. Places are those of visits in the order.
 class Improver {
  public:
   Improver(Costs& costs, const VisitPrecedence& precedence, Order order)
@@ -310,7 +310,7 @@ class Improver {
     return better;
   }
 
-  /// Whether the visit at `last` need not come after any between `from` and it.
+  /// Whether the visit at `last` need not come after any visit between `from` and itself.
   bool may_follow_all(std::size_t from, std::size_t last) const {
     for (std::size_t i = from; i < last; ++i) {
       if (precedence_.has(order_[i], order_[last])) return false;
@@ -318,7 +318,7 @@ class Improver {
     return true;
   }
 
-  /// Places in the rest to which the stretch may be moved: after all that it waits for, before all that waits for it.
+  /// Places in the rest to which the stretch may be moved: after all its predecessors, before all its successors.
   std::pair<std::size_t, std::size_t> places_for(std::size_t from, std::size_t count) const {
     std::size_t least = 0, most = order_.size() - count;
     for (std::size_t i = from; i < from + count; ++i) {
@@ -341,7 +341,7 @@ class Improver {
     return true;
   }
 
-  /// The same for a stretch that is moved, the ways as they are.
+  /// The same for a moved stretch, with unchanged ways.
   bool try_shift(std::size_t from, std::size_t count, std::size_t to) {
     States& states = best_.states;
     const std::size_t end = from + count, before = to > from ? to + count - 1 : to - 1,

@@ -1,4 +1,4 @@
-// In which order pieces of work are done, and in which of its ways each: areas, cells, passes.
+// Order of pieces of work (areas, cells, passes), and the way of doing each.
 #pragma once
 
 #include <functional>
@@ -10,7 +10,7 @@
 
 namespace clearcut::order {
 
-/// One way of doing a piece of work: where it begins and ends, and what it costs beside that.
+/// One way of doing a piece of work: its start, its end, and its own cost.
 struct VisitWay {
   Vec2 begin;
   Vec2 end;
@@ -22,7 +22,7 @@ struct Visit {
   std::vector<VisitWay> ways;
 };
 
-/// Which piece is done next, and how.
+/// The next piece and the way of doing it.
 struct VisitStep {
   std::size_t visit = 0;
   std::size_t way = 0;
@@ -37,16 +37,17 @@ struct VisitQuestion {
   std::function<double(const VisitStep& from, const VisitStep& to)> far_travel;
   std::vector<std::pair<std::size_t, std::size_t>> precedence{};  ///< first comes before second; no circles
   bool fixed_first = false;                                       ///< visit 0 comes first
-  bool ordered_before = false;  ///< as listed they are in an order that is kept unless another is cheaper
+  bool ordered_before = false;  ///< the listed order is valid, and kept unless another is cheaper
 };
 
 /// All visits once, cheap in sum, precedence kept.
 ///
-/// Method  Up to nine visits: proven best, by dynamic programming over sets [held1962]. More: nearest first, or as listed, then
-///         stretches of up to three are moved to better places and longer ones turned round while that pays. For each order
-///         the ways are chosen best by dynamic programming along it; beyond 60 visits they are chosen between rounds.
-/// Cost    O(2^n n^2) up to nine visits, O(n^3) a round up to 60, O(n^2) a round up to 1000; more stay as they are
-///         found. `travel` is asked O(n) times, for the nearest places.
+/// Method  Up to nine visits: proven best, by dynamic programming over sets [held1962]. More: nearest first, or as
+///         listed, then stretches of up to three are moved to better places and longer ones reversed while this saves
+///         cost. For each order the ways are chosen best by dynamic programming along it; beyond 60 visits they are
+///         chosen between rounds.
+/// Cost    O(2^n n^2) up to nine visits, O(n^3) a round up to 60, O(n^2) a round up to 1000; longer lists keep the
+///         order found. `travel` is called O(n) times, for the nearest places.
 std::vector<VisitStep> order_visits(const VisitQuestion& question);
 
 }  // namespace clearcut::order

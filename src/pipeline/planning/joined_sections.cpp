@@ -16,13 +16,13 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// Whether passes are joined at depth faster than they are cut. (Within one stroke the planner knows what is cut.)
+/// Whether links at depth are faster than cuts. (Within one stroke the planner knows the cut material.)
 bool has_fast_links(const ResolvedStep& step, const ResolvedPlan& plan) {
   return plan.link_feed && step.feed < *plan.link_feed;
 }
 
-/// Slows down wherever a step with a slot feed is in the material all round, and a fast link in any, given all that runs
-/// before.
+/// Slows down steps with a slot feed in full-width cuts, and fast links in any material, taking all earlier moves
+/// into account.
 void slow_down_slots(Toolpath& toolpath, const ResolvedPlan& plan) {
   const Part& part = plan.part;
   const auto step_of = [&](const Section& section) -> const ResolvedStep& {

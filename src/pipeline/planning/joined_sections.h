@@ -7,8 +7,8 @@
 
 namespace clearcut::pipeline {
 
-/// In their order, or in a short one where that is free, at the feeds that what stands around each move allows. `over_rests`: rapids
-/// stay above all that the passes leave.
+/// Joins the sections in their order, or in a short one if the order is free, with feeds allowed by the material
+/// around each move. `over_rests`: rapids stay above all material left by the passes.
 Toolpath toolpath_of(const Selection& selection, const ResolvedPlan& plan, bool over_rests);
 
 }  // namespace clearcut::pipeline

@@ -20,14 +20,14 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// mm. What others cleared may hold residuals up to this thick: no place for rapids.
+/// mm. Areas cleared by other steps may contain residuals up to this thickness: unsuitable for rapids.
 constexpr double kResidualOfOthers = 0.01;
 
-/// Share of the rim's length times the radius that is reached beyond it, at least: corners reach less than straight
-/// walls.
+/// Least area reached beyond the rim, as a share of its length times the radius: less is reached at corners than at
+/// straight walls.
 constexpr double kBeyondRim = 0.9;
 
-/// What bounds the length of any strategy, layer by layer.
+/// Sizes that bound the length of any strategy, layer by layer.
 class Sizes {
  public:
   explicit Sizes(const Tolerances& tol) : tol_(tol) {}
@@ -46,7 +46,7 @@ class Sizes {
   }
 
  private:
-  /// Layers mostly differ from the one before in height alone.
+  /// Layers usually differ from the previous one only in height.
   double reached_of_open(const Layer& layer, const Regions& legal) {
     if (legal.empty()) return 0;
     if (!plan::same_outline(legal, legal_) || !plan::same_outline(layer.target, target_)) {
@@ -62,7 +62,7 @@ class Sizes {
   double reached_mm2_ = 0;
 };
 
-/// The passes of a workingstep layer by layer; what they clear and whether they leave anything goes into `plan`.
+/// The passes of a workingstep layer by layer; the cleared size, and whether material is left, are stored in `plan`.
 std::vector<LayerPasses> passes_of(const StepWork& work, const Feature& feature,
                                    const StrategyCandidate& candidate, const ResolvedPlan& job,
                                    StepPlan& plan) {
@@ -84,7 +84,7 @@ std::vector<LayerPasses> passes_of(const StepWork& work, const Feature& feature,
   return passes;
 }
 
-/// s, as the planner of the control needs that the program is for.
+/// s; time by the planner of the program's control.
 double time_on_machine(const Section& section, const ResolvedPlan& job) {
   PostOptions post = post_options_of(job);
   const auto dialect = read::gcode::dialect_named(post.dialect);
@@ -93,7 +93,7 @@ double time_on_machine(const Section& section, const ResolvedPlan& job) {
       .seconds();
 }
 
-/// Edges of an outline beyond which rivals are not tried: their time would be felt.
+/// Number of edges of an outline above which rivals are not tried: the waiting time would be noticeable.
 constexpr std::size_t kMostEdgesForRivals = 400;
 
 }  // namespace
@@ -142,14 +142,14 @@ StepPlan fastest_plan(const StepWork& work, const StrategyCandidate& candidate, 
     if (!rival) continue;
     try {
       StepPlan plan = plan_step(work, {rival, {}, false, false, true}, job, most_work);
-      // By the plain rule that plans within strategies go by, so that a strategy is the same path for every control.
+      // By the plain rule used inside of strategies, so that a strategy gives the same path for every control.
       const double time = kinematics::kinematic_time(plan.section.moves, job.machine).seconds();
       if (plan.section.moves.empty() || time >= best_time || !plan.leaves_nothing) continue;
       best.section = std::move(plan.section);
       best.time_s = plan.time_s;
       best_time = time;
     } catch (const OutOfWork&) {
-      continue;  // the candidate itself stands
+      continue;  // the candidate itself is kept
     }
   }
   return best;

@@ -11,14 +11,14 @@
 
 namespace clearcut::pipeline {
 
-/// What is tried for each workingstep.
+/// Candidates for each workingstep.
 std::vector<SelectionStep> selection_steps(const ResolvedPlan& plan, const StrategyTable& strategies);
 
-/// What a strategy makes of one workingstep in so many steps of work. Throws OutOfWork where that is too much.
+/// The plan of a strategy for one workingstep, within a number of work steps. Throws OutOfWork if it needs more.
 StepPlan plan_step(const StepWork& work, const StrategyCandidate& candidate, const ResolvedPlan& job,
                    std::uint64_t most_work);
 
-/// The plan of a candidate, or of a rival that is faster. Throws as plan_step().
+/// The plan of a candidate, or of a faster rival. Throws as plan_step().
 StepPlan fastest_plan(const StepWork& work, const StrategyCandidate& candidate, const ResolvedPlan& job,
                       const StrategyTable& strategies, std::uint64_t most_work);
 

@@ -26,7 +26,7 @@ std::string thousands(std::uint64_t steps) {
   return fmt::format("{} thousand steps of work", steps / 1000);
 }
 
-/// A cone has no size that fits beside any edge: how wide it is at the top of the chamfer decides.
+/// A cone has no size that fits beside any edge: its width at the top of the chamfer decides.
 std::string no_room_beside_edge(const Feature& feature, const Tool& tool) {
   const double width = radius_at(tool, feature.chamfer->depth);
   return fmt::format(
@@ -77,7 +77,7 @@ std::string no_passes(std::size_t i, const Selection& selection, const std::vect
                          : "use another --strategy, for example contour");
 }
 
-/// What a step asks for that its strategy has not: "" where all is used.
+/// A request of a step unsupported by its strategy; "" if all are supported.
 std::string unused_choice(const ResolvedStep& step) {
   const std::string name = step.strategy ? step.strategy->name : "auto";
   const bool has_contours = name == "contour" || plan::contour::contour_rule(name, {});

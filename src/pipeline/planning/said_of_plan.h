@@ -1,4 +1,4 @@
-// What a plan says of itself: options that do nothing, features that no pass reaches, strategies left out.
+// Messages of a plan: options without effect, features without passes, strategies left out.
 #pragma once
 
 #include <vector>
@@ -10,20 +10,22 @@
 
 namespace clearcut::pipeline {
 
-/// Options of one kind of strategy, asked for with another, are refused where no step can use them (InputError), and else said.
+/// Options of one kind of strategy, requested with another, are refused if no step can use them (InputError), and
+/// otherwise reported.
 void refuse_what_means_nothing(const ResolvedPlan& plan, Diagnostics& diagnostics);
 
-/// Says where the named strategy cuts both ways though a direction is asked for: only its passes along walls keep it.
+/// Warns if the named strategy cuts in both directions although a direction is requested: only its passes along walls
+/// keep it.
 void warn_of_both_ways(const ResolvedPlan& plan, Diagnostics& diagnostics);
 
-/// Says which O word is written where nobody chose one: a control may hold another program by that number.
+/// Reports the O word written if the user chose none: the control may already store another program of this number.
 void tell_program_number(const ResolvedPlan& plan, Diagnostics& diagnostics);
 
-/// Says of each workingstep without passes why. Throws InputError where nothing at all can be cut.
+/// Reports the reason for each workingstep without passes. Throws InputError if nothing at all can be cut.
 void report_what_does_not_fit(Part& part, const Selection& selection, const std::vector<StepWork>& works,
                               const ResolvedPlan& plan);
 
-/// Says what was done before, which strategies were left out, and what the plans themselves note.
+/// Reports earlier work, strategies left out, and the notes of the plans.
 void report_notes(const Selection& selection, const std::vector<StepWork>& works, const ResolvedPlan& plan,
                   Part& part);
 

@@ -15,7 +15,7 @@ stock::Material block_of(const Part& part) {
   return {part.stock ? std::optional(part.stock->plan) : std::nullopt, part.top_z(), radii};
 }
 
-/// What a program on the same set-up has cut before.
+/// Removes the cuts of an earlier program on the same set-up.
 void remove_earlier(const ResolvedPlan& plan, stock::Material& material) {
   if (!plan.earlier) return;
   for (const Section& section : plan.earlier->sections) {

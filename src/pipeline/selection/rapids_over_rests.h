@@ -1,4 +1,4 @@
-// Rapids over what published methods and skipped workingsteps leave.
+// Rapids above material left by published methods and skipped workingsteps.
 #pragma once
 
 #include "model/options/resolved_plan.h"
@@ -6,13 +6,13 @@
 
 namespace clearcut::pipeline {
 
-/// Whether what later workingsteps take to be cut may stand: where a strategy does not promise to leave nothing (published
-/// methods, the published grid, strategies of the user's own), where one found no passes, and where a tool's end is not flat: under
-/// rounded corners, points and cones more stands than in a cylinder.
+/// Whether material assumed as cut by later workingsteps may remain: with a strategy that does not promise complete
+/// clearing (published methods, the published grid, the user's own strategies), with a step without passes, and with
+/// a tool end that is not flat: rounded corners, points and cones leave more material than a cylinder.
 bool may_leave_material(const Selection& selection, const ResolvedPlan& plan);
 
-/// Keeps the rapids of all sections, in their order, above what those before them really leave, and what plan.earlier left.
-/// See link/sections/high_rapids.h.
+/// Keeps the rapids of all sections, in their order, above the material really left by earlier sections and by
+/// plan.earlier. See link/sections/high_rapids.h.
 void keep_rapids_high(Toolpath& toolpath, const ResolvedPlan& plan);
 
 }  // namespace clearcut::pipeline

@@ -13,16 +13,16 @@ namespace {
 
 /// So many of the candidates are planned in any case.
 constexpr std::size_t kFirst = 2;
-/// mm. What a strategy has to travel at least, from the area that can be cleared.
+/// mm. Least length of a strategy's path, from the area that can be cleared.
 double least_way(const StrategyEntry& strategy, const ClearedSize& size, double radius) {
   return strategy.least_length ? strategy.least_length(size, radius) : size.reached_mm2 / (2 * radius);
 }
 
-/// Edges of an outline up to which planning once more is not felt.
+/// Number of edges of an outline up to which a further plan takes no noticeable time.
 constexpr double kFewEdges = 150;
 
-/// Whether planning a strategy that may win is worth its effort: the more edges, the more room it must have between its
-/// least time and the best known.
+/// Whether planning a possibly winning strategy is worth the effort: with more edges, its least time must be further
+/// below the best known time.
 bool is_worthwhile(const StrategyEntry& strategy, const ClearedSize& known, double least_s, double best_s,
                    double radius) {
   if (strategy.is_small_enough && !strategy.is_small_enough(known, radius)) return false;
@@ -49,7 +49,7 @@ Selection::Selection(std::vector<SelectionStep> steps, StepPlanner planner, int 
   for (auto& ranked : ranked_) sort(ranked);
 }
 
-/// Strategies but the first may refuse what was asked for: then they are not in the selection.
+/// Strategies except the first may refuse the request: they are then not in the selection.
 void Selection::plan_into(std::size_t step, PlannedCandidate& one) const {
   const bool first = one.candidate.strategy == steps_[step].candidates.competing.front().strategy;
   one.outcome = Outcome::kNotTried;
@@ -69,8 +69,8 @@ void Selection::plan_into(std::size_t step, PlannedCandidate& one) const {
   }
 }
 
-/// What others held while a candidate was planned may be free now, so what found no memory is planned again by itself: what is
-/// left out does not depend on threads.
+/// Memory used by other candidates may be free now, so candidates that failed for lack of memory are planned again by
+/// themselves: the set of left-out candidates does not depend on threads.
 void Selection::plan_all(const Places& work) {
   const auto plan = [&](std::size_t i) {
     plan_into(work[i].first, ranked_[work[i].first].all[work[i].second]);
@@ -81,7 +81,7 @@ void Selection::plan_all(const Places& work) {
   }
 }
 
-/// Where nothing was planned for want of memory the caller has to hear of it.
+/// If no plan was made for lack of memory the caller must be informed.
 void Selection::throw_without_memory(const RankedCandidates& ranked) {
   if (std::any_of(ranked.all.begin(), ranked.all.end(), is_planned)) return;
   for (const PlannedCandidate& one : ranked.all) {
@@ -97,13 +97,13 @@ void Selection::plan_first() {
   plan_all(work);
 }
 
-/// Adds the candidates of a step that may be faster than the first ones to `work`.
+/// Adds the candidates of a step possibly faster than the first ones to `work`.
 void Selection::rate_others(std::size_t step, Places& work) {
   auto& all = ranked_[step].all;
   const StepPlan& known = all.front().plan;
   const double radius = steps_[step].tool_radius;
   if (known.hole || known.rest || known.section.moves.empty()) return;
-  // Where the cutter has hardly room to move there is nothing to choose.
+  // If the cutter has hardly room to move there is no choice.
   if (known.size.reached_mm2 < 8 * radius * radius) return;
   double best = known.time_s;
   for (std::size_t k = 1; k < std::min(kFirst, all.size()); ++k) best = std::min(best, all[k].plan.time_s);
@@ -125,7 +125,7 @@ void Selection::plan_others() {
   plan_all(work);
 }
 
-/// Where all that competed took too much work or memory a fallback answers.
+/// If all candidates took too much work or memory a fallback is used.
 void Selection::plan_instead() {
   in_parallel(steps_.size(), threads_, [&](std::size_t step) {
     auto& ranked = ranked_[step];
@@ -143,7 +143,7 @@ void Selection::plan_instead() {
   for (const RankedCandidates& ranked : ranked_) throw_without_memory(ranked);
 }
 
-/// Holes come out the same whatever the strategy, so the first stays in front.
+/// Holes are the same for any strategy, so the first candidate stays in front.
 void Selection::sort(RankedCandidates& ranked) const {
   auto& all = ranked.all;
   if (all.front().plan.hole) all.resize(1);
@@ -171,8 +171,8 @@ std::vector<std::string> Selection::names_of(std::size_t step, Outcome outcome) 
   return names;
 }
 
-/// What comes from a rival of a strategy says nothing of the strategy itself: its own plan is made, and takes its place among
-/// those that are left.
+/// A failed rival's plan is no evidence against the strategy itself: the strategy's own plan is made, and ranked
+/// among the remaining ones.
 void Selection::plan_without_rivals(std::size_t step) {
   auto& ranked = ranked_[step];
   PlannedCandidate own{ranked.all[ranked.at].candidate, {}, 0, Outcome::kNotTried, {}};

@@ -1,4 +1,4 @@
-// Several strategies for every workingstep, of which the fastest that is certified clean is kept.
+// Several strategies for every workingstep, of which the fastest one certified clean is kept.
 #pragma once
 
 #include <exception>
@@ -14,19 +14,19 @@
 
 namespace clearcut::pipeline {
 
-/// What one strategy made of one workingstep.
+/// The plan of one strategy for one workingstep.
 struct StepPlan {
-  Section section;  ///< without moves where the cutter does not fit
+  Section section;  ///< without moves if the cutter does not fit
   double time_s = std::numeric_limits<double>::infinity();
-  ClearedSize size;    ///< what bounds other strategies
+  ClearedSize size;    ///< bounds for other strategies
   bool pocket = true;  ///< closed all round
-  bool rest = false;   ///< cleared by others around it
-  /// False where a rival's passes are known to leave what they could reach.
+  bool rest = false;   ///< the workingstep's surroundings are cleared by other steps
+  /// False if a rival's passes are known to leave reachable material.
   bool leaves_nothing = true;
   bool hole = false;  ///< a round hole or a profile: made without any strategy
 };
 
-/// A workingstep with what is tried for it, its tool and feed as far as bounds need them.
+/// A workingstep with its candidates, its tool and the feed needed for bounds.
 struct SelectionStep {
   std::string feature;
   int workingstep = 0;
@@ -37,18 +37,18 @@ struct SelectionStep {
 
 using StepPlanner = std::function<StepPlan(int workingstep, const StrategyCandidate& candidate)>;
 
-/// The plans of all workingsteps. What is chosen depends on the plans alone, not on clocks or threads.
+/// The plans of all workingsteps. The choice depends only on the plans, not on clocks or threads.
 class Selection {
  public:
-  /// Plans the first two candidates of every step, then those others that may be faster by their least length and are worth
-  /// the effort; all in parallel on `threads`. What finds no memory beside others is planned once more alone. Throws what the
-  /// planner throws for a step's first strategy, and std::bad_alloc where no strategy of a step finds the memory.
+  /// Plans the first two candidates of every step, then the other candidates that may be faster by their least length
+  /// and are worth the effort; all in parallel on `threads`. Candidates failing for lack of memory in parallel are
+  /// planned once more by themselves. Throws the planner's exception for a step's first strategy, and std::bad_alloc
+  /// if no strategy of a step has enough memory.
   Selection(std::vector<SelectionStep> steps, StepPlanner planner, int threads);
 
   const Section& section(std::size_t step) const;
-  /// Takes the next best plan after one that was not certified clean: a slower one (the strategy's own, too, where a rival's was
-  /// not clean), else a fallback. False when
-  /// nothing is left, and the last plan stays.
+  /// Takes the next best plan after one not certified clean: a slower one (including the strategy's own plan after a
+  /// rival's), else a fallback. False if no plan is left; the last plan is then kept.
   bool next(std::size_t step);
   const StrategyCandidate& candidate(std::size_t step) const;
   /// Names of strategies whose planning took too much work.
@@ -65,7 +65,7 @@ class Selection {
     StepPlan plan;
     double least_s = 0;
     Outcome outcome = Outcome::kNotTried;
-    std::exception_ptr without_memory{};  ///< what was thrown where it found none
+    std::exception_ptr without_memory{};  ///< exception thrown for lack of memory
   };
   static bool is_planned(const PlannedCandidate& one) { return !one.plan.section.moves.empty(); }
 

@@ -31,13 +31,13 @@ StrategyCandidates candidates_of(const StrategyEntry& strategy, const Stepover& 
   return {{{&strategy, stepover, !strategy.rivals.empty() && !stepover.is_given()}}, {}};
 }
 
-/// Whether "auto" may use a strategy at all: where a direction is asked for only those that keep it.
+/// Whether "auto" may use a strategy at all: if a direction is requested, only strategies that keep it.
 bool is_usable(const StrategyEntry& strategy, const ResolvedStep& step) {
   return strategy.in_auto != AutoUse::kNever && (!step.is_direction_asked || strategy.keeps_direction);
 }
 
-/// Whether "auto" tries it before any fallback: where the engagement is limited, or aimed at, only those that keep it, since the
-/// others begin with a slot.
+/// Whether "auto" tries the strategy before any fallback: with a limit or an aim for the engagement, only strategies
+/// that keep it, since the others begin with a slot.
 bool is_tried(const StrategyEntry& strategy, const ResolvedStep& step, const ResolvedPlan& plan) {
   const bool keeps = plan.engagement_deg || step.aimed_engagement_deg;
   return is_usable(strategy, step) && (!keeps || strategy.limits_engagement);

@@ -11,14 +11,14 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// mm. A hollow that ends no more than this under the top of a feature reaches it: programs have digits.
+/// mm. A hollow ending no more than this below the top of a feature reaches the top: programs have rounded digits.
 constexpr double kThrough = 0.002;
-/// mm that what was cut through ends below all that a later set-up may cut.
+/// mm; depth of through cuts below all cuts of a later set-up.
 constexpr double kBelowAll = 1;
-/// mm. A residual as thick as that may stay where the top was faced off.
+/// mm. Residual thickness permitted on a faced top.
 constexpr double kFaced = 0.01;
 
-/// Whether the tool cuts as wide as it is from some height above its tip on, and everything above.
+/// Whether the tool cuts at its full width from some height above its tip on, and everything above.
 bool is_cylinder(const Tool& tool) {
   switch (tool.kind) {
     case ToolKind::kEndMill:
@@ -33,13 +33,13 @@ bool is_cylinder(const Tool& tool) {
   }
 }
 
-/// mm above its tip from which a cylinder has its full width.
+/// mm above its tip at which a cylinder reaches its full width.
 double end_of(const Tool& tool) {
   if (tool.kind == ToolKind::kDrill) return point_length(tool);
   return tool.kind == ToolKind::kBallEndMill ? tool.radius() : tool.corner_radius;
 }
 
-/// What is said of the cuts of an earlier set-up by the tool of `section`.
+/// An empty section for the cuts of an earlier set-up by the tool of `section`.
 Section carried(const Section& section, double below) {
   Section like;
   like.label = "earlier set-up";
@@ -61,7 +61,7 @@ void for_cuts(const MachinedSetup& setup, Visit visit) {
   }
 }
 
-/// Seen from the same side: each move as it was.
+/// Seen from the same side: each move unchanged.
 Toolpath as_it_was(const MachinedSetup& setup, const SetupPlace& to) {
   Sweeps sweeps;
   for_cuts(setup, [&](const Section& section, const Tool& tool, Move move) {
@@ -74,8 +74,8 @@ Toolpath as_it_was(const MachinedSetup& setup, const SetupPlace& to) {
   return sweeps.take();
 }
 
-/// Seen from below: each cut is a hollow with a ceiling, as if it were cut from here but for what stands above that. On ramps the
-/// ceiling is that of their higher end.
+/// Seen from below: each cut is a hollow with a ceiling, as if cut from this side except for the material above the
+/// ceiling. For ramps the ceiling is at their higher end.
 Toolpath hollows_of(const MachinedSetup& setup, const SetupPlace& to, const Part& next) {
   double low = next.stock ? next.stock->z_bottom : next.top_z(), lowest_top = next.top_z();
   for (const Feature& feature : next.features) {
@@ -95,7 +95,7 @@ Toolpath hollows_of(const MachinedSetup& setup, const SetupPlace& to, const Part
   return sweeps.take();
 }
 
-/// The top of the block of a set-up after its program: lower where all of it was faced off.
+/// The top of the block of a set-up after its program: lower if faced off completely.
 double top_left(const MachinedSetup& setup, const Stock& block) {
   std::set<double> levels;
   std::vector<double> radii;
@@ -128,7 +128,7 @@ void append_of_setup(std::size_t number, const std::vector<Said>& from, std::vec
   }
 }
 
-/// What is told of one earlier set-up.
+/// Text on one earlier set-up.
 std::string told_of(std::size_t number, const SetupPlace& place, bool any) {
   const std::string whose = "of set-up " + std::to_string(number) + " ";
   if (!keeps_verticals(place))
@@ -145,7 +145,7 @@ CarriedStock carried_stock(const std::vector<MachinedSetup>& earlier, const Setu
   CarriedStock out;
   Sweeps sweeps;
   Stock block = *earlier.front().part.stock;
-  SetupPlace in = earlier.front().place;  // in which `block` stands
+  SetupPlace in = earlier.front().place;  // coordinates of `block`
   for (std::size_t i = 0; i < earlier.size(); ++i) {
     const MachinedSetup& setup = earlier[i];
     block = moved(block, between(in, setup.place));

@@ -1,4 +1,4 @@
-// What one set-up of a job leaves to the next.
+// Stock carried from one set-up of a job to the next.
 #pragma once
 
 #include <string>
@@ -12,34 +12,34 @@
 
 namespace clearcut::pipeline {
 
-/// A set-up that has been machined: its part with the tools of its program, and the moves of that program as they were read back.
+/// A machined set-up: its part with the tools of its program, and the moves of that program as read back.
 struct MachinedSetup {
   Part part;
   Toolpath toolpath;
   SetupPlace place;
-  /// Of its program, where nobody else tells the user: what must have held at the machine, and what is wrong.
+  /// Conditions and faults of its program not reported to the user elsewhere.
   std::vector<Condition> conditions = {};
   std::vector<Fault> faults = {};
 };
 
-/// What earlier set-ups leave in the coordinates of a later one.
+/// Stock left by earlier set-ups, in the coordinates of a later one.
 struct CarriedStock {
-  Stock block;       ///< without what was faced off all over
-  Toolpath sweeps;   ///< moves of cylinders that have cut away whatever is not there any more
-  std::string told;  ///< what is carried and what is not, for people
-  std::vector<Condition>
-      conditions;             ///< "floors-meet": see meeting_floors(); those of the programs that cut it
-  std::vector<Fault> faults;  ///< of the programs that cut it
+  Stock block;       ///< without layers faced off completely
+  Toolpath sweeps;   ///< moves of cylinders that have removed the missing material
+  std::string told;  ///< description of the carried and omitted cuts, for people
+  /// "floors-meet": see meeting_floors(); and conditions of the earlier programs.
+  std::vector<Condition> conditions;
+  std::vector<Fault> faults;  ///< faults of the earlier programs
 };
 
-/// The stock of a later set-up at `place` whose part is `next`.
+/// The stock of a later set-up at `place` with the part `next`.
 ///
-/// Shape   Where verticals stay vertical and nothing is turned over, all that end mills and drills cut counts. Turned over, each of
-///         their cuts is a hollow under a ceiling (Section::carried_below): it counts for features whose material begins no higher, and
-///         for rapids and engagement where it goes through the block. Where the block lies on another side, only the
-///         block itself is carried, with what was faced off all over.
-/// Error   On the safe side: what counts as cut away is cut away; cones, taps, thread mills and whatever has no width of its own
-///         down to its tip count as having cut nothing.
+/// Shape   If verticals stay vertical and the block is not turned over, all cuts of end mills and drills count. In a
+///         block turned over, each cut is a hollow below a ceiling (Section::carried_below): it counts for features
+///         with their top no higher, and for rapids and engagement if the cut goes through the block. If the block
+///         lies on another side, only the block itself is carried, without layers faced off completely.
+/// Error   On the safe side: all material that counts as removed is removed; cones, taps, thread mills and all tools
+///         without full width down to the tip count as having cut nothing.
 CarriedStock carried_stock(const std::vector<MachinedSetup>& earlier, const SetupPlace& place,
                            const Part& next);
 

@@ -1,4 +1,4 @@
-// Cuts of two set-ups from opposite sides that meet inside the block.
+// Cuts of two set-ups from opposite sides meeting inside the block.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace clearcut::pipeline {
 
-/// A condition "floors-meet" for each two features, one of `earlier`, one of `next` at `place`, that are cut from opposite sides and
-/// together go deeper than the block is thick, over more than 1 mm2, while each alone ends in it: the floor that either
-/// drawing shows is not there. Features that go through the block are meant to, and of a solid what is seen from its sides agrees.
-/// `next` has its stock. Cost one boolean for each two of them whose boxes overlap.
+/// A condition "floors-meet" for each two features, one of `earlier`, one of `next` at `place`, cut from opposite
+/// sides and together deeper than the block's thickness, over more than 1 mm2, while each by itself ends inside the
+/// block: the floor in either drawing does not exist. Features through the block are intended, and the views of a
+/// solid from its sides agree. `next` must have its stock. Cost: one boolean for each pair with overlapping boxes.
 std::vector<Condition> meeting_floors(const std::vector<MachinedSetup>& earlier, const SetupPlace& place,
                                       const Part& next, const Tolerances& tol);
 

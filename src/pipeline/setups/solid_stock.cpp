@@ -14,16 +14,16 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// mm that what goes through the block ends below it, so that it lies below all that a plan cuts there.
+/// mm; depth of through openings below the block, so that they are below all cuts of a plan there.
 constexpr double kBelowBlock = 2;
-/// mm. A floor that lies no higher above the block's underside goes through it.
+/// mm. A floor no higher above the block's underside counts as through.
 constexpr double kAtUnderside = 0.001;
 
 bool is_flat_mill(const Tool& tool) {
   return (tool.kind == ToolKind::kEndMill || tool.kind == ToolKind::kFaceMill) && tool.corner_radius == 0;
 }
 
-/// As long as is needed, for nothing is milled with it.
+/// As long as needed, since the mill makes no real cuts.
 Tool narrowest_mill(const std::vector<Tool>& tools) {
   std::optional<Tool> found;
   for (const Tool& tool : tools) {
@@ -40,14 +40,14 @@ Tool narrowest_mill(const std::vector<Tool>& tools) {
   return mill;
 }
 
-/// In the coordinates of the part, whose block it is.
+/// Moves the stock into the coordinates of the part and its block.
 Part moved_onto(Part stock, const Stock& block) {
   const Stock own = *stock.stock;
   return read::with_zero_at(std::move(stock), {own.plan.min.x - block.plan.min.x,
                                                own.plan.min.y - block.plan.min.y, own.z_top - block.z_top});
 }
 
-/// Leaves what the mill does not go into.
+/// Leaves out areas that the mill cannot enter.
 void keep_reachable(Part& stock, const Tool& mill, const Tolerances& tol) {
   std::erase_if(stock.workplan, [&](const Workingstep& step) {
     return features::largest_fitting_diameter(feature_of(stock, step), tol) < mill.diameter;
@@ -70,7 +70,7 @@ Move lowered(Move move, double by) {
   return move;
 }
 
-/// The cuts of a section; those that end at the underside of the block once more, below it.
+/// The cuts of a section; cuts ending at the underside of the block are added once more below it.
 void append_cuts(const Section& section, double bottom, Sweeps& out) {
   const auto cuts = [](const Move& move) { return !is_rapid(move.kind); };
   for (const Move& move : section.moves)

@@ -1,4 +1,4 @@
-// A stock that is no full block: a casting, or a block that is machined in part, as a solid.
+// A stock other than a full block: a casting, or a partly machined block, as a solid.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,15 @@
 
 namespace clearcut::pipeline {
 
-/// What the solid `stock` lacks of its block, as cuts that count as made before: of the narrowest flat mill among `tools`, straight
-/// down, everywhere it reaches. `stock` is read with SolidOptions::is_stock. `block`: where its block lies in the coordinates of the
-/// part, which was read with it (ReadOptions::block) and may have another zero since. Throws InputError where no tool is a flat mill.
+/// The volume of its block missing in the solid `stock`, as cuts that count as made before: straight down by the
+/// narrowest flat mill among `tools`, everywhere within its reach. `stock` must be read with SolidOptions::is_stock.
+/// `block`: place of its block in the coordinates of the part, which was read with it (ReadOptions::block) and may
+/// have another zero since. Throws InputError if no tool is a flat mill.
 ///
-/// Error   On the safe side: corners too narrow for that mill, undercuts, and what is open to the side or from below alone count as
-///         there. A cut that reaches into the part is a gouge of the certificate: the stock lacks material that the part has.
-/// Cost    that of one plan by contours.
+/// Error   On the safe side: corners too narrow for that mill, undercuts, and openings only to the side or from below
+///         count as filled. A cut reaching into the part is a gouge in the certificate: the stock lacks material of
+///         the part.
+/// Cost    cost of one plan by contours.
 Toolpath missing_of(Part stock, const Stock& block, const std::vector<Tool>& tools);
 
 }  // namespace clearcut::pipeline

@@ -1,4 +1,4 @@
-// Cuts that count as made before.
+// Cuts treated as made before.
 #pragma once
 
 #include <utility>
@@ -7,10 +7,10 @@
 
 namespace clearcut::pipeline {
 
-/// Collects moves; those that do not follow each other are sections of their own.
+/// Collects moves; moves that do not follow each other start new sections.
 class Sweeps {
  public:
-  /// `like`: whose tool it is, and what is said of cuts made before.
+  /// `like`: section with the tool and the data of earlier cuts.
   void add(const Section& like, const Move& move);
   void append(Toolpath other);
   Toolpath take() { return std::move(out_); }

@@ -16,14 +16,14 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// mm. Ridges that a pointed bit may leave on a floor where no mill reaches; less than the certificate allows.
+/// mm. Ridges that a pointed bit may leave on a floor out of reach of mills; less than the certificate allows.
 constexpr double kCusp = 0.03;
-/// mm. What chords of the medial axis take of the flanks' distance from the outline.
+/// mm. Reduction of the flanks' distance from the outline by chords of the medial axis.
 constexpr double kChords = 0.0004;
-/// mm. What offsets and booleans take of the distance from a wall.
+/// mm. Reduction of the distance from a wall by offsets and booleans.
 constexpr double kOffsets = 0.001;
 
-/// What the mills of earlier steps clear of the floor of a V-carving.
+/// The part of a V-carving's floor cleared by the mills of earlier steps.
 Regions cleared_before(int workingstep, const Region& region, const ResolvedPlan& plan) {
   const Part& part = plan.part;
   const Workingstep& own = part.workplan[static_cast<std::size_t>(workingstep)];
@@ -40,13 +40,13 @@ Regions cleared_before(int workingstep, const Region& region, const ResolvedPlan
   return cleared;
 }
 
-/// mm that a flank stays off what it must not touch where tips are printed to `rounding`. No more than that: it is left in sharp
-/// corners several times.
+/// mm; distance of a flank from material not to be cut if tips are printed to `rounding`. Kept minimal: in sharp
+/// corners several times this distance is left.
 double aside_of(double slope, double rounding, const ResolvedPlan& plan) {
   return kChords + std::max(0.0, rounding * (1 + slope) - 0.9 * plan.tol.gouge);
 }
 
-/// What is free up to every height at which something ends, from the top of a chamfer on.
+/// The free area up to every height at which material ends, from the top of a chamfer on.
 std::vector<plan::carve::StandingUpTo> standing_above(const Feature& feature, const ResolvedPlan& plan) {
   const Part& part = plan.part;
   std::set<double> heights{feature.top_z, part.top_z()};
@@ -94,11 +94,12 @@ plan::carve::CarveShape carve_shape(const Feature& feature, const Tool& tool, do
   return shape;
 }
 
-/// mm. Rounding of distances between a straight way and an outline that it comes as near as it may.
+/// mm. Rounding of distances between a straight move and an outline at the least permitted distance.
 constexpr double kRounding = 1e-7;
 
-/// A straight way is free where the cone, its tip at that height, fits between the outlines all along. Below the first pass it is
-/// short: at its beginning the cone has cut all but what one pass takes.
+/// A straight move is free if the cone, with its tip at that height, fits between the outlines along the whole move.
+/// Below the first pass the move must be short: at its beginning the cone has cut all material except that of one
+/// pass.
 link::TipRoom room_within(const Regions& target, const plan::carve::CarveShape& shape) {
   const auto holds = [&target, shape](Vec2 from, Vec2 to, double z) {
     const double needed = shape.tip_radius + shape.aside + (shape.top - z) * shape.slope - kRounding;
@@ -113,7 +114,7 @@ link::TipRoom room_within(const Regions& target, const plan::carve::CarveShape& 
   return {holds, shape.top - shape.stepdown, shape.tip_radius + shape.stepdown * shape.slope};
 }
 
-/// What the tip runs along, and where it may cross from one track to the next.
+/// The tracks of the tip, and the room for crossing from one track to the next.
 struct Tracks {
   plan::carve::TrackSets sets;
   link::TipRoom room;

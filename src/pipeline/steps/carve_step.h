@@ -8,7 +8,7 @@
 
 namespace clearcut::pipeline {
 
-/// The section of a workingstep that is carved; nothing where it is cleared layer by layer.
+/// The section of a carved workingstep; nothing if it is cleared layer by layer.
 std::optional<Section> carve_step(int workingstep, const ResolvedPlan& plan);
 
 }  // namespace clearcut::pipeline

@@ -58,7 +58,7 @@ constexpr std::size_t kConditionLine = 60;
 /// Of them for how many more kinds there are.
 constexpr std::size_t kForMore = 9;
 
-/// Each kind of condition once, with how often it is there: "2 X OUT-OF-REACH (AT MOST ...)".
+/// Each kind of condition once, with its number of occurrences: "2 X OUT-OF-REACH (AT MOST ...)".
 std::vector<std::string> kinds_of(const std::vector<Condition>& conditions) {
   std::vector<std::string> kinds;
   std::map<std::string, int> counts;
@@ -101,7 +101,7 @@ std::vector<std::string> verdict_lines(const Findings* findings, const std::stri
           fmt::format("MOTION SHA-256: {}", motion_hash.substr(0, kHashShown))};
 }
 
-/// The tools that the program calls, in the order of the part's.
+/// The tools called by the program, in the order of the part's tools.
 std::vector<std::string> tool_lines(const Part& part, const Toolpath& toolpath, bool inch) {
   std::vector<std::string> lines;
   for (const Tool& tool : part.tools) {
@@ -139,7 +139,7 @@ bool same_moves(const Toolpath& a, const Toolpath& b) {
                     });
 }
 
-/// Findings and the motion's hash come into the header of a program that has been checked.
+/// Findings and the motion's hash are written into the header of a checked program.
 std::string post_with(const Findings* findings, const std::string& motion_hash, const Toolpath& toolpath,
                       const Part& part, const ResolvedPlan& plan) {
   PostOptions post_options = post_options_of(plan);
@@ -276,8 +276,8 @@ verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
 
 namespace {
 
-/// As the control that the program is posted for reads it; tools are put in by hand in the order of work where it has no
-/// words for them.
+/// Reads the program as its control does; if the control has no words for tools they are loaded by hand in the order
+/// of work.
 read::gcode::Program read_back(const std::string& program, const Toolpath& planned,
                                const ResolvedPlan& plan) {
   read::gcode::ReadControllerOptions reading;
@@ -299,7 +299,7 @@ bool has_wrong_units(const Findings& findings) {
                      [](const Fault& fault) { return fault.kind == FaultKind::kUnits; });
 }
 
-/// Feeds and ways of another size are no question of their own.
+/// Conditions on feeds and paths of the wrong size are not separate conditions.
 void drop_what_follows_from_units(Findings& findings) {
   std::erase_if(findings.conditions, [](const Condition& one) {
     return one.name == "far-move" || one.name == "chip-load" || one.name == "stated-feed" ||
@@ -307,7 +307,8 @@ void drop_what_follows_from_units(Findings& findings) {
   });
 }
 
-/// A length that is a fault is no open question beside it: the sentence of the fault says how it is accepted.
+/// A tool length reported as a fault is not an open condition as well: the sentence of the fault states how to accept
+/// it.
 void drop_what_lengths_say(Findings& findings, const std::vector<std::string>& accepted) {
   const auto is_length = [](const Fault& fault) { return fault.kind == FaultKind::kToolLength; };
   if (std::none_of(findings.faults.begin(), findings.faults.end(), is_length)) return;
@@ -317,7 +318,7 @@ void drop_what_lengths_say(Findings& findings, const std::vector<std::string>& a
   });
 }
 
-/// What ran before has cut what counts as cut only where it is right itself.
+/// Cuts of earlier programs count only if those programs were correct themselves.
 void add_earlier(Findings& findings, const ResolvedPlan& plan) {
   const EarlierState& earlier = plan.earlier_state;
   for (Condition one : earlier.conditions) {
@@ -328,11 +329,12 @@ void add_earlier(Findings& findings, const ResolvedPlan& plan) {
   findings.all.clean = findings.faults.empty();
 }
 
-/// How far the control may leave the path before anything found here is no longer so; or the machine file says it.
+/// States the greatest deviation of the control from the path for which these findings are valid; or the bound from
+/// the machine file.
 void name_blending_bound(Findings& findings, const ResolvedPlan& plan) {
   for (Condition& one : findings.conditions) {
     if (one.name != "blending") continue;
-    if (findings.without_part && !plan.machine.path_tolerance) continue;  // nothing bounds it
+    if (findings.without_part && !plan.machine.path_tolerance) continue;  // there is no bound
     if (plan.machine.path_tolerance) {
       one.met_by = "machine file";
       continue;

@@ -1,4 +1,4 @@
-// The way from passes to a checked program that every plan takes: link, post, read back, verify, sign.
+// The steps from passes to a checked program, common to all plans: link, post, read back, verify, sign.
 #pragma once
 
 #include <map>
@@ -18,7 +18,7 @@ namespace clearcut::pipeline {
 /// How a workingstep is linked, by its place in the workplan. `entry` is how to go down.
 link::LinkOptions link_options(const ResolvedPlan& plan, int workingstep, EntryKind entry);
 
-/// Writes into `section` whose work it is and how its tool is driven.
+/// Writes the workingstep and the cutting data into `section`.
 void describe(Section& section, int workingstep, const ResolvedPlan& plan);
 
 /// The section of one workingstep, by its place in the workplan, through its passes layer by layer. `entry` is
@@ -26,42 +26,43 @@ void describe(Section& section, int workingstep, const ResolvedPlan& plan);
 Section link_step(const std::vector<LayerPasses>& passes, int workingstep, EntryKind entry,
                   const ResolvedPlan& plan);
 
-/// The tools that somebody puts in, one at each pause, where the control has no words for them.
+/// The tools loaded by the operator, one at each pause, if the control has no words for them.
 struct HandTools {
   std::vector<int> numbers;  ///< in their order
-  std::string order;         ///< which that is: "of the part's work", "that its comments name"
+  std::string order;         ///< description of the order: "of the part's work", "that its comments name"
 };
 
 inline constexpr const char* kOrderOfWork = "of the part's work";
 
-/// The tools that comments of `program` say are put in, if they are all among `usual`; else `usual`. Without what needs no change.
+/// The tools named in comments of `program` as loaded, if they are all among `usual`; else `usual`. Without repeated
+/// tools.
 HandTools hand_tools_of(std::string_view program, HandTools usual);
-/// What has to hold where a program names none of its several tools.
+/// The condition for a program that names none of its several tools.
 Condition hand_tools_condition(const HandTools& tools);
 
-/// How the program is written: what was asked for, and what the machine needs where nobody has asked for something else.
+/// Options for writing the program: requested ones, and the machine's needs if not requested otherwise.
 PostOptions post_options_of(const ResolvedPlan& plan);
 
 /// Keeps the address of plan.earlier.
 verify::VerifyOptions verify_options(const ResolvedPlan& plan);
 
-/// What somebody stated for tools, by number.
+/// Values stated for tools, by number.
 struct StatedOfTools {
-  std::map<int, verify::ToolLimits> limits = {};   ///< of those that no workingstep is made with
+  std::map<int, verify::ToolLimits> limits = {};   ///< limits of tools without a workingstep
   std::map<int, verify::StatedDrive> drives = {};  ///< of all
-  std::map<int, MmPerMin> reference_feeds = {};    ///< meant at the reference where feeds follow the load
+  std::map<int, MmPerMin> reference_feeds = {};    ///< feeds at the reference if feeds follow the load
 };
 
-/// Checks what a control reads: its moves, what it holds meanwhile, and the conditions of both. Marks the conditions that
-/// the machine file or plan.accept answer. `stated` binds programs of others.
+/// Checks a program as read by a control: its moves, the control's states meanwhile, and the conditions of both.
+/// Marks the conditions met by the machine file or plan.accept. `stated` limits programs of other origin.
 Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& control,
                const std::vector<Condition>& conditions, read::gcode::Dialect dialect,
                const ResolvedPlan& plan, StatedOfTools stated = {});
 
-/// Posts `planned` for result.part, reads it back, and checks what was read.
+/// Posts `planned` for result.part, reads the program back, and checks the result.
 void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan);
 
-/// Puts the verdict into the program's header and makes sure that nothing else has changed.
+/// Puts the verdict into the program's header and verifies that nothing else has changed.
 void sign(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan);
 
 }  // namespace clearcut::pipeline

@@ -10,7 +10,7 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// mm. Down beside the work stand its clamps; beyond machines of any size there is nothing.
+/// mm. Below the top, clamps are beside the work; greater distances exceed machines of any size.
 constexpr double kFarLow = 50, kFarHigh = 2000;
 /// mm, for heights rounded by the coarsest controller (0.0001 inch).
 constexpr double kRoundedHeight = 5.5e-3;

@@ -1,4 +1,4 @@
-// Moves that lead so far away from the work that a sign, a digit or a decimal point must be wrong.
+// Moves so far from the work that a sign, a digit or a decimal point must be wrong.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace clearcut::pipeline {
 
-/// The condition `far-move` for the move that is farthest away: below the top of the work more than 50 mm and the cutter's width
-/// beside the stock, or the features where no stock is stated; above it more than 2 m.
+/// The condition `far-move` for the farthest move: below the top of the work, if it is more than 50 mm plus the
+/// cutter's width beside the stock (or the features, if no stock is stated); above the top, if more than 2 m away.
 std::optional<Condition> far_move(const Part& part, const Toolpath& toolpath);
 
 }  // namespace clearcut::pipeline

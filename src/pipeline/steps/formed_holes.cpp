@@ -11,29 +11,30 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// Pitches above the material where a tap begins to feed, and no less than 2 mm: the spindle has its speed by then.
+/// Pitches above the material at which a tap begins to feed, but at least 2 mm: the spindle then has reached its
+/// speed.
 constexpr double kPitchesAbove = 3;
 constexpr double kLeastAboveTap = 2;
-/// mm that a mill stays off a thread's own diameter besides what coarse digits may move it.
+/// mm; distance of a mill from a thread's diameter in addition to its displacement by coarse digits.
 constexpr double kOffThread = 0.0005;
 
 double tip_of_cone(const Feature& feature, const Tool& tool) {
   return feature.top_z - (feature.hole->diameter / 2 - tool.tip_diameter / 2) / flank_slope(tool);
 }
 
-/// mm that a place which rounding moves by `rounding` mm keeps off: half of what counts as a gouge remains. 0 where it is less
-/// than a gouge.
+/// mm; distance kept by a place displaced by up to `rounding` mm: half of the smallest gouge remains. 0 if the
+/// displacement is less than a gouge.
 double kept_off(double rounding, const ResolvedPlan& plan) {
   return rounding <= plan.tol.gouge ? 0 : rounding - plan.tol.gouge / 2;
 }
 
-/// mm that a hole's bottom is raised by, so that coarse digits put no tap and no tip lower than half of what counts as a gouge.
-/// 0 where the digits cannot go wrong by as much.
+/// mm; rise of a hole's bottom, so that coarse digits put no tap or tip lower than half of the smallest gouge. 0 if
+/// the digits' error is smaller.
 double raise_of_depth(const ResolvedPlan& plan) {
   return kept_off(post::rounding_of_lines(plan.post) * std::sqrt(0.5), plan);  // along one axis
 }
 
-/// mm that a cone is raised by for the same reason: its flanks also come nearer where its place is rounded.
+/// mm; rise of a cone for the same reason: rounding of its place also moves its flanks nearer.
 double raise_of_cone(const Tool& tool, const ResolvedPlan& plan) {
   return raise_of_depth(plan) + kept_off(post::rounding_of_lines(plan.post), plan) / flank_slope(tool);
 }

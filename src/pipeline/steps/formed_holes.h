@@ -7,7 +7,7 @@
 
 namespace clearcut::pipeline {
 
-/// The section of a workingstep on such a hole; nothing for any other.
+/// The section of a workingstep on a formed hole; nothing for any other.
 std::optional<Section> formed_hole_step(int workingstep, const ResolvedPlan& plan);
 
 }  // namespace clearcut::pipeline

@@ -20,7 +20,7 @@ bool is_drilled(const features::RoundHole& hole, const ResolvedStep& step, const
   return tool.center_cutting && step.allowance_side == 0 && features::makes_hole(tool, hole, tol);
 }
 
-/// Whether a layer was widened into features that take some of the hole's wall away: there no stock may stay.
+/// Whether a layer was widened into features that remove some of the hole's wall: no stock may be left there.
 bool runs_into_others(const std::vector<Layer>& layers, const Feature& feature) {
   return std::any_of(layers.begin(), layers.end(),
                      [&](const Layer& layer) { return !plan::same_outline(layer.allowed, feature.allowed); });

@@ -1,4 +1,4 @@
-// Round holes take their own way through the pipeline: no layers, one plunge or one helix.
+// Round holes have their own steps in the pipeline: no layers, one plunge or one helix.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,12 @@
 
 namespace clearcut::pipeline {
 
-/// The section of a workingstep that is made as a hole; nothing where it is to be cleared layer by layer.
+/// The section of a workingstep made as a hole; nothing if it is to be cleared layer by layer.
 ///
-/// Drilled  with drills and reamers always (a section without moves where they do not make or pierce the hole), with
+/// Drilled  with drills and reamers always (a section without moves if they cannot make or pierce the hole), with
 ///          centre-cutting mills of the hole's own size.
-/// Bored    round holes that are called so, with a mill that leaves no post, unless another strategy or a plunge is
-///          asked for.
-/// `layers` are those of the step.
+/// Bored    features declared as round holes, with a mill that leaves no post, unless another strategy or a plunge is
+/// requested. `layers` are those of the step.
 std::optional<Section> hole_step(const std::vector<Layer>& layers, int workingstep, const ResolvedPlan& plan);
 
 }  // namespace clearcut::pipeline

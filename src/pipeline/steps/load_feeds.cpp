@@ -36,7 +36,7 @@ stock::Material material_at_start(const Part& part, const std::optional<Toolpath
   take_away_holes(material, part);
   if (!earlier) return material;
   for (const Section& section : earlier->sections) {
-    // What is not known to be cut counts as standing, which can only lower feeds.
+    // Material not known to be cut counts as present; this can only lower feeds.
     const Tool* const tool = tool_numbered(part.tools, section.tool_number);
     if (tool && section.counts_below(part.top_z())) take_away(material, section, *tool);
   }

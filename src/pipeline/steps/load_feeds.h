@@ -1,4 +1,4 @@
-// Feeds of a plan that follow the load, where that is asked for.
+// Feeds of a plan that follow the load, if requested.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,16 @@
 
 namespace clearcut::pipeline {
 
-/// Sets the feeds of all sections whose tools are mills, in the material as it stands when each runs; nothing without plan.feed_rule.
+/// Sets the feeds of all sections whose tools are mills, in the material at the start of each; nothing without
+/// plan.feed_rule.
 void follow_load(Toolpath& toolpath, const ResolvedPlan& plan);
 
-/// What stands when a program begins: the stock, less drilled holes and what the program before has cut. `radii` as in Material.
+/// The material at the start of a program: the stock, minus drilled holes and the cuts of the earlier program.
+/// `radii` as in Material.
 stock::Material material_at_start(const Part& part, const std::optional<Toolpath>& earlier,
                                   std::vector<double> radii);
 
-/// Removes what the feed moves of a section sweep.
+/// Removes the volume swept by a section's feed moves.
 void take_away(stock::Material& material, const Section& section, const Tool& tool);
 
 }  // namespace clearcut::pipeline

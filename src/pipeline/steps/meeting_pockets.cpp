@@ -18,13 +18,13 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// mm. Outlines that are no farther apart touch; what reaches no farther beyond an outline does not count.
+/// mm. Outlines no farther apart touch; areas extending no farther beyond an outline do not count.
 constexpr double kTouching = 0.005;
 
-/// mm. What is no thicker between two outlines than a gouge may be deep is no wall: one line, drawn twice. The verifier finds none
-/// either.
+/// mm. Material between two outlines no thicker than the permitted depth of a gouge is no wall: one line, drawn
+/// twice. The verifier treats it the same way.
 constexpr double kGap = 0.001;
-/// mm. Shorter edges are what unions leave where outlines all but coincide.
+/// mm. Shorter edges are remnants of unions of nearly coincident outlines.
 constexpr double kShortEdge = 0.0004;
 
 bool runs_into(const Feature& other, const Regions& around, const Tolerances& tol) {
@@ -32,7 +32,7 @@ bool runs_into(const Feature& other, const Regions& around, const Tolerances& to
          !subtract(other.allowed, around, tol).empty();
 }
 
-/// What the cutters of earlier workingsteps have cleared around a pocket, down to where it begins or deeper.
+/// The area around a pocket cleared by the cutters of earlier workingsteps down to the pocket's top or deeper.
 Regions cleared_before(const Part& part, int workingstep, const Tolerances& tol) {
   const Feature& pocket = feature_of(part, part.workplan[static_cast<std::size_t>(workingstep)]);
   Regions cleared;
@@ -63,7 +63,7 @@ MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Toleranc
   const bool leaves_stock = (is_hole || !closed_all_round(pocket)) && step.operation.allowance_side > 0;
   if (pocket.kind != FeatureKind::kClosedPocket && !leaves_stock) return;
   const Box here = box(pocket.target).grown(kTouching);
-  std::optional<Regions> around;  // made for the first that asks: most pockets lie alone
+  std::optional<Regions> around;  // made at the first use: most pockets do not overlap others
   for (int i = 0; i < static_cast<int>(part.workplan.size()); ++i) {
     const Feature* other = &feature_of(part, part.workplan[static_cast<std::size_t>(i)]);
     if (other == &pocket || other->kind == FeatureKind::kTSlot || other->floor_z >= pocket.top_z ||
@@ -122,7 +122,7 @@ std::optional<Regions> MeetingPockets::added_to(const Layer& layer,
     return resolve::swept(allowed, layer.tool_radius, layer.wall_stock, more, tol_);
   };
   const Regions with_others = intersect(layer.target, reached(intersect(wide, near, tol_), 0), tol_);
-  // A little more than by itself, or the two leave slivers all along where they are the same.
+  // Slightly enlarged, since otherwise slivers remain along coincident parts of the two.
   const Regions gained = subtract(with_others, reached(layer.allowed, tol_.uncut / 2), tol_);
   if (gained.empty()) return std::nullopt;
   return intersect(wide, dilate(gained, around, tol_), tol_);

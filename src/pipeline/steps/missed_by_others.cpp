@@ -9,14 +9,14 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// mm. What is taken to be reached stays this far inside of what is; what is narrower than twice the second is left out, more
-/// than the strip that the first leaves along walls.
+/// mm. The area assumed as reached is smaller by the first value than the real one; rests narrower than twice the
+/// second are left out: more than the strip left along walls by the first.
 constexpr double kSpare = 0.002;
 constexpr double kSliver = 0.004;
-/// mm. How far what is planned for a rest reaches over what is cut already.
+/// mm. Overlap of the area planned for a rest with areas already cut.
 constexpr double kOverlap = 0.05;
 
-/// What a step's cutter clears of its own feature down to z: all of a hole that is made at once.
+/// The area of its own feature cleared by a step's cutter down to z: the whole hole for holes made at once.
 Regions reached_by(const Part& part, const Workingstep& step, double z, const Tolerances& tol) {
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);

@@ -1,4 +1,4 @@
-// What other features were to take of a layer, and could not.
+// Parts of a layer that other features were to remove, but could not.
 #pragma once
 
 #include "model/layer.h"
@@ -6,10 +6,10 @@
 
 namespace clearcut::pipeline {
 
-/// Of a layer over which nothing stands by the outlines of what was cut before: the part that none of the cutters of that
-/// work reached, as in narrow corners, and that the cutter of this workingstep reaches. Nothing where walls have draft. Slivers are
-/// left out. The layer is that of a feature closed all round. Cost: some offsets and booleans for each earlier workingstep that
-/// meets the layer.
+/// For a layer that, by the outlines of earlier work, is already clear: the part not reached by the cutters of that
+/// work, as in narrow corners, but within reach of this workingstep's cutter. Nothing for walls with draft. Slivers
+/// are left out. The layer must belong to a feature closed all round. Cost: some offsets and booleans for each
+/// earlier workingstep overlapping the layer.
 Regions missed_by_others(int workingstep, const Layer& layer, const ResolvedPlan& plan);
 
 }  // namespace clearcut::pipeline

@@ -19,21 +19,21 @@ namespace {
 
 constexpr double kShare = 0.02;   // of the feature's area
 constexpr double kCorners = 1.0;  // mm2
-/// Of the feature's area: where no more is reached, it is not what was asked for, however small it is.
+/// Share of the feature's area: if no more is reached, the result is not as requested, however small the feature is.
 constexpr double kMost = 0.5;
 constexpr double kSameArea = 1e-9;
-constexpr double kSaid = 0.005;  ///< mm2. Areas that differ by less read the same.
-constexpr int kHalvings = 10;    // of the range of diameters that is searched
+constexpr double kSaid = 0.005;  ///< mm2. Areas differing by less are printed equal.
+constexpr int kHalvings = 10;    // of the searched range of diameters
 /// mm. Smaller cutters are not proposed.
 constexpr double kSmallest = 0.1;
-/// mm within a piece's edge: where it is looked for.
+/// mm; distance inside a piece's edge of the point by which the piece is identified.
 constexpr double kInside = 1e-3;
 
 double allowed_to_stay(double area) {
   return std::min(kShare * area, kCorners);
 }
 
-/// What cutters of several diameters leave of one feature: one diagram of its area serves them all.
+/// The rest of one feature for cutters of several diameters, from one diagram of its area.
 class LeftByDiameter {
  public:
   LeftByDiameter(const Feature& feature, const Tolerances& tol)
@@ -42,8 +42,8 @@ class LeftByDiameter {
     closed_ = area(feature.allowed) - target_ <= kSameArea * target_;
   }
 
-  /// mm2. What a cutter reaches of a pocket closed all round lies in it: areas are enough, which outlines of thousands of
-  /// edges need no boolean for.
+  /// mm2. The area reached in a pocket closed all round is inside the pocket: comparing areas suffices, without
+  /// booleans of outlines with thousands of edges.
   double left(double diameter) const {
     const Regions centers = legal(diameter / 2);
     if (centers.empty()) return target_;
@@ -51,9 +51,9 @@ class LeftByDiameter {
     return closed_ ? target_ - area(reached) : area(subtract(feature_.target, reached, tol_));
   }
 
-  /// Whether more than `most` mm2 is sure to be left, found without what the cutter sweeps. The area within r of the legal centres is
-  /// at most A + r L + pi r2 (pieces - islands) for their area A and rim L (Steiner): it is all of that where no two stretches of the
-  /// rim reach the same place.
+  /// Whether certainly more than `most` mm2 is left, without computing the swept area. The area within r of the legal
+  /// centres is at most A + r L + pi r2 (pieces - islands) for their area A and rim L (Steiner): it equals this if no
+  /// two stretches of the rim reach the same place.
   bool surely_leaves_more_than(double most, double diameter) const {
     if (!closed_) return left(diameter) > most;
     const double r = diameter / 2;
@@ -82,7 +82,7 @@ class LeftByDiameter {
   std::vector<Clearance> allowed_;
 };
 
-/// mm, in whole hundredths; the largest diameter below `below` for which `suffices` holds, 0 when none does.
+/// mm, in whole hundredths; the largest diameter below `below` for which `suffices` is true, 0 if none.
 template <class Suffices>
 double largest_diameter(double below, Suffices suffices) {
   double low = kSmallest, high = below;
@@ -94,8 +94,8 @@ double largest_diameter(double below, Suffices suffices) {
   return std::floor(low * 100) / 100;
 }
 
-/// mm, in whole hundredths; the largest diameter up to `at_most` for which `suffices` holds, 0 when none does. It is sought near
-/// `at_most` first, in steps that double.
+/// mm, in whole hundredths; the largest diameter up to `at_most` for which `suffices` is true, 0 if none. The search
+/// starts near `at_most`, with doubling steps.
 template <class Suffices>
 double largest_hundredth(double at_most, Suffices suffices) {
   const auto hundredths = [](double diameter) { return static_cast<int>(std::lround(diameter * 100)); };
@@ -118,14 +118,14 @@ double largest_hundredth(double at_most, Suffices suffices) {
 double largest_that_reaches(const Feature& feature, double below, const Tolerances& tol) {
   const double may_stay = allowed_to_stay(area(feature.target));
   const LeftByDiameter leaves(feature, tol);
-  // A bound finds the diameter; where it really leaves no more, no larger one does either.
+  // A bound gives the diameter; if this diameter really leaves no more, the search can end, since no larger one does.
   const double at_most =
       largest_diameter(below, [&](double d) { return !leaves.surely_leaves_more_than(may_stay, d); });
   if (at_most == 0) return 0;
   return largest_hundredth(at_most, [&](double d) { return leaves.left(d) <= may_stay; });
 }
 
-/// That no cutter fits into a feature is a condition, which somebody may accept, and no fault of the program.
+/// A feature into which no cutter fits is a condition that the user may accept, and no fault of the program.
 void withdraw_fault(FeatureFindings& found, Findings& findings) {
   const auto is_its = [&](const Fault& fault) {
     return fault.kind == FaultKind::kNothingCut && fault.feature == found.name;
@@ -145,7 +145,7 @@ std::vector<Vec2> points_in(const Regions& pieces) {
   return points;
 }
 
-/// The smallest of the loops about a point; null where there is none.
+/// The smallest of the loops around a point; null if there is none.
 const Loop* innermost_about(Vec2 point, const std::vector<std::pair<Box, const Loop*>>& loops) {
   const Loop* best = nullptr;
   for (const auto& [box, loop] : loops) {
@@ -155,7 +155,7 @@ const Loop* innermost_about(Vec2 point, const std::vector<std::pair<Box, const L
   return best;
 }
 
-/// How many groups of pieces a cutter can part: those that stand within one island of what it sweeps hang together.
+/// Number of groups of pieces that a cutter can separate: pieces within one island of its swept area stay joined.
 std::size_t parted_by(const Feature& feature, const std::vector<Vec2>& pieces, double diameter,
                       const Tolerances& tol) {
   const Regions swept = resolve::swept(feature.allowed, diameter / 2, 0, 0, tol);
@@ -173,7 +173,7 @@ double largest_that_parts(const Feature& feature, const std::vector<Vec2>& piece
       below, [&](double diameter) { return parted_by(feature, pieces, diameter, tol) == pieces.size(); });
 }
 
-/// That pieces to be isolated stay joined, if they do: a short circuit, however small the area is.
+/// The condition for pieces to be isolated that stay joined: a short circuit, however small the area is.
 std::optional<Condition> not_parted(const Feature& feature, const FeatureFindings& found,
                                     const Tolerances& tol) {
   const std::vector<Vec2> pieces =
@@ -206,7 +206,8 @@ const Feature* above_tabs(const Feature& feature, const Part& part) {
   return nullptr;
 }
 
-/// Whether as much is out of reach in the layers above the tabs: what stays in corners does so in all layers and is said once.
+/// Whether an equal area is out of reach in the layers above the tabs: material in corners remains in all layers and
+/// is reported once.
 bool is_said_above_tabs(const FeatureFindings& found, const Part& part, const Findings& findings) {
   const Feature* above = above_tabs(feature_of(part, found), part);
   return above &&
@@ -216,7 +217,8 @@ bool is_said_above_tabs(const FeatureFindings& found, const Part& part, const Fi
          });
 }
 
-/// What the end of a tool leaves along walls or on the floor that a flat end mill as wide reaches; "" where it is flat itself.
+/// Description of a tool end that leaves material along walls or on the floor within reach of an equally wide flat
+/// end mill; "" for a flat end.
 std::string end_that_leaves(const Part& part, const Feature& feature, const FeatureFindings& found,
                             const Tolerances& tol) {
   const Tool& tool = tool_of(part, part.workplan[static_cast<std::size_t>(found.workingstep)]);
@@ -230,15 +232,15 @@ std::string end_that_leaves(const Part& part, const Feature& feature, const Feat
          (left <= allowed_to_stay(area(feature.target)) ? "none" : trimmed(left, 2) + " mm2");
 }
 
-/// mm2 out of reach of a feature whose floor is to meet its walls in a fillet: the rounded corner of a cutter leaves nothing there that
-/// should go.
+/// mm2 out of reach in a feature with a fillet between floor and walls: material left by the cutter's rounded corner
+/// belongs to the fillet.
 double left_beside_fillet(const Feature& feature, const FeatureFindings& found, const Tolerances& tol) {
   // A ball as wide as its hole fits, too.
   const Regions swept = resolve::swept(feature.allowed, found.tool_diameter / 2 - tol.fit, 0, tol.fit, tol);
   return std::min(found.figures.unreachable_mm2, area(subtract(feature.target, swept, tol)));
 }
 
-/// What its reader doubts.
+/// Doubts of the part's reader.
 std::vector<Condition> doubts(const Part& part) {
   std::vector<Condition> conditions;
   for (const Diagnostic& one : part.diagnostics.items())
@@ -246,7 +248,7 @@ std::vector<Condition> doubts(const Part& part) {
   return conditions;
 }
 
-/// The widest mill at hand that is narrower than those which work on the feature; null where there is none.
+/// The widest available mill narrower than those used on the feature; null if there is none.
 const Tool* narrower_mill(const Part& part, const FeatureFindings& found) {
   const int feature = part.workplan[static_cast<std::size_t>(found.workingstep)].feature;
   double least = found.tool_diameter;
@@ -260,14 +262,14 @@ const Tool* narrower_mill(const Part& part, const FeatureFindings& found) {
   return widest;
 }
 
-/// Whether the feature cuts the part itself out of the stated stock and leaves nothing that holds it.
+/// Whether the feature cuts the part itself out of the stated stock and leaves nothing to hold it.
 bool frees_unheld(const Feature& feature, const Part& part) {
   if (!feature.profile || !feature.profile->closed || !feature.profile->tabs.empty() || !part.stock)
     return false;
   return feature.floor_z <= part.stock->z_bottom + kSamePlaceMm && resolve::frees_part(feature, part);
 }
 
-/// One condition for all profiles that cut a part free.
+/// One condition for all profiles freeing a part.
 std::optional<Condition> loose_part(const Part& part) {
   std::string first;
   int count = 0;
@@ -284,7 +286,8 @@ std::optional<Condition> loose_part(const Part& part) {
       0, ""};
 }
 
-/// A round hole that no tool at hand makes: drills and what else only goes down make holes of their own width alone.
+/// A round hole without a suitable tool: drills and other tools with vertical moves only make holes of their own
+/// width.
 struct UnmadeHole {
   double diameter = 0;
   const Tool* tool = nullptr;
@@ -292,12 +295,12 @@ struct UnmadeHole {
   int count = 0;
 };
 
-/// By their diameters, with the tools that come nearest.
+/// Unmade holes by diameter, with the nearest tools.
 class UnmadeHoles {
  public:
   UnmadeHoles(const Part& part, const Tolerances& tol) : part_(part), tol_(tol) {}
 
-  /// Whether the feature is such a hole, which is taken note of.
+  /// Adds the feature if it is such a hole; returns whether it is.
   bool add(const FeatureFindings& found) {
     const Workingstep& step = part_.workplan[static_cast<std::size_t>(found.workingstep)];
     const Tool& tool = tool_of(part_, step);
@@ -347,7 +350,7 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
     if (feature.kind == FeatureKind::kIsolation) {
       if (auto joined = not_parted(feature, found, tol)) conditions.push_back(std::move(*joined));
     }
-    // Tabs are no part of what a share is taken of.
+    // Tabs do not count in the area of which the share is computed.
     const Feature* above = above_tabs(feature, part);
     const double whole = area(above ? above->target : feature.target);
     const double left =
@@ -356,7 +359,8 @@ std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, 
     std::string text = feature.name + ": " + trimmed(left, 2) + " of " + trimmed(whole, 2) +
                        " mm2 are out of the reach of T" + std::to_string(found.tool_number) + " (" +
                        trimmed(found.tool_diameter, 3) + " mm)";
-    // The area of a profile depends on its cutter, that of drafted walls on the depth; of pieces it matters whether they are parted.
+    // The area of a profile depends on its cutter, that of drafted walls on the depth; for isolated pieces only their
+    // separation matters.
     if (!feature.profile && feature.kind != FeatureKind::kIsolation && feature.wall_slope.radians() == 0) {
       const std::string end = end_that_leaves(part, feature, found, tol);
       const double fits = largest_that_reaches(feature, found.tool_diameter, tol);

@@ -1,4 +1,4 @@
-// What the cutters that were chosen cannot reach, as a condition that somebody has to accept.
+// Areas out of reach of the chosen cutters, as a condition that the user must accept.
 #pragma once
 
 #include <vector>
@@ -11,15 +11,16 @@
 
 namespace clearcut::pipeline {
 
-/// One condition "out-of-reach" for each feature of which no position of its cutters reaches more than 2 %, or more than 1
-/// mm2, with the largest cutter that would leave less. Open where it is more than both, or more than half of the feature; else
-/// met by being little: corners rounded by the cutter are what everybody expects. And one condition "not-parted" for each
-/// isolation whose pieces stay joined where gaps are narrower than the cutter. Cost O(1) insets of each such feature.
+/// One condition "out-of-reach" for each feature with more than 2 % or more than 1 mm2 out of reach of its cutters,
+/// naming the largest cutter that would leave less. The condition is open if the area is more than both, or more than
+/// half of the feature; else it is met because the area is small: corners rounded by the cutter are normal. And one
+/// condition "not-parted" for each isolation with pieces that stay joined because gaps are narrower than the cutter.
+/// Cost O(1) insets of each such feature.
 std::vector<Condition> out_of_reach(const Part& part, const Findings& findings, const Tolerances& tol);
 
-/// Adds these conditions and those of the plan to the findings: the part is not all that was asked for until they are met or
-/// accepted. They take the place of the faults that nothing is cut where no cutter fits; what is not machined for other
-/// reasons is added after them.
+/// Adds these conditions and those of the plan to the findings: the part is not as requested until they are met or
+/// accepted. For features into which no cutter fits they replace the faults on uncut features; features not machined
+/// for other reasons are added after them.
 void add_conditions_of_part(const Part& part, const ResolvedPlan& plan, Findings& findings);
 
 }  // namespace clearcut::pipeline

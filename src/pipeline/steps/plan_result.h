@@ -1,4 +1,4 @@
-// What planning gives: the program, and all that was found out about it.
+// Result of planning: the program, and all findings about it.
 #pragma once
 
 #include <optional>
@@ -20,13 +20,13 @@ struct PlanResult {
   Part part;             ///< as prepared: every default filled in, everything noticed in its diagnostics
   std::string program;   ///< text for the controller
   Toolpath toolpath;     ///< read back from `program`
-  Toolpath planned;      ///< before it was printed
-  Findings findings;     ///< of `toolpath`, with the conditions under which the control moves so
-  ControlTable control;  ///< what the control holds at each move of `toolpath`
+  Toolpath planned;      ///< toolpath before printing
+  Findings findings;     ///< findings on `toolpath`, with the conditions for these motions of the control
+  ControlTable control;  ///< state of the control at each move of `toolpath`
   std::vector<report::ContourLevels> contours;  ///< of each section planned by contours
-  std::vector<ResolvedValue> values;            ///< every value that was decided, with its origin
+  std::vector<ResolvedValue> values;            ///< every decided value, with its origin
   std::vector<StrategySelection> selections;    ///< strategies of each workingstep
-  std::optional<Toolpath> earlier;              ///< what was cut before
+  std::optional<Toolpath> earlier;              ///< earlier cuts
   std::optional<Margin> margin;                 ///< absent: not asked
 };
 

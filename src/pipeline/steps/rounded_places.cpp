@@ -9,7 +9,7 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// mm. Roundness of what is read back.
+/// mm. Rounding of coordinates read back.
 constexpr double kSlack = 1e-5;
 
 constexpr double kMicrometres = 1000;  // per mm

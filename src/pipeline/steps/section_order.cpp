@@ -15,10 +15,10 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// Seconds of one core that the search plans for, and its rounds: no clock, so that programs repeat.
+/// Seconds of one core planned for the search, and its rounds: no clock, so that programs repeat.
 constexpr double kEffort = 0.005;
 constexpr long long kRounds = 3;
-/// Sections that the search for few tool changes keeps in mind at once, in all its states.
+/// Greatest number of sections stored in all states of the search for few tool changes.
 constexpr std::size_t kMostLooks = 200'000;
 
 using Indices = std::vector<std::size_t>;
@@ -41,12 +41,12 @@ Box swept_box(const Section& section, const Part& part) {
   return swept.grown(tool_of(part, part.workplan[static_cast<std::size_t>(section.workingstep)]).radius());
 }
 
-/// The sections that each section has to wait for.
+/// The sections required before each section.
 std::vector<Indices> predecessors(const std::vector<Section>& sections, const Part& part) {
   std::vector<Box> boxes;
   for (const Section& section : sections) boxes.push_back(swept_box(section, part));
   std::vector<Indices> before(sections.size());
-  // What may come free is cut last, inner cut-outs before outer ones as the workplan has them.
+  // Cut-outs that may free a piece come last, inner ones before outer ones in the order of the workplan.
   const auto frees = [&](std::size_t i) {
     const int index = part.workplan[static_cast<std::size_t>(sections[i].workingstep)].feature;
     if (index >= static_cast<int>(part.features.size())) return false;
@@ -67,7 +67,8 @@ class ToolTurns {
   ToolTurns(const std::vector<Section>& sections, const std::vector<Indices>& before)
       : sections_(sections), before_(before) {}
 
-  /// As few turns as the search finds; the tool in the spindle as long as anything can be cut with it where that is as few.
+  /// The least number of turns found by the search; if greedy use of the tool in the spindle needs no more, the
+  /// greedy order.
   std::vector<Indices> fewest() const {
     std::vector<Indices> turns = in_the_order_given();
     std::set<int> tools;
@@ -78,7 +79,7 @@ class ToolTurns {
   }
 
  private:
-  /// What is cut already, and how.
+  /// Sections already cut, and their turns.
   struct State {
     std::vector<char> done;
     std::vector<Indices> turns;
@@ -91,10 +92,11 @@ class ToolTurns {
            std::all_of(before_[i].begin(), before_[i].end(), [&](std::size_t j) { return state.done[j]; });
   }
 
-  /// Adds a turn of all that can be cut with the tool of `first`, which is ready, and of what waits for that alone.
+  /// Adds a turn of all sections ready for the tool of `first`, and of sections waiting only for these; `first` must
+  /// be ready.
   void add_turn(std::size_t first, State& state) const {
     Indices turn;
-    // What waits for a section comes after it in the list, so one look at each is enough.
+    // Sections waiting for another one come later in the list, so one test of each is enough.
     for (std::size_t i = first; i < sections_.size(); ++i) {
       if (sections_[i].tool_number != sections_[first].tool_number || !is_ready(i, state)) continue;
       state.done[i] = 1;
@@ -116,7 +118,7 @@ class ToolTurns {
     return state.turns;
   }
 
-  /// The first section of each tool that can be cut next.
+  /// The first ready section of each tool.
   Indices choices(const State& state) const {
     Indices firsts;
     std::set<int> tools;
@@ -129,8 +131,8 @@ class ToolTurns {
     return firsts;
   }
 
-  /// Turn by turn with every tool that may come next: to cut all that it can is never worse. Nothing where `most` turns are
-  /// no more than the search finds, or where there are too many ways.
+  /// Turn by turn with every possible next tool: cutting everything possible with a tool is never worse. Nothing if
+  /// the search finds no fewer than `most` turns, or if there are too many possibilities.
   std::optional<std::vector<Indices>> search(std::size_t most) const {
     std::vector<State> states{nothing_done()};
     for (std::size_t count = 1; count < most; ++count) {
@@ -201,7 +203,8 @@ Indices shorter(const Indices& turn, const std::vector<Section>& sections, const
   return rapids(ordered, sections, at) < rapids(turn, sections, at) ? ordered : turn;
 }
 
-/// What the section does besides its place, where it goes straight down and up at one place, as a cycle does; else "".
+/// Text of the section's moves without their place, if it only moves straight down and up at one place, like a cycle;
+/// else "".
 std::string cycle_of(const Section& section) {
   std::string text;
   for (const Move& move : section.moves) {
@@ -212,8 +215,8 @@ std::string cycle_of(const Section& section) {
   return text + fmt::format("{} {}", section.spindle_rpm, static_cast<int>(section.coolant));
 }
 
-/// The turn in groups of holes alike, in the order of their first ones; all else is one group. The whole turn where a section has to
-/// wait for one of another group.
+/// The turn in groups of holes alike, in the order of their first ones; all other sections are one group. The whole
+/// turn if a section must wait for one of another group.
 std::vector<Indices> alike(const Indices& turn, const std::vector<Section>& sections,
                            const std::vector<Indices>& before) {
   std::vector<std::string> keys;

@@ -9,7 +9,7 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// The feed of a move that states none.
+/// The feed of a move without a stated one.
 MmPerMin usual_feed(MoveKind kind, const link::LinkOptions& link) {
   switch (kind) {
     case MoveKind::kRapid:
@@ -32,7 +32,7 @@ MmPerMin usual_feed(MoveKind kind, const link::LinkOptions& link) {
 /// Writes the moves of one path with the lifts between them.
 class StatedMoves {
  public:
-  /// `top_z`: of all that stands.
+  /// `top_z`: top of all remaining material.
   StatedMoves(const StatedMove& first, double top_z, const link::LinkOptions& link)
       : link_(link), top_z_(top_z), moves_(first.path.from, std::max(link.safe_z, first.z_from)) {}
 

@@ -1,4 +1,4 @@
-// Workingsteps whose input states the way of the cutter.
+// Workingsteps with a stated path of the cutter.
 #pragma once
 
 #include <optional>
@@ -7,9 +7,10 @@
 
 namespace clearcut::pipeline {
 
-/// The section of a workingstep that is cut by a stated path; nothing for any other. The moves stand as stated. Where one does not begin
-/// at the end of the one before, and before the first and after the last, the cutter goes over all that stands: down again by a rapid to
-/// where rapids cross and from there at the plunge feed. The section has no moves where the path of an earlier workingstep also makes this one.
+/// The section of a workingstep with a stated path; nothing for any other. The moves are as stated. If a move does
+/// not begin at the end of the previous one, and before the first and after the last, the cutter moves above all
+/// remaining material: down again by a rapid to the height of crossing rapids and from there at the plunge feed. The
+/// section has no moves if the path of an earlier workingstep also makes this one.
 std::optional<Section> stated_step(int workingstep, const ResolvedPlan& plan);
 
 }  // namespace clearcut::pipeline

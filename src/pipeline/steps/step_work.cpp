@@ -26,13 +26,13 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// mm. What the digits of a controller may move a pass beyond half of the smallest gouge that counts.
+/// mm. Displacement of a pass by the digits of a controller in excess of half of the smallest gouge.
 double printing_reserve(double rounding, const ResolvedPlan& plan) {
   return std::max(0.0, rounding - plan.tol.gouge / 2);
 }
 
-/// Whether rapids may come down through the feature after it is cut: to another one under it, or between drafted
-/// walls to layers that begin elsewhere.
+/// Whether rapids may descend through the finished feature: to another one below, or between drafted
+/// walls to layers beginning elsewhere.
 bool is_bare(const Part& part, const Feature& feature) {
   if (feature.wall_slope.radians() != 0) return true;
   const Box here = box(feature.target);
@@ -41,14 +41,15 @@ bool is_bare(const Part& part, const Feature& feature) {
   });
 }
 
-/// What is cut of an open feature: as much beyond its edges as is asked for, walls excepted.
+/// The area cut for an open feature: with the requested overrun beyond its edges, except at walls.
 Regions overrun(const Regions& target, const Regions& allowed, const ResolvedPlan& plan) {
   const double beyond = plan.overrun;
   if (beyond <= 0 || target.empty()) return target;
   return intersect(dilate(target, beyond, plan.tol), allowed, plan.tol);
 }
 
-/// Of a layer over which nothing stands by design: what others have missed, with the room that they leave to reach it.
+/// Reduces a layer that is clear by design to the material missed by other features, with the room left by them for
+/// reaching it.
 void keep_what_others_missed(Layer& layer, int index, MeetingPockets& met, const ResolvedPlan& plan) {
   Layer wide = layer;
   if (!met.empty()) met.widen(wide);
@@ -57,27 +58,29 @@ void keep_what_others_missed(Layer& layer, int index, MeetingPockets& met, const
   if (!layer.target.empty()) layer.allowed = wide.allowed;
 }
 
-/// The layers of one workingstep over which something still stands. Open features cut only that, and pockets of which
-/// nothing but stock of earlier work is left; in others the walls bound every pass, so the whole layer is cut.
+/// The layers of one workingstep with material left. Open features, and pockets with only stock of earlier work left,
+/// cut only this material; in other features the walls bound every pass, so the whole layer is cut.
 std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
   const Part& part = plan.part;
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
   const auto& feature = feature_of(part, step);
   Operation operation = step.operation;
   const double reserve = printing_reserve(post::rounding_of(plan.post), plan);
-  // A cutter that may be off its path clears for certain what a narrower one clears, which keeps that much more off the walls.
+  // A cutter that may be off its path certainly clears the area of a narrower one, with a correspondingly greater
+  // distance from the walls.
   const double off = plan.margin ? plan.margin->at_least : 0, spared = plan.margin ? plan.margin->stock() : 0;
   const double narrower = std::min(off, tool_of(part, step).radius() / 4);
   operation.allowance_side += std::max(reserve, spared) + narrower;
   operation.allowance_floor += std::max(printing_reserve(post::rounding_of_heights(plan.post), plan), spared);
   const Tool& tool = tool_of(part, step);
   MeetingPockets met(part, index, plan.tol);
-  // Where layers are widened by pockets of other depths, passes of one begin elsewhere than those of the layer above.
+  // If layers are widened by pockets of other depths, the passes of a layer begin at other places than those of the
+  // layer above.
   const bool bare = is_bare(part, feature) || !met.empty();
   const auto holes = features::holes_before(part, index, plan.tol);
   const features::Standing standing(part, index, plan.tol);
-  // Upright walls, of other pockets or of what stands above, it has to keep off by its whole radius.
-  // Beside the layers of another step its own have to lie as that expects of a flat end.
+  // The cutter must keep its whole radius from vertical walls of other pockets or of material above. Beside the
+  // layers of another step, its own layers must be placed as that step expects of a flat end.
   const auto steps = std::count_if(part.workplan.begin(), part.workplan.end(),
                                    [&](const Workingstep& other) { return other.feature == step.feature; });
   const bool leans_alone = met.empty() && feature.top_z >= part.top_z() && steps == 1;
@@ -89,7 +92,7 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
     layer.holes = holes;
     if (part.stock) layer.stock = part.stock->plan;
     Regions stands = standing.above(layer.z);
-    // It stands in the outline at the top: between drafted walls there is less.
+    // The material is bounded by the outline at the top: between drafted walls there is less.
     if (feature.wall_slope.radians() != 0) stands = intersect(stands, layer.allowed, plan.tol);
     if (stands.empty() && closed_all_round(feature)) {
       keep_what_others_missed(layer, index, met, plan);
@@ -112,11 +115,11 @@ bool finishes(const Operation& operation) {
          operation.kind == OperationKind::kBottomFinishing;
 }
 
-/// mm. Most stock that one pass along the walls finishes, of the cutter's diameter.
+/// mm. Greatest stock finished by one pass along the walls, as a share of the cutter's diameter.
 constexpr double kThinStock = 0.5;
 
-/// What one pass along its walls finishes: thin stock in a pocket closed all round, above the floor or at a floor that is
-/// finished otherwise.
+/// Whether one pass along the walls finishes the step: thin stock in a pocket closed all round, above the floor or
+/// with a floor finished by another step.
 bool is_wall_finishing(const Workingstep& step, const Feature& feature, const Regions& left, bool last,
                        const Layer& layer, const Tolerances& tol) {
   if (!closed_all_round(feature) || !finishes(step.operation)) return false;
@@ -124,13 +127,13 @@ bool is_wall_finishing(const Workingstep& step, const Feature& feature, const Re
   return !resolve::is_thicker_than(left, 2 * kThinStock * layer.tool_radius, tol);
 }
 
-/// Where earlier steps of a feature were bounded that runs into other pockets: those are open down to their floors, and the
-/// layers of a step with a wider cutter may all lie below.
+/// Boundaries of earlier steps of a feature that overlaps other pockets: those are open down to their floors, and the
+/// layers of a step with a wider cutter may all be below.
 class RoomOfEarlierSteps {
  public:
   explicit RoomOfEarlierSteps(const ResolvedPlan& plan) : plan_(plan) {}
 
-  /// What bounded the highest layer of `step` at z or below.
+  /// The boundary of the highest layer of `step` at z or below.
   std::optional<Regions> operator()(int step, double z) {
     const auto [known, added] = layers_.try_emplace(step);
     if (added) known->second = standing_layers(step, plan_);
@@ -144,8 +147,8 @@ class RoomOfEarlierSteps {
   std::map<int, std::vector<Layer>> layers_;  ///< from the top down
 };
 
-/// The layers with what earlier steps of the feature or an earlier program have left of them, where the step is to cut
-/// that alone: rest machining and finishing.
+/// The layers with the material left by earlier steps of the feature or an earlier program, if the step cuts only
+/// this: rest machining and finishing.
 std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, const ResolvedPlan& plan) {
   const Part& part = plan.part;
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
@@ -175,13 +178,14 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
   return out;
 }
 
-/// mm. Walls of features above that are no farther from one's own may stand in a rapid's way by rounding alone.
+/// mm. Walls of features above no farther than this from the feature's own walls may block a rapid only because of
+/// rounding.
 constexpr double kFlush = 0.03;
 
-/// Top of the features above that do not reach beyond the walls of this one all round.
+/// Top of the features above that do not extend beyond this one's walls all round.
 std::optional<double> top_of_flush_walls(const Part& part, const Feature& feature, const Tolerances& tol) {
   std::optional<double> top;
-  std::optional<Regions> around;  // made for the first that asks: few features lie under others
+  std::optional<Regions> around;  // made at the first use: few features are below others
   for (const Feature& other : part.features) {
     const bool above = &other != &feature && other.floor_z > feature.floor_z && other.top_z > feature.top_z;
     if (!above || are_apart(other.target, feature.target, 2 * tol.chord)) continue;
@@ -201,7 +205,7 @@ bool meets_others(const Part& part, const Feature& feature) {
   });
 }
 
-/// Whether all that was cut before was cut in earlier set-ups.
+/// Whether all earlier cuts were made in earlier set-ups.
 bool is_carried_alone(const Toolpath& earlier) {
   return std::all_of(earlier.sections.begin(), earlier.sections.end(),
                      [](const Section& section) { return section.carried_below.has_value(); });
@@ -223,7 +227,7 @@ StepWork step_work(int index, const ResolvedPlan& plan) {
   work.hole = hole_step(standing, index, plan);
   work.layers = layers_left(standing, index, plan);
   work.done_before = plan.earlier && !standing.empty() && work.layers.empty();
-  // A hole that an earlier set-up drilled is not drilled again.
+  // A hole drilled in an earlier set-up is not drilled again.
   if (work.done_before && is_carried_alone(*plan.earlier)) work.hole.reset();
   return work;
 }

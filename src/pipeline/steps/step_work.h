@@ -1,4 +1,4 @@
-// What is to be done in each workingstep: found once, however many strategies are tried on it.
+// The work of each workingstep: computed once for all tried strategies.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace clearcut::pipeline {
 
-/// A layer as it is to be planned.
+/// A layer to be planned.
 struct LayerLeft {
   Layer layer;
   bool walls_only = false;
@@ -20,13 +20,14 @@ struct LayerLeft {
 /// One workingstep, ready for any strategy.
 struct StepWork {
   int workingstep = 0;
-  std::vector<LayerLeft> layers;  ///< over which something still stands, from the top down
-  std::optional<Section>
-      hole;  ///< where it is made as a round hole, carved, or by a stated path, whatever the strategy
-  std::optional<double> wall_top;  ///< height of walls above that stand as near as its own
-  /// Other features lie in its area: they may take what is left here, and then the finished part shows nothing of it.
+  std::vector<LayerLeft> layers;  ///< layers with material left, from the top down
+  /// Section of a round hole, a carving, or a stated path, independent of the strategy.
+  std::optional<Section> hole;
+  std::optional<double> wall_top;  ///< height of walls above that are as near as its own walls
+  /// Other features are in its area: they may remove material left here, and the finished part then shows nothing of
+  /// it.
   bool meets_others = false;
-  bool done_before = false;  ///< an earlier program has left nothing that is worth a cut
+  bool done_before = false;  ///< an earlier program has left no material worth a cut
 };
 
 /// The work of every workingstep, in the order of the workplan. Cost O(layers) booleans a step.

@@ -50,7 +50,7 @@ std::optional<Stock> box_of_cuts(const Toolpath& toolpath, const std::vector<Too
 const Move* work_above(const Toolpath& toolpath, double top) {
   const Move* highest = nullptr;
   double crossing = top;   // height of the highest rapid across so far
-  bool came_down = false;  // to the present height, and not up to it
+  bool came_down = false;  // the tool came down to the current height, not up
   for (const Section& section : toolpath.sections) {
     for (const Move& move : section.moves) {
       const bool across = !move.is_vertical(), feeds = !is_rapid(move.kind);

@@ -1,4 +1,4 @@
-// What a program says by its own moves, where nobody has stated a part: the stock it may be for, and what is open with it.
+// Conclusions from the moves of a program without a stated part: its possible stock, and the open conditions.
 #pragma once
 
 #include <optional>
@@ -13,26 +13,27 @@
 
 namespace clearcut::pipeline {
 
-/// The box of what feed moves sweep below `top`, mm; nothing if none goes below. Tools that are not among `tools` count by their
-/// centres.
+/// The box swept by feed moves below `top`, mm; nothing if none goes below. Unknown tools count by their centres.
 std::optional<Stock> box_of_cuts(const Toolpath& toolpath, const std::vector<Tool>& tools, double top);
 
-/// The highest move along which the tool works above `top`, mm: a feed move across at a height to which the tool was fed down, or went
-/// down to at the rapid from where it crosses. Ways across at the feed, from where the tool rose to that height, are none. Null: nothing
-/// works up there.
+/// The highest move with the tool working above `top`, mm: a lateral feed move at a height to which the tool
+/// descended at the feed, or at the rapid from its crossing height. Lateral feed moves at a height to which the tool
+/// has risen do not count. Null: there is none.
 const Move* work_above(const Toolpath& toolpath, double top);
 
-/// That this box was taken for the stock.
+/// The condition that this box was assumed as the stock.
 Condition stock_taken(const Stock& stock);
 
-/// That what the stock lies on may be cut as deep as the program feeds below it; nothing if it does not.
+/// The condition that the support below the stock may be cut as deep as the program feeds below the stock; nothing if
+/// the program does not go below.
 std::optional<Condition> below_stock(const Toolpath& toolpath, const Stock& stock);
 
-/// That arcs whose words give two radii run as they were read; nothing if no two differ by more than `tol.uncut`.
+/// The condition that arcs with two different radii run as they were read; nothing if no radii differ by more than
+/// `tol.uncut`.
 std::optional<Condition> doubtful_arcs(const Toolpath& toolpath, const ControlTable& control,
                                        const Tolerances& tol);
 
-/// That the stock lies where nothing of it is cut; nothing if something is.
+/// The condition that the stock is out of reach of all cuts; nothing if some of it is cut.
 std::optional<Condition> cuts_nothing(const Findings& findings);
 
 }  // namespace clearcut::pipeline

@@ -19,7 +19,7 @@ std::optional<Section> t_slot_step(int workingstep, const ResolvedPlan& plan) {
     const Path back = reversed(way);
     way.insert(way.end(), back.begin(), back.end());
   }
-  // Coarse digits put the tip no lower than half of what counts as a gouge.
+  // Coarse digits put the tip no lower than half of the smallest gouge.
   const double z = feature.floor_z + std::max(0.0, post::rounding_of_heights(plan.post) - plan.tol.gouge / 2);
   Track track;
   for (const Edge& edge : way) track.pieces.push_back({edge, z, z});

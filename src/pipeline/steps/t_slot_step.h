@@ -8,8 +8,8 @@
 
 namespace clearcut::pipeline {
 
-/// The disc goes down where its line begins, runs along it at one height, and comes up where it can: at the end, or back at the
-/// beginning. Nothing for steps on other features.
+/// The disc descends at the beginning of its line, moves along the line at one height, and retracts at a free end: at
+/// the end, or back at the beginning. Nothing for steps on other features.
 std::optional<Section> t_slot_step(int workingstep, const ResolvedPlan& plan);
 
 }  // namespace clearcut::pipeline

@@ -5,7 +5,7 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// mm2; what the layers of a step are to clear.
+/// mm2; area to be cleared by the layers of a step.
 double area_of(const StepWork& work) {
   double all = 0;
   for (const auto& layer : work.layers) all += area(layer.layer.target);

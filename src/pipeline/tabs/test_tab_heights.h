@@ -1,4 +1,4 @@
-// What stands along a kerf, in heights that come from the text of the program alone; and outlines to try them on.
+// Material along a kerf, in heights computed only from the text of the program; and outlines for trying them.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct Stroke {
   bool rapid = false;
 };
 
-/// The words of one block that moves: modal positions, and the arc's centre from its start.
+/// The words of one block with motion: modal positions, and the arc's centre from its start.
 struct Words {
   int code = 0;
   double x = 0, y = 0, z = 0, i = 0, j = 0;
@@ -73,7 +73,7 @@ inline std::vector<Stroke> strokes_of(const std::string& program) {
   return strokes;
 }
 
-/// mm; how deep a flat cutter of radius r came over a place: the lowest point of what each stroke's cylinder covers.
+/// mm; depth of a flat cutter of radius r over a place: the lowest point over all strokes' cylinders.
 inline double depth_at(Vec2 p, double r, const std::vector<Stroke>& strokes) {
   double low = std::numeric_limits<double>::infinity();
   for (const Stroke& s : strokes) {
@@ -91,15 +91,15 @@ inline double depth_at(Vec2 p, double r, const std::vector<Stroke>& strokes) {
   return low;
 }
 
-/// A tab as it is found in the heights along one straight side.
+/// A tab found in the heights along one straight side.
 struct Hill {
   double middle = 0;  ///< mm along the whole outline
   double foot = 0;    ///< mm
   double top = 0;
-  double error = 0;  ///< mm; how far it is from a triangle at most
+  double error = 0;  ///< mm; greatest deviation from a triangle
 };
 
-/// Where hills are looked for, and between what.
+/// Range of heights in which hills are searched.
 struct Middle {
   double aside = 0;   ///< mm from the outline to the right: the kerf's middle
   double radius = 0;  ///< mm, of the cutter
@@ -107,7 +107,7 @@ struct Middle {
   double steepness = 0;  ///< of the sides of tabs; 0: they are upright
 };
 
-/// What stands along the middle of the kerf beside one side; `before`: mm of outline before the side.
+/// The material along the middle of the kerf beside one side; `before`: mm of outline before the side.
 inline std::vector<Hill> hills_beside(Vec2 from, Vec2 to, double before, const Middle& middle,
                                       const std::vector<Stroke>& strokes) {
   constexpr double kStep = 0.05;
@@ -130,7 +130,7 @@ inline std::vector<Hill> hills_beside(Vec2 from, Vec2 to, double before, const M
   for (double s = 0; s <= all; s += kStep) {
     const Vec2 p{from.x + way.x * s + out.x * middle.aside, from.y + way.y * s + out.y * middle.aside};
     const double z = depth_at(p, middle.radius, strokes);
-    // Beside corners that point outwards the cutter goes round: there it never came over the place.
+    // The cutter goes round outward corners: beside them it never covered the place.
     if (std::isfinite(z) && z > middle.floor + 0.012)
       run.emplace_back(s, z);
     else
@@ -157,7 +157,7 @@ inline std::string outline_of(const std::string& layer, const std::vector<Vec2>&
   return outline(layer, vertices);
 }
 
-/// mm of the outline before each corner, and all of it.
+/// mm of the outline before each corner, and its whole length.
 inline std::vector<double> starts_of(const std::vector<Vec2>& points) {
   std::vector<double> starts{0};
   for (std::size_t i = 0; i < points.size(); ++i)

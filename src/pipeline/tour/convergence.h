@@ -10,8 +10,8 @@
 
 namespace clearcut::pipeline {
 
-/// Keeps the values that are better than all before them, and hands each on. Of more than kMost every second one is kept, of twice
-/// as many every fourth, and so on, and always the first and the last.
+/// Keeps the values better than all earlier ones, and passes each on. Of more than kMost every second one is kept, of
+/// twice as many every fourth, and so on, and always the first and the last.
 class Convergence {
  public:
   static constexpr std::size_t kMost = 1000;
@@ -34,7 +34,7 @@ class Convergence {
   }
 
  private:
-  /// Even, so that a count of kEven strides is one of the next stride, too; the last value finds room beside them.
+  /// Even, so that a count of kEven strides is also one of the next stride; with room for the last value.
   static constexpr std::size_t kEven = kMost - 2;
 
   void leave_out_every_other() {

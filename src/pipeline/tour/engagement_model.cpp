@@ -144,7 +144,7 @@ class RasterEngagement final : public EngagementModel {
     });
     return static_cast<double>(in) / static_cast<double>(std::max<std::size_t>(leading_.size(), 1));
   }
-  /// Pixels of the disc that it does not cover one `step` before.
+  /// Pixels of the disc not covered one `step` before.
   std::vector<Pixel> front(Pixel step) const {
     std::vector<Pixel> pixels;
     for (const Span& span : spans_) {
@@ -173,13 +173,13 @@ class RasterEngagement final : public EngagementModel {
   Vec2 origin_;
   int columns_ = 0, rows_ = 0;
   std::vector<char> map_;
-  /// Steps by which clearing follows the cutter: at its sides the circle runs along the path for so many pixels,
-  /// which the step before would have cleared already.
+  /// Steps by which clearing follows the cutter: at its sides the circle is parallel to the path for this many
+  /// pixels, which the previous step would already have cleared.
   std::size_t lag_ = 0;
   std::vector<Pixel> circle_, leading_, trail_;
   std::vector<Span> spans_;
-  std::array<std::vector<Pixel>, 9> fronts_;  ///< by the step that the disc makes
-  Pixel cleared_at_;                          ///< where the disc was cleared last
+  std::array<std::vector<Pixel>, 9> fronts_;  ///< by the disc's step
+  Pixel cleared_at_;                          ///< place of the last cleared disc
   std::vector<std::size_t> cleared_;
 };
 
@@ -253,7 +253,7 @@ class Engagement final : public order::Objective {
 
 }  // namespace
 
-/// Legal ways are dear to ask for and come again and again.
+/// Legal paths are costly to compute and needed repeatedly.
 const std::vector<Vec2>& EngagementModel::bends(int a, int b) {
   const auto key = (static_cast<unsigned long long>(a) << 32U) | static_cast<unsigned>(b);
   const auto [known, is_new] = bends_.try_emplace(key);

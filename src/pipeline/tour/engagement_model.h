@@ -1,4 +1,4 @@
-// How hard the cutter is engaged along a way through points: the published raster model and the exact one.
+// Engagement of the cutter along a path through points: the published raster model and the exact one.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace clearcut::pipeline {
 
-/// What the models need to know about a tour.
+/// Input of the models for a tour.
 struct EngagementTask {
   std::vector<Vec2> points;
   plan::tour::PathFunction way;  ///< bends between two points; empty: straight
@@ -21,23 +21,23 @@ struct EngagementTask {
   double radius = 0;
 };
 
-/// Remembers what was cut by the last tour, so that one that begins alike is run from its first changed point.
+/// Stores the cuts of the last tour, so that a tour with the same beginning is run from its first changed point.
 class EngagementModel {
  public:
   explicit EngagementModel(EngagementTask task) : task_(std::move(task)) {}
   virtual ~EngagementModel() = default;
 
   /// The share of the cutter's leading half circle in material, 0 to 1: the mean over each move of the tour
-  /// (one less than points). Before the first move the cutter stands in a hole of its own size.
+  /// (one less than points). Before the first move the cutter is in a hole of its own size.
   const std::vector<double>& along(std::span<const int> tour);
   const EngagementTask& task() const { return task_; }
 
  protected:
-  /// Takes away what the cutter clears standing at p.
+  /// Removes the area cleared by the cutter at p.
   virtual void plunge(Vec2 p) = 0;
-  /// The mean over the straight pieces of one move, which is cut.
+  /// The mean over the straight pieces of one move; the move is then cut.
   virtual double cut(const std::vector<Vec2>& move) = 0;
-  /// How much was done so far, and the way back to it.
+  /// The current state, to which cuts can be undone.
   virtual std::size_t mark() const = 0;
   virtual void back_to(std::size_t mark) = 0;
 
@@ -52,7 +52,7 @@ class EngagementModel {
   std::vector<std::size_t> marks_;  ///< before the plunge, then before each move
 };
 
-/// Tour eq. 4.21: pixels of such a size that one of them is `accuracy` of the circle; Bresenham's circle is moved
+/// Tour eq. 4.21: pixels sized so that one of them is `accuracy` of the circle; Bresenham's circle is moved
 /// along Bresenham's lines over a ternary map. Departure: the leading half of the circle is counted, not the
 /// whole, so that a slot is 100 %.
 /// mm; side of a pixel of the raster model by eq. 4.21. `accuracy`: of the circle.
@@ -62,13 +62,14 @@ std::unique_ptr<EngagementModel> raster_engagement(EngagementTask task, double a
 /// The exact contact of stock/, at steps of an eighth of the radius.
 std::unique_ptr<EngagementModel> exact_engagement(EngagementTask task);
 
-/// What a move costs whose mean engagement differs by `deviation` from the target: |deviation| below it,
+/// Cost of a move with a mean engagement differing by `deviation` from the target: |deviation| below it,
 /// exp(5 deviation) - 1 above (Tour eq. 4.22 is lost in print; its words: deviation, punished exponentially
 /// above the target).
 double engagement_cost(double deviation);
 
-/// The reward of Tour eq. 4.22 as a cost: 1 / |deviation| below the target, counted from the largest that the raster model can
-/// tell and divided by it, so that the cost is 0 at the target and nears 1 far below; above the target as engagement_cost.
+/// The reward of Tour eq. 4.22 as a cost: 1 / |deviation| below the target, counted from the largest value
+/// distinguished by the raster model and divided by this value, so that the cost is 0 at the target and nears 1 far
+/// below; above the target as engagement_cost.
 double inverse_engagement_cost(double deviation);
 
 /// Sum of `cost` of the deviation over the moves. `make` gives a fresh model for the objective's points.

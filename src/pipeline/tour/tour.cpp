@@ -74,7 +74,7 @@ order::Solution solve_published(const order::Problem& problem, const order::Obje
   return order::solve_genetic(problem, objective, genetic);
 }
 
-/// mm between a point and its nearest: the median; 1 where there is none.
+/// mm between a point and its nearest: the median; 1 if there is none.
 double pitch_of(const order::Problem& problem) {
   if (problem.size() < 2) return 1;
   const auto near = order::nearest_neighbours(problem.points, 1);
@@ -86,10 +86,10 @@ double pitch_of(const order::Problem& problem) {
   return *middle > 0 ? *middle : 1;
 }
 
-/// Of the cutter, over which a block may reach: the raster has about eleven pixels to a radius.
+/// Greatest extent of a block in radii of the cutter: the raster has about eleven pixels per radius.
 constexpr double kMostRadii = 800;
 
-/// A cutter in a block that reaches a radius beyond the points, as if they were the centres of a rectangular pocket.
+/// A cutter in a block extending a radius beyond the points, as if they were the centres of a rectangular pocket.
 EngagementTask engagement_task(const order::Problem& problem, const TourOptions& options) {
   EngagementTask task;
   task.points = problem.points;

@@ -12,7 +12,7 @@
 
 namespace clearcut::pipeline {
 
-/// A value that is better than all before it.
+/// A value better than all earlier ones.
 struct TourSample {
   double seconds = 0;  ///< since the search began
   double best = 0;     ///< of the objective
@@ -29,11 +29,12 @@ struct TourOptions {
   std::optional<double> diameter;  ///< mm, of the cutter for engagement; default: two pitches of the points
   double engagement_percent = 50;  ///< wanted share of the leading half circle in material
   std::string solver = "modern";   ///< or "published": the text's genetic algorithm
-  order::GeneticOptions genetic;   ///< of the published solver; seed and time come from here above
+  /// Of the published solver; seed and time are taken from the members above.
+  order::GeneticOptions genetic;
   std::optional<int> genetic_neighbours;  ///< 0: all points; default 24
   std::stop_token cancel;  ///< asked to stop, the search ends with Cancelled within some milliseconds
-  std::function<void(const TourSample&)>
-      improved;  ///< told of each better value, by one thread at a time; may be empty
+  /// Called for each better value, by one thread at a time; may be empty.
+  std::function<void(const TourSample&)> improved;
 };
 
 struct TourResult {
@@ -44,9 +45,9 @@ struct TourResult {
   std::vector<TourSample> convergence = {};
 };
 
-/// `input` is a TSPLIB file or a lattice such as "10x10". Throws InputError.
+/// `input` is a TSPLIB file or a lattice, for example "10x10". Throws InputError.
 TourResult solve_tour(const std::string& input, const TourOptions& options);
-/// The same over points of one's own; options.closed is not looked at. Throws InputError for problems that contradict themselves.
+/// The same for given points; options.closed is ignored. Throws InputError for contradictory problems.
 TourResult solve_tour(const order::Problem& problem, const TourOptions& options);
 
 /// The fields of `tour --json`: objective, length, turns, angle_deg, bound, gap, time_s, seed, convergence (pairs of

@@ -15,7 +15,7 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// Seconds of one core for a population, and rounds, where nobody says how long to search.
+/// Seconds of one core for a population, and rounds, if no search time is stated.
 constexpr double kTourEffort = 0.1, kBriefEffort = 0.02;
 constexpr long long kTourRounds = 2;
 /// Tour 4.3.3: "1000 generations without any improvement".
@@ -62,7 +62,7 @@ class MachineTime final : public order::Objective {
   double lost_square_;  ///< in a corner of 90 degrees
 };
 
-/// What a search needs of the plan.
+/// Data of the plan used by a search.
 struct Search {
   Objective objective;
   std::optional<double> engagement_deg;

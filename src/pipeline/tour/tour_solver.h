@@ -17,19 +17,19 @@ using ObjectiveMaker = std::function<order::ObjectivePtr(ObjectiveKind kind)>;
 /// The quantity itself, or the weighted sum.
 order::ObjectivePtr objective_of(const Objective& objective, const ObjectiveMaker& make);
 
-/// Seconds on a machine that accelerates: length / feed, and at every corner what slowing down to the speed of
-/// the junction (Grbl's rule, see kinematic_time) and speeding up again loses. As exact as kinematic_time
-/// where moves are long enough to reach the feed, and priced from the few moves that an exchange touches.
+/// Seconds on a machine that accelerates: length / feed, and at every corner the loss from slowing down to the speed
+/// of the junction (Grbl's rule, see kinematic_time) and accelerating again. As exact as kinematic_time for moves
+/// long enough to reach the feed; an exchange is evaluated from the few moves it changes.
 order::ObjectivePtr machine_time_objective(const Machine& machine, MmPerMin feed);
 
-/// An open path through the points of a grid, along its legal ways.
+/// An open path through the points of a grid, along legal paths.
 order::Problem grid_problem(const plan::tour::TourTask& task);
 
 /// How the text's genetic algorithm is run.
 struct PublishedOrder {
   PublishedSolver solver;
   std::uint64_t seed = 1;
-  std::optional<double> seconds;  ///< at most; absent: as the solver says
+  std::optional<double> seconds;  ///< upper limit; absent: the solver's default
   std::stop_token cancel;
 };
 
@@ -37,8 +37,8 @@ struct PublishedOrder {
 order::GeneticResult published_order(const order::Problem& problem, const order::Objective& objective,
                                      const PublishedOrder& how);
 
-/// Orders grids by plan.objective. Without plan.search_s the same points give the same order, however
-/// busy the machine. `briefly`: with a fifth of the usual search, which is seldom felt in the order.
+/// Orders grids by plan.objective. Without plan.search_s the same points give the same order, at any load of the
+/// machine. `briefly`: with a fifth of the usual search, which seldom affects the order.
 plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, const ResolvedStep& step, bool briefly = false);
 
 }  // namespace clearcut::pipeline

@@ -1,5 +1,5 @@
-// Tiles the pocket until each tile is cut by one move or out of reach. Polygons are cycles of shared edges: an edge that is split is
-// split for both of its neighbours, so that all inner edges cancel whatever rounding does.
+// Tiles the pocket until each tile is cut by one move or out of reach. Polygons are cycles of shared edges: splitting
+// an edge splits it for both of its neighbours, so that all inner edges cancel regardless of rounding.
 #include "pipeline/witness/find_witness.h"
 
 #include <cmath>
@@ -14,7 +14,7 @@
 #include "base/elementary.h"
 #include "base/units.h"
 
-// Program and part are read by the very code that will check them, and moves and walls have the checker's numbers.
+// Program and part are read by the same code that will check them, and moves and walls have the checker's numbers.
 #define CLEARCUT_CHECK_WITHOUT_MAIN
 #include "checker/clearcut_check.cpp"
 #undef CLEARCUT_CHECK_WITHOUT_MAIN
@@ -29,10 +29,10 @@ using ccw::Points;
 using ccw::Text;
 
 constexpr double kSpare = 14;       // nm kept off every bound: neighbours insert corners into finished tiles
-constexpr double kLegalSpare = 8;   // nm, likewise for what is too near to a wall
-constexpr double kOnLine = 1.5;     // nm within which a corner counts as on a line that cuts
+constexpr double kLegalSpare = 8;   // nm, likewise for places too near to a wall
+constexpr double kOnLine = 1.5;     // nm within which a corner counts as on a cutting line
 constexpr int kMostWork = 300'000;  // pieces looked at and cuts of the centers' tiles, in all
-constexpr int kDeepest = 400;       // cuts that lead to one tile
+constexpr int kDeepest = 400;       // successive cuts leading to one tile
 
 /// Why there is no witness.
 struct NotFound {
@@ -90,7 +90,7 @@ Spot nearest_on(const Curve& c, Spot p) {
   if (c.sees(ray)) return center + spot(ray);
   return length(p - spot(c.a)) < length(p - spot(c.b)) ? spot(c.a) : spot(c.b);
 }
-/// How far from its middle a curve may be, with what the checker takes off for its sector.
+/// Greatest distance of a curve from its middle, with the checker's deduction for its sector.
 double spread_of(const Curve& c) {
   return c.arc ? 0.5 * static_cast<double>(c.high - c.low) + 2 * ccw::kEdge + 2 : 0;
 }
@@ -98,7 +98,7 @@ double distance_to(const Curve& c, Spot p) {
   return length(p - nearest_on(c, p)) + spread_of(c);
 }
 
-/// An arc as chords that leave it by no more than `sagitta`, from its start to its end.
+/// An arc as chords deviating by no more than `sagitta`, from its start to its end.
 Points chords(const Curve& c, double sagitta) {
   Points points{c.a};
   if (c.arc) {
@@ -143,7 +143,7 @@ class Mesh {
   Point start(Half h) const { return h.forward ? at(h).from : at(h).to; }
   Point end(Half h) const { return h.forward ? at(h).to : at(h).from; }
 
-  /// The same with every edge as it is split by now, and without edges that go forth and back.
+  /// The same polygon with the current splits of every edge, and without edges run forth and back.
   Polygon whole(const Polygon& polygon) const {
     Polygon out;
     for (const Half h : polygon) expand(h, out);
@@ -170,9 +170,9 @@ class Mesh {
     }
     return widest;
   }
-  /// Joins a loop to what its first corner sees to the right, there and back.
+  /// Joins a loop, by an edge there and back, to the first edge to the right of its first corner.
   void bridge(Polygon& all, const Polygon& loop);
-  /// The parts above and below a line; one of the lists is empty where all lies on one side.
+  /// The parts above and below a line; one of the lists is empty if the polygon is on one side.
   std::pair<std::vector<Polygon>, std::vector<Polygon>> cut(const Polygon& polygon, const Cut& line);
 
  private:
@@ -256,7 +256,7 @@ std::pair<std::vector<Polygon>, std::vector<Polygon>> Mesh::cut(const Polygon& g
   std::vector<int> of(polygon.size(), 0);
   std::size_t known = polygon.size();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    // The new corners are on the line by construction, the others are further away than it takes to tell.
+    // The new corners are on the line by construction, the others are far enough away to be distinguished.
     const int sa = sign(start(polygon[i])), sb = sign(end(polygon[i]));
     of[i] = sa != 0 ? sa : sb;
     if (of[i] != 0 && known == polygon.size()) known = i;
@@ -294,7 +294,8 @@ std::pair<std::vector<Polygon>, std::vector<Polygon>> Mesh::cut(const Polygon& g
   return {std::move(upper), joined(runs, -1, along, links)};
 }
 
-/// Closes the runs of one side along the line. Links between neighbouring points of it are shared by both sides.
+/// Closes the runs of one side along the line. Links between neighbouring points of the line are shared by both
+/// sides.
 std::vector<Polygon> Mesh::joined(const std::vector<Run>& runs, int side, const Points& along,
                                   std::vector<int>& links) {
   struct End {
@@ -312,7 +313,8 @@ std::vector<Polygon> Mesh::joined(const std::vector<Run>& runs, int side, const 
   std::vector<std::size_t> next(runs.size());
   std::vector<End> open;
   for (std::size_t i = 0; i < ends.size(); ++i) {
-    // Of the ends at one point, first the one that joins what is open: else an island that hangs on its bridge is cut off alone.
+    // Of the ends at one point, first the one joining the open run: otherwise an island connected by its bridge would
+    // be cut off by itself.
     for (std::size_t k = i; k < ends.size() && ends[k].at == ends[i].at && !open.empty(); ++k) {
       if (ends[k].closes == open.back().closes) continue;
       std::swap(ends[i], ends[k]);
@@ -350,7 +352,7 @@ std::vector<Polygon> Mesh::joined(const std::vector<Run>& runs, int side, const 
   return out;
 }
 
-/// Where two convex hulls are nearest: the point of the second, and of the first.
+/// Nearest points of two convex hulls: the point of the second, and of the first.
 std::pair<Spot, Spot> nearest_between(const Points& a, const Points& b) {
   double best = std::numeric_limits<double>::infinity();
   std::pair<Spot, Spot> out;
@@ -368,7 +370,7 @@ std::pair<Spot, Spot> nearest_between(const Points& a, const Points& b) {
   return out;
 }
 
-/// What a tile may be cut by: a move as far as it is low enough.
+/// A possible cut of a tile: the sufficiently low part of a move.
 struct Swath {
   std::size_t move = 0;
   Curve curve;
@@ -389,7 +391,7 @@ struct Labelled {
   Polygon polygon;
 };
 
-/// What all tilings of a witness are about.
+/// Data common to all tilings of a witness.
 struct Setting {
   const ccw::Part& part;
   const ccw::Program& program;
@@ -403,7 +405,7 @@ struct Setting {
   double blend() const { return static_cast<double>(program.blending); }
 };
 
-/// Tiles one polygon by what moves cut: of a feature that is claimed, or about a rapid.
+/// Tiles one polygon by the cuts of moves: for a claimed feature, or around a rapid.
 class Tiling {
  public:
   /// Of a feature.
@@ -411,7 +413,7 @@ class Tiling {
   /// Of a rapid.
   Tiling(const Setting& setting, std::size_t move);
 
-  /// The tiles with their corners; `centre` is empty where nothing is out of reach.
+  /// The tiles with their corners; `centre` is empty if nothing is out of reach.
   struct Tile {
     ccw::Int label = 0;
     std::size_t of = 0;
@@ -434,7 +436,7 @@ class Tiling {
   bool out_of_reach(const Polygon& polygon, const Points& hull);
   bool trim(std::size_t index, Spot at);
   void replace(std::size_t index, std::vector<Polygon>& above, std::vector<Polygon>& below);
-  /// How far beyond the radius of what cuts a tile it may lie, nm.
+  /// Permitted excess of a tile beyond the radius of its cut, nm.
   double beyond_of(const Polygon& polygon) const {
     return (is_rapid_ ? 0 : static_cast<double>(setting_.asked.uncut) - cover_.slack(polygon)) -
            setting_.blend() - kSpare;
@@ -456,7 +458,7 @@ class Tiling {
   std::vector<Maybe> maybe_;
 };
 
-/// The outlines as one polygon, islands joined by bridges that cancel; arcs as chords within `sagitta`.
+/// The outlines as one polygon, islands joined by cancelling bridges; arcs as chords within `sagitta`.
 Polygon Tiling::region(Mesh& mesh, const std::vector<ccw::Wall>& walls, double sagitta) const {
   std::vector<Polygon> loops;
   for (std::size_t wall = 0; wall < walls.size(); ++wall) {
@@ -475,7 +477,7 @@ Polygon Tiling::region(Mesh& mesh, const std::vector<ccw::Wall>& walls, double s
     const auto at = static_cast<std::ptrdiff_t>(rightmost(loops[i]));
     std::rotate(loops[i].begin(), loops[i].begin() + at, loops[i].end());
   }
-  // From right to left: what a ray to the right of an island meets is joined already.
+  // From right to left: loops met by a ray to the right of an island are already joined.
   std::sort(loops.begin() + 1, loops.end(),
             [&](const Polygon& a, const Polygon& b) { return mesh.start(a[0]).x > mesh.start(b[0]).x; });
   Polygon all = loops[0];
@@ -483,7 +485,7 @@ Polygon Tiling::region(Mesh& mesh, const std::vector<ccw::Wall>& walls, double s
   return all;
 }
 
-/// What feeds before a move cut no higher than `level`.
+/// Swaths of feed moves before a move, no higher than `level`.
 std::vector<Swath> Tiling::swaths(std::size_t before, ccw::Int level) const {
   std::vector<Swath> out;
   for (std::size_t i = 0; i < before; ++i) {
@@ -509,7 +511,7 @@ Cut halving(const ccw::Box& box) {
               : Cut{{0, 1}, 0.5 * static_cast<double>(box.y0 + box.y1)};
 }
 
-/// Along a side of the stock that runs through a tile of a rapid: there is nothing outside.
+/// A cut along a side of the stock through a tile of a rapid: there is no material outside.
 std::optional<Cut> Tiling::at_stock(const ccw::Box& box) const {
   if (!is_rapid_ || !setting_.part.stock) return std::nullopt;
   const ccw::Box& stock = *setting_.part.stock;
@@ -582,7 +584,8 @@ void Tiling::settle(const Polygon& whole, const std::vector<Swath>& swaths, ccw:
   }
 }
 
-/// Along the edge of the swath that holds most of the tile, towards the corner that it leaves out. `beyond` is that of the radius.
+/// A cut along the edge of the swath that contains most of the tile, towards the corner outside. `beyond` is the
+/// excess of the radius.
 std::optional<Cut> Tiling::cut_for(const Points& hull, double beyond, const std::vector<Swath>& near,
                                    Piece& piece, bool& out) const {
   const Swath* best = nullptr;
@@ -601,7 +604,7 @@ std::optional<Cut> Tiling::cut_for(const Points& hull, double beyond, const std:
   if (!best) return std::nullopt;
   const Curve& c = best->curve;
   if (least <=
-      beyond) {  // all corners are near, and yet it does not lie in one sector, or round an inner circle
+      beyond) {  // all corners are near, but the tile is not in one sector, or it surrounds an inner circle
     for (const Point ray : {c.first, c.last}) {
       if (c.full()) break;
       const Spot r = spot(ray), n{-r.y / length(r), r.x / length(r)};
@@ -622,7 +625,7 @@ std::optional<Cut> Tiling::cut_for(const Points& hull, double beyond, const std:
   const Spot foot = nearest_on(c, corner);
   const Spot n = (1 / length(corner - foot)) * (corner - foot);
   double at = -1;
-  for (const Swath& one : near) {  // the middle of what it shares with a move that cuts the corner
+  for (const Swath& one : near) {  // the middle of the part shared with a move that cuts the corner
     if (&one == best || distance_to(one.curve, corner) > one.radius - blend) continue;
     double start = far;
     for (int i = 1; i <= 24; ++i) {
@@ -643,7 +646,7 @@ std::optional<Cut> Tiling::cut_for(const Points& hull, double beyond, const std:
   return Cut{n, inner(n, foot) + std::min(at, bound - 20) - spread_of(c)};
 }
 
-/// Whether no legal center comes near; cuts off what is illegal of the centers' tiles as far as it takes.
+/// Whether no legal center is near; cuts off illegal parts of the centers' tiles as far as needed.
 bool Tiling::out_of_reach(const Polygon& polygon, const Points& hull) {
   const double reach = radius_ + cover_.slack(polygon) + kSpare;
   const ccw::Box box = box_of(hull).grown(ccw::Wide(reach));
@@ -663,7 +666,8 @@ bool Tiling::out_of_reach(const Polygon& polygon, const Points& hull) {
   return true;
 }
 
-/// Cuts what is illegal near `at` off a tile of the centers, which is replaced by its parts. False where nothing is illegal there.
+/// Cuts the illegal area near `at` off a tile of the centers; the tile is replaced by its parts. False if nothing is
+/// illegal there.
 bool Tiling::trim(std::size_t index, Spot at) {
   const Polygon polygon = centre_.whole(maybe_[index].polygon);
   const Points hull = ccw::hull_of(centre_.corners(polygon));
@@ -684,7 +688,7 @@ bool Tiling::trim(std::size_t index, Spot at) {
     }
     if (d < least) least = d, wall = w;
   }
-  if (least < 2) {  // on a wall, where no direction leads away from it: a little inwards
+  if (least < 2) {  // on a wall, without a direction leading away: a little inwards
     Spot middle;
     for (const Point p : hull) middle = middle + (1.0 / static_cast<double>(hull.size())) * spot(p);
     const double far = length(middle - at);
@@ -775,7 +779,7 @@ Tiling::Tiling(const Setting& setting, const ccw::Claim& claim)
   settle(region(cover_, target_, sagitta), swaths(setting.program.moves.size(), floor), floor);
 }
 
-/// A polygon about what the rapid has to find cut.
+/// A polygon around the area that must be cut for the rapid.
 Tiling::Tiling(const Setting& setting, std::size_t index)
     : setting_(setting), is_rapid_(true), radius_(0), largest_(0), cover_(target_), centre_(allowed_) {
   const ccw::Move& move = setting.program.moves[index];
@@ -838,7 +842,7 @@ void put_signed(Text& out, ccw::Int value) {
                             : static_cast<std::uint64_t>(value) * 2);
 }
 
-/// Tilings with all that the file says of them.
+/// Tilings with their data for the file.
 struct Claimed {
   ccw::Claim claim;
   std::vector<Tiling::Tile> cover, centre;
@@ -914,7 +918,7 @@ ccw::Int to_nm(double mm) {
   return std::llround(mm * 1e6);
 }
 
-/// The tools by the numbers that the program has; the one that is in before any is called has number 0.
+/// The tools by the program's numbers; the tool in the spindle before any call has number 0.
 std::vector<ccw::Tool> tools_of(const ccw::Program& program, const WitnessQuestion& question) {
   std::vector<ccw::Tool> tools;
   const auto offer = [&](ccw::Int number, int called) {
@@ -929,7 +933,7 @@ std::vector<ccw::Tool> tools_of(const ccw::Program& program, const WitnessQuesti
   return tools;
 }
 
-/// What was planned of the feature number `index` of the file.
+/// The plan's data of feature number `index` of the file.
 const WitnessFeature& planned(const WitnessQuestion& question, const ccw::Part& part, std::size_t index) {
   const auto& all = question.features;
   if (all.size() == part.features.size()) return all[index];

@@ -1,5 +1,6 @@
-// Finds what the independent checker (checker/clearcut_check.cpp) needs to accept a program: a witness, see docs/witness.md.
-// Nothing here is trusted: a wrong witness is refused by the checker, which this runs before it returns one.
+// Finds a witness, needed by the independent checker (checker/clearcut_check.cpp) to accept a program, see
+// docs/witness.md. This code is not trusted: the checker refuses a wrong witness, and is run here before a witness is
+// returned.
 #pragma once
 
 #include <string>
@@ -13,30 +14,30 @@ struct WitnessTool {
   double diameter = 0;
   double point = 0;  ///< from the tip up to the full diameter
 };
-/// A feature of the part's file, and what its work leaves. mm.
+/// A feature of the part's file, and the stock left by its work. mm.
 struct WitnessFeature {
   std::string name;
-  double diameter = 0;  ///< of the narrowest cutter that works on it
+  double diameter = 0;  ///< diameter of its narrowest cutter
   double wall_stock = 0, floor_stock = 0;
-  double floor = 0;          ///< as it was planned: where the file says otherwise, it is another part
-  std::string why_not = {};  ///< why nothing can be claimed of it; empty where something can
+  double floor = 0;          ///< planned floor: if the file states another one, it is another part
+  std::string why_not = {};  ///< why no claim can be made; empty if one can
 };
 
-/// What is to be proven, mm. The rest of the claims is the checker's own default.
+/// The claims to be proven, mm. All other claims are the checker's defaults.
 struct WitnessQuestion {
   std::vector<WitnessTool> tools;
   int first_tool = 0;  ///< in before the program calls any
-  std::vector<WitnessFeature>
-      features;           ///< in the order of the file, as many as it has; else found by their names
-  bool straight = false;  ///< rapids are straight, also where a control moves its axes one by one
-  double uncut = 0.01;    ///< how far beyond the cutters' reach in the program the floor may lie
+  /// In the order of the file, if equally many; else matched by their names.
+  std::vector<WitnessFeature> features;
+  bool straight = false;  ///< rapids are straight, also on controls that move their axes one by one
+  double uncut = 0.01;    ///< permitted excess of the floor beyond the cutters' reach in the program
 };
 
 struct FoundWitness {
-  std::string bytes;                 ///< empty where none was found
-  std::string why_not;               ///< a sentence, with the place; empty where one was found
-  std::vector<std::string> missing;  ///< features of which it proves nothing, and why
-  std::vector<std::string> proved;   ///< features that it proves to be cut
+  std::string bytes;                 ///< empty if none was found
+  std::string why_not;               ///< a sentence, with the place; empty if a witness was found
+  std::vector<std::string> missing;  ///< features without proof, and the reasons
+  std::vector<std::string> proved;   ///< features proved to be cut
   std::string claims;                ///< as the checker words them
   int tiles = 0;
 };
@@ -48,10 +49,10 @@ FoundWitness find_witness(const std::string& program_text, const std::string& pr
 
 struct WitnessAnswer {
   bool accepted = false;
-  std::string text;  ///< the claims that hold, or what does not follow
+  std::string text;  ///< the proved claims, or the unproved conclusion
 };
-/// What the independent checker says of the texts of a program and of an outline and the bytes of a witness: the claims that hold, or
-/// what does not follow. `uncut` in mm; `straight`: rapids are straight on every control.
+/// Answer of the independent checker for the texts of a program and of an outline and the bytes of a witness: the
+/// proved claims, or the unproved conclusion. `uncut` in mm; `straight`: rapids are straight on every control.
 WitnessAnswer check_witness(const std::string& program_text, const std::string& part_text,
                             const std::string& witness, double uncut = 0.01, bool straight = false);
 

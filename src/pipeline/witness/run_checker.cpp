@@ -6,7 +6,7 @@
 namespace clearcut::pipeline {
 namespace {
 
-constexpr int kCheckerSeconds = 600;  // of processor time; it takes less than a second
+constexpr int kCheckerSeconds = 600;  // of processor time; usually less than a second
 
 }  // namespace
 

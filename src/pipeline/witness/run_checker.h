@@ -1,4 +1,4 @@
-// Has a witness checked by clearcut-check, a program of its own that shares nothing with what found it.
+// Checks a witness with clearcut-check, a separate program sharing no code with the search for the witness.
 #pragma once
 
 #include <optional>
@@ -7,10 +7,11 @@
 
 namespace clearcut::pipeline {
 
-/// The path of clearcut-check; empty where it is not beside this program.
+/// The path of clearcut-check; empty if not found beside this program.
 std::string checker_program();
 
-/// The line in which the checker names the claims that it has proved; nothing where it does not accept the witness. `options` are its own.
+/// The checker's line naming the proved claims; nothing if the checker does not accept the witness. `options` are its
+/// own.
 std::optional<std::string> claims_by_checker(const std::string& program_file, const std::string& part_file,
                                              const std::string& witness_file,
                                              const std::vector<std::string>& options);

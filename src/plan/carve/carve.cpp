@@ -12,11 +12,11 @@ namespace {
 
 /// mm. Curved pieces of the medial axis are replaced by chords this near to them.
 constexpr double kChord = 0.0002;
-/// mm. Points of a track nearer to the one before are left out: they are rounding of where pieces of the axis meet.
+/// mm. Points of a track nearer to the previous one are left out: they are due to rounding at joints of the axis.
 constexpr double kSamePoint = kChord;
-/// mm. Width of the rim of what a mill clears that is cut once more.
+/// mm. Width of the rim of a mill's cleared area that is cut once more.
 constexpr double kRim = 0.02;
-/// Share of the distance between rings that the places where they run begin outside the first of them.
+/// Share of the distance between rings by which the places of the rings begin outside of the first ring.
 constexpr double kOutside = 0.01;
 
 Vec2 begin_of(const Track& track) {
@@ -27,7 +27,7 @@ Vec2 middle_of(const Track& track) {
   return track.pieces[track.pieces.size() / 2].path.at(0.5);
 }
 
-/// The region that holds p, or the nearest one.
+/// The region around p, or the nearest one.
 std::size_t place_of(Vec2 p, const Regions& places) {
   std::size_t best = 0;
   double least = HUGE_VAL;
@@ -46,7 +46,7 @@ Chain without_near_points(const Chain& chain) {
   for (const AxisPoint& p : chain) {
     if (out.empty() || distance(out.back().point, p.point) > kSamePoint) out.push_back(p);
   }
-  if (out.size() > 1) out.pop_back();  // the last point itself, or one as near to it
+  if (out.size() > 1) out.pop_back();  // the last point itself, or a nearly equal one
   out.push_back(chain.back());
   return out;
 }
@@ -57,7 +57,8 @@ double length_of(const Track& track) {
   return length;
 }
 
-/// The sets of one place after those of another, always the place that begins nearest to the one before.
+/// The sets of one place after those of another; the next place is the one that begins nearest to the end of the
+/// previous.
 TrackSets place_by_place(std::vector<TrackSets> places) {
   TrackSets ordered;
   std::erase_if(places, [](const TrackSets& sets) { return sets.empty(); });
@@ -83,7 +84,7 @@ class RegionCarver {
         nearest_(shape.tip_radius + shape.aside),
         widest_(nearest_ + (shape.top - shape.floor) * shape.slope) {
     for (const Region& one : cleared) {
-      // A pass covers a tip's radius on both sides: it goes on until all of that is cleared.
+      // A pass covers a tip's radius on both sides: passes are added until this whole width is cleared.
       for (Region& rest : inset(one, kRim + shape.tip_radius, tol)) cleared_.push_back(std::move(rest));
     }
     for (const Region& one : cleared_) {
@@ -132,7 +133,7 @@ class RegionCarver {
       if (!has_edge[i]) axis_.push_back({axis.points[i]});
   }
 
-  /// Stretches of the axis where the tip goes below z, up to where it reaches the floor.
+  /// Stretches of the axis with the tip below z, up to the place where the tip reaches the floor.
   std::vector<Chain> deeper_than(double z) const {
     std::vector<Chain> out;
     for (const Chain& chain : axis_) {
@@ -177,7 +178,7 @@ class RegionCarver {
   /// mm from one ring on the floor to the next.
   double ring_step() const { return 2 * (shape_.tip_radius + shape_.cusp * shape_.slope); }
 
-  /// Adds passes over the part of the floor that no mill has cleared, all those of one corner before those of another.
+  /// Adds passes over the part of the floor not cleared by a mill, corner after corner.
   void clear_floor(TrackSets& sets) const {
     TrackSets passes = floor_passes();
     const Regions floor = clearance_.inset(widest_ + (1 - kOutside) * ring_step());
@@ -218,8 +219,9 @@ class RegionCarver {
 
   bool is_cleared(Vec2 p) const { return contains(cleared_, p); }
 
-  /// Shares of an edge at which it enters or leaves what a mill clears, with 0 and 1, in order. Between two of them all of it is
-  /// cleared, or nothing: so rounding moves the ends of passes by no more than itself.
+  /// Shares of an edge at which the edge enters or leaves the area cleared by a mill, with 0 and 1, in order. Between
+  /// two of them the edge is wholly cleared, or not at all: hence rounding moves the ends of passes by no more than
+  /// itself.
   std::vector<double> crossings(const Edge& edge) const {
     std::vector<double> shares{0, 1};
     const Box here = edge.box();
@@ -252,7 +254,7 @@ class RegionCarver {
     add_run(std::move(run), set);
   }
 
-  /// A run that begins or ends where the mill has cut is left out if all of it lies in the rim.
+  /// A run that begins or ends in the mill's area is left out if the whole run is within the rim.
   static void add_run(Track run, std::vector<Track>& set) {
     if (length_of(run) > kRim) set.push_back(std::move(run));
   }
@@ -280,8 +282,8 @@ class RegionCarver {
   Clearance clearance_;
   const Tolerances& tol_;
   const CarveShape& shape_;
-  double nearest_;  ///< mm; clearance at which the tip is at the top of the material
-  double widest_;   ///< mm; clearance from which on the tip is at the floor
+  double nearest_;  ///< mm; clearance for which the tip is at the top of the material
+  double widest_;   ///< mm; least clearance for which the tip is at the floor
   Regions cleared_;
   std::vector<Edge> rims_;  ///< the outlines of `cleared_`
   std::vector<Chain> axis_;

@@ -1,4 +1,4 @@
-// V-carving and engraving: lines in space for the tip of a cutter that cuts by its own shape.
+// V-carving and engraving: lines in space for the tip of a cutter whose own shape makes the cut.
 #pragma once
 
 #include <vector>
@@ -12,25 +12,27 @@ namespace clearcut::plan::carve {
 /// How a cone carves. Lengths in mm.
 struct CarveShape {
   double top = 0;         ///< height of the material
-  double floor = 0;       ///< height of the floor, below which the tip does not go
-  double slope = 0;       ///< mm that the flanks go outwards for each mm upwards
+  double floor = 0;       ///< height of the floor; the tip never goes below
+  double slope = 0;       ///< mm of radius that the flanks gain for each mm of height
   double tip_radius = 0;  ///< radius of the flat at the tip
   double aside = 0;       ///< distance kept from the outline, for rounding and chords
-  double arcs_aside = 0;  ///< distance that rings on the floor keep in addition, for rounding of arcs
-  double stepdown = 0;    ///< most that one pass goes deeper than the one before
-  double cusp = 0;        ///< highest ridge that may stay between passes on the floor
+  double arcs_aside = 0;  ///< additional distance of rings on the floor, for rounding of arcs
+  double stepdown = 0;    ///< greatest increase of depth from one pass to the next
+  double cusp = 0;        ///< highest ridge permitted between passes on the floor
 };
 
-/// Tracks that belong together: each set is cut before the next.
+/// Groups of tracks: each set is cut completely before the next.
 using TrackSets = std::vector<std::vector<Track>>;
 
-/// V-carving: the tip follows the medial axis, where the cone touches the outline on both sides. Where the floor is reached it
-/// follows the outline's offset, then rings side by side as far apart as the cusp allows, outside of `cleared` (cut by a mill).
+/// V-carving: the tip follows the medial axis, on which the cone touches the outline on both sides. In places where
+/// the floor is reached the tip follows the outline's offset, then rings side by side as far apart as the cusp
+/// allows, outside of `cleared` (cut by a mill).
 ///
-/// Method  On the axis the tip runs at top - (clearance - tip_radius - aside) / slope. The cones there are the largest
-///         within the outline, so that together they cut every place as deep as any cone may, corners included.
+/// Method  On the axis the tip runs at top - (clearance - tip_radius - aside) / slope. The cones there are the
+///         largest within the outline, so that together they cut every place as deep as any permitted cone, corners
+///         included.
 /// Error   No gouge, if chords of the axis and rounding of the program stay within `aside`.
-/// Cost    That of the Voronoi diagram, and for each stepdown the number of points on its curves.
+/// Cost    Cost of the Voronoi diagram, plus for each stepdown the number of points on its curves.
 TrackSets carve_region(const Region& region, const CarveShape& shape, const Regions& cleared,
                        const Tolerances& tol);
 

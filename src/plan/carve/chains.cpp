@@ -13,7 +13,7 @@ Key key_of(const AxisPoint& p) {
   return {p.point.x, p.point.y};
 }
 
-/// Joins chains that have common end points, each used once.
+/// Joins chains with common end points, each used once.
 class Walker {
  public:
   explicit Walker(std::vector<Chain> chains) : chains_(std::move(chains)), used_(chains_.size(), 0) {
@@ -26,7 +26,7 @@ class Walker {
 
   std::vector<Chain> walk() {
     std::vector<Chain> out;
-    // Begins at points where an odd number of chains meet, because that gives fewer pieces.
+    // Begins at points of an odd number of chains, because this gives fewer pieces.
     for (const bool loose : {true, false}) {
       for (std::size_t i = 0; i < chains_.size(); ++i) {
         if (used_[i]) continue;
@@ -72,7 +72,7 @@ class Walker {
   std::map<Key, std::vector<std::size_t>> at_;
 };
 
-/// The point between a and b at which the clearance is `clearance` mm.
+/// The point between a and b with the clearance `clearance` mm.
 AxisPoint crossing(const AxisPoint& a, const AxisPoint& b, double clearance) {
   AxisPoint p = part_way(a, b, (clearance - a.clearance) / (b.clearance - a.clearance));
   p.clearance = clearance;

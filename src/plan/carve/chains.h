@@ -13,7 +13,8 @@ using Chain = std::vector<AxisPoint>;
 /// The point at the share t of the line from a to b, with the clearance there.
 AxisPoint part_way(const AxisPoint& a, const AxisPoint& b, double t);
 
-/// The parts of a chain whose clearance is from `low` to `high` mm. A chain of one point is kept or dropped as a whole.
+/// The parts of a chain whose clearance is from `low` to `high` mm. A chain of one point is kept or dropped as a
+/// whole.
 std::vector<Chain> between(const Chain& chain, double low, double high);
 
 /// The same chain with a point added wherever its clearance passes through `clearance` mm.

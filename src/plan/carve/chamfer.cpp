@@ -9,12 +9,12 @@
 namespace clearcut::plan::carve {
 namespace {
 
-/// mm. How far the tip goes below a chamfer's foot where there is room, and in which steps less is tried.
+/// mm. Depth of the tip below a chamfer's foot if there is room, and the steps in which smaller depths are tried.
 constexpr double kTipBelow = 0.5;
 constexpr double kTipStep = 0.1;
-/// mm. Least distance between the tip and the floor of the area that the cone runs in.
+/// mm. Least distance between the tip and the floor of the area of the cone.
 constexpr double kOverFloor = 0.05;
-/// mm. Length of the pieces of a path that are kept or left out as a whole.
+/// mm. Length of the pieces of a path, each kept or left out as a whole.
 constexpr double kPiece = 0.05;
 /// mm. A flank may seem to cut this far into a wall, because offsets err by as much.
 constexpr double kTouch = 0.0012;
@@ -52,7 +52,7 @@ class EdgeChamferer {
 
  private:
   double foot() const { return shape_.top - chamfer_.depth; }
-  /// mm; how far the tip may go below the chamfer's foot so that the flanks still reach up to its top.
+  /// mm; greatest depth of the tip below the chamfer's foot for which the flanks still reach up to the chamfer's top.
   double cone_above_foot() const {
     return (shape_.tool_radius - shape_.tip_radius) / shape_.slope - chamfer_.depth;
   }
@@ -64,7 +64,7 @@ class EdgeChamferer {
     ChamferTracks out;
     tip_ = foot() - below;
     const double radius = radius_at(below);
-    // Where the cone at the chamfer's foot does not fit into a corner of the area, the chamfer ends before it.
+    // If the cone at the chamfer's foot does not fit into a corner of the area, the chamfer ends before the corner.
     std::vector<Track> runs;
     for (const Region& room : chamfer_.free_beside) {
       for (const Region& centers : inset(room, radius + shape_.aside, tol_)) {
@@ -85,7 +85,7 @@ class EdgeChamferer {
     return out;
   }
 
-  /// Whether p is beside the wall to be chamfered, and not at another border of the area that the cone runs in.
+  /// Whether p is beside the wall to be chamfered, and not at another border of the cone's area.
   bool is_beside_wall(Vec2 p) const { return distance_to(chamfer_.line, p) < chamfer_.reach; }
 
   bool is_free(Vec2 p) const {

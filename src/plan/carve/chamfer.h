@@ -13,14 +13,14 @@ namespace clearcut::plan::carve {
 /// How a cone breaks an edge. Lengths in mm.
 struct ChamferShape {
   double top = 0;          ///< height of the wall's top
-  double slope = 0;        ///< mm that the flanks go outwards for each mm upwards
+  double slope = 0;        ///< mm of radius that the flanks gain for each mm of height
   double tip_radius = 0;   ///< radius of the flat at the tip
-  double tool_radius = 0;  ///< radius at which the flanks end
+  double tool_radius = 0;  ///< radius at the upper end of the flanks
   double aside = 0;        ///< distance kept from the chamfer, for rounding
-  double stepdown = 0;     ///< most that one pass goes deeper than the one before
+  double stepdown = 0;     ///< greatest increase of depth from one pass to the next
 };
 
-/// In plan view, everything outside of `free` stands up to the height `z`, mm.
+/// In plan view, there is material outside of `free` up to the height `z`, mm.
 struct StandingUpTo {
   double z = 0;
   Regions free;
@@ -31,11 +31,12 @@ struct ChamferTracks {
   double left_mm = 0;  ///< mm of the edge left out, because the cone would gouge there
 };
 
-/// The axis runs beside the wall at the radius that the cone has at the height of the chamfer's foot. The tip is below the foot,
-/// up to 0.5 mm if nothing is in its way, so that the flank cuts and not the tip. If the cone would gouge another wall, or what
-/// stands above the edge, the tip goes less deep; where it would gouge even so, that stretch of the edge is left out.
+/// The axis runs beside the wall at the cone's radius at the height of the chamfer's foot. The tip is below the foot,
+/// by up to 0.5 mm if there is room, so that the flank cuts and not the tip. If the cone would gouge another wall, or
+/// material above the edge, the tip goes less deep; if it would gouge nevertheless, this stretch of the edge is left
+/// out.
 ///
-/// Cost O(length of the edge * edges of what stands).
+/// Cost O(length of the edge * edges of the remaining material).
 ChamferTracks chamfer_edge(const Chamfer& chamfer, const ChamferShape& shape,
                            const std::vector<StandingUpTo>& standing, const Tolerances& tol);
 

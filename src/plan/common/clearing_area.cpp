@@ -10,15 +10,15 @@
 namespace clearcut::plan {
 namespace {
 
-/// mm. What may stay between two walls two diameters apart: offsets are exact to this.
+/// mm. Residual permitted between two walls two diameters apart: offsets are exact to this.
 constexpr double kResidual = 0.001;
-/// mm. On layers where not even that may stay, the rest is this much wider, so that it overlaps with what the
-/// wall passes clear.
+/// mm. On layers without any permitted residual, the rest is wider by this, so that it overlaps with the area cleared
+/// by the wall passes.
 constexpr double kBareMargin = 0.002;
-/// mm. Stretches of walls are kept to this much beyond the places from which the target can be reached.
+/// mm. Stretches of walls extend by this beyond the places from which the target can be reached.
 constexpr double kWallMargin = 0.01;
 
-/// The parts of a loop that lie inside `where`; if all of it does, the whole loop as one closed path.
+/// The parts of a loop inside `where`; a loop wholly inside is returned as one closed path.
 std::vector<Path> stretches_inside(const Loop& loop, const Regions& where) {
   std::vector<Path> found;
   bool joined = false, all = true;
@@ -85,7 +85,7 @@ class AreaBuilder {
   }
 
  private:
-  /// The target inside `deep`. Slivers that boolean operations drop as empty are kept.
+  /// The target inside `deep`. Slivers dropped as empty by boolean operations are kept.
   Regions target_within(const Regions& deep) const {
     Regions found;
     for (const auto& region : layer_.target) {
@@ -96,7 +96,7 @@ class AreaBuilder {
     return found;
   }
 
-  /// Gives each region of the rest to the component that it lies in; components from `begin` on are asked.
+  /// Assigns each region of the rest to the component around it, among the components from `begin` on.
   void share_out(const Regions& rest, std::size_t begin) {
     for (const auto& region : rest) {
       for (std::size_t i = begin; i < area_.components.size(); ++i) {
@@ -149,7 +149,8 @@ class AreaBuilder {
   const Tolerances& tol_;
   bool closed_;
   bool bare_ = false;  ///< not even a thin residual may stay
-  Regions near_;       ///< where the cutter's centre reaches the target; on layers with open sides only
+  /// Positions of the cutter's centre that reach the target; on layers with open sides only.
+  Regions near_;
   ClearingArea area_;
 };
 

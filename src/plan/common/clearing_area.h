@@ -1,5 +1,5 @@
-// Splits a layer into the legal area of the cutter's centre, the passes along its walls, and the part of the
-// target that these passes leave. Every strategy that fills an area begins with it.
+// Splits a layer into the legal area of the cutter's centre, the passes along its walls, and the part of the target
+// left by these passes. Every strategy that fills an area begins with this split.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace clearcut::plan {
 
-/// One connected part of the legal area, where the cutter's centre may be.
+/// One connected part of the legal area of the cutter's centre.
 struct ClearingComponent {
   Region legal;
-  Regions rest;  ///< of the target, what the wall passes leave: at least one tool radius inside `legal`
+  Regions rest;  ///< part of the target left by the wall passes: at least one tool radius inside `legal`
   int outer_wall = -1;  ///< index of the pass along its outer boundary, else of one along an island; -1: none
 };
 
@@ -24,15 +24,14 @@ struct ClearingArea {
 /// Splits a layer into wall passes and rest.
 ///
 /// Shape   One wall pass for each boundary of the legal area: closed, or on layers with open sides the open
-///         stretches from which the target can be reached. Then a pass on each line where the cutter just
-///         fits. Nothing where the cutter fits nowhere.
-/// Error   What of the target lies neither in a rest nor within the tool radius of a wall pass cannot be
-///         reached, to 2 um.
+///         stretches from which the target can be reached. Then a pass on each line on which the cutter just fits.
+///         Empty if the cutter fits nowhere.
+/// Error   Parts of the target neither in a rest nor within the tool radius of a wall pass cannot be reached, to 2
+///         um.
 /// Cost    O(n log n) for n edges of the layer's outlines.
 ClearingArea clearing_area(const Layer& layer, const Tolerances& tol);
 
-/// Whether the layer is a pocket closed all round. The target lies inside `allowed`, so it is compared by
-/// area.
+/// Whether the layer is a pocket closed all round. The target is inside `allowed`, so the two are compared by area.
 bool closed_all_round(const Layer& layer);
 
 }  // namespace clearcut::plan

@@ -41,7 +41,7 @@ Cover::Stroke::Stroke(const Edge& edge) : from(edge.from), to(edge.to), along(ed
   radius = std::sqrt(0.5 * (norm_squared(start) + norm_squared(end)));
 }
 
-/// Whether the direction v lies in it.
+/// Whether the direction v is in the wedge.
 bool Cover::Wedge::holds(Vec2 v) const {
   const bool after_start = cross(start, v) >= 0, before_end = cross(v, end) >= 0;
   if (over_half) return after_start || before_end;
@@ -137,7 +137,7 @@ double Cover::distance_to(Vec2 p) const {
   return std::sqrt(best);
 }
 
-/// The search for points that no edge clears, square by square.
+/// The search for uncleared points, square by square.
 class Cover::Search {
  public:
   /// Ends with the first point if `first` is set.
@@ -150,8 +150,8 @@ class Cover::Search {
         own_strokes_(static_cast<std::uint32_t>(cover.edges_.size())),
         own_curves_(static_cast<std::uint32_t>(rims.curves.size())) {}
 
-  /// The points in a fixed order: beside the ends of edges, then what the base leaves, then where curves
-  /// intersect; within each kind by edge, curve and cell.
+  /// The points in a fixed order: beside the ends of edges, then places left by the base, then intersections of
+  /// curves; within each kind by edge, curve and cell.
   std::vector<Vec2> run(const Box& where) {
     std::vector<Vec2> left_by_base;
     if (base_) left_by_base = base_->rim_;
@@ -169,7 +169,7 @@ class Cover::Search {
   }
 
  private:
-  /// A point with the numbers that it was found by, which order the result.
+  /// A point with the numbers of its edge, curve and cell, by which the result is ordered.
   struct Found {
     std::array<std::uint32_t, 5> by{};
     Vec2 place;
@@ -180,7 +180,7 @@ class Cover::Search {
     std::size_t column = 0, row = 0;
     int depth = 0;
   };
-  /// Where a square lies: `reach` is the distance from its centre to a corner, mm.
+  /// Place of a square: `reach` is the distance from its centre to a corner, mm.
   struct Place {
     Vec2 center;
     double reach = 0;
@@ -202,7 +202,7 @@ class Cover::Search {
     return i < own_curves_ ? rims_.curves[i] : base_->own_rims_.curves[i - own_curves_];
   }
 
-  /// Whether p belongs to `square`. A point on a common side belongs to one of both squares alone.
+  /// Whether p belongs to `square`. A point on a common side belongs to only one of the two squares.
   bool holds(const Square& square, Vec2 p) const {
     const CellGrid& grid = cover_.grid_;
     constexpr double kParts = 1 << kMostQuarterings;
@@ -240,14 +240,13 @@ class Cover::Search {
     search_inside(square, {{0, strokes_.size()}, {0, curves_.size()}, {0, joints_.size()}});
   }
 
-  /// Adds the curves of one edge that come near to `place`; `first` is the number of the first curve of
-  /// `rims`.
+  /// Adds the curves of one edge that pass near `place`; `first` is the number of the first curve of `rims`.
   void add_curves(const Rims& rims, std::uint32_t edge, std::uint32_t first, const Place& place) {
     for (std::uint32_t c = rims.first[edge]; c < rims.first[edge + 1]; ++c)
       if (comes_near(rims.curves[c], place)) curves_.push_back(first + c);
   }
 
-  /// Searches a part of a square; `around` is what lies near the whole.
+  /// Searches a part of a square; `around` holds the items near the whole square.
   void search(const Square& square, const Near& around) {
     const Place place = place_of(square);
     Near near;
@@ -279,8 +278,8 @@ class Cover::Search {
     return {center, side * kHalfDiagonal + kBorder, Box{center, center}.grown(side / 2 + kBorder)};
   }
 
-  /// Keeps the strokes that clear a point within `reach` of the centre. False if one of them clears all of
-  /// these points.
+  /// Keeps the strokes clearing a point within `reach` of the centre. False if one of them clears all points within
+  /// `reach`.
   bool keep_strokes(Vec2 center, double reach, const Range& around, Range& near) {
     const double most = cover_.radius_ + reach, far = most * most;
     const double deep = cover_.radius_ - kRim - reach, whole = deep > 0 ? deep * deep : -1;
@@ -330,7 +329,7 @@ class Cover::Search {
     }
   }
 
-  /// Tests where two curves intersect, if that point belongs to `square`, so that no point is tested twice.
+  /// Tests the intersections of two curves, if they belong to `square`, so that no point is tested twice.
   void meet(std::uint32_t i, std::uint32_t j, const Square& square, const Range& near) {
     const Curve &p = curve(i), &q = curve(j);
     if (!p.box.overlaps(q.box)) return;
@@ -394,7 +393,7 @@ class Cover::Search {
   bool first_;
   // Lower numbers mean strokes and curves of the cover itself, higher ones those of its base.
   std::uint32_t own_strokes_, own_curves_;
-  // Stacks of numbers: what lies near a square is pushed behind what lies near the square around it.
+  // Stacks of numbers: the items near a square are pushed after the items near the square around it.
   std::vector<std::uint32_t> strokes_, curves_, joints_;
   std::uint32_t cell_ = 0;
   std::size_t last_ = 0;

@@ -1,4 +1,4 @@
-// An exact check that a set of paths clears an area. The planner uses it; the verifier has a check of its
+// An exact check that a set of paths clears an area. The planner uses this check; the verifier has a check of its
 // own.
 #pragma once
 
@@ -14,55 +14,55 @@
 
 namespace clearcut::plan {
 
-/// The area that a cutter of `radius` mm sweeps along `edges`: which points it clears, and which places it
-/// leaves. It can be laid over a base, a cover of edges that stay while the edges of this one change.
+/// The area swept by a cutter of `radius` mm along `edges`: tests whether points are cleared, and finds uncleared
+/// places. A cover can have a base, a cover of edges that stay unchanged while the edges of this one change.
 class Cover {
  public:
-  /// Where holes are searched for: a trade of running time for more places at each hole.
+  /// Places at which holes are searched: a trade of running time for more places at each hole.
   enum class SearchPlaces {
-    kAroundRims,  ///< at vertices of rims, and where two circles meet close to their parts of a rim
-    kAtRims       ///< at vertices of rims alone: much cheaper where edges crowd
+    kAroundRims,  ///< at vertices of rims, and at intersections of two circles close to their parts of a rim
+    kAtRims       ///< only at vertices of rims: much cheaper for crowded edges
   };
   Cover(std::span<const Edge> edges, double radius, SearchPlaces places = SearchPlaces::kAroundRims);
-  /// The cover of `edges` and of all edges of `base`, whose radius it takes over. `edges` count only inside
-  /// the box of `base`.
+  /// The cover of `edges` and of all edges of `base`, with the radius of `base`. `edges` count only inside the box of
+  /// `base`.
   Cover(std::span<const Edge> edges, std::shared_ptr<const Cover> base);
 
-  /// Whether some edge lies within radius - slack of p, so that p is cleared; `slack` in mm.
+  /// Whether some edge is within radius - slack of p, so that p is cleared; `slack` in mm.
   bool holds(Vec2 p, double slack = 0) const;
 
-  /// Distance from p to the nearest edge, mm; infinite where it is far greater than the radius.
+  /// Distance from p to the nearest edge, mm; infinite if far greater than the radius.
   double distance_to(Vec2 p) const;
 
-  /// Places that the cutter leaves and for which `matters` is true: at least one at the rim of every hole.
+  /// Uncleared places for which `matters` is true: at least one at the rim of every hole.
   ///
   /// Method  A hole of the swept area is bounded by pieces of lines and circles at `radius` from the edges.
-  ///         Where two pieces join, the rim has a vertex, which lies at `radius` from its edges and no nearer
-  ///         to any other. So the intersections of all these lines and circles are tested. The search goes by
-  ///         squares of a grid: squares that one edge clears whole are skipped, the others are quartered
-  ///         until few curves are left in each. Vertices between edges of the base are found once, by
-  ///         keep_rim.
-  /// Error   Rounding alone, 1e-9 mm. The points beside both ends of every edge are tested, too, so that
+  ///         At the joint of two pieces the rim has a vertex, at the distance `radius` from its edges and no nearer
+  ///         to any other. So the intersections of all these lines and circles are tested. The search goes by squares
+  ///         of a grid: squares wholly cleared by one edge are skipped, the others are quartered until few curves are
+  ///         left in each. Vertices between edges of the base are found once, by keep_rim.
+  /// Error   Only rounding, 1e-9 mm. The points beside both ends of every edge are tested, too, so that
   ///         holes without a vertex are not missed.
   std::vector<Vec2> holes(const std::function<bool(Vec2)>& matters) const;
 
-  /// Whether such a place lies inside `where`. Searches there alone and ends with the first that it finds.
+  /// Whether there is an uncleared place inside `where`. Searches only there and ends with the first place found.
   bool has_hole(const Box& where, const std::function<bool(Vec2)>& matters) const;
 
-  /// Finds once what this cover leaves, so that covers made over it as their base need not search again.
+  /// Finds and stores the uncleared places of this cover, so that covers with this one as base need not search again.
   void keep_rim(const std::function<bool(Vec2)>& matters);
 
  private:
-  /// The directions from a point that lie counter-clockwise from `start` to `end`.
+  /// The directions from a point counter-clockwise from `start` to `end`.
   struct Wedge {
     Vec2 start, end;
-    bool over_half = false, over_quarter = false;  ///< whether it is wider than half, a quarter of a turn
+    /// Whether the wedge is wider than half, a quarter of a turn.
+    bool over_half = false, over_quarter = false;
 
     bool holds(Vec2 v) const;
     Box arc_box(Vec2 center, double radius) const;
     Box wide_box(Vec2 center, double radius) const;
   };
-  /// An edge with what distances to it are computed from.
+  /// An edge with the precomputed values for distances to it.
   struct Stroke {
     Vec2 from, to, along;
     double whole = 0;  ///< squared length of a line, mm^2; negative for an arc
@@ -75,7 +75,7 @@ class Cover {
     double squared_distance(Vec2 p) const;
     bool is_within(Vec2 p, double reach) const;
   };
-  /// A piece of the border of what an edge clears: a line at `radius` beside it, or a circle.
+  /// A piece of the border of the area cleared by an edge: a line at `radius` beside it, or a circle.
   struct Curve {
     bool circle = false;
     Vec2 a;             ///< a point of the line, or the centre
@@ -83,14 +83,14 @@ class Cover {
     double radius = 0;  ///< of circles, mm
     Box box;
   };
-  /// All curves and points that rims of holes may consist of.
+  /// All curves and points of which rims of holes may consist.
   struct Rims {
     std::vector<Curve> curves;
     std::vector<std::uint32_t> first;  ///< the first curve of each edge; at the end the number of curves
     std::vector<Vec2> joints;          ///< kJoints points for each edge
   };
   class Search;
-  /// mm. A point this much nearer to an edge than the radius lies inside the swept area, not on its rim.
+  /// mm. A point this much nearer to an edge than the radius is inside the swept area, not on its rim.
   static constexpr double kRim = 1e-7;
   /// mm. A point this near to the border of two squares is tested in both.
   static constexpr double kBorder = 1e-6;
@@ -110,9 +110,9 @@ class Cover {
   double radius_;
   SearchPlaces places_;
   CellGrid grid_;
-  CellLists edges_in_;       ///< per cell: the edges that may clear a point of it
-  std::vector<char> whole_;  ///< per cell: whether one edge clears all of it
-  // Only of covers used as a base: their curves, and the places that they leave (keep_rim).
+  CellLists edges_in_;       ///< per cell: the edges that may clear one of its points
+  std::vector<char> whole_;  ///< per cell: whether one edge clears the whole cell
+  // Only of covers used as a base: their curves, and their uncleared places (keep_rim).
   Rims own_rims_;
   std::vector<Vec2> rim_;
 };

@@ -1,11 +1,11 @@
-// Computes the lines and circles that rims of holes in a cover may consist of.
+// Computes the lines and circles of which rims of holes in a cover may consist.
 #include <cmath>
 
 #include "plan/common/cover.h"
 
 namespace clearcut::plan {
 
-/// The box of the circle's arc that lies in the wedge.
+/// The box of the circle's arc within the wedge.
 Box Cover::Wedge::arc_box(Vec2 center, double radius) const {
   Box box;
   box.add(center + start * (radius / std::sqrt(norm_squared(start))));
@@ -15,10 +15,10 @@ Box Cover::Wedge::arc_box(Vec2 center, double radius) const {
   return box;
 }
 
-/// A box that holds that arc and is cheaper to find; `start` and `end` have unit length.
+/// A cheaper, possibly larger box around the same arc; `start` and `end` have unit length.
 Box Cover::Wedge::wide_box(Vec2 center, double radius) const {
   if (over_quarter) return Box{center, center}.grown(radius);
-  // The arc lies within its sagitta of the chord.
+  // The arc is within its sagitta of the chord.
   const Vec2 a = center + start * radius, b = center + end * radius;
   Box box;
   box.add(a);
@@ -77,7 +77,7 @@ void Cover::add_circle(Vec2 center, double radius, const Wedge& part, const Box&
   rims.curves.push_back({true, center, {}, radius, box.grown(kBorder)});
 }
 
-/// The part of the circle about the joint of two edges that can be a rim: between their normals, on the outer
+/// The part of the circle about the joint of two edges possibly forming a rim: between their normals, on the outer
 /// side of the turn.
 std::optional<Cover::Wedge> Cover::outer_side(Vec2 in, Vec2 out) {
   const double turn = cross(in, out);

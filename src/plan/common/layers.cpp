@@ -15,20 +15,22 @@ namespace {
 
 /// Share of the stepdown. A last layer thinner than this would rub rather than cut.
 constexpr double kSliver = 0.05;
-/// A stepdown that needs more layers than this was mistyped.
+/// A stepdown requiring more layers than this is taken as a typing mistake.
 constexpr double kMostLayers = 10000;
 /// Relative. Rounding of decimal depths: 10.1 - 0.1 are ten steps of 1.
 constexpr double kRounding = 1e-9;
 
-/// How a cutter with a rounded end touches a wall that leans by `draft` radians.
+/// Contact of a cutter's rounded end with a wall inclined by `draft` radians.
 struct RoundOnWall {
   double round = 0, draft = 0;
 
-  /// mm that the wall at the height of the tip lies beside the middle of the rounding: as much as the round itself at upright walls.
+  /// mm; distance, at the height of the tip, of the wall from the middle of the rounding: the rounding's radius for
+  /// vertical walls.
   double beside() const { return round * (1 - base::sin(draft)) / base::cos(draft); }
 
-  /// mm of height along which no more than `left` mm stand off the wall, square to it. Square to the wall the end at an angle of
-  /// d to where it touches leaves round (1 - cos d); above the rounding its side leaves the more the higher.
+  /// mm of height over which no more than `left` mm remain on the wall, square to the wall. At an angle d from its
+  /// contact point the rounded end leaves round (1 - cos d), square to the wall; above the rounding, the side leaves
+  /// an amount growing with the height.
   double height_within(double left) const {
     const double wide = base::acos(std::max(-1.0, 1 - left / round));
     const double low = round - round * base::sin(std::min(kPi / 2, draft + wide));
@@ -37,15 +39,16 @@ struct RoundOnWall {
   }
 };
 
-/// Share of the step that the scallop alone gives. Where rounded ends need less than that, no step is small enough.
+/// Least share of the step given by the scallop only. If rounded ends need a smaller step, no step is small enough.
 constexpr double kLeastStep = 0.1;
 
-/// mm; the height that a layer may take on leaning walls, of a rounded end that touches them, or keeps off as if it were flat.
+/// mm; the permitted height of a layer at inclined walls, for a rounded end that touches the walls, or keeps the
+/// distance of a flat end.
 double height_for(double scallop, double draft, const RoundedEnd& end) {
   const double flat = scallop / base::sin(draft);
   if (end.round <= 0) return flat;
   if (end.touches_walls) return RoundOnWall{end.round, draft}.height_within(scallop);
-  // It comes nearest to the wall at some height over the tip: below it the next layer cuts.
+  // The rounded end is nearest to the wall at some height over the tip: below this height the next layer cuts.
   const double less = flat - end.round * (1 - base::sin(draft));
   return less > kLeastStep * flat ? less : flat;
 }
@@ -67,7 +70,7 @@ Layer outline_at(const Feature& feature, double z, const Tolerances& tol) {
     return layer;
   }
   layer.allowed = features::at_depth(feature.allowed, feature.wall_slope, feature.top_z - z, tol);
-  // Open sides have no draft: only walls, which bound `allowed`, move inwards with depth.
+  // Open sides have no draft: only the walls, bounding `allowed`, move inwards with depth.
   layer.target = closed_all_round(feature) ? layer.allowed : intersect(feature.target, layer.allowed, tol);
   return layer;
 }

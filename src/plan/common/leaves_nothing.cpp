@@ -9,7 +9,7 @@
 namespace clearcut::plan {
 namespace {
 
-/// mm. What rings that meet exactly may leave between them.
+/// mm. Thickness of residuals permitted between exactly meeting rings.
 constexpr double kThinResidual = 0.0035;
 
 }  // namespace

@@ -1,12 +1,14 @@
-// Whether the passes of a layer clear all that the cutter can reach: asked where no later look at the part would tell.
+// Tests whether the passes of a layer clear everything within the cutter's reach; used if no later check of the part
+// would find residuals.
 #pragma once
 
 #include "model/pass.h"
 
 namespace clearcut::plan {
 
-/// Whether no place of the target at which the centre of the cutter may stand is farther from the passes than its radius,
-/// in mm. Thinner residuals than rings leave that exactly meet do not count. Cost: one search for holes in what is swept.
+/// Whether every place of the target within the legal area of the cutter's centre is within the tool radius (mm) of
+/// the passes. Residuals thinner than those between exactly meeting rings do not count. Cost: one search for holes in
+/// the swept area.
 bool leaves_nothing(const LayerPasses& passes, double tool_radius);
 
 }  // namespace clearcut::plan

@@ -21,7 +21,7 @@ constexpr double kArcPiece = kPi / 9;
 /// Share of an edge's length. A detour that begins nearer than this to an end of the edge begins at that end.
 constexpr double kAtEnd = 1e-6;
 
-/// Vertices of holes, and the position of the cutter that clears them.
+/// Vertices of holes, and the cutter position clearing them.
 struct Group {
   std::vector<Vec2> points;
   Vec2 center;
@@ -77,7 +77,7 @@ std::vector<Group> groups_of(std::vector<Vec2> holes, double most) {
   return groups;
 }
 
-/// Which share of the line from `from` to the group's centre the cutter has to go to clear the whole group.
+/// Share of the line from `from` to the group's centre that the cutter must travel to clear the whole group.
 double share_to_go(Vec2 from, const Group& group, double radius) {
   const Vec2 offset = group.center - from;
   const double length_squared = norm_squared(offset);
@@ -101,7 +101,7 @@ struct Place {
   double distance = std::numeric_limits<double>::infinity();
 };
 
-/// Where a detour to p may begin: the place nearest to p on each edge, the nearest first.
+/// Possible starts of a detour to p: the place nearest to p on each edge, the nearest first.
 std::vector<Place> places_near(const std::vector<Path>& paths, Vec2 p, double reach) {
   std::vector<Place> places;
   for (std::size_t i = 0; i < paths.size(); ++i) {
@@ -116,7 +116,7 @@ std::vector<Place> places_near(const std::vector<Path>& paths, Vec2 p, double re
   return places;
 }
 
-/// Inserts the detour to `target` and back. At a free end of the path it needs no way back.
+/// Inserts the detour to `target` and back. At a free end of the path the detour needs no return.
 void insert_path(Path& path, const Place& place, Vec2 target) {
   const Edge edge = path[place.edge];
   const bool at_from = place.t<kAtEnd, at_to = place.t> 1 - kAtEnd;

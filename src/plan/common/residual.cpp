@@ -7,12 +7,12 @@
 namespace clearcut::plan {
 namespace {
 
-/// mm. Residuals thinner than this come from rounding.
+/// mm. Residuals thinner than this are due to rounding.
 constexpr double kNothing = 1e-6;
-/// mm. A path that leaves its contour by less than this clears nothing worth cutting.
+/// mm. A path deviating from its contour by less than this clears no significant material.
 constexpr double kTooShort = 0.003;
 
-/// A place that a cutter standing at a vertex has to clear, with all that lies within `around` mm of it.
+/// A place to be cleared by a cutter at a vertex, with all points within `around` mm of the place.
 struct Served {
   Vec2 point;
   double around = 0;
@@ -21,11 +21,11 @@ struct Served {
 struct Link {
   std::size_t a = 0;
   std::size_t b = 0;
-  bool gone = false;    ///< what it leads to is cleared from elsewhere
+  bool gone = false;    ///< the places reached by this link are cleared from elsewhere
   bool walked = false;  ///< already part of a path
 };
 
-/// The part of the medial axis that has to be followed, as a graph that is cut back from its free ends.
+/// The part of the medial axis to be followed, as a graph trimmed from its free ends.
 class ResidualGraph {
  public:
   ResidualGraph(const RingNode& node, double radius) : radius_(radius) {
@@ -63,7 +63,7 @@ class ResidualGraph {
     const std::size_t b = vertex(piece.high_id, piece.high.point);
     root_[b] = root_[b] || (piece.high_id < 0 && piece.high.clearance >= node.next_level);
     if (a == b) return;  // the lone centre of a round pocket
-    // A residual lies at most this far from its place on the axis. At centres of fillets more than two walls
+    // A residual is at most this far from its place on the axis. At centres of fillets more than two walls
     // contribute to one place.
     served_[a].front().around = piece.low.clearance - from;
     served_[b].front().around = piece.high.clearance - from;
@@ -143,8 +143,7 @@ class ResidualGraph {
     return std::clamp((root - b) / a, 0.0, 1.0);
   }
 
-  /// Where paths may begin: at roots, else at free ends, else anywhere. A root whose links were all cut off
-  /// needs no path.
+  /// Possible starts of paths: roots, else free ends, else any vertex. A root with all links removed needs no path.
   std::vector<std::size_t> starts() {
     std::vector<std::size_t> roots, ends, others;
     for (std::size_t v = 0; v < place_.size(); ++v) {
@@ -163,12 +162,12 @@ class ResidualGraph {
     if (ring_from(start, path)) return path;
     measure_from(start);
     visit(start, path.points);
-    // The path goes there and back. The last way back is needed only if the path has to end on its root.
+    // The path runs there and back. The last return is needed only if the path must end on its root.
     if (!path.rooted) path.points.resize(last_new_);
     return path;
   }
 
-  /// Whether `start` lies on a plain cycle, whose vertices all have two links; if so, fills `path`.
+  /// Whether `start` is on a simple cycle with two links at every vertex; if so, fills `path`.
   bool ring_from(std::size_t start, ResidualPath& path) {
     std::vector<std::size_t> ring;
     std::size_t v = start, came_by = links_.size();
@@ -203,7 +202,7 @@ class ResidualGraph {
         link.walked = true;
         std::size_t u = other_end(links_at_[v][i], v);
         if (seen[u]) {
-          u = copy_of(u);  // the link closes a cycle: it is followed from here as a dead end
+          u = copy_of(u);  // the link closes a cycle: this link is followed from here as a dead end
           children_.emplace_back();
           length.push_back(0);
           seen.push_back(true);
@@ -246,7 +245,7 @@ class ResidualGraph {
   }
 
   double radius_;
-  int next_tip_ = -1'000'000'000;  // less than every number that ring_tree gives
+  int next_tip_ = -1'000'000'000;  // less than every number given by ring_tree
   std::map<int, std::size_t> index_;
   std::vector<Vec2> place_;
   std::vector<bool> root_;

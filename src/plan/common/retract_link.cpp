@@ -8,7 +8,7 @@
 namespace clearcut::plan {
 namespace {
 
-/// mm above the material where the plunge begins.
+/// mm above the material at which the plunge begins.
 constexpr double kAboveMaterial = 1;
 constexpr double kPlungeShare = 0.3;  // the plunge feed as a share of the cutting feed
 

@@ -1,4 +1,4 @@
-// How long a retract link takes, to compare it with a link at depth.
+// Time of a retract link, for comparison with a link at depth.
 #pragma once
 
 #include <optional>

@@ -9,10 +9,10 @@
 namespace clearcut::plan {
 namespace {
 
-/// mm. Curved pieces of the axis are replaced by chords that lie this near to them.
+/// mm. Curved pieces of the axis are replaced by chords within this distance.
 constexpr double kAxisChord = 0.001;
-/// mm. The axis is cut this much above a level, so that a neck exactly twice the level wide separates the
-/// axis as it separates the regions of that level.
+/// mm. The axis is cut this much above a level, so that a neck exactly twice the level wide separates the axis in the
+/// same places as the regions of that level.
 constexpr double kLevelMargin = 0.0006;
 
 /// mm. Regions up to this size may be specks of flattening: their distance to the boundary is checked.
@@ -67,7 +67,7 @@ class TreeBuilder {
     }
   }
 
-  /// Removes from `pieces` what lies below `level` and returns it; pieces that cross it are cut in two.
+  /// Removes from `pieces` the parts below `level` and returns them; pieces crossing the level are cut in two.
   Pieces split_off_below(Pieces& pieces, double level) {
     Pieces below, above;
     for (const auto& piece : pieces) {
@@ -121,7 +121,7 @@ class TreeBuilder {
     return groups;
   }
 
-  /// The number that groups_of gives to an end of pieces; -1 between its calls.
+  /// The number assigned by groups_of to an end of pieces; -1 between its calls.
   int& number_of(int id) {
     const auto place = static_cast<std::size_t>(id >= 0 ? 2 * id : -2 * id - 1);
     if (place >= numbers_.size()) numbers_.resize(2 * place + 1, -1);
@@ -145,7 +145,7 @@ class TreeBuilder {
       inside.insert(inside.end(), group.begin(), group.end());
     }
     for (std::size_t i = 0; i < regions.size(); ++i) {
-      // A region so small that the axis inside it lies below the margin.
+      // A region so small that the axis inside is below the margin.
       if (node_of_region.count(i) == 0 && belongs_to(regions[i], parent)) add_node(parent, level, regions[i]);
     }
   }
@@ -157,9 +157,9 @@ class TreeBuilder {
     return contour.box().contains(p) && contour.contains(p);
   }
 
-  /// Keeps pieces that lie above the level where rounding left no region: their parent has to clear them.
+  /// Keeps pieces above the level for which rounding left no region: their parent must clear them.
   void keep_in_gap(int parent, const Pieces& group) {
-    if (parent < 0) return;  // these are lines where the cutter just fits, see Clearance::fit_lines
+    if (parent < 0) return;  // these are lines on which the cutter just fits, see Clearance::fit_lines
     auto& gap = nodes_[static_cast<std::size_t>(parent)].gap;
     gap.insert(gap.end(), group.begin(), group.end());
   }
@@ -172,7 +172,7 @@ class TreeBuilder {
     inside_.emplace_back();
   }
 
-  /// The region that holds the group's point of greatest clearance, or lies within 1 um of it; else
+  /// The region that contains the group's point of greatest clearance, or is within 1 um of this point; else
   /// regions.size().
   static std::size_t region_of(const Pieces& group, const Regions& regions) {
     const auto deepest = std::max_element(group.begin(), group.end(), [](const auto& a, const auto& b) {
@@ -199,7 +199,7 @@ class TreeBuilder {
   std::vector<RingNode> nodes_;
   std::vector<Pieces> inside_;  ///< per node: the axis inside its contour, until its children are made
   std::map<double, Regions> insets_;
-  int next_cut_id_ = -1;      ///< ends of pieces that are no points of the axis have negative numbers
+  int next_cut_id_ = -1;      ///< ends of pieces other than points of the axis have negative numbers
   std::vector<int> numbers_;  ///< see number_of
 };
 

@@ -1,4 +1,4 @@
-// The tree of offset contours of one legal area: each with the contours that lie next inside it.
+// The tree of offset contours of one legal area: each with the contours next inside it.
 #pragma once
 
 #include <functional>
@@ -10,8 +10,8 @@
 namespace clearcut::plan {
 
 /// A piece of the medial axis along which the clearance rises from `low` to `high`. Its ends are numbered: by
-/// the axis point's index, or, where a contour's level cuts the axis, by a negative number that occurs
-/// nowhere else in the tree.
+/// the axis point's index, or, at a cut of the axis by a contour's level, by a negative number that occurs nowhere
+/// else in the tree.
 struct AxisPiece {
   int low_id = 0;
   int high_id = 0;
@@ -33,13 +33,13 @@ struct RingNode {
 /// mm from a contour to the next ones inside it; `inside` is the medial axis inside the contour.
 using StepOf = std::function<double(const RingNode& ring, const std::vector<AxisPiece>& inside)>;
 
-/// clearance.inset(d) without specks that lie nearer than d mm to the boundary of `domain`, the region that
-/// the clearance was computed from: flattening can leave some where walls meet a fillet of nearly the
-/// cutter's radius.
+/// clearance.inset(d) without specks nearer than d mm to the boundary of `domain`, the region from which the
+/// clearance was computed: flattening can leave specks at joints of walls with a fillet of nearly the cutter's
+/// radius.
 Regions safe_inset(const Clearance& clearance, const Region& domain, double d, const Tolerances& tol);
 
 /// All contours from the clearance `first_level`, mm, inwards; parents come before their children. Cost: one
-/// inset for each distinct level, and one visit of each axis piece for each level that it spans.
+/// inset for each distinct level, and one visit of each axis piece for each of its levels.
 std::vector<RingNode> ring_tree(const Clearance& clearance, const Region& domain, double first_level,
                                 const StepOf& step_of, const Tolerances& tol);
 

@@ -12,29 +12,33 @@
 namespace clearcut::plan {
 namespace {
 
-/// Radians. Planners of machines hardly slow down in smaller turns; larger ones are ways there and back.
+/// Radians. Machines hardly slow down in smaller turns; larger turns are reversals of detours.
 constexpr double kLeastRounded = 0.04;
 constexpr double kMostRounded = 2.8;
-/// Share of a straight move that the arc at its beginning may take, and share of what that leaves for the arc at its end.
+/// Share of a straight move available to the arc at its beginning, and share of the remainder available to the arc at
+/// its end.
 constexpr double kTaken = 0.5;
 constexpr double kTakenOfRest = 0.9;
-/// Shares of the cutter's radius: the widest and the tightest arc that is tried. Wider ones gain no speed, tighter ones little.
+/// Shares of the cutter's radius: the widest and the tightest tried arc. Wider arcs gain no speed, tighter ones
+/// little.
 constexpr double kWidest = 4;
 constexpr double kTightest = 0.04;
-/// Factor from one radius that is tried to the next.
+/// Factor from one tried radius to the next.
 constexpr double kSmaller = 0.6;
-/// mm. The farthest place that a corner clears is tested this far inside, and has to be cleared by as much more.
+/// mm. The farthest place cleared by a corner is tested this far inside, and must be cleared with this much reserve.
 constexpr double kAtRim = 1e-6;
 /// mm by which the check's radius is less than the cutter's: more than any program's rounding.
 constexpr double kRoundingMargin = 0.001;
-/// mm. Places of a rim have to lie this deep inside what others clear: less would be proven in steps as short as that.
+/// mm. Least depth of the places of a rim inside the area cleared by other edges: smaller depths would require
+/// equally short steps of the proof.
 constexpr double kLeastDepth = 2e-4;
-/// Share of the cutter's radius: no edge is sought that clears a place deeper than this.
+/// Share of the cutter's radius: no edge is sought that clears a place by more than this.
 constexpr double kEnoughDepth = 0.1;
-/// Of the acceleration: what controls use across an arc; factor by which it takes longer to gather speed beside one.
+/// Share of the acceleration used by controls across an arc; factor by which accelerating beside an arc takes longer.
 constexpr double kAcross = 0.866;
 constexpr double kArcLoss = 1.5;
-/// mm, of the blends of programs; s, that a rounded corner has to save, since every move costs some.
+/// mm, tolerance of the blends of programs; s, least time saved by a rounded corner, since every additional move
+/// costs some.
 constexpr double kBlend = 5e-4;
 constexpr double kLeastGain = 1e-3;
 /// Radians; pieces of arcs whose legality is tested at once.
@@ -127,9 +131,9 @@ class Rounder {
     return std::nullopt;
   }
 
-  /// Whether the machine loses less time on an arc than in the corner. It runs through the corner at the speed at which a control that
-  /// blends within kBlend goes round it, and through the arc at the speed that its acceleration allows across; arcs leave half of
-  /// the acceleration to gather speed.
+  /// Whether the machine loses less time on an arc than in the corner. Speed in the corner: that of a control that
+  /// blends within kBlend. Speed on the arc: the one allowed by the acceleration across; arcs leave half of the
+  /// acceleration for gaining speed.
   bool saves_time(double turn, double radius) const {
     const double v = job_.speed, a = job_.acceleration;
     if (v <= 0 || a <= 0) return true;
@@ -150,7 +154,7 @@ class Rounder {
             Edge::line(b, after.to)};
   }
 
-  /// Whether no other edge clears the place farthest out of those that the corner clears.
+  /// Whether no other edge clears the outermost place cleared by the corner.
   bool clears_alone(const Side& before, const Side& after, Vec2 in, Vec2 out) const {
     const Vec2 place = before.edge.to + unit(in - out) * (job_.proven - kAtRim);
     const double reach = job_.proven - 2 * kAtRim;
@@ -180,9 +184,10 @@ class Rounder {
     return !Cover(edges, job_.proven).has_hole(both.grown(job_.proven), was_cut);
   }
 
-  /// Whether `edges` clear the rim of what the corner's two pieces clear, on the outer side, and all places within `deep` mm of it. What
-  /// the arc does not clear any more lies no farther inside of that rim than the arc deviates from the corner; with less what is
-  /// left inside of the rim is a hole all round, which the exact check finds.
+  /// Whether `edges` clear the rim, on the outer side, of the area cleared by the corner's two pieces, and all places
+  /// within `deep` mm of this rim. Places no longer cleared by the arc are no farther inside of the rim than the arc
+  /// deviates from the corner; with a smaller `deep`, an uncleared place inside of the rim is a hole with a complete
+  /// border, found by the exact check.
   bool clear_outer_rim(const Edge& first, const Edge& second, const std::vector<Edge>& edges,
                        double deep) const {
     const Vec2 in = unit(first.to - first.from), out = unit(second.to - second.from), corner = first.to;
@@ -195,7 +200,7 @@ class Rounder {
                        [&](const Edge& piece) { return all_cleared(piece, edges, deep); });
   }
 
-  /// Each place that lies some depth inside what an edge clears proves as much of the rim on both sides of it.
+  /// A place at some depth inside the area cleared by an edge proves the rim over this length on both sides.
   bool all_cleared(const Edge& rim, const std::vector<Edge>& edges, double deep) const {
     const double length = rim.length();
     std::size_t last = 0;  // neighbouring places are mostly cleared by the same edge
@@ -214,8 +219,8 @@ class Rounder {
 
   const RoundingJob& job_;
   std::vector<Edge> edges_;
-  std::vector<char> used_;  ///< of each edge: whether it is still part of a pass
-  BoxIndex index_;          ///< where edges lie
+  std::vector<char> used_;  ///< per edge: whether the edge is still part of a pass
+  BoxIndex index_;          ///< index of the places of edges
 };
 
 }  // namespace

@@ -5,11 +5,11 @@
 //   e       layer.wall_stock     mm     finishing allowance
 //   H       step                 mm     R + e for the first contour, then 2 R kappa (CPO-kappa eq. 2)
 //   kappa   kappa(), rho()              CPO-kappa eq. 6, CPO-rho eq. 8
-//   A       see residual_paths   mm     from a contour to the centre; something is left there for R < A < 2R.
+//   A       see residual_paths   mm     from a contour to the centre; a residual is left there for R < A < 2R.
 //                                       Here every maximum and ridge of the clearance counts as a centre.
 //
 // The contours come from one Voronoi diagram instead of edge by edge, so that vanishing edges (CPO-kappa alg.
-// 2), splits and islands need no rule of their own. docs/contour.md tells the departures.
+// 2), splits and islands need no rule of their own. docs/contour.md lists the departures.
 #include "plan/contour/contour.h"
 
 #include <algorithm>
@@ -34,14 +34,13 @@ namespace {
 constexpr double kSmallestStep = 0.005;
 /// mm. Rings a whole diameter apart just meet; rounding of the program's numbers may part them by this.
 constexpr double kRingResidual = 0.001;
-/// mm. On layers where no residual may stay: overlap of rings, and of the paths that clear what rings leave.
+/// mm. On layers without permitted residual: overlap of rings, and of the paths clearing the residuals of rings.
 constexpr double kBareOverlap = 0.004;
 constexpr double kBareMargin = 0.002;
-/// mm. An edge of the target whose middle lies farther than this from every wall is open.
+/// mm. An edge of the target with its middle farther than this from every wall is open.
 constexpr double kOpenDistance = 1e-3;
 
-/// mm. Residual that may stay at the border of a face. Share of the tool radius: distance between samples of
-/// that border.
+/// mm. Residual permitted at the border of a face. Share of the tool radius: distance between samples of this border.
 constexpr double kArmResidual = 0.005;
 constexpr double kBorderPitch = 0.1;
 
@@ -62,10 +61,10 @@ bool has_open_side(const Loop& loop, const Regions& allowed) {
 /// just fit into it; thin rests along walls need at least 2.
 constexpr double kReachBesideWalls = 2.05;
 
-/// Where the first ring of a face, a target with open sides, runs.
+/// Place of the first ring of a face, a target with open sides.
 enum class FaceRing {
   kInside,  ///< inside the edge, just near enough to clear the sharpest corner
-  kOnEdge   ///< on the edge, so that arms too narrow for a ring inside are cleared, too
+  kOnEdge   ///< on the edge, so that arms too narrow for a ring inside are also cleared
 };
 
 /// mm; how far beyond the target's open sides rings may run through air (docs/contour.md, "Open sides").
@@ -86,7 +85,7 @@ double reach_beyond(const Region& target, const Layer& layer, FaceRing face_ring
   return radius - 0.98 * radius * base::sin(smallest_angle(target) / 2);
 }
 
-/// The area in which rings are planned: `allowed` without what lies far beyond the target's open sides.
+/// The area in which rings are planned: `allowed` without the area far beyond the target's open sides.
 Regions working_domain(const Layer& layer, FaceRing face_ring, const Tolerances& tol) {
   if (closed_all_round(layer)) return layer.allowed;
   Regions closed, open;
@@ -96,7 +95,8 @@ Regions working_domain(const Layer& layer, FaceRing face_ring, const Tolerances&
                        std::any_of(target.islands().begin(), target.islands().end(),
                                    [&](const Loop& loop) { return has_open_side(loop, layer.allowed); });
     (opens ? open : closed).push_back(target);
-    // Rings keep wall_stock off the border of their area; in the air no stock has to stay, so that is added again.
+    // Rings keep wall_stock off the border of their area; no stock is needed in the air, so wall_stock is added
+    // again.
     const double reach = reach_beyond(target, layer, face_ring) + layer.wall_stock;
     if (opens) beyond = std::max(beyond, reach);
   }
@@ -122,7 +122,7 @@ std::vector<Domain> domains_of(const Layer& layer, FaceRing face_ring, const Tol
   return domains;
 }
 
-/// Where the cutter's centre may be. If the pocket is closed all round, the rings at the wall bound it.
+/// Legal area of the cutter's centre. If the pocket is closed all round, the rings at the wall bound it.
 Regions legal_area(const Layer& layer, const std::vector<Domain>& domains, double first_level,
                    const Tolerances& tol) {
   if (!closed_all_round(layer)) return legal_centers(layer, tol);
@@ -146,7 +146,7 @@ void reverse_paths(LayerPasses& layer) {
   std::for_each(paths, layer.passes.end(), [](Pass& pass) { pass.path = reversed(pass.path); });
 }
 
-/// Adds a straight path from `start` to the first path that can be reached by one.
+/// Adds a straight path from `start` to the first path reachable by a straight path.
 void begin_at(Vec2 start, LayerPasses& layer) {
   const LegalArea legal(layer.legal);
   for (auto& pass : layer.passes) {
@@ -162,7 +162,7 @@ void begin_at(Vec2 start, LayerPasses& layer) {
 LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, FaceRing face_ring,
                             const Tolerances& tol);
 
-/// Whether the passes leave some of the border of a target with open sides that the cutter could clear.
+/// Whether the passes leave a part of the border of a target with open sides although the cutter could clear it.
 bool leaves_border(const Layer& layer, const LayerPasses& planned) {
   std::vector<Edge> edges;
   for (const auto& pass : planned.passes) edges.insert(edges.end(), pass.path.begin(), pass.path.end());
@@ -220,8 +220,8 @@ LayerPasses plan_inside_out(const Layer& layer, const ContourOptions& options, F
   job.reserve = layer.reserve;
   job.residuals = options.residuals;
   job.sharp_reflex = options.sharp_reflex;
-  // Where rings fit exactly, as in pockets of round dimensions, accepting a residual saves a pass; on faces it
-  // saves nothing.
+  // If rings fit exactly, as in pockets of round dimensions, accepting a residual saves a pass; on faces there is no
+  // saving.
   const bool bare = layer.bare || !closed_all_round(layer);
   job.margin = bare ? kBareMargin : 0;
   const double overlap = bare && options.step.kind == StepRule::Kind::kWidest ? kBareOverlap : 0;

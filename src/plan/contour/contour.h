@@ -1,5 +1,5 @@
-// Contour-parallel passes: rings at growing distance from the wall, and whatever else it takes to leave
-// nothing.
+// Contour-parallel passes: rings at growing distance from the wall, and the additional passes needed to leave nothing
+// uncut.
 #pragma once
 
 #include <optional>
@@ -17,11 +17,11 @@ namespace clearcut::plan::contour {
 /// How far apart successive contours are.
 struct StepRule {
   enum class Kind {
-    kWidest,          ///< "widest": as wide as the cutter allows; local passes clear what it leaves
-    kKappa,           ///< "lom": the widest that leaves nothing at the smallest angle (CPO-kappa eq. 6)
+    kWidest,          ///< "widest": as wide as the cutter allows; local passes clear the residuals
+    kKappa,           ///< "lom": the widest step without residual at the smallest angle (CPO-kappa eq. 6)
     kRho,             ///< "rho": the same with an overlap of `value` * sin(alpha/2) mm (CPO-rho eq. 8)
     kSecondAngle,     ///< "second": rho of the second smallest angle if only one is smallest (CPO-rho 3.2)
-    kKappaCorrected,  ///< "lom-corrected": the widest that leaves nothing anywhere (plan/contour/ring_band.h)
+    kKappaCorrected,  ///< "lom-corrected": the widest step without any residual (plan/contour/ring_band.h)
     kRhoCorrected,    ///< "rho-corrected": the same with rho's overlap
     kFraction,        ///< `value` * diameter
     kMm,              ///< `value` mm
@@ -37,22 +37,22 @@ struct StepRule {
 /// several of these with commas, one for each contour. Throws InputError.
 StepRule parse_step_rule(const std::string& text);
 
-/// How material that wide steps leave in corners and centres is cleared.
+/// Rule for clearing material left by wide steps in corners and centres.
 enum class ResidualRule {
-  kOurs,   ///< a path along the medial axis, only where something is left
+  kOurs,   ///< a path along the medial axis, only if a residual is left
   kNone,   ///< not at all: the plain method, for comparison
-  kLoops,  ///< a loop at every corner of every contour that leaves something (Zhao); ridges as ours
+  kLoops,  ///< a loop at every corner of every contour with a residual (Zhao); ridges as ours
   /// The same with the kite of pair-wise interference detection (Park et al.); plan/contour/corner_loop.h.
   kPwid,
   kSingleLoops,  ///< the same with one tangent loop (Choy and Chan)
   kDoubleLoops,  ///< the same with two
-  kBisectors,    ///< a pass along the whole bisector of every such corner (Lin)
+  kBisectors,    ///< a pass along the whole bisector of every corner with a residual (Lin)
   kPassages  ///< passages from each contour to the next along the bisector of a single smallest angle (CPO-rho 3.2)
 };
 
 /// How the cutter gets from a contour to the next.
 enum class Passage {
-  kShortest,  ///< as linking finds it
+  kShortest,  ///< in the order found by linking
   kBisector   ///< along a corner's bisector (CPO-kappa eq. 3); plan/contour/passages.h
 };
 
@@ -60,20 +60,20 @@ struct ContourOptions {
   StepRule step;
   ResidualRule residuals = ResidualRule::kOurs;
   Passage passage = Passage::kShortest;
-  /// Reflex corners of contours stay corners (CPO-kappa eq. 2) where the outline has no arcs; false: they are rounded. Of rules that cut
-  /// nothing but contours and passages.
+  /// Reflex corners of contours stay corners (CPO-kappa eq. 2) if the outline has no arcs; false: they are rounded.
+  /// Only for rules that cut nothing but contours and passages.
   bool sharp_reflex = false;
   /// How long to search for shorter paths at the widest step. 0: not at all, under a millisecond; 1: some
   /// tenths of a second for an ordinary pocket.
   double effort = 1;
   /// Rings run with the wall on the right (climb milling for a clockwise spindle); false: on the left.
   bool wall_on_right = true;
-  /// Rings at the wall come first, those inside them after them; false: the other way round.
+  /// Rings at the wall come first, then the rings inside them; false: the reverse order.
   bool outside_in = false;
-  /// Where cutting begins, if the first pass can be reached from there on a straight path; else as near as
-  /// possible.
+  /// Start of cutting, if the first pass can be reached from this point on a straight path; else cutting begins as
+  /// near as possible.
   std::optional<Vec2> start;
-  /// The machine and the feed with which the times of several plans are compared.
+  /// The machine and the feed for comparing the times of several plans.
   Machine machine;
   MmPerMin feed = MmPerMin::of(1000);
   /// Asked between the candidates of the search; plan_contour throws Cancelled if a stop was requested.
@@ -83,22 +83,20 @@ struct ContourOptions {
 /// Plans the passes of one layer.
 ///
 /// Shape   Closed rings oriented as their regions (the wall on the right), each with the ring around it as
-///         parent; open passes where the cutter just fits and where rings leave material. The first ring is
-///         at tool_radius + wall_stock. Empty if the cutter fits nowhere; the caller reports it.
-/// Error   With ResidualRule::kOurs nothing reachable of `target` is left thicker than tol.uncut, whatever
-///         the step.
+///         parent; open passes on lines on which the cutter just fits and in places where rings leave material. The
+///         first ring is at tool_radius + wall_stock. Empty if the cutter fits nowhere; the caller reports it.
+/// Error   With ResidualRule::kOurs nothing reachable of `target` is left thicker than tol.uncut, for any step.
 /// Cost    O(n log n + length of the result / radius).
 /// Source  CPO-kappa, CPO-rho (papers, see docs/texts.md); for residuals docs/contour.md.
 LayerPasses plan_contour(const Layer& layer, const ContourOptions& options, const Tolerances& tol);
 
 // The papers' formulas (docs/texts.md). Angles are interior angles in radians, lengths mm.
 
-/// CPO-kappa eq. 6: step / diameter that leaves neither residual nor overlap in a corner of angle alpha.
+/// CPO-kappa eq. 6: step / diameter without residual or overlap in a corner of angle alpha.
 double kappa(double alpha);
-/// CPO-rho eq. 8, printed with w = 1 mm: step / diameter that overlaps by w sin(alpha / 2) in the corner.
+/// CPO-rho eq. 8, printed with w = 1 mm: step / diameter with an overlap of w sin(alpha / 2) in the corner.
 double rho(double alpha, double radius, double w = 1.0);
-/// CPO-kappa eq. 4: mm; size of what is left in a corner, with overlap = 1 - step / diameter; <= 0 if nothing
-/// is.
+/// CPO-kappa eq. 4: mm; size of the residual in a corner, with overlap = 1 - step / diameter; <= 0 if there is none.
 double residual_size(double alpha, double radius, double overlap);
 /// mm; the passage from one contour to the next along the bisector: M = H / sin(alpha / 2).
 double passage_length(double step, double alpha);
@@ -106,7 +104,7 @@ double passage_length(double step, double alpha);
 double smallest_angle(const Region& contour);
 /// The smallest interior angle apart from a single smallest one (CPO-rho 3.2).
 double second_smallest_angle(const Region& contour);
-/// The corner with the single smallest angle; nothing if several have it.
+/// The corner with the smallest angle; nothing if several corners have this angle.
 std::optional<Vec2> single_smallest_corner(const Region& contour);
 
 }  // namespace clearcut::plan::contour

@@ -8,7 +8,7 @@ namespace {
 
 /// mm. Loops shorter than this clear nothing.
 constexpr double kShortest = 1e-3;
-/// sin(alpha / 2) of corners so flat that a loop has no sides.
+/// sin(alpha / 2) of corners too flat for a loop with sides.
 constexpr double kFlattest = 0.999;
 
 Path circle(Vec2 root, Vec2 tip) {
@@ -32,7 +32,7 @@ Path kite(Vec2 root, Vec2 tip, double half_sine) {
   return {Edge::line(root, foot), Edge::line(foot, tip), Edge::line(tip, other), Edge::line(other, root)};
 }
 
-/// A loop that goes straight on along `in`, on an arc through the tip, and back along `out`; symmetric about
+/// A loop that continues straight along `in`, on an arc through the tip, and back along `out`; symmetric about
 /// the line to the tip.
 Path tangent_loop(Vec2 root, Vec2 tip, double half_sine, Vec2 in) {
   const Vec2 path = tip - root, axis = unit(path);

@@ -8,7 +8,7 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// A contour-parallel method: its name, its step if none is given, and how it clears what steps leave.
+/// A contour-parallel method: its name, its step if none is given, and its rule for clearing residuals.
 struct ContourMethod {
   const char* name;
   const char* description;
@@ -33,8 +33,8 @@ constexpr ContourMethod kContourMethods[] = {
      ResidualRule::kDoubleLoops},
     {"bisectors", "published: fixed step and every corner's bisector", "0.9", ResidualRule::kBisectors}};
 
-/// Published methods go from contour to contour along bisectors, but take the shortest links if another strategy was asked
-/// for and they are only compared with it, and if there are leads, because these need closed rings.
+/// Published methods connect contours along bisectors, but use the shortest links if another strategy was requested
+/// and they only serve for comparison, and if there are leads, because leads need closed rings.
 Passage passage_of(const ContourMethod& method, const StrategyRequest& request) {
   const bool leads = request.step.lead > 0;
   if (request.step.bisector_passages.value_or(false) && leads)
@@ -47,7 +47,7 @@ Passage passage_of(const ContourMethod& method, const StrategyRequest& request) 
                                                                                          : Passage::kShortest;
 }
 
-/// Methods that cut rests besides need contours with round corners, whose rests they know.
+/// Methods that also cut residuals need contours with round corners, since they know the residuals of those.
 bool cuts_contours_alone(const ContourMethod& method) {
   return method.residuals == ResidualRule::kNone || method.residuals == ResidualRule::kPassages;
 }
@@ -56,7 +56,7 @@ bool cuts_contours_alone(const ContourMethod& method) {
 bool has_sharp_reflex(const ContourMethod& method, const StrategyRequest& request) {
   const std::string name = method.name;
   const bool is_printed_so = name == "lom" || name == "rho" || name == "second";
-  const bool is_corrected = name.ends_with("-corrected");  // its step is that of round corners
+  const bool is_corrected = name.ends_with("-corrected");  // its step is the one for round corners
   return cuts_contours_alone(method) && !is_corrected && request.step.sharp_reflex.value_or(is_printed_so);
 }
 
@@ -84,7 +84,7 @@ StrategyEntry entry_of(const ContourMethod& method) {
   entry.make = [&method](const StrategyRequest& request) { return make(method, request); };
   if (method.residuals != ResidualRule::kOurs) return entry;
   entry.in_auto = AutoUse::kFirst;
-  // Methods that leave nothing by construction are compared with it.
+  // Methods without residuals by construction are compared with this one.
   entry.rivals = {"single", "double", "pwid", "loops", "lom-corrected"};
   entry.fallbacks = {"", "0.6", "0.35"};
   return entry;

@@ -12,10 +12,10 @@ namespace clearcut::plan::contour {
 /// Clearcut's own method, then the corrected and the published ones.
 std::vector<StrategyEntry> entries();
 
-/// The step rule of a method that adds nothing to its contours; nothing for other methods.
+/// The step rule of a method with contours only; nothing for other methods.
 std::optional<StepRule> published_rule(const std::string& method);
 
-/// The step rule that a contour method other than ours runs with; none for other strategies.
+/// The step rule of a published contour method; none for other strategies.
 std::optional<StepRule> contour_rule(const std::string& name, const Stepover& stepover);
 
 }  // namespace clearcut::plan::contour

@@ -8,11 +8,12 @@
 
 namespace clearcut::plan::contour {
 
-/// The contours of a polygon from the distance `first_level`, mm, inwards: each by its sides moved in and prolonged to where they meet
-/// (CPO-kappa eq. 2, where interior angles above pi lengthen the sides; all moves are straight). Parents come before their children; the nodes
-/// have no gaps. `step_of` is given one piece of axis that rises to the greatest clearance inside the contour.
+/// The contours of a polygon from the distance `first_level`, mm, inwards: each with its sides moved in and prolonged
+/// to their intersections (CPO-kappa eq. 2, in which interior angles above pi lengthen the sides; all moves are
+/// straight). Parents come before their children; the nodes have no gaps. `step_of` gets one piece of axis rising to
+/// the greatest clearance inside the contour.
 ///
-/// Shape   nested as the sides leave them: regions split, sides vanish, and islands grow.
+/// Shape   nested as given by the moved sides: regions split, sides vanish, and islands grow.
 /// Error   1 nm a contour.
 /// Cost    one offset and one Voronoi diagram for each contour.
 std::vector<RingNode> mitred_ring_tree(const Region& domain, double first_level, const StepOf& step_of,

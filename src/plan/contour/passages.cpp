@@ -40,7 +40,7 @@ double angle_before(const Path& ring, std::size_t edge) {
   return kPi - base::atan2(cross(in, out), dot(in, out));
 }
 
-/// The corner with the smallest interior angle; where the ring begins if it has none.
+/// The corner with the smallest interior angle; the start of the ring if it has no corner.
 Place sharpest_corner(const Path& ring) {
   std::size_t best = 0;
   double least = kBluntest;
@@ -53,7 +53,7 @@ Place sharpest_corner(const Path& ring) {
   return {ring[best].from, best, 0};
 }
 
-/// Once round from that place.
+/// The ring once round from the given place.
 Path begun_at(const Path& ring, const Place& place) {
   const auto at = static_cast<std::ptrdiff_t>(place.edge);
   const Edge& edge = ring[place.edge];
@@ -67,7 +67,7 @@ Path begun_at(const Path& ring, const Place& place) {
   return path;
 }
 
-/// Rings that one pass joins, from the wall inwards, and where each is begun.
+/// Rings joined in one pass, from the wall inwards, and the start of each.
 struct Run {
   std::vector<std::size_t> rings;
   std::vector<Place> begins;
@@ -85,7 +85,7 @@ class Joiner {
 
   void join() {
     const std::size_t count = layer_.passes.size();
-    std::vector<int> place(count, -1);  // for each pass: index of the joined pass that holds it; -1: none
+    std::vector<int> place(count, -1);  // for each pass: index of the joined pass containing it; -1: none
     std::vector<Pass> joined;
     for (std::size_t i = 0; i < count; ++i) {
       if (place[i] >= 0 || !layer_.passes[i].closed) continue;
@@ -137,7 +137,7 @@ class Joiner {
     return joined;
   }
 
-  /// Whether a pass is a single passage that a joined pass already contains.
+  /// Whether a pass is a single passage already contained in a joined pass.
   bool is_held(const Pass& pass) const {
     if (pass.path.size() != 1) return false;
     const Edge& own = pass.path.front();

@@ -29,8 +29,8 @@ Nearest nearest_on(const Path& path, Vec2 p, std::size_t& edge) {
   return best;
 }
 
-/// A published loop stands for a straight line from root to tip; the detour that it replaces may deviate from
-/// that line by this share of the radius.
+/// A published loop replaces a straight line from root to tip; the replaced detour may deviate from that line by this
+/// share of the radius.
 constexpr double kStraightDetour = 0.1;
 
 std::optional<CornerLoop> loop_of(ResidualRule rule) {
@@ -59,10 +59,10 @@ bool stays_clear(const Path& loop, const Region& domain, double level) {
   });
 }
 
-/// mm. A path that begins no farther than this from a corner of its ring is taken to begin at that corner.
+/// mm. A path beginning no farther than this from a corner of its ring is treated as beginning at that corner.
 constexpr double kAtCorner = 0.01;
 
-/// Inserts into a ring, at the point nearest to `begin`, a path that returns to where it begins.
+/// Inserts into a ring, at the point nearest to `begin`, a path that returns to its start.
 template <typename MakePath>
 void insert_path(Path& ring, Vec2 begin, MakePath&& path_from) {
   std::size_t at = 0;
@@ -146,7 +146,7 @@ class PassBuilder {
     double distance = std::numeric_limits<double>::infinity();
   };
 
-  /// Of a node round many islands only the rings are measured whose boxes come near enough.
+  /// For a node around many islands only rings with sufficiently near boxes are measured.
   void look_through(const std::vector<std::size_t>& rings, Vec2 p, NearestRing& best) const {
     std::size_t edge = 0;
     for (const std::size_t ring : rings) {
@@ -168,8 +168,8 @@ class PassBuilder {
     });
   }
 
-  /// The published loop instead of the path to the tip and back; nothing if it does not fit or does not clear
-  /// the same.
+  /// The published loop instead of the path to the tip and back; nothing if the loop does not fit or does not clear
+  /// the same area.
   std::optional<Path> loop_for(const std::vector<Vec2>& detour, Vec2 in, Vec2 out,
                                const Region& domain) const {
     const auto kind = loop_of(job_.residuals);
@@ -214,7 +214,7 @@ class PassBuilder {
     if (residual.closed && residual.points.back() != residual.points.front())
       pass.path.push_back(Edge::line(residual.points.back(), residual.points.front()));
     if (pass.path.empty()) {
-      // One position clears it all: it is reached on a short path from the ring around it.
+      // One position clears the whole residual: it is reached on a short path from the ring around it.
       std::size_t edge = 0;
       const auto foot =
           nearest_on(passes_[static_cast<std::size_t>(pass.parent)].path, residual.points[0], edge);
@@ -225,8 +225,8 @@ class PassBuilder {
     passes_.push_back(std::move(pass));
   }
 
-  /// CPO-rho 3.2: the passage from a contour's corner to the next contour, along the bisector, clears what
-  /// the step leaves there.
+  /// CPO-rho 3.2: the passage from a contour's corner to the next contour, along the bisector, clears the residual of
+  /// the step there.
   void add_passages(const std::vector<RingNode>& nodes, const Region& domain) {
     for (std::size_t i = 0; i < nodes.size(); ++i) {
       if (nodes[i].children.empty()) continue;
@@ -245,8 +245,8 @@ class PassBuilder {
     }
   }
 
-  /// Lin et al.: a pass along the bisector of every corner in which the step leaves material, from the ring
-  /// at the wall to where it meets another bisector.
+  /// Lin et al.: a pass along the bisector of every corner in which the step leaves material, from the ring at the
+  /// wall to its intersection with another bisector.
   void add_bisectors(const Domain& domain, const std::vector<RingNode>& nodes) {
     const auto& axis = domain.clearance.axis();
     std::vector<std::vector<int>> edges_at(axis.points.size());

@@ -1,4 +1,4 @@
-// Makes passes: rings, and paths that clear what rings leave.
+// Makes passes: rings, and paths clearing the residuals of rings.
 #pragma once
 
 #include <vector>
@@ -20,20 +20,20 @@ struct Domain {
 struct RingJob {
   double radius = 0;       ///< of the cutter, mm
   double first_level = 0;  ///< mm from the wall to the first rings
-  double reserve = 0;      ///< mm of first_level kept for rounding only: exact fits need not keep it
-  double margin = 0;       ///< mm; overlap with which the material that rings leave is cleared
+  double reserve = 0;      ///< mm of first_level only for rounding: exact fits need not keep this part
+  double margin = 0;       ///< mm; overlap for clearing the residuals of rings
   StepOf step;
   ResidualRule residuals = ResidualRule::kOurs;
-  bool sharp_reflex = false;    ///< reflex corners of contours stay corners where the area has no arcs
-  std::vector<Path> fit_lines;  ///< where the cutter just fits: the same whatever the step is
+  bool sharp_reflex = false;    ///< reflex corners of contours stay corners if the area has no arcs
+  std::vector<Path> fit_lines;  ///< lines on which the cutter just fits: the same for any step
 };
 
-/// Where the cutter just fits in the domains at job.first_level.
+/// Lines on which the cutter just fits in the domains at job.first_level.
 std::vector<Path> fit_lines_of(const std::vector<Domain>& domains, const RingJob& job);
 
-/// The passes of all domains: rings, each after the ring around it, with detours into corners where they
-/// would leave material; then passes along ridges of the medial axis; then lines where the cutter just fits.
-/// Components have the same numbers whatever the step is.
+/// The passes of all domains: rings, each after the ring around it, with detours into corners in which they would
+/// leave material; then passes along ridges of the medial axis; then lines on which the cutter just fits. Components
+/// have the same numbers for any step.
 std::vector<Pass> ring_passes(const std::vector<Domain>& domains, const RingJob& job, const Tolerances& tol);
 
 }  // namespace clearcut::plan::contour

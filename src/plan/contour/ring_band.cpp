@@ -9,12 +9,12 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// mm. Rests thinner than this come from rounding.
+/// mm. Rests thinner than this are due to rounding.
 constexpr double kNothing = 0.002;
-/// mm of clearance per mm of axis; a branch that rises less is a ridge.
+/// mm of clearance per mm of axis; a branch of smaller slope is a ridge.
 constexpr double kFlat = 0.01;
-/// Share of the radius. A ring is expected only where the clearance exceeds its level by this; nearer to a
-/// centre it would be a speck.
+/// Share of the radius. A ring is expected only if the clearance exceeds its level by this; nearer to a centre the
+/// ring would be a speck.
 constexpr double kRoom = 0.02;
 /// mm. Precision of the widest step.
 constexpr double kStepPrecision = 1e-4;
@@ -65,7 +65,7 @@ RingBand::RingBand(const std::vector<AxisPiece>& inside, double level, double ra
     vertices_[b].links.push_back(links_.size());
     links_.push_back({a, b, distance(low.point, piece.high.point)});
   }
-  // Pieces above 2 radius are left out; axis points that lead to them rise without end.
+  // Pieces above 2 radius are left out; axis points leading to them count as rising without end.
   for (const auto& piece : inside) {
     if (piece.low.clearance < ceiling) continue;
     const auto at = known.find(piece.low_id);
@@ -130,7 +130,7 @@ RestCause RingBand::cause_at(std::size_t v, const std::vector<double>& lengths) 
     if (rises == 0) return RestCause::kCentre;
     return rises >= 2 ? RestCause::kNeck : RestCause::kCorner;
   }
-  // Goes uphill to the highest point; if the last link is flat, it is a ridge.
+  // Goes uphill to the highest point; if the last link is flat, the path is a ridge.
   std::size_t top = v, by = links_.size();
   for (bool climbed = true; climbed;) {
     climbed = false;
@@ -160,7 +160,7 @@ Rest RingBand::worst(double step, double reach) const {
     worst.length = length;
     at = v;
   };
-  // A point beside the axis is as far from it as its clearance is lower.
+  // The distance of a point beside the axis from the axis equals the difference of their clearances.
   for (std::size_t v = 0; v < vertices_.size(); ++v) {
     if (lengths[v] > 0) consider(v, lengths[v] + vertices_[v].clearance - floor_);
   }

@@ -14,50 +14,50 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// One plan that is tried.
+/// One tried plan.
 struct Variant {
   double step;  ///< share of the diameter: wide steps leave more in corners, narrow ones need more rings
-  /// Cost of a corner of a right angle, as a share of the path on which the machine brakes and accelerates.
+  /// Cost of a corner of a right angle, as a share of the path needed by the machine for braking and accelerating.
   double turn_cost;
 };
 /// Large pockets use the first few of these, small ones all.
 constexpr Variant kVariants[] = {{0.95, 0.15}, {1.0, 0.15}, {0.9, 0.15}, {0.85, 0.15}, {0.8, 0.15},
                                  {0.95, 0.0},  {0.9, 0.0},  {1.0, 0.0},  {0.85, 0.0},  {0.75, 0.15}};
-/// Greatest number of vertices of flexible paths: over all candidates, and in one tree of rings. Rings around
-/// more stay as they are, and only links and what lies inside is shortened.
+/// Greatest number of vertices of flexible paths: over all candidates, and in one tree of rings. Rings around larger
+/// trees are unchanged, and only links and the paths inside are shortened.
 constexpr double kMostVerticesInAll = 800;
 constexpr double kMostFlexible = 800;
-/// There is no search if rings have more edges than kMostEdges, or if all passes but those at walls would have more vertices
-/// than kMostVertices, because it would take more than about 5 s.
+/// There is no search if rings have more edges than kMostEdges, or if all passes but those at walls would have more
+/// vertices than kMostVertices, because the search would take more than about 5 s.
 constexpr std::size_t kMostEdges = 60000;
 constexpr double kMostVertices = 40000;
-/// Step of the rings where only inner ones are flexible, as a share of the diameter.
+/// Step of the rings if only inner ones are flexible, as a share of the diameter.
 constexpr double kLargeStep = 0.98;
-/// mm; overlap with which passes are planned that are not shortened: more than the margin of the proof.
+/// mm; overlap of passes that are not shortened: more than the margin of the proof.
 constexpr double kSpareMargin = 0.002;
 /// Number of vertices of flexible paths for each radius of length, about.
 constexpr double kVerticesPerRadius = 1.7;
-/// Share of the radius by which flexible paths may deviate from the rings that they begin as.
+/// Share of the radius by which flexible paths may deviate from their initial rings.
 constexpr double kChord = 0.004;
 /// Number of rounds after which plans are compared, and of further rounds for the best.
 constexpr int kCompareRounds = 3;
 constexpr int kFinalRounds = 3;
-/// Number of plans that stay until the last comparison; factor by which a plan may be slower than the fastest
-/// and still be finished.
+/// Number of plans kept until the last comparison; factor by which a plan may be slower than the fastest and is still
+/// finished.
 constexpr std::size_t kFinalists = 2;
 constexpr double kAsGood = 1.01;
-/// A plan that leaves a residual has to be faster than one that does not by this factor.
+/// A plan with a residual must be faster by this factor than one without.
 constexpr double kResidualHandicap = 1.005;
-/// mm. Assumed distance that a retract link crosses.
+/// mm. Assumed distance of a retract link.
 constexpr double kAcross = 10;
 
-/// Replaces the indices of other passes that `pass` holds by their new ones.
+/// Replaces the indices of other passes in `pass` by their new ones.
 void renumber(Pass& pass, const std::vector<int>& number) {
   if (pass.parent >= 0) pass.parent = number[static_cast<std::size_t>(pass.parent)];
   for (int& before : pass.after) before = number[static_cast<std::size_t>(before)];
 }
 
-/// The passes of one component with numbers of their own, in the direction asked for, without lines where the
+/// The passes of one component with numbers of their own, in the requested direction, without lines on which the
 /// cutter just fits.
 std::vector<Pass> component_of(const std::vector<Pass>& passes, int component, bool turned_round) {
   std::vector<Pass> own;
@@ -72,8 +72,7 @@ std::vector<Pass> component_of(const std::vector<Pass>& passes, int component, b
   return own;
 }
 
-/// Runs work(i) for all i in parallel. Isolated, so that a thread that waits takes up no other work
-/// meanwhile.
+/// Runs work(i) for all i in parallel. Isolated, so that a waiting thread takes up no other work meanwhile.
 template <typename Work>
 void in_parallel(std::size_t count, const Work& work) {
   const auto uncounted = [&](std::size_t i) {
@@ -111,7 +110,7 @@ class Search {
 
   struct Fastest {
     std::vector<Path> paths;
-    double residual = 0;  ///< mm; thickness of what it may leave
+    double residual = 0;  ///< mm; permitted thickness of its residual
     double time = std::numeric_limits<double>::infinity();
   };
 
@@ -165,7 +164,7 @@ class Search {
     entry.time = retract_.time_of(paths_of(entry.tightener.skeleton()), kAcross);
   }
 
-  /// Finishes one candidate; no paths if it is not proven to clear everything.
+  /// Finishes one candidate; no paths if the candidate is not proven to clear everything.
   Fastest finish(Entry& entry) const {
     throw_if_cancelled(options_.cancel);
     entry.tightener.pull(kFinalRounds);

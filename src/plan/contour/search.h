@@ -7,8 +7,8 @@
 
 namespace clearcut::plan::contour {
 
-/// Replaces the passes of each component of `result` by one continuous path if that is proven to clear
-/// everything and is faster. `job`: what the passes were made with.
+/// Replaces the passes of each component of `result` by one continuous path if this path is proven to clear
+/// everything and is faster. `job`: the settings with which the passes were made.
 void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Layer& layer,
                     const ContourOptions& options, const Tolerances& tol, LayerPasses& result);
 

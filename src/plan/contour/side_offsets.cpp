@@ -52,13 +52,13 @@ class Stepper {
   }
   bool is_reflex(const Side& corner) const { return corner.angle > kPi; }
 
-  /// Contours with reflex corners may split, which the formulas do not notice.
+  /// Contours with reflex corners may split; the formulas do not detect this.
   bool is_convex() const {
     return std::none_of(list_.sides.begin(), list_.sides.end(),
                         [&](const Side& side) { return is_reflex(side); });
   }
 
-  /// mm that a step takes from the straight length at a corner; negative where it adds to it.
+  /// mm by which a step shortens the straight length at a corner; negative if it lengthens the side.
   double taken_at(const Side& corner) const {
     if (is_reflex(corner) && (rounded_ || corner.radius > 0))
       return 0;  // the arc about the corner grows, the sides keep their length
@@ -78,8 +78,8 @@ class Stepper {
     return shortest;
   }
 
-  /// CPO-kappa alg. 2, one side of a run at a time: side j vanishes, its neighbours are prolonged to where
-  /// they meet.
+  /// CPO-kappa alg. 2, one side of a run at a time: side j vanishes, its neighbours are prolonged to their
+  /// intersection.
   SideOffsetEnd merge(std::size_t j) {
     const std::size_t n = list_.sides.size(), i = (j + n - 1) % n, k = (j + 1) % n;
     Side &before = list_.sides[i], &side = list_.sides[j], &after = list_.sides[k];

@@ -1,4 +1,4 @@
-// Contours by formula, from lengths and angles alone, as the papers compute them. Kept apart from the
+// Contours by formula, from lengths and angles only, as the papers compute them. Kept apart from the
 // geometric offsets, so that each can be checked against the other.
 //
 // Source and symbols (CPO-kappa eq. 2, alg. 2 and 3; CPO-rho appendix B; docs/texts.md):
@@ -11,11 +11,11 @@
 //   s                                         sides of a run that vanish together: s + 1 angles become one,
 //                                             alpha_1 + ... + alpha_(s+1) - s pi
 //   gamma                              rad    pi - alpha at the ends of a vanished side: its neighbours are
-//                                             prolonged to where they meet by L sin(gamma) / sin(alpha)
+//                                             prolonged to their intersection by L sin(gamma) / sin(alpha)
 //
 // Departures: CPO-rho prints the length beyond a vanished arc with one r cot(alpha / 2); here both corners
-// have a term of their own. The formulas do not cover contours that split, nor an arc whose neighbour
-// vanishes before it: both are reported as kBeyond.
+// have a term of their own. The formulas do not cover splitting contours, nor an arc with a neighbour vanishing
+// before the arc: both are reported as kBeyond.
 #pragma once
 
 #include <vector>
@@ -27,7 +27,7 @@ namespace clearcut::plan::contour {
 
 /// How contours turn at reflex corners.
 enum class ReflexCorners {
-  kMitred,  ///< sharp, as in the papers: sides are prolonged to where they meet
+  kMitred,  ///< sharp, as in the papers: sides are prolonged to their intersections
   kRounded  ///< by an arc about the corner, as in Minkowski offsets: r grows by H from 0
 };
 
@@ -35,13 +35,13 @@ enum class ReflexCorners {
 enum class SideOffsetEnd {
   kContour,  ///< there is a next contour
   kGone,     ///< all sides have vanished
-  kBeyond    ///< the formulas do not say: a rounded or reflex corner at a side that vanishes
+  kBeyond    ///< not covered by the formulas: a rounded or reflex corner at a vanishing side
 };
 
 struct SideOffset {
   SideOffsetEnd end = SideOffsetEnd::kGone;
   SideList contour;
-  int vanished = 0;  ///< number of sides that vanished
+  int vanished = 0;  ///< number of vanished sides
 };
 
 /// The next contour, `step` mm inside the closed contour `list`. Splits and crossings are not noticed. Cost

@@ -15,7 +15,7 @@ namespace {
 
 using Kind = StepRule::Kind;
 
-/// mm. A path longer than the radius by less than this leaves nothing that counts.
+/// mm. A path longer than the radius by less than this counts as without residual.
 constexpr double kNoRest = 0.001;
 
 /// mm; the overlap w. The published rule (CPO-rho eq. 8) has 1 mm, too much for small cutters: w is at most
@@ -24,7 +24,7 @@ double overlap_of(const StepRule& rule, double radius) {
   return std::min(rule.value, radius / 2);
 }
 
-/// kappa or rho of the contour for the angle that the rule uses.
+/// kappa or rho of the contour for the angle used by the rule.
 double coefficient(const Region& contour, const StepRule& rule, double radius) {
   switch (rule.kind) {
     case Kind::kKappa:

@@ -10,26 +10,26 @@
 namespace clearcut::plan::contour {
 
 /// mm from `ring` to the next contours inside it; at most the diameter. Angles are those of `ring` itself,
-/// measured anew on every contour, because edges that vanish change them. The published rules end with the
+/// measured anew on every contour, because vanishing edges change them. The published rules end with the
 /// reduced loop in the centre (CPO-kappa alg. 3): if the next contour would vanish and leave a centre farther
 /// away than R, the step is 3/2 R kappa instead.
 double step_after(const RingNode& ring, const std::vector<AxisPiece>& inside, const StepRule& rule,
                   double radius);
 
-/// A contour, and the step that its smallest angle asks for.
+/// A contour, and the step required by its smallest angle.
 struct ContourStep {
   double from_wall = 0;       ///< mm
-  double smallest_angle = 0;  ///< radians, between successive edges; pi where all is smooth or reflex
-  double step = 0;            ///< mm to the contours inside it; 0: there are none
+  double smallest_angle = 0;  ///< radians, between successive edges; pi if all corners are smooth or reflex
+  double step = 0;            ///< mm to the contours inside; 0: there are none
 };
 
-/// All contours of a rule in a closed area, from the wall inwards, first at `first_level`; of several at one distance the one
-/// with the sharpest corner.
+/// All contours of a rule in a closed area, from the wall inwards, first at `first_level`; of several at one distance
+/// the one with the sharpest corner.
 std::vector<ContourStep> contour_steps(const Regions& allowed, const StepRule& rule, double radius,
                                        double first_level, const Tolerances& tol);
 
-/// The worst place that contours of a rule leave before anything is added to clear it; its cause is kNone if
-/// they leave nothing. `allowed`: where the cutter may be; the first contour is `radius` mm inside it.
+/// The worst residual of the contours of a rule before passes are added to clear it; its cause is kNone if there is
+/// no residual. `allowed`: area permitted to the cutter; the first contour is `radius` mm inside this area.
 Rest worst_rest(const Regions& allowed, const StepRule& rule, double radius, const Tolerances& tol);
 
 }  // namespace clearcut::plan::contour

@@ -7,9 +7,9 @@
 namespace clearcut::plan::cover {
 namespace {
 
-/// Room round the first path in which moves are told apart by place, in radii.
+/// Room round the first path within which moves are distinguished by place, in radii.
 constexpr double kRoom = 6;
-/// Side of the cells that moves are found by, in radii.
+/// Side of the cells for finding moves, in radii.
 constexpr double kMoveCell = 1.5;
 
 }  // namespace

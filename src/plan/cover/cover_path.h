@@ -1,5 +1,5 @@
-// The path of a cutter's centre while it is changed: corners in a ring, the moves between them in a grid, what they clear
-// counted, and every change remembered until it is kept or taken back.
+// The path of a cutter's centre during changes: corners in a ring, the moves between them in a grid, counts of
+// cleared points, and a record of every change until it is kept or undone.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace clearcut::plan::cover {
 /// Index of a corner of the path.
 using Corner = int;
 
-/// Straight moves from corner to corner, closed or open. An open path is a ring, too: its ends are joined by kNowhere, whose
-/// two moves clear nothing and cost nothing.
+/// Straight moves from corner to corner, closed or open. An open path is a ring, too: its ends are joined by
+/// kNowhere, whose two moves clear nothing and cost nothing.
 class CoverPath {
  public:
   /// In open paths: the corner between the last one and the first.
@@ -38,26 +38,27 @@ class CoverPath {
   }
   std::vector<Vec2> points() const;
 
-  /// What each of these leaves bare is appended to `bare`.
+  /// Each of these functions appends newly uncleared points to `bare`.
   void erase(Corner c, std::vector<Vec2>& bare);
   Corner insert_after(Corner c, Vec2 p, std::vector<Vec2>& bare);
-  /// Reverses the corners from b to c, which follows b on the way.
+  /// Reverses the corners from b to c, with c after b along the path.
   void reverse(Corner b, Corner c, std::vector<Vec2>& bare);
 
-  /// Takes the moves at the corners from `first` to `last` out of the counts; then place() sets corners, and lay() puts them in.
+  /// Removes the moves at the corners from `first` to `last` from the counts; then place() sets corners, and lay()
+  /// inserts them.
   void lift(Corner first, Corner last, std::vector<Vec2>& bare);
   void place(Corner c, Vec2 p);
   void lay(Corner first, Corner last);
 
-  /// Where to go back to.
+  /// The current state, to which changes can be undone.
   std::size_t mark() const { return changes_.size(); }
   void undo(std::size_t mark);
   /// Keeps all changes.
   void forget();
-  /// The corners that were changed since the mark; some may be gone.
+  /// The corners changed since the mark; some may no longer exist.
   std::vector<Corner> changed_since(std::size_t mark) const;
 
-  /// Calls f(a, b) for moves a -> b that come within about `reach` of p; for some of them more than once.
+  /// Calls f(a, b) for moves a -> b within about `reach` of p; for some of them more than once.
   template <typename F>
   void for_moves_near(Vec2 p, double reach, const F& f) const {
     const auto clamp = [](double value, std::ptrdiff_t size) {
@@ -78,7 +79,7 @@ class CoverPath {
       }
     }
   }
-  /// How many moves come within `reach` of p.
+  /// Number of moves within `reach` of p.
   int moves_within(Vec2 p, double reach) const;
   double extent() const { return cell_ * static_cast<double>(std::max(columns_, rows_)); }
 

@@ -7,22 +7,22 @@
 namespace clearcut::plan::cover {
 namespace {
 
-/// Steps of the search: where nobody says how long, as one of several strategies, and for each second that is asked for. They
-/// are counted, so that a plan repeats to the byte; a second of the clock has about twice as many.
+/// Steps of the search: without a requested duration, as one of several strategies, and for each requested second.
+/// Steps are counted, so that a plan repeats to the byte; a second of the clock has about twice as many.
 constexpr std::uint64_t kUsualSteps = 8'000'000;
 constexpr std::uint64_t kBriefSteps = 1'000'000;
 constexpr double kStepsPerSecond = 5'000'000;
 
-/// What a usual corner counts as, of what stopping and starting again takes: most are blunt.
+/// Cost of a usual corner as a share of stopping and starting again: most corners are blunt.
 constexpr double kShareOfStop = 0.25;
 
-/// mm of path in the time that the machine loses in a corner.
+/// mm of path run in the time lost by the machine in a corner.
 double corner_price(const Machine& machine, MmPerMin feed) {
   const double speed = feed.mm_per_s();
   return kShareOfStop * speed * speed / machine.acceleration;
 }
 
-/// Whether length alone is asked for, and not time. Throws InputError for all else.
+/// Whether the objective is length and not time. Throws InputError for any other objective.
 bool is_length(const Objective& objective) {
   const ObjectiveKind kind = objective.terms.front().kind;
   if (objective.weighted || (kind != ObjectiveKind::kLength && kind != ObjectiveKind::kTime))

@@ -18,12 +18,12 @@ namespace {
 constexpr int kSamples = 8;
 /// A place is visited when its square holds at least this share of the area.
 constexpr double kShares[] = {0.15, 0.4};
-/// mm of path for each square diameter of area that no square holds, over the pitch.
+/// Cost of uncovered area: mm of path for each square diameter outside of all squares, over the pitch.
 constexpr double kLeftCost = 1.6;
-/// Directions of walls that are tried, and phases along each axis.
+/// Number of tried directions of walls, and of phases along each axis.
 constexpr std::size_t kMostDirections = 5;
 constexpr std::size_t kMostPhases = 4;
-/// What a turn of the first path costs, in radii: the corner outside of it is left.
+/// Cost of a turn of the first path, in radii: the corner outside of the turn is left.
 constexpr double kTurnPrice = 0.25;
 constexpr double kNear = 0.5 * kPi / 180;  ///< radians; directions nearer than this are one
 
@@ -57,7 +57,8 @@ std::vector<double> wall_directions(const std::vector<Edge>& edges) {
   return directions;
 }
 
-/// Phases of lattice lines, mm below the pitch, that run one radius beside the most wall across the axis; then even ones.
+/// Phases of lattice lines, mm below the pitch, of lines running one radius beside the longest walls across the axis;
+/// then even ones.
 std::vector<double> phases(const std::vector<Edge>& edges, double direction, bool along_x, double radius) {
   const double pitch = 2 * radius;
   std::vector<std::pair<double, double>> found;
@@ -65,7 +66,7 @@ std::vector<double> phases(const std::vector<Edge>& edges, double direction, boo
     const Vec2 a = rotated(edge.from, -direction), b = rotated(edge.to, -direction);
     const Vec2 way = b - a;
     if (std::abs(along_x ? way.x : way.y) > kNear * norm(way)) continue;
-    // Material lies on the left.
+    // Material is on the left.
     const double inside = along_x ? (way.y > 0 ? -1 : 1) : (way.x > 0 ? 1 : -1);
     double phase = std::fmod((along_x ? a.x : a.y) + inside * radius, pitch);
     if (phase < 0) phase += pitch;

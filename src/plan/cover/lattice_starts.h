@@ -17,12 +17,12 @@ struct LatticeStartOptions {
   double effort = 0.05;  ///< of each search for an order, seconds of one core
   std::uint64_t seed = 1;
   std::stop_token cancel;
-  /// Bends of the shortest path where the cutter may not go straight; empty: it may everywhere.
+  /// Bends of the shortest path if the straight move is illegal; empty function: all straight moves are legal.
   std::function<std::vector<Vec2>(Vec2 from, Vec2 to)> bends;
   std::function<bool(Vec2)> may_stand;  ///< empty: everywhere
 };
 
-/// Paths that clear most of the area, of which the first ones leave or repeat least. At least one, if the area is not empty.
+/// Paths clearing most of the area; the first ones leave or repeat least. At least one path if the area is not empty.
 std::vector<std::vector<Vec2>> lattice_starts(const Regions& area, const LatticeStartOptions& options);
 
 }  // namespace clearcut::plan::cover

@@ -10,10 +10,10 @@
 namespace clearcut::plan::cover {
 namespace {
 
-/// Distances between witnesses that are tried, in radii; each is larger than the one before by kWider.
+/// Tried distances between witnesses, in radii; each is larger than the previous one by kWider.
 constexpr double kNearest = 3, kWider = 1.25;
 constexpr int kDistances = 16;
-/// Boundary points among which witnesses are chosen stand so far apart, in radii.
+/// Distance, in radii, of the boundary points among which witnesses are chosen.
 constexpr double kBoundaryPitch = 0.5;
 constexpr std::size_t kMostPlaces = 20000;
 
@@ -28,7 +28,7 @@ std::vector<Vec2> boundary_places(const Regions& area, double radius) {
   return places;
 }
 
-/// Those in the order given that lie at least `apart` from all chosen before.
+/// The places, in the given order, at least `apart` from all places chosen before.
 std::vector<Vec2> chosen_places(const std::vector<Vec2>& places, double apart) {
   std::vector<Vec2> chosen;
   for (const Vec2 p : places) {

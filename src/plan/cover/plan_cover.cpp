@@ -10,7 +10,7 @@
 namespace clearcut::plan::cover {
 namespace {
 
-/// Room around an area, in radii, that a path of its cover never leaves.
+/// Room around an area, in radii, never left by a path of its cover.
 constexpr double kRoomOfPath = 4;
 
 /// Path through the points; for a single place one edge without length.

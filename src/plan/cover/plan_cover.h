@@ -1,4 +1,4 @@
-// Cover passes: one short path for what may be left by the cutter, such as faces and open blocks.
+// Cover passes: one short path for areas that the cutter may leave, such as faces and open blocks.
 #pragma once
 
 #include "base/tolerances.h"
@@ -8,17 +8,17 @@
 
 namespace clearcut::plan::cover {
 
-/// Plans the passes of one layer. `corner_price`: mm of path that a corner counts as.
+/// Plans the passes of one layer. `corner_price`: cost of a corner in mm of path.
 ///
-/// Shape   One open pass for each connected legal area, the shortest that the search finds, then passes along the walls, if
-///         there are any. Empty if the cutter fits nowhere.
+/// Shape   One open pass for each connected legal area, the shortest one found by the search, then passes along the
+///         walls, if there are any. Empty if the cutter fits nowhere.
 /// Error   Nothing reachable of the target is left.
-/// Throws  InputError where the area is more than kMostSquares square diameters, or cannot be cleared so.
-/// Cost    As `effort` says, for each connected area.
+/// Throws  InputError if the area is more than kMostSquares square diameters, or cannot be cleared this way.
+/// Cost    Given by `effort`, for each connected area.
 LayerPasses plan_cover(const Layer& layer, double corner_price, const CoverEffort& effort,
                        const Tolerances& tol);
 
-/// Square diameters, of the largest area that is searched.
+/// Size of the largest searched area, in square diameters.
 inline constexpr double kMostSquares = 10000;
 
 }  // namespace clearcut::plan::cover

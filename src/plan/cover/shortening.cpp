@@ -10,25 +10,26 @@
 namespace clearcut::plan::cover {
 namespace {
 
-/// mm, in radii: what a change has to save to count.
+/// In radii: least saving of a change to count.
 constexpr double kLeastGain = 1e-7;
 /// Steps of corners begin with this share of the radius.
 constexpr double kFirstStep = 0.4;
 constexpr int kDirections = 6;
-/// A change that makes the path longer by more radii than this before it is pulled taut is taken back at once.
+/// A change that lengthens the path by more radii than this before pulling it taut is undone at once.
 constexpr double kWorthPulling = 0.35;
 /// The same after its corners were pulled once.
 constexpr double kWorthPullingOn = 0.1;
-/// Nearest corners from which a way round walls is looked for.
+/// Number of nearest corners from which a path round walls is searched.
 constexpr std::size_t kCornersAsked = 30;
-/// Steps that a change counts at least, so that searches of tiny areas end.
+/// Least number of steps counted for a change, so that searches of tiny areas end.
 constexpr std::uint64_t kLeastWork = 200;
-/// Points are cleared by the cheapest insertions up to so many times their number; then by ways there and back, which leave nothing bare.
+/// Points are cleared by the cheapest insertions up to this multiple of their number; then by detours there and back,
+/// after which no point is uncleared.
 constexpr std::size_t kInsertionsPerPoint = 2, kInsertionsAtLeast = 100;
 /// A path has at least so many corners.
 constexpr int kFewestCorners = 3;
 
-/// Whether p lies within the radius of the move from a to b; r2: the radius squared.
+/// Whether p is within the radius of the move from a to b; r2: the radius squared.
 inline bool clears(Vec2 a, Vec2 b, Vec2 p, double r2) {
   const Vec2 along = b - a, to = p - a;
   const double t = dot(to, along);
@@ -48,7 +49,7 @@ Corner Shortening::random_corner() {
   }
 }
 
-/// Whether a line through the points clears all that is needed. What it does not clear is asked first the next time.
+/// Whether a line through the points clears all needed points. An uncleared point is tested first the next time.
 bool Shortening::all_cleared(const Vec2* line, int points) {
   const double r2 = witnesses_.radius() * witnesses_.radius();
   for (std::size_t i = 0; i < needed_.size(); ++i) {
@@ -139,14 +140,14 @@ bool Shortening::clear(std::vector<Vec2> bare) {
       return (!path_.is_nowhere(a) && clears(path_.at(a), path_.at(c), p, r2)) ||
              (!path_.is_nowhere(b) && clears(path_.at(c), path_.at(b), p, r2));
     });
-    // Rounding: the point that was asked for lies on the rim.
+    // Rounding: the requested point is on the rim.
     if (bare.size() >= before && uncovered.empty()) bare.erase(bare.begin());
   }
   return true;
 }
 
-/// Goes to p and back round what is in the way, from the nearest corner that a path leads from. What is cleared so is taken out of
-/// `bare`. False if there is no such corner.
+/// Adds a detour to p and back around obstacles, from the nearest corner with a path to p. Removes the points thus
+/// cleared from `bare`. False if there is no such corner.
 bool Shortening::visit_around(Vec2 p, std::vector<Vec2>& bare) {
   std::vector<std::pair<double, Corner>> corners;
   for (Corner c = 0; c < path_.index_limit(); ++c)
@@ -239,8 +240,8 @@ void Shortening::move_corner(Corner c, Vec2 p) {
   path_.lay(c, c);
 }
 
-/// Cuts a corner short between two places beside it, which become corners, so that the rest of its moves stays. Uses what pull_corner
-/// found that its moves have to clear.
+/// Cuts a corner short between two places beside it, which become corners, so that the rest of its moves is
+/// unchanged. Uses the points found by pull_corner that its moves must clear.
 bool Shortening::cut_corner(Corner c, double finest) {
   const Corner a = path_.previous(c), b = path_.next(c);
   if (a == b || path_.is_nowhere(a) || path_.is_nowhere(b)) return false;
@@ -278,14 +279,14 @@ bool Shortening::cut_corner(Corner c, double finest) {
   const bool shorter = best < first_length - 2 * limits_.corner_price;
   if (!shorter) return false;
   move_corner(c, at);
-  // Two moves of one line: what they clear together is what it cleared.
+  // One move becomes two moves on the same line: together they clear the same points.
   std::vector<Vec2> bare;
   if (share_in < 1) path_.insert_after(a, before, bare);
   if (share_out < 1) path_.insert_after(c, after, bare);
   return true;
 }
 
-/// Moves both ends of the move that begins at c.
+/// Moves both ends of the move beginning at c.
 bool Shortening::pull_move(Corner c, double finest) {
   const Corner d = path_.next(c);
   if (is_fixed(c) || is_fixed(d)) return false;
@@ -494,7 +495,7 @@ bool Shortening::move_stretch(std::vector<Vec2>& bare) {
   if (place.turned) std::reverse(points.begin(), points.end());
   Corner at = place.a;
   for (const Vec2 p : points) at = path_.insert_after(at, p, bare);
-  // What was bare for a while may be cleared by now.
+  // Points uncleared for a while may be cleared by now.
   const double r2 = witnesses_.radius() * witnesses_.radius();
   std::vector<Vec2> line{path_.at(place.a)};
   line.insert(line.end(), points.begin(), points.end());
@@ -532,7 +533,7 @@ bool Shortening::change(double tolerance, double finest) {
       if (!changed) break;
     }
   }
-  // What a later change of the same kind cleared again is not bare.
+  // Points cleared again by a later change of the same kind are not uncleared.
   if (changed) {
     const double r2 = witnesses_.radius() * witnesses_.radius();
     std::vector<std::pair<Vec2, Vec2>> moves;

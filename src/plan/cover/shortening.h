@@ -16,29 +16,31 @@ using MayMove = std::function<bool(Vec2 from, Vec2 to)>;
 
 struct ShorteningLimits {
   std::stop_token cancel;    ///< asked to stop, all end with Cancelled
-  bool fixed_start = false;  ///< the first corner of an open path stays where it is
-  double corner_price = 0;   ///< mm that a corner counts as
+  bool fixed_start = false;  ///< the first corner of an open path is fixed
+  double corner_price = 0;   ///< cost of a corner in mm
   MayMove may_move;
-  /// Bends of the shortest path from one place to the other, absent where there is none; empty: all are straight.
+  /// Bends of the shortest path from one place to the other, absent if there is none; empty function: all are
+  /// straight.
   std::function<std::optional<std::vector<Vec2>>(Vec2 from, Vec2 to)> bends;
 };
 
-/// The changes that a search for a short path is made of. Each keeps all witness points cleared, or can be taken back.
+/// The changes made by a search for a short path. Each keeps all witness points cleared, or can be undone.
 class Shortening {
  public:
   Shortening(CoverPath& path, Witnesses& witnesses, ShorteningLimits limits, std::uint64_t seed)
       : path_(path), witnesses_(witnesses), limits_(std::move(limits)), random_(seed) {}
 
-  /// Clears all these points, by detours that cost little. False if some cannot be cleared.
+  /// Clears all these points, by cheap detours. False if some cannot be cleared.
   bool clear(std::vector<Vec2> bare);
   /// Pulls the path taut at these corners and their neighbours, in steps down to `finest` mm.
   void pull(std::vector<Corner> corners, double finest);
   void pull_all(double finest, int rounds);
-  /// One random change: part of the path is taken out or joined otherwise, what is left bare is cleared again, and the path
-  /// pulled taut. Kept if it is longer by less than a random share of `tolerance` mm; else taken back. Returns whether it is kept.
+  /// One random change: part of the path is removed or joined differently, uncleared points are cleared again, and
+  /// the path is pulled taut. The change is kept if the path is longer by less than a random share of `tolerance` mm;
+  /// else undone. Returns whether the change is kept.
   bool change(double tolerance, double finest);
 
-  /// Whether moves are shifted as a whole rarely: quicker.
+  /// Whether moves are shifted as a whole only seldom: quicker.
   void set_brief(bool brief) { moves_share_ = brief ? 1 : 4; }
   /// From now on detours go at least this share of the radius farther than they must.
   void set_margin(double margin) { margin_ = margin; }
@@ -74,7 +76,7 @@ class Shortening {
   Witnesses& witnesses_;
   ShorteningLimits limits_;
   Random random_;
-  std::vector<Vec2> needed_;  ///< points that the moves in hand have to clear
+  std::vector<Vec2> needed_;  ///< points that the current moves must clear
   double margin_ = 0;
   std::uint64_t moves_share_ = 4;  ///< quarters of the corners whose moves are shifted as a whole, too
   std::uint64_t work_ = 0;

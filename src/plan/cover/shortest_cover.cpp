@@ -13,44 +13,44 @@
 namespace clearcut::plan::cover {
 namespace {
 
-/// The pitch of witness points is wider than wanted where there would be more than these.
+/// The pitch of witness points is widened if there would be more than these.
 constexpr double kMostWitnesses = 4e6;
-/// Paths are searched with a disc smaller by this share, so that places between witnesses vanish soon.
+/// Paths are searched with a disc smaller by this share, so that uncleared places between witnesses vanish soon.
 constexpr double kReserve = 2e-5;
-/// Places on the boundary that are searched lie so far apart, in radii.
+/// Distance, in radii, between searched places on the boundary.
 constexpr double kBoundaryStep = 1e-4;
-/// A place is left when it is farther from the path than the radius and this share of it.
+/// A place counts as left if its distance from the path exceeds the radius by this share.
 constexpr double kRounding = 1e-9;
 /// A part of the search. Lengths in radii.
 struct Phase {
-  double pitch;    ///< of witness points
-  double reserve;  ///< by which the disc is smaller meanwhile, so that little is left between witnesses
-  double share;    ///< of the steps
-  double of_rest;  ///< of the time that is left
+  double pitch;            ///< of witness points
+  double reserve;          ///< reduction of the disc meanwhile, so that little is left between witnesses
+  double share;            ///< of the steps
+  double of_rest;          ///< share of the remaining time
   double first_tolerance;  ///< longer paths are kept up to so much, at first
   double last_tolerance;
-  bool learns;  ///< looks for what lies between the witnesses
+  bool learns;  ///< searches uncleared places between the witnesses
 };
 constexpr Phase kPhases[] = {{0.12, 0.02, 0.4, 0.4, 0.06, 0.02, false},
                              {0.07, 0.006, 0.35, 0.6, 0.02, 0.004, true},
                              {0.05, kReserve, 0.25, 1, 0.004, 0.001, true}};
-/// Share of the time after which no further first path is tried.
+/// Share of the time after which no further initial path is tried.
 constexpr double kBeginning = 0.2;
-/// Share of the time that is kept for the end.
+/// Share of the time reserved for the end.
 constexpr double kFinishing = 0.15;
 /// Steps of corners, in radii: while searching and at the end.
 constexpr double kCoarse = 0.02, kFine = 5e-4;
-/// What a corner counts at least, in radii: of paths of nearly equal length those with few corners are searched faster.
+/// Least cost of a corner, in radii: of paths of nearly equal length those with few corners are searched faster.
 constexpr double kLeastCornerPrice = 3e-4;
 constexpr int kMostRepairs = 40, kPulledRepairs = 8;
-/// Shares of the radius by which detours go farther than they must, while the path is pulled taut and afterwards.
+/// Shares of the radius by which detours go farther than necessary, while the path is pulled taut and afterwards.
 constexpr double kTightMargin = 1e-4, kWideMargin = 2e-3;
-/// Witnesses that a stretch of the boundary becomes that is left.
+/// Number of witnesses for an uncleared stretch of the boundary.
 constexpr int kPlacesOfStretch = 6;
-/// Corners of a hole's rim lie within this many radii; places along each side of the raster that is laid over them.
+/// Corners of one hole's rim are within this many radii; number of places along each side of the raster over them.
 constexpr double kGroup = 0.4;
 constexpr int kPlacesOfHole = 8;
-/// Shares of the search after which it looks for what lies between the witnesses.
+/// Shares of the search after which uncleared places between the witnesses are searched.
 constexpr double kLearning = 0.34;
 
 class Search {
@@ -221,12 +221,13 @@ class Search {
     const Cover cover(path, task_.radius * (1 + kRounding));
     std::vector<Vec2> left = cover.holes([&](Vec2 p) { return inside_.contains(p); });
     add_inner_places(cover, left);
-    // Where the rim of what is cleared leaves the area, its own corners lie outside.
+    // If the rim of the cleared area leaves the area to be covered, the rim's own corners are outside.
     for (const Edge& edge : edges_of(task_.area)) add_left_on(edge, cover, left);
     return left;
   }
 
-  /// Adds, to the corners of rims, places of what lies within: those of a raster over each group of corners that are left.
+  /// Adds, to the corners of rims, places inside the holes: those of a raster over each group of corners that are not
+  /// cleared.
   void add_inner_places(const Cover& cover, std::vector<Vec2>& left) const {
     std::vector<Box> groups;
     const double near = kGroup * task_.radius;
@@ -252,8 +253,8 @@ class Search {
     }
   }
 
-  /// Places of each stretch that is left. The boundary is searched in steps so short that what lies
-  /// between two of them is thinner than the reserve.
+  /// Adds places of each uncleared stretch. The boundary is searched in steps so short that an uncleared area between
+  /// two of them is thinner than the reserve.
   void add_left_on(const Edge& edge, const Cover& cover, std::vector<Vec2>& left) const {
     const double step = kBoundaryStep * task_.radius;
     const double length = edge.length();
@@ -274,7 +275,7 @@ class Search {
     }
   }
 
-  /// Makes what lies between the witnesses and is left witnesses, too, and clears it. False if nothing was left.
+  /// Turns uncleared places between the witnesses into witnesses and clears them. False if there were none.
   bool learn(Candidate& candidate, double finest) {
     const std::vector<Vec2> left = places_left(candidate.path->points());
     std::vector<Vec2> bare;
@@ -294,7 +295,7 @@ class Search {
   std::vector<Vec2> finish(Candidate& candidate, bool& proven) {
     if (seconds() < effort_.seconds) candidate.shortening->pull_all(kFine * task_.radius, 4);
     for (int repair = 0; repair < kMostRepairs && !proven; ++repair) {
-      // Pulled taut again while there is time; then completed alone, which ends soon.
+      // The path is pulled taut again while there is time; then only completed, which ends soon.
       const bool pulls = repair < kPulledRepairs && seconds() < effort_.seconds;
       candidate.shortening->set_margin(pulls ? kTightMargin : kWideMargin);
       proven = !learn(candidate, pulls ? kFine * task_.radius : 0);

@@ -7,13 +7,14 @@
 namespace clearcut::plan::cover {
 namespace {
 
-/// Count with which raster points outside the area begin, so that it never becomes 0.
+/// Count with which raster points outside the area begin, so that their count never becomes 0.
 constexpr std::uint8_t kOutside = 128;
 /// Curves count as chords no farther from them than this share of the radius.
 constexpr double kChordShare = 1e-3;
-/// Points along the boundary stand closer than those of the raster by this factor.
+/// Points along the boundary are closer to each other than those of the raster by this factor.
 constexpr double kBoundaryShare = 0.6;
-/// Radians, of the raster against x. Its tangent is the golden ratio's, which no simple direction repeats.
+/// Radians, of the raster against x. Its tangent is derived from the golden ratio, so that no simple direction
+/// coincides with it.
 constexpr double kRasterAngle = 0.5535743588970452;
 /// Cells of boundary points, as a share of the radius.
 constexpr double kBucketShare = 0.7;
@@ -27,7 +28,7 @@ double squared_distance_to_move(Vec2 a, Vec2 b, Vec2 p) {
   return aside * aside / whole;
 }
 
-/// The same move, whichever way it goes.
+/// Order of the ends by which a move is the same in both directions.
 bool in_order(Vec2 a, Vec2 b) {
   return a.y < b.y || (a.y == b.y && a.x <= b.x);
 }

@@ -1,4 +1,4 @@
-// Witness points of an area, each with the number of moves that clear it: what tells whether a path may change.
+// Witness points of an area, each with the number of moves clearing it: they decide whether a path may be changed.
 #pragma once
 
 #include <cstddef>
@@ -11,10 +11,10 @@
 
 namespace clearcut::plan::cover {
 
-/// What a disc clears of horizontal lines on its way along a move.
+/// The parts of horizontal lines cleared by a disc moving along a move.
 class ClearedBand {
  public:
-  /// From which x to which; empty if first > last.
+  /// First and last x; empty if first > last.
   struct Run {
     double first = 1;
     double last = -1;
@@ -31,10 +31,10 @@ class ClearedBand {
   bool is_point_ = false;
 };
 
-/// Witness points: a square raster of the area, points along its boundary, and those that are added.
+/// Witness points: a square raster of the area, points along its boundary, and added points.
 ///
-/// A point is cleared by a move when it lies within `radius` of it. Moves count alike in both directions, so that removing one
-/// takes back exactly what adding it did.
+/// A point is cleared by a move if it is within `radius` of the move. Moves count equally in both directions, so that
+/// removing a move reverts its addition exactly.
 class Witnesses {
  public:
   /// `pitch`: mm between the points of the raster, and at most between points along the boundary.
@@ -42,14 +42,14 @@ class Witnesses {
 
   double radius() const { return radius_; }
   void add(Vec2 a, Vec2 b);
-  /// Appends to `bare` the points that no move clears any more.
+  /// Appends to `bare` the points no longer cleared by any move.
   void remove(Vec2 a, Vec2 b, std::vector<Vec2>& bare);
   void remove(Vec2 a, Vec2 b);
-  /// Appends the points that only the moves from a to p and from p to b clear; `a` or `b` may be absent.
+  /// Appends the points cleared only by the moves from a to p and from p to b; `a` or `b` may be absent.
   void only_cleared_by(const Vec2* a, Vec2 p, const Vec2* b, std::vector<Vec2>& points);
   /// One more point, cleared by `moves` moves so far.
   void add_point(Vec2 p, int moves);
-  /// All points that no move clears.
+  /// All uncleared points.
   std::vector<Vec2> bare() const;
   /// Rows of points visited so far: the measure of work.
   std::uint64_t work() const { return work_; }
@@ -84,7 +84,8 @@ class Witnesses {
   void mark_inside(const std::vector<std::vector<Vec2>>& outlines);
 
   double cosine_,
-      sine_;  ///< of the raster against x: rows along walls would not see what is left between parallel moves
+      /// Direction of the raster against x: rows parallel to walls would miss material left between parallel moves.
+      sine_;
   double radius_;
   double pitch_;
   Vec2 corner_;

@@ -10,16 +10,16 @@ namespace clearcut::plan::grid {
 
 struct ElementFault {
   std::string place;  ///< "file:line element 'id'"
-  std::string text;   ///< which size is wrong, and what to do
+  std::string text;   ///< the wrong size, and the remedy
 };
 
-/// Every fault of every element, in the elements' order; empty for a job that can be planned.
+/// Every fault of every element, in the elements' order; empty for a valid job.
 std::vector<ElementFault> faults_of(const ElementJob& job);
 
 /// Throws one InputError with all faults on one line.
 void check(const ElementJob& job);
 
-/// Elements that do not lie on the grid, so that their squares are off by up to half a square. A warning, no
+/// Elements off the grid, so that their squares are off by up to half a square. A warning, no
 /// fault.
 std::vector<ElementFault> off_grid(const ElementJob& job);
 

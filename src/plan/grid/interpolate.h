@@ -1,4 +1,4 @@
-// The interpolators of the grid model: which squares of the grid an element occupies ("activates", in the
+// The interpolators of the grid model: the squares of the grid occupied by an element ("activates", in the
 // paper).
 // Source: the grid paper, section II; docs/grid.md lists the departures.
 #pragma once
@@ -14,7 +14,7 @@ namespace clearcut::plan::grid {
 /// coordinate with the greater extent. mm.
 std::vector<Vec2> interpolate_line(Vec2 from, Vec2 to, double cell);
 
-/// The two centres of circles of `radius` mm through both points; the first lies on the left of from -> to.
+/// The two centres of circles of `radius` mm through both points; the first is on the left of from -> to.
 /// `radius` is at least half the distance, up to rounding.
 std::array<Vec2, 2> arc_centers(Vec2 from, Vec2 to, double radius);
 /// The arc of at most half a turn between the ends of the element, in its direction.
@@ -30,7 +30,7 @@ std::vector<Vec2> circle_at_origin(double radius, double step);
 /// the arc.
 std::vector<Vec2> interpolate_arc(const Edge& arc, double cell);
 
-/// The squares nearest to the points, each once, in the order in which they are first touched.
+/// The squares nearest to the points, each once, in the order of first contact.
 std::vector<Square> activate(const std::vector<Vec2>& points, const SquareGrid& grid);
 /// The squares of a rectangle, row by row from its lower left corner: round(length / cell) + 1 in a row.
 std::vector<Square> activate_rectangle(const DesignElement& rectangle, const SquareGrid& grid);

@@ -27,8 +27,8 @@ bool collinear(Square a, Square b, Square c) {
   return (b.column - a.column) * (c.row - a.row) == (b.row - a.row) * (c.column - a.column);
 }
 
-/// Among the squares strictly between two indices, the one nearest to the tool's periphery at `corner` but
-/// not inside it.
+/// Among the squares strictly between two indices, the square nearest to the tool's periphery at `corner` but not
+/// inside it.
 std::optional<std::size_t> at_periphery(const std::vector<Square>& squares, std::size_t corner,
                                         std::size_t low, std::size_t high, double radius) {
   std::optional<std::size_t> best;
@@ -48,7 +48,7 @@ bool in(const std::vector<int>& sorted, int value) {
   return std::binary_search(sorted.begin(), sorted.end(), value);
 }
 
-/// The squares kept so far, which can be asked for neighbours nearer than a radius.
+/// The squares kept so far, with a query for neighbours nearer than a radius.
 class Kept {
  public:
   explicit Kept(double radius) : radius_(radius), reach_(static_cast<int>(std::ceil(radius))) {}

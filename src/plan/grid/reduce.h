@@ -1,4 +1,4 @@
-// The reductions of the grid model: which of an element's squares the cutter has to visit.
+// The reductions of the grid model: the squares of an element that the cutter must visit.
 // Sources: the grid paper, section III (EPSA, LCERA, RPERA); Tour section 3.3.4. See docs/grid.md.
 #pragma once
 
@@ -31,18 +31,18 @@ Places reduce_curve(const std::vector<Square>& squares, double radius);
 /// one.
 int edge_step(double radius);
 
-/// The rows that are kept between the edge rows `low` and `high`: both move inwards by `step` squares until
+/// The rows kept between the edge rows `low` and `high`: both move inwards by `step` squares until
 /// they meet (the paper's d1 = d2 = step, d3 by `rule`). Ascending.
 std::vector<int> kept_rows(int low, int high, int step, MiddleRow rule);
 
 /// Rectangular pocket reduction (RPERA): first the lower and upper edges move inwards, then the left and
-/// right ones of what was kept. `radius` is measured in squares and rounded up, so that rows along walls stay
+/// right ones of the kept squares. `radius` is measured in squares and rounded up, so that rows along walls stay
 /// complete. Ascending indices. O(n).
 Places reduce_rectangle(const std::vector<Square>& squares, double radius, MiddleRow rule);
 
-/// The squares of which one of the four neighbours is not in the list. O(n log n).
+/// The squares with one of the four neighbours missing in the list. O(n log n).
 Places boundary_of(const std::vector<Square>& squares);
-/// First phase of Tour's reduction: keeps squares off the boundary of which no two are neighbours (of four).
+/// First phase of Tour's reduction: keeps squares off the boundary, no two of them neighbours (of four).
 Places reduce_neighbours(const std::vector<Square>& squares);
 /// Both phases of Tour's reduction: no two kept squares are nearer than `radius` squares, the boundary is
 /// kept first, and every square of the list is nearer than `radius` + 1 to a kept one. Ascending indices. O(n

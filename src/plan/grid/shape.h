@@ -1,5 +1,4 @@
-// The exact shape of a design element: the material to be removed, and the curve that the cutter's centre
-// follows.
+// The exact shape of a design element: the material to be removed, and the curve of the cutter's centre.
 #pragma once
 
 #include <optional>
@@ -8,7 +7,7 @@
 
 namespace clearcut::plan::grid {
 
-/// The part of a line or arc on which the cutter's centre may be: at least `tool_radius` mm from both ends of
+/// The part of a line or arc permitted to the cutter's centre: at least `tool_radius` mm from both ends of
 /// the element, in a straight line. Nothing for other elements and for those too short for the tool.
 std::optional<Edge> core_of(const DesignElement& element, double tool_radius);
 

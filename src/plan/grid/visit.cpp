@@ -14,8 +14,7 @@
 namespace clearcut::plan::grid {
 namespace {
 
-/// The squares of one element, which of them are kept by the reduction, and the point where the tool goes for
-/// each.
+/// The squares of one element, flags of those kept by the reduction, and the tool position for each.
 struct Discrete {
   std::vector<Square> squares;
   std::vector<bool> reduced;
@@ -34,7 +33,7 @@ void mark(Discrete& result, const Places& kept) {
   for (const std::size_t i : kept) result.reduced[i] = true;
 }
 
-/// Lines and arcs: the tool goes to the point of the curve nearest to each square.
+/// Lines and arcs: the tool is at the point of the curve nearest to each square.
 Discrete discrete_curve(const DesignElement& element, double tool_radius, const SquareGrid& grid) {
   Discrete result = discrete(interpolate(element, grid), grid);
   mark(result, reduce_curve(result.squares, tool_radius / grid.cell));
@@ -44,7 +43,7 @@ Discrete discrete_curve(const DesignElement& element, double tool_radius, const 
   return result;
 }
 
-/// Holes and slots wider than the tool: squares where the tool fits, reduced in two phases.
+/// Holes and slots wider than the tool: squares in which the tool fits, reduced in two phases.
 Discrete discrete_area(const DesignElement& element, double tool_radius, const SquareGrid& grid) {
   const Vec2 to = element.kind == ElementKind::kHole ? element.from : element.to;
   const double room = element.width / 2 - tool_radius;
@@ -150,7 +149,7 @@ Vec2 entry(const ElementVisit& visit, std::size_t turned) {
   return turned == 0 ? visit.path.front().from : visit.path.back().to;
 }
 
-/// Reverses visits so that the paths between them are shortest in sum: a shortest path over both directions
+/// Reverses visits to make the total of the paths between them shortest: a shortest path over both directions
 /// of each.
 void choose_directions(std::vector<ElementVisit>& visits) {
   std::vector<std::array<std::size_t, 2>> before(visits.size());
@@ -174,7 +173,7 @@ void choose_directions(std::vector<ElementVisit>& visits) {
   }
 }
 
-/// The elements of one tool in the order in which they are visited.
+/// The elements of one tool in the order of their visits.
 std::vector<ElementVisit> visit_tool(int tool, const ElementJob& job, const PointTable& table,
                                      const VisitSolver& solve) {
   std::vector<ElementVisit> visits;

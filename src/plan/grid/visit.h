@@ -1,4 +1,4 @@
-// From design elements to points, and from points to the path on which the tool visits them.
+// From design elements to points, and from points to the path of the tool through them.
 #pragma once
 
 #include <functional>
@@ -12,7 +12,7 @@ namespace clearcut::plan::grid {
 /// maker).
 PointTable tabulate(const ElementJob& job);
 
-/// Finds an order that makes the open path through the points short; returns their indices.
+/// Finds an order with a short open path through the points; returns their indices.
 using VisitSolver = std::function<std::vector<int>(const std::vector<Vec2>&)>;
 
 /// How one element is visited.
@@ -25,7 +25,7 @@ struct ElementVisit {
 
 /// Orders all visits and sets GridPoint::visit. Elements of one tool come together, tools in the job's order.
 /// The solver orders the points of an element and the elements of a tool; then each element's direction is
-/// chosen so that the paths between elements are shortest.
+/// chosen to make the paths between elements shortest.
 std::vector<ElementVisit> plan_visits(const ElementJob& job, PointTable& table, const VisitSolver& solve);
 
 }  // namespace clearcut::plan::grid

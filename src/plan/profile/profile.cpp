@@ -15,13 +15,13 @@ namespace {
 
 /// mm. An edge whose distance from the outline is right to within this belongs to the profile.
 constexpr double kOnContour = 1e-3;
-/// Of the cutter's radius, and mm: how far beside its contour the centre may go down or come from. Just more than the play of
-/// the kerf.
+/// Share of the cutter's radius, and mm: distance from its contour at which the centre may descend or approach.
+/// Slightly more than the play of the kerf.
 constexpr double kBesideContour = 0.02;
 constexpr double kBesideSpare = 0.02;
 /// mm. Passes along a line end this much before the cutter touches a square tab.
 constexpr double kBesideTab = 0.002;
-/// mm2. What a boolean leaves of areas that only touch.
+/// mm2. Greatest area of specks left by a boolean of areas that only touch.
 constexpr double kSpeck = 0.01;
 
 double distance_to(const Path& line, Vec2 p) {
@@ -42,14 +42,14 @@ void add(Path path, bool closed, double offset, LayerPasses& result) {
   pass.path = std::move(path);
   pass.closed = closed;
   pass.offset = pass.start_priority = offset;
-  // Along a wall the direction is fixed: it decides the side of the material.
+  // Along a wall the direction is fixed: the direction decides the side of the material.
   pass.reversible = false;
   pass.may_cut_to_start = false;
   pass.component = static_cast<int>(result.legal.size());
   result.passes.push_back(std::move(pass));
 }
 
-/// Adds the parts of a loop of the legal area that run beside the outline.
+/// Adds the parts of a loop of the legal area running beside the outline.
 void add_runs(const Loop& loop, const Path& line, double reach, LayerPasses& result) {
   std::vector<char> own;
   for (const Edge& edge : loop) own.push_back(runs_at(edge, line, reach) ? 1 : 0);
@@ -68,8 +68,8 @@ void add_runs(const Loop& loop, const Path& line, double reach, LayerPasses& res
   }
 }
 
-/// Where the centre may be on its ways to the passes: in acute corners, where the kerfs of two sides run into each other,
-/// there is room beside the contour, but nothing is cut there that does not lie in either kerf.
+/// Legal area of the centre on its links to the passes: in acute corners, in which the kerfs of two sides merge,
+/// there is room beside the contour, but only material in one of the kerfs is cut there.
 Regions along_contour(const Region& inside, const ProfileCut& cut, double reach, double radius,
                       const Tolerances& tol) {
   const Regions beside = features::kerf_of(cut, reach + kBesideContour * radius + kBesideSpare, tol);
@@ -77,14 +77,15 @@ Regions along_contour(const Region& inside, const ProfileCut& cut, double reach,
   return intersect({inside}, beside, tol);
 }
 
-/// A stretch of one edge, as parameters of it, where a tab stands in the way of the cutter's centre.
+/// A stretch of one edge, as parameters, on which a tab blocks the cutter's centre.
 struct Gap {
   std::size_t edge = 0;
   double from = 0;
   double to = 0;
 };
 
-/// Where the centre, on the line, comes nearer to one of the square tabs than its radius, in the line's order.
+/// Stretches on which the centre, on the line, is nearer to one of the square tabs than the cutter's radius, in the
+/// line's order.
 std::vector<Gap> gaps_at_tabs(const ProfileCut& cut, double radius) {
   std::vector<Gap> gaps;
   for (const Tab& tab : cut.tabs) {
@@ -105,7 +106,8 @@ std::vector<Gap> gaps_at_tabs(const ProfileCut& cut, double radius) {
   return gaps;
 }
 
-/// The parts of the line between the gaps, of which there is one at least. Of a closed line the first begins behind the first gap.
+/// The parts of the line between the gaps (at least one gap). On a closed line the first part begins after the first
+/// gap.
 std::vector<Path> runs_between(const std::vector<Gap>& gaps, const ProfileCut& cut) {
   std::vector<Path> runs{{}};
   auto gap = gaps.begin();
@@ -125,7 +127,7 @@ std::vector<Path> runs_between(const std::vector<Gap>& gaps, const ProfileCut& c
   return runs;
 }
 
-/// Along the line itself, between square tabs where there are any.
+/// Along the line itself, between square tabs if there are any.
 void add_line(const ProfileCut& cut, double radius, LayerPasses& result) {
   const std::vector<Gap> gaps = gaps_at_tabs(cut, radius);
   const std::vector<Path> runs = gaps.empty() ? std::vector<Path>{cut.line} : runs_between(gaps, cut);

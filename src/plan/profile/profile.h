@@ -6,7 +6,7 @@
 
 namespace clearcut::plan::profile {
 
-/// The passes along the profile: one loop if nothing is in the way, else open passes, between tabs too. Costs
+/// The passes along the profile: one loop if nothing blocks it, else open passes, between tabs too. Costs
 /// one inset of layer.allowed, and the product of the edges of both outlines.
 LayerPasses plan_profile(const Layer& layer, const ProfileCut& cut, const Tolerances& tol);
 

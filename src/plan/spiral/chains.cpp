@@ -6,7 +6,7 @@
 namespace clearcut::plan::spiral {
 namespace {
 
-/// Indices of the islands of `outside` that lie within `island`, an island of the node next inside.
+/// Indices of the islands of `outside` within `island`, an island of the node next inside.
 std::vector<std::size_t> islands_within(const Loop& island, const Region& outside) {
   const Box where = box(island);
   std::vector<std::size_t> found;
@@ -25,7 +25,7 @@ class ChainBuilder {
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       result_.chain_of_node.push_back(put(nodes_[i].contour.outer(), chain_before_outer(i), holder(i)));
       for (const auto& island : nodes_[i].contour.islands()) {
-        // The chain of an island lies beside that of the outer loop, not inside it.
+        // The chain of an island is beside the chain of the outer loop, not inside it.
         island_chains_[i].push_back(put(island, chain_before_island(i, island), holder(i)));
       }
     }

@@ -1,4 +1,4 @@
-// Sorts nested offset loops into chains, each loop with the one next inside it.
+// Sorts nested offset loops into chains, each loop with the loop next inside.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace clearcut::plan::spiral {
 
-/// Loops that follow each other inwards one to one, the outermost first. A neck, or a loop that meets
-/// another, ends a chain.
+/// Loops following each other inwards one to one, the outermost first. A neck, or a loop touching another, ends a
+/// chain.
 struct SpiralChain {
-  std::vector<Loop> loops;  ///< oriented as in their regions: the area to be cleared lies on the left
+  std::vector<Loop> loops;  ///< oriented as in their regions: the area to be cleared is on the left
   /// Index of the chain of the loop around the outermost; -1: the outermost is of the first level.
   int parent = -1;
 };

@@ -20,30 +20,30 @@
 namespace clearcut::plan::spiral {
 namespace {
 
-/// Steps that are tried, as shares of the diameter; in large areas only the first ones.
+/// Tried steps, as shares of the diameter; in large areas only the first ones.
 constexpr double kSteps[] = {0.92, 0.86, 0.98, 0.8, 0.74, 0.68, 0.5, 0.35};
 /// So many of them are tried in any case, the others only while none has led to a plan.
 constexpr std::size_t kUsualSteps = 6;
-/// Share of the radius. Steps are chosen so that the innermost turn lies this far from the deepest point.
+/// Share of the radius. Steps are chosen to place the innermost turn this far from the deepest point.
 constexpr double kMiddle = 0.95;
 /// Share of the radius: radius of the arcs in corners.
 constexpr double kCorner = 0.6;
-/// Share of the radius: corners this near to where rounding them leaves something stay sharp.
+/// Share of the radius: corners this near to a residual caused by rounding stay sharp.
 constexpr double kSharpReach = 2.5;
 /// Share of the radius: how far inside the edge of a face the first turn runs.
 constexpr double kInsideEdge = 0.6;
-/// Share of the radius: distance between the points of a turn's arcs at which legality is checked.
+/// Share of the radius: distance between the points of a turn's arcs checked for legality.
 constexpr double kLegalPitch = 0.25;
 /// Share of the radius: ridges of the medial axis shorter than this are not followed.
 constexpr double kLeastRidge = 1;
-/// mm. On layers where no residual may stay, detours that mend overlap by about this.
+/// mm. On layers without permitted residual, mending detours overlap by about this.
 constexpr double kBareMargin = 0.002;
 /// Greatest number of edges of turns over all steps: in large areas few steps are tried.
 constexpr double kMostEdgesInAll = 6000;
 /// The candidate spirals of one connected area.
 struct Spirals {
   std::vector<Path> paths;
-  std::vector<int> parents;  ///< index of the path around it; -1: none
+  std::vector<int> parents;  ///< index of the enclosing path; -1: none
   double time = std::numeric_limits<double>::infinity();
 };
 
@@ -92,7 +92,7 @@ class SpiralPlanner {
   }
 
  private:
-  /// The steps to try, each also reduced so that a whole number of turns reaches the middle.
+  /// The steps to try, each also reduced to reach the middle with a whole number of turns.
   std::vector<double> steps() const {
     const double diameter = 2 * layer_.tool_radius;
     std::vector<double> found;
@@ -114,7 +114,7 @@ class SpiralPlanner {
     return found;
   }
 
-  /// mm from the edge of a face to the first turn: a little inside, but 0 if the face is too narrow for that.
+  /// mm from the edge of a face to the first turn: a little inside, but 0 if the face is too narrow.
   double level_at_edge() const {
     const double inside = kInsideEdge * layer_.tool_radius;
     const auto loops = clearance_.inset(inside);
@@ -132,7 +132,7 @@ class SpiralPlanner {
     if (first_level_ == 0 && !nodes.empty()) nodes.front().contour = region_;
     const auto [chains, chain_of_node] = spiral_chains(nodes);
     Spirals result;
-    std::vector<std::size_t> kept;  // for each path: number of edges at its end that stay as they are
+    std::vector<std::size_t> kept;  // for each path: number of unchanged edges at its end
     for (const auto& chain : chains) {
       result.parents.push_back(chain.parent);
       kept.push_back(0);
@@ -151,7 +151,7 @@ class SpiralPlanner {
     return result;
   }
 
-  /// Paths along the ridges that loops leave between them; residuals of a few radii are left to mending.
+  /// Paths along the ridges left between loops; residuals of a few radii are left to mending.
   std::vector<Path> ridges(const RingNode& node) const {
     std::vector<Path> found;
     for (const auto& ridge : residual_paths(node, layer_.tool_radius - kBareMargin)) {
@@ -168,8 +168,8 @@ class SpiralPlanner {
 
   Loop oriented(const Loop& loop) const { return options_.wall_on_right ? loop : reversed(loop); }
 
-  /// The spiral from the innermost loop outwards; each turn begins where the one before ended. `outermost`
-  /// returns how many edges belong to the last turn and to the rest of the outermost loop.
+  /// The spiral from the innermost loop outwards; each turn begins at the end of the previous one. `outermost`
+  /// returns the number of edges of the last turn and of the rest of the outermost loop.
   Path spiral(const SpiralChain& chain, std::size_t& outermost) const {
     const Loop& innermost = chain.loops.back();
     const auto longest =
@@ -193,8 +193,8 @@ class SpiralPlanner {
     return path;
   }
 
-  /// Continues with a loop that no turn leads to. Where loops have changed much from one to the next an island may lie between:
-  /// the way to it then goes round that.
+  /// Continues with a loop not reached by any turn. If loops differ much from one to the next an island may be
+  /// between them: the path to the loop then goes around this island.
   void append_lap(Path& path, const Path& around) const {
     const Vec2 from = path.back().to, to = around.front().from;
     if (!legal_.holds_line(from, to)) {
@@ -203,8 +203,7 @@ class SpiralPlanner {
     append(path, around);
   }
 
-  /// The turn to `loop`; empty if it would run into something that does not belong to the loop, such as an
-  /// island.
+  /// The turn to `loop`; empty if the turn would run into another boundary, for example an island.
   SpiralTurn turn_to(const Loop& loop, Vec2 start) const {
     SpiralTurn turn = turn_inside(loop, start);
     const bool legal =
@@ -237,8 +236,8 @@ class SpiralPlanner {
     return {mirror(edge.from), mirror(edge.to), mirror(edge.center), turn};
   }
 
-  /// Rounds all corners except in the last `kept` edges of each path, and restores those where that leaves
-  /// something.
+  /// Rounds all corners except in the last `kept` edges of each path, and restores corners whose rounding leaves a
+  /// residual.
   void smooth(std::vector<Path>& paths, const std::vector<std::size_t>& kept) const {
     std::vector<Vec2> holes;
     const auto sharp = [&](Vec2 p) {
@@ -275,7 +274,7 @@ class SpiralPlanner {
 };
 
 /// Joins the paths of one legal area in the order of cutting: each after those inside it, the nearest first,
-/// by links at depth where these are quicker than a retract link.
+/// by links at depth if these are quicker than a retract link.
 class Joiner {
  public:
   Joiner(Spirals spirals, const Region& legal, const Layer& layer, const SpiralOptions& options)

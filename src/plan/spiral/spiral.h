@@ -16,17 +16,17 @@ struct SpiralOptions {
   std::optional<double> stepover;  ///< mm, greatest distance between turns; absent: the fastest one found
   /// Turns have the wall on the right (climb milling for a clockwise spindle); false: on the left.
   bool wall_on_right = true;
-  /// The machine and the feed with which the times of several steps are compared.
+  /// The machine and the feed for comparing the times of several steps.
   Machine machine;
   MmPerMin feed = MmPerMin::of(1000);
 };
 
 /// Plans the passes of one layer.
 ///
-/// Shape   One open pass for each chain of offset contours that follow each other one to one, from the
+/// Shape   One open pass for each chain of offset contours following each other one to one, from the
 ///         innermost outwards, ending with the outermost once round; necks and islands end a chain. In
-///         pockets the outermost contour is the wall pass. Single contours are closed passes. Where the legal
-///         area is a line, a pass on that line.
+///         pockets the outermost contour is the wall pass. Single contours are closed passes. If the legal area is a
+///         line, a pass on this line.
 /// Error   Nothing reachable of the target is left thicker than tol.uncut; turns are no farther apart than
 ///         the step.
 /// Cost    O(steps tried * (n log n + turns * n log n)).

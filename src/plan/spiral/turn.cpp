@@ -17,15 +17,15 @@ namespace {
 constexpr double kBandPiece = kPi / 6;
 /// mm. Ends nearer than this are joined by moving one of them; shorter remainders of edges are left out.
 constexpr double kFound = 1e-3;
-/// mm. Gaps between pieces up to this come from rounding of the loop.
+/// mm. Gaps between pieces up to this are due to rounding of the loop.
 constexpr double kGap = 2e-4;
-/// Sine of an angle. A piece that turns left by less does not lie farther left.
+/// Sine of an angle. A piece that turns left by less does not count as farther left.
 constexpr double kNoTurn = 1e-9;
 /// Sine of the greatest angle at which a turn approaches the loop; a steeper one is uneven and ends in a gap.
 constexpr double kSteepest = 0.95;
-/// Number of cells of the index along the part on which the turn goes over.
+/// Number of cells of the index along the transition part of the turn.
 constexpr double kCells = 64;
-/// A turn may reach the loop from this share of that part's length on, and up to kLatest mm after it.
+/// A turn may reach the loop from this share of the transition's length on, and up to kLatest mm after it.
 constexpr double kEarliest = 0.6;
 constexpr double kLatest = 1.0;
 /// Radians. A smaller change of direction is no corner.
@@ -57,14 +57,14 @@ Edge through(Vec2 from, Vec2 middle, Vec2 to) {
   return Edge::from_bulge(from, to, -sagitta / half);
 }
 
-/// A piece of what may bound the loop widened to the left: beside an edge, about a corner, or the loop
+/// A possible piece of the rim of the loop widened to the left: beside an edge, about a corner, or the loop
 /// itself.
 struct RimPiece {
   Edge edge;
   bool on_loop = false;
 };
 
-/// All such pieces in the order of the loop. What is widened lies on their right.
+/// All such pieces in the order of the loop. The widened loop is on their right.
 class RimPieces {
  public:
   RimPieces(const Path& around, Vec2 start)
@@ -92,12 +92,12 @@ class RimPieces {
  private:
   double width_at(double travelled) const { return widest_ * std::max(0.0, 1 - travelled / fall_); }
 
-  /// Unit vector from a place of the loop to where the disc about it touches the rim: a little ahead, because
-  /// later discs are smaller.
+  /// Unit vector from a place of the loop to the contact of its disc with the rim: slightly ahead, because later
+  /// discs are smaller.
   Vec2 towards_rim(Vec2 heading) const { return left_of(heading) * aside_ + heading * ahead_; }
 
-  /// The point of the rim beside the edge at t. Arcs that turn left with a smaller radius than the width
-  /// shrink to their centre.
+  /// The point of the rim beside the edge at t. Arcs turning left with a radius smaller than the width shrink to
+  /// their centre.
   Vec2 beside(const Edge& edge, double t, double travelled) const {
     const double most = edge.turn == Turn::kCounterClockwise ? edge.radius() : widest_;
     return edge.at(t) + towards_rim(edge.tangent_at(t)) * std::min(most, width_at(travelled));
@@ -116,7 +116,7 @@ class RimPieces {
     travelled_ += whole;
   }
 
-  /// Adds the arc about a corner that points into the area, from `from` to the beginning of the next edge's
+  /// Adds the arc about a corner pointing into the area, from `from` to the beginning of the next edge's
   /// piece.
   void add_joint(Vec2 from, Vec2 corner, Vec2 heading) {
     const Vec2 to = corner + towards_rim(heading) * width_at(travelled_);
@@ -126,13 +126,13 @@ class RimPieces {
 
   double widest_;
   double fall_;
-  double ahead_;  ///< sine of the angle at which the rim approaches the loop
+  double ahead_;  ///< sine of the angle between the rim and the loop
   double aside_;
   double travelled_ = 0;
   std::vector<RimPiece> pieces_;
 };
 
-/// The edge with other ends near its own; arcs so small that this could turn them round become lines.
+/// The edge with other ends near its own; arcs so small that this could reverse them become lines.
 Edge between(const Edge& edge, Vec2 from, Vec2 to) {
   Edge moved = edge;
   moved.from = from;
@@ -141,7 +141,8 @@ Edge between(const Edge& edge, Vec2 from, Vec2 to) {
   return moved;
 }
 
-/// Follows the rim: along each piece up to where another piece begins to lie farther left, then along that.
+/// Follows the rim: along each piece up to the place where another piece is farther left, then along this other
+/// piece.
 class RimWalk {
  public:
   RimWalk(std::vector<RimPiece> pieces, double cell) : pieces_(std::move(pieces)), index_(cell) {
@@ -149,7 +150,7 @@ class RimWalk {
       index_.add(pieces_[i].edge.box().grown(kSamePlaceMm), static_cast<std::uint32_t>(i));
   }
 
-  /// The path from `start`, on the first piece, to where the rim reaches the loop; empty if the rim has a
+  /// The path from `start`, on the first piece, to the place where the rim reaches the loop; empty if the rim has a
   /// gap.
   Path to_loop(Vec2 start) const {
     Path path;
@@ -172,10 +173,10 @@ class RimWalk {
     std::size_t piece = 0;
     Vec2 point;
     double travelled = std::numeric_limits<double>::infinity();  ///< mm along the piece before
-    double left = 0;  ///< sine of the angle by which the next piece turns left there
+    double left = 0;  ///< sine of the left turn onto the next piece there
   };
 
-  /// The first place after `from` on piece `at` where a later piece turns left from it, or continues it at
+  /// The first place after `from` on piece `at` at which a later piece turns left from piece `at`, or continues it at
   /// its end.
   std::optional<Step> next(std::size_t at, Vec2 from) const {
     const Edge& edge = pieces_[at].edge;
@@ -233,7 +234,7 @@ double length_to(const Path& path, Vec2 p) {
   return best_travelled;
 }
 
-/// Parameters of what corners leave of an edge.
+/// Parameters of the part of an edge left by its corners.
 struct Trimmed {
   double begin = 0;
   double end = 1;
@@ -308,7 +309,7 @@ SpiralTurn spiral_turn(const Loop& loop, Vec2 start) {
   const double fall = pieces.fall(), cell = std::max(distance(start, around.front().from), fall / kCells);
   Path turn = RimWalk(pieces.take(), cell).to_loop(start);
   if (turn.empty()) return {};
-  // If the loop was reached too early or too late, something else lay between.
+  // If the loop was reached too early or too late, another boundary was between.
   const double travelled = length_to(around, turn.back().to);
   if (travelled < kEarliest * fall || travelled > fall + kLatest) return {};
   const Path rest = after(around, travelled, turn.back().to);

@@ -5,7 +5,7 @@
 namespace clearcut::plan::tour {
 namespace {
 
-/// Greatest number of grid points for which a tour is tried.
+/// Greatest number of grid points for trying a tour.
 constexpr double kMostPoints = 1000;
 
 bool is_small_enough(const ClearedSize& size, double radius) {

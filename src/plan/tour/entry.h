@@ -8,7 +8,7 @@
 
 namespace clearcut::plan::tour {
 
-/// `solver_for` makes the search that orders the points of the grid.
+/// `solver_for` makes the search for the order of the grid's points.
 StrategyEntry entry(std::function<TourSolver(const StrategyRequest&)> solver_for);
 
 }  // namespace clearcut::plan::tour

@@ -22,11 +22,11 @@ struct Lattice {
 /// The lattice from the box's lower left corner, as published.
 Lattice published_lattice(const Box& box, double pitch);
 /// A lattice of at most `largest` mm pitch, reduced so that rows meet both ends of the box's longer side;
-/// centred along the other side. For a box far smaller than the pitch, its middle alone.
+/// centred along the other side. For a box far smaller than the pitch, only its middle.
 Lattice fitted_lattice(const Box& box, double largest);
 /// The same lattice with as many more columns and rows as fill `box`.
 Lattice filling(const Lattice& lattice, const Box& box);
-/// The points of the lattice that lie in `area`, row by row.
+/// The points of the lattice in `area`, row by row.
 Points points_in(const Lattice& lattice, const LegalArea& area);
 
 }  // namespace clearcut::plan::tour

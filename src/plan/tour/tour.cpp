@@ -18,13 +18,14 @@
 namespace clearcut::plan::tour {
 namespace {
 
-/// mm. Visits to what is left go this much farther than they must.
+/// mm. Visits to uncleared places go farther than necessary by this.
 constexpr double kReserve = 0.01;
-/// Rounds of mending. The first kRerouted change the path; later ones only add detours, which always ends.
+/// Rounds of mending. The first kRerouted change the path; later ones only add detours, so that the process always
+/// ends.
 constexpr int kRerouted = 3;
 constexpr int kMendings = 40;
-/// Shares of the radius, and number of directions: the points of a disc at which it is tested whether its
-/// centre is needed.
+/// Shares of the radius, and number of directions: the points of a disc tested to decide whether its centre is
+/// needed.
 constexpr double kProbes[] = {0.45, 0.95};
 constexpr int kProbeDirections = 12;
 
@@ -35,7 +36,7 @@ Path path_through(const Points& points) {
   return path;
 }
 
-/// What the areas of a layer have in common.
+/// Data common to all areas of a layer.
 struct Work {
   const Layer& layer;
   const TourGridOptions& options;
@@ -49,14 +50,15 @@ struct Work {
   double pitch() const { return options.pitch * (options.pitch_in_mm ? 1 : 2 * radius()); }
 };
 
-/// A path in one legal area while it is built: points joined by straight legal moves.
+/// A path in one legal area during construction: points joined by straight legal moves.
 class Route {
  public:
   explicit Route(const LegalPaths& paths) : paths_(paths) {}
 
   const Points& points() const { return points_; }
 
-  /// Goes to the points in this order. False if the area does not connect two of them; then it stops there.
+  /// Appends moves to the points in this order. False if the area does not connect two of them; the route then ends
+  /// there.
   bool follow(const Points& stops) {
     for (const Vec2 stop : stops) {
       if (!points_.empty()) {
@@ -69,8 +71,8 @@ class Route {
     return true;
   }
 
-  /// Adds a visit of p where it is shortest: instead of a straight move, or (`beside`) as a detour from it
-  /// and back.
+  /// Adds a visit of p at the shortest place: instead of a straight move, or (`beside`) as a detour from the move and
+  /// back.
   void visit(Vec2 p, bool beside) {
     if (points_.size() < 2) {
       follow({p});
@@ -109,7 +111,7 @@ class Route {
   }
 
  private:
-  /// mm; lower bound of the length that the visit adds.
+  /// mm; lower bound of the length added by the visit.
   static double extra(Vec2 a, Vec2 p, Vec2 b, bool beside) {
     if (beside) return a == b ? 2 * distance(a, p) : 2 * distance(Edge::line(a, b), p);
     return distance(a, p) + distance(p, b) - distance(a, b);
@@ -137,8 +139,8 @@ class Route {
   Points points_;
 };
 
-/// Which points of a lattice are visited: those well inside what the wall passes leave, and those that clear
-/// some of it that no other point does.
+/// Choice of the visited points of a lattice: points well inside the rest left by the wall passes, and points
+/// clearing a part of the rest that no other point clears.
 class GridChoice {
  public:
   GridChoice(const Lattice& lattice, const LegalArea& legal, const LegalArea& rest, double radius)
@@ -180,7 +182,7 @@ class GridChoice {
   }
   char& chosen(int column, int row) { return chosen_[index(column, row)]; }
 
-  /// Whether a cutter at p clears something of the rest that chosen points leave.
+  /// Whether a cutter at p clears a part of the rest left by the chosen points.
   bool is_needed(Vec2 p, int column, int row) const {
     const auto needs = [&](Vec2 q) { return rest_.contains(q) && !is_cleared(q, column, row); };
     if (needs(p)) return true;
@@ -242,8 +244,8 @@ class AreaPlanner {
     return choice.points();
   }
 
-  /// The legal area's box; on open sides, where the area is as good as endless, it ends a radius beyond the target, as
-  /// that of "a pocket with slightly larger dimensions" does (7.6) which is a diameter larger all round.
+  /// The legal area's box; on open sides, on which the area is practically unlimited, the box ends a radius beyond
+  /// the target, like the box of "a pocket with slightly larger dimensions" (7.6), a diameter larger all round.
   Box published_box() const {
     const Box legal = legal_.box(), near = box(work_.layer.target).grown(work_.radius());
     return {{std::max(legal.min.x, near.min.x), std::max(legal.min.y, near.min.y)},
@@ -251,7 +253,7 @@ class AreaPlanner {
   }
 
   /// The rest without a rim. A point between the rim and the first row, half a pitch from the nearest points
-  /// of that row, is just within a radius of them.
+  /// of this row, is just within a radius of these.
   Regions well_inside() const {
     const double radius = work_.radius(), half = std::min(work_.pitch() / 2, radius);
     const double margin = 0.98 * std::sqrt(radius * radius - half * half) - 0.02 * radius;
@@ -280,7 +282,7 @@ class AreaPlanner {
     route_.follow(stops);
   }
 
-  /// Points of the target that neither the wall passes nor the path clear.
+  /// Points of the target cleared neither by the wall passes nor by the path.
   Points holes() const {
     std::vector<Edge> edges = work_.walls;
     for (const auto& edge : path_through(route_.points())) {
@@ -298,8 +300,7 @@ class AreaPlanner {
     return found;
   }
 
-  /// Adds the middle of every part of an edge that is left. Parts end where the rim of a sweep crosses the
-  /// edge.
+  /// Adds the middle of every uncleared part of an edge. Parts end at crossings of the edge with the rim of a sweep.
   void add_left_of(const Edge& edge, const std::vector<Edge>& swept, const Cover& cover,
                    Points& found) const {
     std::vector<double> cuts{0, 1};
@@ -318,7 +319,7 @@ class AreaPlanner {
     }
   }
 
-  /// What bounds the area swept along an edge.
+  /// The boundary of the area swept along an edge.
   std::vector<Edge> rim_of(const Edge& path) const {
     const double radius = work_.radius();
     std::vector<Edge> rim;
@@ -341,7 +342,7 @@ class AreaPlanner {
   }
 
   /// Visits every hole; one visit clears all holes within reach. With `beside` visits are detours as far in
-  /// as the hole's rim, so that a long thin hole is not cleared in many small steps.
+  /// as the hole's rim, to avoid clearing a long thin hole in many small steps.
   void mend(Points left, bool beside) {
     if (route_.points().empty()) return follow(thinned(left));
     while (!left.empty()) {
@@ -353,7 +354,7 @@ class AreaPlanner {
     }
   }
 
-  /// Some of the points, such that every other one is within half a radius of one of them.
+  /// A subset of the points with every other point within half a radius of one of them.
   Points thinned(const Points& points) const {
     Points kept;
     for (const Vec2 p : points) {
@@ -364,8 +365,8 @@ class AreaPlanner {
     return kept;
   }
 
-  /// The centre that clears the first hole and those around it, as near to the path as possible. If their middle
-  /// does not clear all of them, the hole is large and its rim is visited.
+  /// The centre position clearing the first hole and the holes around it, as near to the path as possible. If their
+  /// middle does not clear all of them, the hole is large and its rim is visited.
   Vec2 place_for(const Points& left) const {
     const double radius = work_.radius();
     Points group;

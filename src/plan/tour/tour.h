@@ -25,16 +25,16 @@ struct TourTask {
   double pitch = 0;  ///< of the grid, mm
 };
 
-/// Returns the order of visits, each point once. The pipeline passes it in, with the search that was asked for.
+/// Returns the order of visits, each point once. The pipeline passes this function in, with the requested search.
 using TourSolver = std::function<std::vector<int>(const TourTask&)>;
 
 struct TourGridOptions {
-  /// Pitch of the grid: a share of the diameter (Tour eq. 4.8: the engagement) or mm. Up to 0.7 diameters all
-  /// of the grid is cleared whatever the order; what wider grids leave is visited in addition.
+  /// Pitch of the grid: a share of the diameter (Tour eq. 4.8: the engagement) or mm. Up to 0.7 diameters the whole
+  /// area of the grid is cleared with any order; places left by wider grids are visited in addition.
   double pitch = 0.9;
   bool pitch_in_mm = false;
   /// As published: the grid begins at the boundary of the legal area, on open sides a radius beyond the target (7.6),
-  /// and nothing else is cut, so that a rim is left.
+  /// and no other passes are cut, so that a rim is left.
   bool published = false;
 };
 
@@ -44,12 +44,12 @@ TourGridOptions parse_tour_grid(const std::string& text);
 /// Plans the passes of one layer.
 ///
 /// Grid    A square lattice fitted to the longer side of each connected legal area. Kept are its points well
-///         inside and, nearer to walls, those that clear what neither other points nor wall passes clear.
+///         inside and, nearer to walls, the points clearing places that neither other points nor wall passes clear.
 /// Shape   For each connected legal area an open pass through the grid in the solver's order, illegal moves
-///         replaced by their shortest legal path, and the wall passes around it; passes where the cutter just
-///         fits. Empty if the cutter fits nowhere.
-/// Error   Nothing reachable of `target` is left: what the passes leave is found exactly and visited in
-///         addition (unless `published`).
+///         replaced by their shortest legal path, and the wall passes around it; passes on lines on which the cutter
+///         just fits. Empty if the cutter fits nowhere.
+/// Error   Nothing reachable of `target` is left: places left by the passes are found exactly and visited in addition
+///         (unless `published`).
 /// Cost    The solver's, and O(points * neighbours).
 /// Source  Tour 3.3.4, 4.2.4; departures in docs/tour.md.
 LayerPasses plan_tour(const Layer& layer, const TourGridOptions& options, const TourSolver& solve,

@@ -1,4 +1,4 @@
-// Finds the order in which cells are cut, and the corner at which each begins.
+// Finds the order of cutting cells, and the start corner of each.
 #pragma once
 
 #include <functional>
@@ -8,23 +8,23 @@
 
 namespace clearcut::plan::zigzag {
 
-/// A cell and how it is cut. Variant, bit 0: downwards; bit 1: its first line from right to left.
+/// A cell and the manner of cutting it. Variant, bit 0: downwards; bit 1: its first line from right to left.
 struct CellVisit {
   std::size_t cell = 0;
   int variant = 0;
 };
 inline constexpr int kCellVariants = 4;
 
-/// The lines of a cell in the order and direction in which they are cut.
+/// The lines of a cell in the order and direction of cutting.
 std::vector<ZigzagLine> cut_lines(const ZigzagCell& cell, int variant);
 
-/// The costs that an order of cells is chosen by; any unit.
+/// The costs for choosing an order of cells; any unit.
 struct OrderQuestion {
   /// Cost of going from the end of one cell to the beginning of the next.
   std::function<double(Vec2 from, Vec2 to)> travel;
-  /// An upper bound of that cost that is quicker to compute, for points far apart.
+  /// A quickly computed upper bound of this cost, for points far apart.
   std::function<double(Vec2 from, Vec2 to)> far_travel;
-  /// Cost that depends only on how the cell is cut.
+  /// Cost depending only on the manner of cutting the cell.
   std::function<double(const CellVisit&)> own;
 };
 

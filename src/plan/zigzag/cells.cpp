@@ -17,7 +17,7 @@ struct Interval {
   double to = 0;
 };
 
-/// A piece of the boundary that is monotone in x and in y; from `low` to `high`.
+/// A piece of the boundary, monotone in x and in y; from `low` to `high`.
 struct Piece {
   Vec2 low;
   Vec2 high;
@@ -35,7 +35,7 @@ struct Piece {
   }
 };
 
-/// Parameters at which an arc is horizontal or vertical, and those of both ends.
+/// Parameters of the horizontal and vertical places of an arc, and of both ends.
 std::vector<double> quadrant_cuts(const Edge& edge) {
   std::vector<double> cuts{0};
   const double begin = angle_of(edge.from - edge.center), sweep = edge.sweep();
@@ -64,9 +64,9 @@ void add_pieces(const Edge& edge, std::vector<Piece>& pieces) {
   }
 }
 
-/// What one connected part of a strip asks of its line.
+/// Requirement of one connected part of a strip for its line.
 struct Need {
-  Interval reach;    ///< x: extent of that part of the region
+  Interval reach;    ///< x: extent of this part of the region
   double right_end;  ///< x: the line has to extend at least to here
   double left_end;   ///< x: the line has to begin here or farther left
 };
@@ -111,7 +111,7 @@ class Strips {
     };
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
       const std::size_t first = strip_of(pieces_[i].low.y), last = strip_of(pieces_[i].high.y);
-      // Pieces that end on the border of two strips belong to both.
+      // Pieces ending on the border of two strips belong to both.
       const std::size_t from = first > 0 && pieces_[i].low.y - low(first) < 1e-9 ? first - 1 : first;
       for (std::size_t s = from; s <= last; ++s) pieces_in_[s].push_back(i);
     }
@@ -124,7 +124,7 @@ class Strips {
     return {a, b};
   }
 
-  /// The x intervals in which the horizontal line at y lies inside the region.
+  /// The x intervals of the horizontal line at y inside the region.
   std::vector<Interval> sections(std::size_t strip, double y) const {
     std::vector<double> crossings;
     for (const std::size_t i : pieces_in_[strip]) {
@@ -170,7 +170,7 @@ class Strips {
     place(a);
     place(b);
     if (!piece.arc || piece.radius >= radius_) return;
-    // A disc just holds a small arc where the two centres and the point of contact are on one line.
+    // A disc just contains a small arc if the two centres and the point of contact are on one line.
     const double dy = piece.center.y - y, between = radius_ - piece.radius;
     if (std::abs(dy) > between) return;
     for (const double side : {-1.0, 1.0}) {
@@ -199,7 +199,7 @@ ZigzagLine line_of(const Need& need, double y) {
           {place ? middle : std::min(need.right_end, need.reach.to), y}};
 }
 
-/// The extent of one connected part of a strip, and the cell that it belongs to.
+/// The extent of one connected part of a strip, and its cell.
 struct Placed {
   Interval reach;
   std::size_t cell = 0;

@@ -14,7 +14,7 @@ Strategy make(const StrategyRequest& request) {
   options.machine = request.plan.machine;
   options.feed = request.step.feed;
   line_distance(request.stepover,
-                1);  // throws for rules that mean nothing to lines, before anything is planned
+                1);  // throws for rules without meaning for lines, before planning begins
   return once_per_outline(
       [options, stepover = request.stepover, tol = request.plan.tol](const Layer& layer) mutable {
         options.stepover = line_distance(stepover, 2 * layer.tool_radius);

@@ -16,17 +16,17 @@ namespace {
 
 /// Share of the diameter: least overlap of neighbouring lines.
 constexpr double kOverlap = 0.01;
-/// Share of a line's time by which it counts as slower if the material is on the wrong side.
+/// Share of a line's time added to its time if the material is on the wrong side.
 constexpr double kWrongSide = 0.02;
-/// Directions that are tried: those of the longest walls, square to these, and multiples of kCompassStep
+/// Tried directions: those of the longest walls, square to these, and multiples of kCompassStep
 /// radians.
 constexpr std::size_t kMostWallDirections = 6;
 constexpr double kCompassStep = kPi / 4;
 /// Radians. Directions that differ by less are equal.
 constexpr double kSameDirection = 0.5 * kPi / 180;
-/// Number of directions for which the whole path is planned; the others are only estimated.
+/// Number of directions with a fully planned path; the others are only estimated.
 constexpr std::size_t kFinalists = 3;
-/// Outlines with more edges than this are planned in the direction with the best estimate alone.
+/// Outlines with more edges than this are planned only in the direction with the best estimate.
 constexpr std::size_t kMostEdges = 5000;
 
 Edge rotated(const Edge& edge, double angle) {
@@ -46,7 +46,7 @@ Region rotated(const Region& region, double angle) {
   return Region::from_valid_loops(rotated(region.outer(), angle), std::move(islands));
 }
 
-/// A direction and the cells that it gives.
+/// A direction and its cells.
 struct Draft {
   double angle = 0;  ///< radians
   std::vector<ZigzagCell> cells;
@@ -147,8 +147,8 @@ class ZigzagPlanner {
     return path / speed() + turns * speed() / options_.machine.acceleration;
   }
 
-  /// mm of a cell's lines with the material on the wrong side. The first line is cut as a slot; for each
-  /// other line the material lies ahead: above it if the cell is cut upwards.
+  /// mm of a cell's lines with the material on the wrong side. The first line is cut as a slot; for each other line
+  /// the material is ahead: above the line if the cell is cut upwards.
   double wrong_side_length(const ZigzagCell& cell, int variant) const {
     const bool upwards = (variant & 1) == 0;
     double wrong = 0;
@@ -207,7 +207,7 @@ class ZigzagPlanner {
     }
   }
 
-  /// A path from p, a single point that clears everything, to the nearest place on the wall.
+  /// A path from p, a single position clearing everything, to the nearest place on the wall.
   Path path_to_wall(Vec2 p) const {
     Vec2 best = p;
     double best_distance = std::numeric_limits<double>::infinity();

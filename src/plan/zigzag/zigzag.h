@@ -13,12 +13,12 @@ namespace clearcut::plan::zigzag {
 
 struct ZigzagOptions {
   std::optional<Radians> angle;  ///< of the lines to the x axis; absent: the fastest one found
-  /// mm, greatest distance between lines; absent: the widest that leaves nothing.
+  /// mm, greatest distance between lines; absent: the widest without residual.
   std::optional<double> stepover;
   /// Lines with the material on the right of the cutter are preferred (climb milling for a clockwise
   /// spindle); false: on the left.
   bool material_on_right = true;
-  /// The machine and the feed with which the times of directions are compared.
+  /// The machine and the feed for comparing the times of directions.
   Machine machine;
   MmPerMin feed = MmPerMin::of(1000);
 };
@@ -27,8 +27,7 @@ struct ZigzagOptions {
 ///
 /// Shape   One open pass for each connected legal area, more if a retract link is quicker than a link at
 ///         depth; then the wall passes around it. Empty if the cutter fits nowhere.
-/// Error   Nothing reachable of the target is left thicker than tol.uncut, whatever the angle and the
-///         stepover.
+/// Error   Nothing reachable of the target is left thicker than tol.uncut, for any angle and stepover.
 /// Cost    O(n log n + directions * (lines + cells^2 * edges)).
 LayerPasses plan_zigzag(const Layer& layer, const ZigzagOptions& options, const Tolerances& tol);
 

@@ -1,5 +1,6 @@
-// Cycles 200 (drilling), 201 (reaming), 206 (tapping in a floating holder) and 207 (rigid tapping). Pecks are written as moves: how far above
-// the last depth a cycle feeds again is the same number there as its distance from the surface.
+// Cycles 200 (drilling), 201 (reaming), 206 (tapping in a floating holder) and 207 (rigid tapping). Pecks are written
+// as moves: how far above the last depth a cycle feeds again is the same number there as its distance from the
+// surface.
 #include "post/klartext/hole_cycles.h"
 
 #include <cmath>
@@ -11,7 +12,7 @@ namespace clearcut::post {
 namespace {
 
 constexpr int kPitchDecimals = 4;
-constexpr double kPitchShare = 1e-3;  // of a pitch, which its printed digits may miss
+constexpr double kPitchShare = 1e-3;  // of a pitch; permitted error of its printed digits
 
 /// One line of a definition.
 struct Parameter {
@@ -31,7 +32,7 @@ PrintGrid pitch_grid(bool inch) {
   return {inch, kPitchDecimals};
 }
 
-/// Lengths that all of the cycles state.
+/// Lengths stated by all cycles.
 struct Heights {
   std::string above_surface, depth, surface, above;
 };
@@ -53,7 +54,7 @@ std::string drilling(const Heights& at, const std::string& feed) {
                                      {211, "+0", "DWELL TIME AT DEPTH"}});
 }
 
-/// A feed of 0 on the way out is that on the way in.
+/// A retract feed of 0 means the feed on the way in.
 std::string reaming(const Heights& at, const std::string& feed) {
   return definition("201 REAMING", {{200, at.above_surface, "SET-UP CLEARANCE"},
                                     {201, at.depth, "DEPTH"},

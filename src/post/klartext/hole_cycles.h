@@ -1,4 +1,4 @@
-// Heidenhain's cycles that make one hole.
+// Heidenhain's cycles for one hole.
 #pragma once
 
 #include <string>
@@ -7,9 +7,10 @@
 
 namespace clearcut::post {
 
-/// The definition of the cycle that makes exactly the moves of this hole: a block of several lines; CYCL CALL makes it where the
-/// tool stands. "" where no cycle does, or what its words would mean is not certain: the moves are written then. `surface`: Z of the
-/// material's top there, mm, between the bottom and where feeding begins.
+/// The definition of the cycle for exactly the moves of this hole: a block of several lines; CYCL CALL runs it at the
+/// tool's position. "" if there is no such cycle, or if the meaning of its words is not certain: the moves are
+/// written then. `surface`: Z of the material's top there, mm, between the bottom and the height at which feeding
+/// begins.
 std::string hole_cycle(const DrillBlock& hole, double surface, const Tool* tap, const PrintGrid& grid,
                        bool inch);
 

@@ -33,8 +33,10 @@ constexpr std::size_t kLineLength = 80;
 constexpr double kWidestHelix = 200;
 constexpr double kLargestRadius = 10000;   // mm
 constexpr double kFinestTolerance = 1e-5;  // mm or inch, of cycle 32
-constexpr double kAboveSurface = 1;      // mm, from where feeding begins down to a surface that is not known
-constexpr std::size_t kNameLength = 24;  // what TNCs show of a file's name
+constexpr double kAboveSurface =
+    1;  // mm; assumed distance from the height at which feeding begins down to an
+        // unknown surface
+constexpr std::size_t kNameLength = 24;  // characters of a file's name shown by TNCs
 
 std::string program_name(const std::string& wanted) {
   std::string name;
@@ -55,14 +57,14 @@ struct ControlState {
   Ticks at;
   bool plan = false;
   bool height = false;
-  Vec2 off_grid;                ///< where the tool is beside `at` after a helix, in steps
+  Vec2 off_grid;                ///< displacement of the tool from `at` after a helix, in steps
   std::optional<Ticks> center;  ///< CC
   long long feed = -1;
   int tool = 0;
   double rpm = 0;
   int spindle = 5;  ///< 3, 4, 5 as in M3, M4, M5
   Coolant coolant = Coolant::kOff;
-  std::string cycle;  ///< as it was last defined for the tool
+  std::string cycle;  ///< last definition for the tool
 };
 
 Vec2 in_steps(const Ticks& at) {
@@ -150,7 +152,7 @@ void KlartextWriter::begin_program(const Toolpath& toolpath) {
   block("CYCL DEF 32.1 T" + trimmed(std::max(kFinestTolerance, tolerance), 5));
 }
 
-/// The stock, or what the tool's centre covers where no stock is known.
+/// The stock, or the extent of the tool's centre if no stock is known.
 void KlartextWriter::blank_form(const Toolpath& toolpath) {
   Box plan = part_.stock ? part_.stock->plan : Box{};
   double bottom = part_.stock ? part_.stock->z_bottom : -1, top = part_.stock ? part_.stock->z_top : 0;
@@ -230,7 +232,8 @@ void KlartextWriter::write_moves(std::span<const Move> run, const Section& secti
   }
 }
 
-/// The top of what is drilled; where its feature does not say, 1 mm under where feeding begins. Between bottom and clearance.
+/// The top of the drilled material; if the feature does not state it, 1 mm below the height at which feeding begins.
+/// Between bottom and clearance.
 double KlartextWriter::surface_over(const DrillBlock& hole, const Section& section) const {
   const double clear = rules_.grid.mm(hole.clear), bottom = rules_.grid.mm(hole.bottom.z);
   const auto step = static_cast<std::size_t>(std::max(section.workingstep, 0));
@@ -239,7 +242,7 @@ double KlartextWriter::surface_over(const DrillBlock& hole, const Section& secti
   return top > bottom && top < clear ? top : std::max(clear - kAboveSurface, (clear + bottom) / 2);
 }
 
-/// Holes that are alike share one definition. Returns whether a cycle makes it from where the tool stands.
+/// Equal holes share one definition. Returns whether a cycle makes the hole from the tool's position.
 bool KlartextWriter::write_hole(const DrillBlock& hole, const Tool* tap, const Section& section) {
   const bool over = held_.height && held_.at.z == hole.above && held_.at.same_plan(hole.bottom);
   if (!over || held_.off_grid != Vec2{}) return false;
@@ -248,7 +251,7 @@ bool KlartextWriter::write_hole(const DrillBlock& hole, const Tool* tap, const S
   if (cycle != held_.cycle) block(cycle);
   held_.cycle = cycle;
   block("CYCL CALL");
-  if (tap && !tap->floating) held_.spindle = 5;  // rigid tapping leaves it stopped
+  if (tap && !tap->floating) held_.spindle = 5;  // rigid tapping leaves the spindle stopped
   end_rapid();
   return true;
 }
@@ -272,7 +275,7 @@ void KlartextWriter::end_program() {
   block(fmt::format("END PGM {} {}", name_, unit()));
 }
 
-/// From the safe height, where the last retract has left the tool; Z first.
+/// From the safe height, reached by the last retract; Z first.
 void KlartextWriter::go_to_end() {
   const EndPosition& end = options_.end;
   if (end.kind == EndPosition::Kind::kPlace && held_.height) rapid_to_plan(rules_.grid.ticks(end.place, 0));
@@ -281,7 +284,7 @@ void KlartextWriter::go_to_end() {
   block("L X+0 Y+0 R0 FMAX M91");
 }
 
-/// A call without a number changes the speed alone. The length comes from the control's own table.
+/// A call without a number changes only the speed. The length comes from the control's own table.
 void KlartextWriter::call_tool(const Section& section) {
   const bool new_tool = section.tool_number > 0 && section.tool_number != held_.tool;
   const bool new_speed = section.spindle_rpm > 0 && section.spindle_rpm != held_.rpm;
@@ -345,7 +348,7 @@ void KlartextWriter::rapid_to_height(long long z) {
   end_rapid();
 }
 
-/// What is cut next says its feed and its centre again, so that the program can be entered there.
+/// The next cut states its feed and its centre again, so that the program can be entered there.
 void KlartextWriter::end_rapid() {
   held_.feed = -1;
   held_.center.reset();
@@ -367,7 +370,8 @@ void KlartextWriter::write_move(const Move& move) {
   }
 }
 
-/// Beside the grid after a helix, a line in plan takes the difference back; straight up or down it stays.
+/// After a helix ending off the grid, a line in plan removes the difference; on vertical moves the difference is
+/// kept.
 void KlartextWriter::write_line(const Ticks& to, bool rapid, MmPerMin feed) {
   std::string text = "L";
   if (!to.same_plan(held_.at)) {
@@ -382,7 +386,7 @@ void KlartextWriter::write_line(const Ticks& to, bool rapid, MmPerMin feed) {
   block(text + (rapid ? " R0 FMAX" : feed_text(feed)));
 }
 
-/// Signed angle about the origin in degrees, from `start` to `end` over the side it turns to.
+/// Signed angle about the origin in degrees, from `start` to `end` in the sense of its turn.
 double swept_degrees(Vec2 start, Vec2 end, Turn turn) {
   const double side = turn == Turn::kCounterClockwise ? 1 : -1;
   const double angle = side * base::atan2(cross(start, end), dot(start, end));
@@ -405,8 +409,8 @@ void KlartextWriter::write_arc(const Step& step, MmPerMin feed) {
   }
 }
 
-/// A helix ends where its angle says, which is not on the grid: the difference is kept, so that a run of them
-/// does not drift, and taken back when it exceeds a share of a step.
+/// A helix ends at the place given by its angle, off the grid: the difference is stored, so that a run of helices
+/// does not drift, and removed when it exceeds a share of a step.
 void KlartextWriter::write_helix(const Step& step, const Ticks& center, MmPerMin feed) {
   const Vec2 middle = in_steps(center), end = in_steps(step.to) - middle;
   const Vec2 start = in_steps(held_.at) + held_.off_grid - middle;
@@ -421,7 +425,7 @@ void KlartextWriter::write_helix(const Step& step, const Ticks& center, MmPerMin
   block("L" + coordinate(" X", step.to.x) + coordinate(" Y", step.to.y));
 }
 
-/// Comments that are too long go on in a block of their own.
+/// Too long comments continue in a separate block.
 void KlartextWriter::comment(std::string_view text) {
   constexpr std::size_t kRoom = kLineLength - 12;
   for (const std::string& piece : comment_pieces(text, kRoom)) block("; " + piece);

@@ -7,16 +7,16 @@
 
 namespace clearcut::post {
 
-/// What older controls take; newer ones read one more.
+/// Decimals accepted by older controls; newer ones read one more.
 inline constexpr int kKlartextMmDecimals = 3;
 inline constexpr int kKlartextInchDecimals = 4;
 
 inline constexpr int kKlartextFeedDecimals = 2;
 
-/// A feed as it is printed, in steps of its decimals: mm/min, or in inch programs tenths of an inch. At least one step.
+/// A feed as printed, in steps of its decimals: mm/min, or in inch programs tenths of an inch. At least one step.
 long long klartext_feed(MmPerMin feed, bool inch);
 
-/// How far beside the grid the end of a helix may lie, in steps: its angle is printed, not its end.
+/// Permitted distance of a helix' end from the grid, in steps: its angle is printed, not its end.
 inline constexpr double kKlartextDrift = 0.15;
 
 /// `toolpath` has been checked by post().

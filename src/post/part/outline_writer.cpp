@@ -20,7 +20,7 @@ std::string quoted(const std::string& text) {
   return out + "\"";
 }
 
-/// The shortest text that reads back as the same number.
+/// The shortest text reading back as the same number.
 std::string number(double value) {
   return fmt::format("{}", value == 0 ? 0.0 : value);
 }
@@ -40,7 +40,7 @@ std::string loop_text(const Loop& loop, const std::string& indent) {
   return vertices_text(to_bulges(loop), indent);
 }
 
-/// What the cutter follows, instead of an area; open lines end with their last point.
+/// The path followed by the cutter, instead of an area; open lines end with their last point.
 std::string profile_text(const ProfileCut& cut, const std::string& indent) {
   std::vector<BulgeVertex> vertices = to_bulges(cut.line);
   if (!cut.closed && !cut.line.empty()) vertices.push_back({cut.line.back().to, 0});
@@ -60,7 +60,7 @@ std::string region_text(const Region& region, const std::string& indent) {
   return out + "]";
 }
 
-/// Where the cutter may be, when that is more than the target: open sides.
+/// The area permitted to the cutter, if larger than the target: open sides.
 std::string allowed_text(const Feature& feature, const std::string& indent) {
   std::string out = ",\n" + indent + "\"allowed\": [";
   const char* separator = "";
@@ -79,7 +79,7 @@ bool same_loops(const Regions& a, const Regions& b) {
   return true;
 }
 
-/// Name, kind, heights: what all kinds of features have.
+/// Name, kind, heights: common to all kinds of features.
 std::string head_text(const Feature& feature, const std::string& indent) {
   std::string out =
       fmt::format("    {{\n{}\"name\": {},\n{}\"kind\": \"{}\",\n{}\"top\": {},\n{}\"depth\": {},\n", indent,

@@ -8,8 +8,8 @@
 namespace clearcut::post {
 
 /// One pocket for every region of every feature, in order of the workplan, with kind, tops, depths and
-/// slopes, and the stock. Tools and operations have no place in this format. Numbers are written so that
-/// they are read back equal (bulges lose at most the last digits). mm.
+/// slopes, and the stock. Tools and operations have no place in this format. Numbers are written so that they read
+/// back equal (bulges lose at most the last digits). mm.
 std::string write_outline_json(const Part& part);
 
 }  // namespace clearcut::post

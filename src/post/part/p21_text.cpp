@@ -11,7 +11,7 @@ namespace clearcut::post {
 
 namespace {
 
-/// Takes one code point from the front of `text`; bytes that are not UTF-8 stand for themselves.
+/// Takes one code point from the front of `text`; bytes outside of UTF-8 represent themselves.
 std::uint32_t take_code_point(std::string_view& text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char lead = byte(0);

@@ -9,11 +9,11 @@
 
 namespace clearcut::post {
 
-/// Stands for an attribute without a value.
+/// Represents an attribute without a value.
 inline const std::string kUnset = "$";
 
-/// Shortest text that reads back to the same double, with the point that a real needs: "5.0", "1.5E-7".
-/// Throws InputError for what is not finite.
+/// Shortest text that reads back to the same double, with the decimal point required for reals: "5.0", "1.5E-7".
+/// Throws InputError for non-finite numbers.
 std::string p21_real(double value);
 /// UTF-8 to a quoted string: apostrophes doubled, everything outside printable ASCII as \X2\ or \X4\.
 std::string p21_string(std::string_view utf8);
@@ -21,7 +21,7 @@ std::string p21_string(std::string_view utf8);
 /// A growing list of numbered entities.
 class P21Writer {
  public:
-  /// A number for an entity that is written later by put().
+  /// A number for an entity to be written later by put().
   int reserve();
   void put(int id, const std::string& keyword, const std::vector<std::string>& arguments);
   /// The new entity as a reference: "#12".

@@ -40,7 +40,7 @@ std::string trimmed_arc(P21Writer& out, const P21Common& common, const Edge& arc
                   arc.turn == Turn::kCounterClockwise ? ".T." : ".F.", ".CARTESIAN."});
 }
 
-/// A polyline where the path is straight throughout, else a composite of polylines and trimmed circles.
+/// A polyline if the path is straight throughout, else a composite of polylines and trimmed circles.
 std::string curve(P21Writer& out, const P21Common& common, const Path& path) {
   const bool straight = std::none_of(path.begin(), path.end(), [](const Edge& e) { return e.is_arc(); });
   if (straight) return polyline(out, path, 0, path.size());
@@ -57,7 +57,7 @@ std::string curve(P21Writer& out, const P21Common& common, const Path& path) {
   return out.add("COMPOSITE_CURVE", {"''", p21_list(segments), ".F."});
 }
 
-/// Center of a loop that is one full circle.
+/// Center of a loop forming one full circle.
 std::optional<Vec2> circle_center(const Loop& loop) {
   for (const Edge& edge : loop)
     if (!edge.is_arc() || edge.turn != loop[0].turn || distance(edge.center, loop[0].center) > kSamePlaceMm)
@@ -73,7 +73,7 @@ std::string closed_profile(P21Writer& out, const P21Common& common, const Loop& 
   return out.add("GENERAL_CLOSED_PROFILE", {kUnset, curve(out, common, outline)});
 }
 
-/// Where the four sides of the stock are, and what lies on them.
+/// The four sides of the stock, and tests for edges on them.
 class StockEdge {
  public:
   explicit StockEdge(const std::optional<Stock>& stock) : stock_(stock) {}
@@ -90,7 +90,7 @@ class StockEdge {
   bool is_outline(const Loop& loop) const {
     return stock_ && std::all_of(loop.begin(), loop.end(), [&](const Edge& e) { return carries(e); });
   }
-  /// Does `wall`, `away` mm from the side that is cut off, leave at least as much of the stock beyond it?
+  /// Whether `wall`, `away` mm from the cut-off side, leaves at least as much of the stock beyond itself.
   bool is_nearer_side(const Edge& wall, double away) const {
     const bool upright = std::abs(wall.to.x - wall.from.x) < std::abs(wall.to.y - wall.from.y);
     return 2 * away <= (upright ? stock_->plan.width() : stock_->plan.height());
@@ -140,7 +140,7 @@ std::optional<Band> band_of(P21Writer& out, const Region& region, const StockEdg
     return Band{loop[first].center, loop[first + 2].center, 2 * loop[first].radius(), end, end};
   }
   if (!is_rectangle(loop)) return std::nullopt;
-  // The ends are the pair of sides that is open, else the shorter pair.
+  // The ends are the open pair of sides, else the shorter pair.
   const auto open = [&](std::size_t i) { return stock.carries(loop[i]); };
   const int even = open(0) + open(2), odd = open(1) + open(3);
   const std::size_t end = even != odd ? (even > odd ? 0 : 1) : (loop[0].length() < loop[1].length() ? 0 : 1);
@@ -257,7 +257,7 @@ class FeatureWriter {
   }
 
   /// The wall is the side opposite to an open one, with the material on its left. A step takes the smaller
-  /// part of the stock: readers that doubt the drawn side rely on it.
+  /// part of the stock: readers in doubt about the drawn side rely on this.
   std::string step() {
     const Loop& loop = region_.outer();
     if (is_rectangle(loop) && region_.islands().empty()) {

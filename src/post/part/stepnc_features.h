@@ -10,7 +10,7 @@
 
 namespace clearcut::post {
 
-/// Entities that every feature shares.
+/// Entities shared by all features.
 struct P21Common {
   std::string workpiece;
   std::string z_axis;
@@ -29,7 +29,7 @@ struct FeaturePiece {
   std::string name;
 };
 
-/// Where the placement of its entity lies in plan: at the centre of round holes, else at zero.
+/// Place of its entity's placement in plan: at the centre of round holes, else at zero.
 Vec2 placement_of(const FeaturePiece& piece);
 
 /// Writes the entity of `piece` and returns its reference. `operations` are the references of its operations.

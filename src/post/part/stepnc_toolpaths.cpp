@@ -15,7 +15,7 @@ constexpr double kMmPerMinOfMPerS = 60000;
 constexpr double kHelixChord = 0.001;  // mm; polylines leave their helix by no more
 constexpr double kHelixDigits = 1e6;   // points between the ends of a helix are rounded to 1 nm
 
-/// What moves of one trajectory have in common.
+/// Common properties of the moves of one trajectory.
 struct Manner {
   const char* type = "CONTACT";
   bool is_rapid = false;
@@ -44,8 +44,7 @@ struct Span {
   std::size_t first = 0, last = 0;
 };
 
-/// Without the rapids that only bring the tool to where it goes down and take it away from where it has come up: whoever reads the path does
-/// that.
+/// The moves without the rapids to the first descent and from the last retract: the path's reader adds these itself.
 Span within_safe_height(const std::vector<Move>& moves, double safe_z) {
   const double safe = safe_z - kSamePlaceMm;
   Span span{0, moves.size()};
@@ -56,14 +55,14 @@ Span within_safe_height(const std::vector<Move>& moves, double safe_z) {
   return span;
 }
 
-/// s that the tool stands after a move.
+/// s; dwell after a move.
 double dwell_after(const Section& section, std::size_t move) {
   for (const Dwell& dwell : section.dwells)
     if (dwell.after == move) return dwell.seconds;
   return 0;
 }
 
-/// What added to `origin` gives `value`, to the last bit where there is such a number near.
+/// The number that added to `origin` gives `value`, to the last bit if there is one.
 double relative(double value, double origin) {
   const double near = value - origin;
   double low = near, high = near;

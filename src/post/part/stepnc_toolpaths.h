@@ -11,20 +11,21 @@
 
 namespace clearcut::post {
 
-/// The origin of the frame in which toolpaths of a feature are given; its axes are those of the workpiece.
+/// The origin of the frame for the toolpaths of a feature; its axes are parallel to those of the workpiece.
 struct PathOrigin {
   Vec2 plan;
   double z = 0;
 };
 
-/// Writes sections as CUTTER_LOCATION_TRAJECTORYs: polylines and trimmed circles; helices as polylines within 1 um whose name says which
-/// helix it is. Rapids are NON_CONTACT with the speed RAPID; every feed is a technology of its own. Reading gives the same moves.
+/// Writes sections as CUTTER_LOCATION_TRAJECTORYs: polylines and trimmed circles; helices as polylines within 1 um
+/// whose name describes the helix. Rapids are NON_CONTACT with the speed RAPID; every feed has its own technology.
+/// Reading gives the same moves.
 class ToolpathWriter {
  public:
   ToolpathWriter(P21Writer& out, const P21Common& common, double safe_z)
       : out_(out), common_(common), safe_z_(safe_z) {}
 
-  /// The TOOLPATH_LIST; "$" where there is no move below the safe height. `spindle`: as the operation's technology has it.
+  /// The TOOLPATH_LIST; "$" if there is no move below the safe height. `spindle`: from the operation's technology.
   std::string write(const Section& section, const PathOrigin& origin, const std::string& spindle);
 
  private:
@@ -42,7 +43,7 @@ class ToolpathWriter {
   std::map<std::pair<double, std::string>, std::string> technologies_;
 };
 
-/// The text of a feed, mm/min, in m/s that reads back to the same number.
+/// The text of a feed, mm/min, in m/s, reading back to the same number.
 std::string p21_feed(MmPerMin feed);
 
 }  // namespace clearcut::post

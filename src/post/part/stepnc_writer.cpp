@@ -113,7 +113,7 @@ std::string top_angle_of(const Tool& tool) {
 
 class Writer {
  public:
-  /// `toolpath`: null where none is written.
+  /// `toolpath`: null if none is written.
   explicit Writer(const Part& part, const Toolpath* toolpath = nullptr)
       : part_(part), toolpath_(toolpath), paths_(out_, common_, part.safe_z()) {}
 
@@ -242,7 +242,7 @@ class Writer {
     }
   }
 
-  /// As they are cut; those that are not cut after the others.
+  /// In the order of cutting; uncut ones after the others.
   std::vector<std::size_t> order_of_steps() const {
     std::vector<std::size_t> order;
     const auto add = [&](std::size_t i) {
@@ -255,7 +255,7 @@ class Writer {
     return order;
   }
 
-  /// All that the program cuts for a workingstep; nothing where it cuts nothing.
+  /// All cuts of the program for a workingstep; nothing if there are none.
   std::optional<Section> section_of(std::size_t step) const {
     std::optional<Section> whole;
     if (toolpath_ == nullptr) return whole;
@@ -295,7 +295,7 @@ class Writer {
                                       p21_placement(out_, common_, {}, 0), p21_list(pieces)})};
   }
 
-  /// The frame of the feature's entity, in which its toolpaths are written.
+  /// The frame of the feature's entity, used for its toolpaths.
   static PathOrigin path_origin(const Feature& feature) {
     if (feature.target.size() != 1) return {};
     return {placement_of({&feature, &feature.target.front(), feature.name}), feature.top_z};
@@ -329,7 +329,7 @@ class Writer {
     return out_.add(keyword, arguments);
   }
 
-  /// A share of a feed of which nothing is taken.
+  /// Whether a share of the feed really reduces it.
   static bool is_reduced(double depth, double share) { return depth > 0 && share != 1; }
 
   std::vector<std::string> drilling_arguments(const Operation& operation) {
@@ -460,7 +460,7 @@ class Writer {
   P21Writer out_;
   P21Common common_;
   ToolpathWriter paths_;
-  bool is_explicit_ = false;  // the operation that is written has a toolpath
+  bool is_explicit_ = false;  // the operation being written has a toolpath
   int project_ = 0;
   int workplan_ = 0;
   int workpiece_ = 0;

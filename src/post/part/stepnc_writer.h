@@ -14,20 +14,19 @@ namespace clearcut::post {
 ///         circles.
 /// Units   m/s, 1/s (negative clockwise), mm, radians.
 /// Error   numbers are shortest decimals that read back to the same double: vertices and tools are kept
-/// exactly. Losses  a feature of several regions becomes several features ("name", "name (2)", ...); a slot
-/// that is neither a
-///         rectangle nor rounded at both ends, and a step that is no rectangle, become open pockets (closed
-///         where they do not reach the stock's edge); Tool::center_cutting follows from the kind of tool;
-///         strategy names the standard does not know are left out. What the standard has no word for (plunge
-///         feed, ramp feed, slot feed, scallop height) goes into the property list of the machine functions.
-/// Throws  InputError where a number is not finite, a workingstep has no tool, or a feature is a line to follow (profiles,
-///         engraving).
-/// The same part gives the same bytes.
+/// exactly. Losses  a feature of several regions becomes several features ("name", "name (2)", ...); a slot that is
+///         neither a rectangle nor rounded at both ends, and a non-rectangular step, become open pockets (closed if
+///         they do not reach the stock's edge); Tool::center_cutting follows from the kind of tool; strategy names
+///         unknown to the standard are left out. Values without a word in the standard (plunge feed, ramp feed, slot
+///         feed, scallop height) are written into the property list of the machine functions.
+/// Throws  InputError if a number is not finite, a workingstep has no tool, or a feature is a line to follow
+///         (profiles, engraving). The same part gives the same bytes.
 std::string write_stepnc(const Part& part);
 
-/// The same with the toolpath of every workingstep: EXPLICIT_STRATEGY and a TOOLPATH_LIST, which whoever reads it can use as it stands. The
-/// workingsteps come in the order of `toolpath`, after them those that it does not cut; a feature of several regions is a compound.
-/// `toolpath`: planned for `part`, whose sections name their workingsteps; before it was printed, so that printing it again gives the same digits.
+/// The same with the toolpath of every workingstep: EXPLICIT_STRATEGY and a TOOLPATH_LIST, usable by readers
+/// unchanged. The workingsteps are in the order of `toolpath`, followed by those it does not cut; a feature of
+/// several regions is a compound. `toolpath`: planned for `part`, with workingsteps named by its sections; taken
+/// before printing, so that printing it again gives the same digits.
 std::string write_stepnc(const Part& part, const Toolpath& toolpath);
 
 }  // namespace clearcut::post

@@ -1,4 +1,4 @@
-// What a program says between its cuts: stops, messages, dwells at the floors of holes.
+// Program text between cuts: stops, messages, dwells at the floors of holes.
 #pragma once
 
 #include <set>
@@ -15,7 +15,7 @@ class Stops {
  public:
   explicit Stops(const Part& part) : part_(part) {}
 
-  /// Those that come before `section`, with those of earlier workingsteps of which nothing is cut; none the second time.
+  /// Stops before `section`, with those of earlier workingsteps without cuts; none the second time.
   std::vector<ProgramStop> before(const Section& section);
 
  private:
@@ -28,23 +28,23 @@ bool halts(const std::vector<ProgramStop>& stops);
 /// "STOP: TURN THE CLAMP", "OPTIONAL STOP", "MESSAGE: ...".
 std::string stop_comment(const ProgramStop& stop);
 
-/// Moves of a section that are written one after the other, with the time that the tool stands after them.
+/// Successive moves of a section, with the dwell after them.
 struct MoveRun {
   std::vector<Move> moves;
   double dwell_s = 0;
 };
-/// The moves of the section, divided where the tool stands.
+/// The moves of the section, divided at dwells.
 std::vector<MoveRun> runs_of(const Section& section);
 
-/// How a section is cut, as a control's levels of smoothness tell it apart.
+/// Kind of cutting of a section, for a control's levels of smoothness.
 enum class CutLevel { kRoughing = 1, kMedium = 2, kFinishing = 3 };
 /// Roughing leaves stock, or a finishing step follows on the same feature.
 CutLevel level_of(const Section& section, const Part& part);
 
-/// Tools in the order in which a program changes to them.
+/// Tools in the order of the program's changes.
 std::vector<int> tool_changes_of(const Toolpath& toolpath);
 
-/// s that the tool stays at the floor of the hole that the section makes; 0 for most.
+/// s; dwell at the floor of the section's hole; 0 for most.
 double dwell_of(const Section& section, const Part& part);
 /// Whether the move ends at the lowest place of the section, from above.
 bool ends_at_floor(const Move& move, const Section& section);

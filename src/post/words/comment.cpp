@@ -10,9 +10,9 @@
 namespace clearcut::post {
 namespace {
 
-/// Decimals of an inch that sizes of tools have.
+/// Decimals of an inch in sizes of tools.
 constexpr int kInchDecimals = 4;
-/// mm. What those decimals may miss a size by and still name it.
+/// mm. Greatest error of these decimals for a size to count as exact.
 constexpr double kSameSize = 1e-5;
 
 void append_blank(std::string& text) {
@@ -53,7 +53,7 @@ std::vector<std::string> comment_pieces(std::string_view text, std::size_t room)
     const std::size_t blank = rest.rfind(' ', room);
     const bool between = blank != std::string::npos && blank > 0;
     pieces.push_back(rest.substr(0, between ? blank : room));
-    rest = plain_comment(rest.substr(between ? blank + 1 : room));  // its first word stands first now
+    rest = plain_comment(rest.substr(between ? blank + 1 : room));  // its first word is now first
   }
   pieces.push_back(rest);
   return pieces;

@@ -1,4 +1,4 @@
-// Words that set up the control, and those for its places.
+// Words for setting up the control and for its places.
 #pragma once
 
 #include <string>
@@ -11,19 +11,21 @@
 
 namespace clearcut::post {
 
-/// What leads from `held` to `wanted`, each word in a block of its own: Grbl takes one of them in a block.
+/// Words for changing from `held` to `wanted`, each in its own block: Grbl accepts one of them per block.
 std::vector<std::string_view> coolant_words(Coolant held, Coolant wanted, const MistWords& mist);
 
 bool has_work_offset(const IsoDialect& dialect, const WorkOffset& offset);
-/// For messages: "G54 to G59, G54.1 P1 to P300"; "" where its programs have none.
+/// For messages: "G54 to G59, G54.1 P1 to P300"; "" if its programs have none.
 std::string work_offsets_of(const IsoDialect& dialect);
 
-/// With the work offset that is asked for in place of the first; one with a P word has a block of its own, the second.
+/// Mode blocks with the requested work offset in place of the first one; an offset with a P word has its own block,
+/// the second.
 std::vector<std::string> mode_blocks(const IsoDialect& dialect, const WorkOffset& offset);
-/// The same at later tools. Not G49, which on its own may move Z by the length in force; the next G43 replaces that.
+/// The same at later tools. Without G49, which by itself may move Z by the active length; the next G43 replaces the
+/// length.
 std::vector<std::string> later_mode_blocks(const IsoDialect& dialect, const WorkOffset& offset);
 
-/// To the home of all axes, Z first; G28 goes from where the tool is, without a way.
+/// To the home of all axes, Z first; G28 starts at the tool's position, without an intermediate point.
 std::vector<std::string> home_blocks(const IsoDialect& dialect);
 
 }  // namespace clearcut::post

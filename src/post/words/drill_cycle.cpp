@@ -47,7 +47,7 @@ bool feed_up(const Move& move) {
   return !is_rapid(move.kind) && move.is_vertical() && move.z_to > move.z_from;
 }
 
-/// Number of the last move down, and in what pecks.
+/// Number of the last move down, and the pecks.
 struct Descent {
   DrillForm form = DrillForm::kAtOnce;
   std::size_t last = 1;

@@ -6,7 +6,7 @@
 
 namespace clearcut::post {
 
-/// Where the tool may travel anywhere: the highest z of the toolpath, and no lower than part.safe_z(). mm.
+/// Height for free travel of the tool: the highest z of the toolpath, and no lower than part.safe_z(). mm.
 double safe_height(const Toolpath& toolpath, const Part& part);
 
 }  // namespace clearcut::post

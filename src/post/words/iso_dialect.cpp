@@ -83,7 +83,8 @@ constexpr std::array kDialects{
                .spindle_wait = 2,
                .tapping = Tapping::kFloating,
                .cycles = CycleForm::kWords},
-    // G21 and G17 only exist in some builds; M1 stops like M0; N words need checksums; M30 would delete a file on the card.
+    // G21 and G17 only exist in some builds; M1 stops like M0; N words need checksums; M30 would delete a file on the
+    // card.
     IsoDialect{.name = "marlin",
                .extension = ".gcode",
                .comments = CommentForm::kSemicolon,
@@ -121,7 +122,8 @@ constexpr std::array kDialects{
                .dwell = DwellForm::kFSeconds,
                .tapping = Tapping::kRigid,
                .cycles = CycleForm::kCalls},
-    // Mazak's EIA/ISO: rigid tapping is a word of its own there (G84.2), which is not written; the magazine is called ahead.
+    // Mazak's EIA/ISO: rigid tapping has a separate word there (G84.2), which is not written; the magazine is called
+    // ahead.
     IsoDialect{.name = "mazak",
                .extension = ".eia",
                .mm_decimals = 3,

@@ -1,4 +1,4 @@
-// What the word-address controls (everything but Klartext) do differently, as data.
+// Differences of the word-address controls (all except Klartext), as data.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ enum class PathControl {
   kTolerance,       ///< G64 P- Q0
   kCornerRounding,  ///< G187 P- E-: P1 roughs, P3 finishes
   kContour,         ///< G642 CTOL=
-  kExactStop        ///< G61: the control states no bound for what it rounds in G64
+  kExactStop        ///< G61: the control states no bound for its rounding in G64
 };
 enum class LengthOffset {
   kNone,
@@ -23,9 +23,9 @@ enum class LengthOffset {
   kWithApproach,  ///< G43 H2 Z25. as the first move down
   kEdge           ///< D1 Z25. likewise: the length of the tool's first edge
 };
-/// Where Z goes for tool changes and at the end.
+/// Place of Z for tool changes and at the end.
 enum class HomeForm {
-  kSafeHeight,   ///< no machine place is used; home is what G28 stores
+  kSafeHeight,   ///< no machine place is used; home is the place stored for G28
   kSwitches,     ///< likewise, and G28 drives to the end switches
   kMachineZero,  ///< G53 G0 Z0.
   kReference,    ///< G91 G28 Z0. and G90
@@ -33,14 +33,14 @@ enum class HomeForm {
 };
 /// How a control taps.
 enum class Tapping {
-  kByWords,      ///< no cycle: down, M4, up; with a floating holder alone
+  kByWords,      ///< no cycle: down, M4, up; only with a floating holder
   kFloating,     ///< G84 does the same
   kRigid,        ///< G84 ties the feed to the spindle
   kRigidByM29,   ///< the same after M29
   kRigidByG33_1  ///< G33.1; G84 with a floating holder
 };
 enum class DwellForm { kPSeconds, kXSeconds, kSSeconds, kFSeconds };
-/// How a program calls the cycles that make a hole.
+/// Form of the calls of hole cycles in a program.
 enum class CycleForm {
   kNone,   ///< holes are moves
   kWords,  ///< G81 and its like, ended by G80
@@ -53,7 +53,7 @@ struct MistWords {
   std::string_view off = {};  ///< empty: M9 ends mist, too
 };
 
-/// Work offsets that are called by a P word, from `first` to `last`; last 0: none.
+/// Work offsets called by a P word, from `first` to `last`; last 0: none.
 struct NumberedOffsets {
   int code = 0;  ///< G word in tenths
   int first = 1, last = 0;
@@ -69,8 +69,8 @@ struct IsoDialect {
   int program_digits = 0;     ///< of the O word; 0: none
   CommentForm comments = CommentForm::kParentheses;
   std::size_t line_length = 80;
-  std::size_t packed_length =
-      0;  ///< of a block without its blanks, as senders count it; 0: as long as the line
+  /// Length of a block without its blanks, as counted by senders; 0: length of the line.
+  std::size_t packed_length = 0;
   std::string_view metric = "G21";
   std::string_view inches = "G20";
   std::string_view safe_start = "G17 G40 G49 G54 G80 G90 G91.1 G94";
@@ -80,10 +80,11 @@ struct IsoDialect {
   std::array<NumberedOffsets, 2> numbered_offsets = {};
   PathControl path_control = PathControl::kNone;
   std::string_view exact_stop = "G61";  ///< empty: none
-  bool exact_stop_halts = false;        ///< it stops at the end of every block, else it keeps to the path
-  bool changer = true;                  ///< M6; else a pause
-  bool tool_word = true;                ///< T
-  bool pause_says_tool = false;         ///< M0 shows the text behind it
+  /// Exact stop halts at the end of every block, else it only keeps to the path.
+  bool exact_stop_halts = false;
+  bool changer = true;           ///< M6; else a pause
+  bool tool_word = true;         ///< T
+  bool pause_says_tool = false;  ///< M0 shows the text after it
   LengthOffset length_offset = LengthOffset::kNone;
   HomeForm home = HomeForm::kSafeHeight;
   DwellForm dwell = DwellForm::kPSeconds;
@@ -93,19 +94,20 @@ struct IsoDialect {
   MistWords mist = {};
   Tapping tapping = Tapping::kByWords;
   CycleForm cycles = CycleForm::kNone;
-  bool entered_at_tools = false;  ///< shops begin at a tool after a reset, which ends the modes of the start
-  bool modal_cycles = false;      ///< one cycle for holes alike, whose places follow it
-  bool numbers_tools = false;     ///< N1, N2, ... where the work of a tool begins
+  /// Shops start at a tool after a reset; the reset cancels the modes set at the start.
+  bool entered_at_tools = false;
+  bool modal_cycles = false;      ///< one cycle for equal holes, followed by their places
+  bool numbers_tools = false;     ///< N1, N2, ... at the beginning of a tool's work
   bool preselects = false;        ///< the next tool is called while one works
-  bool table_forward = false;     ///< Y goes home at the end, too, which brings the work to the operator
-  bool optional_stop = true;      ///< M1, which stops where the operator has asked for it
-  bool block_numbers = true;      ///< N words are numbers alone
+  bool table_forward = false;     ///< Y also goes home at the end, bringing the work to the operator
+  bool optional_stop = true;      ///< M1, which stops if enabled by the operator
+  bool block_numbers = true;      ///< N words contain only numbers
   bool dogleg_rapids = false;     ///< G0 need not be straight: z and plan move one after the other
-  std::string_view end = "M30";   ///< last word; empty: a comment says it
+  std::string_view end = "M30";   ///< last word; empty: replaced by a comment
   double largest_radius = 10000;  ///< mm
 };
 
-/// The row of that name, or nullptr.
+/// The row of this name, or nullptr.
 const IsoDialect* iso_dialect_named(std::string_view name);
 std::vector<std::string> iso_dialect_names();
 

@@ -38,7 +38,7 @@ class PrintGrid {
 };
 
 /// Appends `ticks` in units of 10^-decimals without trailing zeros and never as "-0".
-/// `always_point`: "10." where a bare "10" would mean ten steps of the control.
+/// `always_point`: "10." for controls on which a bare "10" means ten steps.
 void append_number(std::string& out, long long ticks, int decimals, bool always_point);
 /// The same with its sign, "+" for 0, too.
 std::string signed_number(long long ticks, int decimals);

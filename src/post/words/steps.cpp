@@ -1,5 +1,5 @@
 // The end point is rounded first; I and J are then chosen from the start *as last printed*, so that the radii
-// at both ends agree after rounding. An arc that fails its check is halved, and at last drawn in lines.
+// at both ends agree after rounding. An arc that fails its check is halved, and finally replaced by lines.
 #include "post/words/steps.h"
 
 #include <algorithm>
@@ -15,20 +15,22 @@ namespace clearcut::post {
 namespace {
 
 constexpr double kSmallestArc = 0.002;         // mm, radius and chord; LinuxCNC refuses radii below 0.00127
-constexpr double kFewestSteps = 10;            // of the grid, that these are
+constexpr double kFewestSteps = 10;            // of the grid; least radius of arcs
 constexpr double kSmallestSweep = kPi / 1800;  // 0.1 degree
-constexpr double kLargestSweep = 1.9 * kPi;    // beyond it the ends are too near each other to tell side
-constexpr double kSweepSlack = 0.2;            // radians; a larger change means the wrong way round
-constexpr double kFineDeviation = 0.0003;      // mm; arcs printed this well are never divided
+constexpr double kLargestSweep =
+    1.9 * kPi;                       // for greater sweeps the ends are too near to each other to determine
+                                     // the side
+constexpr double kSweepSlack = 0.2;  // radians; a larger change means the opposite direction
+constexpr double kFineDeviation = 0.0003;  // mm; arcs printed this well are never divided
 constexpr int kMostHalvings = 3;
 
-/// mm; how far a printed arc may lie beside the wanted one, the mismatch of its radii included.
+/// mm; permitted deviation of a printed arc from the wanted one, including the mismatch of its radii.
 double allowed_aside(const PrintGrid& grid) {
   return std::max(grid.step(), kFineDeviation);
 }
 
-/// An arc from the origin to `end` about the printed centre, in grid steps, as controls drive it: the radius
-/// goes from that of the start to that of the end.
+/// An arc from the origin to `end` about the printed centre, in grid steps, as controls drive it: the radius changes
+/// from that of the start to that of the end.
 struct PrintedArc {
   Vec2 end;
   Vec2 center;
@@ -43,8 +45,8 @@ struct PrintedArc {
   }
   double sweep() const { return angle_to(end - center); }
 
-  /// Largest distance from the circle about `c` of radius `r`. It varies with the direction as the offset of
-  /// the centres does: its extremes are along that offset, or at the ends.
+  /// Largest distance from the circle about `c` of radius `r`. The distance varies with the direction like the offset
+  /// of the centres: its extremes are along that offset, or at the ends.
   double deviation(Vec2 c, double r) const {
     double largest = std::max(std::abs(norm(c) - r), std::abs(distance(end, c) - r));
     const Vec2 offset = center - c;
@@ -57,8 +59,8 @@ struct PrintedArc {
   }
 };
 
-/// Of the printed centres around the ideal one that pass the rules, the one with the best agreement of radii,
-/// of the arcs and of the centres together; none may pass.
+/// Among the printed centres around the ideal one that fulfil the rules, the one with the best agreement of radii,
+/// of the arcs and of the centres together; there may be none.
 std::optional<Step> arc_step(const Edge& arc, Ticks from, Ticks to, const StepRules& rules) {
   const PrintGrid& grid = rules.grid;
   if (from.same_plan(to)) return std::nullopt;
@@ -78,7 +80,7 @@ std::optional<Step> arc_step(const Edge& arc, Ticks from, Ticks to, const StepRu
       const double cost = printed.mismatch() + deviation + distance(tried, center);
       if (cost >= best_cost || deviation + printed.mismatch() > allowed) continue;
       if (printed.mismatch() * grid.step() > rules.radius_mismatch) continue;
-      if (std::abs(printed.sweep() - sweep) > kSweepSlack) continue;  // the wrong way round
+      if (std::abs(printed.sweep() - sweep) > kSweepSlack) continue;  // opposite direction
       best_cost = cost;
       best = Step{to, arc.turn, std::llround(tried.x), std::llround(tried.y)};
     }
@@ -132,7 +134,7 @@ void append_arc(const Move& move, const StepRules& rules, int halvings, Ticks& a
   append_arc(half(move, 1), rules, halvings + 1, at, out);
 }
 
-/// The smallest whole steps in the direction from `a` to `b`; none where they are the same place.
+/// The smallest whole steps in the direction from `a` to `b`; none if they are the same place.
 Ticks direction_between(const Ticks& a, const Ticks& b) {
   const Ticks way{b.x - a.x, b.y - a.y, b.z - a.z};
   const long long share = std::gcd(std::gcd(way.x, way.y), way.z);

@@ -1,4 +1,4 @@
-// From moves to what a program can say: lines and arcs between printed positions.
+// From moves to the elements of a program: lines and arcs between printed positions.
 #pragma once
 
 #include <span>
@@ -22,29 +22,28 @@ struct StepRules {
   PrintGrid grid;
   bool arcs = true;
   double largest_radius = 10000;  ///< mm; 32-bit controllers lose the centre of wider arcs
-  double chord = 0.0002;          ///< mm, where an arc has to become lines
+  double chord = 0.0002;          ///< mm; chord error of arcs replaced by lines
   /// Largest difference of the printed radii at an arc's ends, mm: the tightest rule of any control.
   double radius_mismatch = 0.002;
 };
 
-/// Largest distance in plan between a move and its steps, mm, where no arc becomes lines: an arc lies beside
-/// by at most a step (or 0.3 um), and an end may lie half a step on in each axis besides.
+/// Largest distance in plan between a move and its steps, mm, if no arc becomes lines: an arc deviates by at most a
+/// step (or 0.3 um), and an end may additionally be displaced by half a step in each axis.
 double largest_deviation(const PrintGrid& grid);
 
 StepRules step_rules(const PostOptions& options, int decimals, double largest_radius);
 
 /// Appends the steps of `move` starting from the printed position `from` (within a step of the move's start);
-/// motion that rounds to nothing gives no step.
+/// motion rounded to zero gives no step.
 ///
-/// Error   ends within half a grid step per axis; arcs leave the wanted curve by at most about two grid
-/// steps,
-///         arcs that cannot be printed so well become shorter arcs or lines within rules.chord.
+/// Error   ends within half a grid step per axis; arcs deviate from the wanted curve by at most about two grid steps;
+///         arcs that cannot be printed with this accuracy become shorter arcs or lines within rules.chord.
 /// Cost    constant per step.
 /// Returns the printed position reached.
 Ticks append_steps(const Move& move, Ticks from, const StepRules& rules, std::vector<Step>& out);
 
-/// The moves with straight ones joined that go on in exactly the printed direction at the same feed: one block says them all.
-/// Rapids are joined along Z or level, because controls may drive others as a bend.
+/// The moves with successive straight ones joined if they have exactly the same printed direction and feed: one block
+/// replaces them. Rapids are joined only along Z or level, because controls may run others along a bent path.
 std::vector<Move> with_lines_joined(std::span<const Move> moves, const PrintGrid& grid);
 
 }  // namespace clearcut::post

@@ -62,7 +62,7 @@ Aperture obround(double width, double height) {
   return aperture;
 }
 
-/// A hole takes away the area that it covers; then nothing can be drawn with the aperture.
+/// A hole removes its area; the aperture can then not draw lines.
 void cut_hole(Aperture& aperture, double diameter) {
   if (!(diameter > 0) || aperture.shape.empty()) return;
   aperture.shape.front().pieces.push_back(reversed(full_circle({}, diameter / 2)));

@@ -1,4 +1,4 @@
-// What a Gerber file draws with: standard apertures and those that its macros describe.
+// Apertures of a Gerber file: standard ones and those described by its macros.
 #pragma once
 
 #include <map>
@@ -12,15 +12,15 @@ namespace clearcut::read {
 
 /// About the origin, mm.
 struct Aperture {
-  std::vector<Drawn> shape;        ///< empty where it has no size
-  std::optional<double> diameter;  ///< of a full circle: lines and arcs can be drawn with it
-  std::optional<Vec2> size;        ///< of a full rectangle: lines can be drawn with it
+  std::vector<Drawn> shape;        ///< empty for size 0
+  std::optional<double> diameter;  ///< diameter of a full circle: can draw lines and arcs
+  std::optional<Vec2> size;        ///< size of a full rectangle: can draw lines
 };
 
 /// A macro's blocks: comments, variables, primitives.
 using Macros = std::map<std::string, std::vector<std::string>>;
 
-/// What apertures are made with.
+/// Data for making apertures.
 struct ApertureContext {
   const Macros& macros;
   double mm = 1;  ///< per unit of the file

@@ -10,19 +10,20 @@ namespace clearcut::read {
 
 struct CoordinateFormat {
   int whole = 3;                  ///< digits before the point
-  int decimals = 3;               ///< digits after it
+  int decimals = 3;               ///< digits after the decimal point
   bool trailing_omitted = false;  ///< zeros at the end are left out; else those at the beginning
 };
 
-/// "-1250" as -1.25 where three digits follow the point; numbers that have a point are what they say. Nothing for what is no number.
+/// "-1250" as -1.25 if three digits follow the point; numbers with a point are taken as written. Nothing for text
+/// other than numbers.
 std::optional<double> coordinate(std::string_view text, const CoordinateFormat& format);
 
-/// A number as it stands: "0.8", "-3", ".5".
+/// A number as written: "0.8", "-3", ".5".
 std::optional<double> plain_number(std::string_view text);
-/// What a code or a tool is called by, 0 to below 1e9, without its decimals; nothing for anything else.
+/// Number of a code or a tool, 0 to below 1e9, without its decimals; nothing for anything else.
 std::optional<int> code_number(std::string_view text);
 
-/// "X100Y-5D01" as X 100, Y -5, D 01. Nothing where anything else stands.
+/// "X100Y-5D01" as X 100, Y -5, D 01. Nothing for any other text.
 using Words = std::vector<std::pair<char, std::string_view>>;
 std::optional<Words> words_of(std::string_view text);
 

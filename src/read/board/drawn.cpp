@@ -22,7 +22,7 @@ Drawn mapped(const Drawn& drawn, const Affine& map) {
 }
 
 Regions dark_area(const std::vector<Drawn>& drawn, const RepairOptions& options) {
-  Diagnostics crossings;  // what is drawn over each other is no mistake
+  Diagnostics crossings;  // overlapping items are no mistake
   Regions dark;
   for (std::size_t i = 0; i < drawn.size();) {
     const bool adds = drawn[i].dark;

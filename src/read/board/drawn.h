@@ -1,4 +1,4 @@
-// What is drawn on a layer of a circuit board, one thing over the other, and the area that is dark in the end.
+// Items drawn on a layer of a circuit board, one over the other, and the resulting dark area.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@
 namespace clearcut::read {
 
 struct Drawn {
-  bool dark = true;          ///< else it clears what was drawn before
+  bool dark = true;          ///< else the item clears earlier ones
   std::vector<Path> pieces;  ///< loops; their union by the nonzero rule is drawn
-  Path line;                 ///< a stroke: what the aperture's centre follows
+  Path line;                 ///< a stroke: path of the aperture's centre
 };
 
 /// Under a similarity or any other affine map; circles may become ellipses within kCurveTolerance.

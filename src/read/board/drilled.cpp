@@ -67,7 +67,8 @@ class HoleSorter {
   std::vector<Vec2> once_;
 };
 
-/// The edges that the centres of the wider tools follow, each with how far from it holes of a diameter lie in the slot.
+/// Edges followed by the centres of wider tools, each with the distance up to which holes of a diameter are inside
+/// the slot.
 std::vector<std::pair<Edge, double>> wider_slots(const std::map<int, DrillTool>& tools, double diameter) {
   std::vector<std::pair<Edge, double>> wider;
   for (const auto& [number, tool] : tools) {

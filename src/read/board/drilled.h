@@ -1,4 +1,4 @@
-// What the tools of a drill file make, as outlines of a drawing.
+// Holes and slots of a drill file's tools, as outlines of a drawing.
 #pragma once
 
 #include <map>
@@ -10,17 +10,17 @@
 
 namespace clearcut::read {
 
-/// What one tool makes, mm.
+/// Holes and slots of one tool, mm.
 struct DrillTool {
   double diameter = 0;
   std::vector<Vec2> holes;
-  std::vector<Path> slots;  ///< what its centre follows
+  std::vector<Path> slots;  ///< paths of its centre
 };
 
 /// Holes, then slots, of one tool after the other.
 ///
-/// Holes    drilled twice count once. Those of one tool that overlap each other or its slots are areas like slots, because a drill
-///          would wander into the hole beside it. Those within slots of wider tools are left out.
+/// Holes    drilled twice count once. Holes of one tool that overlap each other or its slots become areas like slots,
+///          because a drill would wander into the neighbouring hole. Holes within slots of wider tools are left out.
 std::vector<DrawnGroup> drilled_groups(const std::map<int, DrillTool>& tools, const std::string& file,
                                        const ReadOptions& options, Diagnostics& diagnostics);
 

@@ -23,7 +23,7 @@ constexpr double kMostRepeatedHoles = 10000;
 /// Of half the distance of an arc's ends: radii are rounded.
 constexpr double kLeastRadius = 0.99;
 
-/// One move; what is left out stays as it was.
+/// One move; absent coordinates are unchanged.
 struct DrillMove {
   GerberMove to;
   std::optional<double> radius;  ///< mm; of a routed arc
@@ -276,7 +276,8 @@ class ExcellonReader {
     route_.insert(route_.end(), edge->begin(), edge->end());
   }
 
-  /// From the start to the centre of a routed arc: as it is written, or of an arc of at most half a turn with the radius A.
+  /// From the start to the centre of a routed arc: as written, or for an arc of at most half a turn with the radius
+  /// A.
   Vec2 center_offset(const DrillMove& move, Vec2 from) const {
     if (!move.radius || at_ == from) return move.to.center_offset();
     const Vec2 half = (at_ - from) / 2;
@@ -335,7 +336,7 @@ class ExcellonReader {
   std::map<int, DrillTool> tools_;
   int tool_ = 0;
   Mode mode_ = Mode::kDrill;
-  Turn turn_ = Turn::kStraight;  ///< of what is routed
+  Turn turn_ = Turn::kStraight;  ///< turn of the routed path
   bool is_down_ = false, says_down_ = false, has_moved_ = false, sets_zero_ = false;
   std::size_t above_ = 0, taken_for_down_ = 0;  ///< moves at the feed above the board; as if M15 came before
   Vec2 at_;

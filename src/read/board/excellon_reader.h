@@ -11,10 +11,9 @@ namespace clearcut::read {
 
 /// Holes by tools, each a layer "T1" with the diameter in its name, and slots, as wide as their tool, as pockets.
 ///
-/// Throws  InputError "file:line: ..." for damaged files, tools without a diameter, and commands that move the tool in ways that are
-///         not read (patterns, routed arcs).
-/// Source: XNC Format Specification, revision 2021.11 (Ucamco); commands of older Excellon machines as far as CAD programs write
-/// them.
+/// Throws  InputError "file:line: ..." for damaged files, tools without a diameter, and unsupported motion commands
+/// (patterns, routed arcs). Source: XNC Format Specification, revision 2021.11 (Ucamco); commands of older Excellon
+/// machines as far as CAD programs write them.
 Part read_excellon(std::string_view text, const std::string& file_name, const ReadOptions& options);
 
 }  // namespace clearcut::read

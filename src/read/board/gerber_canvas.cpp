@@ -96,7 +96,7 @@ void GerberCanvas::finish_contour() {
   contour_.clear();
 }
 
-/// What was drawn since the aperture was put down is one line.
+/// All edges since the aperture was put down form one line.
 void GerberCanvas::finish_line() {
   for (const Vec2 dot : dots_) draw_again(aperture().shape, transform_.at(dot), dark_);
   dots_.clear();

@@ -1,4 +1,4 @@
-// What Gerber's operations draw: strokes, flashes and regions, in blocks that may be drawn again.
+// Items drawn by Gerber's operations: strokes, flashes and regions, in repeatable blocks.
 #pragma once
 
 #include <map>
@@ -18,7 +18,7 @@ struct ApertureTransform {
   Affine at(Vec2 place) const;
 };
 
-/// A block that is drawn again at steps.
+/// A block repeated at steps.
 struct StepAndRepeat {
   int columns = 1, rows = 1;
   Vec2 step;  ///< mm
@@ -26,23 +26,23 @@ struct StepAndRepeat {
 
 class GerberCanvas {
  public:
-  /// `place`: where messages point to; it is kept up to date by the caller.
+  /// `place`: place for messages, kept up to date by the caller.
   explicit GerberCanvas(const std::string& place) : place_(place), blocks_(1) {}
 
-  /// What has been drawn; throws InputError where the file ends within a block.
+  /// All drawn items; throws InputError if the file ends within a block.
   std::vector<Drawn> take();
 
   void define(int number, Aperture aperture) { apertures_[number] = std::move(aperture); }
   void select(int number);
   void set_dark(bool dark);
-  /// For what is drawn from now on.
+  /// Transform of the following items.
   ApertureTransform& transform();
 
   void begin_region();
   void end_region();
   bool in_region() const { return in_region_; }
 
-  /// D01: edges that lead to `at`; none draw a dot. D02: a line or contour ends. D03.
+  /// D01: edges leading to `at`; no edges draw a dot. D02: a line or contour ends. D03: a flash.
   void draw_to(Vec2 at, const Path& edges);
   void lift();
   void flash(Vec2 at);
@@ -53,7 +53,7 @@ class GerberCanvas {
   void end_aperture();
 
  private:
-  /// Things that are drawn together and may be drawn again elsewhere.
+  /// Items drawn together, which may be repeated elsewhere.
   struct Block {
     std::vector<Drawn> drawn;
     int aperture = 0;  ///< becomes this aperture; 0: is repeated in steps

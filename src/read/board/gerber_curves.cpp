@@ -11,7 +11,7 @@
 namespace clearcut::read {
 namespace {
 
-/// Of the radius: what the distances of an arc's ends from its centre may differ by.
+/// Permitted difference of the distances of an arc's ends from its centre, as a share of the radius.
 constexpr double kSameRadii = 0.1;
 /// Of a quarter turn.
 constexpr double kRounding = 1.05;

@@ -1,4 +1,4 @@
-// The curves that Gerber's operations draw.
+// Curves of Gerber's operations.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace clearcut::read {
 
-/// Coordinates of one operation, mm; those that are left out stay as they were.
+/// Coordinates of one operation, mm; absent ones are unchanged.
 struct GerberMove {
   std::optional<double> x, y, i, j;
 
@@ -19,12 +19,13 @@ struct GerberMove {
   Vec2 center_offset() const { return {i.value_or(0), j.value_or(0)}; }
 };
 
-/// A line, or an arc about from + offset (where `single_quadrant`, of at most a quarter turn, and the offset has no signs); a full
-/// circle where both ends are one and it is no quadrant. Empty where the ends of a line are one. Nothing where no centre fits: the
-/// distances to the ends differ by more than a tenth. The centre is moved so that they agree.
+/// A line, or an arc about from + offset (with `single_quadrant`, of at most a quarter turn, and the offset has no
+/// signs); a full circle if both ends are equal and the arc is no quadrant. Empty if the ends of a line are equal.
+/// Nothing if no centre fits: the distances to the ends differ by more than a tenth. The centre is moved to make them
+/// equal.
 std::optional<Path> gerber_edge(Vec2 from, Vec2 to, Vec2 offset, Turn turn, bool single_quadrant);
 
-/// What a rectangle under `map` (about the origin) covers on its way along a line.
+/// The area swept by a rectangle under `map` (about the origin) along a line.
 Path swept_rectangle(const Edge& line, Vec2 size, const Affine& map);
 
 }  // namespace clearcut::read

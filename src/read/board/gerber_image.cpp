@@ -19,7 +19,7 @@ namespace {
 constexpr int kFirstAperture = 10;
 constexpr double kMostRepeats = 10000;
 
-/// "MIA0B0", "OFA0B0", "SFA1B1", "ICAS" (the file is in ASCII): as if it were not there.
+/// "MIA0B0", "OFA0B0", "SFA1B1", "ICAS" (the file is in ASCII): commands without effect.
 bool has_no_effect(std::string_view text) {
   if (text == "IPPOS" || text == "ASAXBY" || text == "IR0" || text == "ICAS") return true;
   const bool scale = text.starts_with("SF");
@@ -57,7 +57,7 @@ class GerberReader {
   }
 
   void extended(const GerberCommand& command) {
-    /// Attributes, and names of images and layers: nothing that is drawn.
+    /// Attributes, and names of images and layers: not drawn.
     constexpr std::array<std::string_view, 6> kNotDrawn{"TF", "TA", "TO", "TD", "IN", "LN"};
     constexpr std::array<std::string_view, 6> kWholeImage{"IP", "AS", "IR", "MI", "OF", "SF"};
     const std::string& text = command.text;
@@ -223,7 +223,7 @@ class GerberReader {
   }
 
   const std::string& file_;
-  RepairOptions repair_;  ///< its place is that of the present command
+  RepairOptions repair_;  ///< its place is that of the current command
   GerberCanvas canvas_;
   bool ended_ = false;
   std::string function_;
@@ -232,7 +232,7 @@ class GerberReader {
   bool has_format_ = false, has_unit_ = false, is_incremental_ = false;
   double mm_ = 1;
   Macros macros_;
-  // What is in force.
+  // The current state.
   Vec2 at_;
   int operation_ = 0;
   Turn turn_ = Turn::kStraight;

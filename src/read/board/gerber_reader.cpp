@@ -16,7 +16,7 @@
 namespace clearcut::read {
 namespace {
 
-/// What a word of the attribute or of the file's name says.
+/// Meaning of a word of the attribute or of the file's name.
 struct LayerWord {
   std::string_view word;
   LayerRole role;
@@ -77,7 +77,7 @@ DrawnGroup group_of(const std::string& function, const std::string& file_name, c
   return group;
 }
 
-/// Where the cutter goes along what is drawn: strokes without their width, and the outlines of areas.
+/// Paths of a cutter along drawn items: strokes without their width, and the outlines of areas.
 std::vector<RawCurve> lines_of(std::vector<Drawn> drawn) {
   std::vector<RawCurve> curves;
   for (Drawn& one : drawn) {

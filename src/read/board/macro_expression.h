@@ -7,10 +7,10 @@
 
 namespace clearcut::read {
 
-/// Values of $1, $2, ...; those that are not set are 0.
+/// Values of $1, $2, ...; unset ones are 0.
 using MacroVariables = std::map<int, double>;
 
-/// + - x / and parentheses. Nothing for what is no expression, and for results that are no finite numbers. Cost O(text).
+/// + - x / and parentheses. Nothing for other text, and for non-finite results. Cost O(text).
 std::optional<double> macro_value(std::string_view text, const MacroVariables& variables);
 
 }  // namespace clearcut::read

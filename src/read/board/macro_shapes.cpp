@@ -54,7 +54,7 @@ class Primitive {
   double number(std::size_t i) const { return i < fields_.size() ? fields_[i] : fail(); }
   double length(std::size_t i) const { return number(i) * context_.mm; }
   Vec2 point(std::size_t i) const { return {length(i), length(i + 1)}; }
-  /// Radians about the macro's origin; 0 where the field is left out.
+  /// Radians about the macro's origin; 0 if the field is left out.
   double turn(std::size_t i) const { return i < fields_.size() ? fields_[i] * kPi / 180 : 0; }
   [[noreturn]] double fail() const {
     throw InputError(context_.repair.where,
@@ -73,7 +73,7 @@ Drawn circle(const Primitive& p) {
   return mapped(Drawn{true, {full_circle(p.point(3), radius)}, {}}, Affine::rotation(p.turn(5)));
 }
 
-/// A line with a width and square ends that do not reach beyond it.
+/// A line with a width and square ends not extending beyond the line.
 Drawn vector_line(const Primitive& p) {
   const Vec2 from = p.point(3), to = p.point(5);
   if (from == to || !(p.length(2) > 0)) return {};

@@ -8,13 +8,13 @@
 
 namespace clearcut::read {
 
-/// What a macro draws with these parameters: one thing without holes that count as cleared outside of it. Throws InputError at
+/// The shape of a macro with these parameters: one item, whose holes do not clear other items. Throws InputError at
 /// context.repair.where.
 /// Source: Ucamco, The Gerber Layer Format Specification, revision 2022.02, section 4.5.
 std::vector<Drawn> macro_shape(const std::vector<std::string>& blocks, const std::vector<double>& parameters,
                                const ApertureContext& context);
 
-/// Counter-clockwise; its first corner lies at `turned` radians from the x axis.
+/// Counter-clockwise; its first corner is at `turned` radians from the x axis.
 Path regular_polygon(Vec2 center, double radius, int corners, double turned);
 
 }  // namespace clearcut::read

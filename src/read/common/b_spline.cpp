@@ -10,7 +10,7 @@ namespace clearcut::read {
 namespace {
 
 constexpr int kHighestDegree = 25;
-/// mm. Spans of one curve end and begin nearer to each other than this; by rounding alone.
+/// mm. Greatest gap between spans of one curve, due only to rounding.
 constexpr double kTear = 1e-4;
 
 double knot(const BSpline& spline, int i) {
@@ -33,7 +33,7 @@ Vec2 point_at(const BSpline& spline, int k, double u) {
   return d.back().p / d.back().w;
 }
 
-/// "" unless the curve is torn where knots coincide more often than its degree.
+/// The gap of a curve at knots coinciding more often than its degree; "" if there is none.
 std::string tear_of(const BSpline& spline) {
   std::optional<Vec2> end;
   for (int k = spline.degree; k < static_cast<int>(spline.poles.size()); ++k) {

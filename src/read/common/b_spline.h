@@ -19,15 +19,15 @@ struct BSpline {
   std::vector<Pole> poles;
 };
 
-/// What is wrong with its degree, its weights or the numbers of its parts: "3 knots for 2 control points of degree 3"; or
-/// where it is torn: "a tear of 5 mm at knot 0.5". "" if nothing.
+/// The fault of its degree, its weights or the numbers of its parts: "3 knots for 2 control points of degree 3"; or
+/// the place of a gap: "a tear of 5 mm at knot 0.5". "" if there is none.
 std::string fault_of(const BSpline& spline);
 
 /// Appends the whole spline, which must have no fault, within `tolerance` mm.
 /// Source  de Boor's algorithm on homogeneous points, knot span by knot span.
 void append_spline(const BSpline& spline, double tolerance, Path& out);
 
-/// Appends a smooth curve that may come back to where it began: in halves, joined to what is there.
+/// Appends a smooth curve, possibly returning to its start: in halves, joined to the existing path.
 void append_span(const std::function<Vec2(double)>& curve, double tolerance, Path& out);
 
 }  // namespace clearcut::read

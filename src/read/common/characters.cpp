@@ -5,13 +5,14 @@
 namespace clearcut::read {
 namespace {
 
-/// Of the bytes 0x80 to 0x9f; all others stand for themselves. Those that are not assigned are the replacement character.
+/// Characters of the bytes 0x80 to 0x9f; all other bytes represent themselves. Unassigned ones are the replacement
+/// character.
 constexpr std::array<char32_t, 32> kWindows = {
     0x20AC, 0xFFFD, 0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
     0x2039, 0x0152, 0xFFFD, 0x017D, 0xFFFD, 0xFFFD, 0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
     0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0xFFFD, 0x017E, 0x0178};
 
-/// How many bytes a character has that begins with `first`; 0 where none does.
+/// Number of bytes of a character beginning with `first`; 0 if none does.
 std::size_t bytes_of(unsigned char first) {
   if (first < 0x80) return 1;
   if (first >= 0xC2 && first < 0xE0) return 2;

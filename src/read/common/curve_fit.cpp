@@ -11,19 +11,19 @@ namespace {
 
 constexpr int kMostHalvings = 14;
 constexpr int kSamples = 7;
-/// Part of the tolerance that the samples may use: what is left covers the places between them.
+/// Part of the tolerance available to the samples: the rest is for the places between them.
 constexpr double kBetweenSamples = 0.9;
 /// mm. Arcs flatter than this are written as lines.
 constexpr double kFlat = 1e-7;
 /// mm. Coordinates beyond this are not fitted.
 constexpr double kTooLarge = 1e7;
 
-/// The arc that leaves `from` along the unit vector `tangent` and ends at `to`.
+/// The arc from `from` along the unit vector `tangent` to `to`.
 Edge arc_along(Vec2 from, Vec2 tangent, Vec2 to) {
   const Vec2 chord = to - from;
   const double aside = dot(chord, left_of(tangent));
   if (std::abs(aside) <= kFlat) return Edge::line(from, to);
-  // tan(half the sweep / 2) by the half-angle formula: exact where the arc is flat.
+  // tan(half the sweep / 2) by the half-angle formula: exact for flat arcs.
   const double along = dot(chord, tangent);
   const double half = base::atan2(aside, along);
   return Edge::from_bulge(from, to, base::tan(half / 2));
@@ -40,7 +40,7 @@ Vec2 direction(const ParametricCurve& curve, double t, double from, double to) {
   return norm(v) > 0 ? unit(v) : Vec2{};
 }
 
-/// Where the two arcs of the biarc meet.
+/// The joint of the two arcs of the biarc.
 Vec2 biarc_joint(Vec2 p0, Vec2 t0, Vec2 p1, Vec2 t1) {
   const Vec2 v = p1 - p0, t = t0 + t1;
   const double vt = dot(v, t), spread = 2 * (1 - dot(t0, t1));
@@ -79,7 +79,7 @@ class Fitter {
   }
 
  private:
-  /// The samples lie off the middle of powers of two, so that a symmetric wiggle cannot hide.
+  /// The samples avoid the middles of powers of two, so that a symmetric oscillation is not missed.
   bool fits(double t0, double t1, const Edge& first, const Edge& second) const {
     if (!near_box(first, t0, t1) || !near_box(second, t0, t1)) return false;
     for (int i = 1; i <= kSamples; ++i) {
@@ -92,7 +92,7 @@ class Fitter {
   static double off_by(const Edge& edge, Vec2 p) {
     return edge.from == edge.to ? distance(edge.from, p) : distance(edge, p);
   }
-  /// Both edges stay near the curve too: their middles lie within the samples' reach.
+  /// Both edges stay near the curve too: their middles are within the samples' reach.
   bool near_box(const Edge& edge, double t0, double t1) const {
     if (edge.from == edge.to) return true;
     if (!edge.is_arc()) return true;

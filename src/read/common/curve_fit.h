@@ -8,7 +8,7 @@
 
 namespace clearcut::read {
 
-/// Greatest distance between a curve of a drawing and the lines and arcs that stand for it, mm.
+/// Greatest distance between a curve of a drawing and the lines and arcs replacing it, mm.
 inline constexpr double kCurveTolerance = 0.002;
 
 /// A smooth curve: its points for t in [0, 1].
@@ -16,16 +16,16 @@ using ParametricCurve = std::function<Vec2(double)>;
 
 /// Appends lines and pairs of tangent arcs (biarcs) along `curve`.
 ///
-/// Error   every sampled place of the curve lies within `tolerance` of them, seven per pair.
-/// Cost    O(pieces); at most 2^14 pieces, below which a kink that is no smooth curve is left as it is.
-/// Source  the biarc with equal tangent lengths, Bolton 1975; halved where it is not near enough.
+/// Error   every sampled place of the curve is within `tolerance` of them, seven per pair.
+/// Cost    O(pieces); at most 2^14 pieces, below this a kink in the curve is left unchanged.
+/// Source  the biarc with equal tangent lengths, Bolton 1975; halved if not near enough.
 void append_fitted(const ParametricCurve& curve, double tolerance, Path& out);
 
 /// Appends `edge` under `map`: exactly for lines and under similarities, else (ellipses) fitted.
 void append_mapped(const Edge& edge, const Affine& map, double tolerance, Path& out);
 
 /// Appends the elliptical arc center + cos(t) u + sin(t) v for t from `start` through `sweep` (signed,
-/// radians). Where u and v are perpendicular and equally long: an exact circular arc. A full turn gives a
+/// radians). If u and v are perpendicular and equally long: an exact circular arc. A full turn gives a
 /// closed run.
 void append_elliptical(Vec2 center, Vec2 u, Vec2 v, double start, double sweep, double tolerance, Path& out);
 

@@ -1,4 +1,4 @@
-// JSON and TOML with the line of every value, so that a message can say where.
+// JSON and TOML with the line of every value, for messages with a place.
 #pragma once
 
 #include <array>
@@ -46,16 +46,16 @@ DataValue parse_json(std::string_view text, const std::string& file_name);
 /// The same for TOML. Dates and times are refused.
 DataValue parse_toml(std::string_view text, const std::string& file_name);
 
-/// A table whose every key must be asked for: what nobody knows is a spelling mistake.
+/// A table in which every key must be used: unused keys are spelling mistakes.
 class DataSection {
  public:
-  /// `name` stands in messages: "[stock]". Throws InputError unless `table` is an object.
+  /// `name` is used in messages: "[stock]". Throws InputError unless `table` is an object.
   DataSection(const DataValue& table, std::string file, std::string name);
 
   bool has(const std::string& key) { return ask(key) != nullptr; }
-  /// The value as it stands, null where there is none.
+  /// The value unchanged, null if there is none.
   const DataValue* value(const std::string& key) { return ask(key); }
-  /// "file:line: key", where the key has a value.
+  /// "file:line: key", if the key has a value.
   std::string place_of(const std::string& key);
   std::optional<double> number(const std::string& key);
   /// A number above zero.
@@ -80,7 +80,7 @@ class DataSection {
   /// One of `names`, by its place; throws listing them.
   std::optional<std::size_t> choice(const std::string& key, const std::vector<std::string>& names);
 
-  /// Throws  InputError for the first key that nobody asked for, with the nearest that was.
+  /// Throws  InputError for the first unused key, with the nearest used one.
   void refuse_unknown() const;
   [[noreturn]] void fail(const std::string& what) const;
   [[noreturn]] void fail_at(const std::string& key, const std::string& what) const;

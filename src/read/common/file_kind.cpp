@@ -14,7 +14,7 @@ FileKind kind_of_content(std::string_view text) {
   if (head.find("%FSLA") != std::string_view::npos || head.find("%FSTA") != std::string_view::npos)
     return FileKind::kGerber;
   if (head.find("<svg") != std::string_view::npos) return FileKind::kSvg;
-  // After comments; in an SVG it may begin a line of a path.
+  // After comments; in an SVG it may be the beginning of a path's line.
   if (head.find("\nM48") != std::string_view::npos || head.find("\rM48") != std::string_view::npos)
     return FileKind::kExcellon;
   if (head.find("SECTION") != std::string_view::npos) return FileKind::kDxf;

@@ -1,4 +1,4 @@
-// Which kind of file a part is in.
+// Kind of a part's file.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,8 @@ namespace clearcut::read {
 
 enum class FileKind { kStep, kDxf, kSvg, kJson, kEdges, kJob, kGerber, kExcellon, kUnknown };
 
-/// What the first bytes say, for files without a telling name. Never lengths and angles or a job: these have no mark.
+/// Kind by the first bytes, for files without a known extension. Never lengths and angles or a job: these have no
+/// mark.
 FileKind kind_of_content(std::string_view text);
 
 }  // namespace clearcut::read

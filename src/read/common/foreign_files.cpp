@@ -9,7 +9,7 @@
 namespace clearcut::read {
 namespace {
 
-/// A kind of file that is not read: what it is, and what its owner can give instead.
+/// An unsupported kind of file: its description, and an alternative.
 struct Foreign {
   std::string_view what;
   std::string_view instead;

@@ -1,4 +1,4 @@
-// Files of other programs that are not read: named for what they are, with what to do instead.
+// Unsupported files of other programs: named by kind, with an alternative.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace clearcut::read {
 
-/// What the content unmistakably is, of the kinds that are not read, whatever the file is called: "a zip archive"; "" for none.
+/// The unsupported kind unmistakably recognised from the content, for any file name: "a zip archive"; "" for none.
 std::string_view foreign_content(std::string_view text, const std::string& file_name);
 
-/// Throws InputError where the content is unmistakably of a kind that is not read, whatever the file is called.
+/// Throws InputError if the content is unmistakably of an unsupported kind, for any file name.
 void refuse_foreign_content(std::string_view text, const std::string& file_name);
 
-/// Throws InputError where the file's name says that it is of a kind that is not read.
+/// Throws InputError if the file's name is that of an unsupported kind.
 void refuse_foreign_name(const std::string& file_name);
 
 }  // namespace clearcut::read

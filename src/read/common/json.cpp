@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kDeepestValue = 64;
 
-/// Where the parser stands in the text. The parser looks one character ahead after a number, so the line is
-/// that of the last character that is not white space.
+/// Position of the parser in the text. The parser reads one character ahead after a number, so the line is that of
+/// the last character other than white space.
 struct Position {
   int line = 1;
   int pending = 0;  ///< line ends passed since
@@ -25,7 +25,7 @@ struct Position {
   }
 };
 
-/// Input iterator that tells `position` of every character read.
+/// Input iterator that updates `position` with every character read.
 class Reader {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -99,7 +99,7 @@ class Builder {
   [[noreturn]] void fail(const std::string& what) const {
     throw InputError(file_ + ":" + std::to_string(position_.line), what);
   }
-  /// The part of the library's message that speaks of the text, in printable characters.
+  /// The part of the library's message about the text, in printable characters.
   static std::string reason_of(const std::string& message) {
     const auto colon = message.find(": ");
     std::string reason = colon == std::string::npos ? message : message.substr(colon + 2);

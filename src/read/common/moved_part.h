@@ -8,7 +8,7 @@
 
 namespace clearcut::read {
 
-/// Where the program's zero is to be.
+/// Requested place of the program's zero.
 struct ZeroPoint {
   std::string place;              ///< "corner", "centre" of the top of the block; "": the point
   std::array<double, 3> point{};  ///< mm, in the coordinates of the file
@@ -17,8 +17,8 @@ struct ZeroPoint {
 /// "corner", "centre", or "X,Y,Z" in mm or with units. Throws InputError at `place`.
 ZeroPoint parse_zero_point(const std::string& text, const std::string& place = "--origin");
 
-/// The zero in the coordinates of the part, mm: the corner with the lowest x and y, or the middle, at the top of its block; of its
-/// outlines where no block is stated.
+/// The zero in the coordinates of the part, mm: the corner with the lowest x and y, or the middle, at the top of its
+/// block; of its outlines if no block is stated.
 std::array<double, 3> zero_of(const Part& part, const ZeroPoint& zero);
 
 /// Subtracts `zero` from all places of the part: outlines, depths, stock, clamps, holes, the height of rapids.

@@ -41,7 +41,7 @@ DataValue converted_table(const toml::table& table, const std::string& file, int
   out.line = line_of(table.source());
   for (const auto& [key, value] : table) {
     out.members.push_back({std::string(key.str()), converted(value, file, depth + 1)});
-    // A table in brackets knows no line of its own where it is implied; its key does.
+    // An implied table in brackets has no line of its own; its key has one.
     DataValue& made = out.members.back().value;
     if (made.line == 0) made.line = line_of(key.source());
   }
@@ -73,7 +73,7 @@ std::string one_line(std::string_view reason) {
   return out;
 }
 
-/// Dotted keys of very many parts, which the library follows by recursion until the stack ends.
+/// Dotted keys of very many parts, which the library processes by recursion until the stack overflows.
 void refuse_long_keys(std::string_view text, const std::string& file) {
   int dots = 0, line = 1;
   char quote = 0;

@@ -1,4 +1,4 @@
-// What a reader has used of its input, so that what nobody used can be named.
+// Record of the input used by a reader, for naming the unused input.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace clearcut::read {
 
-/// One mark for each item of an input: attributes of entities, codes of a drawing, keys of a file. A reader marks an item where it
-/// acts on it; afterwards whoever walks the input finds what has no mark. Nothing is ever unmarked.
+/// One mark for each item of an input: attributes of entities, codes of a drawing, keys of a file. A reader marks the
+/// items it acts on; afterwards a walk through the input finds the unmarked ones. Marks are never removed.
 class UseLedger {
  public:
   UseLedger() = default;

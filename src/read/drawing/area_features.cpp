@@ -68,7 +68,7 @@ Feature isolation_of(const ShapedGroup& shaped, double depth, const ReadOptions&
 
 void add_chamfers(const ShapedGroup& shaped, const ReadOptions& options, Diagnostics& diagnostics,
                   std::vector<Feature>& out) {
-  // --depth is that of pockets.
+  // --depth applies to pockets.
   if (!shaped.group.depth) diagnostics.note(shaped.group.where, "no depth given: edges are broken by 0.2 mm");
   const double depth = checked_depth(shaped.group.depth.value_or(kEdgeBreak), shaped.group.where);
   for (const Region& region : shaped.regions) {

@@ -27,7 +27,7 @@
 namespace clearcut::read {
 namespace {
 
-/// What the options say goes before what the file says.
+/// Options take precedence over the file.
 double depth_of(const DrawnGroup& group, const ReadOptions& options, Diagnostics& diagnostics) {
   std::optional<double> depth = options.depth ? options.depth : group.depth;
   if (group.depth && std::abs(*depth - *group.depth) > kSamePlaceMm)
@@ -106,7 +106,8 @@ void add_inside_profiles(const ShapedGroup& shaped, double depth, const ReadOpti
   }
 }
 
-/// The outlines of all layers of profiles nest in each other: an edge of a part, a cut-out in it, a part in that.
+/// The outlines of all layers of profiles are nested: an edge of a part, a cut-out in the part, a part in the
+/// cut-out.
 void add_profiles(const std::vector<ShapedGroup>& groups, const ReadOptions& options,
                   Diagnostics& diagnostics, std::vector<Feature>& out) {
   std::vector<Loop> loops;
@@ -162,7 +163,8 @@ void add_group_features(ShapedGroup& shaped, const ReadOptions& options, Diagnos
   }
 }
 
-/// Faces first, then pockets and holes, engraving, edges, and what frees the part last: inner cut-outs before outer ones.
+/// Faces first, then pockets and holes, engraving, edges, and features freeing the part last: inner cut-outs before
+/// outer ones.
 int turn_of(const Feature& feature) {
   if (feature.kind == FeatureKind::kPlanarFace) return 0;
   if (feature.carving || feature.chamfer || comes_after_pilot(feature)) return 2;
@@ -183,7 +185,7 @@ bool follows_lines(LayerRole role) {
   return role == LayerRole::kEngrave || role == LayerRole::kTSlot;
 }
 
-/// Areas of all groups but islands and what is ignored.
+/// Areas of all groups except islands and ignored ones.
 std::vector<ShapedGroup> shaped_groups(std::vector<DrawnGroup>& groups, const ReadOptions& options,
                                        Diagnostics& diagnostics) {
   std::vector<ShapedGroup> all;
@@ -248,7 +250,7 @@ void ask(const DrawingQuestion& question, DrawingOverview& overview) {
   overview.answers = question.answers;
 }
 
-/// What a plan asks of pockets that cut others away, or refuses, for the overview.
+/// Adds to the overview a plan's questions about, or refusal of, pockets that remove others.
 void question_features(std::vector<ShapedGroup> shaped, const Regions& islands, const ReadOptions& options) {
   if (!options.overview->question.empty()) return;
   Diagnostics said_when_planned;
@@ -257,12 +259,12 @@ void question_features(std::vector<ShapedGroup> shaped, const Regions& islands, 
     const auto features = features_of(shaped, islands, options, said_when_planned);
     if (!several) return;
     if (const auto question = question_of_cut_away(features, options.tol)) ask(*question, *options.overview);
-  } catch (const InputError& error) {  // a depth is missing: that is asked first
+  } catch (const InputError& error) {  // a depth is missing: the depth is asked first
     options.overview->missing = error.what();
   }
 }
 
-/// Asks, or says, what pockets would cut away.
+/// Asks about, or reports, features removed by pockets.
 void ask_of_cut_away(Part& part, const std::vector<Feature>& features, const ReadOptions& options) {
   const auto question = question_of_cut_away(features, options.tol);
   if (!question) return;
@@ -275,7 +277,7 @@ bool have_several_floors(const std::vector<Feature>& features) {
                      [&](const Feature& feature) { return feature.floor_z < features.front().floor_z; });
 }
 
-/// What a plan asks, for the overview; else it is asked.
+/// Adds a plan's question to the overview; without an overview, asks it.
 void ask_of_layers(const std::vector<ShapedGroup>& shaped, const ReadOptions& options) {
   const auto question = question_of_layers(shaped, options);
   if (!question) return;
@@ -300,7 +302,7 @@ std::string nothing_found(const Diagnostics& diagnostics) {
          "; draw the pockets as closed curves, or have the cutter follow open lines (--op engrave:'*')";
 }
 
-/// What a plan asks, for the overview, where all lines are open.
+/// Adds a plan's question to the overview if all lines are open.
 void question_open_lines(const std::vector<ShapedGroup>& shaped, const Part& part,
                          const ReadOptions& options) {
   const bool nothing = std::all_of(shaped.begin(), shaped.end(), [](const ShapedGroup& one) {
@@ -333,7 +335,7 @@ double checked_length(double length, const std::string& what, const std::string&
 
 double checked_depth(double depth, const std::string& place) {
   checked_length(depth, "depth", place);
-  // To the checks walls as low as that are none.
+  // The checks ignore walls of this height.
   const double least = Tolerances{}.gouge;
   if (depth > least) return depth;
   throw InputError(place, "the depth is " + short_number(depth) + " mm; it must be above " +
@@ -344,7 +346,7 @@ void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, D
   bool role = false, depth = false, top = false;
   for (const LayerRule& rule : rules) {
     if (!matches(rule.pattern, name)) continue;
-    // An edge that is to be broken stays the edge of what it bounds.
+    // An edge to be broken remains the edge of its area.
     if (rule.role == LayerRole::kChamfer && group.says_role && group.role != LayerRole::kChamfer) {
       group.broken_edges = rule;
       continue;
@@ -386,7 +388,7 @@ void question_size(const std::vector<DrawnGroup>& groups, const std::string& fil
 
 void add_features(Part& part, std::vector<Feature> features) {
   std::unordered_set<std::string> taken;
-  std::unordered_map<std::string, int> next;  // number to try for a name that is taken
+  std::unordered_map<std::string, int> next;  // next number for a name already in use
   for (const auto& other : part.features) taken.insert(other.name);
   for (Feature& feature : features) {
     const std::string wanted = feature.name;
@@ -403,7 +405,7 @@ void add_features(Part& part, std::vector<Feature> features) {
     part.workplan.push_back(std::move(step));
     part.features.push_back(std::move(feature));
   }
-  part.order_free = true;  // as drawn is as it happened to be drawn
+  part.order_free = true;  // the order of drawing is accidental
 }
 
 std::string listed(const LeftOut& left_out) {

@@ -10,7 +10,7 @@
 namespace clearcut::read {
 namespace {
 
-/// A thread about a boss: what it cuts is the ring between the root and the drawn circle.
+/// A thread around a boss: its cut is the ring between the root and the drawn circle.
 void form_external_thread(Feature& feature, const HoleRequest& request, const std::string& place) {
   const Thread& thread = *request.thread;
   const double drawn = *feature.hole_diameter;

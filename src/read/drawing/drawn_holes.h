@@ -1,4 +1,4 @@
-// Circles of drawings that are more than plain drilling.
+// Circles of drawings with more than plain drilling.
 #pragma once
 
 #include <vector>
@@ -16,14 +16,14 @@ bool is_external_thread(const DrawnGroup& group);
 /// Cones go as deep as their diameter asks for.
 bool needs_no_depth(const HoleRequest& request);
 
-/// A feature of one outline becomes a round hole, and what the group asks for, with its finished diameter. Throws InputError
-/// where the outline is no circle, and where a thread is asked for and none is named.
+/// Turns a feature of one outline into a round hole of the kind requested by the group, with its finished diameter.
+/// Throws InputError if the outline is no circle, and if a thread is requested without its name.
 void make_hole(Feature& feature, const DrawnGroup& group, const Tolerances& tol);
 
-/// Whether another hole may come before it on its centre.
+/// Whether another hole on the same centre may come before this one.
 bool comes_after_pilot(const Feature& feature);
 
-/// Holes that go through and state no depth are as deep as the layer STOCK or the stock of the job.
+/// Gives through holes without a stated depth the depth of the layer STOCK or of the stock of the job.
 void give_through_depths(std::vector<ShapedGroup>& groups, const ReadOptions& options);
 
 }  // namespace clearcut::read

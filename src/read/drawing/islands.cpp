@@ -18,7 +18,7 @@ bool lies_within(const Region& region, const Regions& islands, const Tolerances&
   return near && area(subtract({region}, islands, tol)) < kBeyond;
 }
 
-/// Whether one that lies within an island covers all of it.
+/// Whether a region within an island covers the whole island.
 bool is_as_large(const Region& region, const Regions& islands) {
   return std::any_of(islands.begin(), islands.end(), [&](const Region& island) {
     return island.box().overlaps(region.box()) && std::abs(area({island}) - area({region})) < kBeyond;

@@ -1,4 +1,4 @@
-// What islands take of the outlines drawn about and within them.
+// Subtracts islands from the outlines around and within them.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace clearcut::read {
 
-/// `regions` without the islands they hold or reach into. What lies within an island, as a hole in a boss does, stays whole: it
-/// is cut in the island. An outline as large as the island it lies on is left out, and said at `place`, since the two ask for
-/// opposite things.
+/// `regions` without the islands they contain or overlap. An area within an island, such as a hole in a boss, stays
+/// whole: it is cut in the island. An outline as large as the island below it is left out, and reported at `place`,
+/// since the two contradict each other.
 Regions without_islands(Regions regions, const Regions& islands, const std::string& place,
                         const Tolerances& tol, Diagnostics& diagnostics);
 

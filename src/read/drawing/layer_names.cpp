@@ -62,13 +62,13 @@ std::optional<HoleKind> hole_kind_of_word(std::string_view word) {
   return std::nullopt;
 }
 
-/// The thread that begins with the word `begin`, up to the next underscore or blank.
+/// The thread beginning at the word `begin`, up to the next underscore or blank.
 std::optional<Thread> thread_at(std::string_view text, std::size_t begin) {
   const std::size_t end = text.find_first_of("_ ", begin);
   return thread_named(text.substr(begin, end == std::string_view::npos ? end : end - begin));
 }
 
-/// What the words of a layer say of its holes; nothing where they are plain.
+/// Request of a layer's words for its holes; nothing for plain holes.
 std::optional<HoleRequest> holes_of(std::string_view text) {
   HoleRequest request;
   bool any = false, left = false;
@@ -117,7 +117,8 @@ std::optional<LayerRole> role_of_word(std::string_view word) {
   return std::nullopt;
 }
 
-/// The number that ends at `end` of the text, with at most one blank or underscore behind it: that of "POCKET 6 " before "MM".
+/// The number ending at `end` of the text, with at most one blank or underscore after it: the 6 of "POCKET 6 " before
+/// "MM".
 std::optional<double> number_before(std::string_view text, std::size_t end) {
   if (end > 0 && (text[end - 1] == ' ' || text[end - 1] == '_')) --end;
   std::size_t begin = end;
@@ -155,7 +156,7 @@ LayerMeaning meaning_of_layer(std::string_view name) {
   LayerMeaning meaning;
   const std::string text = capitals(name);
   for_words(text, [&](std::string_view word, std::string_view rest) {
-    // "on" is a word of every language's sentences: it counts as the first alone.
+    // "on" is a word of every language's sentences: it counts only as the first word.
     const bool on = word == "ON" && word.data() == text.data();
     if (const auto role = on ? LayerRole::kEngrave : role_of_word(word)) {
       meaning.role = *role;

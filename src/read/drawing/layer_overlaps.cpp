@@ -9,9 +9,9 @@
 namespace clearcut::read {
 namespace {
 
-/// mm2. Layers that share less do not overlap.
+/// mm2. Layers sharing less area do not overlap.
 constexpr double kShared = 0.01;
-/// Of an area: what lies in another, or is all of it, but for rounding.
+/// Share of an area from which on it counts as inside another, or as equal, except for rounding.
 constexpr double kWholly = 0.999;
 
 bool are_pockets_of_one_floor(const DrawnGroup& a, const DrawnGroup& b, const ReadOptions& options) {
@@ -20,7 +20,7 @@ bool are_pockets_of_one_floor(const DrawnGroup& a, const DrawnGroup& b, const Re
   return is_pocket(a.role) && is_pocket(b.role) && same_top && depth(a) == depth(b);
 }
 
-/// The regions of one group that overlap regions of the other are taken out of it.
+/// Removes from one group the regions that overlap regions of the other, and returns them.
 Regions take_overlapping(Regions& regions, const Regions& others, const Tolerances& tol) {
   Regions overlapping, apart;
   for (Region& region : regions) {
@@ -31,7 +31,7 @@ Regions take_overlapping(Regions& regions, const Regions& others, const Toleranc
   return overlapping;
 }
 
-/// The first outline of `inner` that lies in a pocket of `outer`.
+/// The first outline of `inner` in a pocket of `outer`.
 const Region* region_within(const Regions& inner, const Regions& outer, const Tolerances& tol) {
   std::vector<Box> boxes;
   for (const Region& pocket : outer) boxes.push_back(pocket.box());
@@ -64,7 +64,7 @@ DrawingQuestion question_of(const Within& first) {
       {{"--op", "island:" + name}, {"--op", "pocket:" + name}}};
 }
 
-/// All layers of which it is unclear, each once, in the first pocket that one of its outlines is found in.
+/// All unclear layers, each once, in the first pocket around one of its outlines.
 std::vector<Within> layers_within(const std::vector<ShapedGroup>& groups, const ReadOptions& options) {
   std::vector<Within> all;
   const auto add = [&](const ShapedGroup& inner, const ShapedGroup& outer) {
@@ -87,8 +87,8 @@ std::vector<Within> layers_within(const std::vector<ShapedGroup>& groups, const 
   return all;
 }
 
-/// Pockets of two layers and one floor that overlap become one pocket, of the layer that has more of it: there is no wall
-/// where they meet.
+/// Overlapping pockets of two layers with one floor become one pocket, of the layer with the larger share: there is
+/// no wall between them.
 void unite_overlaps(ShapedGroup& later, ShapedGroup& earlier, const ReadOptions& options,
                     Diagnostics& diagnostics) {
   const Regions all = earlier.regions;

@@ -1,4 +1,4 @@
-// What options say of a drawing's layers and outlines, as its readers take it.
+// Options for a drawing's layers and outlines, in the form used by readers.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ namespace clearcut::read {
 /// "pocket", "profile", ...: as in `--op`.
 const char* name_of(LayerRole role);
 
-/// What "pocket", "PROFILE_D6", ... say of outlines: their role, and a depth where there is one. Throws InputError at
-/// `place` for words that say no role.
+/// Meaning of "pocket", "PROFILE_D6", ... for outlines: their role, and a depth if stated. Throws InputError at
+/// `place` for words without a role.
 LayerRule rule_named(const std::string& kind, const std::string& place);
 
 /// "KIND:SELECTION", as in "profile:outer", "drill_d6:HOLES", "inside:2,5". Throws InputError at `place`.
 LayerRule rule_of_option(const std::string& text, const std::string& place);
 
-/// What is said of the file, as its readers take it. Throws InputError at "--op" for operations that mean nothing.
+/// Options for the file, in the form used by readers. Throws InputError at "--op" for unknown operations.
 ReadOptions read_options_of(const InputOptions& input);
 
 }  // namespace clearcut::read

@@ -1,11 +1,11 @@
-// Conditions of what is read otherwise than it is drawn, or not read at all.
+// Conditions for items read differently than drawn, or not read at all.
 #pragma once
 
 namespace clearcut::read {
 
-/// The condition of all that is read otherwise than it is drawn, docs/conditions.md.
+/// The condition for all items read differently than drawn, docs/conditions.md.
 inline constexpr const char* kNotAsDrawn = "not-as-drawn";
-/// The condition of what the input has and the program does not make.
+/// The condition for items of the input not made by the program.
 inline constexpr const char* kLeftOut = "left-out";
 
 }  // namespace clearcut::read

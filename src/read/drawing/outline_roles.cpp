@@ -21,9 +21,9 @@ struct Outline {
   Loop loop;
   std::size_t group = 0;
   std::size_t drawn_in = 0;  ///< the group at first
-  std::vector<int> about;    ///< outlines it lies in, from the largest
-  std::optional<CrossingOutline> crossing =
-      {};  ///< itself, if it crosses itself or another: then it lies in none and holds none
+  std::vector<int> about;    ///< outlines around it, from the largest
+  /// The outline itself, if it crosses itself or another: it then has no nesting.
+  std::optional<CrossingOutline> crossing = {};
 };
 
 std::vector<Outline> outlines_of(const std::vector<ShapedGroup>& groups) {
@@ -51,7 +51,8 @@ bool holds_others(const std::vector<Outline>& outlines, std::size_t index) {
   });
 }
 
-/// The outermost outlines. What a layer says of one that holds no others stays: a hole of the fixture beside a part.
+/// The outermost outlines. An outline without others inside keeps the role of its layer: a hole of the fixture beside
+/// a part.
 std::set<std::size_t> outer_ones(const std::vector<Outline>& outlines,
                                  const std::vector<ShapedGroup>& groups) {
   std::set<std::size_t> outer, unsaid;
@@ -107,7 +108,7 @@ std::optional<std::set<std::size_t>> chosen_by(const LayerRule& rule, const std:
                                "), the number of an outline as `clearcut info` lists them, or outer");
 }
 
-/// Whether a layer is called so. Refuses a rule that would make something of a layer of which nothing was read.
+/// Whether a layer has this name. Refuses a rule giving a role to a layer of which nothing was read.
 bool names_layer(const LayerRule& rule, const std::vector<NamedLayer>& layers) {
   bool named = false, drawn = false, others = false;
   for (const NamedLayer& layer : layers) {
@@ -123,12 +124,12 @@ bool names_layer(const LayerRule& rule, const std::vector<NamedLayer>& layers) {
   return named;
 }
 
-/// What an outline is stays so where its edge is to be broken: only those of which nothing else is said leave their group.
+/// Outlines with an edge to be broken keep their role: only outlines without another role leave their group.
 bool stays(const LayerRule& rule, const DrawnGroup& group) {
   return *rule.role == LayerRole::kChamfer && group.says_role;
 }
 
-/// What the outlines enclose. Those of one layer do not cross; those of several are mended together.
+/// The areas enclosed by the outlines. Outlines of one layer do not cross; those of several are mended together.
 Regions regions_of(const std::vector<const Outline*>& outlines, const std::string& where,
                    const ReadOptions& options, Diagnostics& diagnostics) {
   std::vector<Loop> loops;
@@ -170,8 +171,8 @@ void move_out(const LayerRule& rule, const std::set<std::size_t>& chosen, std::v
   groups.push_back(std::move(moved));
 }
 
-/// The outermost outlines apart by what their layers say of depth and top: they do not nest in each other. Other outlines stay
-/// together.
+/// The outermost outlines separated by the depth and top of their layers: they do not nest in each other. Other
+/// outlines stay together.
 std::vector<std::set<std::size_t>> of_one_depth(const LayerRule& rule, const std::set<std::size_t>& chosen,
                                                 const std::vector<Outline>& outlines,
                                                 const std::vector<ShapedGroup>& groups) {
@@ -187,7 +188,7 @@ std::vector<std::set<std::size_t>> of_one_depth(const LayerRule& rule, const std
   return alike;
 }
 
-/// Regions of a group from the outlines that are its own now.
+/// Regions of a group from its current outlines.
 void renest(const std::vector<Outline>& outlines, std::size_t group, ShapedGroup& shaped,
             const ReadOptions& options, Diagnostics& diagnostics) {
   std::vector<const Outline*> own;
@@ -197,15 +198,15 @@ void renest(const std::vector<Outline>& outlines, std::size_t group, ShapedGroup
   shaped.regions = own.empty() ? Regions{} : regions_of(own, shaped.group.where, options, diagnostics);
 }
 
-/// Whether an outline of `inner` in one of `outer` is an island as long as nobody says more: it is on the same layer, or on
-/// one of which nothing is said and that is no deeper.
+/// Whether an outline of `inner` in one of `outer` is an island unless stated otherwise: it is on the same layer, or
+/// on a layer without a stated role that is no deeper.
 bool may_be_island(const DrawnGroup& inner, const DrawnGroup& outer, const ReadOptions& options) {
   const bool same_depth = options.depth || !inner.depth || inner.depth == outer.depth;
   const bool same_top = options.top || inner.top.value_or(0) == outer.top.value_or(0);
   return &inner == &outer || (inner.role == LayerRole::kPocket && !inner.says_role && same_depth && same_top);
 }
 
-/// An outermost outline, and the outlines in it that are its islands, pockets in those, and so on, on whatever layer.
+/// An outermost outline, and the outlines in it that are its islands, pockets in those, and so on, on any layer.
 std::set<std::size_t> with_islands(std::size_t outer, const std::vector<Outline>& outlines,
                                    const std::vector<ShapedGroup>& groups, const ReadOptions& options) {
   std::vector<std::size_t> within;
@@ -226,7 +227,7 @@ std::set<std::size_t> with_islands(std::size_t outer, const std::vector<Outline>
   return all;
 }
 
-/// The outermost outlines are pockets and what lies in them are islands, also on other layers.
+/// The outermost outlines are pockets and outlines in them are islands, also on other layers.
 void make_outer_pockets(const LayerRule& rule, const std::set<std::size_t>& outer,
                         std::vector<Outline>& outlines, std::vector<ShapedGroup>& groups,
                         const ReadOptions& options, Diagnostics& diagnostics) {
@@ -241,7 +242,7 @@ void make_outer_pockets(const LayerRule& rule, const std::set<std::size_t>& oute
     } else if (from.size() > 1) {
       for (const std::size_t i : pocket) outlines[i].group = own;
     } else {
-      continue;  // what nesting gives
+      continue;  // the default by nesting
     }
     touched.insert(from.begin(), from.end());
     for (const std::size_t group : from) {
@@ -254,14 +255,14 @@ void make_outer_pockets(const LayerRule& rule, const std::set<std::size_t>& oute
   for (const std::size_t group : touched) renest(outlines, group, groups[group], options, diagnostics);
 }
 
-/// Those of chamfers last: they ask what outlines are.
+/// Rules of chamfers last: they depend on the roles of outlines.
 std::vector<LayerRule> in_turn(std::vector<LayerRule> rules) {
   std::stable_partition(rules.begin(), rules.end(),
                         [](const LayerRule& rule) { return rule.role != LayerRole::kChamfer; });
   return rules;
 }
 
-/// Chamfers along all outlines of layers that are something else besides.
+/// Chamfers along all outlines of layers that also have another role.
 void add_broken_edges(std::vector<ShapedGroup>& groups) {
   const std::size_t count = groups.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -276,8 +277,8 @@ void add_broken_edges(std::vector<ShapedGroup>& groups) {
   }
 }
 
-/// The outlines that cross, where all rules are applied: what is left of their groups is mended once more, or refused. An overview
-/// says which they are.
+/// Treats crossing outlines after all rules are applied: the rest of their groups is mended once more, or refused. An
+/// overview lists them.
 void settle_crossing(std::vector<ShapedGroup>& groups, const std::vector<Outline>& outlines,
                      const ReadOptions& options, Diagnostics& diagnostics) {
   std::set<std::size_t> open;
@@ -304,12 +305,12 @@ void settle_crossing(std::vector<ShapedGroup>& groups, const std::vector<Outline
       const auto first = std::find_if(outlines.begin(), outlines.end(), [&](const Outline& outline) {
         return outline.group == group && outline.crossing;
       });
-      throw InputError("", first->crossing->refusal.what());  // which names the curves as they were drawn
+      throw InputError("", first->crossing->refusal.what());  // this names the curves as drawn
     }
   }
 }
 
-/// Whether an option or rule that names outlines was used.
+/// Applies options and rules naming outlines; returns whether any was used.
 bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>& outlines,
                          const std::vector<NamedLayer>& layers, const ReadOptions& options,
                          Diagnostics& diagnostics) {
@@ -336,7 +337,7 @@ bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>&
   return any;
 }
 
-/// mm. Circles beside each other that are no wider than usual chucks take drills, and hold nothing, are holes.
+/// mm. Empty circles beside each other, no wider than drills for usual chucks, are holes.
 constexpr double kWidestHole = 13;
 
 /// Whether nothing but a circle of a hole's size is drawn.
@@ -345,14 +346,14 @@ bool is_small_circle(const Outline& outline, const Tolerances& tol) {
   return diameter && *diameter <= kWidestHole;
 }
 
-/// Whether two outlines are one that is drawn twice, as on two layers.
+/// Whether two outlines are one outline drawn twice, for example on two layers.
 bool is_drawn_twice(const Outline& a, const Outline& b, const Tolerances& tol) {
   const Box one = box(a.loop), other = box(b.loop);
   return distance(one.min, other.min) <= tol.join_gap && distance(one.max, other.max) <= tol.join_gap;
 }
 
-/// The outermost outlines of which nothing says what they are, edges of parts or pockets, where one of them holds others, or several are no
-/// holes, have no depth of their own, and no option says anything of the drawing. An outline alone is a pocket.
+/// The outermost outlines with unknown role, edges of parts or pockets, if one of them contains others, or if several
+/// are no holes, have no depth of their own, and no option concerns the drawing. A single outline is a pocket.
 std::vector<std::size_t> unclear_outlines(const std::vector<ShapedGroup>& groups,
                                           const std::vector<Outline>& outlines, const ReadOptions& options) {
   const auto& rules = options.layer_rules;
@@ -375,7 +376,7 @@ std::vector<std::size_t> unclear_outlines(const std::vector<ShapedGroup>& groups
   return holding || several ? outermost : std::vector<std::size_t>{};
 }
 
-/// Of outlines that hold no others.
+/// The question for outlines without others inside.
 std::string question_of_plain(const Outline& first, std::size_t count, const ShapedGroup& group) {
   const Box size = box(first.loop);
   return "the drawing has " + std::to_string(count) + " outlines beside each other, the first of " +
@@ -443,7 +444,7 @@ void fill_overview(const std::vector<ShapedGroup>& groups, const std::vector<Out
     one.box = box(outline.loop);
     one.loop = outline.loop;
     one.area = std::abs(signed_area(outline.loop));
-    // An outline that crosses itself bounds no region, and is no circle.
+    // A self-crossing outline bounds no region, and is no circle.
     if (!outline.crossing)
       one.diameter = circle_diameter(Region::from_valid_loops(outline.loop, {}), options.tol);
     one.within = outline.about.empty() ? 0 : outline.about.back() + 1;

@@ -1,4 +1,4 @@
-// What each outline of a drawing is for: by its layer, by options that name outlines, or by asking.
+// Role of each outline of a drawing: by its layer, by options naming outlines, or by asking.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace clearcut::read {
 struct ShapedGroup {
   DrawnGroup group;  ///< without curves
   Regions regions;
-  std::vector<CrossingOutline> crossing;  ///< which are in no region
+  std::vector<CrossingOutline> crossing;  ///< outlines in no region
   std::vector<Path> lines;
 };
 
@@ -22,14 +22,14 @@ struct NamedLayer {
   bool has_outlines = false;
 };
 
-/// Gives outlines that options name ("outer", "2,5") a group of their own, fills in options.overview, and asks what the
-/// outermost outline is where that is unclear and options.ask_if_unclear. Throws InputError for options that match nothing, and for
-/// outlines that cross and are not left out; in an overview they are listed.
-/// Cost O(n log n) for n outlines.
+/// Gives outlines named in options ("outer", "2,5") their own group, fills in options.overview, and asks for the role
+/// of the outermost outline if it is unclear and options.ask_if_unclear. Throws InputError for options without a
+/// match, and for crossing outlines that are not left out; in an overview they are listed. Cost O(n log n) for n
+/// outlines.
 void assign_outline_roles(std::vector<ShapedGroup>& groups, const std::vector<NamedLayer>& layers,
                           const ReadOptions& options, const std::string& file, Diagnostics& diagnostics);
 
-/// The curves chained where their ends meet, open or closed, in their order. Cost O(n log n) unless many ends meet.
+/// The curves chained at common ends, open or closed, in their order. Cost O(n log n) unless many ends meet.
 std::vector<Path> chained_lines(const std::vector<RawCurve>& curves, double gap);
 
 }  // namespace clearcut::read

@@ -24,7 +24,7 @@ bool reaches_edge(const Feature& feature, const Box& stock, const Tolerances& to
   return reach.overlaps(stock) && !(inner.contains(reach.min) && inner.contains(reach.max));
 }
 
-/// The target lies in `allowed`, so equal areas make them the same.
+/// The target is inside `allowed`, so equal areas make them the same.
 bool is_walled(const Feature& feature) {
   const double whole = area(feature.allowed);
   return whole - area(feature.target) <= 1e-9 * whole;

@@ -9,7 +9,7 @@
 namespace clearcut::read {
 namespace {
 
-/// Sine of the turn between two edges that need no join.
+/// Sine of the turn below which two edges need no join.
 constexpr double kStraight = 1e-9;
 
 /// Collects the pieces of one pen.
@@ -73,7 +73,7 @@ class Stroker {
     sector(at_radius(arc, outer));
     if (inner < 0) sector(at_radius(arc, inner));
   }
-  /// The arc about the same centre; a radius below 0 lies across it.
+  /// The arc about the same centre; a negative radius is on the opposite side.
   static Edge at_radius(const Edge& arc, double radius) {
     const auto at = [&](Vec2 p) { return arc.center + unit(p - arc.center) * radius; };
     return Edge::arc(at(arc.from), at(arc.to), arc.center, arc.turn);

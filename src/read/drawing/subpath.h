@@ -7,7 +7,7 @@ namespace clearcut::read {
 
 struct Subpath {
   Path edges;
-  bool closed = false;  ///< the file says that its end meets its start
+  bool closed = false;  ///< the file declares the subpath as closed
 };
 
 }  // namespace clearcut::read

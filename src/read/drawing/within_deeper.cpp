@@ -16,13 +16,14 @@ bool is_pocket(const Feature& feature) {
   return feature.kind == FeatureKind::kClosedPocket;
 }
 
-/// Pockets of one depth are united elsewhere, chamfers break the edges of pockets, and what is isolated stands in a band of its own.
+/// Pockets of one depth are united elsewhere, chamfers break the edges of pockets, and isolated areas are inside
+/// their own band.
 bool may_be_cut_away(const Feature& feature) {
   return feature.kind != FeatureKind::kChamfer && feature.kind != FeatureKind::kIsolation &&
          feature.kind != FeatureKind::kPlanarFace && feature.kind != FeatureKind::kExternalThread;
 }
 
-/// By heights alone.
+/// Decided only by heights.
 bool would_cut_away(const Feature& pocket, const Feature& feature) {
   if (!is_pocket(pocket) || std::abs(pocket.top_z - feature.top_z) > kSamePlaceMm) return false;
   const double deeper = feature.floor_z - pocket.floor_z;
@@ -56,7 +57,7 @@ DrawingQuestion question_of(const Feature& feature, const Feature& pocket) {
           answers};
 }
 
-/// Whether `pocket` is one that would take the step's floor away.
+/// Whether `pocket` would remove the step's floor.
 bool reaches_below(const DrawnGroup& pocket, const DrawnGroup& step, const ReadOptions& options) {
   const bool same_top =
       options.top || std::abs(pocket.top.value_or(0) - step.top.value_or(0)) <= kSamePlaceMm;

@@ -127,7 +127,7 @@ class CodeReader {
     } else if (c == U'H' && !begun_) {
       return height(utf8_of(value));
     } else if (c == U'A' || c == U'C' || c == U'c') {
-      return;  // colours, and how stacked fractions stand
+      return;  // colours, and the alignment of stacked fractions
     }
     words_.ignored.insert("\\" + utf8_of({&c, 1}));
   }

@@ -1,4 +1,4 @@
-// What TEXT and MTEXT write between their letters.
+// Codes between the letters of TEXT and MTEXT.
 #pragma once
 
 #include <optional>
@@ -12,17 +12,18 @@ namespace clearcut::read {
 /// Text without its codes.
 struct DxfWords {
   std::vector<std::u32string> paragraphs;  ///< at least one
-  std::optional<std::string> font;         ///< that a code before the first letter names: "Arial", "txt.shx"
-  bool bold = false, italic = false;       ///< said with it
-  std::optional<double> height;            ///< of capitals, said there, in units of the drawing
-  std::optional<double> height_factor;     ///< the same, of the entity's height
-  std::set<std::string> ignored;           ///< codes that change the looks and are not followed: "\\S"
+  /// Font named by a code before the first letter: "Arial", "txt.shx".
+  std::optional<std::string> font;
+  bool bold = false, italic = false;    ///< stated with the font
+  std::optional<double> height;         ///< height of capitals stated there, in units of the drawing
+  std::optional<double> height_factor;  ///< the same, of the entity's height
+  std::set<std::string> ignored;        ///< unsupported codes that change the appearance: "\\S"
 };
 
 /// Of TEXT: %%c, %%d, %%p, %%nnn, %%%, \U+XXXX, ^I. One paragraph.
 DxfWords words_of_text(std::string_view text);
 
-/// Of MTEXT: those, \P, \~, {}, \\, \{, \}, \S, \f, \H and all others, which are taken out.
+/// For MTEXT: these codes, \P, \~, {}, \\, \{, \}, \S, \f, \H; all others are removed.
 /// Source: DXF reference, "MTEXT format codes".
 DxfWords words_of_mtext(std::string_view text);
 

@@ -39,8 +39,7 @@ Path ellipse_path(const DxfDocument& document, const DxfEntity& entity, const Af
   const double ratio = document.required(entity, 40);
   if (!(norm(major) > 0) || !(ratio > 0))
     document.fail(entity.line, "an ellipse without width; correct the file");
-  // The minor axis is the extrusion cross the major one: turned the other way where the extrusion points
-  // down.
+  // The minor axis is the extrusion cross the major one: reversed if the extrusion points down.
   const double side = document.number(entity, 230, 1) < 0 ? -1 : 1;
   const double start = document.number(entity, 41, 0), end = document.number(entity, 42, 2 * kPi);
   double sweep = std::fmod(end - start, 2 * kPi);
@@ -108,8 +107,8 @@ bool is_curve(std::string_view dxf_type) {
 }
 
 std::optional<Affine> entity_map(const DxfDocument& document, const DxfEntity& entity) {
-  // LINE, ELLIPSE and SPLINE are written in the coordinates of the drawing whatever their extrusion. That of an ellipse
-  // says in which plane it lies.
+  // LINE, ELLIPSE and SPLINE are written in the coordinates of the drawing with any extrusion. The extrusion of an
+  // ellipse gives its plane.
   if (entity.type == "LINE" || entity.type == "SPLINE") return Affine{};
   const double x = document.number(entity, 210, 0), y = document.number(entity, 220, 0);
   const double z = document.number(entity, 230, 1);

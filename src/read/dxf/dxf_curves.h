@@ -13,8 +13,8 @@ namespace clearcut::read {
 /// Whether curve_of reads entities of this type.
 bool is_curve(std::string_view dxf_type);
 
-/// From the entity's own coordinates (mirrored where its extrusion points down) to the drawing's; nothing
-/// when it is not parallel to the plane.
+/// From the entity's own coordinates (mirrored if its extrusion points down) to the drawing's; nothing if it is not
+/// parallel to the plane.
 std::optional<Affine> entity_map(const DxfDocument& document, const DxfEntity& entity);
 
 /// Of a circle or an arc, mm >= 0. Throws  InputError for a radius below 0.
@@ -26,7 +26,7 @@ double radius_of(const DxfDocument& document, const DxfEntity& entity);
 std::optional<RawCurve> curve_of(const DxfDocument& document, const DxfEntity& entity,
                                  std::span<const DxfEntity> vertices, const Affine& map);
 
-/// The vertices with bulges that `entity` holds, as of an LWPOLYLINE, under `map`.
+/// The vertices with bulges in `entity`, for example an LWPOLYLINE, under `map`.
 Path light_polyline(const DxfDocument& document, const DxfEntity& entity, bool closed, const Affine& map);
 
 }  // namespace clearcut::read

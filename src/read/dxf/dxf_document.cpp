@@ -76,7 +76,7 @@ class Builder {
     }
   }
 
-  /// Files the entity that has ended.
+  /// Stores the finished entity.
   void finish() {
     if (current_.type == "SECTION") {
       seen_entities_ = seen_entities_ || section_ == "ENTITIES";
@@ -97,7 +97,7 @@ class Builder {
     current_ = {};
   }
 
-  /// Marks whatever owns a filter that is switched on, through dictionaries up to the INSERT.
+  /// Marks the owners of active filters, through dictionaries up to the INSERT.
   void find_clipped() {
     constexpr int kDeepestOwner = 8;
     for (std::string_view handle : filters_) {
@@ -143,7 +143,7 @@ class Builder {
   std::string_view section_;
   DxfEntity* variable_ = nullptr;
   DxfBlock* block_ = nullptr;
-  std::vector<std::string_view> filters_;                ///< handles of what clips blocks
+  std::vector<std::string_view> filters_;                ///< handles of filters that clip blocks
   std::map<std::string_view, std::string_view> owners_;  ///< of filters and dictionaries, by their handles
   bool seen_entities_ = false;
 };

@@ -14,7 +14,7 @@ namespace clearcut::read {
 struct DxfGroup {
   int code = 0;
   int line = 0;            ///< of the value
-  std::string_view value;  ///< without blanks around it, but for text (codes 1 and 3)
+  std::string_view value;  ///< without surrounding blanks, except for text (codes 1 and 3)
 };
 
 /// One entity (or vertex, or table row): everything up to the next group 0.
@@ -30,8 +30,8 @@ struct DxfEntity {
 struct DxfBlock {
   Vec2 base;
   std::vector<DxfEntity> entities;
-  bool external = false;  ///< stands for a drawing in a file of its own
-  std::string_view path;  ///< of that file, as written
+  bool external = false;  ///< represents a drawing in a separate file
+  std::string_view path;  ///< path of that file, as written
 };
 
 /// Views into the text, which must outlive it.
@@ -42,7 +42,7 @@ struct DxfDocument {
   std::map<std::string, DxfEntity> styles;       ///< of text, by name in capitals
   std::map<std::string, DxfBlock> blocks;        ///< by name in capitals
   std::vector<DxfEntity> entities;
-  /// Handles, among them those of INSERTs of which only what lies within a boundary is shown (XCLIP).
+  /// Handles, including those of INSERTs shown only within a boundary (XCLIP).
   std::set<std::string_view> clipped;
 
   /// Throws  InputError "file:line: ..." unless the group's value is a finite number.
@@ -56,11 +56,11 @@ struct DxfDocument {
   [[noreturn]] void fail(int line, const std::string& what) const;
 };
 
-/// Throws  InputError for binary DXF, for text that is no DXF, and for a file that ends in the middle of a
-///         group or has no ENTITIES. Cost O(length).
+/// Throws  InputError for binary DXF, for other text, and for a file ending in the middle of a group or without
+///         ENTITIES. Cost O(length).
 DxfDocument parse_dxf(std::string_view text, const std::string& file_name);
 
-/// mm per unit for a value of $INSUNITS, 0 where it says nothing.
+/// mm per unit for a value of $INSUNITS, 0 if unspecified.
 double mm_of_insunits(int code);
 
 }  // namespace clearcut::read

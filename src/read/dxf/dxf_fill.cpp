@@ -48,7 +48,7 @@ GroupSpan before(GroupSpan groups, std::initializer_list<int> codes) {
   return {groups.begin(), end};
 }
 
-/// Whether most of `inner` lies within `outer`: boundaries of a hatch may touch.
+/// Whether most of `inner` is within `outer`: boundaries of a hatch may touch.
 bool lies_in(const Path& inner, const Path& outer) {
   const Box in = box(inner), out = box(outer);
   if (!out.contains(in.min) || !out.contains(in.max)) return false;
@@ -60,8 +60,8 @@ bool lies_in(const Path& inner, const Path& outer) {
   return 2 * static_cast<std::size_t>(within) > inner.size();
 }
 
-/// Without the boundaries that a hatch does not heed: those within others in style 2 (ignore), those within two others in
-/// style 1 (outer).
+/// The boundaries without those ignored by a hatch: those within others in style 2 (ignore), those within two others
+/// in style 1 (outer).
 std::vector<Path> heeded(std::vector<Path> paths, int style) {
   if (style != 1 && style != 2) return paths;
   std::vector<Path> kept;
@@ -80,7 +80,7 @@ class HatchReader {
   HatchReader(const DxfDocument& document, const DxfEntity& hatch, const Affine& map)
       : document_(document), hatch_(hatch), map_(map) {}
 
-  /// Closed paths in mm that its style heeds; empty where there are fewer than the file counts.
+  /// Closed paths in mm relevant for its style; empty if there are fewer than counted in the file.
   std::vector<Path> paths() const {
     const GroupSpan all(hatch_.groups);
     const auto count =
@@ -111,7 +111,7 @@ class HatchReader {
     return joined(std::move(pieces));
   }
 
-  /// The pieces one after the other, each turned so that it begins where the one before ends.
+  /// The pieces one after the other, each reversed if needed to begin at the end of the previous one.
   static Path joined(std::vector<Path> pieces) {
     Path path;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -165,7 +165,7 @@ class HatchReader {
     return path;
   }
 
-  /// Of an ellipse, from the angle under which its place is seen from the centre, degrees.
+  /// Parameter of an ellipse, from the angle (degrees) at which its point is seen from the centre.
   static double parameter(double degrees, double ratio) {
     const double angle = Radians::of_degrees(degrees).radians();
     return base::atan2(base::sin(angle) / ratio, base::cos(angle));
@@ -177,7 +177,7 @@ class HatchReader {
   const Affine map_;
 };
 
-/// The third and the fourth corner are written the other way round; a triangle has the third twice.
+/// The third and the fourth corner are written in reverse order; a triangle has the third twice.
 Path corners_path(const DxfDocument& document, const DxfEntity& entity, const Affine& map) {
   std::vector<Vec2> corners;
   for (const int x : {10, 11, 13, 12}) {

@@ -23,13 +23,13 @@ namespace clearcut::read {
 namespace {
 
 constexpr int kDeepestBlocks = 16;
-/// Units of the drawing. Heights that differ less are one.
+/// Units of the drawing. Heights differing by less are equal.
 constexpr double kFlat = 1e-6;
 /// Entities after all blocks are put in place: beyond this the drawing is a trap.
 constexpr int kMostEntities = 2'000'000;
 
-/// Kinds that show or say something of the drawing and are no part of what is drawn: dimensions, notes, views, pictures, lines of
-/// construction. Whatever else is not read may be part of the work.
+/// Kinds of entities that only annotate the drawing: dimensions, notes, views, pictures, construction lines. All
+/// other unread entities may be part of the work.
 constexpr std::array<std::string_view, 28> kAnnotations{"DIMENSION",
                                                         "ARC_DIMENSION",
                                                         "LARGE_RADIAL_DIMENSION",
@@ -78,14 +78,14 @@ class Collector {
     take_fills();
   }
 
-  /// Layers of which nothing is read have empty groups, so that options may name them.
+  /// Layers without read entities have empty groups, so that options may name them.
   std::vector<DrawnGroup> take() {
     for (const auto& [key, name] : unread_)
       if (by_layer_.count(key) == 0) groups_.push_back(new_group(name));
     return std::move(groups_);
   }
 
-  /// A layer that was asked for and is not there is a mistake, whatever else there is.
+  /// A requested but missing layer is always a mistake.
   void refuse_unknown_layers() const {
     for (const std::string& pattern : options_.layers) {
       const auto hit = [&](const auto& layer) { return matches(pattern, layer.second); };
@@ -98,7 +98,7 @@ class Collector {
     }
   }
 
-  /// What of space and of pens does not count.
+  /// Warns of ignored spaces and pen widths.
   void warn_of_space() const {
     if (risen_ > 0) {
       diagnostics_.doubt(document_.file, kNotAsDrawn,
@@ -211,7 +211,7 @@ class Collector {
     ++not_read_[layer == "0" ? what : what + " on layer " + layer];
   }
 
-  /// What may be part of the work.
+  /// Counts a shape left out that may be part of the work.
   void leave_out_shape(const std::string& what, const std::string& layer) {
     const bool counts = is_chosen(layer) && new_group(layer).role != LayerRole::kIgnore;
     if (!counts) return leave_out(what, layer);
@@ -219,7 +219,7 @@ class Collector {
     ++shapes_not_read_[layer == "0" ? what : what + " on layer " + layer];
   }
 
-  /// What a block's place says beside its drawing: a part's number.
+  /// Text of a block's instance in addition to its drawing: a part's number.
   void take_attribute(const DxfEntity& attribute, const Affine& map, const std::string& layer_of_zero) {
     constexpr int kInvisible = 1;
     const std::string own(attribute.text(8, "0"));
@@ -277,7 +277,7 @@ class Collector {
     }
   }
 
-  /// Whether what lies on a layer is to be read; counts it if not.
+  /// Whether entities of a layer are to be read; counts the entity if not.
   bool is_wanted(const std::string& layer) {
     seen_.try_emplace(capitals(layer), layer);
     if (!is_chosen(layer)) {
@@ -291,7 +291,7 @@ class Collector {
     return role->second != LayerRole::kIgnore;
   }
 
-  /// What fills an area; whether its boundary is an outline is known when all is read.
+  /// A filled area; only after reading everything it is known whether its boundary is an outline.
   struct Fill {
     const DxfEntity* entity;
     Affine map;
@@ -302,8 +302,8 @@ class Collector {
     if (is_wanted(layer)) fills_[capitals(layer)].push_back({&entity, map, layer});
   }
 
-  /// The boundaries of fills are outlines where their layer holds no lines, if the layer says what it is for or there are no
-  /// lines at all. Elsewhere they show what lines bound, or are decoration.
+  /// The boundaries of fills are outlines if their layer has no lines, and the layer's role is stated or the drawing
+  /// has no lines at all. Otherwise they show areas bounded by lines, or are decoration.
   void take_fills() {
     const auto has_curves = [](const DrawnGroup& group) { return !group.curves.empty(); };
     const bool lines = std::any_of(groups_.begin(), groups_.end(), has_curves);
@@ -334,7 +334,7 @@ class Collector {
     ++compounds_;
   }
 
-  /// Of a curve as it is written, whatever block it is in.
+  /// Notes the heights of a curve as written, in any block.
   void note_heights(const DxfEntity& entity, std::span<const DxfEntity> followers) {
     std::vector<double> heights;
     const bool light = entity.type == "LWPOLYLINE", line = entity.type == "LINE";
@@ -376,7 +376,7 @@ class Collector {
     }
     return groups_[found->second];
   }
-  /// What is drawn on layers that are not plotted is often construction.
+  /// Curves on unplotted layers are often construction.
   void note_unplotted(const std::string& layer) {
     const auto found = document_.layers.find(capitals(layer));
     if (found == document_.layers.end() || document_.integer(found->second, 290, 1) != 0) return;
@@ -398,7 +398,7 @@ class Collector {
     return group;
   }
 
-  /// Puts a block in place, in rows and columns where the INSERT says so.
+  /// Puts a block in place, in rows and columns if stated by the INSERT.
   void insert(const DxfEntity& entity, const Affine& map, const std::string& layer, int depth) {
     const std::string name = capitals(entity.text(2));
     const auto block = document_.blocks.find(name);
@@ -452,10 +452,10 @@ class Collector {
   LeftOut fills_not_read_, texts_not_read_;
   LeftOut clipped_;  ///< places of blocks, by their names
   LeftOut not_read_, external_, hidden_, not_chosen_, ignored_;
-  LeftOut shapes_not_read_;                    ///< of what may be part of the work
+  LeftOut shapes_not_read_;                    ///< unread shapes that may be part of the work
   std::map<std::string, std::string> seen_;    ///< layers with curves, as written, by their names in capitals
-  std::map<std::string, std::string> unread_;  ///< likewise those with anything that is not read
-  int risen_ = 0;                              ///< curves that are not flat
+  std::map<std::string, std::string> unread_;  ///< likewise layers with unread entities
+  int risen_ = 0;                              ///< curves with varying height
   std::array<double, 2> heights_{};            ///< lowest and highest, in units of the drawing
   bool any_height_ = false;
   std::string unplotted_;  ///< names of layers
@@ -463,14 +463,14 @@ class Collector {
   int count_ = 0;
 };
 
-/// mm per unit of the drawing, 0 when neither the user nor the file says.
+/// mm per unit of the drawing, 0 if stated neither by the user nor by the file.
 double stated_unit(const DxfDocument& document, const ReadOptions& options) {
   if (options.unit) return require_unit(*options.unit, "unit");
   const auto variable = document.header.find("$INSUNITS");
   return variable == document.header.end() ? 0 : mm_of_insunits(document.integer(variable->second, 70, 0));
 }
 
-/// What was assumed, with the size it leads to, so that a wrong guess shows.
+/// Warns of the assumed unit, with the resulting size, so that a wrong assumption is visible.
 void warn_of_assumed_unit(const std::string& file, const std::vector<DrawnGroup>& groups,
                           Diagnostics& diagnostics) {
   Box all;

@@ -16,7 +16,7 @@ namespace clearcut::read {
 /// Units   options.unit, else $INSUNITS, else millimetres with a warning.
 /// Error   ellipses, splines and stretched arcs within kCurveTolerance; all else exact.
 /// Throws  InputError "file:line: ..." for damaged files and outlines beyond repair (see repair.h).
-///         Entities that are not outlines are counted and named in the diagnostics.
+///         Entities other than outlines are counted and named in the diagnostics.
 Part read_dxf(std::string_view text, const std::string& file_name, const ReadOptions& options);
 
 }  // namespace clearcut::read

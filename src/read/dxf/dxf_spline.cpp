@@ -45,7 +45,7 @@ std::optional<Vec2> direction_of_end(const DxfDocument& document, const DxfEntit
   return given.front();
 }
 
-/// Through fit points, where the program that drew it left out the control points that follow from them.
+/// The curve through fit points, if the drawing program left out the control points derived from them.
 std::optional<Path> path_through_points(const DxfDocument& document, const DxfEntity& entity,
                                         const Affine& map) {
   constexpr int kClosed = 1;

@@ -13,7 +13,7 @@
 namespace clearcut::read {
 namespace {
 
-/// Families by how Windows begins the names of their files, which go on "", "b" or "bd", "i", "bi" or "z".
+/// Families by the beginning of their file names in Windows, followed by "", "b" or "bd", "i", "bi" or "z".
 constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kFiles{{{"ARIAL", "Arial"},
                                                                                 {"TIMES", "Times New Roman"},
                                                                                 {"COUR", "Courier New"},
@@ -27,7 +27,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kFiles{{
                                                                                 {"CONSOLA", "Consolas"},
                                                                                 {"IMPACT", "Impact"}}};
 
-/// The family that a file of Windows holds.
+/// The family of a font file of Windows.
 std::optional<FaceRequest> face_of_file(std::string_view stem) {
   for (const auto& [start, family] : kFiles) {
     if (!stem.starts_with(start)) continue;
@@ -39,7 +39,7 @@ std::optional<FaceRequest> face_of_file(std::string_view stem) {
   return std::nullopt;
 }
 
-/// What AutoCAD writes of fonts that are no SHX: the family, and whether it is bold or italic.
+/// AutoCAD's data of fonts other than SHX: the family, and whether it is bold or italic.
 std::optional<FaceRequest> told_face(const DxfDocument& document, const DxfEntity& style) {
   constexpr int kItalic = 1 << 24, kBold = 1 << 25;
   bool ours = false;

@@ -14,10 +14,10 @@ struct DxfTextStyle {
   double oblique = 0;  ///< radians
 };
 
-/// The face of a font as files name it: "arialbd.ttf", "Arial", "txt.shx".
+/// The face of a font named as in files: "arialbd.ttf", "Arial", "txt.shx".
 FaceRequest face_of_font(std::string name);
 
-/// The STYLE that `entity` names in group 7, else STANDARD; the machine's own face where the file defines none.
+/// The STYLE named by `entity` in group 7, else STANDARD; the machine's default face if the file defines none.
 DxfTextStyle style_of(const DxfDocument& document, const DxfEntity& entity);
 
 }  // namespace clearcut::read

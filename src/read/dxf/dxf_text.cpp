@@ -19,7 +19,7 @@ Affine sheared(double angle) {
   return {1, 0, base::tan(angle), 1, 0, 0};
 }
 
-/// Without what follows "Embedded Object", which repeats the codes with other meanings.
+/// The groups before "Embedded Object", after which the codes are repeated with other meanings.
 DxfEntity own_groups(DxfEntity entity) {
   const auto end = std::find_if(entity.groups.begin(), entity.groups.end(),
                                 [](const DxfGroup& group) { return group.code == 101; });
@@ -31,7 +31,7 @@ DxfEntity own_groups(DxfEntity entity) {
 enum Across { kLeft, kCentre, kRight, kAligned, kMiddle, kFit };
 enum Along { kBaseline, kBottom, kHalf, kTop };
 
-/// The place in the line that lies on the point of alignment, em.
+/// The place in the line at the point of alignment, em.
 Vec2 held(const Face& face, double width, int across, int along) {
   const double cap = face.cap_height(), below = std::max(face.bottom_of(U'p'), 0.0);
   Vec2 at;
@@ -44,7 +44,8 @@ Vec2 held(const Face& face, double width, int across, int along) {
   return at;
 }
 
-/// From the text's own axes to the drawing's. The point and direction of an MTEXT are of the drawing, not of its own coordinates.
+/// From the text's own axes to the drawing's. The point and direction of an MTEXT are of the drawing, not of its own
+/// coordinates.
 Affine mtext_axes(const DxfDocument& document, const DxfEntity& entity, bool from_below) {
   Vec2 along = direction_of(angle_at(document, entity, 50));
   if (from_below) along.x = -along.x;
@@ -55,14 +56,14 @@ Affine mtext_axes(const DxfDocument& document, const DxfEntity& entity, bool fro
   return {along.x, along.y, up.x, up.y, at.x, at.y};
 }
 
-/// Text that is written backwards or upside down.
+/// Reflection of text written backwards or upside down.
 Affine flip_of(const DxfDocument& document, const DxfEntity& entity) {
   constexpr int kBackward = 2, kUpsideDown = 4;
   const int mirrored = document.integer(entity, 71, 0);
   return Affine::scaling(mirrored & kBackward ? -1 : 1, mirrored & kUpsideDown ? -1 : 1);
 }
 
-/// The style with the font that the text itself names first.
+/// The style with the first font named in the text itself.
 DxfTextStyle mtext_style(const DxfDocument& document, const DxfEntity& entity, const DxfWords& words) {
   DxfTextStyle style = style_of(document, entity);
   if (!words.font) return style;

@@ -21,8 +21,8 @@ class DxfLettering {
  public:
   explicit DxfLettering(const DxfDocument& document) : document_(document) {}
 
-  /// The letters of `entity` under `map` (drawing to mm), all of the area `compound`. Heights are those of capitals. Nothing
-  /// where the entity is not parallel to the plane. Throws InputError "file:line: ..." for damaged entities.
+  /// The letters of `entity` under `map` (drawing to mm), all in the area `compound`. Heights are those of capitals.
+  /// Nothing if the entity is not parallel to the plane. Throws InputError "file:line: ..." for damaged entities.
   /// Source: DXF reference, TEXT groups 72 and 73, MTEXT group 71.
   std::optional<std::vector<RawCurve>> letters_of(const DxfEntity& entity, const Affine& map,
                                                   Compound compound);
@@ -37,7 +37,7 @@ class DxfLettering {
 
   const DxfDocument& document_;
   Lettering lettering_;
-  LeftOut ignored_;  ///< texts by the codes in them that are not followed
+  LeftOut ignored_;  ///< texts by their unsupported codes
 };
 
 }  // namespace clearcut::read

@@ -8,11 +8,12 @@
 namespace clearcut::read {
 namespace {
 
-/// Points by which a closed run is continued over both ends. What an end does to the slopes at least halves from point
-/// to point, so nothing of it is left inside.
+/// Points by which a closed run is continued over both ends. The influence of an end on the slopes at least halves
+/// from point to point, so it vanishes inside.
 constexpr std::size_t kWrap = 60;
 
-/// Of the extent of all points: nearer ones are one, written with other roundings. Between two of them the curve would turn any way.
+/// Share of the extent of all points: points nearer than this are one, written with different rounding. Between two
+/// of them the curve would turn arbitrarily.
 constexpr double kSamePoint = 1e-6;
 
 std::vector<Vec2> without_repeats(std::span<const Vec2> points, bool closed) {

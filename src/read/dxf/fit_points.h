@@ -1,4 +1,4 @@
-// Cubic splines through points: what CAD draws where a DXF SPLINE has fit points only.
+// Cubic splines through points: the curves drawn by CAD for a DXF SPLINE with fit points only.
 #pragma once
 
 #include <optional>
@@ -26,10 +26,11 @@ struct FitEnds {
 
 /// The C2 cubic through `points` with chord lengths as parameters.
 ///
-/// Shape   one span between neighbouring points; none for fewer than two. Points that repeat their neighbour count once.
+/// Shape   one span between neighbouring points; none for fewer than two. Points repeating their neighbour count
+///         once.
 /// Cost    O(n).
 /// Source  de Boor, A Practical Guide to Splines, chapter IV: the tridiagonal system for the slopes. Ends without a
-///         direction are natural; with one, the speed there is 1, that of the chord lengths.
+///         direction are natural; with one, the speed there is 1, the speed of the chord lengths.
 std::vector<FitSpan> cubic_through(std::span<const Vec2> points, const FitEnds& ends);
 
 }  // namespace clearcut::read

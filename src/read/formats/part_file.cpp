@@ -60,7 +60,7 @@ void refuse_what_is_no_text(std::string_view text, const std::string& file_name)
   }
 }
 
-/// STEP-NC says all by itself: options for drawings do not apply.
+/// STEP-NC is complete: options for drawings do not apply.
 Part read_program(std::string_view text, const std::string& file_name, const ReadOptions& options) {
   Part part = read::stepnc::read_stepnc(text, file_name, options.tol);
   if (options.unit || options.depth || options.top || !options.layers.empty()) {
@@ -76,7 +76,7 @@ bool is_program(std::string_view text, const std::string& file_name) {
   return kind == FileKind::kStep && !is_step_solid(text);
 }
 
-/// Whether a program can have several set-ups: most have one, and are not read twice to find that out.
+/// Whether a program can have several set-ups: most have one, and should not be read twice for this question.
 bool names_setups(const std::string& text) {
   const std::string capital = capitals(text);
   int found = 0;
@@ -117,7 +117,7 @@ void snap(Regions& regions) {
   }
 }
 
-/// The same part in another format has the same numbers: what formats add in the last digits is taken away.
+/// The same part in another format has the same numbers: the last digits added by formats are removed.
 Part snapped(Part part) {
   for (Feature& feature : part.features) {
     snap(feature.target);
@@ -186,7 +186,7 @@ std::string size_of(const Stock& block) {
          ", z " + span(block.z_bottom, block.z_top) + " mm";
 }
 
-/// Gives the part of a drawing the block that it is made of. What a file states itself has to be that.
+/// Gives the part of a drawing its stock block. A block stated in the file must be equal.
 void lay_on_block(Part& part, const Stock& block, const ReadOptions& options, const std::string& file_name) {
   constexpr double kSame = 1e-3;
   const auto apart = [](double a, double b) { return std::abs(a - b) > kSame; };
@@ -203,10 +203,10 @@ void lay_on_block(Part& part, const Stock& block, const ReadOptions& options, co
                                     "; correct one of them");
 }
 
-/// mm that profiles of drawings go below the stock where nobody says how far: the edge comes free without a burr.
+/// mm; default depth of profiles of drawings below the stock: the edge comes free without a burr.
 constexpr double kProfileBreakthrough = 0.3;
 
-/// Profiles that end at the underside of a stated stock go a little below it.
+/// Lets profiles ending at the underside of a stated stock go slightly below it.
 void go_below_stock(Part& part, const ReadOptions& options) {
   if (options.solid.breakthrough || !part.stock || part.is_solid) return;
   for (Feature& feature : part.features) {
@@ -253,7 +253,7 @@ int setups_of_program(const std::filesystem::path& file) {
     const int count = stepnc::count_setups(text, file.string());
     return count > 1 ? count : 0;
   } catch (const InputError&) {
-    return 0;  // whoever reads it says what is wrong
+    return 0;  // the reader reports the fault
   }
 }
 

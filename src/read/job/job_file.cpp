@@ -24,7 +24,7 @@ fs::path beside(const std::string& job_file, const std::string& name) {
   return fs::path(job_file).parent_path() / name;
 }
 
-/// A length that is a coordinate: within a kilometre.
+/// A coordinate: within a kilometre.
 std::optional<double> coordinate(DataSection& section, const std::string& key) {
   const auto value = section.number(key);
   if (value && std::abs(*value) > kLargestCoordinate) section.fail_at(key, "lies beyond 1000 m");
@@ -39,7 +39,7 @@ std::optional<int> count(DataSection& section, const std::string& key, double mo
   return static_cast<int>(*value);
 }
 
-/// What [plan] or an [[operation]] says of the options that operations may have.
+/// Options permitted in operations, from [plan] or an [[operation]].
 CutSettings settings_of(DataSection& section) {
   static const std::vector<std::string> kinds{"roughing",       "finishing", "bottom_finishing",
                                               "side_finishing", "drilling",  "reaming"};
@@ -185,7 +185,7 @@ void read_machine_section(DataSection section, JobFile& job) {
   job.machine = machine_of_section(section, base);
 }
 
-/// Notes where the keys of the job stand; the file's sections have been read.
+/// Notes the places of the job's keys; the file's sections must have been read.
 void note_sources(const DataValue& root, JobFile& job) {
   const auto of = [&](const char* table) {
     const DataValue* found = root.find(table);
@@ -234,7 +234,7 @@ JobFile read_one_setup(const DataValue& root, const std::string& file_name) {
   return job;
 }
 
-/// As the first set-up, with all of them in it.
+/// Reads the job as its first set-up, with all set-ups in it.
 JobFile read_setups(const DataValue& root, const std::string& file_name) {
   std::vector<JobFile> setups;
   const DataValue& tables = *root.find("setup");

@@ -21,15 +21,15 @@
 namespace clearcut::read {
 
 /// How to cut, for all operations ([plan]) or those of some features ([[operation]]). Absent values are
-/// left to what stands above them: operation, plan, the part's file, the planner's defaults.
+/// taken from the next source: operation, plan, the part's file, the planner's defaults.
 struct CutSettings {
-  PlanOptions asked;        ///< of the options that operations may have
+  PlanOptions asked;        ///< options permitted in operations
   std::optional<int> tool;  ///< number
   std::optional<OperationKind> kind;
   Sources sources;  ///< "job.toml:12" of each key
 };
 
-/// [[operation]]: settings for the workingsteps of all features that match.
+/// [[operation]]: settings for the workingsteps of all matching features.
 struct OperationRule {
   std::string feature = "*";  ///< name, * for anything, any case
   bool skip = false;          ///< not machined at all
@@ -44,10 +44,10 @@ struct JobOutput {
 
 struct JobStock {
   std::optional<std::array<double, 2>> x, y, z;  ///< mm
-  std::optional<double> margin;                  ///< mm around the features where x or y is absent
+  std::optional<double> margin;                  ///< mm around the features if x or y is absent
 };
 
-/// A job as its file says it; nothing else read yet.
+/// A job as stated in its file; no other file is read yet.
 struct JobFile {
   std::string file;
   std::filesystem::path part_file;  ///< found from the job's folder
@@ -64,19 +64,19 @@ struct JobFile {
   CutSettings plan;
   std::vector<OperationRule> operations;
   JobOutput output;
-  PlanOptions whole;  ///< what [plan], [machine] and [output] ask of the plan as a whole
-  std::optional<std::filesystem::path> after;  ///< program that has run before, found from the job's folder
-  std::optional<std::filesystem::path> stock_from;  ///< what the part is made of, likewise
+  PlanOptions whole;  ///< options of [plan], [machine] and [output] for the whole plan
+  std::optional<std::filesystem::path> after;       ///< earlier program, relative to the job's folder
+  std::optional<std::filesystem::path> stock_from;  ///< file of the stock, likewise
   std::vector<std::string> stated_keep_outs,
       stated_predrilled;                   ///< of [plan], in the words of the command line
   std::vector<KeepOut> keep_outs;          ///< [[keep_out]]
   std::vector<PredrilledHole> predrilled;  ///< [[predrilled]]
-  std::optional<ZeroPoint> zero;           ///< absent: that of the part's file
+  std::optional<ZeroPoint> zero;           ///< absent: the zero of the part's file
   std::string setup_name;                  ///< of one of several set-ups
   int setup_number = 0;                    ///< from 1; 0: the job is one set-up
-  bool has_own_stock = false;              ///< the set-up states where its block lies
-  std::vector<JobFile>
-      setups;            ///< [[setup]]: each a job of its own; the job itself is then as the first of them
+  bool has_own_stock = false;              ///< the set-up states the place of its block
+  /// [[setup]]: each a job of its own; the job itself is then as the first of them.
+  std::vector<JobFile> setups;
   Sources sources;       ///< of the keys of [plan], [machine] and [output], and of its machine file
   Sources part_sources;  ///< of the keys of [part]
 };
@@ -86,26 +86,26 @@ struct JobFile {
 JobFile read_job_text(std::string_view text, const std::string& file_name);
 JobFile read_job(const std::filesystem::path& file);
 
-/// The part of a job: its file read, stock and tools set, operations chosen. All of job.plan is in the operations afterwards,
-/// with where it stands in their sources; machine, output and the planner's
-/// values are left to the caller. `over`: options that go before the job's own (command line). Throws as
-/// read_part and read_tool_library, and when a tool number or a feature name matches nothing.
+/// The part of a job: its file read, stock and tools set, operations chosen. All of job.plan is in the operations
+/// afterwards, with their places as sources; machine, output and the planner's values are left to the caller. `over`:
+/// options with precedence over the job's own (command line). Throws as read_part and read_tool_library, and if a
+/// tool number or a feature name has no match.
 Part part_of_job(const JobFile& job, const ReadOptions& over);
 
-/// The same; `sources` are afterwards those of every value that the job or its tool library states, `published` what it chooses
-/// as published.
+/// The same; afterwards `sources` contains the sources of all values stated by the job or its tool library,
+/// `published` the job's choices of published methods.
 Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sources, StepChoices& published);
-/// The job's own tools, then those of its library that it uses: the tools of its part, in their order.
+/// The job's own tools, then the used ones of its library: the tools of its part, in their order.
 std::vector<LibraryTool> tools_of_job(const JobFile& job);
 
-/// Options that somebody has stated, by the names of their rows.
+/// Stated options, by the names of their rows.
 struct StatedOptions {
   Asked asked;
   std::set<std::string> names;
 };
 
-/// A commented job for `part`, read from `part_file`: valid as it stands, with every key and its default; what is `stated` stands in
-/// it as keys, so that a plan of the job is the plan by those options.
+/// A commented job for `part`, read from `part_file`: valid without changes, with every key and its default; `stated`
+/// options are written as keys, so that a plan of the job equals the plan with those options.
 std::string job_text(const Part& part, const std::string& part_file, const StatedOptions& stated = {});
 
 }  // namespace clearcut::read

@@ -10,7 +10,7 @@
 namespace clearcut::read {
 namespace {
 
-/// A number as it is typed: the shortest text that gives it again.
+/// A number as typed: the shortest text that reads back equal.
 std::string typed(double number) {
   return fmt::format("{}", number);
 }

@@ -1,4 +1,4 @@
-// The keys of a job that are options: read by the options' table.
+// The job's keys for options: read by the table of options.
 #pragma once
 
 #include "options/row.h"
@@ -6,14 +6,14 @@
 
 namespace clearcut::read {
 
-/// Which rows of a table are meant.
+/// Selection of the rows of a table.
 enum class OptionsOf : unsigned char {
-  kOperations,  ///< those that an [[operation]] may have
+  kOperations,  ///< rows permitted in an [[operation]]
   kWhole        ///< the others
 };
 
-/// Puts every option whose key stands in `section`, the job's table `table`, into `asked`. Throws InputError "file:line: key: ..."
-/// for values that the row refuses, in the words of the command line.
+/// Stores every option with a key in `section`, the job's table `table`, into `asked`. Throws InputError "file:line:
+/// key: ..." for values refused by the row, in the words of the command line.
 void take_options(DataSection& section, JobTable table, OptionsOf which, Asked& asked);
 
 }  // namespace clearcut::read

@@ -1,4 +1,4 @@
-// The part that a job describes.
+// The part described by a job.
 #include <algorithm>
 #include <charconv>
 #include <map>
@@ -73,10 +73,10 @@ Stock stock_of(const JobStock& stock, const Part& part, const std::string& file)
   return out;
 }
 
-/// Stands for the tool of a step until it is known whether a rule names one.
+/// Placeholder for a step's tool until it is known whether a rule names one.
 constexpr int kOpenTool = -1;
 
-/// Two tools of one number: which of them a program means is nothing to guess.
+/// Two tools of one number: the one intended by a program cannot be guessed.
 void refuse_one_number_twice(const std::vector<LibraryTool>& tools, const std::string& file) {
   std::set<int> taken;
   for (const LibraryTool& tool : tools) {
@@ -86,7 +86,7 @@ void refuse_one_number_twice(const std::vector<LibraryTool>& tools, const std::s
   }
 }
 
-/// The job's own tools, then those of its library that it uses.
+/// The job's own tools, then the used ones of its library.
 ToolLibrary tools_of(const JobFile& job) {
   ToolLibrary all;
   all.tools = job.tools;
@@ -118,7 +118,7 @@ void set_if(std::optional<Value>& target, const std::optional<Value>& value) {
   if (value) target = value;
 }
 
-/// `source`: where the preset stands.
+/// `source`: place of the preset.
 void apply_preset(const CuttingPreset& preset, const Source& source, Operation& operation, Sources& sources) {
   CuttingData& cutting = operation.cutting;
   const auto note = [&](const char* name, bool is_stated) {
@@ -142,8 +142,7 @@ void apply_preset(const CuttingPreset& preset, const Source& source, Operation& 
   set_if(operation.stepover, preset.stepover);
 }
 
-/// A stepover in fractions or mm as a fraction; nothing for "lom" and "rho", which the planner takes as a
-/// whole.
+/// A stepover in fractions or mm as a fraction; nothing for "lom" and "rho", which are passed to the planner as text.
 std::optional<double> stepover_fraction(const std::string& text, double diameter, const std::string& place) {
   if (text == "lom" || text == "rho") return std::nullopt;
   double value = 0;
@@ -180,13 +179,13 @@ void apply_settings(const PlanOptions& asked, const Part& part, const std::strin
   }
 }
 
-/// Settings and where they stand.
+/// Settings and their place.
 struct SettingsSource {
   const CutSettings* settings;
   std::string place;
 };
 
-/// A workingstep and what shall be applied to it, in order.
+/// A workingstep and the settings to apply, in order.
 struct Planned {
   Workingstep step;
   std::vector<SettingsSource> sources;
@@ -219,7 +218,7 @@ class Dresser {
   }
 
  private:
-  /// The job's tools replace the part's; operations keep theirs by number where the job has it too.
+  /// The job's tools replace the part's; operations keep their tool by number if the job has it too.
   void set_tools() {
     ToolLibrary library = tools_of(job_);
     part_.diagnostics.append(library.diagnostics);
@@ -274,7 +273,7 @@ class Dresser {
     }
   }
 
-  /// Finishing comes as a workingstep of its own after all others, once per feature.
+  /// Finishing is a separate workingstep after all others, once per feature.
   void add_finishing(const OperationRule& rule, const std::string& place) {
     std::set<int> done;
     std::vector<Planned> added;
@@ -317,7 +316,7 @@ class Dresser {
         apply_preset(preset->second, preset_source(preset->first), operation, sources);
     }
     for (const SettingsSource& source : planned.sources) {
-      // What roughing leaves on the walls is not left by finishing, unless its own rule says so.
+      // The stock left by roughing on walls is not left by finishing, unless its own rule states so.
       if (is_finishing(*source.settings)) leave_nothing(operation, source.place, sources);
       apply_settings(source.settings->asked, part_, source.place, operation);
       published_[step_key(planned.step)].merge(source.settings->asked.published);
@@ -356,7 +355,7 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
                                    " set-ups; say which, for example with --setup 1");
   refuse_two_stocks(job, over);
   ReadOptions options = merged(job.read, over);
-  // What stands around a solid belongs to its features: its reader sets the stock itself.
+  // Material around a solid belongs to its features: the solid's reader sets the stock itself.
   if (job.stock) options.solid.stock = requested(*job.stock);
   for (const LibraryTool& tool : tools_of(job).tools) options.solid.tools.push_back(tool.tool);
   const std::string text = read_file(job.part_file.string(), kLargestPart);
@@ -370,7 +369,7 @@ Part part_of_job(const JobFile& job, const ReadOptions& over, StepSources& sourc
   part.keep_outs = job.keep_outs;
   part.predrilled.insert(part.predrilled.end(), job.predrilled.begin(), job.predrilled.end());
   Dresser(job, part, options.tol, sources, published).run();
-  // Among set-ups the zero is moved once it is known how they lie.
+  // With several set-ups the zero is moved once their orientations are known.
   if (!job.zero || job.setup_number != 0) return part;
   const auto zero = zero_of(part, *job.zero);
   return with_zero_at(std::move(part), zero);

@@ -39,7 +39,7 @@ void set(DataValue& table, const std::string& key, const DataValue& value) {
   member(table, key, value.kind, value.line) = value;
 }
 
-/// The keys of `from` that are among `keys` go into `table` of the job.
+/// Moves the keys of `from` listed in `keys` into `table` of the job.
 void put_keys(const DataValue& from, const std::vector<std::string>& keys, const char* table,
               DataValue& job) {
   for (const std::string& key : keys) {
@@ -58,7 +58,7 @@ void put_tables(const DataValue& from, DataValue& job) {
   }
 }
 
-/// Lists of the set-up: its layers go before the common ones, because the first rule that matches counts.
+/// Lists of the set-up: its layers go before the common ones, because the first matching rule counts.
 void put_lists(const DataValue& from, DataValue& job) {
   for (const std::string& key : kLists) {
     const DataValue* list = from.find(key);
@@ -72,7 +72,7 @@ void put_lists(const DataValue& from, DataValue& job) {
   }
 }
 
-/// Of every key what it is asks for, so that what is left over is unknown.
+/// Uses every known key, so that the remaining ones are unknown.
 void refuse_unknown_keys(const DataValue& setup, const std::string& file_name) {
   DataSection section(setup, file_name, "[[setup]]");
   section.text("name");
@@ -136,7 +136,7 @@ class SetupReader {
   }
 
  private:
-  /// `block` and `place`: of the first set-up; afterwards `place` is that of `setup`.
+  /// `block` and `place`: of the first set-up; afterwards `place` belongs to `setup`.
   Part read_later(JobFile setup, const Stock& block, SetupPlace& place, StepSources& sources,
                   StepChoices& published) {
     const SetupPlace first = place;
@@ -166,8 +166,8 @@ class SetupReader {
     return part_of_job(setup, over_, sources, published);
   }
 
-  /// A drawing of its own: where the block lies is said by its layer of stock, by the set-up, or else the block has its lower left
-  /// corner and its top where the first set-up had them.
+  /// A separate drawing: the place of the block is stated by its layer of stock or by the set-up; else its lower left
+  /// corner and its top are those of the first set-up.
   Part of_drawing(JobFile& setup, const Stock& expected, const Stock& block, StepSources& sources,
                   StepChoices& published) {
     if (!setup.has_own_stock) setup.stock.reset();

@@ -9,14 +9,15 @@
 
 namespace clearcut::read {
 
-/// What each [[setup]] of a job says, put over what the job says for all, as the text of a job of its own: keys of the set-up in
-/// [part], [plan], [stock] and [output], its layers before the common ones, its operations, clamps and holes. Throws InputError
-/// "file:line: ..." for keys that nobody knows, and for operations outside the set-ups.
+/// Each [[setup]] of a job combined with the job's common settings, as a separate job: keys of the set-up in [part],
+/// [plan], [stock] and [output], its layers before the common ones, its operations, clamps and holes. Throws
+/// InputError "file:line: ..." for unknown keys, and for operations outside the set-ups.
 std::vector<DataValue> jobs_of_setups(const DataValue& root, const std::string& file_name);
 
-/// The part of one set-up (from 1) of a job, as part_of_job gives it, with its zero where the set-up wants it. `place`: from the
-/// coordinates of the block to those of the set-up, for all set-ups of the job alike. The block is that of the first set-up; in
-/// later ones it is turned as they say. Throws InputError as part_of_job, and where the block of a later set-up has another size.
+/// The part of one set-up (from 1) of a job, as from part_of_job, with the zero requested by the set-up. `place`:
+/// transform from the coordinates of the block to those of the set-up, for all set-ups of the job alike. The block is
+/// that of the first set-up; in later ones it is turned as stated. Throws InputError as part_of_job, and if the block
+/// of a later set-up has another size.
 Part part_of_setup(const JobFile& job, int number, const ReadOptions& over, SetupPlace& place,
                    StepSources& sources, StepChoices& published);
 

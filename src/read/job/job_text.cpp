@@ -1,4 +1,4 @@
-// The commented job that `init` writes.
+// The commented job written by `init`.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace clearcut::read {
 namespace {
 
-/// Text in quotes, as TOML's basic strings want it.
+/// Text in quotes, as a basic string of TOML.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {
@@ -49,7 +49,7 @@ std::string toml_of(const Row& row, const Value& value) {
   return quoted(std::get<std::string>(value));
 }
 
-/// An example of a value that nobody has stated.
+/// An example of an unstated value.
 std::string example_of(const Row& row) {
   if (row.kind == ValueKind::kFlag) return row.key_is_opposite ? "false" : "true";
   if (row.kind == ValueKind::kPoint) return "[10, 5]";
@@ -59,7 +59,7 @@ std::string example_of(const Row& row) {
                                                              : quoted(row.shown_example());
 }
 
-/// The lines of a table's options: those that were stated as keys, the others as comments that show how.
+/// The lines of a table's options: stated ones as keys, the others as comments with an example.
 std::string option_lines(JobTable table, const StatedOptions& stated) {
   std::string out;
   for (const Row& row : rows()) {
@@ -184,7 +184,7 @@ const char* const kFiles = R"(# program = "out.ngc"
 # result = "out.edges"     # the cuts as segments, x y to x y in each line
 )";
 
-/// All of it as comments where nothing is stated in it.
+/// The whole section as comments if nothing in it is stated.
 std::string machine_section(const StatedOptions& stated) {
   return std::string(states_any(JobTable::kMachine, stated) ? "\n[machine]\n" : "\n# [machine]\n") +
          option_lines(JobTable::kMachine, stated) + kOfMachine;

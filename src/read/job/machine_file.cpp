@@ -49,7 +49,8 @@ MachinePlaces places_of(DataSection section) {
   std::size_t stated = kNeeded;
   for (std::size_t i = 0; i < places.origins.size(); ++i) {
     const auto place = i < kNeeded ? needed(systems[i]) : place_of(section, systems[i]);
-    if (place && stated < i) needed(systems[stated]);  // they are stated in order, so that a count says which
+    if (place && stated < i)
+      needed(systems[stated]);  // they are stated in order, so that a count identifies them
     if (place && i >= kNeeded) stated = i + 1;
     places.origins[i] = place.value_or(places.origins[0]);
   }
@@ -89,7 +90,7 @@ void take_motion(DataSection& section, Machine& machine) {
   if (const auto tolerance = section.positive("arc_tolerance")) machine.arc_tolerance = *tolerance;
 }
 
-/// The text of a machine file; of a name that is none, but of the library, nothing.
+/// The text of a machine file; nothing for a name of the library.
 std::optional<std::string> text_of(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) {
     if (library_machine(file.string())) return std::nullopt;
@@ -104,7 +105,7 @@ std::optional<std::string> text_of(const std::filesystem::path& file) {
 
 namespace {
 
-/// What is usual for a kind of machine, where the machine itself states nothing else.
+/// Usual values for a kind of machine, used if the machine states none.
 struct KindOfMachine {
   std::string_view name;
   double min_rpm, max_rpm;
@@ -114,7 +115,7 @@ struct KindOfMachine {
   MachineStiffness stiffness = MachineStiffness::kStiff;
 };
 
-// Sources are told in docs/feeds.md.
+// Sources are listed in docs/feeds.md.
 const std::vector<KindOfMachine>& kinds_of_machines() {
   static const std::vector<KindOfMachine> kinds{
       {"router", 8000, 24000, 450, 3000, 80, MachineStiffness::kHobby},

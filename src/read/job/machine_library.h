@@ -1,4 +1,4 @@
-// Machines that people have, as their makers and controls state them.
+// Common machines, with values stated by their makers and controls.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 namespace clearcut::read {
 
 struct LibraryMachine {
-  std::string_view name;   ///< as --machine takes it: "shapeoko-3"
+  std::string_view name;   ///< name for --machine: "shapeoko-3"
   std::string_view title;  ///< maker and model
   MotionPlanner planner = MotionPlanner::kGrbl;
   AxisValues speed{};                ///< mm/min
@@ -19,13 +19,13 @@ struct LibraryMachine {
   double junction_deviation = 0.01;  ///< mm
   double min_rpm = 0, max_rpm = 0;   ///< 0: not stated
   double power_w = 0;                ///< 0: not stated
-  std::string_view source;           ///< where the values are stated
+  std::string_view source;           ///< source of the values
 };
 
 /// In the order of their names.
 const std::vector<LibraryMachine>& machine_library();
 
-/// The machine of that name; what its maker does not publish is that of the default machine.
+/// The machine of this name; unpublished values are those of the default machine.
 std::optional<Machine> library_machine(std::string_view name);
 
 }  // namespace clearcut::read

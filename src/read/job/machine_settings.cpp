@@ -18,7 +18,7 @@ std::string_view without_blanks(std::string_view text) {
   return text;
 }
 
-/// A value with the line that says it.
+/// A value with its line.
 struct Said {
   double value = 0;
   int line = 0;
@@ -35,7 +35,7 @@ void for_lines(std::string_view text, Use use) {
   }
 }
 
-/// What a control's settings say, by name; messages name the file.
+/// Settings of a control by name; messages name the file.
 class SettingTable {
  public:
   explicit SettingTable(std::string file) : file_(std::move(file)) {}
@@ -44,7 +44,7 @@ class SettingTable {
     throw InputError(line > 0 ? file_ + ":" + std::to_string(line) : file_, what);
   }
 
-  /// The number that `text` begins with.
+  /// Adds a setting with the number at the beginning of `text`.
   void add(const std::string& name, std::string_view text, int line) {
     text = without_blanks(text);
     double value = 0;
@@ -60,14 +60,14 @@ class SettingTable {
     return found == values_.end() ? nullptr : &found->second;
   }
 
-  /// A value above zero, if it is said.
+  /// A value above zero, if stated.
   const Said* positive(const std::string& name) const {
     const Said* said = find(name);
     if (said && said->value <= 0) fail(said->line, name + " must be above zero; correct it");
     return said;
   }
 
-  /// A value above zero that is needed.
+  /// A value above zero that is required.
   const Said& needed(const std::string& name, const std::string& what) const {
     const Said* said = positive(name);
     if (!said) fail(0, name + " is missing: " + what + "; give all settings of the control");
@@ -86,7 +86,7 @@ AxisValues needed_of_axes(const SettingTable& table, const std::array<std::strin
   return values;
 }
 
-/// Notes where a value of the machine was said.
+/// Notes the line of a value of the machine.
 void note_line(MachineSettings& settings, const char* key, const Said& said) {
   settings.lines.emplace_back(key, said.line);
 }
@@ -95,7 +95,7 @@ bool is_digit(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/// "$110=5000.000" or "$110 = 5000 (x max rate, mm/min)": the name, and what follows the equals sign.
+/// "$110=5000.000" or "$110 = 5000 (x max rate, mm/min)": the name, and the text after the equals sign.
 std::optional<std::pair<std::string, std::string_view>> grbl_setting(std::string_view line) {
   const std::size_t equals = line.find('=');
   if (line.size() < 3 || line[0] != '$' || equals == std::string_view::npos) return std::nullopt;
@@ -104,7 +104,7 @@ std::optional<std::pair<std::string, std::string_view>> grbl_setting(std::string
   return std::pair{std::string(name), line.substr(equals + 1)};
 }
 
-/// Grbl's maximum of the S word where nobody has set it: it says nothing of the spindle.
+/// Grbl's maximum of the S word if never set: it is no information on the spindle.
 constexpr double kUnsetSpindle = 1000;
 
 MachineSettings grbl_machine(const SettingTable& table) {
@@ -150,7 +150,7 @@ std::optional<MachineSettings> read_grbl(std::string_view text, const std::strin
   return grbl_machine(table);
 }
 
-/// The sections of which numbers are used; others hold words.
+/// Sections with used numbers; others contain words.
 bool is_linuxcnc_section(std::string_view name) {
   return name == "TRAJ" || name.starts_with("AXIS_") || name.starts_with("JOINT_") || name == "SPINDLE_0" ||
          name == "EMCMOT";
@@ -159,7 +159,7 @@ bool is_linuxcnc_section(std::string_view name) {
 constexpr const char* kLinuxCncNumbers[] = {"MAX_VELOCITY", "MAX_ACCELERATION", "MAX_LINEAR_VELOCITY",
                                             "MAX_FORWARD_VELOCITY", "MIN_FORWARD_VELOCITY"};
 
-/// Units a second of one axis: the smaller of what [AXIS_] and [JOINT_] allow.
+/// Units a second of one axis: the smaller value of [AXIS_] and [JOINT_].
 double linuxcnc_axis(const SettingTable& table, std::size_t axis, const std::string& key) {
   const std::string of_axis = std::string("[AXIS_") + "XYZ"[axis] + "]" + key;
   const std::string of_joint = "[JOINT_" + std::to_string(axis) + "]" + key;
@@ -256,7 +256,7 @@ std::optional<MachineSettings> read_marlin(std::string_view text, const std::str
   set_axis_accelerations(machine, most);
   note_line(settings, "rapid", *table.find("M203 X"));
   note_line(settings, "acceleration", *table.find("M201 X"));
-  // M204 P holds for moves that print, which feed moves of a mill are.
+  // M204 P applies to printing moves, and so to the feed moves of a mill.
   if (const Said* path = table.positive("M204 P"))
     machine.acceleration = std::min(machine.acceleration, path->value);
   if (const Said* deviation = table.positive("M205 J")) {

@@ -54,7 +54,7 @@ bool is_generic(const std::string& family) {
   return false;
 }
 
-/// The first of the families asked for under one of the names that the face has; whatever stands for a generic family is one.
+/// The first requested family equal to one of the face's names; any substitute for a generic family counts.
 std::string asked_family(const Pattern& found, const std::vector<std::string>& families) {
   for (const std::string& family : families) {
     if (is_generic(family)) return family;
@@ -67,7 +67,7 @@ std::string asked_family(const Pattern& found, const std::vector<std::string>& f
   return {};
 }
 
-/// The nearest face that is installed.
+/// The nearest installed face.
 Pattern found_face(const FaceRequest& request) {
   const Configuration configuration(FcInitLoadConfigAndFonts(), FcConfigDestroy);
   const Pattern pattern = pattern_of(request);

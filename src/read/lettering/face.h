@@ -1,4 +1,4 @@
-// A face of a font as this machine has it: the outlines and the measures of its letters.
+// An installed face of a font: the outlines and the measures of its letters.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace clearcut::read {
 
-/// What a drawing says of its letters.
+/// Font requested by a drawing.
 struct FaceRequest {
   std::vector<std::string> families;  ///< the first one wins; empty: the machine's own choice
   bool bold = false;
@@ -22,11 +22,11 @@ struct FaceRequest {
   }
 };
 
-/// Found by fontconfig, read with FreeType; neither scaled to pixels nor hinted. All lengths are in em: the font's size is 1.
-/// Immutable, but not to be used by several threads at once.
+/// Found by fontconfig, read with FreeType; neither scaled to pixels nor hinted. All lengths are in em: the font's
+/// size is 1. Immutable, but not to be used by several threads at once.
 class Face {
  public:
-  /// The installed face nearest to `request`. Throws InputError where there is none, or no library that reads them.
+  /// The installed face nearest to `request`. Throws InputError if there is none, or no library for reading fonts.
   explicit Face(const FaceRequest& request);
   ~Face();
   Face(const Face&) = delete;
@@ -34,23 +34,22 @@ class Face {
 
   const std::string& file_name() const;  ///< without its folder
   const std::string& name() const;       ///< its family and style, "DejaVu Sans Bold"
-  const std::string& family()
-      const;  ///< of those asked for, the one that it is; "" where it stands for another
+  const std::string& family() const;     ///< the requested family that it matches; "" if it is a substitute
   bool is_bold() const;
   bool is_italic() const;
 
   bool has(char32_t letter) const;
   /// From a letter's origin to the next one's.
   double advance(char32_t letter) const;
-  /// What is added between two letters: of the face's table `kern`, 0 where it has none.
+  /// Distance added between two letters by the face's table `kern`; 0 if there is none.
   double kerning(char32_t left, char32_t right) const;
-  /// How far a letter reaches above and below the baseline; 0 where the face has it not.
+  /// Extent of a letter above and below the baseline; 0 if it is missing in the face.
   double top_of(char32_t letter) const;
   double bottom_of(char32_t letter) const;
-  /// Of a capital, 'H'; 0.7 where the face has none.
+  /// Height of a capital, 'H'; 0.7 if the face has none.
   double cap_height() const;
 
-  /// Closed loops of `letter` under `map` (em to mm), which bound it by the nonzero rule. Curves within kCurveTolerance.
+  /// Closed loops of `letter` under `map` (em to mm), bounding it by the nonzero rule. Curves within kCurveTolerance.
   std::vector<Path> outline(char32_t letter, const Affine& map) const;
 
  private:

@@ -1,4 +1,4 @@
-// Letters of drawings as outlines: the faces that stand for what was asked for, lines of letters, and what is to be said of them.
+// Letters of drawings as outlines: the faces used for the requested ones, lines of letters, and diagnostics.
 #pragma once
 
 #include <map>
@@ -15,7 +15,7 @@
 
 namespace clearcut::read {
 
-/// A letter of a line, and how far from the line's start its origin lies, em.
+/// A letter of a line, and the distance of its origin from the line's start, em.
 struct SetLetter {
   char32_t letter = 0;
   double x = 0;
@@ -24,7 +24,7 @@ struct SetLetter {
 /// Letters side by side with their kerning; em.
 struct SetLine {
   std::vector<SetLetter> letters;
-  double width = 0;  ///< to where a next letter would begin
+  double width = 0;  ///< up to the beginning of a next letter
 };
 
 class Lettering {
@@ -32,13 +32,13 @@ class Lettering {
   /// The face for `request`, loaded once.
   const Face& face(const FaceRequest& request);
 
-  /// Letters that the face has not are left out, and counted.
+  /// Letters missing in the face are left out and counted.
   SetLine set_line(const Face& face, std::u32string_view text);
 
-  /// How far the next letter is from one; 0 where the face has it not, which is counted.
+  /// Advance from a letter to the next; 0 if it is missing in the face; missing letters are counted.
   double advance(const Face& face, char32_t letter);
 
-  /// Says which faces stand for which, and what is missing.
+  /// Reports substituted faces and missing letters.
   void report(Diagnostics& diagnostics, const std::string& file) const;
 
  private:
@@ -47,14 +47,15 @@ class Lettering {
   std::set<char32_t> unshaped_;
 };
 
-/// Loops of one text that fill an area together: united by the nonzero rule, whichever way round the face draws its letters.
+/// Loops of one text filling an area together: united by the nonzero rule, for either orientation of the face's
+/// letters.
 class TextLoops {
  public:
   /// Adds `letter` of `face` under `map` (em to mm).
   void add(const Face& face, char32_t letter, const Affine& map);
   void add(const Face& face, const SetLine& line, const Affine& map);
 
-  /// All that was added; without a compound they are outlines like any others.
+  /// All added loops; without a compound they are ordinary outlines.
   std::vector<RawCurve> take(const std::string& source, std::optional<Compound> compound);
 
  private:

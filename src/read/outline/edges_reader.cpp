@@ -26,9 +26,9 @@ namespace clearcut::read {
 namespace {
 
 constexpr std::size_t kMostEdges = 1'000'000;
-/// mm. What rounded lengths and angles of an ordinary drawing miss.
+/// mm. Closing error of ordinary drawings with rounded lengths and angles.
 constexpr double kClosing = 0.05;
-/// rad. Printed angles add up to this much about (N - 2) pi; beyond it something else is meant.
+/// rad. Printed angles add up to (N - 2) pi within this; beyond it the input is not as intended.
 constexpr double kAngleExcess = 0.02;
 /// mm. Straight pieces between two arcs may be this much too short by rounding.
 constexpr double kTouching = 1e-6;
@@ -41,13 +41,13 @@ struct Line {
   std::vector<std::string> words;
 };
 
-/// What the file says, numbers in its own unit and in degrees.
+/// Content of the file, numbers in its own unit and in degrees.
 struct Draft {
   std::optional<std::string> name;
   std::optional<std::string> unit;
   Vec2 start;
   double orientation = 0;
-  bool to_corners = true;  ///< lengths reach to the corners, not only to where arcs begin
+  bool to_corners = true;  ///< lengths extend to the corners, not only to the beginning of arcs
   std::optional<double> top;
   std::optional<double> depth;
   std::optional<double> closing;
@@ -227,7 +227,7 @@ void check_angles(const SideList& list, const std::string& file, Diagnostics& di
   if (std::abs(excess) > 1e-9) diagnostics.warn(file, sums + "; the last angle follows from the others");
 }
 
-/// The closed loop; what it missed is noted, or repaired up to `most` mm, or refused.
+/// The closed loop; its closing error is noted, or repaired up to `most` mm, or refused.
 Loop closed_loop(const SideList& list, double most, const std::string& file, Diagnostics& diagnostics) {
   const Path trace = traced(list);
   if (trace.size() < 2) throw InputError(file, "the edges have no length; check their unit");

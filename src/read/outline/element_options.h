@@ -20,7 +20,7 @@ struct ElementOption {
   std::string text;
 };
 
-/// What elements have that say nothing else.
+/// Defaults of elements.
 struct ElementDefaults {
   std::vector<Tool> tools;  ///< those without a number get their place, from 1
   std::optional<double> depth;
@@ -33,8 +33,8 @@ struct ElementDefaults {
   std::optional<std::string> stock;
 };
 
-/// The job in the options' order. Only the form is checked here, as for job files. Throws InputError that
-/// names the option.
+/// The job in the options' order. Only the form is checked here, as for job files. Throws InputError naming the
+/// option.
 ElementJob elements_of_options(const std::vector<ElementOption>& options, const ElementDefaults& defaults);
 
 }  // namespace clearcut::read

@@ -26,7 +26,7 @@ const std::set<std::string> kOutlineKeys{"name",  "kind",      "outer",   "islan
                                          "depth", "slope_rad", "through", "line",    "closed",  "beyond"};
 constexpr double kSteepest = 1.5;  // rad from vertical: beyond this a wall is a floor
 
-/// One file while it is being read.
+/// A file being read.
 struct Context {
   const std::string& file;
   const ReadOptions& options;
@@ -85,7 +85,7 @@ std::vector<RawCurve> curves_of(const Context& context, const DataValue& outline
   return curves;
 }
 
-/// An island that has no vertex inside the outline is a mistake, not a second pocket.
+/// An island without a vertex inside the outline is a mistake, not a second pocket.
 void refuse_islands_outside(const Context& context, const DataValue& outline,
                             const std::vector<RawCurve>& curves) {
   const Loop& outer = curves.front().edges;
@@ -186,7 +186,7 @@ Regions regions_of(const Context& context, const DataValue& outline, double unit
   return repair(std::move(curves), options, context.diagnostics);
 }
 
-/// Where the cutter may be: the outlines in "allowed" for open sides, else the target itself.
+/// The area permitted to the cutter: the outlines in "allowed" for open sides, else the target itself.
 Regions allowed_of(const Context& context, const DataValue& outline, double unit, const Regions& target) {
   const DataValue* allowed = outline.find("allowed");
   if (!allowed) return target;
@@ -196,18 +196,18 @@ Regions allowed_of(const Context& context, const DataValue& outline, double unit
     if (!item.is_object()) context.fail(item, "\"allowed\" must be a list of {\"outer\", \"islands\"}");
     for (Region& region : regions_of(context, item, unit)) regions.push_back(std::move(region));
   }
-  // The target lies inside by promise of Feature: overlaps unite.
+  // The target must be inside, as guaranteed by Feature: overlaps are united.
   return unite(regions, target, context.options.tol);
 }
 
-/// The vertices of "line" joined; the last one to the first where `closed`.
+/// The vertices of "line" joined; the last one to the first if `closed`.
 Path line_of(const Context& context, const DataValue& value, double unit, bool closed) {
   RawCurve curve = curve_of(context, value, unit, "line");
   if (!closed) curve.edges.pop_back();
   return std::move(curve.edges);
 }
 
-/// The outline that a cutter follows along one side, or the line that it engraves.
+/// The outline followed by a cutter on one side, or the line to engrave.
 ProfileCut profile_of(const Context& context, const DataValue& outline, double unit, FeatureKind kind) {
   const DataValue* line = outline.find("line");
   ProfileCut cut;
@@ -222,7 +222,7 @@ ProfileCut profile_of(const Context& context, const DataValue& outline, double u
     context.fail(outline, "\"beyond\" must be a length of 0 or more");
   cut.line = line_of(context, *line, unit, cut.closed);
   if (cut.side == ProfileSide::kOn) return cut;
-  // Crossings are refused where outlines are repaired.
+  // Crossings are refused later, in the repair of outlines.
   RepairOptions options;
   options.tol = context.options.tol;
   options.where = context.file;

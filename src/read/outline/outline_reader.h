@@ -1,4 +1,4 @@
-// Outline JSON: the plainest way to say what to mill; see docs/input.md.
+// Outline JSON: the simplest format for shapes to be milled; see docs/input.md.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@ namespace clearcut::read {
 
 /// Reads `{"name", "units", "outer": [[x, y, bulge], ...], "islands": [[[x, y, bulge], ...], ...], "top",
 /// "depth", "slope_rad"}` or `{"units", "pockets": [...]}` with several of them. The bulge may be left out.
-/// What write_outline_json adds is read too: "kind", "allowed" (where the cutter may be, for open sides),
+/// Additions of write_outline_json are read too: "kind", "allowed" (area permitted to the cutter, for open sides),
 /// "through" and "stock".
 ///
 /// Shape   a Part without stock (solid everywhere outside) unless the file has one, one feature per outline
 ///         and one roughing workingstep per feature. `tools` stays empty: the caller supplies tools and
 ///         Operation::tool.
-/// Units   those of "units" (mm when absent), result in mm.
+/// Units   those of "units" (mm if absent), result in mm.
 /// Throws  InputError "file:line: ..." for bad JSON, missing or impossible values, outlines beyond repair.
 Part read_outline_json(std::string_view text, const std::string& file_name, const ReadOptions& options);
 Part read_outline_json(std::string_view text, const std::string& file_name, const Tolerances& tol);

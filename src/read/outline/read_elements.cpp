@@ -52,7 +52,7 @@ CuttingData cutting_of(DataSection& section, CuttingData base) {
   return base;
 }
 
-/// A tool with the cutting data that its elements have where they say nothing else.
+/// A tool with the default cutting data of its elements.
 struct ToolEntry {
   Tool tool;
   CuttingData cutting;

@@ -31,14 +31,14 @@ class P21Lexer {
  public:
   P21Lexer(std::string_view source, const std::string& file_name) : text_(source), file_name_(&file_name) {}
 
-  /// Moves to the next token. Throws InputError for characters that begin none and for unfinished ones.
+  /// Moves to the next token. Throws InputError for characters that begin no token and for unfinished tokens.
   void next();
 
   P21Token token = P21Token::kEnd;
   std::string_view text;  ///< content: without quotes, points or '#'
   double number = 0;
   std::uint64_t id = 0;
-  int line = 1;  ///< where the token begins
+  int line = 1;  ///< line of the token's beginning
 
   [[noreturn]] void fail(const std::string& what_and_what_to_do) const;
   /// The token as shown in messages.

@@ -17,8 +17,8 @@ std::string upper(std::string_view text) {
   return result;
 }
 
-/// Reads tokens into the tables of a P21File. Open lists live on a stack of its own, so that depth costs
-/// memory and not the machine's stack.
+/// Reads tokens into the tables of a P21File. Open lists are kept on a separate stack, so that depth costs memory and
+/// not the machine's stack.
 class Parser {
  public:
   Parser(std::string_view text, P21File& file) : lexer_(text, file.name), file_(file) { lexer_.next(); }

@@ -1,5 +1,5 @@
 // The exchange structure of ISO 10303-21 ("Part 21", STEP files): text to a table of entity instances.
-// Knows the syntax and nothing of what the entities mean.
+// Handles only the syntax, not the meaning of entities.
 #pragma once
 
 #include <cstdint>
@@ -52,7 +52,7 @@ struct P21Entity {
   std::uint32_t records = 0;
 };
 
-/// A parsed file; a value apart from the text, which it owns at a fixed address. Move-only.
+/// A parsed file; a value, except that its text stays at a fixed address. Move-only.
 class P21File {
  public:
   P21File() = default;
@@ -65,9 +65,9 @@ class P21File {
   std::vector<P21Record> records;
   std::vector<P21Value> values;
   std::vector<P21Record> header;
-  double mm_per_length = 1;  ///< mm; for readers that know the file's unit of length
+  double mm_per_length = 1;  ///< mm; set by readers that know the file's unit of length
 
-  /// Nothing where no such instance exists. O(log entities).
+  /// Null if the instance does not exist. O(log entities).
   const P21Entity* find(std::uint64_t id) const;
   std::span<const P21Value> children(const P21Value& list) const {
     return {values.data() + list.first, list.count};
@@ -76,7 +76,7 @@ class P21File {
   std::span<const P21Record> records_of(const P21Entity& e) const {
     return {records.data() + e.first_record, e.records};
   }
-  /// Marks of what its readers have used, one for each of `values`.
+  /// Marks of values used by its readers, one for each of `values`.
   UseLedger& uses() const { return *uses_; }
   /// "file:line".
   std::string place(int line) const { return name + ":" + std::to_string(line); }
@@ -86,22 +86,21 @@ class P21File {
   void index_ids();
   std::vector<std::uint32_t> by_id_;  ///< indices into entities, by id
   std::unique_ptr<UseLedger> uses_ = std::make_unique<UseLedger>();
-  std::vector<char> text_;  ///< what every string_view above points into
+  std::vector<char> text_;  ///< text referenced by every string_view above
 };
 
 /// Reads the whole exchange structure: comments anywhere, header, any number of DATA sections (with or
 /// without parameters), ANCHOR, REFERENCE and SIGNATURE sections passed over, complex instances, any order of
 /// ids.
 ///
-/// Throws  InputError("file:line") for anything that is not this syntax, a truncated file, an id used twice.
+/// Throws  InputError("file:line") for text of another syntax, a truncated file, an id used twice.
 /// Cost    O(text) time and memory (ids out of order: O(entities log entities)); the nesting of lists may be
 /// any
 ///         depth, nothing recurses.
 P21File parse_part21(std::string_view text, const std::string& file_name);
 
 /// A string parameter as UTF-8: '' and the escapes \\, \S\, \P.\, \X\, \X2\...\X0\, \X4\...\X0\ undone, line
-/// ends dropped; bytes outside ASCII are taken as UTF-8 where they are that, else as ISO 8859-1. Broken
-/// escapes stay as written.
+/// ends dropped; bytes outside ASCII are taken as UTF-8 if valid, else as ISO 8859-1. Broken escapes stay as written.
 std::string p21_decoded(std::string_view raw);
 
 }  // namespace clearcut::read

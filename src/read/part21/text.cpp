@@ -56,8 +56,7 @@ std::uint32_t page_code(unsigned char c, char page) {
   return c;
 }
 
-/// Undoes the escapes; each handler takes what it understands from the front of rest_ and says whether it
-/// did.
+/// Undoes the escapes; each handler takes a known escape from the front of rest_ and returns whether there was one.
 class Decoder {
  public:
   explicit Decoder(std::string_view raw) : rest_(raw) {}

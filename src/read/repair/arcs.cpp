@@ -12,12 +12,12 @@
 namespace clearcut::read {
 namespace {
 
-/// Runs that bow less than this are straight, mm.
+/// Runs with a smaller bow are straight, mm.
 constexpr double kStraight = 2 * kArcVertexTolerance;
 /// One arc sweeps at most this, radians: its three defining points stay well apart.
 constexpr double kWidestArc = 1.9 * kPi;
 
-/// The lines of a loop from a place on, as arcs where they are.
+/// The lines of a loop from a place on, replaced by arcs if possible.
 class Finder {
  public:
   explicit Finder(const Loop& loop) : loop_(loop) {}
@@ -47,7 +47,7 @@ class Finder {
                 loop_.end());
   }
 
-  /// Lines from `first` on that one arc can replace: doubled while that works, then halved in.
+  /// Number of lines from `first` on replaceable by one arc: by doubling while possible, then bisection.
   std::size_t longest_run(std::size_t first) const {
     std::size_t good = 0, bad = loop_.size() - first + 1;
     for (std::size_t count = kFewestChords; count < bad; count *= 2) {
@@ -65,7 +65,7 @@ class Finder {
     return good;
   }
 
-  /// The arc in place of `count` lines from `first`, if it lies on them.
+  /// The arc in place of `count` lines from `first`, if it fits them.
   std::optional<Edge> arc(std::size_t first, std::size_t count) const {
     const Vec2 from = loop_[first].from, to = loop_[first + count - 1].to;
     if (from == to) return std::nullopt;
@@ -91,7 +91,7 @@ class Finder {
     return sweep < 2 * kPi + 1e-6;
   }
 
-  /// The circle when all of the loop lies on one.
+  /// The circle if the whole loop is on one.
   std::optional<Loop> circle() const {
     const std::size_t n = loop_.size();
     if (n < kFewestChords) return std::nullopt;

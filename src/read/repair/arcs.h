@@ -1,4 +1,4 @@
-// Arcs found again in outlines that were cut into many short lines.
+// Recovers arcs in outlines divided into many short lines.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,15 @@
 
 namespace clearcut::read {
 
-/// mm. How far vertices of a run may lie from its arc: the rounding of coordinates in drawings.
+/// mm. Greatest distance of a run's vertices from its arc: the rounding of coordinates in drawings.
 inline constexpr double kArcVertexTolerance = 0.001;
-/// mm. How far the middles of its lines may: finer than any outline that means its corners.
+/// mm. Greatest distance of the middles of its lines: finer than any outline with intended corners.
 inline constexpr double kArcChordTolerance = 0.005;
 /// Runs shorter than this stay lines.
 inline constexpr std::size_t kFewestChords = 5;
 
-/// Replaces runs of lines that turn one way with vertices and middles on one circle, to within the
-/// tolerances above: never across a corner, never a coarse polygon. Reports how many lines became how many
+/// Replaces runs of lines with turns in one direction and with vertices and middles on one circle, to within the
+/// tolerances above: never across a corner, never a coarse polygon. Reports the numbers of replaced lines and of
 /// arcs. Cost O(n log n).
 void find_arcs(std::vector<RawLoop>& loops, const RepairOptions& options, Diagnostics& diagnostics);
 

@@ -9,14 +9,14 @@
 namespace clearcut::read {
 namespace {
 
-/// Radii that agree: what parts are rounded to after reading is finer. mm.
+/// Greatest difference of equal radii: the rounding of parts after reading is finer. mm.
 constexpr double kSameRadii = 1e-8;
 
 bool is_sane(Vec2 p) {
   return std::abs(p.x) <= kLargestCoordinate && std::abs(p.y) <= kLargestCoordinate;
 }
 
-/// The center moved to the perpendicular bisector of the chord, so that both radii are equal.
+/// The center moved to the perpendicular bisector of the chord, to make both radii equal.
 Edge recentered(const Edge& arc) {
   const Vec2 chord = arc.to - arc.from;
   const Vec2 normal = unit(left_of(chord));
@@ -56,7 +56,7 @@ void append_consistent(const Edge& edge, const std::string& source, Cleaning& cl
   out.push_back(flatness(mended) <= kSamePlaceMm ? Edge::line(edge.from, edge.to) : mended);
 }
 
-/// The path without edges below kTinyEdge. Vertices stay where they are: the next edge starts at the last
+/// The path without edges below kTinyEdge. Vertices are unchanged: the next edge starts at the last
 /// one kept, so a long run of tiny edges is followed by chords of about kTinyEdge.
 Path without_tiny(const Path& path, Mends& tiny) {
   Path kept;

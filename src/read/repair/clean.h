@@ -11,11 +11,11 @@ namespace clearcut::read {
 /// Edges shorter than this are merged into their neighbours, mm: the last digit a program is written with.
 inline constexpr double kTinyEdge = 1e-4;
 
-/// The arc from `from` through `through` to `to`; a line where the three are in line to within 1 nm.
+/// The arc from `from` through `through` to `to`; a line if the three are collinear within 1 nm.
 Edge arc_through(Vec2 from, Vec2 through, Vec2 to);
 /// `edge` with its ends moved to `from` and `to` (small moves): arcs keep the middle of their curve.
 Edge with_ends(const Edge& edge, Vec2 from, Vec2 to);
-/// The closed loop without edges below kTinyEdge, which booleans leave where their curves all but meet; may be empty.
+/// The closed loop without edges below kTinyEdge, left by booleans of nearly touching curves; may be empty.
 Loop without_tiny_edges(const Loop& loop);
 /// A full circle as two half circles, counter-clockwise, from its right-most point.
 Path full_circle(Vec2 center, double radius);

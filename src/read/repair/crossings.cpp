@@ -21,7 +21,8 @@ namespace clearcut::read {
 namespace {
 
 constexpr std::size_t kMostMeetings = 20'000;
-/// Of what is filled together, which one boolean resolves: a board of 5000 pads and 10 000 tracks has about 300 000.
+/// Greatest number of meetings in areas filled together, resolved by one boolean: a board of 5000 pads and 10 000
+/// tracks has about 300 000.
 constexpr std::size_t kMostMeetingsInFill = 1'000'000;
 /// mm. How far the library may move a boundary: its grid.
 constexpr double kBooleanRounding = 2e-6;
@@ -36,7 +37,7 @@ bool is_harmful(const Meeting& meeting) {
   return meeting.kind != MeetingKind::kTouch;
 }
 
-/// Throws InputError where there are `most`.
+/// Throws InputError if there are `most`.
 std::vector<Meeting> meetings_of(const std::vector<Loop>& loops, const RepairOptions& options,
                                  std::size_t most = kMostMeetings) {
   auto found = meetings(loops, most, options.where);
@@ -48,7 +49,7 @@ std::vector<Meeting> meetings_of(const std::vector<Loop>& loops, const RepairOpt
   return found;
 }
 
-/// Loops of one compound that do not cross: those with winding zero on exactly one side stay.
+/// Non-crossing loops of one compound: loops with winding zero on exactly one side are kept.
 std::vector<Loop> outlines_by_winding(const std::vector<Loop>& loops) {
   const auto turn = [](const Loop& loop) { return signed_area(loop) > 0 ? 1 : -1; };
   const auto about = loops_about(loops);
@@ -61,7 +62,7 @@ std::vector<Loop> outlines_by_winding(const std::vector<Loop>& loops) {
   return kept;
 }
 
-/// Whether all turn counter-clockwise and none crosses itself: then the area where windings are not zero is their union.
+/// Whether all turn counter-clockwise and none crosses itself: then the area of non-zero winding is their union.
 bool are_pieces(const std::vector<Loop>& loops, const std::vector<Meeting>& met) {
   return std::all_of(loops.begin(), loops.end(), [](const Loop& loop) { return signed_area(loop) > 0; }) &&
          std::none_of(met.begin(), met.end(), [](const Meeting& meeting) {
@@ -69,15 +70,15 @@ bool are_pieces(const std::vector<Loop>& loops, const std::vector<Meeting>& met)
          });
 }
 
-/// Where thousands of pieces meet, many edges are left that are shorter than the rounding of their ends: each would count as a
-/// place where its neighbours meet.
+/// At meetings of thousands of pieces, many edges shorter than the rounding of their ends are left: each would count
+/// as a meeting of its neighbours.
 std::vector<Loop> without_tiny_edges(std::vector<Loop> loops) {
   for (Loop& loop : loops) loop = read::without_tiny_edges(loop);
   std::erase_if(loops, [](const Loop& loop) { return loop.size() < 2; });
   return loops;
 }
 
-/// One compound of several loops, or one loop that crosses itself.
+/// One compound of several loops, or one self-crossing loop.
 std::vector<Loop> resolve_compound(const std::vector<Loop>& loops, bool nonzero, const RepairOptions& options,
                                    Diagnostics& diagnostics) {
   const auto met = meetings_of(loops, options, kMostMeetingsInFill);
@@ -113,7 +114,7 @@ std::vector<RawLoop> resolve_compounds(std::vector<RawLoop> loops, const RepairO
 
 namespace {
 
-/// What bounds one filled path together means what the even-odd rule says, however near it comes to itself.
+/// Loops of one filled path are interpreted by the even-odd rule, however near they are to each other.
 bool is_one_fill(const RawLoop& a, const RawLoop& b) {
   return a.compound && a.compound == b.compound;
 }
@@ -184,7 +185,7 @@ std::vector<RawLoop> resolve_each(std::vector<RawLoop> loops, const std::vector<
   return out;
 }
 
-/// Loops that cross each other, settled pair by pair, largest first.
+/// Resolves crossing loops pair by pair, largest first.
 class PairResolver {
  public:
   PairResolver(const std::vector<RawLoop>& loops, const RepairOptions& options, Diagnostics& diagnostics)
@@ -193,7 +194,7 @@ class PairResolver {
     for (const RawLoop& loop : loops) areas_.push_back(std::abs(signed_area(loop.loop)));
   }
 
-  /// `met`: their harmful meetings. Returns all loops, those that crossed resolved.
+  /// `met`: their harmful meetings. Returns all loops, with the crossing ones resolved.
   std::vector<RawLoop> run(const std::vector<Meeting>& met) {
     std::map<std::pair<int, int>, Vec2> pairs;
     for (const Meeting& meeting : met) pairs.try_emplace({meeting.a.loop, meeting.b.loop}, meeting.at);
@@ -221,7 +222,7 @@ class PairResolver {
     return i;
   }
 
-  /// Decides what the crossing of a and b means.
+  /// Decides the interpretation of the crossing of a and b.
   void settle(int a, int b, Vec2 at) {
     if (aside_.contains(a) || aside_.contains(b)) return;
     const int large = area_of(a) >= area_of(b) ? a : b, small = large == a ? b : a;
@@ -246,7 +247,7 @@ class PairResolver {
     }
   }
 
-  /// An outline that is already united with others, or cut back to them, cannot be left out of what was decided.
+  /// An outline already united with others, or cut back to them, can no longer be left out.
   void set_aside_or_throw(int i, const InputError& refusal) {
     const bool is_settled = walls_of_.count(i) > 0 ||
                             std::count(united_with_.begin(), united_with_.end(), i) > 1 || root(i) != i ||
@@ -280,7 +281,7 @@ class PairResolver {
     return out;
   }
 
-  /// Outlines that were united, and the groups whose walls they go through.
+  /// United outlines, and the groups whose walls they go through.
   struct Group {
     std::vector<int> members;
     std::set<int> walls;
@@ -309,7 +310,7 @@ class PairResolver {
     return all;
   }
 
-  /// Outlines less what goes through their walls: no curve is cut twice.
+  /// Outlines minus the shapes through their walls: no curve is cut twice.
   std::vector<Loop> cut_out(const std::map<int, Group>& groups) const {
     std::map<int, Regions> left;
     for (const auto& [first, group] : groups) {
@@ -327,7 +328,7 @@ class PairResolver {
     return loops;
   }
 
-  /// The largest outline of a group; of equal ones the first, which settle() takes for the wall.
+  /// The largest outline of a group; of equal ones the first, used by settle() as the wall.
   int largest_of(const Group& group) const {
     return *std::max_element(group.members.begin(), group.members.end(),
                              [&](int a, int b) { return is_smaller(a, b); });
@@ -336,8 +337,8 @@ class PairResolver {
     return area_of(a) < area_of(b) || (area_of(a) == area_of(b) && a > b);
   }
 
-  /// The same for any nesting, innermost first. What goes through a wall is taken out of it whole: cut back to it first, it would
-  /// share the wall with it, and the library joins shared edges in a time that grows with their square.
+  /// The same for any nesting, innermost first. A shape through a wall is subtracted whole: if cut back first, it
+  /// would share the wall, and the library's time for joining shared edges grows with their square.
   std::vector<Loop> folded(const std::map<int, Group>& groups) const {
     std::vector<int> order;
     for (const auto& [first, group] : groups) order.push_back(first);
@@ -345,7 +346,7 @@ class PairResolver {
       return is_smaller(largest_of(groups.at(a)), largest_of(groups.at(b)));
     };
     std::sort(order.begin(), order.end(), smaller);
-    std::map<int, std::vector<Loop>> inside;  // of a group: outlines less what goes through their walls
+    std::map<int, std::vector<Loop>> inside;  // per group: outlines minus the shapes through their walls
     std::vector<Loop> loops;
     for (const int first : order) {
       const Group& group = groups.at(first);
@@ -360,7 +361,7 @@ class PairResolver {
     return loops;
   }
 
-  /// For groups that are not nested by size: each cut back to its walls, then all under the even-odd rule.
+  /// For groups not nested by size: each cut back to its walls, then all under the even-odd rule.
   std::vector<Loop> cut_back(const std::map<int, Group>& groups) const {
     std::vector<Loop> tangled;
     for (const auto& [first, group] : groups) {
@@ -377,7 +378,7 @@ class PairResolver {
   std::vector<int> united_with_;
   std::vector<double> areas_;
   std::map<int, std::vector<int>> walls_of_;
-  std::set<int> aside_;  ///< those that options.crossing has taken
+  std::set<int> aside_;  ///< outlines taken by options.crossing
 };
 
 std::vector<Meeting> harmful_of(const std::vector<Meeting>& met) {
@@ -396,8 +397,8 @@ std::vector<Meeting> between_shapes(const std::vector<Meeting>& met, const std::
   return harmful;
 }
 
-/// What the library returns may meet loops that it has not seen, or itself where arcs were found again:
-/// once more, with all that meet.
+/// Loops returned by the library may meet other loops, or themselves after arcs are recovered: resolved once more,
+/// with all meeting loops.
 std::vector<Loop> settled(std::vector<Loop> loops, const RepairOptions& options) {
   constexpr int kRounds = 3;
   for (int round = 0; round < kRounds; ++round) {

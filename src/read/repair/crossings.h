@@ -1,4 +1,4 @@
-// Loops that meet: pinches are split, small crossings mended, islands through walls cut back, the rest
+// Touching and crossing loops: pinches are split, small crossings mended, islands through walls cut back, all others
 // refused.
 #pragma once
 
@@ -9,16 +9,16 @@
 
 namespace clearcut::read {
 
-/// Loops of compounds, which may cross each other, become loops under the even-odd rule that do not.
+/// Loops of compounds, which may cross each other, become non-crossing loops under the even-odd rule.
 std::vector<RawLoop> resolve_compounds(std::vector<RawLoop> loops, const RepairOptions& options,
                                        Diagnostics& diagnostics);
 
-/// Loops that at most touch each other in points, bounding the same area under the even-odd rule, up to the
+/// Loops that touch each other at most in points, bounding the same area under the even-odd rule, up to the
 /// mends listed in `diagnostics`:
-/// - a loop that crosses itself keeps its main part when all the rest is a sliver (kLargestCurl of its
+/// - a self-crossing loop keeps its main part if all the rest is a sliver (kLargestCurl of its
 ///   area);
-/// - an island through a wall (kMostlyInside of it lies within) is cut back to the wall;
-/// - filled shapes of one colour that overlap in part are united;
+/// - an island through a wall (kMostlyInside of it is inside) is cut back to the wall;
+/// - partly overlapping filled shapes of one colour are united;
 /// - outlines that overlap by less than kSlightOverlap of the smaller, or share a stretch of wall, are
 ///   united. Throws InputError naming the place for all other crossings.
 std::vector<Loop> resolve_crossings(std::vector<RawLoop> loops, const RepairOptions& options,
@@ -27,7 +27,7 @@ std::vector<Loop> resolve_crossings(std::vector<RawLoop> loops, const RepairOpti
 inline constexpr double kLargestCurl = 0.001;
 inline constexpr double kMostlyInside = 0.9;
 inline constexpr double kSlightOverlap = 0.1;
-/// Of outlines that cross each other, each pair with a boolean of its own.
+/// Greatest number of crossing pairs of outlines, each with its own boolean.
 inline constexpr std::size_t kMostCrossingPairs = 500;
 
 }  // namespace clearcut::read

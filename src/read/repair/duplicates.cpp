@@ -19,7 +19,7 @@ bool same_edge(const Edge& a, const Edge& b, double gap) {
          ((near(a.from, b.from) && near(a.to, b.to)) || (near(a.from, b.to) && near(a.to, b.from)));
 }
 
-/// Every vertex and middle of `a` lies within `gap` of `b`.
+/// Whether every vertex and middle of `a` is within `gap` of `b`.
 bool lies_on(const Loop& a, const std::vector<Loop>& b, double gap) {
   const EdgeIndex index(b);
   const auto is_near = [&](Vec2 p) {
@@ -63,7 +63,7 @@ bool runs_along(const Edge& edge, const Edge& other, double gap) {
          is_near(1);
 }
 
-/// The edge that two make which overlap at an end of each by more than a gap; less than that is joined.
+/// The union of two edges overlapping at an end of each by more than a gap; smaller overlaps are joined elsewhere.
 std::optional<Edge> united(const Edge& a, const Edge& b, double gap) {
   if (a.is_arc() != b.is_arc()) return std::nullopt;
   for (const bool a_end : {false, true}) {
@@ -80,8 +80,8 @@ std::optional<Edge> united(const Edge& a, const Edge& b, double gap) {
   return std::nullopt;
 }
 
-/// One round of giving up what is shared; call until nothing changes. `tests_left` counts down: knots of overlapping edges
-/// are no drawing, and stay as they are.
+/// One round of removing shared parts; to be called until nothing changes. `tests_left` counts down: knots of
+/// overlapping edges are no drawing, and are unchanged.
 class OverlapRound {
  public:
   OverlapRound(std::vector<RawCurve>& edges, const EdgeIndex& outlines, double gap, Mends& mends,

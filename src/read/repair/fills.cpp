@@ -15,7 +15,7 @@ namespace {
 
 using CompoundPair = std::pair<Compound, Compound>;
 
-/// The pairs of fills of one colour that cross, each with a place.
+/// The crossing pairs of fills of one colour, each with a place.
 std::map<CompoundPair, Vec2> crossing_fills(const std::vector<RawLoop>& loops,
                                             const std::vector<Meeting>& harmful) {
   std::map<CompoundPair, Vec2> pairs;
@@ -27,12 +27,12 @@ std::map<CompoundPair, Vec2> crossing_fills(const std::vector<RawLoop>& loops,
   return pairs;
 }
 
-/// The areas of fills, and which of them belong together.
+/// The areas of fills, and their grouping.
 class Fills {
  public:
   Fills(const std::vector<RawLoop>& loops, const Tolerances& tol) : loops_(loops), tol_(tol) {}
 
-  /// Joins two fills that overlap in part.
+  /// Joins two partly overlapping fills.
   bool join(const Compound& a, const Compound& b) {
     const double shared = area(intersect(area_of(a), area_of(b), tol_));
     const double smaller = std::min(area(area_of(a)), area(area_of(b)));
@@ -80,7 +80,7 @@ class Fills {
   const std::vector<RawLoop>& loops_;
   const Tolerances& tol_;
   std::map<Compound, Regions> areas_;
-  std::map<Compound, Compound> first_;  ///< of joined fills: the one that stands for all
+  std::map<Compound, Compound> first_;  ///< of joined fills: the one representing all
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Filled shapes that overlap each other.
+// Overlapping filled shapes.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace clearcut::read {
 
-/// Filled shapes of one colour that overlap in part, neither of them mostly within the other (kSlightOverlap, kMostlyInside), become
-/// one: what was painted is what is meant. `harmful`: the crossings of `loops` between different shapes. Returns whether any
-/// were united; then the crossings have to be found anew. Cost one boolean for each pair that crosses, up to kMostCrossingPairs pairs;
-/// beyond, nothing is done.
+/// Partly overlapping filled shapes of one colour, neither mostly within the other (kSlightOverlap, kMostlyInside),
+/// become one: the painted area is the intended one. `harmful`: the crossings of `loops` between different shapes.
+/// Returns whether any were united; the crossings must then be found anew. Cost: one boolean for each crossing pair,
+/// up to kMostCrossingPairs pairs; beyond, nothing is done.
 bool unite_fills(std::vector<RawLoop>& loops, const std::vector<Meeting>& harmful,
                  const RepairOptions& options, Diagnostics& diagnostics);
 

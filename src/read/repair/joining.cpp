@@ -29,7 +29,7 @@ struct Ends {
   bool on_arc(int end) const {
     return is_start(end) ? curve(end).edges.front().is_arc() : curve(end).edges.back().is_arc();
   }
-  /// Direction in which the curve leaves this end.
+  /// Direction of the curve away from this end.
   double heading(int end) const {
     return angle_of(is_start(end) ? curve(end).edges.front().tangent_at(0)
                                   : -curve(end).edges.back().tangent_at(1));
@@ -38,7 +38,7 @@ struct Ends {
 
 constexpr int kUnmatched = -1;
 
-/// Which end meets which.
+/// Matching of ends.
 class Matching {
  public:
   Matching(const Ends& ends, double gap, const std::string& where)
@@ -70,7 +70,7 @@ class Matching {
   /// The two ends of one curve may meet only when the curve is longer than a gap.
   bool may_meet(int a, int b) const { return a / 2 != b / 2 || length(ends_.curve(a).edges) > 3 * gap_; }
 
-  /// Ends that lie on one point: neighbours by direction are paired, so that loops touch and do not cross.
+  /// Pairs ends at one point with their neighbours by direction, so that loops touch and do not cross.
   void pair_coincident() {
     std::vector<bool> seen(static_cast<std::size_t>(ends_.count()), false);
     for (int end = 0; end < ends_.count(); ++end) {
@@ -186,7 +186,7 @@ class Joiner {
     return Matching(Ends{curves}, options_.tol.join_gap, options_.where).run();
   }
 
-  /// Where ends stay open, edges that run along each other may be why.
+  /// Open ends may be caused by overlapping parallel edges.
   void chain(std::vector<RawCurve> curves) {
     if (curves.empty()) return;
     std::vector<int> mate = matched(curves);
@@ -205,7 +205,7 @@ class Joiner {
     }
   }
 
-  /// The loop through curve `start`: from each end to its mate, on through that curve.
+  /// The loop through curve `start`: from each end to its mate, on through the mate's curve.
   void follow(const std::vector<RawCurve>& curves, const std::vector<int>& mate, std::size_t start,
               std::vector<bool>& used) {
     RawCurve whole;
@@ -224,7 +224,7 @@ class Joiner {
     add_loop(std::move(whole));
   }
 
-  /// Curves from which an unmatched end is reached are open.
+  /// Curves connected to an unmatched end are open.
   void refuse_or_skip_open(const Ends& ends, const std::vector<int>& mate, std::vector<bool>& used) {
     for (int end = 0; end < ends.count(); ++end) {
       if (mate[static_cast<std::size_t>(end)] != kUnmatched || used[static_cast<std::size_t>(end / 2)])

@@ -13,21 +13,20 @@
 namespace clearcut::read {
 namespace {
 
-/// mm. Neighbours that part by less than this beyond their joint are taken for tangent, not for meeting
-/// again.
+/// mm. Neighbours separated by less than this beyond their joint count as tangent, not as meeting again.
 constexpr double kTangentGap = 1e-7;
 /// mm. Shared stretches shorter than this are points.
 constexpr double kShortestOverlap = 1e-6;
 /// Overlapping boxes per box before they are made smaller: ordinary drawings have about ten.
 constexpr double kPairsPerBox = 30;
-/// Pairs that cost nothing worth saving.
+/// Number of pairs with negligible cost.
 constexpr long long kAlwaysPairs = 1'000'000;
 /// Boxes in all, and overlapping pairs of them, before the search gives up: some seconds and half a
 /// gigabyte.
 constexpr double kMostBoxes = 2e6;
 constexpr long long kMostPairs = 50'000'000;
 
-/// How a path leaves a point: its direction, and how it bends, 1/mm, to the left above 0.
+/// Departure of a path from a point: its direction and curvature, 1/mm, positive to the left.
 struct Departure {
   Vec2 direction;
   double bend = 0;
@@ -45,7 +44,7 @@ Departure back_along(const Edge& edge, double t) {
   return {-edge.tangent_at(t), -bend_of(edge)};
 }
 
-/// The two ways in which a loop leaves a point of it.
+/// The two departures of a loop from one of its points.
 struct Passage {
   Departure back, ahead;
 };
@@ -128,7 +127,7 @@ class Search {
     return distance(a_shorter ? b : a, (a_shorter ? a : b).at(0.5)) <= kRoundingMm;
   }
 
-  /// The place is the joint of the neighbours, or so near to it that they lie on each other in between.
+  /// The place is the joint of the neighbours, or so near to the joint that they coincide in between.
   bool is_joint(EdgeId first, EdgeId second, Vec2 place) const {
     const Edge& a = index_.edge(first);
     const Edge& b = index_.edge(second);
@@ -153,8 +152,8 @@ class Search {
     return back && ahead && *back != *ahead ? MeetingKind::kCrossing : MeetingKind::kTouch;
   }
 
-  /// Whether a path departs to the left of a passage; nothing when it runs along it. Of equal directions the one that bends
-  /// more to the left lies to the left.
+  /// Whether a path departs to the left of a passage; nothing if it runs along the passage. Of equal directions the
+  /// one with more curvature to the left is to the left.
   static std::optional<bool> is_left(const Passage& way, const Departure& path) {
     constexpr double kSame = 1e-7;      // radians
     constexpr double kSameBend = 1e-6;  // 1/mm
@@ -208,7 +207,7 @@ std::vector<Meeting> meetings(const std::vector<Loop>& loops, std::size_t most, 
     edges += static_cast<double>(loop.size());
     total += length(loop);
   }
-  // Long slanting lines have large boxes that overlap for nothing: smaller ones, until there are few pairs.
+  // Long inclined lines have large boxes with needless overlaps: smaller boxes are used until there are few pairs.
   double longest_box = std::numeric_limits<double>::infinity();
   for (double boxes = 1; boxes * edges <= kMostBoxes || boxes == 1; boxes *= 8) {
     const bool last = 8 * boxes * edges > kMostBoxes;

@@ -1,4 +1,4 @@
-// Where loops meet themselves or each other.
+// Meetings of loops with themselves or each other.
 #pragma once
 
 #include <cstddef>
@@ -22,14 +22,14 @@ struct Meeting {
   bool within_one_loop() const { return a.loop == b.loop; }
 };
 
-/// Every place where two edges meet, except where neighbours of one loop join. Edges meet when they come
-/// within 1 nm; sides are told apart by directions, equal ones by how they bend; what bends alike counts as a touch. Ordered by edge.
-/// Stops after `most` meetings. Throws InputError at `where` when very many long edges lie so close that
-/// the search would not end in time. Cost O(n log n + k), k pairs of edges with overlapping boxes.
+/// Every meeting of two edges, except joints of neighbours in one loop. Edges meet if they are within 1 nm; sides are
+/// distinguished by directions, for equal directions by curvature; equal curvature counts as a touch. Ordered by
+/// edge. Stops after `most` meetings. Throws InputError at `where` if very many long edges are so close that the
+/// search would take too long. Cost O(n log n + k), k pairs of edges with overlapping boxes.
 std::vector<Meeting> meetings(const std::vector<Loop>& loops, std::size_t most, const std::string& where);
 
-/// Whether the loops part again within `depth` mm: an end of one of the two edges lies that near to the
-/// other edge, and so does the way from there to the meeting.
+/// Whether the loops separate again within `depth` mm: an end of one of the two edges is this near to the other edge,
+/// and so is the whole path from this end to the meeting.
 bool is_shallow(const std::vector<Loop>& loops, const Meeting& meeting, double depth);
 
 }  // namespace clearcut::read

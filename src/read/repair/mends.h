@@ -9,7 +9,7 @@
 
 namespace clearcut::read {
 
-/// Lengths so that the smallest still shows: "0.0125", "1.3e-09".
+/// Lengths with enough digits for small values: "0.0125", "1.3e-09".
 std::string short_number(double value);
 /// "(10.5, -3)".
 std::string place_text(Vec2 p);
@@ -20,7 +20,7 @@ class Mends {
   explicit Mends(std::string what) : what_(std::move(what)) {}
   void add(Vec2 place, double size) { mends_.push_back({place, size}); }
   bool empty() const { return mends_.empty(); }
-  /// One diagnostic each, "<where> at (x, y)": "<what> of <size> mm"; after the first 100 one for the rest.
+  /// One diagnostic each, "<where> at (x, y)": "<what> of <size> mm"; after the first 100 a single one for the rest.
   void report(const std::string& where, Diagnostics& diagnostics) const;
 
  private:

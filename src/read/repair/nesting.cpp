@@ -27,7 +27,7 @@ std::vector<std::vector<int>> loops_about(const std::vector<Loop>& loops) {
   const EdgeIndex index(loops);
   std::vector<std::vector<int>> about(loops.size());
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    // A loop within this one may hold the point too; it is smaller.
+    // A loop within this one may also contain the point; it is smaller.
     for (const int other : index.loops_around(inner_point(loops[i]))) {
       if (area_of(other) > areas[i]) about[i].push_back(other);
     }

@@ -21,7 +21,7 @@ namespace {
 
 /// Loops thinner than this on average enclose nothing to mill, mm.
 constexpr double kThinnest = 1e-3;
-/// Touches looked through by the last check.
+/// Greatest number of touches examined by the last check.
 constexpr std::size_t kMostTouches = 1'000'000;
 /// mm. Crossings thinner than this are left: the library gives arcs back to within tol.chord on either
 /// side.
@@ -32,15 +32,15 @@ double mean_width(double area, const Loop& loop) {
   return 2 * std::abs(area) / length(loop);
 }
 
-/// Whether a line goes straight back over the one before it.
+/// Whether a line runs straight back over the previous one.
 bool turns_back(const Edge& before, const Edge& after) {
   if (before.is_arc() || after.is_arc()) return false;
   const Vec2 a = before.to - before.from, b = after.to - after.from;
   return cross(a, b) == 0 && dot(a, b) < 0;
 }
 
-/// The loop without lines that it goes forth and back: these enclose nothing, and thousands over each other take a boolean minutes.
-/// O(n).
+/// The loop without lines run forth and back: these enclose no area, and thousands over each other would take a
+/// boolean minutes. O(n).
 Loop without_ways_back(const Loop& loop) {
   Loop kept;
   for (const Edge& edge : loop) {
@@ -55,13 +55,13 @@ Loop without_ways_back(const Loop& loop) {
   return kept;
 }
 
-/// Lobes of opposite turn may cancel, so a loop without net area is looked at again.
+/// Lobes of opposite turn may cancel, so a loop without net area is examined again.
 bool is_thin(const Loop& loop, const Tolerances& tol) {
   return mean_width(signed_area(loop), loop) <= kThinnest &&
          mean_width(area(resolve_even_odd(std::span(&loop, 1), tol)), loop) <= kThinnest;
 }
 
-/// Takes out of each loop what it goes forth and back by the hundred; a few of these are mended with all else that touches.
+/// Removes lines run forth and back if there are hundreds in a loop; a few of them are mended with other touches.
 void drop_ways_back(std::vector<RawLoop>& loops, const RepairOptions& options, Diagnostics& diagnostics) {
   constexpr std::size_t kHundred = 100;
   for (RawLoop& loop : loops) {

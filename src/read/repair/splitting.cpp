@@ -12,7 +12,7 @@ constexpr double kAtVertex = 4e-9;
 
 using Key = std::pair<double, double>;
 
-/// `edge` divided at the places that lie within it.
+/// `edge` divided at the places within it.
 void append_divided(const Edge& edge, std::vector<Vec2> places, Loop& out) {
   std::vector<std::pair<double, Vec2>> cuts;
   for (const Vec2 place : places) {
@@ -30,7 +30,7 @@ void append_divided(const Edge& edge, std::vector<Vec2> places, Loop& out) {
   if (rest.from != rest.to) out.push_back(rest);
 }
 
-/// All vertices that lie on one place get its exact coordinates.
+/// All vertices at one place get its exact coordinates.
 void snap(Loop& loop, const std::vector<Meeting>& touches) {
   for (const Meeting& touch : touches) {
     for (const EdgeId id : {touch.a, touch.b}) {
@@ -63,7 +63,7 @@ std::vector<Loop> split_at(const Loop& loop, const std::vector<Meeting>& touches
     const auto found = places_on.find(static_cast<int>(i));
     append_divided(snapped[i], found == places_on.end() ? std::vector<Vec2>{} : found->second, divided);
   }
-  // Walk along; whenever a place is met again, what lies between is a loop.
+  // Walk along; whenever a place is met again, the part in between is a loop.
   std::vector<Loop> loops;
   Loop open;
   std::map<Key, std::size_t> starts;

@@ -16,7 +16,7 @@ struct Trim {
   double thickness = 0;
 };
 
-/// Where `a` and `b`, which is next, meet apart from their joints.
+/// The meeting of `a` and the following `b` away from their joints.
 std::optional<Trim> second_meeting(const Edge& a, const Edge& b) {
   if (!a.is_arc() && !b.is_arc()) return std::nullopt;
   for (const Vec2 place : intersections(a, b)) {

@@ -18,11 +18,11 @@ namespace {
 
 /// mm. A thread's hole may be modelled so much narrower than its core or wider than its nominal size.
 constexpr double kThreadSlack = 0.1;
-/// mm. An edge that is broken without a depth.
+/// mm. Width of a broken edge without a stated depth.
 constexpr double kBrokenEdge = 0.2;
-/// Pitches of a modelled blind hole that stay free under its thread: the tap's lead and room for chips.
+/// Depth of a modelled blind hole left free below its thread, in pitches: the tap's lead and room for chips.
 constexpr double kUnderBlindThread = 3;
-/// The same of a thread mill, which begins so much below the thread.
+/// The same for a thread mill, which begins this far below the thread.
 constexpr double kUnderMilledThread = 1.25;
 constexpr double kSameSize = 1e-3;  // mm
 
@@ -78,7 +78,7 @@ double drawn_diameter(const Feature& feature, const AskedOf& asked) {
   return *diameter;
 }
 
-/// z down to which a thread, a seat or a hole is asked to be full; the feature's own floor where nothing is said.
+/// z of the requested full depth of a thread, a seat or a hole; the feature's own floor if not stated.
 double full_depth_asked(const Feature& feature, const AskedOf& asked) {
   if (!asked.rule.depth) return feature.floor_z;
   const double full = feature.top_z - checked_depth(*asked.rule.depth, place_of(feature));
@@ -103,7 +103,7 @@ void refuse_other_width(const Feature& feature, double drawn, const HoleRequest&
                       " mm wide; choose other holes or another thread");
 }
 
-/// mm; finished diameter of what is asked of a hole.
+/// mm; finished diameter of the requested hole.
 double finished_diameter(double drawn, const HoleRequest& request) {
   if (is_threaded(request)) return request.thread->diameter;
   return request.diameter.value_or(drawn);
@@ -115,7 +115,7 @@ double room_under(const AskedOf& asked) {
   return (request.kind == HoleKind::kTapped ? kUnderBlindThread : kUnderMilledThread) * request.thread->pitch;
 }
 
-/// z down to which a blind thread is full: the tap's lead stays above the modelled floor.
+/// z down to which a blind thread is full: the tap's lead remains above the modelled floor.
 double full_thread(const Feature& feature, const AskedOf& asked) {
   if (feature.through) return full_depth_asked(feature, asked);
   if (asked.rule.depth) {
@@ -134,13 +134,12 @@ double full_thread(const Feature& feature, const AskedOf& asked) {
   return feature.floor_z + under;
 }
 
-/// What is made of a hole besides the hole of the solid, which stays where it comes first: the core of a thread, the hole under a
-/// cone or a seat.
+/// Whether the solid's hole is kept as a preceding step: the core of a thread, the hole below a cone or a seat.
 bool stays_before(const HoleRequest& request, double drawn, bool is_through) {
   if (request.kind == HoleKind::kSpotted) return true;
   if (request.kind == HoleKind::kCountersunk || request.kind == HoleKind::kCounterbored)
     return request.diameter.value_or(drawn) > drawn + kSameSize;
-  // The hole before a thread that goes through ends lower than the solid: it comes with the thread.
+  // The pilot hole of a through thread ends below the solid: it is added with the thread.
   if (!is_threaded(request) || is_through) return false;
   const double least = minor_diameter(*request.thread);
   return drawn > least - kSameSize && drawn < least + minor_tolerance(*request.thread) + kSameSize;
@@ -156,7 +155,7 @@ void refuse_without_size(const Feature& feature, const HoleRequest& request, dou
     refuse(feature, "a counterbore needs its depth, as in cbore_dia12_d5");
 }
 
-/// The hole as it is asked for; adds to `more` what stays before it.
+/// Changes the hole as requested; adds the preceding hole to `before`.
 void make_asked_hole(Feature& feature, const AskedOf& asked, std::vector<Feature>& before) {
   const double drawn = drawn_diameter(feature, asked);
   const HoleRequest request = asked.rule.hole.value_or(HoleRequest{});
@@ -190,7 +189,7 @@ void make_asked_hole(Feature& feature, const AskedOf& asked, std::vector<Feature
   feature.hole = form;
 }
 
-/// Through its wall the cutter goes along the line, and what it surrounds stays a piece.
+/// The cutter follows the line through the wall, and the inside remains a piece.
 void cut_out(Feature& feature, const AskedOf& asked, ProfileSide side) {
   const bool inside = side == ProfileSide::kInside;
   if (!feature.through)
@@ -230,12 +229,12 @@ void add_edges(const Feature& feature, const AskedOf& asked, std::vector<Feature
   }
 }
 
-/// What a rule makes of the features.
+/// Features resulting from a rule.
 struct Outcome {
   std::vector<Feature> features, after;
 };
 
-/// Adds what becomes of the feature; nothing where it is left out.
+/// Adds the resulting feature; nothing if it is left out.
 void apply(Feature feature, const AskedOf& asked, Outcome& out) {
   switch (*asked.rule.role) {
     case LayerRole::kIgnore:
@@ -273,7 +272,7 @@ void apply(Feature feature, const AskedOf& asked, Outcome& out) {
   out.features.push_back(std::move(feature));
 }
 
-/// Which features a rule means; refused where none.
+/// Features matched by a rule; throws if none.
 std::vector<bool> chosen_by(const LayerRule& rule, const std::vector<Feature>& features) {
   std::vector<bool> chosen(features.size(), false);
   const auto numbers = numbers_in(rule.pattern);

@@ -1,4 +1,4 @@
-// What the user says about features of a solid: `--op KIND:SELECTION` and the rules of jobs.
+// User's rules for features of a solid: `--op KIND:SELECTION` and the rules of jobs.
 #pragma once
 
 #include <string>
@@ -11,15 +11,16 @@
 
 namespace clearcut::read {
 
-/// Gives each feature the name that it has in `info` and in the plan: names that are taken get a number.
+/// Gives each feature its name in `info` and in the plan: names already in use get a number.
 void name_features(std::vector<Feature>& features);
 
-/// Applies the rules to the features of a solid, which have their names: kinds of holes make round holes tapped, reamed, countersunk and so
-/// on; `pocket` has a round hole milled; `inside` and `profile` cut a hole or the outside out along its wall; `chamfer` breaks the edge at
-/// a feature's top; `ignore` leaves one out.
+/// Applies the rules to the features of a solid, which must have their names: kinds of holes make round holes tapped,
+/// reamed, countersunk and so on; `pocket` has a round hole milled; `inside` and `profile` cut a hole or the outside
+/// out along its wall; `chamfer` breaks the edge at a feature's top; `ignore` leaves one out.
 ///
-/// Depths are those of the solid; a kind with a depth (tap_m6_d12) states how far down a thread, a chamfer or a hole is full.
-/// Throws  InputError at "--op" for a selection that names no feature, and for kinds that the feature cannot be.
+/// Depths are those of the solid; a kind with a depth (tap_m6_d12) states the full depth of a thread, a chamfer or a
+/// hole.
+/// Throws  InputError at "--op" for a selection without a matching feature, and for kinds impossible for the feature.
 void apply_operations(std::vector<Feature>& features, const Stock& stock, const ReadOptions& options,
                       Diagnostics& diagnostics);
 

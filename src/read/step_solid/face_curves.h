@@ -1,4 +1,4 @@
-// Curves of faces in plan view: which bound an area, and in which order.
+// Curves of faces in plan view: selection of those bounding an area, and their order.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace clearcut::read {
 /// mm. Ends of edges of different faces nearer than this are one point.
 inline constexpr double kSamePlace = 1e-4;
 
-/// Indices, rising, of the curves that are not there the other way round as well. Ends that meet are equal. O(n log n)
+/// Indices, ascending, of the curves without a reversed counterpart. Common ends must be equal. O(n log n)
 /// while few curves end in one point.
 std::vector<std::size_t> unpaired(const std::vector<const Path*>& curves);
 

@@ -1,7 +1,7 @@
-// The area that stands above z is the union of the faces that look up from above z. Faces of a solid that can be milled
-// from above do not overlap in plan view, so that the union's boundary is made of the faces' own edges: those shared by
-// two of them vanish in pairs. Where that does not give the faces' total area (undercuts, edges shared in part) the
-// faces are united by polyclipping: neighbours first, because its time grows with the square of what it is given at once.
+// The area of material above z is the union of the upward faces above z. Faces of a solid that can be milled from
+// above do not overlap in plan view, so that the union's boundary consists of the faces' own edges: edges shared by
+// two faces cancel in pairs. If this does not give the faces' total area (undercuts, partly shared edges) the faces
+// are united by polyclipping: neighbours first, because its time grows with the square of the input given at once.
 #include "read/step_solid/floor_sweep.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ Regions united(Regions a, const Regions& b, const Tolerances& tol) {
   return apart ? a : unite_all(a, tol);
 }
 
-/// All cells of the span, halved where they spread most.
+/// All cells of the span, halved along their greatest extent.
 Regions united_cells(const std::vector<Cell>& cells, std::vector<int>::iterator first,
                      std::vector<int>::iterator last, const Tolerances& tol) {
   if (first == last) return {};
@@ -60,7 +60,7 @@ FloorSweep::FloorSweep(const HeightMap& map, const Tolerances& tol)
   }
 }
 
-/// Cells above z that were not above the last level.
+/// Cells above z not above the last level.
 std::vector<int> FloorSweep::take_above(double z) {
   std::vector<int> fresh;
   while (taken_ < highest_first_.size()) {
@@ -101,12 +101,12 @@ Regions FloorSweep::exact_free(double z) const {
   return repair(std::move(loops), how, unused);
 }
 
-/// mm2 by which the faces' areas exceed what stands.
+/// mm2; excess of the faces' areas over the material's area.
 double FloorSweep::excess(const Regions& free) const {
   return sum_of_areas_ - (map_.reach().width() * map_.reach().height() - area(free));
 }
 
-/// Unites what was taken since the last time; then all around it is free.
+/// Unites the cells taken since the last call; the area around them is free.
 Regions FloorSweep::overlaid_free() {
   std::vector<int> fresh;
   std::copy_if(highest_first_.begin() + static_cast<std::ptrdiff_t>(united_),
@@ -132,7 +132,7 @@ Regions FloorSweep::free_at(double z) {
     // Its edges do not close by themselves: overlaid instead.
   }
   Regions free = overlaid_free();
-  // Faces that overlap do so at every lower level, too; edges that did not close may yet find their other half.
+  // Overlapping faces also overlap at every lower level; unclosed edges may still find their counterpart.
   overlaps_ = excess(free) > kOverlap + slack;
   return free;
 }

@@ -1,4 +1,4 @@
-// Where a cutter may go down to, from the highest level of a solid to the lowest.
+// Area open to a cutter at each level, from the highest level of a solid to the lowest.
 #pragma once
 
 #include <vector>
@@ -8,18 +8,18 @@
 
 namespace clearcut::read {
 
-/// What stands above a level stands above every lower one, so that each level adds its own faces to what is there.
+/// Material above a level is also above every lower one, so that each level only adds its own faces.
 ///
-/// While faces do not overlap in plan view their own edges make the boundary, exactly. From the first level where they
-/// do, what stands is kept as regions.
+/// While faces do not overlap in plan view their own edges make the boundary, exactly. From the first level with
+/// overlaps on, the material is kept as regions.
 ///
-/// Cost    all levels together: O(e log^2 e) for the faces' e edges, each united with its neighbours once, and per level
-///         O(b log b) for the b edges of the boundary there. Memory O(e).
+/// Cost    all levels together: O(e log^2 e) for the faces' e edges, each united with its neighbours once, and for
+///         each level O(b log b) for the b edges of the boundary there. Memory O(e).
 class FloorSweep {
  public:
   FloorSweep(const HeightMap& map, const Tolerances& tol);
 
-  /// Where nothing stands higher than z, out to kOpenReach around the plan. From call to call z must not rise.
+  /// The area without material above z, out to kOpenReach around the plan. z must not increase from call to call.
   Regions free_at(double z);
 
  private:
@@ -39,9 +39,9 @@ class FloorSweep {
   std::vector<int> highest_first_;  ///< indices of cells
   std::vector<std::size_t> first_curve_;
   std::size_t taken_ = 0;
-  std::size_t united_ = 0;  ///< of those taken, how many stand in standing_
-  std::vector<Curve>
-      boundary_;             ///< of what stands: curves that are there one way only, in the order of the file
+  std::size_t united_ = 0;  ///< number of taken cells contained in standing_
+  /// Boundary of the material: curves present in only one direction, in the order of the file.
+  std::vector<Curve> boundary_;
   double sum_of_areas_ = 0;  ///< mm2
   bool overlaps_ = false;
   Regions standing_;

@@ -1,4 +1,4 @@
-// Every face that looks up as an area in plan view.
+// Every upward face as an area in plan view.
 #include "read/step_solid/height_map.h"
 
 #include <algorithm>
@@ -18,10 +18,10 @@
 namespace clearcut::read {
 namespace {
 
-/// mm. Shadows thinner than this on average are those of faces that are upright but for rounding.
+/// mm. Shadows with a smaller mean thickness belong to faces that are vertical except for rounding.
 constexpr double kThinnestShadow = 0.004;
 
-/// One point for all that lie within kSamePlace of it.
+/// One common point for all points within kSamePlace.
 class Places {
  public:
   Vec2 of(Vec2 p) {
@@ -83,7 +83,7 @@ std::vector<const Path*> pointers(const std::vector<Path>& paths) {
   return out;
 }
 
-/// The kernel's boxes of curved faces may be wider than the solid, and beside that nothing stands.
+/// The kernel's boxes of curved faces may be wider than the solid, and there is no material outside the solid.
 Box within(const Box& box, const Box& solid) {
   return {{std::max(box.min.x, solid.min.x), std::max(box.min.y, solid.min.y)},
           {std::min(box.max.x, solid.max.x), std::min(box.max.y, solid.max.y)}};
@@ -93,7 +93,7 @@ bool is_sliver(const Region& region) {
   return 2 * region.area() < kThinnestShadow * length(region.outer());
 }
 
-/// Whether floors that lie higher cover the whole shadow, as the top of a plate covers the bores through its sides.
+/// Whether higher floors cover the whole shadow, as the top of a plate covers the bores through its sides.
 bool is_covered(const Cell& shadow, const std::vector<Cell>& cells, const Tolerances& tol) {
   Regions rest = shadow.area;
   for (const Cell& cell : cells) {
@@ -103,7 +103,8 @@ bool is_covered(const Cell& shadow, const std::vector<Cell>& cells, const Tolera
   return std::all_of(rest.begin(), rest.end(), is_sliver);
 }
 
-/// What a face that looks up in part covers; its box where the kernel gave no shadow. Slivers of upright parts are rounding.
+/// The area covered by a partly upward face; its box if the kernel gave no shadow. Slivers of vertical parts are
+/// rounding.
 void cover_mixed(Cell& cell, const SolidFace& face, const Box& solid, const Tolerances& tol) {
   if (face.outline.empty()) {
     cell.area = {rectangular_region(within(face.plan, solid))};
@@ -114,7 +115,7 @@ void cover_mixed(Cell& cell, const SolidFace& face, const Box& solid, const Tole
   for (const Loop& loop : loops_of(cell.area)) cell.curves.push_back(loop);
 }
 
-/// Faces that look up all over are bounded by their edges in plan view.
+/// Wholly upward faces are bounded by their edges in plan view.
 Cell cell_of(const SolidFace& face, const Box& solid, Places& places, const RepairOptions& how,
              Diagnostics& mends) {
   Cell cell;
@@ -125,7 +126,7 @@ Cell cell_of(const SolidFace& face, const Box& solid, Places& places, const Repa
     cell.inside = points_inside(cell.area);
     return cell;
   }
-  // A seam is there both ways.
+  // A seam is present in both directions.
   const std::vector<Path> all = snapped(face.outline, places);
   for (const std::size_t i : unpaired(pointers(all))) cell.curves.push_back(all[i]);
   if (!cell.curves.empty()) cell.area = repair(chained(cell.curves, how.where), how, mends);

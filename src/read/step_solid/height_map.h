@@ -1,4 +1,4 @@
-// How high a solid stands over every place of its plan.
+// Height of a solid over every place of its plan.
 #pragma once
 
 #include <vector>
@@ -10,18 +10,18 @@
 
 namespace clearcut::read {
 
-/// A face that looks up, in plan view, with the height under which nothing may be cut there.
+/// An upward face in plan view, with the lowest permitted height of cuts there.
 struct Cell {
   int face = 0;  ///< index into SolidModel::faces
   double z = 0;
   bool floor = false;  ///< flat, or the conical end of a drilled hole
-  std::vector<Path>
-      curves;  ///< also of a face too thin for an area, so that those of its neighbours find their other side
+  /// Also for a face too thin for an area, so that its neighbours' edges find their counterpart.
+  std::vector<Path> curves;
   Regions area;
   std::vector<Vec2> inside;  ///< points well inside the area
 };
 
-/// mm. Heights that differ by less are the same.
+/// mm. Heights differing by less are equal.
 inline constexpr double kSameHeight = 1e-5;
 
 class HeightMap {
@@ -32,7 +32,7 @@ class HeightMap {
   const std::vector<Cell>& cells() const { return cells_; }
   /// The plan out to kOpenReach around it.
   const Box& reach() const { return reach_; }
-  /// What was mended in faces' outlines.
+  /// Mends in faces' outlines.
   const Diagnostics& mends() const { return mends_; }
 
  private:

@@ -1,4 +1,4 @@
-// Which Part 21 files hold a solid, by their text alone.
+// Recognises Part 21 files with a solid, only by their text.
 #include <string>
 #include <string_view>
 

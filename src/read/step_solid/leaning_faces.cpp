@@ -21,27 +21,27 @@
 namespace clearcut::read {
 namespace {
 
-/// Radians. A cone that leans so much otherwise makes no face: 2 um over a chamfer of 1 mm.
+/// Radians. A cone with a greater difference of angle does not make the face: 2 um over a chamfer of 1 mm.
 constexpr double kSameLean = 0.002;
-/// mm. A cutter's end that is so much rounder or less round makes no fillet.
+/// mm. A cutter's end with a greater difference of radius does not make the fillet.
 constexpr double kSameRound = 0.002;
-/// mm. Faces whose ends lie at heights nearer than this are of one broken edge.
+/// mm. Faces with the heights of their ends nearer than this belong to one broken edge.
 constexpr double kSameEnd = 1e-3;
-/// mm beside a foot where is looked for what is cut there.
+/// mm beside a foot at which cut areas are searched.
 constexpr double kBesideFoot = 0.02;
-/// mm of a wall that has to stand under a broken edge.
+/// mm; least height of a wall below a broken edge.
 constexpr double kWallUnder = 0.01;
-/// mm along a foot between the places where is looked.
+/// mm along a foot between the tested places.
 constexpr double kFootStep = 2;
-/// mm. Half the width of what booleans leave between areas that touch.
+/// mm. Half the width of seams left by booleans between touching areas.
 constexpr double kSeamOfFaces = 0.003;
 /// mm2. Fillets of less are rounding.
 constexpr double kLeastFillet = 0.01;
 constexpr double kLevelStep = 1e-5;
-/// Degrees. Cones of edges that are broken; what leans otherwise is a drafted wall or a slanted floor.
+/// Degrees. Range of cone angles of broken edges; faces of other angles are drafted walls or inclined floors.
 constexpr int kSharpest = 50, kBluntest = 150;
 
-/// Faces that lean alike between the same heights.
+/// Faces of equal inclination between the same heights.
 struct LeaningFaces {
   double lean = 0;           // radians
   double foot = 0, top = 0;  // z, mm
@@ -63,7 +63,7 @@ std::vector<LeaningFaces> leaning_alike(const SolidModel& solid) {
   return groups;
 }
 
-/// The first point near `p` that was met, so that ends that meet are equal.
+/// The first stored point near `p`, so that common ends are equal.
 Vec2 met(Vec2 p, std::vector<Vec2>& points) {
   for (const Vec2 q : points)
     if (distance(p, q) < kSamePlace) return q;
@@ -77,7 +77,7 @@ struct Foot {
   std::set<int> faces;
 };
 
-/// The feet of a group that close; those that do not are left out.
+/// The closed feet of a group; open ones are left out.
 std::vector<Foot> feet_of(const LeaningFaces& group, const Tolerances& tol) {
   std::vector<Path> paths;
   std::vector<std::pair<Vec2, int>> owners;
@@ -112,7 +112,7 @@ std::vector<Foot> feet_of(const LeaningFaces& group, const Tolerances& tol) {
   return feet;
 }
 
-/// Which side of a foot is cut deeper; nothing where it is not one and the same all along.
+/// The side of a foot that is cut deeper; nothing if it is not the same along the whole foot.
 std::optional<bool> is_open_inside(const Foot& foot, double foot_z, const SolidWork& work) {
   const auto is_open = [&](Vec2 p) {
     if (!work.stock.plan.contains(p)) return true;
@@ -135,7 +135,7 @@ std::optional<bool> is_open_inside(const Foot& foot, double foot_z, const SolidW
   return inside > 0;
 }
 
-/// What a broken edge takes of the top.
+/// The area of the top removed by a broken edge.
 Regions top_of(const Foot& foot, double width, bool open_inside, const Tolerances& tol) {
   const Regions within{Region::from_valid_loops(foot.line, {})};
   if (open_inside) return subtract(dilate(within, width, tol), within, tol);
@@ -143,7 +143,8 @@ Regions top_of(const Foot& foot, double width, bool open_inside, const Tolerance
   return rest.empty() ? within : subtract(within, rest, tol);
 }
 
-/// Whether all of what it takes stands before: another feature that goes deeper there would leave part of an edge.
+/// Whether the whole removed area is still material before: another, deeper feature there would leave only part of an
+/// edge.
 bool stands_whole(const Regions& top, double top_z, const SolidWork& work, const Tolerances& tol) {
   return std::none_of(work.found.begin(), work.found.end(), [&](const Feature& other) {
     if (other.floor_z >= top_z - kWallUnder || !box(other.target).overlaps(box(top))) return false;
@@ -155,7 +156,7 @@ bool leans_so(const Tool& tool, double lean) {
   return is_conical(tool) && std::abs(tool.tip_angle->radians() / 2 - lean) < kSameLean;
 }
 
-/// Radius of the circle that a line is; nothing for other lines.
+/// Radius of a line forming a circle; nothing for other lines.
 std::optional<double> circle_of(const Loop& line) {
   const Vec2 center = line.front().center;
   for (const Edge& edge : line)
@@ -213,7 +214,7 @@ std::string faces_text(const std::set<int>& numbers) {
   return text;
 }
 
-/// The broken edge over one foot, as what is at hand makes it; nothing where nothing does.
+/// The broken edge over one foot, made with an available tool; nothing if there is none.
 std::optional<Feature> edge_over(const LeaningFaces& group, const Foot& foot, bool open_inside,
                                  const SolidWork& work, const Tolerances& tol) {
   const double depth = group.top - group.foot;
@@ -246,7 +247,7 @@ std::optional<Feature> edge_over(const LeaningFaces& group, const Foot& foot, bo
   return chamfer_along(group, foot, open_inside, tol);
 }
 
-/// mm; radius of what a cutter's end leaves between a floor and a wall, 0 for a sharp corner.
+/// mm; radius left by a cutter's end between a floor and a wall, 0 for a sharp corner.
 double end_radius(const Tool& tool) {
   if (tool.kind == ToolKind::kBallEndMill) return tool.radius();
   return mills_upright(tool) ? tool.corner_radius : 0;
@@ -274,7 +275,7 @@ std::vector<FilletCells> fillets_alike(const SolidWork& work) {
   return groups;
 }
 
-/// What else stands between the floor of fillets and their top.
+/// Other material between the floor of fillets and their top.
 Regions standing_beside(const FilletCells& group, const SolidWork& work, const Tolerances& tol) {
   Regions standing;
   for (const Cell& cell : work.cells) {
@@ -292,7 +293,7 @@ bool has_point_in(const Cell& cell, const Feature& feature) {
                      [&](Vec2 p) { return contains(feature.target, p); });
 }
 
-/// What a rounded end cuts in one area that is cut down to the top of the fillets.
+/// The feature cut by a rounded end in one area already cut down to the top of the fillets.
 std::optional<Feature> fillet_in(const Feature& above, const FilletCells& group, const Regions& standing,
                                  std::set<int>& faces, const SolidWork& work, const Tolerances& tol) {
   Regions target;
@@ -321,7 +322,7 @@ std::optional<Feature> fillet_in(const Feature& above, const FilletCells& group,
 
 ShapedFaces broken_edges_of(const SolidWork& work, const Tolerances& tol) {
   ShapedFaces out;
-  std::map<int, std::set<int>> wanted;  // faces by the whole degrees of the cone that makes them
+  std::map<int, std::set<int>> wanted;  // faces by the whole degrees of the cone needed
   for (const LeaningFaces& group : leaning_alike(work.solid)) {
     for (const Foot& foot : feet_of(group, tol)) {
       const auto open_inside = is_open_inside(foot, group.foot, work);

@@ -1,4 +1,4 @@
-// Faces of a solid that a cutter's own shape makes: broken edges, countersinks, hollow fillets.
+// Faces of a solid made by a cutter's own shape: broken edges, countersinks, hollow fillets.
 #pragma once
 
 #include <set>
@@ -12,14 +12,14 @@
 
 namespace clearcut::read {
 
-/// Features, and the numbers of the faces that they make.
+/// Features, and the numbers of the faces they make.
 struct ShapedFaces {
   std::vector<Feature> features;
   std::set<int> faces;
-  std::vector<std::string> proposals;  ///< tools that would make more, each with the faces that it makes
+  std::vector<std::string> proposals;  ///< tools that would make more faces, each with these faces
 };
 
-/// What the features before, the stock and the tools leave of a solid.
+/// State of a solid's work: earlier features, stock and tools.
 struct SolidWork {
   const SolidModel& solid;
   const std::vector<Cell>& cells;
@@ -28,14 +28,14 @@ struct SolidWork {
   const std::vector<Tool>& tools;
 };
 
-/// Edges that are broken all round, where a cone at hand leans as they do; round ones that a cone is wide enough for are countersinks.
-/// Along the whole foot of each one side has to be cut deeper, so that a wall stands under it.
-/// Error   none; what a cone of another angle would make is proposed.
-/// Cost    O(n log n) for n edges of such faces, and what is milled beside each is looked at every 2 mm.
+/// Edges broken all round, if an available cone has their angle; round ones within a cone's width are countersinks.
+/// Along the whole foot of each, one side must be cut deeper, so that there is a wall below.
+/// Error   none; edges for a cone of another angle are proposed.
+/// Cost    O(n log n) for n edges of such faces, plus a test every 2 mm of the areas milled beside each.
 ShapedFaces broken_edges_of(const SolidWork& work, const Tolerances& tol);
 
-/// Hollow fillets over a level floor, round a wall's foot or a hole's bottom, where a cutter's end at hand is as round as they are: what lies
-/// between their foot and their wall, as deep as the floor.
+/// Hollow fillets over a level floor, round a wall's foot or a hole's bottom, if an available cutter's end has their
+/// radius: the area between their foot and their wall, as deep as the floor.
 ShapedFaces fillets_of(const SolidWork& work, const Tolerances& tol);
 
 }  // namespace clearcut::read

@@ -11,7 +11,7 @@
 namespace clearcut::read {
 namespace {
 
-/// Height and length over thickness from which a sheet on its edge is taken for a mistake.
+/// Height and length over thickness from which on a sheet on its edge counts as a mistake.
 constexpr double kSheet = 5;
 /// Sides tried for a proposal: each costs the kernel's reading anew.
 constexpr int kMostTries = 3;
@@ -46,7 +46,7 @@ std::string listed(const std::vector<SolidBody>& bodies) {
   return out;
 }
 
-/// A name that several bodies have may be no choice.
+/// A name common to several bodies may be no valid choice.
 std::string example_of(const std::vector<SolidBody>& bodies) {
   const std::string& name = bodies.front().name;
   const auto named_so = std::count_if(bodies.begin(), bodies.end(), [&](const SolidBody& body) {
@@ -55,7 +55,7 @@ std::string example_of(const std::vector<SolidBody>& bodies) {
   return name.empty() || named_so > 1 ? "1" : "\"" + name + "\"";
 }
 
-/// Flat area that looks along one axis or the other way, and the better of both: more heights, then larger.
+/// Flat area in one axis direction or its opposite, and the better of both: more heights, then larger.
 struct FlatPair {
   double area = 0;
   const FlatSide* better = nullptr;
@@ -75,7 +75,7 @@ bool leans(const FlatSide& side) {
   return side.up.rfind("face", 0) == 0;
 }
 
-/// The largest side or the one opposite to it: that with more heights, then that which looks up more.
+/// The largest side or the one opposite to it: the one with more heights, then the more upward one.
 const FlatSide& better_of_largest(const SolidModel& solid) {
   constexpr double kSame = 1e-4;  // degrees, mm
   const FlatSide& largest = solid.sides.front();
@@ -89,12 +89,12 @@ const FlatSide& better_of_largest(const SolidModel& solid) {
   return *better;
 }
 
-/// A sheet that stands on its edge, read both ways; `upright`, `flat`: out of how much it is milled as it lies and lying flat, ""
-/// where that is not known.
+/// A sheet on its edge, in both interpretations; `upright`, `flat`: thickness of material for milling as in the file
+/// and lying flat, "" if not known.
 struct SheetOnEdge {
   double thickness = 0, height = 0;  // mm
   std::string upright, flat;
-  std::string up;  ///< side that looks up when it lies flat
+  std::string up;  ///< side up when lying flat
 };
 
 std::string reading(const std::string& how, bool offered, double depth, const std::string& out_of,
@@ -103,7 +103,7 @@ std::string reading(const std::string& how, bool offered, double depth, const st
   return how + " it is milled " + trimmed(depth, 3) + " mm deep" + out_of + " (" + option + ")";
 }
 
-/// Only sides from which something can be milled are named; where neither is one, the sheet is no question.
+/// Only sides with something to mill are named; if neither is one, the sheet is not questioned.
 void refuse_edge(const std::string& file_name, const SheetOnEdge& sheet, const OffersFloors& offers) {
   const bool upright = offers("+Z"), flat = offers(sheet.up);
   if (!upright && !flat) return;
@@ -113,7 +113,7 @@ void refuse_edge(const std::string& file_name, const SheetOnEdge& sheet, const O
                      "; " + reading("lying flat", flat, sheet.thickness, sheet.flat, "--up " + sheet.up));
 }
 
-/// A sheet that stands on its edge and is turned about the vertical.
+/// A sheet on its edge, turned about the vertical.
 void refuse_turned_sheet(const SolidModel& solid, const std::string& file_name, const OffersFloors& offers) {
   constexpr double kUpright = 0.01;  // degrees
   if (solid.bodies.size() != 1 || solid.sides.empty()) return;
@@ -137,7 +137,7 @@ void refuse_assembly(const SolidModel& solid, const std::string& file_name) {
 
 void refuse_sheet_on_edge(const SolidModel& solid, const std::string& file_name, const OffersFloors& offers) {
   refuse_turned_sheet(solid, file_name, offers);
-  // As the file has it: the turn about the vertical leaves heights alone.
+  // As in the file: the turn about the vertical does not change heights.
   const SolidBody& body = solid.bodies.front();
   const double height = solid.z_top - solid.z_bottom;
   const bool along_x = body.width < body.depth;

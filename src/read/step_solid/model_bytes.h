@@ -8,7 +8,7 @@
 namespace clearcut::read {
 
 std::string bytes_of(const SolidModel& solid);
-/// The inverse. Only for what bytes_of made.
+/// The inverse. Only for bytes made by bytes_of.
 SolidModel model_from_bytes(const std::string& bytes);
 
 }  // namespace clearcut::read

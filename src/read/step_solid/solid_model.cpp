@@ -12,7 +12,7 @@ namespace {
 /// Seconds of the processor.
 constexpr int kLongestRead = 120;
 
-/// The program that knows the CAD kernel: beside this one, where it was built, or where it is installed. Empty where there is
+/// The program with the CAD kernel: beside this one, at its build place, or at its installed place. Empty if there is
 /// none.
 std::string reader_of_solids() {
   return companion("clearcut-solids", CLEARCUT_SOLIDS, CLEARCUT_SOLIDS_INSTALLED);
@@ -31,7 +31,7 @@ SolidModel load_solid(std::string_view text, const std::string& file_name, const
         file_name,
         "a STEP solid, and this build reads none; install libocct-data-exchange-dev (Open CASCADE) "
         "and build again");
-  // Names the line of a broken file, which the kernel does not.
+  // Names the line of a broken file; the kernel does not.
   parse_part21(text, file_name);
   const auto got = done_apart({reader, file_name, choice.up, std::to_string(choice.turn), choice.body}, text,
                               kLongestRead);

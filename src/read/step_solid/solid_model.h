@@ -1,4 +1,4 @@
-// The faces of a solid as seen along the tool's axis (-Z): all that reading a solid needs of the CAD kernel.
+// The faces of a solid as seen along the tool's axis (-Z): all data of the CAD kernel needed for reading a solid.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace clearcut::read {
 
-/// Where the outside of a face looks.
+/// Direction of the outside of a face.
 enum class Facing {
   kUp,       ///< nowhere downwards, and upwards somewhere
   kDown,     ///< nowhere upwards, and downwards somewhere
@@ -18,7 +18,7 @@ enum class Facing {
   kMixed     ///< upwards here and downwards there
 };
 
-/// The middle of an upright plane that looks along X or Y.
+/// The middle of a vertical plane facing along X or Y.
 struct WallFront {
   Vec2 outward;  ///< unit
   Vec2 before;   ///< a point 0.01 mm before the wall's middle
@@ -33,35 +33,35 @@ struct SolidFace {
   double z_high = 0;
   Box plan;
   /// Its edges in plan view, in no order, the face on their left seen from outside. Vertical edges are left
-  /// out. Only for faces that look up. Of a face that does so in part the shadow of that part: triangles that turn
-  /// counter-clockwise and may overlap; their outer edge lies within kCurveTolerance of the shadow's.
+  /// out. Only for upward faces. For a partly upward face, the shadow of this part: counter-clockwise triangles that
+  /// may overlap; their outer edge is within kCurveTolerance of the shadow's.
   std::vector<Path> outline;
   std::optional<WallFront> front;
-  double lean =
-      0;  ///< radians between the face and the vertical; of planes and upright cones that look up, else 0
-  /// mm; of the circle that the face is swept along, or of the ball, where it rises with it from level to upright: a hollow fillet. 0 for
-  /// all others.
+  /// Radians between the face and the vertical; of upward planes and vertical cones, else 0.
+  double lean = 0;
+  /// mm; radius of the face's swept circle, or of the ball, if the face rises with it from level to vertical: a
+  /// hollow fillet. 0 for all others.
   double fillet = 0;
-  std::vector<Path>
-      foot;  ///< of faces with a lean: their edges at z_low in plan view, in the sense of `outline`
+  /// Of faces with a lean: their edges at z_low in plan view, in the sense of `outline`.
+  std::vector<Path> foot;
 };
 
 /// One solid of the file.
 struct SolidBody {
-  std::string name;   ///< the product's, or the body's own where a product has several; "" for none
-  double width = 0;   ///< mm along X, as the solid lies
+  std::string name;   ///< the product's name, or the body's own if a product has several; "" for none
+  double width = 0;   ///< mm along X, in the solid's orientation
   double depth = 0;   ///< mm along Y
   double height = 0;  ///< mm along Z
 };
 
-/// All flat faces that look one way.
+/// All flat faces of one direction.
 struct FlatSide {
-  std::string up;   ///< what ReadOptions::up must say for them to look up: "+X" or "face12"
+  std::string up;   ///< value of ReadOptions::up that turns them up: "+X" or "face12"
   double area = 0;  ///< mm2
   int heights = 0;  ///< different heights along their direction
-  double lean = 0;  ///< degrees between their direction and +Z, as the file has it
-  double thickness =
-      0;  ///< mm; from the outermost of them to that of those which look the opposite way, 0 where there are none
+  double lean = 0;  ///< degrees between their direction and +Z, in the file
+  /// mm; from the outermost of them to the outermost of the opposite direction, 0 if there are none.
+  double thickness = 0;
 };
 
 struct SolidModel {
@@ -69,27 +69,27 @@ struct SolidModel {
   Box plan;
   double z_bottom = 0;
   double z_top = 0;
-  /// In the order of the file. Where there are several and none is chosen, faces and box are left out.
+  /// In the order of the file. If there are several and none is chosen, faces and box are left out.
   std::vector<SolidBody> bodies;
   std::vector<FlatSide> sides;  ///< largest first
 };
 
-/// Which solid of a file is wanted, and how it lies; see ReadOptions.
+/// The chosen solid of a file, and its orientation; see ReadOptions.
 struct SolidChoice {
-  std::string up;    ///< "+Z", ..., "face12"; "" as it lies
+  std::string up;    ///< "+Z", ..., "face12"; "" as in the file
   double turn = 0;   ///< degrees
   std::string body;  ///< name, number from 1, or "all"; "" for the only one
 };
 
-/// Whether this build has the component that reads solids.
+/// Whether this build has the component for reading solids.
 bool solids_can_be_read();
 
 /// Reads the solids of a STEP file (AP203, AP214, AP242), units turned to mm.
 ///
 /// Error   lines and circles are exact, other curves within kCurveTolerance of their lines and arcs.
-/// Throws  InputError, one line, where the file holds no solid, the kernel refuses it, the choice names no body or face,
-///         or the component is absent.
-/// Cost    that of the kernel: about 0.1 ms a face and more for free surfaces.
+/// Throws  InputError, one line, if the file contains no solid, the kernel refuses it, the choice matches no body or
+///         face, or the component is absent.
+/// Cost    cost of the kernel: about 0.1 ms a face and more for free surfaces.
 SolidModel load_solid(std::string_view text, const std::string& file_name, const SolidChoice& choice);
 
 }  // namespace clearcut::read

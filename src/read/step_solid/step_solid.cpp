@@ -38,10 +38,10 @@ constexpr double kSlack = 1e-3;
 constexpr double kDrillPoint = 0.3004;
 /// Faces described one by one; the condition has the numbers of all.
 constexpr int kMostDescribed = 10;
-/// mm. Faces that are not flat and end at heights nearer than this are cut down to the highest of these together.
+/// mm. Non-flat faces with lower ends nearer in height than this are cut together, down to the highest of these ends.
 constexpr double kOneLevel = 0.1;
 constexpr const char* kSetUps[] = {"-Z", "+X", "-X", "+Y", "-Y"};
-/// That of a part that nothing holds at the end.
+/// Condition for a part not held at the end.
 constexpr const char* kLoosePart = "loose-part";
 
 bool any_inside(const std::vector<Vec2>& points, const Region& region) {
@@ -71,8 +71,8 @@ std::string subject(const std::set<int>& numbers) {
          (numbers.size() == 1 ? " is" : " are");
 }
 
-/// The full circle that an outline is within kCurveTolerance of, where its curves are more than a polygon's sides; nothing for all
-/// others.
+/// The full circle within kCurveTolerance of an outline, if its curves are not just a polygon's sides; nothing for
+/// other outlines.
 std::optional<Region> circle_like(const Region& region) {
   if (!region.islands().empty()) return std::nullopt;
   const Vec2 center = region.box().center();
@@ -100,7 +100,7 @@ std::string described(const SolidFace& face) {
          span(face.z_low, face.z_high) + ")";
 }
 
-/// The solid's box, or what a job states; the solid must lie in it.
+/// The solid's box, or the stock stated in a job; the solid must be inside.
 Stock stock_around(const SolidModel& solid, const std::optional<StockRequest>& request,
                    const std::string& file_name) {
   Stock stock{solid.plan, solid.z_bottom, solid.z_top};
@@ -109,7 +109,7 @@ Stock stock_around(const SolidModel& solid, const std::optional<StockRequest>& r
   const auto set = [](const auto& range, double& low, double& high) {
     if (range) low = (*range)[0], high = (*range)[1];
   };
-  // What was written with fewer digits is the solid's own side.
+  // A value written with fewer digits equals the solid's own side.
   const auto taken = [](double& side, double own) {
     if (std::abs(side - own) < kSlack) side = own;
   };
@@ -175,10 +175,10 @@ class Finder {
 
   /// Whether there is anything to mill.
   bool find();
-  /// Why there is nothing, where that is so.
+  /// The reason if no feature is found.
   std::string why_nothing() const;
   Part part(bool stated_stock);
-  /// Adds what cutters' own shapes make, and does with features what was asked.
+  /// Adds features made by cutters' own shapes, and applies the requested operations.
   void take_asked();
 
  private:
@@ -217,14 +217,14 @@ class Finder {
   std::vector<double> drills_;  ///< mm
   bool has_other_setups_;
   HeightMap map_;
-  std::vector<double> level_of_;  ///< mm; for each cell the height down to which what is over it is cut
+  std::vector<double> level_of_;  ///< mm; for each cell the height down to which the material above is cut
   Part part_;
   std::vector<Feature> found_;
   Diagnostics cones_;        ///< drills' points among them
-  Diagnostics thin_;         ///< floors that are not worth a cut
+  Diagnostics thin_;         ///< floors not worth a cut
   double deepest_thin_ = 0;  ///< mm; how deep the deepest of them is
   std::set<int> reached_;    ///< indices of cells
-  std::set<int> shaped_;     ///< numbers of faces that cutters' own shapes make
+  std::set<int> shaped_;     ///< numbers of faces made by cutters' own shapes
   std::vector<std::string> proposals_;
   Diagnostics asked_;
 };
@@ -273,7 +273,7 @@ void Finder::report_stock(bool stated) {
                                          span(stock_.z_bottom, stock_.z_top));
 }
 
-/// What goes through, and what comes loose by it.
+/// Reports through openings, and loose pieces.
 void Finder::report_through() {
   const auto& features = part_.features;
   const auto count =
@@ -297,8 +297,8 @@ void Finder::report_through() {
                             "the outside is cut through all round: the part comes loose; hold it by itself");
 }
 
-/// mm. The height down to which what is over a face is cut that is not flat and whose highest place is z: that of a floor or of
-/// another such face which lies higher by less than kOneLevel, else its own, which is added to `others`.
+/// mm. The height down to which the material over a non-flat face with its highest place at z is cut: the height of a
+/// floor or of another such face higher by less than kOneLevel, else its own; the latter is added to `others`.
 double Finder::level_under(double z, const std::vector<double>& floors, std::vector<double>& others) const {
   for (const std::vector<double>* heights : {&floors, static_cast<const std::vector<double>*>(&others)}) {
     for (const double height : *heights)
@@ -308,7 +308,8 @@ double Finder::level_under(double z, const std::vector<double>& floors, std::vec
   return z;
 }
 
-/// Heights below the stock's top of floors and of what is not flat, top down; last the solid's bottom, for what has no floor.
+/// Heights below the stock's top of floors and of non-flat faces, top down; last the solid's bottom, for openings
+/// without a floor.
 std::vector<double> Finder::levels() {
   const auto& cells = map_.cells();
   const auto is_below_top = [&](const Cell& cell) { return cell.z < stock_.z_top - kSameHeight; };
@@ -355,7 +356,8 @@ void Finder::add_level(double z, const Regions& free) {
   }
 }
 
-/// Indices of the cells over which the region is cut down to z: floors at that height, and what is not flat and ends there.
+/// Indices of the cells over which the region is cut down to z: floors at that height, and non-flat faces ending
+/// there.
 std::vector<int> Finder::floors_in(const Region& region, double z) const {
   std::vector<int> floors;
   const auto& cells = map_.cells();
@@ -367,7 +369,7 @@ std::vector<int> Finder::floors_in(const Region& region, double z) const {
   return floors;
 }
 
-/// mm. How far the point of the drill at hand that makes the hole stands before its full width; 0 without one.
+/// mm. Length of the point of the hole's available drill; 0 without one.
 double Finder::point_below(const Feature& hole) const {
   const auto drills = [&](double diameter) {
     return hole.hole_diameter && features::is_near_size(diameter, *hole.hole_diameter);
@@ -448,7 +450,7 @@ void Finder::report_cone(const Cell& cell) {
                               trimmed(cell.z, 3) + ", where it begins");
 }
 
-/// What the solid has and the program does not make: a condition.
+/// Adds a condition for a shape of the solid not made by the program.
 void Finder::doubt(const std::string& what) {
   part_.diagnostics.doubt(file_name_, kLeftOut, what);
 }
@@ -469,7 +471,7 @@ bool Finder::is_threaded(const Feature& hole) const {
   });
 }
 
-/// Plain holes as wide as the drill before a coarse metric thread: nothing of a solid says whether they are tapped.
+/// Plain holes as wide as the drill before a coarse metric thread: a solid does not state whether they are tapped.
 void Finder::propose_taps() {
   constexpr double kSameWidth = 0.011;  // mm
   for (const char* name : {"M2", "M2.5", "M3", "M4", "M5", "M6", "M8", "M10", "M12", "M16", "M20"}) {
@@ -505,7 +507,7 @@ void Finder::report_hidden_floors() {
   if (!hidden.empty() && !has_other_setups_) doubt(subject(hidden) + " under an overhang and left out");
 }
 
-/// " (cylinder, sphere)": the surfaces of faces; "" where all are planes.
+/// " (cylinder, sphere)": the surfaces of faces; "" if all are planes.
 std::string Finder::kinds_of(const std::set<int>& faces) const {
   std::set<std::string> kinds;
   for (const int number : faces) kinds.insert(solid_.faces[static_cast<std::size_t>(number - 1)].surface);
@@ -537,12 +539,12 @@ void Finder::report_left_out() {
         ": the material up to the top of each stays" + tools);
 }
 
-/// Whether the cutter comes by right in front of a wall, down to its foot.
+/// Whether the cutter passes directly in front of a wall, down to the wall's foot.
 bool Finder::is_reached(const SolidFace& wall) const {
   const Vec2 p = wall.front->before;
   if (!solid_.plan.contains(p)) return true;
   const auto& cells = map_.cells();
-  // A wall beside a floor that slopes is left out with that floor, not for its own sake.
+  // A wall beside a sloping floor is left out because of this floor, not by itself.
   const auto foot_of = [&](const Cell& cell) {
     return cell.floor ? cell.z : solid_.faces[static_cast<std::size_t>(cell.face)].z_low;
   };
@@ -551,7 +553,7 @@ bool Finder::is_reached(const SolidFace& wall) const {
   });
 }
 
-/// Whether a wall that looks the other way stands before its middle: no cutter comes from there.
+/// Whether a wall facing it is in front of its middle: no cutter can come from there.
 bool Finder::is_faced(const SolidFace& wall) const {
   const Vec2 p = wall.front->before;
   const double z = (wall.z_low + wall.z_high) / 2;
@@ -565,7 +567,7 @@ bool Finder::is_faced(const SolidFace& wall) const {
   });
 }
 
-/// Whether the solid goes on below the middle of a face that looks down.
+/// Whether the solid continues below the middle of a downward face.
 bool Finder::is_undermined(const SolidFace& ceiling) const {
   const auto& cells = map_.cells();
   return std::any_of(cells.begin(), cells.end(), [&](const Cell& cell) {
@@ -573,7 +575,7 @@ bool Finder::is_undermined(const SolidFace& ceiling) const {
   });
 }
 
-/// Index into kSetUps of the direction that the face is a floor for; -1 for none.
+/// Index into kSetUps of the direction for which the face is a floor; -1 for none.
 int Finder::set_up_of(const SolidFace& face) const {
   if (face.level && face.facing == Facing::kDown)
     return face.z_low > solid_.z_bottom + kSameHeight && !is_undermined(face) ? 0 : -1;
@@ -583,7 +585,7 @@ int Finder::set_up_of(const SolidFace& face) const {
   return out.y > 0 ? 3 : 4;
 }
 
-/// Says so where more floors look another way than this.
+/// Reports if more floors face another direction than this.
 void Finder::propose_side(const std::array<std::vector<int>, 5>& floors) {
   if (has_other_setups_) return;
   const auto most = std::max_element(floors.begin(), floors.end(),
@@ -599,7 +601,7 @@ void Finder::propose_side(const std::array<std::vector<int>, 5>& floors) {
                                          (is_turned ? "" : " (--up " + side + ")"));
 }
 
-/// Floors that look another way, one line for each direction.
+/// Reports floors of other directions, one line for each direction.
 void Finder::report_set_ups() {
   std::array<std::vector<int>, std::size(kSetUps)> floors;
   for (const SolidFace& face : solid_.faces) {

@@ -22,7 +22,7 @@ std::vector<Feature> settle_tops(std::vector<Feature>& features, const Stock& st
       return feature.top_z - feature.floor_z < tol.gouge + kSameHeight;
     });
     if (first == features.end()) return thin;
-    // One at a time: what it would have cut stands before those below it.
+    // One at a time: material not cut by it remains over the features below.
     thin.push_back(std::move(*first));
     features.erase(first);
   }

@@ -1,4 +1,4 @@
-// Where the material of each feature of a solid begins, and which have none worth a cut.
+// Tops of the features of a solid, and removal of features not worth a cut.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,9 @@
 
 namespace clearcut::read {
 
-/// Sets top_z of every feature to the height that those before it leave, and takes out those which are then no deeper than what counts
-/// as no gouge: to the checks, walls as low as that are none, and no cutter follows them. What is taken out, in the same order.
+/// Sets top_z of every feature to the height left by earlier ones, and removes features then no deeper than a
+/// permitted gouge: the checks ignore walls of this height, and no cutter follows them. Returns the removed features,
+/// in the same order.
 std::vector<Feature> settle_tops(std::vector<Feature>& features, const Stock& stock, const Tolerances& tol);
 
 }  // namespace clearcut::read

@@ -16,7 +16,7 @@ namespace {
 
 /// Clip paths on the shapes of clip paths on ..., at most.
 constexpr int kDeepestClip = 8;
-/// Of edges that may cross the edge of what is seen.
+/// Greatest number of halvings of edges that may cross the border of the visible area.
 constexpr int kHalvings = 6;
 constexpr double kSameArea = 1e-9;
 
@@ -32,7 +32,7 @@ SvgWindow window(Regions seen) {
   return std::make_shared<const Regions>(std::move(seen));
 }
 
-/// What is seen through both.
+/// The area visible through both.
 SvgWindow through_both(const SvgWindow& a, const SvgWindow& b, const Tolerances& tol) {
   if (!a || !b) return a ? a : b;
   return a == b ? a : window(intersect(*a, *b, tol));
@@ -55,7 +55,7 @@ bool is_rectangle(const Regions& seen) {
   return std::abs(all.width() * all.height() - area(seen)) <= kSameArea * area(seen);
 }
 
-/// How much of a box that is not empty is seen.
+/// How much of a non-empty box is visible.
 Seen seen_of_box(const Box& all, const Regions& seen, const Tolerances& tol) {
   const Box window = box(seen).grown(kSamePlaceMm);
   if (seen.empty() || !window.overlaps(all)) return Seen::kNothing;
@@ -66,7 +66,7 @@ Seen seen_of_box(const Box& all, const Regions& seen, const Tolerances& tol) {
   return intersect(part, seen, tol).empty() ? Seen::kNothing : Seen::kPart;
 }
 
-/// How much of an edge is seen: of its halves, as often as it takes and at most `more` times.
+/// How much of an edge is visible: by halving as often as needed, at most `more` times.
 Seen seen_of_edge(const Edge& edge, const Regions& seen, int more, const Tolerances& tol) {
   const Seen whole = seen_of_box(edge.box(), seen, tol);
   if (whole != Seen::kPart || more == 0) return whole;

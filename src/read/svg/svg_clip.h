@@ -1,4 +1,4 @@
-// What clip paths and the viewports of an SVG let be seen of its shapes.
+// Visible parts of an SVG's shapes under clip paths and viewports.
 #pragma once
 
 #include <array>
@@ -15,15 +15,16 @@
 
 namespace clearcut::read {
 
-/// The areas that the <clipPath> elements of a document let be seen.
+/// The visible areas of a document's <clipPath> elements.
 class SvgClips {
  public:
   SvgClips(const SvgDocument& document, const ReadOptions& options)
       : document_(document), options_(options) {}
 
-  /// Narrows own.shown to what the element's clip-path lets be seen; `own` is inherited with the element's own transform. A reference
-  /// to nothing hides nothing, as in browsers. False for clip paths that are not read: functions as inset(), text, sizes by the
-  /// bounding box of what they clip. Source: SVG 1.1, section 14.3. Cost of each clip path under each transform once.
+  /// Narrows own.shown to the visible area of the element's clip-path; `own` is inherited with the element's own
+  /// transform. A broken reference hides nothing, as in browsers. False for unsupported clip paths: functions such as
+  /// inset(), text, sizes by the bounding box of the clipped element. Source: SVG 1.1, section 14.3. Cost: each clip
+  /// path under each transform once.
   bool narrow(SvgInherited& own);
 
  private:
@@ -48,11 +49,11 @@ void narrow_to_viewport(SvgInherited& own, const Affine& place, double width, do
 /// How much of something is seen.
 enum class Seen { kWhole, kPart, kNothing };
 
-/// Leaves of curves that fill an area together what is seen of it, and says how much that is. Outlines that are wholly seen stay as
-/// they are. `nonzero`: the winding rule; else even-odd.
+/// Reduces curves filling an area together to the visible part, and returns how much is visible. Wholly visible
+/// outlines are unchanged. `nonzero`: the winding rule; else even-odd.
 Seen clip_fill(std::vector<RawCurve>& curves, bool nonzero, const SvgWindow& shown, const Tolerances& tol);
 
-/// How much is seen of a line: kPart, too, where that takes too long to say.
+/// How much of a line is visible: also kPart if the decision takes too long.
 Seen how_much_is_seen(const Path& line, const SvgWindow& shown, const Tolerances& tol);
 
 }  // namespace clearcut::read

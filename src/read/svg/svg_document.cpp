@@ -29,10 +29,10 @@ class DrawnCount {
   DrawnCount(int most, const SvgDocument& document) : most_(most), document_(document) {}
 
   int of(const pugi::xml_node& node, int depth = 0) {
-    // What is used within uses so deep, the drawing of it refuses.
+    // Elements used at greater depth are refused by the drawing.
     if (depth > kDeepestSvg) return 1;
     const auto [found, is_new] = counts_.try_emplace(node.internal_object(), 1);
-    // What is being counted refers to itself, which the drawing of it refuses.
+    // A self-reference is refused by the drawing.
     if (!is_new) return found->second;
     int sum = 1;
     const auto add = [&](const pugi::xml_node& part) {
@@ -54,7 +54,7 @@ class DrawnCount {
   std::map<const void*, int> counts_;
 };
 
-/// The value of a property as an attribute says it: path("M0 0") without its function.
+/// The value of a property in the form of an attribute: path("M0 0") without its function.
 std::string as_attribute(const std::string& property, const std::string& value) {
   const std::size_t open = value.find_first_of("\"'"), close = value.find_last_of("\"'");
   return property == "d" && open < close ? value.substr(open + 1, close - open - 1) : value;

@@ -124,7 +124,7 @@ void apply_svg_style(const pugi::xml_node& node, const SvgStyleSheet& sheet, Svg
     style.set(property, svg_text_of(node, property));
   }
   for (const char* property : kSvgFontProperties) style.set(property, svg_text_of(node, property));
-  // What is important goes before all that is not, and then the style of the element before that of sheets.
+  // Important properties take precedence over all others, and then the element's style over that of sheets.
   for (const bool important : {false, true}) {
     sheet.apply(local_name(node), svg_text_of(node, "id"), svg_text_of(node, "class"), important, style);
     apply_declarations(svg_text_of(node, "style"), important, style);

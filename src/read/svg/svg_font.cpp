@@ -42,7 +42,7 @@ bool is_italic(std::string_view style) {
   return style.starts_with("italic") || style.starts_with("oblique");
 }
 
-/// Values that leave letters as they are.
+/// Values that do not change letters.
 bool says_nothing(std::string_view value) {
   constexpr std::array<std::string_view, 14> kNothing = {
       "normal", "auto", "baseline",  "alphabetic", "0",          "0px",        "0%",

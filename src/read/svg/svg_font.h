@@ -1,4 +1,4 @@
-// What SVG's attributes and style sheets say of letters.
+// Font properties from SVG's attributes and style sheets.
 #pragma once
 
 #include <set>
@@ -12,21 +12,21 @@ namespace clearcut::read {
 struct SvgFont {
   std::vector<std::string> families;
   double size = 16;        ///< user units
-  double outer_size = 16;  ///< of the element around it, for percentages
+  double outer_size = 16;  ///< size of the enclosing element, for percentages
   std::string spacing;     ///< a length between letters, as written
   std::string anchor = "start";
   bool bold = false;
   bool italic = false;
   bool vertical = false;
   bool keeps_space = false;           ///< white space is not collapsed
-  std::set<std::string> not_applied;  ///< properties that move or change letters and are not read
-  std::string problem;                ///< "" or what is not understood
+  std::set<std::string> not_applied;  ///< unsupported properties that move or change letters
+  std::string problem;                ///< "" or the unsupported value
 
-  /// `value` without blanks around it.
+  /// `value` must have no surrounding blanks.
   void set(std::string_view property, std::string_view value);
 };
 
-/// The attributes that SvgFont::set knows.
+/// The attributes known to SvgFont::set.
 inline constexpr const char* kSvgFontProperties[] = {"font",
                                                      "font-family",
                                                      "font-size",
@@ -49,7 +49,8 @@ inline constexpr const char* kSvgFontProperties[] = {"font",
                                                      "textLength",
                                                      "font-size-adjust"};
 
-/// Lengths between blanks and commas; "em" is `em` user units, percentages are of `whole`. Ends before what is no length.
+/// Lengths between blanks and commas; "em" is `em` user units, percentages are of `whole`. Ends before the first text
+/// that is no length.
 std::vector<double> svg_lengths(std::string_view text, double whole, double em);
 
 }  // namespace clearcut::read

@@ -11,8 +11,8 @@
 namespace clearcut::read {
 namespace {
 
-/// Whether a named group within a layer is one itself. What is only grouped there belongs to the layer, so that its
-/// outlines nest in those around them.
+/// Whether a named group within a layer is itself a layer. A plain group belongs to the layer, so that its outlines
+/// nest in those around them.
 bool is_layer(const pugi::xml_node& node, const std::string& label, const LayerMeaning& meaning,
               const ReadOptions& options, const std::string& around) {
   const bool says = meaning.says_role || meaning.depth || meaning.top;
@@ -29,7 +29,7 @@ void inherit_layer(const pugi::xml_node& node, std::string_view name, const Read
   if (label.empty()) label = unescaped_svg_id(svg_text_of(node, "id"));
   if (label.empty()) return;
   const LayerMeaning meaning = meaning_of_layer(label);
-  // Every shape has an id; only one that says a role is more than a number.
+  // Every shape has an id; only an id with a role is more than a number.
   if (name != "g" && !meaning.says_role) return;
   own.chosen = own.chosen || std::any_of(options.layers.begin(), options.layers.end(),
                                          [&](const std::string& p) { return matches(p, label); });
@@ -39,7 +39,7 @@ void inherit_layer(const pugi::xml_node& node, std::string_view name, const Read
   if (meaning.top) own.top = meaning.top;
 }
 
-/// The point about which an element is transformed, user units; nothing where it is not understood.
+/// The origin of an element's transform, user units; nothing if invalid.
 std::optional<Vec2> transform_origin(std::string_view text) {
   if (text.empty()) return Vec2{};
   const std::size_t gap = text.find_first_of(" \t\r\n");
@@ -51,7 +51,7 @@ std::optional<Vec2> transform_origin(std::string_view text) {
 
 std::string inherit_transform(const pugi::xml_node& node, SvgInherited& own) {
   const std::string_view attribute = svg_text_of(node, "transform");
-  // The style's goes before the attribute.
+  // The transform of the style takes precedence over the attribute.
   const std::string_view text = own.style.transform.empty() ? attribute : own.style.transform;
   if (!own.style.moved_by.empty())
     return "the property " + own.style.moved_by + " of a style is not read; write it as a transform";
@@ -70,7 +70,7 @@ std::string inherit_transform(const pugi::xml_node& node, SvgInherited& own) {
   return {};
 }
 
-/// A length in mm; without unit it is mm.
+/// A length in mm; without unit in mm.
 std::string take_length(const pugi::xml_node& node, const char* name, std::optional<double>& length) {
   const std::string_view text = svg_text_of(node, name);
   if (text.empty()) return {};

@@ -1,4 +1,4 @@
-// What an element of an SVG takes over from the groups around it.
+// Properties inherited by an SVG element from the groups around it.
 #pragma once
 
 #include <memory>
@@ -17,22 +17,23 @@ class xml_node;
 
 namespace clearcut::read {
 
-/// What of the drawing is seen, mm; null: all of it.
+/// Visible area of the drawing, mm; null: all.
 using SvgWindow = std::shared_ptr<const Regions>;
 
 struct SvgInherited {
   SvgStyle style;
   Affine map;  ///< user units to mm
   SvgViewSize view;
-  std::string layer;    ///< name of the nearest group that is a layer
-  bool chosen = false;  ///< a group around it is among the chosen layers
+  std::string layer;    ///< name of the nearest enclosing layer
+  bool chosen = false;  ///< an enclosing group is among the chosen layers
   std::optional<LayerRole> role;
   std::optional<HoleRequest> hole;
   std::optional<double> depth, top, width;  ///< mm
   SvgWindow shown;                          ///< through clip paths and viewports
 };
 
-/// Style, transform, layer and depth of `node` on top of what is around it. Returns what cannot be read, "" if all can.
+/// Adds style, transform, layer and depth of `node` to the inherited ones. Returns an unreadable value, "" if there
+/// is none.
 std::string inherit_svg(const pugi::xml_node& node, const SvgStyleSheet& sheet, const ReadOptions& options,
                         SvgInherited& own);
 

@@ -1,4 +1,4 @@
-// What of a drawing was left out, or is read otherwise than it is drawn.
+// Items of a drawing left out, or read differently than drawn.
 #pragma once
 
 #include <string>
@@ -12,13 +12,12 @@ namespace clearcut::read {
 /// Counted while the elements are read.
 struct SvgNotes {
   LeftOut not_read, hidden, not_chosen, ignored;
-  LeftOut
-      shapes_not_read;  ///< elements that may draw something to be cut, and that this reader does not know
+  LeftOut shapes_not_read;  ///< unknown elements that may draw shapes to be cut
   LeftOut texts_not_read;
-  LeftOut letters_not_so;  ///< texts by the property that is not applied
-  LeftOut not_applied;     ///< elements by the property that hides part of them
-  int clipped = 0;         ///< shapes of which a part is hidden and left out
-  int clipped_lines = 0;   ///< lines of which a part may be hidden, read whole
+  LeftOut letters_not_so;  ///< texts by their unsupported property
+  LeftOut not_applied;     ///< elements by the property hiding part of them
+  int clipped = 0;         ///< shapes with a hidden part, which is left out
+  int clipped_lines = 0;   ///< lines with a possibly hidden part, read whole
   int stroke_only = 0;
   int dashed = 0;
   int fixed_strokes = 0;

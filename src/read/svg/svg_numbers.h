@@ -14,9 +14,9 @@ class SvgScanner {
   explicit SvgScanner(std::string_view text) : text_(text) {}
 
   bool at_end();
-  /// The next number, or nothing (and nothing is taken) where none begins. "1.5.5" is 1.5 and .5.
+  /// The next number, or nothing (and no text is consumed) if none begins. "1.5.5" is 1.5 and .5.
   std::optional<double> number();
-  /// A single 0 or 1, which needs no separator ("a1 1 0 01 5 5").
+  /// A single 0 or 1, without need of a separator ("a1 1 0 01 5 5").
   std::optional<bool> flag();
   /// The next character after white space, not taken; 0 at the end.
   char peek();
@@ -41,7 +41,7 @@ std::optional<double> svg_length(std::string_view text, double whole);
 std::optional<double> svg_plain_length(std::string_view text);
 
 /// A list of matrix(), translate(), scale(), rotate(), skewX(), skewY(), with the units of style
-/// sheets ("5px", "45deg"); nothing when it is not understood.
+/// sheets ("5px", "45deg"); nothing if invalid.
 std::optional<Affine> svg_transform(std::string_view text);
 
 }  // namespace clearcut::read

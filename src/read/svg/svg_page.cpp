@@ -27,7 +27,7 @@ std::optional<ViewBox> view_box_of(const std::string& text) {
   return ViewBox{n[0], n[1], n[2], n[3]};
 }
 
-/// Whether a length has a unit of its own that is not the screen's.
+/// Whether a length has a unit of its own other than the screen's.
 bool is_physical(const std::string& length) {
   SvgScanner scanner(length);
   if (!scanner.number()) return false;
@@ -67,7 +67,7 @@ SvgViewSize view_size(const std::string& view_box, const SvgViewSize& own) {
 }
 
 PixelSize pixel_size_of(std::string_view text, std::string_view inkscape_version) {
-  // The comment that names the generator stands before the root.
+  // The comment naming the generator is before the root.
   const std::string_view prolog = text.substr(0, text.find("<svg"));
   if (prolog.find("Generator: Adobe Illustrator") != std::string_view::npos)
     return {72, "as Adobe Illustrator writes them"};
@@ -91,7 +91,7 @@ SvgPage page_of(const SvgViewport& viewport, std::optional<double> user_unit, do
   if (!width) width = box ? box->width : 0;
   if (!height) height = box ? box->height : 0;
   page.has_size = is_physical(viewport.width) || is_physical(viewport.height);
-  // Without a viewBox a user unit is a px: of the program that wrote it, if that had pixels of its own.
+  // Without a viewBox a user unit is a px: that of the writing program, if it used its own pixels.
   const bool own_pixels = !box && px_per_inch != kPxPerInch;
   page.physical = user_unit || (page.has_size && !own_pixels);
   const double stretch = !user_unit && page.has_size && own_pixels ? px_per_inch / kPxPerInch : 1;

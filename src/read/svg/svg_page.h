@@ -24,22 +24,22 @@ struct SvgPage {
   bool has_size = false;  ///< the page's size is stated in mm or the like
 };
 
-/// How large a px is where the file states no physical size.
+/// Size of a px if the file states no physical size.
 struct PixelSize {
   double per_inch = 96;
-  std::string because;  ///< the program that wrote the file, where that decides
+  std::string because;  ///< the program that wrote the file, if decisive
 };
-/// Adobe Illustrator writes points, Inkscape before 0.92 ninetieths of an inch. `text`: the file; `inkscape_version`: the
-/// attribute of that name, "" when absent.
+/// Adobe Illustrator writes points, Inkscape before 0.92 ninetieths of an inch. `text`: the file; `inkscape_version`:
+/// the attribute of this name, "" if absent.
 PixelSize pixel_size_of(std::string_view text, std::string_view inkscape_version);
 
 /// The map of `svg_viewport` within `width` x `height` (its own viewport in outer units) for its viewBox.
 Affine view_box_map(const std::string& view_box, const std::string& aspect, double width, double height);
 
-/// The size that percentages within a viewport are of: that of its viewBox, `own` where it has none.
+/// Reference size of percentages within a viewport: that of its viewBox, `own` if it has none.
 SvgViewSize view_size(const std::string& view_box, const SvgViewSize& own);
 
-/// `user_unit`: mm per user unit when the user states it; `px_per_inch` counts where nobody states a size.
+/// `user_unit`: mm per user unit if stated by the user; `px_per_inch` is used if no size is stated.
 SvgPage page_of(const SvgViewport& viewport, std::optional<double> user_unit, double px_per_inch);
 
 }  // namespace clearcut::read

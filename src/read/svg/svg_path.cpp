@@ -53,7 +53,7 @@ CenterArc center_arc(Vec2 from, Vec2 to, double rx, double ry, double tilt, bool
     rx *= std::sqrt(excess);
     ry *= std::sqrt(excess);
   }
-  // On the unit circle: the chord's half and the center's distance from it.
+  // On the unit circle: half of the chord and the center's distance from the chord.
   const Vec2 h{half.x / rx, half.y / ry};
   const double h2 = std::min(norm_squared(h), 1.0);
   const double away = (large == positive ? -1 : 1) * std::sqrt((1 - h2) / h2);

@@ -14,11 +14,11 @@ namespace clearcut::read {
 struct SvgPathData {
   std::vector<Subpath> subpaths;
   bool half_point = false;  ///< a list of points ends after an x
-  std::string error;        ///< "" or what is wrong and where; the subpaths before it are good
+  std::string error;        ///< "" or the fault and its place; the subpaths before are valid
 };
 
 /// All commands in absolute and relative form, with implied repeats. Circular arcs stay exact under `map`
-/// when it is a similarity; all other curves are within kCurveTolerance. Cost O(length + pieces).
+/// if it is a similarity; all other curves are within kCurveTolerance. Cost O(length + pieces).
 SvgPathData read_svg_path(std::string_view data, const Affine& map);
 
 }  // namespace clearcut::read

@@ -65,7 +65,7 @@ class SvgCollector {
     return std::move(groups_);
   }
 
-  /// Throws where no layer that was asked for has shapes.
+  /// Throws if no requested layer has shapes.
   void refuse_unknown_layers() const {
     const bool found = std::any_of(groups_.begin(), groups_.end(),
                                    [](const DrawnGroup& group) { return !group.curves.empty(); });
@@ -147,7 +147,7 @@ class SvgCollector {
     }
   }
 
-  /// What cannot be read would count as absent.
+  /// Unreadable lengths would count as absent.
   void check_lengths(const pugi::xml_node& node) const {
     for (const char* name :
          {"x", "y", "width", "height", "rx", "ry", "cx", "cy", "r", "x1", "y1", "x2", "y2"}) {
@@ -166,7 +166,7 @@ class SvgCollector {
     }
   }
 
-  /// Of its children the first that asks for no extension and no language, as a browser without any of them draws it.
+  /// Draws the first child that requires no extension and no language, like a browser without any of them.
   void take_switch(const pugi::xml_node& node, const SvgInherited& own, int depth) {
     bool taken = false;
     for (const pugi::xml_node& child : node) {
@@ -209,7 +209,7 @@ class SvgCollector {
     inherit(used, own);
     check_lengths(used);
     if (!own.style.shown || !own.style.seen) return leave_out(used);
-    // The size that the use gives goes before that of an <svg>.
+    // The size in the <use> takes precedence over that of an <svg>.
     const auto size = [&](const char* side, double whole) {
       return svg_attribute(node, side, whole, is_svg ? svg_attribute(used, side, whole, whole) : whole);
     };
@@ -246,7 +246,7 @@ class SvgCollector {
     if (as_area) add_stroke(node, own, compound, *group);
   }
 
-  /// The group of what is drawn so; nothing, and counted, where that is not to be read.
+  /// The group for such elements; null, with a count, if they are not to be read.
   DrawnGroup* wanted_group(const SvgInherited& own, bool filled) {
     DrawnGroup& group = group_of(own, filled ? own.style.fill : own.style.stroke);
     const bool chosen = options_.layers.empty() || own.chosen;
@@ -286,7 +286,7 @@ class SvgCollector {
     if (!drawn && text.left_out.empty()) ++notes_.not_read["text without letters"];
   }
 
-  /// Strokes of a group are one area; that of a filled shape is one with its fill.
+  /// Strokes of a group are one area; the stroke of a filled shape is one area with its fill.
   void add_stroke(const pugi::xml_node& node, const SvgInherited& own, const std::optional<Compound>& fill,
                   DrawnGroup& group) {
     if (!svg_length(own.style.stroke_width, 1))
@@ -311,8 +311,8 @@ class SvgCollector {
     }
   }
 
-  /// Where somebody asked for the areas of strokes, and there are no others, they are what is milled. Strokes of one colour are one
-  /// area with the fills of that colour that they run into.
+  /// If the areas of strokes were requested, and there are no other shapes, they are milled. Strokes of one colour
+  /// are one area with overlapping fills of this colour.
   void say_what_strokes_are(DrawnGroup& group) const {
     const auto strokes = strokes_.find(group.where);
     if (strokes == strokes_.end()) return;
@@ -334,7 +334,7 @@ class SvgCollector {
     return compound;
   }
 
-  /// mm2, above 0 where the curves of a compound run counter-clockwise about what they fill.
+  /// mm2, positive if the curves of a compound run counter-clockwise around their fill.
   static double winding_of(const DrawnGroup& group, const Compound& compound) {
     double sum = 0;
     for (const RawCurve& curve : group.curves)
@@ -357,8 +357,8 @@ class SvgCollector {
     add_seen(std::move(curves), own, fill, std::string(local_name(node)), group);
   }
 
-  /// What clip paths and viewports let be seen of areas; lines that are seen in part are read whole. `what`: for the list of what
-  /// is hidden.
+  /// Adds the parts of areas visible through clip paths and viewports; partly visible lines are read whole. `what`:
+  /// name for the list of hidden elements.
   void add_seen(std::vector<RawCurve> curves, const SvgInherited& own, const std::optional<Compound>& fill,
                 const std::string& what, DrawnGroup& group) {
     if (fill) {
@@ -410,7 +410,7 @@ class SvgCollector {
   SvgNotes notes_;
   Lettering lettering_;
   int compounds_ = 0;
-  /// Strokes of a group are one area; which, and their colours.
+  /// Strokes of a group are one area: its compound, and the colours.
   std::map<std::string, std::pair<Compound, std::set<std::string>>> strokes_;
   int count_ = 0;
 };

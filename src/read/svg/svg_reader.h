@@ -19,8 +19,8 @@ namespace clearcut::read {
 ///         mm; else the options.
 /// Units   options.unit per user unit, else width, height and viewBox, else 96 px per inch with a warning.
 /// Error   curves within kCurveTolerance, circular arcs exact.
-/// Throws  InputError "file:line: ..." for damaged files and outlines beyond repair (see repair.h). What is
-///         not read (text, images, ...) is counted and named in the diagnostics.
+/// Throws  InputError "file:line: ..." for damaged files and outlines beyond repair (see repair.h). Unread elements
+///         (text, images, ...) are counted and named in the diagnostics.
 Part read_svg(std::string_view text, const std::string& file_name, const ReadOptions& options);
 
 }  // namespace clearcut::read

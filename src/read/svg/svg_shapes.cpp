@@ -127,7 +127,7 @@ SvgPathData svg_shape(const pugi::xml_node& node, const SvgViewSize& view, const
     const double r = svg_attribute(node, "r", diagonal, 0);
     return ellipse(center, r, r, map);
   }
-  // A radius that is not said is as long as the other.
+  // An unstated radius equals the other.
   const double rx = svg_attribute(node, "rx", view.width, -1),
                ry = svg_attribute(node, "ry", view.height, -1);
   return ellipse(center, rx < 0 ? ry : rx, ry < 0 ? rx : ry, map);

@@ -18,7 +18,7 @@ struct SvgViewSize {
   double width = 0;
   double height = 0;
 
-  /// What percentages of neither width nor height are of: the diagonal over the root of two.
+  /// Reference of percentages of neither width nor height: the diagonal over the root of two.
   double diagonal() const;
 };
 
@@ -26,7 +26,7 @@ struct SvgViewSize {
 std::string_view local_name(const pugi::xml_node& node);
 /// rect, circle, ellipse, line, polyline, polygon, path.
 bool is_svg_shape(std::string_view name);
-/// The attribute as a length in user units; `otherwise` when it is absent or not understood.
+/// The attribute as a length in user units; `otherwise` if absent or invalid.
 double svg_attribute(const pugi::xml_node& node, const char* name, double whole, double otherwise);
 
 /// The outline of a shape under `map`.

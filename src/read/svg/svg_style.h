@@ -1,4 +1,4 @@
-// What SVG's attributes and style sheets say of an element, as far as it matters for milling.
+// Style of an element from SVG's attributes and style sheets, as far as relevant for milling.
 #pragma once
 
 #include <map>
@@ -27,17 +27,16 @@ struct SvgStyle {
   bool fill_seen = true;      ///< its opacity is above 0
   bool stroke_seen = true;    ///< the same
   bool visible = true;        ///< visibility; inherited
-  bool shown = true;          ///< display; an element that is not shown hides all within
+  bool shown = true;          ///< display; a hidden element hides all within
   bool seen = true;           ///< opacity above 0; the same
   SvgFont font;
-  bool overflows = false;  ///< overflow: a viewport shows what lies beyond it; not inherited
+  bool overflows = false;  ///< overflow: a viewport also shows its outside; not inherited
   std::string clip;        ///< clip-path, as written; "" for none; not inherited
   bool masked = false;     ///< a mask hides part of the element; not inherited
 
   std::string transform, transform_origin;  ///< as written; not inherited
-  std::string transform_box;                ///< what origin and percentages refer to; not inherited
-  std::string
-      moved_by;  ///< "rotate", "scale" or "translate" where the element has this property; not inherited
+  std::string transform_box;                ///< reference of origin and percentages; not inherited
+  std::string moved_by;  ///< "rotate", "scale" or "translate" if the element has this property; not inherited
   /// Place and size, with properties' names and their values as written; not inherited.
   std::vector<std::pair<std::string, std::string>> geometry;
 
@@ -46,7 +45,7 @@ struct SvgStyle {
   /// Its pen in user units; widths in percent are of `diagonal`.
   Pen pen(double diagonal) const;
   void set(std::string_view property, std::string_view value);
-  /// The same of a style, which says place and size, too.
+  /// The same for a style, which also contains place and size.
   void set_by_style(std::string_view property, std::string_view value);
 };
 
@@ -56,9 +55,9 @@ std::string normal_color(std::string_view color);
 /// The rules of <style> elements with simple selectors: "*", "path", ".class", "#id" and lists of them.
 class SvgStyleSheet {
  public:
-  /// Adds the rules of one <style>; false when something in it was not understood.
+  /// Adds the rules of one <style>; false if a part of it was not understood.
   bool add(std::string_view css);
-  /// What its rules say of an element, those that are said to be important or the others.
+  /// Applies its rules to an element: the important ones or the others.
   void apply(std::string_view element, std::string_view id, std::string_view classes, bool important,
              SvgStyle& style) const;
 
@@ -71,7 +70,7 @@ class SvgStyleSheet {
   int count_ = 0;
 };
 
-/// Applies those of "fill:none;stroke:#000 !important" that are important, or the others.
+/// Applies those of "fill:none;stroke:#000 !important" marked important, or the others.
 void apply_declarations(std::string_view declarations, bool important, SvgStyle& style);
 
 }  // namespace clearcut::read

@@ -11,7 +11,7 @@
 namespace clearcut::read {
 namespace {
 
-/// A letter with what the elements around it say of its place.
+/// A letter with the placement given by its enclosing elements.
 struct PlacedLetter {
   char32_t letter = 0;
   std::size_t run = 0;
@@ -78,7 +78,7 @@ class TextReader {
     }
   }
 
-  /// Values of an element count where none of an element within it does.
+  /// Values of an element count unless an inner element states its own.
   void put_lists(const pugi::xml_node& node, const SvgStyle& style, std::size_t begin) {
     const auto put = [&](const char* name, double whole, std::optional<double> PlacedLetter::*member) {
       const std::vector<double> values = svg_lengths(svg_text_of(node, name), whole, style.font.size);
@@ -97,7 +97,7 @@ class TextReader {
       letters_[i].rotate = letters_[i].rotate.value_or(turns.back());
   }
 
-  /// Chunks begin where a place is given; each is anchored as a whole.
+  /// Chunks begin at stated places; each is anchored as a whole.
   void place() {
     Vec2 at;
     for (std::size_t begin = 0; begin < letters_.size();) {
@@ -148,7 +148,7 @@ class TextReader {
   Lettering& lettering_;
   SvgText out_;
   std::vector<PlacedLetter> letters_;
-  bool collapsed_end_ = false;  ///< the last letter is a blank that further blanks fall into
+  bool collapsed_end_ = false;  ///< the last letter is a blank that absorbs further blanks
 };
 
 }  // namespace

@@ -19,13 +19,13 @@ struct SvgTextRun {
 
 struct SvgText {
   std::vector<SvgTextRun> runs;
-  LeftOut left_out;     ///< elements within that are not read
-  LeftOut not_applied;  ///< properties that are not
-  std::string problem;  ///< "" or what is not understood
+  LeftOut left_out;     ///< unread elements within
+  LeftOut not_applied;  ///< unsupported properties
+  std::string problem;  ///< "" or the unsupported value
 };
 
-/// The letters of `text` with its style; `map` is user units to mm. Lists of x, y, dx, dy and rotate are applied letter by letter.
-/// Source: SVG 1.1, chapter 10; white space as CSS collapses it.
+/// The letters of `text` with its style; `map` is user units to mm. Lists of x, y, dx, dy and rotate are applied
+/// letter by letter. Source: SVG 1.1, chapter 10; white space collapsed as in CSS.
 SvgText read_svg_text(const pugi::xml_node& text, const SvgStyle& style, const SvgStyleSheet& sheet,
                       const SvgViewSize& view, const Affine& map, Lettering& lettering);
 

@@ -12,10 +12,10 @@ namespace clearcut::read {
 inline constexpr double kSharpestCone = 5, kBluntestCone = 170;
 inline constexpr double kLeastTaper = 0.1, kMostTaper = 45;
 
-/// A text among the values of `object`; empty where it has none of that name.
+/// A text among the values of `object`; empty if there is none of this name.
 std::string text_of(const DataValue& object, const char* key);
 
-/// A FreeCAD tool bit. Nothing, and a report, when it is no cutter for pockets.
+/// A FreeCAD tool bit. Nothing, with a report, if it is no cutter for pockets.
 std::optional<LibraryTool> read_freecad_bit(std::string_view text, const std::string& file_name,
                                             Diagnostics& diagnostics);
 ToolLibrary read_freecad_library(std::string_view text, const std::string& file_name);

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 constexpr std::size_t kLargestBit = std::size_t{4} << 20;
 
-/// A number with or without a unit; mm where a unit of length is given.
+/// A number with or without a unit; mm if a unit of length is given.
 std::optional<double> quantity(const DataValue* value) {
   if (!value) return std::nullopt;
   if (value->is_number()) return value->number;
@@ -81,7 +81,7 @@ const DataValue* value_of(const DataValue& root, const char* key) {
   return nullptr;
 }
 
-/// Cones, by the angle between their flanks. False where none is stated.
+/// Cones, by the angle between their flanks. False if none is stated.
 bool read_cone(const DataValue& root, Tool& tool) {
   if (tool.kind != ToolKind::kVBit && tool.kind != ToolKind::kChamferMill) return true;
   const auto angle = degrees_of(value_of(root, "CuttingEdgeAngle"));
@@ -114,7 +114,7 @@ Tool tool_of(const DataValue& root, ToolKind kind) {
   return tool;
 }
 
-/// Beside the library, in Bit beside it or beside its folder: as FreeCAD keeps them.
+/// Beside the library, in Bit beside it or beside its folder: as FreeCAD stores them.
 std::optional<fs::path> find_bit(const fs::path& library, const std::string& name) {
   const fs::path folder = library.parent_path();
   for (const fs::path& place : {folder / name, folder / "Bit" / name, folder / ".." / "Bit" / name}) {

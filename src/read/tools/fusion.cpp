@@ -46,7 +46,7 @@ bool is_true(const DataValue& value, const char* key) {
   return found && found->kind == DataValue::Kind::kBoolean && found->boolean;
 }
 
-/// "tool-coolant". What goes through the tool is flood here; air alone cools nothing that we switch.
+/// "tool-coolant". Coolant through the tool is treated as flood; air by itself is no coolant switched by the program.
 std::optional<Coolant> coolant_of_preset(const std::string& text, const std::string& place,
                                          Diagnostics& diagnostics) {
   static const std::map<std::string, Coolant> known{{"disabled", Coolant::kOff},
@@ -103,7 +103,8 @@ Tool tool_of(const DataValue& entry, ToolKind kind, double unit) {
   return tool;
 }
 
-/// The taper of one side, which libraries give in degrees or, as no cutter tapers by less than half a degree, in radians.
+/// The taper of one side, given by libraries in degrees or, since no cutter tapers by less than half a degree, in
+/// radians.
 std::optional<Radians> taper_of(const DataValue& entry) {
   constexpr double kLeastDegrees = 0.5, kMostDegrees = 85;
   const auto angle = number_of(entry.find("geometry"), "TA");
@@ -111,7 +112,7 @@ std::optional<Radians> taper_of(const DataValue& entry) {
   return *angle < kLeastDegrees ? Radians::of(*angle) : Radians::of_degrees(*angle);
 }
 
-/// A chamfer mill by the angle of one side, a spot drill by that of its point.
+/// A chamfer mill by the angle of one side, a spot drill by the angle of its point.
 std::string complete_cone(const DataValue& entry, double unit, Tool& tool) {
   const DataValue* geometry = entry.find("geometry");
   if (tool.kind == ToolKind::kChamferMill) {
@@ -129,7 +130,7 @@ std::string complete_cone(const DataValue& entry, double unit, Tool& tool) {
   return tool.tip_diameter < tool.diameter ? "" : "its tip is as wide as the tool";
 }
 
-/// What its kind needs besides. Returns what is missing, "" where nothing is.
+/// Reads the further data needed by its kind. Returns the missing one, "" if there is none.
 std::string complete_shape(const DataValue& entry, double unit, Tool& tool) {
   if (tool.kind == ToolKind::kChamferMill || tool.kind == ToolKind::kSpotDrill)
     return complete_cone(entry, unit, tool);
@@ -150,7 +151,7 @@ std::string complete_shape(const DataValue& entry, double unit, Tool& tool) {
   return "";
 }
 
-/// A holder is its first segment, at its widest; a tool stands out of it by the length of its body.
+/// A holder is its first segment, at its widest; a tool projects from it by the length of its body.
 void read_holder(const DataValue& entry, double unit, Tool& tool) {
   const DataValue* geometry = entry.find("geometry");
   if (tool.flute_length) tool.shank_diameter = unit * std::max(0.0, number_of(geometry, "SFDM").value_or(0));

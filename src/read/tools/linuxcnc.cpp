@@ -12,7 +12,7 @@
 namespace clearcut::read {
 namespace {
 
-/// What the comment calls the tool; an end mill otherwise.
+/// The kind of tool named in the comment; an end mill otherwise.
 ToolKind kind_in(const std::string& comment) {
   const std::string text = capitals(comment);
   const auto has = [&](const char* word) { return text.find(word) != std::string::npos; };

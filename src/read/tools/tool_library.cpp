@@ -51,7 +51,7 @@ std::vector<CuttingPreset> presets_of(DataSection& section) {
   return any ? std::vector{preset} : std::vector<CuttingPreset>{};
 }
 
-/// tip_angle in degrees and tip_diameter, of tools that end in a cone.
+/// tip_angle in degrees and tip_diameter, of tools with a conical end.
 void read_cone(DataSection& section, Tool& tool) {
   const auto angle = section.positive("tip_angle");
   const auto tip = section.not_negative("tip_diameter");
@@ -68,7 +68,8 @@ void read_cone(DataSection& section, Tool& tool) {
   if (tool.tip_diameter >= tool.diameter) section.fail_at("tip_diameter", "is not less than the diameter");
 }
 
-/// Tapered end mills: taper_angle, degrees of each side, from the flat tip up along the flutes. T-slot cutters: a disc on its neck.
+/// Tapered end mills: taper_angle, degrees of each side, from the flat tip up along the flutes. T-slot cutters: a
+/// disc on its neck.
 void read_shape(DataSection& section, Tool& tool) {
   const auto taper = section.positive("taper_angle");
   if (taper && tool.kind != ToolKind::kTapered) section.fail_at("taper_angle", "is not of this kind of tool");
@@ -105,7 +106,7 @@ void read_thread(DataSection& section, Tool& tool, const std::optional<Thread>& 
     section.fail("flute_length is missing: how far its rows of teeth reach");
 }
 
-/// Nothing where no thread is stated.
+/// Nothing if no thread is stated.
 std::optional<Thread> thread_of(DataSection& section, ToolKind kind) {
   const auto text = section.text("thread");
   if (!text) return std::nullopt;
@@ -115,7 +116,8 @@ std::optional<Thread> thread_of(DataSection& section, ToolKind kind) {
   return thread;
 }
 
-/// The holder by its diameter and how far the tool stands out of it; a shank wider than the cutter begins above the flutes.
+/// The holder by its diameter and the tool's projection from it; a shank wider than the cutter begins above the
+/// flutes.
 void read_holder(DataSection& section, Tool& tool) {
   tool.stickout = section.positive("stickout");
   tool.holder_diameter = section.positive("holder_diameter").value_or(0);
@@ -126,14 +128,14 @@ void read_holder(DataSection& section, Tool& tool) {
     section.fail("a shank wider than the cutter needs flute_length, mm: where it begins");
 }
 
-/// What the edges are of.
+/// Material of the edges.
 void read_edges(DataSection& section, Tool& tool) {
   const std::vector<std::string> materials{"carbide", "hss"};
   if (const auto material = section.choice("material", materials)) tool.high_speed_steel = *material == 1;
   tool.coated = section.flag("coated").value_or(false);
 }
 
-/// How a tool is called in what is said of it; `place` in the file, from 0.
+/// Name of a tool in messages; `place` in the file, from 0.
 std::string called(const Tool& tool, std::size_t place) {
   if (!tool.name.empty()) return "tool '" + printable(tool.name) + "'";
   if (tool.number > 0) return "tool T" + std::to_string(tool.number);

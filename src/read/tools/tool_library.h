@@ -13,7 +13,7 @@
 
 namespace clearcut::read {
 
-/// Feeds and speeds that a library gives for a tool in one material.
+/// Feeds and speeds of a library for a tool in one material.
 struct CuttingPreset {
   std::string name;
   CuttingData cutting;
@@ -28,28 +28,28 @@ struct LibraryTool {
 
 struct ToolLibrary {
   std::vector<LibraryTool> tools;  ///< in the order of the file; numbers are unique
-  Diagnostics diagnostics;         ///< tools and values that were dropped, and why
-  std::vector<std::string> files;  ///< paths of those that were read besides the library's own
+  Diagnostics diagnostics;         ///< dropped tools and values, with reasons
+  std::vector<std::string> files;  ///< paths of files read in addition to the library's own
 };
 
 struct ToolOptions {
-  /// Unit of LinuxCNC tables, which do not say: absent, mm with a warning.
+  /// Unit of LinuxCNC tables, which do not state it: absent, mm with a warning.
   std::optional<std::string> unit;
 };
 
 /// FreeCAD .fctb (one tool) and .fctl (a library, its tools beside it or in ../Bit), LinuxCNC .tbl, Fusion
 /// .json, and our .toml ([[tool]]; see docs/input.md), by extension.
 ///
-/// Units   mm, mm/min and rpm, whatever the file has.
-/// Throws  InputError, one line, for files that cannot be read and for libraries without a single usable
-///         tool. Tools that are no rotating cutters (probes, taps without a pitch, V-bits of other programs, ...)
-///         are dropped and reported.
+/// Units   mm, mm/min and rpm, for any unit of the file.
+/// Throws  InputError, one line, for unreadable files and for libraries without a single usable tool. Tools other
+///         than rotating cutters (probes, taps without a pitch, V-bits of other programs, ...) are dropped and
+///         reported.
 ToolLibrary read_tool_library(const std::filesystem::path& file, const ToolOptions& options);
-/// The same for text already read. A .fctl has its tools looked for beside `file_name`.
+/// The same for text already read. A .fctl has its tools searched beside `file_name`.
 ToolLibrary read_tool_library_text(std::string_view text, const std::string& file_name,
                                    const ToolOptions& options);
 
-/// The tool's preset of that name (* for anything, any case), or its first; null where it has none.
+/// The tool's preset of this name (* for anything, any case), or its first; null if it has none.
 const CuttingPreset* preset_of(const LibraryTool& tool, const std::string& name);
 
 /// One [[tool]] of our own format.
@@ -58,7 +58,7 @@ LibraryTool tool_of_section(DataSection section);
 /// The key coolant: off, flood, mist or both; true is flood, false off.
 std::optional<Coolant> coolant_in(DataSection& section);
 
-/// Drops tools without a diameter and gives numbers that are taken, or not above 0, new ones; reports both.
+/// Drops tools without a diameter and replaces numbers already in use, or not above 0; reports both.
 void settle(ToolLibrary& library, const std::string& where);
 
 }  // namespace clearcut::read

@@ -149,7 +149,7 @@ Json candidate_result(const CandidateResult& one) {
   return json;
 }
 
-/// Which strategy was kept for a workingstep, and all that were considered.
+/// The strategy kept for a workingstep, and all candidates.
 void add_selections(Json& json, const std::vector<StrategySelection>& selections, int workingstep) {
   for (const StrategySelection& selection : selections) {
     if (selection.workingstep != workingstep) continue;
@@ -219,7 +219,7 @@ Json resolved(const ResolvedValue& value) {
   return json;
 }
 
-/// Contours of published methods; those of others say nothing that layers do not.
+/// Contours of published methods; contours of other methods add no information to the layers.
 Json contours(const ContourLevels& levels) {
   Json json;
   json["feature"] = levels.feature;

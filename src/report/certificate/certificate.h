@@ -1,4 +1,4 @@
-// The certificate: what verification found, as JSON. docs/report.md lists every field.
+// The certificate: the results of verification, as JSON. docs/report.md lists every field.
 #pragma once
 
 #include <cstdint>
@@ -17,22 +17,22 @@
 
 namespace clearcut::report {
 
-/// A file that the findings rest on.
+/// A file on which the findings are based.
 struct CertificateFile {
   std::string role;  ///< "part", "job", "tools", "machine", "earlier program", "stock", "program"
-  std::string name;  ///< as it was given
+  std::string name;  ///< name as given by the user
   std::string sha256;
 };
 
-/// What the independent checker accepted of a witness. Absent where none was asked for.
+/// Result of the independent checker for a witness. Absent if no witness was requested.
 struct CertificateProof {
-  std::vector<std::string> proved;      ///< names of features of which nothing is left: claim C1
-  std::vector<std::string> not_proved;  ///< sentences: what nothing is proven of, and why
+  std::vector<std::string> proved;      ///< names of features proved to have no material left: claim C1
+  std::vector<std::string> not_proved;  ///< sentences naming the unproved features, with the reasons
   std::vector<std::string> options;     ///< of the checker
-  std::string witness_sha256;           ///< empty where no witness was found: then nothing is proved
+  std::string witness_sha256;           ///< empty if no witness was found: then nothing is proved
 };
 
-/// What the findings rest on: enough to repeat them.
+/// Basis of the findings: sufficient to repeat them.
 struct CertificateInfo {
   std::string version;                 ///< of the software
   std::uint64_t seed = 0;              ///< of everything random
@@ -40,8 +40,8 @@ struct CertificateInfo {
   std::vector<std::string> arguments;  ///< of the command, as typed
   std::vector<CertificateFile> inputs;
   std::string program_name;
-  std::string program;  ///< the text that was checked
-  std::string dialect;  ///< of the control that it was read as
+  std::string program;  ///< the checked text
+  std::string dialect;  ///< name of the control in whose dialect the program was read
   bool dialect_stated = true;
   Machine machine;
   Tolerances tolerances;
@@ -57,13 +57,13 @@ struct CertificateInfo {
   std::vector<ResolvedValue> values = {};
 };
 
-/// Shape   one JSON object: what it rests on, the figures of the whole, `features` (each with its figures and
-///         `layers`), `faults`, `values` of a plan; keys always in the same order, two blanks of indentation, a line break at the
-///         end.
-/// Units   in the names of the fields; numbers rounded to 1e-6. A figure that is not finite is null, and then
-///         `clean` is false.
-/// Text    bytes that are not UTF-8 are replaced. docs/certificate.schema.json is the JSON Schema. `seal` is the SHA-256 of
-///         the object without it, printed on one line without blanks.
+/// Shape   one JSON object: its basis, the figures of the whole, `features` (each with its figures and `layers`),
+///         `faults`, `values` of a plan; keys always in the same order, two blanks of indentation, a line break at
+///         the end.
+/// Units   in the names of the fields; numbers rounded to 1e-6. A non-finite figure is null, and `clean` is then
+///         false.
+/// Text    bytes outside of UTF-8 are replaced. docs/certificate.schema.json is the JSON Schema. `seal` is the
+///         SHA-256 of the object without `seal`, printed on one line without blanks.
 std::string certificate_json(const Part& part, const Findings& findings, const CertificateInfo& info);
 
 }  // namespace clearcut::report

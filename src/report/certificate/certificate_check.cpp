@@ -17,7 +17,7 @@ Json parsed(std::string_view text) {
   return json;
 }
 
-/// Takes the field at `path` out, in every item where the path goes through a list.
+/// Removes the field at `path`; if the path passes a list, in every item.
 void take_out(Json& json, std::string_view path) {
   const std::size_t end = path.find('/', 1);
   const std::string name(path.substr(1, end - 1));

@@ -29,7 +29,7 @@ Json feed(const std::optional<MmPerMin>& value) {
   return value ? certificate_number(value->mm_per_min()) : Json(nullptr);
 }
 
-/// Null where the tool does not say it.
+/// Null if the tool does not state it.
 Json edges_of(const Tool& one) {
   if (!one.high_speed_steel) return nullptr;
   return *one.high_speed_steel ? "hss" : "carbide";

@@ -1,4 +1,4 @@
-// The part of a certificate that says what was asked: part, tools, limits, machine, and what was taken for granted.
+// The part of a certificate that states the question: part, tools, limits, machine, and assumptions.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,7 +7,7 @@
 
 namespace clearcut::report {
 
-/// Rounded to 1e-6, so that the same figure has the same text whatever order it was summed in; null where not finite.
+/// Rounded to 1e-6, so that the same figure has the same text for any order of summation; null if not finite.
 nlohmann::ordered_json certificate_number(double value);
 
 nlohmann::ordered_json certificate_question(const Part& part, const Findings& findings,

@@ -1,4 +1,4 @@
-// What no findings can say at once: rules over a certificate's own fields, a row each.
+// Combinations impossible in true findings: rules over a certificate's own fields, a row each.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,10 +14,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kNoPart = " AS FAR AS CAN BE SAID WITHOUT A PART";
-/// Degrees that the engagement may go over its limit without a fault, and what digits are rounded by.
+/// Degrees by which the engagement may exceed its limit without a fault, and the rounding of digits.
 constexpr double kDegreesOver = 2.01;
 
-/// What `json` holds under `name`; null where it holds nothing of that name.
+/// The field `name` of `json`; null if there is none.
 const Json& field(const Json& json, const char* name) {
   static const Json kNull;
   return json.is_object() && json.contains(name) ? json.at(name) : kNull;
@@ -60,7 +60,7 @@ void check_verdict(const Json& certificate, Sentences& out) {
     out.push_back("/clean: is true, and the verdict that follows is " + plain);
 }
 
-/// A figure beyond its limit, which asks for a fault.
+/// A figure for which a value beyond its limit requires a fault.
 struct LimitRow {
   const char* figure;
   const char* limit;  ///< among question/limits; "" for 0
@@ -89,7 +89,7 @@ void check_limits(const Json& certificate, Sentences& out) {
     out.push_back("/engagement/max_deg: is over the limit, and no fault says so");
 }
 
-/// What the whole has at least where a feature or a layer has it.
+/// Figures of the whole that are at least those of every feature or layer.
 constexpr const char* kOfWhole[] = {"gouge_mm", "uncut_thickness_mm", "rapid_in_material", "max_axial_mm"};
 
 void check_share(const Json& whole, const Json& share, const std::string& at, Sentences& out) {
@@ -129,7 +129,7 @@ void check_basis(const Json& certificate, Sentences& out) {
   if (inputs.empty()) out.push_back("/inputs: no file says what was to be made");
 }
 
-/// Whether an object of the text has a key twice, and which.
+/// The key that an object of the text has twice; "" if there is none.
 std::string doubled_key(std::string_view text) {
   std::vector<std::set<std::string>> open;
   std::string doubled;

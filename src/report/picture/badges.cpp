@@ -9,10 +9,10 @@ namespace clearcut::report {
 namespace {
 
 constexpr double kBadgeHalfHeight = 12;
-/// Page units of a digit, and what stands on both sides of a text together.
+/// Page units: width of a digit, and the total margin on both sides of a text.
 constexpr double kBadgeDigit = 7.6, kBadgeBeside = 12;
 constexpr double kBadgeGap = 1;
-/// Rings about the place on which room is looked for, and places on each.
+/// Distance of the rings about the place on which room is searched, and places on each ring.
 constexpr double kBadgeRingStep = 7;
 constexpr int kBadgeRings = 40, kBadgePlaces = 16;
 

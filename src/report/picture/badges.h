@@ -9,29 +9,29 @@
 
 namespace clearcut::report {
 
-/// A text on a white ground and the place that it names.
+/// A text on a white background and its labelled place.
 struct Badge {
   Vec2 place;
   std::string text;
 };
 
-/// Where the middle of a badge is drawn.
+/// Position of the middle of a drawn badge.
 struct PlacedBadge {
   Vec2 middle;
   Badge badge;
 };
 
-/// What a badge covers when its middle lies there.
+/// The box covered by a badge with its middle there.
 Box covered_by(const std::string& text, Vec2 middle);
 
-/// The badges at their places, or as near to them as they find room within `bounds` beside those before them. Those that find none
-/// are left out.
+/// The badges at their places, or as near to them as there is room within `bounds` beside earlier badges. Badges
+/// without room are left out.
 std::vector<PlacedBadge> placed_apart(const std::vector<Badge>& badges, const Box& bounds);
 
 /// "1-3, 7" of ascending numbers.
 std::string numbers_text(const std::vector<int>& ascending);
 
-/// Draws them, with a line to the place where the badge stands beside it.
+/// Draws the badges, with a line to the place if the badge is beside it.
 void draw_badges(SvgWriter& svg, const std::vector<PlacedBadge>& badges);
 
 }  // namespace clearcut::report

@@ -13,7 +13,7 @@ namespace clearcut::report {
 namespace {
 
 constexpr double kPage = 800, kPanel = 360, kLeft = 80, kRight = 150, kTop = 46, kBottom = 56;
-/// Names of curves stand this far to the right of the frame; a letter is about so wide.
+/// Distance of the names of curves from the frame's right side; approximate width of a letter.
 constexpr double kNameGap = 12, kLetter = 7;
 
 /// Wide enough for the longest name of a curve.

@@ -14,13 +14,13 @@ struct ChartBox {
   double error = 0;            ///< of the mean
 };
 
-/// A curve and, where low and high are given, the band between them.
+/// A curve and, if low and high are given, the band between them.
 struct ChartCurve {
   std::string name{};
   std::vector<double> x{}, y{}, low{}, high{};
 };
 
-/// Draws its boxes, its curves or the histogram of its samples, whichever it has.
+/// A panel with boxes, curves or a histogram of samples.
 struct ChartPanel {
   std::string title{}, x_label{}, y_label{};
   std::vector<ChartBox> boxes{};
@@ -29,13 +29,13 @@ struct ChartPanel {
   std::vector<double> samples{};
 };
 
-/// The panels one under the other. Values that are not finite are left out.
+/// The panels one under the other. Non-finite values are left out.
 std::string chart_svg(const std::vector<ChartPanel>& panels);
 
 /// By linear interpolation between the sorted values; `values` not empty, 0 <= q <= 1.
 double quantile(std::vector<double> values, double q);
 
-/// About `count` round numbers (1, 2 or 5 times a power of ten) that lie between low and high.
+/// About `count` round numbers (1, 2 or 5 times a power of ten) between low and high.
 std::vector<double> round_ticks(double low, double high, int count);
 
 }  // namespace clearcut::report

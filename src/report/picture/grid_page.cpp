@@ -76,7 +76,7 @@ TextTable tools_table(const ElementJob& job) {
   return table;
 }
 
-/// Where the centre goes, rapids and all, seen from above.
+/// Path of the centre, including rapids, seen from above.
 Path centre_path(const Toolpath& toolpath) {
   Path path;
   for (const auto& section : toolpath.sections) {
@@ -102,7 +102,7 @@ void draw_reduced_squares(SvgWriter& svg, const PointTable& table) {
   }
 }
 
-/// A disc that runs along the whole program, again and again.
+/// A disc moving along the whole program repeatedly.
 void draw_runner(SvgWriter& svg, const Path& path, double radius) {
   PathData data;
   for (const Edge& edge : path) data.add(edge);
@@ -139,7 +139,7 @@ std::string animated_visit(const ElementJob& job, const PointTable& table, const
   return svg.str();
 }
 
-/// "" where no search took a step.
+/// "" if no search took a step.
 std::string convergence(const std::vector<VisitSearch>& searches) {
   std::vector<ChartPanel> panels;
   for (const VisitSearch& search : searches) {

@@ -12,15 +12,15 @@ namespace clearcut::report {
 /// How the search for one order of visits went.
 struct VisitSearch {
   std::string solver;        ///< "published" or "modern"
-  std::size_t points = 0;    ///< that were put in order
-  double length = 0;         ///< of the open path that was found, mm
+  std::size_t points = 0;    ///< number of ordered points
+  double length = 0;         ///< length of the open path found, mm
   std::vector<double> step;  ///< generations of the published solver, improvements of ours; ascending
   std::vector<double> best;  ///< length of the best path by then, mm
 };
 
-/// Shape   one HTML document without network access and without scripts: the job's elements and tools, the squares activated and
-///         reduced and the tool's impact (grid_picture), the visit as an animated picture, a convergence graph for each order
-///         that took any search, and the table of all points.
+/// Shape   one HTML document without network access and without scripts: the job's elements and tools, the squares
+///         activated and reduced and the tool's impact (grid_picture), the visit as an animated picture, a
+///         convergence graph for each order with search steps, and the table of all points.
 /// Units   mm in the part's frame. Cost O(points + moves).
 std::string grid_page(const ElementJob& job, const PointTable& table, const Toolpath& toolpath,
                       const std::vector<VisitSearch>& searches);

@@ -122,7 +122,7 @@ const std::vector<std::string> kHeadings{"point", "element", "id",      "kind", 
                                          "row",   "x",       "y",       "tool",    "diameter",
                                          "depth", "feed",    "spindle", "reduced", "visit"};
 
-/// In quotes where a comma, quote or line break asks for it.
+/// In quotes if a comma, quote or line break requires them.
 std::string csv_cell(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";

@@ -23,7 +23,7 @@ double lowest(const Move& move) {
   return std::min(move.z_from, move.z_to);
 }
 
-/// Depth of the layer above the last one: where entries into the last layer begin.
+/// Depth of the layer above the last one: the start height of entries into the last layer.
 double layer_above(const Section& section, double last) {
   double above = std::numeric_limits<double>::infinity();
   for (const Move& move : section.moves) {

@@ -10,14 +10,14 @@
 
 namespace clearcut::report {
 
-/// Index of the feature that `section` works on: by its workingstep, else by its label, else the only feature
+/// Index of the feature of `section`: by its workingstep, else by its label, else the only feature
 /// of the part; -1 when unknown.
 int feature_of(const Part& part, const Section& section);
 
 /// The tool with the number of the section; nullptr when the part has none.
 const Tool* tool_of(const Part& part, const Section& section);
 
-/// Findings about one feature, in order of work; there are several when several operations cut it.
+/// Findings about one feature, in order of work; several if several operations cut the feature.
 std::vector<const FeatureFindings*> findings_of(const Part& part, const Findings& findings, int feature);
 
 /// Depth of the last layer of a section: the lowest cutting move; +infinity when there is none.
@@ -27,10 +27,10 @@ double last_layer(const Section& section);
 std::vector<Move> shown_moves(const Section& section, bool all_layers);
 
 /// Shade of a floor at `z`, 0 at the top of the part to 1 at its deepest floor: half by depth, half by rank
-/// among the floors (piecewise linear), so that floors of nearly the same depth differ.
+/// among the floors (piecewise linear), to distinguish floors of nearly the same depth.
 double depth_fraction(const Part& part, double z);
 
-/// "gouge 0.250 mm"; without a length for kinds that have none.
+/// "gouge 0.250 mm"; without a length for kinds without one.
 std::string headline_of(const Fault& fault);
 
 /// "T1 end mill 10 mm"

@@ -74,7 +74,7 @@ void draw_vertical(SvgWriter& svg, const PlanView& view, const Move& move) {
                       {"stroke-width", svg_number(view.mm(1))}});
 }
 
-/// The height down to which all of the move's strip is cut: a drill's depth, the high end of a ramp.
+/// The height down to which the move's whole strip is cut: a drill's depth, the high end of a ramp.
 double height_cut(const Move& move) {
   return move.is_vertical() ? std::min(move.z_from, move.z_to) : std::max(move.z_from, move.z_to);
 }
@@ -116,7 +116,7 @@ void draw_lines_by_depth(SvgWriter& svg, const PlanView& view, const std::vector
   svg.close();
 }
 
-/// Width at height z of what a move cuts.
+/// Width of a move's cut at height z.
 double width_at(const Job& job, const Section& section, const Tool& tool, const Move& move, double z) {
   const int feature = feature_of(job.part, section);
   const double above = std::max(0.0, z - height_cut(move));
@@ -128,7 +128,7 @@ namespace {
 
 using ByDiameter = std::map<double, PathData>;
 
-/// Of the moves whose tips come down to `z`, what they clear at `height`.
+/// Adds the areas cleared at `height` by moves with tips down to `z`.
 void add_sweeps(const Job& job, const Section& section, double z, double height, const Box& seen,
                 ByDiameter& by_diameter) {
   const Tool* tool = tool_of(job.part, section);

@@ -32,10 +32,10 @@ struct Sweep {
   double diameter = 0;
   std::string data;
 };
-/// Of all sections, or of those that work on one feature: as wide as their cutters are at `height`, or else at z.
+/// Sweeps of all sections, or of those of one feature, with the width of their cutters at `height`, or else at z.
 std::vector<Sweep> sweeps_at(const Job& job, double z, const Box& seen, std::optional<int> feature = {},
                              std::optional<double> height = {});
-/// The same of what was cut before, for a feature that begins at `top`.
+/// The same for earlier cuts, for a feature beginning at `top`.
 std::vector<Sweep> earlier_sweeps_at(const Job& job, double z, const Box& seen, double top);
 
 /// Inside a world group: the strips in one flat colour.

@@ -41,7 +41,7 @@ bool in_sight(const PlanView& view, Vec2 world_point) {
   return drawable(world_point) && view.visible().contains(world_point);
 }
 
-/// A ring with words beside it, on the side where there is room.
+/// A ring with words beside it, on the side with room.
 void draw_place(SvgWriter& svg, const PlanView& view, const Place& place, const std::string& words,
                 const std::string& color) {
   if (!in_sight(view, place.point)) return;
@@ -90,7 +90,7 @@ void draw_worst_places(SvgWriter& svg, const PlanView& view,
     if (f.uncut_at && f.uncut_thickness_mm >= kLeastShown) {
       draw_place(svg, view, *f.uncut_at, "left \u2264 " + fixed(f.uncut_thickness_mm, 3), checked);
     }
-    // Of a clean feature it is below what counts as a gouge.
+    // For a clean feature the gouge is below the limit.
     if (f.gouge_at && f.gouge_mm >= kLeastShown && !f.clean)
       draw_place(svg, view, *f.gouge_at, "gouge " + fixed(f.gouge_mm, 3), report::palette::kGouge);
   }

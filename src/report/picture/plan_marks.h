@@ -14,7 +14,7 @@ void draw_scale_bar(SvgWriter& svg, const PlanView& view);
 void draw_worst_places(SvgWriter& svg, const PlanView& view,
                        const std::vector<const FeatureFindings*>& findings);
 
-/// A cross at each fault of `feature` (of all features when null) that lies in the view.
+/// A cross at each fault of `feature` (of all features if null) in the view.
 void draw_faults(SvgWriter& svg, const PlanView& view, const Findings& findings, const Feature* feature);
 
 }  // namespace clearcut::report

@@ -36,7 +36,7 @@ void add_feed_moves(Box& box, const Section& section) {
   }
 }
 
-/// A box that is neither empty nor without extent, with air around it.
+/// The box enlarged by a margin, never empty or without extent.
 Box framed(Box box) {
   if (box.empty()) box.add(Vec2{0, 0});
   return box.grown(std::max(0.035 * std::max(box.width(), box.height()), 1.0));
@@ -76,7 +76,7 @@ void close_world(SvgWriter& svg, const PlanView& view) {
                     {"stroke", report::palette::kRule}});
 }
 
-/// Returns the id of a clip that keeps what lies inside `data` (even-odd).
+/// Returns the id of a clip path for the inside of `data` (even-odd).
 std::string clip_to(SvgWriter& svg, const std::string& data) {
   const std::string id = svg.new_id("clip");
   svg.open("clipPath", {{"id", id}});
@@ -85,7 +85,7 @@ std::string clip_to(SvgWriter& svg, const std::string& data) {
   return id;
 }
 
-/// Opens a group that shows only what lies inside `regions`.
+/// Opens a group clipped to the inside of the regions.
 void open_clipped(SvgWriter& svg, const std::string& data, const char* opacity = "1") {
   svg.open("g", {{"clip-path", "url(#" + clip_to(svg, data) + ")"}, {"opacity", opacity}});
 }
@@ -142,8 +142,8 @@ void draw_floor(SvgWriter& svg, const PlanView& view, const Job& job, int featur
   outline_regions(svg, view, f.target, 1.1);
 }
 
-/// Where a feature's number is read best: inside it, far from its walls and from deeper features. Nothing
-/// when no sample lies in sight.
+/// Best place for a feature's number: inside the feature, far from its walls and from deeper features. Nothing if no
+/// sample is visible.
 std::optional<Vec2> label_point(const Part& part, int feature) {
   constexpr int kSamples = 18;
   const Feature& f = part.features[static_cast<std::size_t>(feature)];
@@ -170,8 +170,8 @@ std::optional<Vec2> label_point(const Part& part, int feature) {
   return best;
 }
 
-/// What the cutter reaches from its legal positions. A hair narrower than the cutter, so that no rim shows
-/// beside what it swept.
+/// Draws the area reached by the cutter from its legal positions, slightly narrower than the cutter, so that no rim
+/// shows beside the swept area.
 void draw_reach(SvgWriter& svg, const PlanView& view, const Reach& reach) {
   PathData data;
   data.add(reach.centers);
@@ -189,14 +189,14 @@ void draw_reach(SvgWriter& svg, const PlanView& view, const Reach& reach) {
                     {"stroke-linecap", "round"}});
 }
 
-/// Whether other features, too, let the cutter go where `feature` is cut down to z.
+/// Whether another feature also permits the cutter in the area of `feature` down to z.
 bool opens_beside(const Feature& other, const Feature& feature, double z) {
   constexpr double kHair = 1e-6;
   return &other != &feature && other.floor_z <= z + kHair &&
          box(other.allowed).overlaps(box(feature.allowed).grown(kHair));
 }
 
-/// What the moves of a feature sweep beyond all that its own and other outlines allow at that depth.
+/// Draws the area swept by a feature's moves outside of its own and other outlines at that depth.
 void draw_gouges(SvgWriter& svg, const PlanView& view, const Job& job, const Feature& feature, double z,
                  const std::vector<Sweep>& own) {
   const std::vector<Fault>& faults = job.findings.faults;
@@ -216,7 +216,7 @@ void draw_gouges(SvgWriter& svg, const PlanView& view, const Job& job, const Fea
   for (; open > 0; --open) svg.close();
 }
 
-/// The floor of a feature: what is out of reach, below what is within reach, below what was swept, and gouges.
+/// The floor of a feature: the area out of reach, over it the area within reach, over it the swept area, and gouges.
 void draw_coverage(SvgWriter& svg, const PlanView& view, const Job& job, int feature, double z) {
   const Feature& f = job.part.features[static_cast<std::size_t>(feature)];
   const std::vector<Sweep> own = sweeps_at(job, z, view.visible(), feature);
@@ -224,7 +224,7 @@ void draw_coverage(SvgWriter& svg, const PlanView& view, const Job& job, int fea
   PathData all;
   all.add(rectangle(view.visible()));
   fill_regions(svg, f.target, report::palette::kWall);
-  if (f.chamfer) return;  // it is all wall
+  if (f.chamfer) return;  // a chamfer has no floor
   open_clipped(svg, all.text(), "0.25");
   draw_sweeps(svg, own, report::palette::kImpact);
   svg.close();
@@ -260,7 +260,7 @@ void draw_feature_lines(SvgWriter& svg, const PlanView& view, const Job& job, in
   }
 }
 
-/// Depths of what feed moves cut, the shallowest first; of very many as many as shades can be told apart.
+/// Depths of feed moves, the shallowest first; of very many depths only as many as there are distinguishable shades.
 std::vector<double> depths_cut(const Job& job) {
   constexpr std::size_t kMostDepths = 32;
   const double top = job.part.top_z();
@@ -279,13 +279,14 @@ std::vector<double> depths_cut(const Job& job) {
   return even;
 }
 
-/// What is cut away, with the lines of all tools, where nothing says what was to be made.
+/// Draws the cut area, with the lines of all tools, if the shape to be made is not stated.
 void draw_cut_away(SvgWriter& svg, const PlanView& view, const Job& job) {
   const std::vector<double> depths = depths_cut(job);
   const double top = job.part.top_z(), bottom = depths.empty() ? top - 1 : depths.back();
   double above = top;
   for (const double z : depths) {
-    // Seen from above all is cut that some cutter clears at the upper side of what its tip is below.
+    // Seen from above, a depth is cut everywhere that some cutter with its tip below clears at the upper side of this
+    // depth range.
     draw_sweeps(svg, sweeps_at(job, z, view.visible(), {}, above),
                 report::palette::depth_color((top - z) / (top - bottom)));
     above = z;

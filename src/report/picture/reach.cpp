@@ -14,7 +14,7 @@ namespace {
 
 const Tolerances kTolerances;
 
-/// The least stock that any operation on the feature leaves on walls: that of finishing, where there is any.
+/// The least stock left on walls by any operation on the feature: the stock of finishing if there is any.
 double wall_stock(const Part& part, int feature) {
   double least = std::numeric_limits<double>::infinity();
   for (const Workingstep& step : part.workplan) {
@@ -28,7 +28,7 @@ const Tool* smaller(const Tool* tool, const Tool& other) {
   return tool && tool->diameter <= other.diameter ? tool : &other;
 }
 
-/// Of the cutters that worked on the feature, or else were meant to; null when there is none.
+/// The smallest cutter that worked on the feature, or else was planned for it; null if there is none.
 const Tool* smallest_cutter(const Job& job, int feature) {
   const Tool *worked = nullptr, *meant = nullptr;
   for (const Section& section : job.toolpath.sections) {

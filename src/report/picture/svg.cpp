@@ -22,7 +22,7 @@ constexpr double kMainHeightMost = 1000;
 constexpr double kMainHeightLeast = 560;
 constexpr double kMainWidthLeast = 560;
 constexpr double kListWidth = 500;    // of the list of features
-constexpr double kLegendWidth = 330;  // of the legend alone
+constexpr double kLegendWidth = 330;  // only of the legend
 constexpr double kCaptionHeight = 66;
 constexpr int kPanelColumns = 3;
 constexpr std::size_t kMostPanels = 36;
@@ -83,7 +83,7 @@ PlanView main_view(const Job& job, bool single) {
   return view;
 }
 
-/// Everything above the panels; returns where they may begin.
+/// Everything above the panels; returns the height at which they may begin.
 double draw_main(SvgWriter& svg, const Job& job) {
   const bool single = job.part.features.size() == 1;
   const PlanView view = main_view(job, single);
@@ -100,7 +100,7 @@ double draw_main(SvgWriter& svg, const Job& job) {
   return std::max(view.corner.y + view.height, y) + kGap;
 }
 
-/// All features, or of very many those that are not clean before others, in order of the part.
+/// All features, or, of very many, first those that are not clean, in order of the part.
 std::vector<int> features_with_panel(const Job& job) {
   std::vector<int> features(job.part.features.size());
   std::iota(features.begin(), features.end(), 0);

@@ -19,11 +19,11 @@ SvgWriter::Attributes text_style(double size, const char* color, const char* wei
 /// Title, stock and tools, verdict, and the figures of the whole.
 void draw_header(SvgWriter& svg, const Job& job, const std::string& title);
 
-// Each of these draws downwards from `at` and returns the height where the next may begin.
+// Each of these draws downwards from `at` and returns the height at which the next may begin.
 
-/// One line for each feature: number on the shade of its floor, name, depth, time, what is left, verdict.
+/// One line for each feature: number on the shade of its floor, name, depth, time, residual, verdict.
 double draw_feature_list(SvgWriter& svg, const Job& job, Vec2 at, double width);
-/// What lines, dots and areas mean.
+/// Legend of lines, dots and areas.
 double draw_legend(SvgWriter& svg, const Job& job, Vec2 at);
 /// The worst faults; nothing when there are none.
 double draw_fault_list(SvgWriter& svg, const Findings& findings, Vec2 at, double width);

@@ -7,7 +7,8 @@
 
 namespace clearcut::report {
 
-/// "M0 0L40 0A5 5 0 0 1 45 5Z": mm in the frame of the curve (y up), lines and true arcs of less than half a turn each.
+/// "M0 0L40 0A5 5 0 0 1 45 5Z": mm in the frame of the curve (y up), lines and true arcs of less than half a turn
+/// each.
 std::string svg_path(const Loop& loop);
 
 }  // namespace clearcut::report

@@ -21,7 +21,7 @@ std::string pair_of(Vec2 p) {
   return svg_number(p.x) + " " + svg_number(p.y);
 }
 
-/// The point as it will be printed.
+/// The point rounded as in print.
 Vec2 printed(Vec2 p) {
   return {std::round(p.x * 1000) / 1000, std::round(p.y * 1000) / 1000};
 }

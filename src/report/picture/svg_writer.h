@@ -10,22 +10,22 @@
 
 namespace clearcut::report {
 
-/// Three decimals, trailing zeros removed; "0" for what is not finite.
+/// Three decimals, trailing zeros removed; "0" for non-finite numbers.
 std::string svg_number(double value);
 
-/// False for points that no picture can hold: not finite, or farther than 10 km from the origin.
+/// False for points outside of any picture: not finite, or farther than 10 km from the origin.
 bool drawable(Vec2 p);
 bool drawable(const Edge& edge);
 
 /// Data of a <path>: lines and true arcs, in the frame of the edges (x right, y up).
 class PathData {
  public:
-  /// Continues the curve when `edge` begins where the last one ended. What is not drawable is left out.
+  /// Continues the curve if `edge` begins at the end of the last one. Undrawable edges are left out.
   void add(const Edge& edge);
   void add(const Loop& closed);
   void add(const Region& region);
   void add(const Regions& regions);
-  /// A point: a disc when it is stroked with round caps.
+  /// A point: a disc if stroked with round caps.
   void add(Vec2 point);
   const std::string& text() const { return text_; }
   bool empty() const { return text_.empty(); }
@@ -46,11 +46,11 @@ class SvgWriter {
   void close();
   void leaf(std::string_view element, const Attributes& attributes);
   void text(Vec2 at, std::string_view content, const Attributes& attributes);
-  /// An element with words in it, such as <title>.
+  /// An element with text content, such as <title>.
   void words(std::string_view element, std::string_view content, const Attributes& attributes = {});
-  /// Elements that another writer has written.
+  /// Appends elements written by another writer.
   void raw(const std::string& elements) { text_ += elements; }
-  /// A name that no other call returns.
+  /// A unique name.
   std::string new_id(std::string_view stem);
   const std::string& str() const { return text_; }
 

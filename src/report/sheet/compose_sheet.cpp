@@ -15,10 +15,10 @@ namespace {
 
 /// Page units of the picture.
 constexpr double kPictureWidth = 900, kPictureHeight = 460;
-/// Page units: half the length of the cross that marks X0 Y0.
+/// Page units: half the length of the cross at X0 Y0.
 constexpr double kZeroMark = 16;
 
-/// What each part of the sheet says.
+/// Composes each part of the sheet.
 class Composer {
  public:
   Composer(const Part& part, const Toolpath& toolpath, const Findings& findings, const SetupSheetInfo& info)
@@ -152,7 +152,7 @@ class Composer {
             clock_time(time_of_tool(findings_, called))};
   }
 
-  /// Of each feature, the rows of the table of operations that work on it.
+  /// For each feature, its rows in the table of operations.
   std::vector<std::string> rows_of_features() const {
     std::vector<std::vector<int>> rows(part_.features.size());
     int row = 0;
@@ -171,7 +171,7 @@ class Composer {
     const std::string low = feed(feeds.low), high = feed(feeds.high);
     return low == high ? high : low + " to " + high;
   }
-  /// As the program says them: of cuts, and straight down.
+  /// Feeds as in the program: of cuts, and straight down.
   std::string feeds_of(int workingstep) const {
     const std::string cuts = feed_range(feeds_of_cuts(toolpath_, workingstep));
     const std::string plunges = feed_range(feeds_of_plunges(toolpath_, workingstep));

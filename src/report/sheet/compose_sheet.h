@@ -1,4 +1,4 @@
-// What a set-up sheet says of a job.
+// Content of a set-up sheet for a job.
 #pragma once
 
 #include <string>
@@ -17,8 +17,9 @@ struct SetupSheetInfo {
   bool inch = false;  ///< lengths and feeds as the program has them
 };
 
-/// Shape   verdict, where the zero lies on the stock, stock and extents of motion, tools with the stickout they need, operations in
-///         order with their feeds and times, a picture, what must hold at the machine, and lines to fill in by hand.
+/// Shape   verdict, position of the zero on the stock, stock and extents of motion, tools with the stickout they
+///         need, operations in order with their feeds and times, a picture, conditions at the machine, and lines
+///         to fill in by hand.
 /// Units   mm and mm/min, or in and in/min; times as h:mm:ss of the kinematic model, tool changes included.
 /// Text    the same job gives the same: no date.
 /// Cost    O(moves), and that of the picture.

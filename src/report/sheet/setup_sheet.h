@@ -1,4 +1,4 @@
-// What the page that a machinist takes to the machine states.
+// Content of the page that a machinist takes to the machine.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct SheetTable {
   std::vector<std::vector<std::string>> rows;  ///< a cell for each column
 };
 
-/// A sheet as texts in UTF-8, in the order in which it is read; how they are laid out is its writers' (sheet_html.h, sheet_pdf.h).
+/// A sheet as texts in UTF-8, in reading order; the layout is decided by its writers (sheet_html.h, sheet_pdf.h).
 struct SetupSheet {
   std::string part;
   std::string verdict;   ///< CLEAN, CONDITIONAL, FAULTY
@@ -29,8 +29,8 @@ struct SetupSheet {
   std::vector<SheetFact> facts;
   std::string picture;  ///< the part from above with its zero: one element <svg>
   SheetTable tools, operations;
-  std::vector<std::string> notes;    ///< faults, what must hold at the machine, warnings
-  std::vector<std::string> by_hand;  ///< what is filled in at the machine
+  std::vector<std::string> notes;    ///< faults, conditions at the machine, warnings
+  std::vector<std::string> by_hand;  ///< labels of the lines to fill in at the machine
 };
 
 }  // namespace clearcut::report

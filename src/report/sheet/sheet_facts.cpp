@@ -13,7 +13,7 @@
 namespace clearcut::report {
 namespace {
 
-/// Where zero lies between two sides.
+/// Position of zero between two sides.
 std::string between(double low, double high, const std::string& low_side, const std::string& high_side,
                     const std::string& middle, const std::string& beyond, double unit_mm,
                     const std::string& unit) {

@@ -1,4 +1,4 @@
-// What a set-up sheet states, as numbers and sentences.
+// Facts of a set-up sheet, as numbers and sentences.
 #pragma once
 
 #include <cmath>
@@ -16,45 +16,46 @@ struct DrivenFeeds {
   double low = HUGE_VAL;
   double high = 0;
 };
-/// Of what a workingstep cuts along its passes, without plunges, ramps, leads and links.
+/// Feeds of a workingstep along its passes, without plunges, ramps, leads and links.
 DrivenFeeds feeds_of_cuts(const Toolpath& toolpath, int workingstep);
 /// Straight down.
 DrivenFeeds feeds_of_plunges(const Toolpath& toolpath, int workingstep);
-/// "12000", or "8000, 12000" where sections of the workingstep differ.
+/// "12000", or "8000, 12000" if sections of the workingstep differ.
 std::string speeds_of(const Toolpath& toolpath, int workingstep);
 
-/// Where the tips of all tools go, mm.
+/// Extents of the motion of all tools' tips, mm.
 struct Extents {
   Box plan;
   double low = 0, high = 0;
 };
-/// Of cuts alone, or of rapids, too. Nothing moves: an empty box.
+/// Extents of cuts only, or with rapids. Empty without moves.
 Extents extents_of(const Toolpath& toolpath, bool with_rapids);
 
-/// How far a tool has to stand out of its holder, mm: down to its deepest cut below the top of the material, and kAboveTop more.
+/// Required projection of a tool from its holder, mm: down to its deepest cut below the top of the material, plus
+/// kAboveTop.
 inline constexpr double kAboveTop = 5;
 double stickout_of(const Part& part, const Toolpath& toolpath, int tool);
 
-/// Numbers of the tools in the order in which the program calls them, each once.
+/// Numbers of the tools in the order of their calls in the program, each once.
 std::vector<int> tools_called(const Toolpath& toolpath);
 
 /// How often the program changes from one tool to another.
 int tool_changes(const Toolpath& toolpath);
 
-/// What cools a tool while it cuts, in the order of the program, each once: "off", "flood, mist", "flood and mist".
+/// Coolant of a tool while cutting, in the order of the program, each once: "off", "flood, mist", "flood and mist".
 std::string coolant_of_tool(const Toolpath& toolpath, int tool);
 
-/// The workingsteps that were found, in the order in which the program cuts them; what it does not cut comes last.
+/// The findings of workingsteps, in the program's order of cutting; uncut ones come last.
 std::vector<FeatureFindings> in_order_of_cutting(const Findings& findings, const Toolpath& toolpath);
 
 /// " 60 degrees" between the flanks of a cone, " 5 degrees a side" of a tapered end mill; "" for other tools.
 std::string angle_of(const Tool& tool);
 
-/// Seconds of the operations that a tool cuts.
+/// Seconds of the operations cut by a tool.
 double time_of_tool(const Findings& findings, int tool);
 
-/// Where X0 Y0 Z0 lies on the stock: "left side, front side, top", "middle of the width, ...", "20 mm right of the left side".
-/// `unit_mm` and `unit`: what lengths are printed in.
+/// Position of X0 Y0 Z0 on the stock: "left side, front side, top", "middle of the width, ...", "20 mm right of the
+/// left side". `unit_mm` and `unit`: unit of printed lengths.
 std::string zero_on(const Stock& stock, double unit_mm, const std::string& unit);
 
 }  // namespace clearcut::report

@@ -1,4 +1,4 @@
-// Set-up sheets as JSON: how they come to the program that draws them on paper.
+// Set-up sheets as JSON: the input of the program that draws them on paper.
 #pragma once
 
 #include <nlohmann/json.hpp>

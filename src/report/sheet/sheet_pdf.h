@@ -8,13 +8,13 @@
 
 namespace clearcut::report {
 
-/// Throws InputError naming the file that was to be written where the program that draws pages (apps/sheet) lies neither beside
-/// this one nor where it is installed.
+/// Throws InputError naming the file to be written if the program that draws pages (apps/sheet) is found neither
+/// beside this program nor at its installed place.
 void require_pdf(const std::string& file_name);
 
-/// Sheets on pages of A4, each from a page of its own on; tables that go on repeat their heads. Text can be searched and copied.
-/// The same sheets give the same bytes where the same fonts are installed: no date.
-/// Throws  as require_pdf(), and where no font is installed.
+/// Sheets on pages of A4, each beginning on its own page; continued tables repeat their heads. Text can be searched
+/// and copied. The same sheets give the same bytes if the same fonts are installed: no date.
+/// Throws  as require_pdf(), and if no font is installed.
 /// Cost    some 50 ms, for the program and its libraries.
 std::string setup_sheets_pdf(const std::vector<SetupSheet>& sheets, const std::string& file_name);
 

@@ -39,7 +39,7 @@ bool drawable_move(const Move& move) {
   return drawable(move.path) && std::abs(move.z_from) < 1e7 && std::abs(move.z_to) < 1e7;
 }
 
-/// A position in whole micrometres, so that differences add up without drift.
+/// A position in whole micrometres, to sum differences without drift.
 struct Position {
   long long x = 0, y = 0, z = 0;
   friend bool operator==(const Position&, const Position&) = default;
@@ -110,7 +110,7 @@ std::size_t moves_in(const Toolpath& toolpath) {
   return count;
 }
 
-/// What a section is of; `first`: the column of its first move.
+/// Head data of a section; `first`: the column of its first move.
 Json section_head(const Part& part, const Section& section, int first) {
   const Tool* tool = tool_of(part, section);
   Json json;
@@ -121,7 +121,7 @@ Json section_head(const Part& part, const Section& section, int first) {
   return json;
 }
 
-/// All that was cut before.
+/// All earlier cuts.
 Json earlier_json(const Part& part, const Toolpath* earlier) {
   if (earlier == nullptr) return nullptr;
   MoveColumns columns;
@@ -218,7 +218,8 @@ Json keep_outs_json(const Part& part) {
   return blocks;
 }
 
-/// Where the cutter's centre may be at the floor, and its width: what is left within reach can be coloured.
+/// The legal area of the cutter's centre at the floor, and the cutter's width: for colouring uncut material within
+/// reach.
 void write_reach(const Job& job, int feature, Json& json) {
   const Reach reach = reach_of(job, feature);
   PathData centers, lines;
@@ -292,7 +293,7 @@ Json lines_of(const std::string& program) {
   return lines;
 }
 
-/// Stock or targets, and what is cut beside them up to a tenth of their size.
+/// Box of the stock or targets, with cuts beside them up to a tenth of their size.
 Box stage_of(const Job& job) {
   const Box world = world_of(job), most = world.grown(0.1 * std::max(world.width(), world.height()));
   Box box = world;

@@ -1,10 +1,10 @@
-// The parts of the page that are the same for every job: the files of viewer/, embedded by the build
+// The parts of the page common to all jobs: the files of viewer/, embedded by the build
 // (cmake/ClearcutViewer.cmake).
 #pragma once
 
 namespace clearcut::report {
 
-/// Rules of style; colours are the variables that html() writes from the palette.
+/// Rules of style; colours are variables written by html() from the palette.
 extern const char* const kHtmlStyle;
 /// Elements of the body; filled by the script.
 extern const char* const kHtmlBody;

@@ -6,7 +6,7 @@
 
 namespace clearcut::report {
 
-/// `value` with exactly `decimals` digits, never "-0"; "?" when it is not finite.
+/// `value` with exactly `decimals` digits, never "-0"; "?" if not finite.
 std::string fixed(double value, int decimals);
 
 /// Hours, minutes and seconds: "0:07", "12:34", "1:02:03"; "?" when not finite or negative.

@@ -28,8 +28,8 @@ struct TextTable {
 /// ASCII, columns two blanks apart, no trailing blanks; other characters become '?'.
 std::string plain(const TextTable& table);
 
-/// The same within `width` characters where that can be: headings take several lines, columns that still find no room follow
-/// in further blocks that begin with the first column, and long last cells of short rows and notes are wrapped.
+/// The same within `width` characters if possible: headings take several lines, columns without room follow in
+/// further blocks that repeat the first column, and long last cells of short rows and notes are wrapped.
 std::string fitted(const TextTable& table, std::size_t width);
 
 /// The words of `text` in lines of at most `width` characters; a longer word has a line of its own.

@@ -8,7 +8,7 @@
 namespace clearcut::report {
 namespace {
 
-/// Steps that share a value, by their numbers from 0.
+/// Steps sharing a value, by their numbers from 0.
 using Steps = std::set<int>;
 
 /// "2 WS POCKET1" of one step, "all" of all there are, else "1-4, 7".
@@ -31,13 +31,14 @@ std::string owner_of(const Part& part, const Steps& steps) {
   return text;
 }
 
-/// Values that are alike in everything but their step, as one.
+/// Values that differ only in their step, combined.
 struct SharedValue {
   const ResolvedValue* value = nullptr;
   Steps steps;
 };
 
-/// In the order in which names, and of each name values, come first; those of the whole plan last, as they are listed.
+/// In the order of first occurrence of the names, and of the values of each name; values of the whole plan last, in
+/// the listed order.
 std::vector<SharedValue> shared_values(const std::vector<ResolvedValue>& values) {
   using Alike = std::tuple<bool, std::string, std::string, std::string, int, std::string>;
   std::map<std::string, std::size_t> order;
@@ -67,7 +68,7 @@ TextTable value_table(const Part& part, const std::vector<ResolvedValue>& values
   table.title = "Values of the plan";
   table.columns = {{"workingsteps", Align::kLeft}, {"name", Align::kLeft},   {"value"},
                    {"unit", Align::kLeft},         {"origin", Align::kLeft}, {"source", Align::kLeft}};
-  bool by_numbers = false;  // some row names steps by their numbers alone
+  bool by_numbers = false;  // some row names steps only by their numbers
   for (const SharedValue& shared : shared_values(values)) {
     by_numbers = by_numbers || (shared.steps.size() > 1 && shared.steps.size() < part.workplan.size());
     const ResolvedValue& value = *shared.value;

@@ -1,4 +1,4 @@
-// What a plan was made with, and where each value comes from.
+// The values of a plan and their sources.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,8 @@
 
 namespace clearcut::report {
 
-/// One row for each value of a name, with the numbers of the workingsteps that share it; then those of the whole plan.
+/// One row for each value of a name, with the numbers of the workingsteps sharing it; then the values of the whole
+/// plan.
 TextTable value_table(const Part& part, const std::vector<ResolvedValue>& values);
 
 }  // namespace clearcut::report

@@ -16,24 +16,25 @@
 namespace clearcut::resolve {
 namespace {
 
-/// mm beside the line where is looked for what is milled there. Lines of drawings are as near to outlines as these repair.
+/// mm beside the line at which milled areas are searched. Lines of drawings are within the repair tolerance of
+/// outlines.
 constexpr double kBeside = 0.02;
 /// mm. Slots may be no wider than their mill.
 constexpr double kFits = 0.002;
-/// mm. Half the width of what offsets and booleans leave between areas that touch.
+/// mm. Half the width of seams left by offsets and booleans between touching areas.
 constexpr double kSeam = 0.003;
 /// mm. A wall of the stock has room for any cutter beside it.
 constexpr double kBesideStock = 50;
-/// mm of a wall that has to stand below a chamfer.
+/// mm; least height of a wall below a chamfer.
 constexpr double kLeastWall = 0.01;
-/// mm along a line between the places where its wall is looked for.
+/// mm along a line between the places at which its wall is searched.
 constexpr double kSampleStep = 2;
 
 Regions joined(const Regions& a, const Regions& b, const Tolerances& tol) {
   return a.empty() ? b : b.empty() ? a : unite(a, b, tol);
 }
 
-/// Radius of the narrowest mill that works on a feature, stock that it leaves included; nothing for drilled holes.
+/// Radius of the narrowest mill used on a feature, including its stock to leave; nothing for drilled holes.
 std::optional<double> corner_radius_of(const Part& part, int feature) {
   std::optional<double> least;
   for (const Workingstep& step : part.workplan) {
@@ -44,7 +45,7 @@ std::optional<double> corner_radius_of(const Part& part, int feature) {
   return least;
 }
 
-/// What a mill clears of a feature: all but its corners.
+/// The area of a feature cleared by a mill: all except its corners.
 Regions cleared_of(const Feature& feature, double mill_radius, const Tolerances& tol) {
   const double radius = mill_radius - kFits;
   if (!feature.profile) {
@@ -88,7 +89,7 @@ class WallFinder {
   }
 
  private:
-  /// Features that are open at the foot's height.
+  /// Collects features open at the foot's height.
   void collect() {
     const Box near = box(feature_.chamfer->line).grown(kBeside);
     for (std::size_t i = 0; i < part_.features.size(); ++i) {
@@ -119,7 +120,7 @@ class WallFinder {
     }
   }
 
-  /// Whether what is milled lies inside the line.
+  /// Whether the milled area is inside the line.
   bool side() const {
     const bool left_is_inside = signed_area(feature_.chamfer->line) > 0;
     int left = 0, right = 0, none = 0;
@@ -143,10 +144,10 @@ class WallFinder {
     return (left > 0) == left_is_inside;
   }
 
-  /// Those that lie beside the line; notes whether the stock ends there.
+  /// Features beside the line; notes whether the stock ends there.
   std::vector<int> beside_line() {
     std::vector<int> found;
-    // A corner of the line on the stock's side, as of a part that stands askew in its block.
+    // A corner of the line on the stock's side, as for a part rotated in its block.
     if (part_.stock)
       for (const Edge& edge : feature_.chamfer->line)
         stock_beside_ = stock_beside_ || !part_.stock->plan.grown(-kBeside).contains(edge.from);
@@ -179,7 +180,7 @@ class WallFinder {
   bool stock_beside_ = false;
 };
 
-/// The strip of the top that a chamfer takes, `width` mm wide.
+/// The strip of the top removed by a chamfer, `width` mm wide.
 Regions strip_of(const Chamfer& chamfer, double width, const Tolerances& tol) {
   const Regions within{Region::from_valid_loops(chamfer.line, {})};
   if (chamfer.air_inside) return subtract(dilate(within, width, tol), within, tol);
@@ -187,7 +188,7 @@ Regions strip_of(const Chamfer& chamfer, double width, const Tolerances& tol) {
   return rest.empty() ? within : subtract(within, rest, tol);
 }
 
-/// Where what stands is so narrow that chamfers of both its sides would meet.
+/// Throws if the remaining wall is so narrow that chamfers on both its sides would meet.
 void refuse_narrow_top(const Feature& feature, double width, const Tolerances& tol) {
   if (feature.chamfer->air_inside) return;
   const Regions rest = inset(Region::from_valid_loops(feature.chamfer->line, {}), width, tol);
@@ -213,7 +214,7 @@ void refuse_narrow_cone(const Feature& feature, const Tool& tool) {
                                trimmed(tool.diameter, 4), trimmed(flank_height(tool), 3)));
 }
 
-/// An edge of a solid leans as it is modelled.
+/// Throws if the tool's angle differs from that of the solid's modelled edge.
 void refuse_other_lean(const Feature& feature, const Tool& tool) {
   constexpr double kSameLean = 0.002;  // radians
   const double asked = feature.wall_slope.radians();
@@ -227,7 +228,7 @@ void refuse_other_lean(const Feature& feature, const Tool& tool) {
                   feature.name));
 }
 
-/// Where the chamfer would take more of the top than stands there.
+/// Throws if the chamfer would remove more of the top than there is.
 void refuse_thin_top(const Part& part, int index, const Tolerances& tol) {
   const Feature& feature = part.features[static_cast<std::size_t>(index)];
   for (std::size_t i = 0; i < part.features.size(); ++i) {

@@ -1,13 +1,13 @@
-// Chamfers: which wall each breaks, on which side of its line, and how much room there is beside it.
+// Chamfers: the wall of each, the wall's side of the line, and the room beside it.
 #pragma once
 
 #include "resolve/values/plan_options.h"
 
 namespace clearcut::resolve {
 
-/// Finds the walls that the part's chamfers break and gives them their strip; chamfers by cutters whose tip does not cut go
-/// after the cut-out that makes their wall. Throws InputError where no wall stands along a line, or something is in the
-/// way of the chamfer's width.
+/// Finds the walls of the part's chamfers and sets the chamfers' strips; chamfers by cutters with a non-cutting tip
+/// are moved after the cut-out of their wall. Throws InputError if there is no wall along a line, or if an obstacle
+/// limits the chamfer's width.
 void shape_chamfers(Part& part, const Tolerances& tol);
 
 }  // namespace clearcut::resolve

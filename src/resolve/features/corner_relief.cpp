@@ -13,11 +13,11 @@
 namespace clearcut::resolve {
 namespace {
 
-/// mm by which the relief is wider than the cutter.
+/// mm; excess of the relief's width over the cutter's.
 constexpr double kSpare = 0.02;
-/// mm. What a cutter may leave in a corner that needs no relief.
+/// mm. Residual of a cutter in a corner below which no relief is needed.
 constexpr double kLeast = 0.02;
-/// Sine of the smallest turn of an outline that is a corner.
+/// Sine of the smallest turn of an outline that counts as a corner.
 constexpr double kSmoothTurn = 0.02;
 /// mm. Rounding of places on an outline.
 constexpr double kOnLine = 1e-4;
@@ -27,7 +27,8 @@ constexpr int kHalvings = 50;
 /// Bones whose places a note lists.
 constexpr std::size_t kListed = 6;
 
-/// A corner of an outline whose free side lies on the left: directions along both walls away from it, and their lengths.
+/// A corner of an outline with the free side on the left: directions along both walls away from it, and their
+/// lengths.
 struct Corner {
   Vec2 at, back, ahead;
   double back_mm = 0, ahead_mm = 0;
@@ -47,12 +48,12 @@ std::vector<Corner> inside_corners(const Loop& loop) {
   return corners;
 }
 
-/// Where the cutter may be, as the outline says: within a region, or around one.
+/// The area permitted to the cutter by the outline: inside a region, or around one.
 class Room {
  public:
   Room(const Region& region, bool is_within) : region_(region), is_within_(is_within) {}
 
-  /// mm; radius of the largest cutter that stands at p; less than 0 where none may.
+  /// mm; radius of the largest cutter permitted at p; negative if none is.
   double clearance(Vec2 p) const {
     return region_.contains(p) == is_within_ ? region_.boundary_distance(p) : -1;
   }
@@ -62,7 +63,7 @@ class Room {
   bool is_within_;
 };
 
-/// Where on the bisector a cutter touches both walls; absent where it has no room there.
+/// The place on the bisector at which a cutter touches both walls; absent if there is no room.
 std::optional<Vec2> touching_place(const Corner& corner, double radius, const Room& room) {
   const Vec2 bisector = corner.bisector();
   const double sine = std::abs(cross(bisector, corner.ahead));
@@ -76,7 +77,7 @@ std::optional<Vec2> touching_place(const Corner& corner, double radius, const Ro
   return place(high);
 }
 
-/// What a disc sweeps on a straight way.
+/// The area swept by a disc on a straight move.
 Region swept(Vec2 from, Vec2 to, double radius) {
   const Vec2 along = unit(to - from), aside = left_of(along) * radius;
   const auto turn = Turn::kCounterClockwise;
@@ -127,7 +128,7 @@ class CornerRelief {
     cut.line = shape.front().outer();
   }
 
-  /// Corners of where the cutter may be that lie on what it is to remove; at open sides there are none.
+  /// Relieves corners of the permitted area that are on the target's boundary; there are none at open sides.
   void relieve_pocket() {
     const Regions drawn = feature_->allowed;
     for (const Region& region : drawn) {
@@ -167,7 +168,7 @@ class CornerRelief {
     return Bone{corner.at, swept(*start, corner.at + away * radius, radius)};
   }
 
-  /// Whether the bone takes of another feature what the feature itself does not.
+  /// Whether the bone cuts into another feature outside of the feature itself.
   bool meets_another(const Region& bone) const {
     const Regions besides = subtract({bone}, feature_->target, tol_);
     return std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
@@ -178,7 +179,8 @@ class CornerRelief {
     });
   }
 
-  /// Takes `wider` unless a wall was broken through: then an island is joined to its surroundings, or areas to each other.
+  /// Takes `wider` unless a wall was broken through: then an island is joined to its surroundings, or areas to each
+  /// other.
   static bool accept(Regions wider, Regions& shape) {
     if (wider.size() != shape.size() || loops_of(wider).size() != loops_of(shape).size()) return false;
     shape = std::move(wider);
@@ -220,7 +222,8 @@ bool takes_relief(const Feature& feature) {
          feature.kind != FeatureKind::kIsolation;
 }
 
-/// mm; of the narrowest mill that works on the feature; absent without one. Others that are at hand leave its corners as they are.
+/// mm; radius of the narrowest mill used on the feature; absent without one. Other available mills do not change its
+/// corners.
 std::optional<double> narrowest_radius(const Part& part, std::size_t feature) {
   std::optional<double> radius;
   for (const Workingstep& step : part.workplan) {

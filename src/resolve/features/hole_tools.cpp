@@ -6,11 +6,11 @@
 namespace clearcut::resolve {
 namespace {
 
-/// mm. Tools of this width make a hole of that.
+/// mm. Greatest difference of width between a tool and its hole.
 constexpr double kSameWidth = 0.005;
-/// mm. Pitches of one thread, also where inches are rounded.
+/// mm. Greatest difference between equal pitches, allowing for rounding of inches.
 constexpr double kSamePitch = 0.002;
-/// mm that a thread mill is narrower than the hole that it goes down in.
+/// mm; least difference in width between a thread mill and the hole around it.
 constexpr double kBesideThreadMill = 0.2;
 /// Of its own width: the helix of a mill in a narrower hole has too many turns.
 constexpr double kLeastBore = 1.1;
@@ -19,7 +19,7 @@ bool is(const Tool& tool, ToolKind kind, double width) {
   return tool.kind == kind && std::abs(tool.diameter - width) < kSameWidth;
 }
 
-/// Index of the tool that does and has the least `cost`; -1 for none.
+/// Index of the tool with the least `cost` for which `does` is true; -1 for none.
 int best_tool(const std::vector<Tool>& tools, const std::function<bool(const Tool&)>& does,
               const std::function<double(const Tool&)>& cost) {
   int best = -1;
@@ -55,7 +55,7 @@ int tool_of_kind(const std::vector<Tool>& tools, const HoleForm& hole) {
                                                                : ToolKind::kDrill;
   const int own = tool_where(tools, [&](const Tool& tool) { return is(tool, kind, hole.diameter); });
   if (own >= 0 || hole.kind == HoleKind::kReamed || hole.kind == HoleKind::kDrilled) return own;
-  // A mill that bores it along a helix, or clears it.
+  // A mill able to bore the hole along a helix, or to clear it.
   return best_tool(
       tools,
       [&](const Tool& tool) { return mills_upright(tool) && tool.diameter < hole.diameter + kSameWidth; },

@@ -1,4 +1,4 @@
-// Which of the tools at hand makes a hole, and how wide the hole before it has to be.
+// Chooses the tool for a hole among the available ones, and the width of the required pilot hole.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace clearcut::resolve {
 
-/// Widths that the hole before another may have, mm.
+/// Permitted widths of a pilot hole, mm.
 struct Pilot {
   double least = 0, best = 0, most = 0;
 };
@@ -18,19 +18,19 @@ Pilot pilot_before(const Thread& thread);
 /// Before a reamer or a boring bar.
 Pilot pilot_before(const HoleForm& hole, const Tool& tool);
 
-/// Index of the first tool that does; -1 for none.
+/// Index of the first tool for which `does` is true; -1 for none.
 int tool_where(const std::vector<Tool>& tools, const std::function<bool(const Tool&)>& does);
 
-/// The reamer, boring bar, counterbore or drill of the hole's width that its kind asks for; -1 for none.
+/// The reamer, boring bar, counterbore or drill of the hole's width required by its kind; -1 for none.
 int tool_of_kind(const std::vector<Tool>& tools, const HoleForm& hole);
 int tap_for(const std::vector<Tool>& tools, const Thread& thread);
-/// The widest that fits the thread's pitch and its minor diameter; about a boss the narrowest that fits its pitch.
+/// The widest thread mill for the thread's pitch and minor diameter; around a boss the narrowest one for its pitch.
 int thread_mill_for(const std::vector<Tool>& tools, const Thread& thread, bool external = false);
 /// The smallest cone as wide as the hole: countersinks rather by a chamfer mill, spots by a spot drill.
 int cone_for(const std::vector<Tool>& tools, const HoleForm& hole, Radians lean);
-/// The drill nearest to the best width among those that may be.
+/// The drill nearest to the best width in the permitted range.
 int drill_for(const std::vector<Tool>& tools, const Pilot& pilot);
-/// The widest mill that bores the best width along a helix, or clears it.
+/// The widest mill able to bore the best width along a helix, or to clear it.
 int mill_for(const std::vector<Tool>& tools, const Pilot& pilot);
 
 }  // namespace clearcut::resolve

@@ -18,17 +18,17 @@
 namespace clearcut::resolve {
 namespace {
 
-/// mm below the stock that what goes through runs on.
+/// mm; depth of through holes below the stock.
 constexpr double kBreakthrough = 0.5;
 /// mm. Heights and centres nearer than this are one.
 constexpr double kSame = 0.01;
-/// Of a hole's width: a spot that the hole takes away whole.
+/// Share of a hole's width: a spot wholly removed by the hole.
 constexpr double kSpotShare = 0.9;
-/// Pitches that a tap's lead takes before the thread is full (form C: 2 to 3).
+/// Length of a tap's lead before the full thread, in pitches (form C: 2 to 3).
 constexpr double kTapLead = 2.5;
 /// Pitches of room under a tap.
 constexpr double kUnderTap = 0.5;
-/// Pitches that a thread mill begins below the thread: one, and a quarter for its way in.
+/// Depth below the thread, in pitches, at which a thread mill begins: one, plus a quarter for its lead-in.
 constexpr double kUnderThread = 1.25;
 
 class HoleShaper {
@@ -49,7 +49,7 @@ class HoleShaper {
   }
 
  private:
-  /// Tools without an edge in their middle come after the hole that they need: counterbores, and cones with a flat tip.
+  /// Tools without an edge in their middle come after their required hole: counterbores, and cones with a flat tip.
   void put_holes_first() {
     for (std::size_t i = 0; i < part_.workplan.size(); ++i) {
       if (!needs_hole(part_.workplan[i])) continue;
@@ -90,7 +90,7 @@ class HoleShaper {
     return feature.hole && feature.hole->kind == HoleKind::kSpotted;
   }
 
-  /// The first later step that drills or mills a narrower and deeper hole on the same axis; the number of steps where none does.
+  /// The first later step for a narrower and deeper hole on the same axis; the number of steps if there is none.
   std::size_t hole_after(std::size_t step) const {
     const Feature& seat = part_.features[static_cast<std::size_t>(part_.workplan[step].feature)];
     for (std::size_t k = step + 1; k < part_.workplan.size(); ++k) {
@@ -105,7 +105,8 @@ class HoleShaper {
     return part_.workplan.size();
   }
 
-  /// A hole that is made before what stood over it is gone begins at that height; a spot, too, as deep as it was.
+  /// A hole made before the material above it is removed begins at the top of that material; a spot, too, with
+  /// unchanged depth.
   static void begin_at(Feature& feature, double top) {
     const double higher = top - feature.top_z;
     if (higher <= 0) return;
@@ -133,7 +134,7 @@ class HoleShaper {
     }
   }
 
-  /// A hole without more words, where a drill makes it.
+  /// A hole without further data, if made by a drill.
   void shape_plain(Workingstep& step) {
     Feature& feature = feature_of(step);
     const auto round = features::round_hole_of(feature, options_.tol);
@@ -150,7 +151,7 @@ class HoleShaper {
     shape_cylinder(step);
   }
 
-  /// Down to where the finished width reaches, and below it by `beyond` of the tool's end.
+  /// Sets the depth to that of the finished width, plus `beyond` for the tool's end.
   void set_depth(Feature& feature, double beyond) {
     HoleForm& hole = *feature.hole;
     if (feature.through && part_.stock) hole.full_z = part_.stock->z_bottom - kBreakthrough;
@@ -164,7 +165,7 @@ class HoleShaper {
     const Tool& tool = part_.tools[static_cast<std::size_t>(step.operation.tool)];
     if (hole.kind == HoleKind::kReamed && own < 0)
       refuse(feature_of(step), "a reamer of its width", "reamer", hole.diameter);
-    // A blind hole ends at the drill's tip where nobody says how long its point is.
+    // A blind hole ends at the drill's tip if the length of its point is not stated.
     const bool to_tip = hole.kind == HoleKind::kDrilled && !feature_of(step).through && !tool.tip_angle;
     if (to_tip) hole.full_z = feature_of(step).floor_z + point_length(tool);
     set_depth(feature_of(step), point_length(tool));
@@ -208,7 +209,7 @@ class HoleShaper {
     add_pilot(step, pilot_before(thread), feature.floor_z);
   }
 
-  /// What the mill needs beside the boss has to be cleared before, a pitch and a quarter below the thread.
+  /// The mill's room beside the boss must be cleared before, down to a pitch and a quarter below the thread.
   void shape_external_thread(Workingstep& step) {
     const Thread thread = *feature_of(step).hole->thread;
     const int mill = thread_mill_for(part_.tools, thread, true);
@@ -230,14 +231,14 @@ class HoleShaper {
                       trimmed(beside, 2), trimmed(feature.floor_z, 3)));
   }
 
-  /// Facing leaves no bosses: what is above it is gone.
+  /// Facing leaves no bosses: the material above the face is gone.
   static void refuse_faced_boss(const Feature& thread) {
     if (thread.top_z > thread.hole->full_z + kSame) return;
     throw InputError(thread.name,
                      "its whole boss is faced off; make that a pocket up to the edge of the stock");
   }
 
-  /// Whether pockets, or nothing of the stock, lie about a thread's boss as deep as the thread's mill goes.
+  /// Whether pockets, or no stock, are around a thread's boss down to the depth of the thread's mill.
   bool is_cleared_about(const Feature& thread, double radius) const {
     constexpr double kSliver = 1e-3;  // mm2
     const Vec2 center = thread.hole->center;
@@ -254,7 +255,7 @@ class HoleShaper {
     return area(missing) < kSliver;
   }
 
-  /// The cone ends where the hole begins that it is about, or in its tip.
+  /// The cone ends at the rim of the hole inside it, or at its tip.
   void shape_cone(Workingstep& step) {
     Feature& feature = feature_of(step);
     HoleForm& hole = *feature.hole;
@@ -274,11 +275,11 @@ class HoleShaper {
                        fmt::format("its hole is {} mm wide: a cone of {} mm leaves nothing of it",
                                    trimmed(2 * inner, 3), trimmed(hole.diameter, 3)));
     feature.floor_z = feature.top_z - (hole.diameter / 2 - inner) / slope;
-    // Within a hole it leaves no wall of its own.
+    // Within a hole the cone leaves no wall of its own.
     feature.wall_slope = lies_in_a_hole(feature) ? Radians{} : Radians::of(base::atan(slope));
   }
 
-  /// mm; radius of the widest hole on the same centre that goes deeper than a cone about it; 0 without one.
+  /// mm; radius of the widest hole on the same centre deeper than a cone around it; 0 without one.
   double widest_hole_in(const Feature& cone) {
     double widest = 0;
     for (const Feature& other : part_.features) {

@@ -11,7 +11,7 @@
 namespace clearcut::resolve {
 namespace {
 
-/// Whether nothing is said of the hole but that it is round, or that it is drilled.
+/// Whether the hole is only stated to be round, or drilled.
 bool is_plain_hole(const Feature& feature) {
   return feature.kind == FeatureKind::kRoundHole &&
          (!feature.hole || feature.hole->kind == HoleKind::kDrilled);
@@ -24,7 +24,7 @@ Regions disc(Vec2 center, double radius) {
       Region::from_valid_loops({half(center + side, center - side), half(center - side, center + side)}, {})};
 }
 
-/// mm. The diameter of the drill that comes nearest; 0 where none is near enough, or a tool makes the hole as it is.
+/// mm. The diameter of the nearest drill; 0 if none is near enough, or if a tool makes the hole at its exact size.
 double near_drill(const features::RoundHole& hole, const std::vector<Tool>& tools, const Tolerances& tol) {
   const double wanted = 2 * hole.radius;
   double nearest = 0;

@@ -5,8 +5,8 @@
 
 namespace clearcut::resolve {
 
-/// Makes plain round holes that no tool at hand makes or mills as wide as the drill that comes nearest, where it comes within
-/// features::kNearDrill of them; says so in part.diagnostics, once for all holes of one size.
+/// Sets the width of plain round holes that no available tool can make or mill to that of the nearest drill, if it is
+/// within features::kNearDrill; reports this in part.diagnostics, once for all holes of one size.
 void take_near_drills(Part& part, const PlanOptions& options);
 
 }  // namespace clearcut::resolve

@@ -20,17 +20,17 @@ namespace {
 
 /// mm on each side between the neck and the walls of its slot, at least.
 constexpr double kBesideNeck = 0.1;
-/// mm between a cutter and the walls of a pocket where it goes down.
+/// mm between a descending cutter and the walls of a pocket.
 constexpr double kBesideWall = 0.1;
 /// mm. Heights, and places at the side of the stock, nearer than this are one.
 constexpr double kSameHeight = 0.01;
-/// mm. How far apart places are looked at beyond the side of the stock.
+/// mm. Distance of sampled places beyond the side of the stock.
 constexpr double kLookStep = 0.25;
-/// mm2. What booleans leave of areas that only touch.
+/// mm2. Greatest area of remnants left by booleans of areas that only touch.
 constexpr double kRemnant = 1e-3;
 
-/// How far the line has to go on from its end for a cutter to be beside the stock, which its centre keeps `needed` mm off; nothing where it
-/// ends in the stock, or leads back into it.
+/// Extension of the line beyond its end needed for a cutter beside the stock, with its centre `needed` mm off the
+/// stock; nothing if the line ends in the stock, or leads back into it.
 std::optional<double> way_out(const Path& line, double needed, const Box& stock) {
   const Vec2 end = line.back().to, ahead = line.back().tangent_at(1);
   const Box inner = stock.grown(-kSameHeight);
@@ -42,7 +42,8 @@ std::optional<double> way_out(const Path& line, double needed, const Box& stock)
   return std::nullopt;
 }
 
-/// The line drawn on beyond its end for a cutter whose centre keeps `off` mm off the stock, where that leads out of it.
+/// The line extended beyond its end for a cutter with its centre `off` mm off the stock, if the extension leads out
+/// of the stock.
 Path drawn_on(Path line, double off, const std::optional<Stock>& stock) {
   const auto way = stock ? way_out(line, off, stock->plan) : std::nullopt;
   if (!way || *way <= 0) return line;
@@ -75,7 +76,7 @@ class TSlotShaper {
   }
 
  private:
-  /// The step that mills the slot for the neck.
+  /// The step for milling the slot for the neck.
   Workingstep shape(const Workingstep& step) {
     const Tool& cutter = cutter_of(step);
     const int mill = neck_mill(feature_of(part_, step), cutter);
@@ -111,7 +112,7 @@ class TSlotShaper {
     return cutter;
   }
 
-  /// Index of the narrowest end mill that the neck passes through after.
+  /// Index of the narrowest end mill whose slot the neck can pass.
   int neck_mill(const Feature& feature, const Tool& cutter) const {
     const double least = cutter.shank_diameter + 2 * kBesideNeck, depth = part_.top_z() - feature.floor_z;
     int best = -1;
@@ -140,13 +141,13 @@ class TSlotShaper {
     return whole < cutter.diameter ? whole : (cutter.shank_diameter + cutter.diameter) / 2;
   }
 
-  /// Draws the line on to where the disc goes down, which becomes its beginning.
-  /// mm; how far the cutter's centre keeps off the stock where it goes down.
+  /// mm; distance of the cutter's centre from the stock during its descent.
   double off_stock(const Tool& cutter) const {
     return cutter.radius() + features::clear_of_raw_stock(cutter.radius()) +
            options_.shop.stock_oversize.value_or(0);
   }
 
+  /// Extends the line to the place of the disc's descent, which becomes its beginning.
   void find_ends(Feature& feature, const Tool& cutter) const {
     ProfileCut& cut = *feature.profile;
     if (cut.closed)
@@ -165,7 +166,7 @@ class TSlotShaper {
     feature.t_slot = TSlot{at_begin && at_end};
   }
 
-  /// Whether nothing stands where the disc goes down: pockets, holes and nothing of the stock. Such features are cut before.
+  /// Whether the place of the disc's descent is free: pockets, holes, or no stock. Such features must be cut before.
   bool is_free(const Feature& slot, Vec2 end, const Tool& cutter) const {
     Regions missing{disc_about(end, cutter.radius() + kBesideWall)};
     for (const Feature& other : part_.features) {

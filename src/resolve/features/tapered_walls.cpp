@@ -21,7 +21,7 @@ std::string described(const Tool& tool) {
                      trimmed(taper_of(tool).degrees(), 3));
 }
 
-/// What has no wall that may lean.
+/// Throws for features without walls that may be inclined.
 void refuse_without_walls(const Feature& feature, const Tool& tool) {
   const bool has_walls = !feature.profile && !feature.hole && !feature.chamfer && !feature.carving &&
                          feature.kind != FeatureKind::kIsolation;

@@ -5,9 +5,10 @@
 
 namespace clearcut::resolve {
 
-/// Gives the walls that tapered end mills cut and that are steeper than the mills' flanks the slope of the flanks, from the edge at
-/// the top on; how much stays at their foot is a doubt (`leaning-walls`) of the part's. Walls with as much draft keep their own. Throws
-/// InputError where other mills work on the same upright walls, and for profiles, holes and bands about copper.
+/// Gives walls cut by tapered end mills the slope of the mills' flanks if the walls are steeper, from the edge at the
+/// top on; the material left at their foot is a doubt (`leaning-walls`) of the part. Walls with at least as much
+/// draft keep their own. Throws InputError if other mills work on the same vertical walls, and for profiles, holes
+/// and isolation bands around copper.
 void lean_walls(Part& part);
 
 }  // namespace clearcut::resolve

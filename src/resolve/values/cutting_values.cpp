@@ -21,7 +21,7 @@
 namespace clearcut::resolve {
 namespace {
 
-// Rules that docs/feeds.md tells. Coated edges run a fifth faster; high-speed steel runs at half the speed of carbide.
+// Rules of docs/feeds.md. Coated edges run a fifth faster; high-speed steel runs at half the speed of carbide.
 constexpr double kCarbide = 2, kCoating = 1.2;
 constexpr double kReamingShare = 2.0 / 3, kTappingShare = 0.4;  // of the drill's speed
 constexpr double kReamingFeed = 0.05;                           // mm a tooth
@@ -34,13 +34,14 @@ constexpr double kPlungeShare = 0.3;
 /// Of the stated power and torque.
 constexpr double kPowerShare = 0.8;
 constexpr double kMostThinning = 2;
-/// A stated value this many times above or below is told.
+/// A stated value this many times above or below is reported.
 constexpr double kFarOff = 2;
-/// Of the feed: what is cut all round on machines that bear little.
+/// Share of the feed used for slots on weak machines.
 constexpr double kSlotShare = 0.7;
-/// Chips of router bits are stated for cuts as deep as the cutter is wide; deeper ones take a quarter less for each diameter.
+/// Chips of router bits are stated for cuts as deep as the cutter is wide; deeper ones take a quarter less for each
+/// diameter.
 constexpr double kDeeperShare = 0.25, kLeastDepthShare = 0.5;
-/// mm that a cutter may bend at its tip while it roughs; its core is so much of the diameter.
+/// mm; permitted deflection of a cutter's tip in roughing; share of the diameter that is its core.
 constexpr double kMostBend = 0.05, kCore = 0.8;
 constexpr double kCarbideElasticity = 600000, kSteelElasticity = 210000;  // N/mm2
 
@@ -56,11 +57,11 @@ double at_diameter(const std::array<double, 4>& feeds, double diameter) {
 
 struct Suggestion {
   double speed = 0;  ///< m/min
-  double tooth = 0;  ///< mm a tooth, a turn where `teeth` is 1
+  double tooth = 0;  ///< mm per tooth; per turn if `teeth` is 1
   double teeth = 1;
 };
 
-/// Of what goes straight down: high-speed steel unless the tool says carbide.
+/// Values for tools with vertical moves only: high-speed steel unless the tool states carbide.
 Suggestion of_hole_tool(const WorkMaterial& work, const Tool& tool) {
   const bool carbide = tool.high_speed_steel == false;
   Suggestion out{work.drill_speed * (carbide ? kCarbide : 1), at_diameter(work.drill_feed, tool.diameter), 1};
@@ -73,26 +74,26 @@ Suggestion of_hole_tool(const WorkMaterial& work, const Tool& tool) {
   return out;
 }
 
-/// mm; the diameter that meets the material: of a cone that of the circle at the top of its cut.
+/// mm; the cutting diameter: for a cone, that of the circle at the top of its cut.
 double cutting_diameter(const Tool& tool, double depth) {
   if (!is_conical(tool) || !(depth > 0)) return 2 * widest_radius(tool);
   return std::min(2 * widest_radius(tool), 2 * radius_at(tool, depth));
 }
 
-/// Whether the chips are those of light machines: stated, or where nothing is, in woods and plastics, because those who cut them
-/// on stiff machines say so.
+/// Whether chips for light machines are used: if stated, or, without a statement, in woods and plastics, because
+/// users who cut these on stiff machines state that.
 bool takes_hobby_chips(const WorkMaterial& work, const Machine& machine) {
   if (machine.stiffness == MachineStiffness::kUnknown) return !work.has_forces();
   return machine.stiffness == MachineStiffness::kHobby;
 }
 
-/// Of the chip: what is left of it in cuts deeper than the cutter is wide, in woods and plastics.
+/// Factor on the chip in cuts deeper than the cutter's width, in woods and plastics.
 double share_at_depth(const WorkMaterial& work, double depth, double diameter) {
   if (work.has_forces() || depth <= diameter) return 1;
   return std::max(kLeastDepthShare, 1 - kDeeperShare * (depth / diameter - 1));
 }
 
-/// Of what mills: carbide unless the tool says high-speed steel.
+/// Values for mills: carbide unless the tool states high-speed steel.
 Suggestion of_mill(const WorkMaterial& work, const Tool& tool, const Machine& machine, double depth) {
   const double diameter = cutting_diameter(tool, depth);
   const auto& feeds = takes_hobby_chips(work, machine) ? work.hobby_feed : work.mill_feed;
@@ -111,13 +112,13 @@ Suggestion suggestion_for(const WorkMaterial& work, const Tool& tool, const Mach
   return out;
 }
 
-/// How much thinner than the feed per tooth the chip is where the cutter is engaged by less than a quarter turn.
+/// Ratio of the chip's thickness to the feed per tooth for an engagement of less than a quarter turn.
 double thinning(const std::optional<double>& engagement_deg) {
   if (!engagement_deg || *engagement_deg >= 90) return 1;
   return std::min(kMostThinning, 1 / base::sin(*engagement_deg * kPi / 180));
 }
 
-/// W at `rpm` that a cut may take; absent where the machine does not state it.
+/// W; permitted power of a cut at `rpm`; absent if the machine does not state it.
 std::optional<double> allowed_power(const Machine& machine, double rpm) {
   std::optional<double> most;
   if (machine.spindle_power_w) most = kPowerShare * *machine.spindle_power_w;
@@ -129,13 +130,14 @@ std::optional<double> allowed_power(const Machine& machine, double rpm) {
 }
 
 /// mm/min; the feed at which a cut of `section` mm2 takes `power`, its mean chip being `chip` times the feed.
-/// P = k h^-m A v / 60000 with h = chip v gives v^(1 - m) = 60000 P chip^m / (k A); woods and plastics take the same of every chip.
+/// P = k h^-m A v / 60000 with h = chip v gives v^(1 - m) = 60000 P chip^m / (k A); in woods and plastics the
+/// specific energy is the same for every chip.
 double feed_at_power(const WorkMaterial& work, double power, double section, double chip) {
   if (!work.has_forces()) return power * 60000 / (work.specific_energy * section);
   return base::pow(power * 60000 * base::pow(chip, work.mc) / (work.kc11 * section), 1 / (1 - work.mc));
 }
 
-/// N sideways that bend the cutter by as much as is allowed; absent where its holder is not known.
+/// N; lateral force that bends the cutter by the permitted deflection; absent if its holder is not known.
 std::optional<double> bending_force(const Tool& tool) {
   if (!tool.stickout || !(*tool.stickout > 0)) return std::nullopt;
   const double core = kCore * tool.diameter;
@@ -145,13 +147,13 @@ std::optional<double> bending_force(const Tool& tool) {
   return 3 * elasticity * inertia * kMostBend / (length * length * length);
 }
 
-/// mm/min; what no feed of a cut is above, and what says so.
+/// mm/min; upper limit of a cut's feed, and its origin.
 struct FeedLimit {
   double most = HUGE_VAL;
   const char* by = "";
 };
 
-/// Of the machine: the greatest feed that it states, and the slower rapid of X and Y.
+/// Limit of the machine: its greatest stated feed, and the slower rapid of X and Y.
 FeedLimit feed_limit(const Machine& machine) {
   const AxisValues speeds = axis_speeds(machine);
   FeedLimit limit{std::min(speeds[0], speeds[1]), "the machine's rapid"};
@@ -187,7 +189,8 @@ class Filler {
     return limit;
   }
 
-  /// rpm; where the machine's feed is the limit, routers turn more slowly, because thin chips burn wood and melt plastics.
+  /// rpm; if the machine's feed is the limit, routers turn more slowly, because thin chips burn wood and melt
+  /// plastics.
   double slowed(double rpm, const Suggestion& start, std::string& why) const {
     if (is_driven_down(tool_) || work_.has_forces()) return rpm;
     const FeedLimit limit = feed_limit(options_.machine);
@@ -207,7 +210,8 @@ class Filler {
     rpm = slowed(rpm, start, why);
     if (rpm >= 100) rpm = std::floor(rpm / 10) * 10;
     const double least = std::min(options_.machine.min_spindle_rpm.value_or(0), top.most);
-    // A tap is no mill: far above its speed it breaks, so it keeps the one that it needs, and is refused where its feed is tied to it.
+    // A tap is no mill: a tap far above its speed breaks, so it keeps the required speed, and is refused if its feed
+    // is tied to the speed.
     const bool breaks = tool_.kind == ToolKind::kTap && least > kFarOff * wanted;
     const bool is_too_slow = rpm < least && !breaks;
     if (is_too_slow) {
@@ -227,7 +231,7 @@ class Filler {
                       trimmed(least, 0), work_.name, tool_.number, trimmed(wanted, 0)));
   }
 
-  /// Of the whole width and the stepdown; what only goes down cuts its own circle.
+  /// Section of a cut at full width and stepdown; tools with vertical moves only cut their own circle.
   double section(double depth) const {
     if (is_driven_down(tool_)) return kPi * tool_.diameter * tool_.diameter / 4;
     return is_conical(tool_) ? depth * cutting_diameter(tool_, depth) / 2 : depth * tool_.diameter;
@@ -275,8 +279,8 @@ class Filler {
     fill_slot_feed(wanted);
   }
 
-  /// Chips of light machines are those of half the width: what is cut all round takes less. A feed that something else has
-  /// brought down as far already stays.
+  /// Chip loads of light machines are meant for half the width: slots get less. A feed already reduced as far by
+  /// another limit is unchanged.
   void fill_slot_feed(double wanted) {
     CuttingData& cutting = operation_.cutting;
     if (is_driven_down(tool_) || !clears_floors(tool_) || cutting.slot_feed) return;
@@ -291,7 +295,7 @@ class Filler {
 
   void take_feed(double feed, double wanted, const std::string& why) {
     CuttingData& cutting = operation_.cutting;
-    // What only goes down has one feed, which may be stated as either.
+    // Tools with vertical moves only have one feed, which may be stated as either of the two.
     std::optional<MmPerMin>& own =
         is_driven_down(tool_) && cutting.plunge_feed ? cutting.plunge_feed : cutting.feed;
     if (own) check_stated("feed", own->mm_per_min(), wanted, feed, "mm/min");
@@ -310,7 +314,7 @@ class Filler {
     sources_.set("plunge-feed", {Origin::kDerived, down});
   }
 
-  /// `wanted` by the table; `limited` what machine and tool leave of it.
+  /// `wanted`: the table's value; `limited`: the value permitted by machine and tool.
   void check_stated(const char* name, double stated, double wanted, double limited, const char* unit) {
     if (stated <= kFarOff * wanted && stated >= limited / kFarOff) return;
     told_.warnings.push_back(

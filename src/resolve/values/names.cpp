@@ -11,7 +11,7 @@
 namespace clearcut::resolve {
 namespace {
 
-/// Of several values that which is called `name`.
+/// The value named `name` among several.
 template <typename Value, std::size_t kCount>
 Value named(const std::array<Value, kCount>& values, const std::string& name, const std::string& place) {
   std::string known;
@@ -22,7 +22,7 @@ Value named(const std::array<Value, kCount>& values, const std::string& name, co
   throw InputError(place, "'" + name + "' is unknown; use one of " + known);
 }
 
-/// Whether `name` is that of what is published, and not that of ours.
+/// Whether `name` is the published one, and not Clearcut's own.
 bool is_first(const std::string& published, const std::string& ours, const std::string& name,
               const std::string& place) {
   if (name != published && name != ours)
@@ -35,8 +35,9 @@ struct StepNcName {
   const char* ours;
 };
 
-/// Strategies of ISO 14649-11. Strokes in one direction alone are not made: they are cut to and fro, and the reader says so.
-/// Ours end with a pass along the walls, as bidirectional_contour asks for.
+/// Strategies of ISO 14649-11. Strokes in only one direction are not supported: they are cut in both directions, and
+/// the reader reports this. Clearcut's strategies end with a pass along the walls, as required by
+/// bidirectional_contour.
 constexpr StepNcName kStepNcNames[] = {
     {"contour_parallel", "contour"},     {"contour_spiral", "spiral"}, {"bidirectional", "zigzag"},
     {"bidirectional_milling", "zigzag"}, {"unidirectional", "zigzag"}, {"unidirectional_milling", "zigzag"},
@@ -53,7 +54,7 @@ const StrategyEntry* strategy_named(const std::string& name, const StrategyTable
   for (const StrategyEntry& entry : strategies.entries()) names.push_back(entry.name);
   const std::string meant = nearest_name(name, names);
   const std::string hint = meant.empty() ? "" : "did you mean '" + meant + "'? ";
-  const std::string what = place == "--strategy" ? "" : "strategy ";  // the place says it already
+  const std::string what = place == "--strategy" ? "" : "strategy ";  // the place already contains this word
   throw InputError(
       place, fmt::format("{}'{}' is unknown; {}use one of {}", what, name, hint, fmt::join(names, ", ")));
 }

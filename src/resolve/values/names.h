@@ -1,4 +1,4 @@
-// The names by which options and files choose: the one place that turns them into values.
+// Converts the names used in options and files into values; no other file does.
 #pragma once
 
 #include <string>
@@ -9,11 +9,12 @@
 
 namespace clearcut::resolve {
 
-/// The row of a strategy; null for "auto". Throws InputError at `place` that lists the names there are.
+/// The row of a strategy; null for "auto". Throws InputError at `place`, listing the existing names.
 const StrategyEntry* strategy_named(const std::string& name, const StrategyTable& strategies,
                                     const std::string& place);
 
-/// What a strategy that a STEP-NC file names is here: "contour_parallel" is "contour". "" where there is none like it.
+/// The strategy here for a strategy name of a STEP-NC file: "contour" for "contour_parallel". "" if there is no
+/// equivalent.
 std::string strategy_of_stepnc(const std::string& name);
 
 /// "helix", "ramp", "zigzag", "plunge". Throws InputError at `place`.
@@ -39,8 +40,9 @@ const char* name_of(Finish finish);
 TabShape tab_shape_named(const std::string& name, const std::string& place);
 const char* name_of(TabShape shape);
 
-/// What the texts print, or ours: "bisector" or "shortest" passages, a "corner" or "round" contours at reflex corners, the "published" grid or "ours", the "published" solver or the
-/// "modern" one; true for what is printed. Throw InputError at `place`.
+/// Published method or Clearcut's own: "bisector" or "shortest" passages, a "corner" or "round" contours at reflex
+/// corners, the "published" grid or "ours", the "published" solver or the "modern" one; true for the published one.
+/// Throw InputError at `place`.
 bool is_bisector_passage(const std::string& name, const std::string& place);
 bool is_reflex_corner(const std::string& name, const std::string& place);
 bool is_published_grid(const std::string& name, const std::string& place);

@@ -90,7 +90,7 @@ double required_speed(const std::string& text, const std::string& place) {
   return *rpm;
 }
 
-/// What the edges are of. False where the word says something else.
+/// Sets the material of the edges. False if the word is no material.
 bool apply_edge_word(Tool& tool, const std::string& word) {
   if (word == "hss" || word == "carbide") tool.high_speed_steel = word == "hss";
   if (word == "coated") tool.coated = true;
@@ -143,7 +143,7 @@ void apply_word(Tool& tool, const std::string& word, const std::string& place) {
   }
 }
 
-/// What tapered end mills and T-slot cutters need.
+/// Checks the shape of tapered end mills and T-slot cutters.
 void check_shape(const Tool& tool, const std::string& place) {
   const bool tapered = tool.kind == ToolKind::kTapered;
   if (tapered && (!tool.tip_angle || !tool.flute_length || tool.corner_radius > 0 || tool.tip_diameter != 0))
@@ -159,7 +159,7 @@ void check_shape(const Tool& tool, const std::string& place) {
         "for example tslot:20:length=8:shank=10");
 }
 
-/// What the kind of the tool needs of its cone.
+/// Checks the cone against the needs of the tool's kind.
 void check_cone(const Tool& tool, const std::string& place) {
   if (tool.kind == ToolKind::kTapered) return;
   const bool cone = row_of(tool.kind).use == ToolUse::kEdges;
@@ -175,7 +175,7 @@ void check_cone(const Tool& tool, const std::string& place) {
     throw InputError(place, "the diameter of the tip must be 0 or more, and less than the tool's");
 }
 
-/// What taps and thread mills need, and no other tool has.
+/// Checks the thread data, which taps and thread mills need and no other tool has.
 void check_thread(const Tool& tool, const std::string& place) {
   const bool tap = tool.kind == ToolKind::kTap, mill = tool.kind == ToolKind::kThreadMill;
   if (tap && !(tool.pitch > 0 && tool.pitch < tool.radius()))
@@ -243,7 +243,7 @@ namespace {
 /// Lowest and highest x, y and z of a block, mm.
 using Sides = std::array<std::array<double, 2>, 3>;
 
-/// Ranges LOW:HIGH; where `top` is given, sizes too: from X 0 and Y 0, down from the top.
+/// Ranges LOW:HIGH; if `top` is given, sizes too: from X 0 and Y 0, down from the top.
 Sides sides_of(const std::string& text, const std::string& place, std::optional<double> top,
                const char* needs) {
   const std::vector<std::string> words = split(text, ',');
@@ -324,11 +324,12 @@ void check(const TabOptions& tabs) {
 
 namespace {
 
-/// mm. So much at most do passes leave along walls, and what two of them leave between them is Tolerances::uncut.
+/// mm. Greatest thickness left along walls by passes; between two passes, Tolerances::uncut may be left.
 constexpr double kLeftAlongWalls = 0.004;
 
-/// A path that may lie that far off leaves that much, and the stock against cutting too deep, in square corners of walls the root of
-/// two times that; acute corners may hold less, which the verdict then says. The stock alone has to stay within what the verdict lets stand.
+/// A path with this deviation leaves the deviation plus the stock kept against gouges; in square corners of walls,
+/// the square root of two times this sum. Acute corners may have a smaller margin, as the verdict then states. The
+/// stock by itself must stay within the verdict's bound of uncut material.
 void refuse_narrow_bounds(double at_least, const ShopOptions& shop) {
   const MarginBounds standard;
   const double gouge = shop.margin_gouge.value_or(standard.gouge),

@@ -1,4 +1,4 @@
-// Texts that options are given as, and whether their values are sensible.
+// Texts of options, and checks of their values.
 #pragma once
 
 #include <string>
@@ -10,32 +10,33 @@ namespace clearcut::resolve {
 using options::PlanOptions;
 using options::ToolCutting;
 
-/// Where a value that is set in the options comes from.
+/// The source of a value set in the options.
 Source source_of(const PlanOptions& options, const std::string& name);
 
-/// How many threads the options stand for: at least one, and no more than cores.
+/// Number of threads given by the options: at least one, and no more than cores.
 int thread_count(const PlanOptions& options);
 
-/// "endmill:10[:T3][:flutes=2][:corner=0.5][:max_spindle=12000][:name=ROUGHER][:noplunge]", "tap:M6[:floating]". Throws InputError.
+/// "endmill:10[:T3][:flutes=2][:corner=0.5][:max_spindle=12000][:name=ROUGHER][:noplunge]", "tap:M6[:floating]".
+/// Throws InputError.
 Tool parse_tool(const std::string& text);
 
 /// "X,Y:D": a hole of diameter D at (X, Y), mm. Throws InputError.
 PredrilledHole parse_predrilled(const std::string& text);
 
-/// "100,60,20": the block's size, from X 0 and Y 0 and down from `top`; or each of the three as LOW:HIGH, "-5:95,0:60,-20:0". mm, or
-/// with units as lengths everywhere. Throws InputError.
+/// "100,60,20": the block's size, from X 0 and Y 0 and down from `top`; or each of the three as LOW:HIGH,
+/// "-5:95,0:60,-20:0". mm, or with units as lengths everywhere. Throws InputError.
 Stock parse_stock(const std::string& text, double top = 0);
 
 /// "-10:15,20:40,-20:12": the block of a clamp as ranges of x, y and z, mm or with units. Throws InputError.
 KeepOut parse_keep_out(const std::string& text);
 
-/// Throws InputError at `place` where a holder, or a shank that is wider than its cutter, is half stated.
+/// Throws InputError at `place` if a holder, or a shank wider than its cutter, is only partly stated.
 void check_holder(const Tool& tool, const std::string& place);
 
-/// Throws InputError at `place` where settings of the published solver are given, and the other is chosen.
+/// Throws InputError at `place` if settings of the published solver are given, but the other solver is chosen.
 void check(const VisitSolver& solver, const std::string& place);
 
-/// Checks that every option is in its sensible range; throws InputError naming the first that is not.
+/// Checks that every option is in its sensible range; throws InputError naming the first option that is not.
 void check(const PlanOptions& options);
 
 }  // namespace clearcut::resolve

@@ -10,7 +10,7 @@ ToolCutting stated_for(int tool, const PlanOptions& options) {
   return index < options.tool_cutting.size() ? options.tool_cutting[index] : ToolCutting{};
 }
 
-/// What the part's own operations say of a tool.
+/// Cutting data of a tool in the part's own operations.
 ToolCutting used_with(int tool, const Part& part) {
   const auto step = std::find_if(part.workplan.begin(), part.workplan.end(),
                                  [&](const Workingstep& one) { return one.operation.tool == tool; });
@@ -42,7 +42,7 @@ void take(Operation& operation, const ToolCutting& tool) {
   set_if(operation.stepover, tool.stepover);
 }
 
-/// Takes back what `tool` states, where nobody else said otherwise.
+/// Removes the values of `tool`, unless another source stated them.
 void take_back(Operation& operation, const ToolCutting& tool) {
   if (!tool.stated) return;
   CuttingData& cutting = operation.cutting;
@@ -57,7 +57,8 @@ void take_back(Operation& operation, const ToolCutting& tool) {
   drop_if_same(operation.stepover, tool.stepover);
 }
 
-/// What was asked for all operations, on the command line or by [plan] of a job, goes before what a tool states.
+/// Values requested for all operations, on the command line or by [plan] of a job, take precedence over a tool's
+/// values.
 ToolCutting without_what_is_asked(ToolCutting tool, const PlanOptions& options) {
   const auto drop = [&](auto& value, const auto& asked, const char* name) {
     if (asked || options.sources.find(name)) value.reset();

@@ -16,7 +16,7 @@ std::string text_of(bool flag) {
   return flag ? "yes" : "no";
 }
 
-/// Adds values to a list. A value that is stated has its source among `sources`, else `unnamed` tells it.
+/// Adds values to a list. A stated value has its source in `sources`, else its source is `unnamed`.
 class List {
  public:
   List(std::vector<ResolvedValue>& all, int step) : all_(all), step_(step) {}
@@ -41,16 +41,16 @@ class OperationSources {
       : known_(known), read_from_(std::move(read_from)), options_(options) {}
 
   bool knows(const char* name) const { return known_.find(name) != nullptr; }
-  /// Of a value that is always somewhere: among the known sources, or it was read.
+  /// Source of a value that is always stated: a known source, or the input.
   Source of(const char* name) const {
     const Source* known = known_.find(name);
     return known ? *known : read_from_;
   }
-  /// Of a value that may be absent.
+  /// Source of a value that may be absent.
   Source of(const char* name, bool is_stated, Source otherwise) const {
     return is_stated ? of(name) : std::move(otherwise);
   }
-  /// Of a value that only options state.
+  /// Source of a value stated only by options.
   Source of_options(const char* name, bool is_stated, Source otherwise) const {
     return is_stated ? source_of(options_, name) : std::move(otherwise);
   }
@@ -126,7 +126,7 @@ void list_leads(List& list, const ResolvedStep& step, const Operation& operation
            sources.of("lead-angle", operation.lead_angle.has_value(), by_default("arcs")));
 }
 
-/// A stepover that the part's file states is said where it is not used.
+/// Notes the stepover stated in the part's file if it is not used.
 Source with_unused_stepover(Source source, const ResolvedStep& step, const Operation& operation) {
   if (!step.stepover.is_given() && operation.stepover)
     source.text += "; stated " + trimmed(*operation.stepover, 6) + " of the diameter is not used";
@@ -160,7 +160,7 @@ class PlanList {
 
   void add(const char* name, std::string value, const char* unit, bool is_stated,
            const std::string& otherwise) {
-    // Values of the options without std::optional are stated where their source is known.
+    // Values of the options without std::optional count as stated if their source is known.
     const bool known = is_stated || options_.sources.find(name);
     list_.add(name, std::move(value), unit, known ? source_of(options_, name) : by_default(otherwise));
   }
@@ -194,7 +194,7 @@ void list_search(PlanList& list, const ResolvedPlan& plan, const PlanOptions& op
            options.threads != 0, "all cores; the result is the same");
 }
 
-/// What the stock is that a plan begins with.
+/// Description of the initial stock of a plan.
 std::string what_went_before(const std::optional<Toolpath>& earlier) {
   if (!earlier) return "none";
   const bool is_solid = std::any_of(earlier->sections.begin(), earlier->sections.end(),
@@ -239,7 +239,7 @@ void list_shop(PlanList& list, const ResolvedPlan& plan, const ShopOptions& shop
   list.add("after", what_went_before(plan.earlier), "", plan.earlier.has_value(), "none");
 }
 
-/// One value, or those of X, Y and Z where the axes differ.
+/// One value, or the values of X, Y and Z if the axes differ.
 std::string of_axes(double all, const std::optional<AxisValues>& values) {
   if (!values) return trimmed(all, 3);
   return trimmed((*values)[0], 3) + " / " + trimmed((*values)[1], 3) + " / " + trimmed((*values)[2], 3);

@@ -1,4 +1,4 @@
-// Writes down what was decided, with where it comes from, for people and certificates.
+// Lists the decided values with their sources, for people and certificates.
 #pragma once
 
 #include "model/options/resolved_plan.h"
@@ -6,11 +6,11 @@
 
 namespace clearcut::resolve {
 
-/// Where the operation of a step was read: what its own sources do not name is from there.
+/// Place in the input of a step's operation: the source of all values without a source of their own.
 Source read_source(const Part& part, const Workingstep& step);
 
-/// Appends the values of one step of `plan` to plan.values; `sources` are those that are not from where the operation was
-/// read.
+/// Appends the values of one step of `plan` to plan.values; `sources` contains the sources that differ from the
+/// operation's place in the input.
 void list_step(ResolvedPlan& plan, int step, const Sources& sources, const PlanOptions& options);
 
 /// Appends the values of the plan as a whole.

@@ -18,15 +18,15 @@ namespace {
 /// mm along the outline between circles, and between places on an engraved line.
 constexpr double kRaySpacing = 0.002;
 constexpr double kLineSpacing = 0.02;
-/// mm. An outline that reaches no deeper than this into a circle only touches it.
+/// mm. An outline reaching no deeper than this into a circle only touches the circle.
 constexpr double kTouch = 1e-7;
 constexpr int kMostShrinks = 200;
 /// mm. Squares of the floor are not divided below this half diagonal.
 constexpr double kSmallestCell = 0.004;
-/// mm. Squares in which the place of a flat tip is looked for are not divided below this half diagonal.
+/// mm. Least half diagonal of the squares searched for a place of a flat tip.
 constexpr double kSmallestPlace = 0.0005;
 
-/// The cone with the smallest tip of those that carve a feature; null if none does.
+/// The cone with the smallest tip of the cones carving a feature; null if none does.
 const Tool* carver_of(const Part& part, int feature) {
   const Tool* carver = nullptr;
   for (const Workingstep& step : part.workplan) {
@@ -72,7 +72,8 @@ class CarvingCheck {
       const int steps = std::max(1, static_cast<int>(std::ceil(edge.length() / kLineSpacing)));
       for (int i = 0; i <= steps; ++i) {
         const Vec2 p = edge.at(static_cast<double>(i) / steps);
-        // Between places a path on the line is as deep as at them; only cones beside it could stand `bound` higher.
+        // Between the tested places a path on the line is as deep as at the places; only for cones beside the line,
+        // the material could be `bound` higher.
         keep(p, shaped_.at(p) - feature_.floor_z, feature_.floor_z, std::min(bound, tol_.uncut / 4));
       }
     }
@@ -112,7 +113,7 @@ class CarvingCheck {
     }
   }
 
-  /// Checks the directions all round a corner that points into the carving.
+  /// Checks the directions all round a corner pointing into the carving.
   void check_corner(const Edge& before, const Edge& after) {
     const Vec2 in = before.tangent_at(1), out = after.tangent_at(0);
     const double turn = base::atan2(cross(in, out), dot(in, out));
@@ -122,7 +123,8 @@ class CarvingCheck {
     for (int i = 0; i <= steps; ++i) check_ray(after.from, direction_of(from + turn * i / steps));
   }
 
-  /// mm; radius of the largest circle that touches the outline at b, has its centre towards n, and holds no outline.
+  /// mm; radius of the largest circle tangent to the outline at b, with its centre in direction n, and without
+  /// outline inside.
   double circle_from(Vec2 b, Vec2 n) const {
     double radius = widest_;
     for (int i = 0; i < kMostShrinks; ++i) {
@@ -174,11 +176,11 @@ class CarvingCheck {
     return found;
   }
 
-  /// Whether a flat tip can stand over p at the floor: narrow ends of the floor are out of its reach.
+  /// Whether a flat tip can be over p at the floor: narrow ends of the floor are out of its reach.
   bool is_in_tips_reach(Vec2 p) const { return tip_ <= 0 || has_place_for_tip(p, p, tip_); }
 
-  /// Whether in a square about `middle` the tip's axis has a place at the floor, within the tip's radius of p. Nowhere is the depth
-  /// more than it is in the middle and the distance from there.
+  /// Whether a square about `middle` contains a place for the tip's axis at the floor, within the tip's radius of p.
+  /// The depth at any place is at most the depth in the middle plus the distance from the middle.
   bool has_place_for_tip(Vec2 p, Vec2 middle, double half) const {
     const double diagonal = half * std::sqrt(2.0), away = distance(p, middle);
     if (away - diagonal > tip_) return false;

@@ -13,9 +13,9 @@ namespace {
 
 /// mm between places along the line.
 constexpr double kSpacing = 0.02;
-/// mm. A place on the line no farther than this from the side of the stock lies on that side.
+/// mm. A place on the line no farther than this from the side of the stock is on that side.
 constexpr double kOnSide = 0.005;
-/// Shares of the chamfer's width at which its depth is checked. At the top, 1, there is nothing to cut.
+/// Shares of the chamfer's width at which its depth is checked. At the top, 1, no material is to be cut.
 constexpr double kAcross[] = {0, 0.5, 0.9};
 
 class ChamferCheck {
@@ -82,7 +82,7 @@ class ChamferCheck {
     return found;
   }
 
-  /// mm. Where the mills did not come there is no wall, although the line runs there.
+  /// mm. In places not reached by the mills there is no wall, although the line continues there.
   double distance_to_wall(Vec2 p) const {
     const auto is_milled = [&](int i) {
       return is_wall(nearest(line_.edges()[static_cast<std::size_t>(i)], p).point);
@@ -108,7 +108,7 @@ class ChamferCheck {
   const Feature& feature_;
   const Tolerances& tol_;
   CarvingWork& work_;
-  double slope_;  ///< mm that the chamfer's plane goes into the solid for each mm upwards
+  double slope_;  ///< mm by which the chamfer's plane moves into the solid for each mm upwards
   EdgeTree line_;
   CutHeights cones_;
   std::vector<Edge> mills_;

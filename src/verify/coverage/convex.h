@@ -8,8 +8,8 @@
 
 namespace clearcut::verify {
 
-/// A convex polygon of few vertices, counter-clockwise, without allocation. It may have shrunk to a line or a
-/// point, and is empty if size() == 0.
+/// A convex polygon of few vertices, counter-clockwise, without allocation. The polygon may have shrunk to a line or
+/// a point, and is empty if size() == 0.
 class ConvexPolygon {
  public:
   static constexpr int kCapacity = 64;
@@ -24,7 +24,7 @@ class ConvexPolygon {
   std::span<const Vec2> points() const { return {points_.data(), static_cast<std::size_t>(count_)}; }
   Vec2 centroid() const;
   double area() const;
-  /// The part where dot(normal, p) >= offset.
+  /// The part with dot(normal, p) >= offset.
   ConvexPolygon clipped(Vec2 normal, double offset) const;
   double farthest_from(Vec2 p) const;
   /// Distance from p; 0 inside.

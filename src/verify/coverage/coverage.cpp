@@ -16,12 +16,12 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 /// Cells with more outline edges than this are divided instead of computing a convex hull.
 constexpr int kHullEdges = 12;
-/// Number of swaths that are tried on one cell, the nearest first.
+/// Number of swaths tried on one cell, the nearest first.
 constexpr int kSwathsTried = 12;
-/// Number of undecided smallest cells after which the smallest size doubles, so that programs which leave
-/// much take no longer.
+/// Number of undecided smallest cells after which the smallest size doubles, so that programs with much uncut
+/// material take no longer.
 constexpr int kLeavesPerSize = 4000;
-/// What is thinner than the thickest found so far only adds to the area: cells of R / kAreaCells are enough for it.
+/// Residuals thinner than the thickest found so far only add to the area: cells of R / kAreaCells suffice for them.
 constexpr double kAreaCells = 64;
 /// If something is left, its area is measured with residuals down to this fraction of the tolerance.
 constexpr double kFineShare = 50;
@@ -32,7 +32,7 @@ constexpr double kCornerCells = 48;
 
 class CoverageProof {
  public:
-  /// `fine`: counts residuals down to a fraction of the tolerance, to measure the area of what is left.
+  /// `fine`: counts residuals down to a fraction of the tolerance, to measure the uncut area.
   CoverageProof(const CoverageQuestion& question, const Tolerances& tol, bool fine)
       : question_(question),
         residual_(question),
@@ -68,12 +68,13 @@ class CoverageProof {
   }
 
  private:
-  enum class Legality : unsigned char { kMixed, kNone, kAll };  ///< which points of a cell are legal centres
+  /// Share of a cell's points that are legal centres.
+  enum class Legality : unsigned char { kMixed, kNone, kAll };
 
   struct Cell {
     Vec2 center;
     double half = 0;
-    bool on_outline = true;  ///< the target's outline may run through it
+    bool on_outline = true;  ///< the target's outline may run through the cell
     Legality legality = Legality::kMixed;
 
     double reach() const { return half * 1.41421356237309515; }
@@ -87,12 +88,12 @@ class CoverageProof {
     int begin = 0, end = 0;
     bool empty() const { return begin == end; }
   };
-  /// What lies near a cell, as ranges of the stacks below.
+  /// Items near a cell, as ranges of the stacks below.
   struct Near {
     Range swaths, outline, legals;
   };
   struct NearSwath {
-    double excess;  ///< mm; how far the cell's centre lies outside the swath
+    double excess;  ///< mm; distance of the cell's centre outside the swath
     int index;
   };
 
@@ -112,9 +113,10 @@ class CoverageProof {
     legals_.resize(marks[2]);
   }
 
-  /// Whether a legal centre reaches some of the target. Where the boundary of the legal area does not come near a region of
-  /// the target, either all of that region is legal or nothing: other features may have taken all that stood around it.
-  /// What is too narrow for the cutter but for rounding is within reach of programs that cut there.
+  /// Whether some part of the target is within reach of a legal centre. If the boundary of the legal area is not near
+  /// a region of the target, the region is either wholly legal or not at all: other features may have removed all
+  /// material around it. Places too narrow for the cutter only by rounding count as reachable for programs that cut
+  /// there.
   bool any_within_reach() const {
     const std::vector<Edge>& legal = legal_.boundary().edges();
     const bool owed = legal_.within_fit() || !question_.swaths.empty();
@@ -152,7 +154,7 @@ class CoverageProof {
     return cell.half <= question_.flat / 4 && settle_uncut(cell, part, near, within_reach);
   }
 
-  /// Decides a cell that is not cut, or one of the smallest; `part` contains what may be left of it.
+  /// Decides an uncut cell, or one of the smallest; `part` contains its possibly uncut part.
   bool settle_uncut(const Cell& cell, const ConvexPolygon& part, const Near& near, bool within_reach) {
     const bool smallest = 2 * cell.half <= smallest_cell();
     const double excess = excess_at(cell.center), thickness = excess + cell.reach();
@@ -165,9 +167,9 @@ class CoverageProof {
     return count_uncut(cell, part, width);
   }
 
-  /// mm; upper bound of the widest disc of material centred in the cell, if no point of the cell is farther
-  /// than `thickness` from what was cut: the disc reaches neither into what was cut, nor over the edge of the
-  /// target, nor to where no legal centre reaches.
+  /// mm; upper bound of the widest disc of material centred in the cell, if no point of the cell is farther than
+  /// `thickness` from the cut area: the disc extends neither into the cut area, nor over the edge of the target, nor
+  /// into the unreachable area.
   double width_of(const Cell& cell, double thickness) const {
     const double beside = target_.nearest(cell.center, thickness + cell.reach()).distance + cell.reach();
     const double beyond =
@@ -175,8 +177,9 @@ class CoverageProof {
     return 2 * std::min({thickness, beside, beyond});
   }
 
-  /// mm; upper bound of the distance from p to the nearest point that no legal centre reaches. That point is sought straight away
-  /// from the nearest legal centre, at its reach. Infinite if another centre reaches it, or if p itself is legal.
+  /// mm; upper bound of the distance from p to the nearest unreachable point. This point is sought in the direction
+  /// straight away from the nearest legal centre, at its reach. Infinite if the point is reached from another centre,
+  /// or if p itself is legal.
   double to_unreachable(Vec2 p) const {
     const double reach = question_.flat + kBeyondReach;
     const EdgeTree::Hit hit = legal_.boundary().nearest(p);
@@ -213,7 +216,7 @@ class CoverageProof {
     return !cell.on_outline && target_.winding(cell.center) == 0;
   }
 
-  /// A convex polygon that contains the cell's part of the target.
+  /// A convex polygon around the cell's part of the target.
   ConvexPolygon part_in_target(const Cell& cell, Range outline) {
     const ConvexPolygon square = ConvexPolygon::square(cell.center, cell.half);
     if (!cell.on_outline || outline.end - outline.begin > kHullEdges) return square;
@@ -228,7 +231,7 @@ class CoverageProof {
     return ConvexPolygon::hull(extremes_);
   }
 
-  /// Removes swath after swath from the polygon; true if what remains lies in one.
+  /// Removes swath after swath from the polygon; true if the rest is in one swath.
   bool take_covered(ConvexPolygon& rest, Range near) {
     if (near.end - near.begin > 8 * kSwathsTried) return false;
     std::sort(swaths_.begin() + near.begin, swaths_.begin() + near.end,
@@ -284,8 +287,7 @@ class CoverageProof {
     return true;
   }
 
-  /// mm; upper bound of how far any point of the curve lies from the nearest path; greater for smaller
-  /// cutters.
+  /// mm; upper bound of the distance of the curve's points from the nearest path; greater for smaller cutters.
   double deviation_of_program(const Edge& curve) const {
     const bool point = curve.from == curve.to;
     const Vec2 middle = point ? curve.from : curve.at(0.5);
@@ -306,7 +308,7 @@ class CoverageProof {
     return first > tol_.uncut ? first : std::max(first, deviation_of_program(curve.part(0.5, 1)));
   }
 
-  /// mm; how far p lies outside everything that was swept; negative inside.
+  /// mm; distance of p outside the swept area; negative inside.
   double excess_at(Vec2 p) const {
     double least = kInfinite;
     for (const auto& [radius, tree] : trees_) least = std::min(least, tree.distance_to(p) - radius);
@@ -314,13 +316,13 @@ class CoverageProof {
     return std::min(least, base::hypot(box.width(), box.height()));
   }
 
-  /// mm; a cell small enough to distinguish what a cutter reaches from what it nearly reaches.
+  /// mm; size of a cell small enough to distinguish reachable from nearly reachable places.
   double smallest_cell() const {
     const auto doublings = leaves_ / kLeavesPerSize;
     return std::min(question_.flat / 4, tol_.uncut / 8 * base::exp2(static_cast<double>(doublings)));
   }
 
-  /// Records that what lies at most `excess` mm outside a swath is at most twice as wide.
+  /// Records that material at most `excess` mm outside a swath is at most twice as wide.
   bool count_covered(double excess) { return count_width(2 * excess); }
 
   bool count_width(double width) {
@@ -344,8 +346,7 @@ class CoverageProof {
     return true;
   }
 
-  /// Adds the part of a cell that no centre reaches; the program is known to have cut the rest as far as
-  /// possible.
+  /// Adds the unreachable part of a cell; the program is known to have cut the rest as far as possible.
   bool count_corner(Cell cell, Near near) {
     const int marks[] = {end(outline_), end(legals_)};
     if (!settle_corner(cell, near)) {
@@ -374,8 +375,8 @@ class CoverageProof {
     return true;
   }
 
-  /// Keeps of the list the edges that may be nearest to a point of the cell; returns the distance of the
-  /// cell's centre.
+  /// Keeps the edges of the list that may be nearest to some point of the cell; returns the distance of the cell's
+  /// centre.
   double keep_nearest_legals(const Cell& cell, Range& legals) {
     double least = kInfinite;
     const auto apart = [&](int k) { return distance(legal_.boundary().edges()[legals_[k]], cell.center); };
@@ -393,19 +394,19 @@ class CoverageProof {
   const CoverageQuestion& question_;
   const WallResidual residual_;
   const Tolerances& tol_;
-  const double widest_;  ///< mm; what is left up to this width is no fault
-  const double slack_;   ///< mm; what lies at most this far outside a swath is not too wide
-  /// mm; a program that keeps within this of the legal area's boundary leaves nothing thicker in corners.
+  const double widest_;  ///< mm; residuals up to this width are no fault
+  const double slack_;   ///< mm; residuals at most this far outside a swath are not too wide
+  /// mm; a program within this distance of the legal area's boundary leaves no thicker residual in corners.
   const double followed_;
   EdgeTree target_;
-  /// Where the boundary of the legal area is known. Beyond it, at a pocket beside the target, a cell that no known boundary
-  /// comes near may still be legal in one part and not in another.
+  /// The box in which the boundary of the legal area is known. Outside, at a pocket beside the target, a cell without
+  /// a known boundary nearby may still be legal only in part.
   const Box known_;
   LegalCenters legal_;
   /// mm; how far the program runs from each edge of the legal boundary; -1: not computed yet.
   std::vector<double> deviation_;
-  std::vector<std::pair<double, EdgeTree>> trees_;  ///< for each tool radius: the paths cut with it
-  // Stacks of what lies near the cells from the whole target down to the current one.
+  std::vector<std::pair<double, EdgeTree>> trees_;  ///< for each tool radius: the paths cut with this radius
+  // Stacks of items near the cells from the whole target down to the current one.
   std::vector<NearSwath> swaths_;
   std::vector<int> outline_, legals_;
   std::vector<Vec2> extremes_;

@@ -25,9 +25,8 @@ using Tasks = std::vector<std::function<void()>>;
 /// Radians. Arcs are divided into swaths of at most this sweep, less than half a turn.
 constexpr double kSwathSweep = 2.0;
 
-/// Runs independent tasks on up to `threads` threads; none writes what another one uses. Rethrows the first
-/// exception in the order of tasks. Once `cancel` asks to stop no task is begun any more, and it throws
-/// Cancelled.
+/// Runs independent tasks on up to `threads` threads; no task may write data used by another one. Rethrows the first
+/// exception in the order of tasks. Once `cancel` requests a stop no further task is begun, and Cancelled is thrown.
 void run_all(const Tasks& tasks, int threads, const std::stop_token& cancel) {
   std::vector<std::exception_ptr> thrown(tasks.size());
   const auto work = [&](std::size_t i) {
@@ -44,13 +43,15 @@ void run_all(const Tasks& tasks, int threads, const std::stop_token& cancel) {
   throw_if_cancelled(cancel);
 }
 
-/// mm; radius within which all is gone `above` mm over the tip. That of T-slot cutters holds up to their upper side alone.
+/// mm; radius within which all material is removed `above` mm over the tip; for T-slot cutters only up to their upper
+/// side.
 double cleared_radius(const CheckedMove& checked, double above) {
   if (checked.tool->kind == ToolKind::kTSlot) return radius_at(*checked.tool, above);
   return removal_of(checked).profile.radius_at(std::max(0.0, above));
 }
 
-/// Adds the parts of a feed move whose tip is at or below z, with the cutter's radius at `level`, made smaller by `narrower` mm.
+/// Adds the parts of a feed move whose tip is at or below z, with the cutter's radius at `level`, made smaller by
+/// `narrower` mm.
 void append_swaths(const CheckedMove& checked, double z, double level, double narrower,
                    std::vector<Swath>& out) {
   const Move& move = *checked.move;
@@ -71,20 +72,21 @@ void append_swaths(const CheckedMove& checked, double z, double level, double na
   }
 }
 
-/// The box around a feature's target, and where its material begins.
+/// The box around a feature's target, and the height of its material's top.
 struct Around {
   explicit Around(const Feature& feature) : box(clearcut::box(feature.target)), top_z(feature.top_z) {}
   Box box;
   double top_z;
 };
 
-/// Whether the cutter has cleared all above its tip up to the feature's top: over the disc of a T-slot cutter material may stand.
+/// Whether the cutter has cleared all above its tip up to the feature's top: over the disc of a T-slot cutter there
+/// may be material.
 bool reaches_up(const CheckedMove& checked, double top_z, const Tolerances& tol) {
   if (checked.tool->kind != ToolKind::kTSlot) return true;
   return checked.low_z() + checked.tool->flute_length.value_or(HUGE_VAL) >= top_z - tol.uncut;
 }
 
-/// Whether a feed move comes near the target with its tip at or below z.
+/// Whether a feed move is near the target with its tip at or below z.
 bool counts_at(const CheckedMove& checked, double z, const Around& target, const Tolerances& tol) {
   if (!checked.feeds() || !checked.tool || checked.low_z() > z || !checked.counts_below(target.top_z))
     return false;
@@ -94,7 +96,7 @@ bool counts_at(const CheckedMove& checked, double z, const Around& target, const
   return path.grown(widest_radius(*checked.tool) + 2 * tol.uncut).overlaps(target.box);
 }
 
-/// The moves of a program, found by where they run.
+/// The moves of a program, found by place.
 class MovesByPlace {
  public:
   MovesByPlace(const std::vector<CheckedMove>& moves, const Tolerances& tol) : moves_(moves) {
@@ -108,7 +110,7 @@ class MovesByPlace {
 
   const std::vector<CheckedMove>& all() const { return moves_; }
 
-  /// The numbers of all moves that may count near the target, and of some that do not, ascending.
+  /// The numbers of all moves possibly relevant near the target, and of some irrelevant ones, ascending.
   std::vector<std::size_t> near(const Around& target) const {
     std::vector<std::size_t> numbers;
     tree_.descend([&](const Box& box) { return box.overlaps(target.box); },
@@ -121,16 +123,17 @@ class MovesByPlace {
   BoxTree tree_;
 };
 
-/// The greatest height that lies at most tol.uncut above the level, as the difference of the two is rounded: what stays under a tip
-/// there is not thicker than is allowed.
+/// The greatest height at most tol.uncut above the level, with the rounding of their difference: material left below
+/// a tip at this height is no thicker than permitted.
 double highest_counted(double level, const Tolerances& tol) {
   double z = level + tol.uncut;
   while (z - level > tol.uncut) z = std::nextafter(z, level);
   return z;
 }
 
-/// What feed moves sweep at a level, wherever each lies within `off` mm of its path. Tips up to tol.uncut - off above it count. Only moves
-/// within 2 tol.uncut of the target count, because what farther ones leave is thick.
+/// Areas swept by feed moves at a level for any deviation up to `off` mm from their paths. Tips up to tol.uncut - off
+/// above the level count. Only moves within 2 tol.uncut of the target count, because farther ones leave thick
+/// residuals.
 std::vector<Swath> swaths_at(double level, double off, const Around& target, const MovesByPlace& moves,
                              const std::vector<std::size_t>& near, const Tolerances& tol) {
   const double z = highest_counted(level, tol) - off;
@@ -142,8 +145,7 @@ std::vector<Swath> swaths_at(double level, double off, const Around& target, con
   return swaths;
 }
 
-/// mm; how far the control may leave the paths of these moves at most: it rounds corners, or runs another
-/// arc.
+/// mm; greatest deviation of the control from the paths of these moves: it rounds corners, or runs another arc.
 double liberty_at(double z, const Around& target, const MovesByPlace& by_place,
                   const std::vector<std::size_t>& near, const Tolerances& tol) {
   const std::vector<CheckedMove>& moves = by_place.all();
@@ -157,7 +159,7 @@ double liberty_at(double z, const Around& target, const MovesByPlace& by_place,
   return most;
 }
 
-/// mm; how far above the level the highest level move lies that is taken to have cut it, `off` mm off its path.
+/// mm; height over the level of the highest level move counted as cutting it, `off` mm off its path.
 double height_above(double level, double off, const Around& target, const MovesByPlace& moves,
                     const std::vector<std::size_t>& near, const Tolerances& tol) {
   double most = 0;
@@ -170,25 +172,26 @@ double height_above(double level, double off, const Around& target, const MovesB
   return most;
 }
 
-/// What one step has to clear. No other step goes as deep with a cutter no larger and leaves as little on the walls and in corners.
+/// The required clearing of one step. No other step goes as deep with a cutter no larger and as little left on the
+/// walls and in corners.
 struct FinestWork {
   double radius = 0;
   double flat = 0;  ///< radius of its flat end
   double allowance_side = 0;
-  double above = 0;  ///< mm over the floor down to which it clears: holes end in the cone of a drill
-  bool is_other_hole =
-      false;  ///< it only goes down, and the hole that it makes is narrower than the one that is drawn
+  double above = 0;  ///< mm over the floor down to which the step clears: holes end in the cone of a drill
+  /// The tool has only vertical moves, and its hole is narrower than the drawn one.
+  bool is_other_hole = false;
 };
 
-/// Whether all that `b` reaches is reached by `a`, which goes down as far: it comes as near to walls and leaves no more between
-/// walls and floors.
+/// Whether `a` reaches everything within reach of `b`: it goes as deep, comes as near to walls and leaves no more
+/// between walls and floors.
 bool covers(const FinestWork& a, const FinestWork& b) {
   return a.radius <= b.radius && a.allowance_side <= b.allowance_side && a.above <= b.above &&
          a.radius - a.flat <= b.radius - b.flat + kRoundingMm;
 }
 
-/// Where a drill makes a hole, its width counts from the top of its point, give or take what may be left on floors; pockets are
-/// flat down to their floor.
+/// For a drilled hole, the width counts from the top of the drill's point, to within the permitted residual on
+/// floors; pockets are flat down to their floor.
 FinestWork work_of(const Feature& feature, const Tool& tool, double allowance_side, const Tolerances& tol) {
   const bool is_hole = feature.kind == FeatureKind::kRoundHole || feature.hole;
   const CutterProfile profile = outer_profile(tool);
@@ -200,7 +203,7 @@ FinestWork work_of(const Feature& feature, const Tool& tool, double allowance_si
   return {tool.radius(), std::min(tool.radius(), profile.flat), allowance_side, 0, is_other_hole};
 }
 
-/// The finest of the steps whose floor, with the stock they leave on it, is at z or below; mostly one, the last.
+/// The finest of the steps with a floor, including its stock to leave, at z or below; usually only the last step.
 std::vector<FinestWork> finest_works(const Part& part, const FeatureWork& work, double z,
                                      const Tolerances& tol) {
   std::vector<FinestWork> finest;
@@ -220,7 +223,7 @@ std::vector<FinestWork> finest_works(const Part& part, const FeatureWork& work, 
   return finest;
 }
 
-/// Joins the coverage for two steps: of what is left, the worse; out of reach is only what neither reaches.
+/// Joins the coverage for two steps: the worse of the residuals; only places reached by neither are out of reach.
 Coverage both(const Coverage& a, const Coverage& b) {
   Coverage worse = a.thickness_mm >= b.thickness_mm ? a : b;
   worse.reachable = a.reachable || b.reachable;
@@ -234,7 +237,7 @@ const Tool* known_tool(const Part& part, const Operation& operation) {
   return known ? &part.tools[static_cast<std::size_t>(operation.tool)] : nullptr;
 }
 
-/// Share of the scallop that heights lie apart at which walls are looked at, and how many heights at most.
+/// Distance, as a share of the scallop, of the heights at which walls are tested, and the greatest number of heights.
 constexpr double kHeightShare = 0.125;
 constexpr int kMostHeights = 200;
 
@@ -244,7 +247,7 @@ double rounding_of(const Tool* tool) {
   return tool->kind == ToolKind::kBallEndMill ? tool->radius() : tool->corner_radius;
 }
 
-/// mm over its tip at which a cutter comes nearest to such a wall: more than 0 for rounded ends alone.
+/// mm over its tip at which a cutter comes nearest to a wall with draft: greater than 0 only for rounded ends.
 double nearest_height(const Tool* tool, double draft) {
   return rounding_of(tool) * (1 - base::sin(draft));
 }
@@ -259,8 +262,9 @@ class WorkCheck {
         options_(options),
         moves_(program.moves, options.tol) {}
 
-  /// `scallop_left`: mm, square to walls with draft, that may stand on them; where that is more than 0 the level is one above the
-  /// cutters' ends, at which they clear their whole radius. `off`: mm, within which of its path each move lies somewhere.
+  /// `scallop_left`: mm, square to walls with draft; permitted material on them. If greater than 0, the level is
+  /// above the cutters' ends, at a height at which they clear their whole radius. `off`: mm; deviation of each move
+  /// from its path.
   void check_level(const FeatureWork& work, LevelCoverage& level, double scallop_left = 0,
                    double off = 0) const {
     if (work.smallest_radius <= 0) return;
@@ -300,7 +304,7 @@ class WorkCheck {
   void add_layers(FeatureWork& work) const {
     for (std::size_t i = 0; i < part_.workplan.size(); ++i) {
       const Workingstep& step = part_.workplan[i];
-      // Steps that leave stock on walls for a later one make no scallops.
+      // Steps leaving stock on walls for a later step make no scallops.
       if (step.feature != work.feature || step.operation.allowance_side > work.allowance_side) continue;
       const Tool* tool = known_tool(part_, step.operation);
       for (const double z : program_.layers[i]) {
@@ -311,8 +315,8 @@ class WorkCheck {
     std::sort(work.layers.begin(), work.layers.end(), higher);
   }
 
-  /// Layers that leave too much on walls with draft may have been cut between by moves that are not level: asks at many heights whether what
-  /// may stand there is all that stands.
+  /// Between layers that leave too much on walls with draft, sloping moves may have cut: tests at many heights
+  /// whether only the permitted material remains.
   void check_between_layers(FeatureWork& work) const {
     const Feature& feature = part_.features[static_cast<std::size_t>(work.feature)];
     const auto scallop = scallop_of(feature, work, options_.tol);
@@ -327,7 +331,7 @@ class WorkCheck {
     const double round_corner = work.floor.z + nearest_height(work.smallest, draft);
     const double depth = feature.top_z - work.floor.z;
     const int heights = static_cast<int>(std::clamp(std::ceil(depth / apart), 1.0, 1.0 * kMostHeights));
-    // From the top, which itself is left out, because nothing stands over it.
+    // From the top; the top itself is left out, because no material is above it.
     for (int i = heights - 1; i > 0; --i) {
       LevelCoverage level;
       level.z = work.floor.z + depth * i / heights;
@@ -340,7 +344,7 @@ class WorkCheck {
     work.is_cut_between_layers = true;
   }
 
-  /// Where the lowest feed move below the feature's top ends whose own end lies in the feature.
+  /// End of the lowest feed move below the feature's top that ends in the feature.
   std::optional<Place> deepest_in(const FeatureWork& work) const {
     const Feature& feature = part_.features[static_cast<std::size_t>(work.feature)];
     std::optional<Place> deepest;
@@ -355,7 +359,7 @@ class WorkCheck {
     return deepest;
   }
 
-  /// Whether a feed move near the feature changes its height as it goes, below the feature's top.
+  /// Whether a feed move near the feature has a changing height, below the feature's top.
   bool any_slopes(const Feature& feature) const {
     const std::vector<std::size_t> near = moves_.near(Around(feature));
     return std::any_of(near.begin(), near.end(), [&](std::size_t i) {
@@ -374,22 +378,24 @@ class WorkCheck {
   const MovesByPlace moves_;
 };
 
-/// The end of a cutter that runs along the outline of a leaning wall at its height.
+/// The end of a cutter moving along the outline of an inclined wall at its height.
 struct LayerOnWall {
   double z = 0;
   const Tool* tool = nullptr;
 };
 
-/// mm, square to the wall, that the cutter leaves `over` mm above its tip: its radius there, against the wall that leans away.
+/// mm, square to the wall; material left by the cutter `over` mm above its tip: its radius there, compared with the
+/// wall inclined away.
 double left_over_tip(const Tool* tool, double over, double draft) {
   const double narrower = tool ? tool->radius() - radius_at(*tool, over) : 0;
   return over * base::sin(draft) + narrower * base::cos(draft);
 }
 
-/// Places in a step at which rounded ends are looked at.
+/// Number of places in a step tested for rounded ends.
 constexpr int kPlacesInStep = 16;
 
-/// mm; the most that stands between two heights over the first of these layers, the highest; lower ones cut there, too.
+/// mm; greatest material left between two heights over the first of these layers, the highest; lower layers cut
+/// there, too.
 double most_left(std::span<const LayerOnWall> layers, double from, double to, double draft) {
   double most = 0;
   for (int i = 0; i <= kPlacesInStep; ++i) {
@@ -431,7 +437,8 @@ std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& wor
   for (const LevelCoverage& layer : work.layers)
     layers.push_back({layer.z, layer.tool ? layer.tool : work.smallest});
   layers.push_back({work.floor.z, work.smallest});
-  // Below that the rounding of the lowest layer's cutter stands in the corner of the floor: no cutter of its kind reaches it.
+  // Below this height, the rounding of the lowest layer's cutter leaves material in the corner of the floor: out of
+  // reach of any cutter of its kind.
   const double round_corner = work.floor.z + nearest_height(work.smallest, draft);
   double above = feature.top_z;
   for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -440,7 +447,7 @@ std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& wor
     if (left > scallop.height_mm) scallop.height_mm = left, scallop.z = layers[i].z;
     above = layers[i].z;
   }
-  // Looked at place by place no more than may stand was found.
+  // The test place by place found no more than the permitted material.
   if (work.is_cut_between_layers) scallop.height_mm = std::min(scallop.height_mm, *scallop.asked_mm);
   return scallop;
 }

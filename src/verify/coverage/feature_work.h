@@ -1,4 +1,4 @@
-// What a program has to cut in each feature, and the proof whether it did.
+// The required cuts of a program in each feature, and the proof of their completion.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,7 @@ struct LevelCoverage {
   double z = 0;
   bool any_cut = false;  ///< some feed move reaches this height there
   Coverage coverage;
-  const Tool* tool = nullptr;  ///< whose layer it is
+  const Tool* tool = nullptr;  ///< tool of the layer
 };
 
 /// One feature of the workplan, with the finest requirement of all its operations.
@@ -24,26 +24,28 @@ struct FeatureWork {
   int feature = 0;
   int last_workingstep = 0;
   double smallest_radius = 0;  ///< mm; of its smallest cutter
-  double smallest_flat = 0;    ///< mm; of the flat end of that cutter
-  bool ends_in_point = false;  ///< that cutter, where it has no flat end
+  double smallest_flat = 0;    ///< mm; radius of the smallest cutter's flat end
+  bool ends_in_point = false;  ///< the smallest cutter has no flat end
   double greatest_radius = 0;
-  const Tool* smallest = nullptr;  ///< that cutter
+  const Tool* smallest = nullptr;  ///< the smallest cutter
   double allowance_side = 0;
   double allowance_floor = 0;
   std::optional<double> scallop;  ///< mm; greatest step allowed on walls with draft, square to the wall
-  /// Of walls with draft, where layers alone would leave more than that: whether no more is left at any height all the same, because moves
-  /// between the layers cut the walls.
+  /// For walls with draft on which layers by themselves would leave too much: whether no more is left at any height
+  /// nevertheless, because moves between the layers cut the walls.
   bool is_cut_between_layers = false;
-  LevelCoverage floor;           ///< down to the floor plus its allowance
-  std::optional<Place> deepest;  ///< end of the lowest feed move in it, only where none reaches the floor
-  /// Down to each layer above the floor, of the steps that leave the least on walls. Filled for walls with
-  /// draft, where each layer has an outline of its own, and otherwise only if something is left on the floor:
-  /// a cutter that reaches the floor has cleared what stood above it.
+  LevelCoverage floor;  ///< down to the floor plus its allowance
+  /// End of the lowest feed move in the feature, only if none reaches the floor.
+  std::optional<Place> deepest;
+  /// Coverage down to each layer above the floor, for the steps with the least stock on walls. Filled for walls with
+  /// draft, where each layer has its own outline, and otherwise only if material is left on the floor: a cutter
+  /// reaching the floor has cleared the material above.
   std::vector<LevelCoverage> layers;
 };
 
-/// What layers leave on the feature's walls, square to the wall, by the shape of their cutters, whose ends run along the outline at
-/// their height; only for walls with draft, and once the work has been checked. `asked_mm` is that of tol where no operation says.
+/// Scallops left by layers on the feature's walls, square to the wall, from the shape of the cutters, whose ends run
+/// along the outline at their height; only for walls with draft, after the check of the work. `asked_mm` is that of
+/// tol if no operation states one.
 std::optional<Scallop> scallop_of(const Feature& feature, const FeatureWork& work, const Tolerances& tol);
 
 /// The features' works, in the order of their first workingsteps.
@@ -55,8 +57,8 @@ void check_works(const Part& part, const FinishedParts& finished, const CheckedP
                  const VerifyOptions& options, std::vector<FeatureWork>& works,
                  std::vector<std::function<void()>> beside);
 
-/// The coverage of a work's floor where each move may lie up to `off` mm off its path, in any direction: what then is left for certain and
-/// what may be. Keeps references to what it was made from.
+/// The coverage of a work's floor if each move may be up to `off` mm off its path, in any direction: material left
+/// for certain and possibly. Keeps references to its sources.
 using FloorCheck = std::function<LevelCoverage(const FeatureWork& work, double off)>;
 FloorCheck floor_check(const Part& part, const FinishedParts& finished, const CheckedProgram& program,
                        const VerifyOptions& options);

@@ -16,11 +16,12 @@ double sign_of(const Edge& arc) {
   return arc.turn == Turn::kCounterClockwise ? 1.0 : -1.0;
 }
 
-/// Whether all points lie in the directions that an arc of at most half a turn sweeps.
+/// Whether all points are in the sector of an arc of at most half a turn.
 bool in_sector(std::span<const Vec2> points, const Edge& arc) {
   const Vec2 from = arc.from - arc.center, to = arc.to - arc.center;
   const double sign = sign_of(arc);
-  if (sign * cross(from, to) < 0) return false;  // more than half a turn, which divided swaths never have
+  if (sign * cross(from, to) < 0)
+    return false;  // more than half a turn, which does not occur in divided swaths
   return std::all_of(points.begin(), points.end(), [&](Vec2 p) {
     const Vec2 v = p - arc.center;
     return sign * cross(from, v) >= 0 && sign * cross(v, to) >= 0;
@@ -35,8 +36,8 @@ double excess_over_arc(const ConvexPolygon& cell, const Edge& arc) {
   return std::min(by_ends, by_ring);
 }
 
-/// Removes the strip beside a line from the cell, if the cell lies beside the line and reaches beyond one
-/// side of the strip only.
+/// Removes the strip beside a line from the cell, if the cell is beside the line and extends beyond only one side of
+/// the strip.
 ConvexPolygon rest_after_line(const ConvexPolygon& cell, const Edge& line, double radius) {
   const double length = std::sqrt(norm_squared(line.to - line.from));
   const Vec2 d = (line.to - line.from) / length, n = left_of(d);
@@ -53,8 +54,8 @@ ConvexPolygon rest_after_line(const ConvexPolygon& cell, const Edge& line, doubl
   return cell;
 }
 
-/// The same for the ring beside an arc. What lies outside the outer circle is cut off by a chord of it, what
-/// lies inside the inner circle by a tangent.
+/// The same for the ring beside an arc. The part outside the outer circle is cut off by a chord of it, the part
+/// inside the inner circle by a tangent.
 ConvexPolygon rest_after_arc(const ConvexPolygon& cell, const Edge& arc, double radius) {
   if (!in_sector(cell.points(), arc)) return cell;
   const double ring = arc.radius();
@@ -85,8 +86,8 @@ double distance_to_chord(const Edge& edge, Vec2 p) {
   return distance(Edge::line(edge.from, edge.to), p);
 }
 
-/// mm; greatest distance of the points of an arc of less than half a turn from the circle of another arc. It
-/// is reached at an end, or at the point nearest to or farthest from that circle's centre.
+/// mm; greatest distance of the points of an arc of less than half a turn from the circle of another arc. The
+/// greatest distance is at an end, or at the point nearest to or farthest from that circle's centre.
 double deviation_from_circle(const Edge& arc, const Edge& circle) {
   const Vec2 between = arc.center - circle.center;
   const double apart = std::sqrt(norm_squared(between)), radius = arc.radius(), r = circle.radius();
@@ -151,13 +152,13 @@ void append_extremes(const Edge& edge, const Box& square, std::vector<Vec2>& out
     out.push_back(part.from);
     out.push_back(part.to);
     if (!edge.is_arc() || part.from == part.to) continue;
-    // Each half of the arc lies inside the triangle of its ends and the point where the tangents there meet.
+    // Each half of the arc is inside the triangle of its ends and the intersection of the tangents there.
     for (const Edge& half : {part.part(0, 0.5), part.part(0.5, 1)}) {
       const double quarter = base::tan(half.sweep() / 4);
       if (half.from == half.to || std::abs(half.sweep()) > 2.5) continue;
       const Vec2 middle = half.at(0.5), chord = (half.from + half.to) / 2.0;
       out.push_back(half.from);
-      // That point's height over the chord is the sagitta times 2 / (1 - tan^2(sweep / 4)).
+      // The intersection's height over the chord is the sagitta times 2 / (1 - tan^2(sweep / 4)).
       out.push_back(chord + (middle - chord) * (2 / (1 - quarter * quarter)));
     }
   }

@@ -9,13 +9,13 @@
 
 namespace clearcut::verify {
 
-/// mm; upper bound of how far a point of `cell` lies outside the swath; negative if all are inside.
+/// mm; upper bound of the distance of the points of `cell` outside the swath; negative if all are inside.
 double excess_over(const ConvexPolygon& cell, const Swath& swath);
 
-/// A convex polygon that holds what the swath leaves of `cell`; at worst the cell itself.
+/// A convex polygon around the part of `cell` left by the swath; at worst the cell itself.
 ConvexPolygon rest_after(const ConvexPolygon& cell, const Swath& swath);
 
-/// mm; upper bound of how far a point of `curve` lies from the swath's path.
+/// mm; upper bound of the distance of the points of `curve` from the swath's path.
 double deviation_of(const Edge& curve, const Edge& path);
 
 /// Adds points whose convex hull holds the part of an edge inside a square.

@@ -1,4 +1,4 @@
-// The material that has to stay on walls: the allowance, and what stands inside the outline of walls with draft.
+// The material that must remain on walls: the allowance, and the material inside the outline of walls with draft.
 #pragma once
 
 #include <vector>
@@ -8,23 +8,23 @@
 
 namespace clearcut::verify {
 
-/// That material at the height of a question. Keeps a reference to the question.
+/// The material to remain at the height of a question. Keeps a reference to the question.
 class WallResidual {
  public:
   explicit WallResidual(const CoverageQuestion& question);
 
   /// Whether there may be any.
   bool may_be() const { return question_.allowance > 0 || question_.part->greatest_draft_offset() > 0; }
-  /// Whether p lies in what is to be left on a wall.
+  /// Whether p is in the material to be left on a wall.
   bool holds(Vec2 p) const;
-  /// Whether all of `polygon`, which lies within `reach` mm of `center`, lies in what is to be left on one wall.
+  /// Whether the whole `polygon`, located within `reach` mm of `center`, is in the material to be left on one wall.
   bool holds_on_one_wall(const ConvexPolygon& polygon, Vec2 center, double reach) const;
 
  private:
   bool wall_holds(const Wall& wall, const ConvexPolygon& polygon, Vec2 center, double reach) const;
 
   const CoverageQuestion& question_;
-  std::vector<Wall> beyond_;  ///< outlines beside the stock whose allowance may reach into it
+  std::vector<Wall> beyond_;  ///< outlines beside the stock with an allowance that may extend into the stock
 };
 
 }  // namespace clearcut::verify

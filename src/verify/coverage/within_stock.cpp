@@ -12,7 +12,7 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm2; a loop that encloses less lay wholly beyond the stock.
+/// mm2; a loop enclosing less was wholly outside of the stock.
 constexpr double kNoArea = 1e-9;
 
 double nearest_between(double low, double high, double value) {
@@ -24,7 +24,7 @@ Vec2 nearest_in(const Box& box, Vec2 p) {
   return {nearest_between(box.min.x, box.max.x, p.x), nearest_between(box.min.y, box.max.y, p.y)};
 }
 
-/// Parameters at which the edge meets the lines through the sides of the box, with 0 and 1, ascending.
+/// Parameters at which the edge crosses the lines through the sides of the box, with 0 and 1, ascending.
 std::vector<double> cuts_at_sides(const Edge& edge, const Box& box) {
   const Box reach = edge.box().grown(1);
   std::vector<double> cuts{0, 1};
@@ -38,7 +38,7 @@ std::vector<double> cuts_at_sides(const Edge& edge, const Box& box) {
   return cuts;
 }
 
-/// The loop with all that lies beyond the box moved onto its edge.
+/// The loop with all parts outside of the box moved onto the box's edge.
 Loop moved_into(const Box& box, const Loop& loop) {
   Loop moved;
   for (const Edge& edge : loop) {
@@ -56,7 +56,7 @@ Loop moved_into(const Box& box, const Loop& loop) {
   return moved;
 }
 
-/// Number of the side of the box that the edge runs along: 0 left, 1 right, 2 lower, 3 upper; -1: none.
+/// Number of the side of the box along which the edge runs: 0 left, 1 right, 2 lower, 3 upper; -1: none.
 int side_of(const Edge& edge, const Box& box) {
   if (edge.is_arc()) return -1;
   const double sides[] = {box.min.x, box.max.x, box.min.y, box.max.y};
@@ -67,7 +67,7 @@ int side_of(const Edge& edge, const Box& box) {
   return -1;
 }
 
-/// Of edges along one side (`upright`: in y) what is left where those that run to and fro are taken away.
+/// Appends edges along one side (`upright`: in y) after removing the parts run to and fro.
 void append_without_returns(const std::vector<Edge>& edges, bool upright, std::vector<Edge>& out) {
   const auto along = [upright](Vec2 p) { return upright ? p.y : p.x; };
   std::map<double, std::pair<Vec2, int>> turns;  // by place: there so many more go on upwards than came
@@ -84,7 +84,7 @@ void append_without_returns(const std::vector<Edge>& edges, bool upright, std::v
   }
 }
 
-/// The loops that edges form whose ends meet exactly.
+/// The loops formed by edges with exactly meeting ends.
 std::vector<Loop> chained(const std::vector<Edge>& edges) {
   const auto key = [](Vec2 p) { return std::make_pair(p.x, p.y); };
   std::multimap<std::pair<double, double>, Edge> from;
@@ -102,8 +102,8 @@ std::vector<Loop> chained(const std::vector<Edge>& edges) {
   return loops;
 }
 
-/// Loops that do not cross, with both ways along the sides of the box taken away where they lie on each other: what was joined
-/// beyond the box falls apart.
+/// Loops that do not cross, with coincident opposite edges along the sides of the box removed: areas joined only
+/// outside of the box become separate.
 Regions parted(const std::vector<Loop>& loops, const Box& box) {
   std::vector<Edge> edges, along[4];
   for (const Loop& loop : loops) {

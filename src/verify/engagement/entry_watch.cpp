@@ -8,23 +8,26 @@
 namespace clearcut::verify {
 namespace {
 
-/// Degrees. A path that goes down less is a pass that sinks: at half a degree it is more than a hundred times as long as it gets deep.
+/// Degrees. A path of smaller slope is a sinking pass: at half a degree its length is more than a hundred times its
+/// depth.
 constexpr double kEntryAngle = 0.5;
-/// mm down for each mm of advance, 0.17 degrees: on the first turn, because an entry takes one whole turn for the thinnest layer, too.
+/// mm down for each mm of advance, 0.17 degrees: on the first turn, because an entry takes one whole turn for the
+/// thinnest layer, too.
 constexpr double kLeastEntrySlope = 3e-3;
 /// Share of a stated angle, for rounding of coordinates.
 constexpr double kAngleRounding = 0.02;
-/// Share of its depth by which an entry may go less deep than one before it and still be one into the same layer.
+/// Share of its depth by which an entry may be shallower than an earlier one and still be an entry into the same
+/// layer.
 constexpr double kSameLayerShare = 0.5;
 /// Of the length of an entry: as long have passes to cut before the next one into the same place.
 constexpr double kPassesBetween = 1;
-/// Of the radius: walls this near on both sides make a neck. Cosine from which on two directions are opposite.
+/// Share of the radius: walls this near on both sides form a neck. Cosine from which on two directions are opposite.
 constexpr double kNeck = 1.5, kOpposite = -0.5;
 /// Alternate projections of two paths, and places between them.
 constexpr int kProjections = 8, kPlaces = 16;
-/// Degrees. Helices that are half in the air go down no steeper than this.
+/// Degrees. Greatest slope of helices that are half in the air.
 constexpr double kAngleInAir = 5;
-/// mm. A level move this near to the descent before it lies on it.
+/// mm. A level move this near to the preceding descent counts as over it.
 constexpr double kOverDescent = 0.01;
 /// mm; rounding of heights.
 constexpr double kHeightRounding = 2e-3;
@@ -88,7 +91,7 @@ void EntryWatch::follow(std::span<const CheckedMove> moves, const StatedEntry& s
   state_ = State::kRound;
 }
 
-/// Whether both cutters pass over one area that passes could have led across.
+/// Whether both cutters pass over one area that passes could have crossed.
 bool EntryWatch::is_beside(const Past& past, std::span<const CheckedMove> descent) const {
   return std::any_of(descent.begin(), descent.end(), [&](const CheckedMove& checked) {
     const double near = past.radius + checked.radius() - kOverDescent;
@@ -100,7 +103,7 @@ bool EntryWatch::is_beside(const Past& past, std::span<const CheckedMove> descen
   });
 }
 
-/// Whether the straight way between two paths leads through a wall or a neck.
+/// Whether the straight line between two paths crosses a wall or a neck.
 bool EntryWatch::is_cut_off(const Edge& a, const Edge& b, double z, double radius) const {
   if (finished_ == nullptr) return false;
   Vec2 from = a.at(0.5), to = b.at(0.5);
@@ -111,7 +114,7 @@ bool EntryWatch::is_cut_off(const Edge& a, const Edge& b, double z, double radiu
   return false;
 }
 
-/// Whether walls stand on opposite sides of p that leave a cutter little room, or none.
+/// Whether walls on opposite sides of p leave a cutter little or no room.
 bool EntryWatch::is_neck(Vec2 p, double z, double radius) const {
   std::vector<Vec2> beside;
   const double near = radius * kNeck;
@@ -178,7 +181,7 @@ double EntryWatch::others_from(double z) const {
 void EntryWatch::meets_nothing_at(const Edge& path, double z) {
   if (state_ != State::kDescent) return;
   const double most = base::tan(kAngleInAir * kPi / 180);
-  // On one side of a way down may be air, for half a turn; on that of a helix for nearly a whole one of its own.
+  // One side of a descent may be in air, for half a turn; for a helix nearly a whole turn.
   double above = turn_ / 2 * std::min(slope_, most);
   if (path.is_arc())
     above = std::max(above, std::min(turn_, 2 * kPi * path.radius()) * std::min(slope_now_, most));

@@ -15,11 +15,11 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. Thinner chips rub: the specific force is that of this thickness.
+/// mm. Thinner chips rub: their specific force equals that at this thickness.
 constexpr double kThinnestChip = 0.002;
-/// Share of the tangential force that presses on the wall.
+/// Share of the tangential force pressing on the wall.
 constexpr double kNormalShare = 0.5;
-constexpr double kLargestDeflection = 0.02;  // mm; walls that bend less are not reported
+constexpr double kLargestDeflection = 0.02;  // mm; smaller deflections are not reported
 constexpr double kThickestWall = 20;         // mm; thicker walls are not considered
 constexpr std::size_t kMostWalls = 3000;
 
@@ -35,7 +35,7 @@ double deflection_of(double thickness, double height, double force, double elast
   return 4 * force * height * height / (elasticity * thickness * thickness * thickness);
 }
 
-/// mm from the middle of a wall through the solid to the next wall, and the height over which both stand.
+/// mm from the middle of a wall through the solid to the next wall, and the height common to both.
 ThinWall behind(const Wall& wall, const std::vector<Wall>& walls) {
   const Vec2 p = wall.edge.at(0.5);
   const Vec2 inwards = -left_of(wall.edge.tangent_at(0.5));

@@ -10,24 +10,24 @@
 
 namespace clearcut::verify {
 
-/// What the cutter engages on a short piece of a level move.
+/// Engagement of the cutter on a short piece of a level move.
 struct CutSample {
   stock::CutterEngagement contact;
   double axial = 0;   ///< mm of depth in material
-  double length = 0;  ///< mm of path; 0: a point that is only compared with the worst
+  double length = 0;  ///< mm of path; 0: a point only compared with the worst one
   Place at;
 };
 
-/// Adds such a piece to the forces of a move. Nothing if spindle speed, teeth or feed are unknown. Source:
+/// Adds a piece to the forces of a move. Nothing if spindle speed, teeth or feed are unknown. Source:
 /// docs/forces.md.
 void add_forces(CheckedMove& checked, const CutSample& sample, const WorkMaterial& material);
 
-/// The wall of the finished part that bends most if half of `force` N, the part that presses on the wall,
-/// acts on its top; nothing if no wall bends by more than 0.02 mm. Considers walls up to 20 mm thick.
-/// O(walls^2); nothing for more than 3000 walls.
+/// The wall of the finished part that bends most if half of `force` N, the share pressing on the wall, acts on its
+/// top; nothing if no wall bends by more than 0.02 mm. Considers walls up to 20 mm thick. O(walls^2); nothing for
+/// more than 3000 walls.
 std::optional<ThinWall> thinnest_wall(const FinishedPart& part, double force, const WorkMaterial& material);
 
-/// N; the largest of the move, 0 where it does not cut.
+/// N; greatest force of the move, 0 if it does not cut.
 inline float force_of(const CheckedMove& checked) {
   return checked.load.forces ? static_cast<float>(checked.load.forces->max_force_n) : 0;
 }

@@ -15,15 +15,15 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. Thinner material, beside or below the cutter, comes from rounding of printed coordinates.
+/// mm. Thinner material, beside or below the cutter, is due to rounding of printed coordinates.
 constexpr double kResidual = 1e-3;
-/// mm. Thinner material beside or below the cutter is no load that is compared with a reference: two passes of a program, each rounded,
-/// leave more than kResidual between them, over a wide angle, and a chip is ten times as thick.
+/// mm. Thinner material beside or below the cutter is not compared with a reference load: two passes of a program,
+/// each rounded, leave more than kResidual between them, over a wide angle, and a chip is ten times as thick.
 constexpr double kNoChip = 5e-3;
-/// Radians. So little of the circle is in material where a cutter only grazes a sliver.
+/// Radians. Engagement of a cutter that only grazes a sliver.
 constexpr double kGraze = kPi / 180;
-/// mm. Depth of cut is measured this far inside the cutter's circle, because slivers that an earlier cutter
-/// left on a wall are higher, but give no load.
+/// mm. Depth of cut is measured this far inside the cutter's circle, because slivers left on a wall by an earlier
+/// cutter are higher, but cause no load.
 constexpr double kSliver = 0.05;
 /// mm. Greatest distance between samples of the engagement.
 constexpr double kLongestStep = 0.25;
@@ -75,7 +75,7 @@ class LoadMeter {
     take_away(checked);
   }
 
-  /// Runs a move that is measured elsewhere: the same state as after measuring it.
+  /// Runs a move measured by another task: gives the same state as measuring it.
   void pass_over(std::span<const CheckedMove> moves) {
     const CheckedMove& checked = moves.front();
     own_ = number_of(checked);
@@ -84,7 +84,7 @@ class LoadMeter {
   }
 
  private:
-  /// Under which number the material knows the cutter of a move.
+  /// Number of a move's cutter in the material.
   int number_of(const CheckedMove& checked) {
     if (!checked.tool) return stock::Material::kCylinder;
     const stock::Removal removal = removal_of(checked);
@@ -144,8 +144,8 @@ class LoadMeter {
     const double length = move.length(), radius = checked.radius();
     const int steps = steps_of(length, radius);
     for (int i = 0; i < steps; ++i) measure_at(checked, (i + 0.5) / steps, length / steps);
-    // Just after the start and at the end, too, because engagement is greatest at corners. Moves that
-    // continue smoothly have no corner.
+    // Just after the start and at the end, too, because engagement is greatest at corners. Smoothly continuing moves
+    // have no corner.
     if (!goes_smoothly_on(move)) measure_at(checked, std::min(0.01 / length, 0.25 / steps), 0);
     if (steps > 1) measure_at(checked, 1, 0);
     if (checked.slope() >= kAsPlunge) find_plunge_contact(checked, move.path.to);
@@ -212,7 +212,7 @@ class LoadMeter {
     }
   }
 
-  /// Of mills that clear floors: entries, leads and links count, too. Where they are in material the cap holds as well.
+  /// For mills that clear floors: entries, leads and links count, too. In material the cap applies to them as well.
   void compare_with_reference(CheckedMove& checked, double t, const Place& place) const {
     if (!mills_upright(*checked.tool) || checked.radius() <= kNoChip) return;
     const stock::CutterEngagement contact =
@@ -233,7 +233,7 @@ class LoadMeter {
     if (!kept || one.share > kept->share) kept = one;
   }
 
-  /// What an entry meets of its own and of all else.
+  /// Measures an entry's contact with its own and with other material.
   void measure_entry(CheckedMove& checked, const CutSample& step) {
     if (step.contact.angle <= 0) return entry_.meets_nothing_at(checked.move->path, step.at.z);
     if (!checked.load.entry) checked.load.entry = EntryLoad{};
@@ -248,7 +248,8 @@ class LoadMeter {
     load.max_at = step.at;
   }
 
-  /// In an entry, the contact with what is no part of it; nothing outside entries, where all counts.
+  /// In an entry, the contact with material not belonging to it; nothing outside of entries, where all material
+  /// counts.
   std::optional<stock::CutterEngagement> beside_entry(const CheckedMove& checked, double t, double z) const {
     if (!entry_.is_inside()) return std::nullopt;
     const double from = entry_.others_from(z);
@@ -263,7 +264,7 @@ class LoadMeter {
     return difference > 0 ? 1 : 0;
   }
 
-  /// mm; height of the material before the cutter, well inside what it removes, at this sample; updates the
+  /// mm; height of the material before the cutter, well inside its removed area, at this sample; updates the
   /// greatest of the move.
   double measure_axial(CheckedMove& checked, Vec2 center, double heading, double z,
                        const stock::AngleSet& contact) {
@@ -308,7 +309,7 @@ class LoadMeter {
     find_plunge_contact(checked, center);
   }
 
-  /// Of mills that may not plunge; what other tools may take downwards their kind says.
+  /// For mills that may not plunge; for other tools their kind decides the permitted material below.
   void find_plunge_contact(CheckedMove& checked, Vec2 center) const {
     if (may_plunge(*checked.tool) || takes_.down < HUGE_VAL) return;
     const double z = checked.move->z_to;
@@ -320,12 +321,13 @@ class LoadMeter {
     return hit_on(tool, Edge::line(center, center), z).has_value();
   }
 
-  /// A place at which material reaches into a cutter that runs level with its tip at z.
+  /// A place with material inside a cutter moving level with its tip at z.
   std::optional<Vec2> hit_on(const Tool& tool, const Edge& path, double z) const {
     return material_.in_reach(path, outer_profile(tool).narrowed(kResidual), z + kResidual);
   }
 
-  /// Whether the cutter goes up from where it came to be with the same tool: as it never narrows upwards it meets nothing new there.
+  /// Whether the cutter retracts from its last position with the same tool: since cutters never narrow upwards, it
+  /// meets no new material.
   bool comes_out(const CheckedMove& checked) const {
     const Move& move = *checked.move;
     const Tool& tool = *checked.tool;
@@ -338,7 +340,7 @@ class LoadMeter {
   void measure_rapid(CheckedMove& checked) {
     const Move& move = *checked.move;
     if (comes_out(checked)) return;
-    // A vertical rapid touches most where it is lowest.
+    // A vertical rapid touches most at its lowest point.
     if (move.is_vertical()) {
       if (touches(*checked.tool, move.path.from, checked.low_z()))
         report_rapid(checked, move.path.from, checked.low_z());
@@ -358,7 +360,8 @@ class LoadMeter {
     }
   }
 
-  /// What is above the cutter, in what stands before the move: its way at the lowest, in steps where it slopes.
+  /// Tests shank and holder against the material before the move: at the lowest height of the path, in steps if it
+  /// slopes.
   void measure_holder(CheckedMove& checked) {
     if (!checked.tool) return;
     const Tool& tool = *checked.tool;
@@ -376,7 +379,7 @@ class LoadMeter {
     checked.load.is_shank = is_shank;
   }
 
-  /// The first place at which a cylinder that begins `above` the tip touches material.
+  /// The first place at which a cylinder beginning `above` the tip touches material.
   std::optional<Place> touched_above(const CheckedMove& checked, double above, double radius) const {
     const Move& move = *checked.move;
     if (checked.low_z() + above >= material_.z_top() - kResidual) return std::nullopt;
@@ -418,10 +421,10 @@ double bottom_of(const Part& part) {
   return bottom - 1;
 }
 
-/// Least number of samples in a part of the program: each part has to run all moves before it once more.
+/// Least number of samples in a part of the program: each part must run all earlier moves again.
 constexpr double kLeastSamples = 20000;
-/// Greatest number of parts, and greatest length of path over all of them in cutter radii: each part keeps the material of its
-/// own run, about half a kB for each radius of path.
+/// Greatest number of parts, and greatest length of path over all of them in cutter radii: each part keeps the
+/// material of its own run, about half a kB for each radius of path.
 constexpr int kMostParts = 4;
 constexpr double kMostRadii = 6e5;
 
@@ -487,7 +490,7 @@ std::vector<std::function<void()>> load_tasks(const Part& part, std::vector<Chec
   double before = 0;
   for (std::size_t first = 0, last = 0; last < moves.size(); first = last) {
     const double until = all * (static_cast<double>(tasks.size()) + 1) / parts;
-    // A part begins with a rapid: what an entry has met is known only to who measures all of it.
+    // A part begins with a rapid: the material met by an entry is known only if the whole entry is measured.
     while (last < moves.size() && (last == first || before < until || moves[last].feeds()))
       before += samples_of(moves[last++], part.top_z());
     if (static_cast<int>(tasks.size()) + 1 == parts) last = moves.size();

@@ -1,4 +1,4 @@
-// What the cutter of a move takes away for certain.
+// The material removed for certain by the cutter of a move.
 #pragma once
 
 #include "stock/cutter_sweep.h"
@@ -6,11 +6,11 @@
 
 namespace clearcut::verify {
 
-/// Of its tool; cuts of earlier set-ups were made narrower, by the ends of their cutters, when they were carried over, and count as
-/// cylinders.
+/// Of its tool; cuts of earlier set-ups were made narrower, by the ends of their cutters, when they were carried
+/// over, and count as cylinders.
 stock::Removal removal_of(const CheckedMove& checked);
 
-/// mm above the tip up to which a cutter takes material away: over the disc of a T-slot cutter runs its neck alone.
+/// mm above the tip up to which a cutter removes material: above the disc of a T-slot cutter there is only its neck.
 double height_of_edges(const Tool& tool);
 
 }  // namespace clearcut::verify

@@ -1,4 +1,4 @@
-// Thread depths: that of the basic profile of ISO 68-1 is 5/8 sqrt(3)/2 P in holes, 17/24 sqrt(3)/2 P about bosses.
+// Thread depths: the basic profile of ISO 68-1 has 5/8 sqrt(3)/2 P in holes, 17/24 sqrt(3)/2 P about bosses.
 #include "verify/engagement/tool_takes.h"
 
 #include <algorithm>
@@ -10,28 +10,31 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. Thinner material at the edge of what may be taken comes from rounding and from holes a little off their axis.
+/// mm. Thinner material at the edge of the permitted ring is due to rounding and to holes slightly off their axis.
 constexpr double kTakenSliver = 0.03;
 /// mm. Material this far beside a tool's rim is the wall of its hole.
 constexpr double kHoleWall = 0.1;
 /// mm down for each mm of advance. Steeper moves go down.
 constexpr double kDownward = 1;
-/// mm down for each mm of advance. On gentler ways the flank cuts before the flat tip of a chamfer mill all but as deep as that goes.
+/// mm down for each mm of advance. On paths of smaller slope the flank of a chamfer mill cuts, ahead of the flat tip,
+/// nearly as deep as the tip.
 constexpr double kSinking = 0.05;
-/// mm in the radius: what usual reamers and boring bars are given to take, at most.
+/// mm in the radius: greatest usual allowance for reamers and boring bars.
 constexpr double kReamed = 0.25, kBored = 0.5;
-/// mm; from this diameter on reamers may take that share of it: ISO 14649-11 reams 22 mm after a drill of 20 in its example.
+/// mm; from this diameter on reamers may take this share of it: ISO 14649-11 reams 22 mm after a drill of 20 in its
+/// example.
 constexpr double kLargeReamer = 20, kReamedShare = 0.05;
-/// Of a counterbore's radius: its middle, where it has no edge.
+/// Share of a counterbore's radius: its middle without a cutting edge.
 constexpr double kCounterboreEdge = 0.75;
-/// mm; radius of the flat that points of V-bits are ground to and still cut with.
+/// mm; radius of a ground flat up to which points of V-bits still cut.
 constexpr double kCuttingTip = 0.5;
-/// mm; radius about the axis of a spot drill where it has a chisel edge, which cuts down alone: its flanks break edges.
+/// mm; radius of the chisel edge of a spot drill, which cuts only downwards; the drill's flanks can break edges.
 constexpr double kSpotChisel = 0.2;
-/// mm over the tip of reamers, boring bars and taps for each mm from their axis: what stands lower does not count. Their ends are
-/// chamfered, and holes before them end in the point of a drill, 0.6 mm for each mm at 118 degrees.
+/// mm over the tip of reamers, boring bars and taps for each mm from their axis: lower material does not count. Their
+/// ends are chamfered, and their pilot holes end in the point of a drill, 0.6 mm for each mm at 118 degrees.
 constexpr double kLead = 0.65;
-/// Shares of the pitch, for tapped holes and for thread mills, which cut about bosses, too, with what a hole may be narrower.
+/// Shares of the pitch, for tapped holes and for thread mills, which also cut around bosses, with the permitted
+/// undersize of a hole.
 constexpr double kTapped = 0.5413 * 1.05, kThreadMilled = 0.6134 * 1.05;
 
 /// mm; the largest pitch of the part's milled threads, for mills with one row of teeth.
@@ -96,7 +99,7 @@ struct TakesRow {
   ToolKind kind;
   ToolTakes (*takes)(const Tool& tool, const Part& part);
 };
-/// Kinds that are not named take whatever stands before them; whether they may go straight down the tool itself says.
+/// Kinds missing here cut any material before them; whether they may move straight down is a property of the tool.
 constexpr TakesRow kRows[] = {{ToolKind::kDrill, drill_row},
                               {ToolKind::kReamer, reamer_row},
                               {ToolKind::kBoringBar, boring_bar_row},
@@ -107,8 +110,8 @@ constexpr TakesRow kRows[] = {{ToolKind::kDrill, drill_row},
                               {ToolKind::kSpotDrill, spot_drill_row},
                               {ToolKind::kVBit, vbit_row}};
 
-/// Material within `radius` mm of the way, above the tip as it passes, by `lead` mm for each mm from the axis; nothing for radii that
-/// no material can tell from none.
+/// Material within `radius` mm of the path, above the passing tip by `lead` mm for each mm from the axis; nothing for
+/// radii indistinguishable from 0.
 std::optional<Place> within(const stock::Material& material, const Move& move, double radius,
                             double lead = 0) {
   if (radius <= kTakenSliver) return std::nullopt;
@@ -152,7 +155,7 @@ std::optional<Overcut> overcut_of(const CheckedMove& checked, const ToolTakes& t
     const auto wall = within(material, move, radius + kHoleWall);
     return wall ? std::optional(Overcut{*wall, kHoleWall, false}) : std::nullopt;
   }
-  // What takes nothing sideways goes down along its axis alone.
+  // Tools without lateral cutting move only along their axis.
   const bool is_along_axis = move.is_vertical() || move.path.length() <= kTakenSliver;
   const bool down = checked.slope() >= kDownward && (takes.sideways > 0 || is_along_axis);
   if (takes.idle_tip > 0 && checked.slope() >= takes.idle_from) {

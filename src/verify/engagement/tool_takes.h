@@ -1,4 +1,5 @@
-// What a kind of tool can take: how wide a ring of material at its rim, sideways and straight down, and what it must feed.
+// Cutting ability of a kind of tool: the width of a ring of material at its rim, sideways and straight down, and
+// required feeds.
 #pragma once
 
 #include <cmath>
@@ -11,29 +12,29 @@
 
 namespace clearcut::verify {
 
-/// mm. A ring at a tool's rim that may be in material; infinite: all of the tool's end may be.
+/// mm. Width of the ring at a tool's rim permitted in material; infinite: the whole end of the tool.
 struct ToolTakes {
   double sideways = HUGE_VAL;
   double down = HUGE_VAL;
-  double lead =
-      0;  ///< mm over the tip for each mm from the axis: what stands lower does not count on the way down
-  double idle_tip = 0;     ///< radius of a flat tip that does not cut: it may not go down into material
-  double idle_from = 1;    ///< mm down for each mm of advance from which on that tip counts
-  bool feeds_out = false;  ///< it comes out of its hole at the feed
-  const char* needs = "";  ///< what has to be there before it goes down
-  const char* says_sideways = "";  ///< what it did wrong sideways, where its ring does not tell
+  double lead = 0;  ///< mm over the tip for each mm from the axis: lower material does not count in descents
+  double idle_tip = 0;     ///< radius of a flat tip that does not cut: it must not descend into material
+  double idle_from = 1;    ///< mm down for each mm of advance from which on the flat tip counts
+  bool feeds_out = false;  ///< the tool retracts from its hole at the feed
+  const char* needs = "";  ///< precondition of a descent
+  const char* says_sideways = "";  ///< description of a lateral fault, if the ring is not specific enough
 };
 
-/// The row of the tool's kind. Threads deeper than the tool's own pitch says are those of the part.
+/// The row of the tool's kind. The depth of threads is that of the part if greater than that of the tool's own pitch.
 ToolTakes takes_of(const Tool& tool, const Part& part);
 
-/// What a feed move takes of the material, as it stands before the move, that its tool cannot; and a way out of a hole that is no feed.
+/// Material (in its state before the move) taken by a feed move beyond its tool's ability; also a retract from a hole
+/// not at feed.
 ///
-/// Error   Material is what stock::Material takes for material; rings are measured to kTakenSliver.
+/// Error   as of stock::Material; rings are measured to kTakenSliver.
 std::optional<Overcut> overcut_of(const CheckedMove& checked, const ToolTakes& takes,
                                   const stock::Material& material);
 
-/// One sentence on what went wrong, without its place.
+/// One sentence describing the fault, without its place.
 std::string overcut_text(const CheckedMove& checked, const Part& part);
 
 }  // namespace clearcut::verify

@@ -15,13 +15,13 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm that work reaches beyond what is cut, besides two diameters: leads, entries beside the stock.
+/// mm; extent of moves beyond the cut area, in addition to two diameters: leads, entries beside the stock.
 constexpr double kBeside = 5;
-/// mm that a program goes below what is cut: ways through.
+/// mm; depth of a program below the cut volume: breakthrough.
 constexpr double kBelow = 3;
-/// Share of the size of what is cut that a program of the right size has at least. Small pockets are cut by short paths.
+/// Least size of a program of the right size, as a share of the work's size. Small pockets are cut by short paths.
 constexpr double kLeastShare = 0.25;
-/// Times the size of what is cut that no program of the right size has, or that its size is less.
+/// Factor between the sizes of program and work, in either direction, that no program of the right size has.
 constexpr double kOtherSize = 4;
 
 std::string counted_faults(std::size_t count) {
@@ -53,7 +53,7 @@ std::string told_of_others(const Group& group) {
   return text + ".";
 }
 
-/// One fault for each kind and cause; of a kind that depends on the feature, for each feature.
+/// One fault for each kind and cause; for kinds that depend on the feature, for each feature.
 void fold_alike(std::vector<Fault>& faults) {
   using Key = std::tuple<FaultKind, std::string, std::string>;
   std::map<Key, Group> groups;
@@ -79,7 +79,7 @@ void fold_alike(std::vector<Fault>& faults) {
   faults = std::move(kept);
 }
 
-/// Says of those faults from which kind they follow; how many they are.
+/// Sets the kind of the cause of the faults selected by `Follows`; returns their number.
 template <typename Follows>
 std::size_t mark_followers(std::vector<Fault>& faults, FaultKind cause, Follows follows) {
   std::size_t count = 0;
@@ -95,7 +95,7 @@ bool is_unknown(const CheckedMove& checked) {
   return checked.feeds() && !checked.earlier && (!checked.tool || checked.tool->diameter <= 0);
 }
 
-/// Names of the features into which tools go that are not known.
+/// Names of the features cut by unknown tools.
 std::set<std::string> cut_by_unknown_tools(const Part& part, const CheckedProgram& program) {
   std::set<std::string> names;
   for (const Feature& feature : part.features) {
@@ -113,7 +113,7 @@ std::set<std::string> cut_by_unknown_tools(const Part& part, const CheckedProgra
   return names;
 }
 
-/// Leaves out what work of unknown tools counts as not having cut.
+/// Leaves out faults about material that the work of unknown tools does not count as having cut.
 void fold_unknown_tools(const Part& part, const CheckedProgram& program, std::vector<Fault>& faults) {
   const auto cause = std::find_if(faults.begin(), faults.end(),
                                   [](const Fault& fault) { return fault.kind == FaultKind::kWrongTool; });
@@ -125,7 +125,7 @@ void fold_unknown_tools(const Part& part, const CheckedProgram& program, std::ve
   if (count > 0) cause->text += " What it cuts counts as uncut; " + counted_faults(count);
 }
 
-/// What is to be cut: in plan view, and how far down.
+/// Extent of a cut volume in plan view, and its depth.
 struct Work {
   Box plan;
   double low = 0;
@@ -150,7 +150,7 @@ std::optional<Work> work_of(const Part& part) {
   return work;
 }
 
-/// Whether what the program cuts is of the size of the work at `scale`, and lies where that is.
+/// Whether the cuts of the program, times `scale`, have the size and place of the work.
 bool fits_at(double scale, const Work& cuts, const Work& work, double beside) {
   const Box plan{cuts.plan.min * scale, cuts.plan.max * scale}, room = work.plan.grown(beside);
   return room.contains(plan.min) && room.contains(plan.max) && size_of(plan) >= kLeastShare * work.size() &&
@@ -175,7 +175,7 @@ double widest_tool(const Part& part) {
   return widest;
 }
 
-/// What the program says of its units.
+/// Sentence on the units stated in the program.
 std::string told_of_units(const ControlTable* control, bool too_large) {
   const int line = !control ? 0 : too_large ? control->inch_line : control->mm_line;
   const std::string fits = std::string("; it fits in ") + (too_large ? "mm (G21)" : "inches (G20)");

@@ -1,4 +1,5 @@
-// One mistake is told once: faults with one cause become one, and what follows from a mistake is left out beside it.
+// Each mistake is reported once: faults with one cause become one, and consequences of a mistake are not listed
+// beside it.
 #pragma once
 
 #include <vector>
@@ -10,14 +11,15 @@
 
 namespace clearcut::verify {
 
-/// While faults are looked for: the cause of those of a stock that lacks material of the part. A wrong blank is one mistake, whatever
-/// features it meets.
+/// During the search for faults: the cause of faults due to a stock lacking material of the part. A wrong blank is
+/// one mistake, for any number of features.
 inline constexpr const char* kWrongStock = "stock that lacks material";
 
-/// Faults of one kind and cause become one, the worst of them, whose sentence counts the others. A program that is 25.4 times as large or
-/// as small as what is to be cut has a fault of the kind kUnits, from which all follow that the wrong size makes. Where a tool is not
-/// known, what its work counts as not having cut follows from that. The sentence of a fault says how many follow from it. Afterwards
-/// Fault::cause of those that follow names the kind that they follow from, and is "" for all others.
+/// Faults of one kind and cause become one, the worst of them, with the number of the others in its sentence. A
+/// program 25.4 times as large or as small as the work has a fault of the kind kUnits, the cause of all faults due to
+/// the wrong size. An unknown tool is the cause of the faults about material that its work does not count as having
+/// cut. The sentence of a fault states the number of faults caused by it. Afterwards Fault::cause of the caused
+/// faults names the kind of their cause, and is "" for all others.
 void fold_causes(const Part& part, const CheckedProgram& program, const VerifyOptions& options,
                  std::vector<Fault>& faults);
 

@@ -7,10 +7,10 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. So much less than its radius the cylinder is taken to be, and so far beside anything cleared a place is solid: both together are
-/// less than the smallest gouge that counts.
+/// mm. Reduction of the cylinder's radius, and distance from cleared areas from which on a place is solid: their sum
+/// is less than the smallest gouge that counts.
 constexpr double kNarrower = 0.0006, kSolid = 0.0003;
-/// Cells that are looked at for one move; more take seconds.
+/// Greatest number of cells tested for one move; more would take seconds.
 constexpr int kMostCells = 400000;
 /// Pieces of a sloping move at most.
 constexpr int kMostPieces = 32;

@@ -10,25 +10,26 @@
 namespace clearcut::verify {
 namespace {
 
-/// Share of the diameter, and mm, that a tooth takes at most.
+/// Greatest cut per tooth, as a share of the diameter and in mm.
 constexpr double kThickestShare = 0.1, kThickest = 4;
-/// mm. Below it nothing is said of thick chips: needles are given with the width of their tip, and break by other causes.
+/// mm. Below this diameter thick chips are not reported: engraving needles are stated with the width of their tip,
+/// and break for other reasons.
 constexpr double kThickestOfNeedles = 0.05;
 /// mm. Less than this is a small share of how sharp an edge can be ground.
 constexpr double kThinnest = 3e-4;
 /// m/min.
 constexpr double kFastestEdge = 7500;
-/// No spindle that holds a tool turns faster.
+/// No spindle with a tool turns faster.
 constexpr double kFastestSpindle = 400'000;
-/// The S word of controls that say a power with it goes up to this.
+/// Greatest S word of controls that use it for a power.
 constexpr double kFullPower = 255;
 
 double teeth_of(const Tool& tool) {
   return std::max(1, tool.teeth);
 }
 
-/// Share of the feed per tooth that is the thickest part of the chip: less where the cutter is engaged by less than a quarter turn,
-/// as on ways from pass to pass that touch what a pass has left.
+/// Share of the feed per tooth that is the thickest part of the chip: less if the cutter is engaged by less than a
+/// quarter turn, as on links from pass to pass that touch material left by a pass.
 double thickest_part(const CheckedMove& checked) {
   const double angle = checked.load.max_deg;
   return angle > 0 && angle < 90 ? base::sin(angle * kPi / 180) : 1;
@@ -37,14 +38,14 @@ double thickest_part(const CheckedMove& checked) {
 /// The worst move of one kind.
 struct Worst {
   const CheckedMove* move = nullptr;
-  double times = 1;  ///< how often its value goes into the bound, or the bound into it
+  double times = 1;  ///< ratio of its value to the bound, or of the bound to its value
 
   void take(const CheckedMove& other, double ratio) {
     if (ratio > times) *this = {&other, ratio};
   }
 };
 
-/// Times a stated feed or speed; what is farther from it was hardly meant.
+/// Factors on a stated feed or speed; values beyond were probably not intended.
 constexpr double kBeyondStated = 1.5, kBelowStated = 0.5;
 
 std::string driven(const CheckedMove& checked) {
@@ -63,7 +64,7 @@ class CuttingData {
     const double rpm = checked.control->spindle_rpm, width = 2 * widest_radius(tool);
     const double chip = checked.move->feed.mm_per_min() / (rpm * teeth_of(tool));
     thick_.take(checked, chip * thickest_part(checked) / thickest(width));
-    // What goes straight down or up is slow for other reasons.
+    // Vertical moves are slow for other reasons.
     if (!checked.move->is_vertical() && chip > 0) thin_.take(checked, kThinnest / chip);
     fast_.take(checked, std::max(edge_speed(width, rpm) / kFastestEdge, rpm / kFastestSpindle));
   }

@@ -1,4 +1,4 @@
-// Feeds and speeds that no cutter bears, whatever it cuts: what can be said without knowing the machine and the material.
+// Feeds and speeds beyond any cutter's limits in any material: checks without knowledge of machine and material.
 #pragma once
 
 #include <vector>
@@ -9,10 +9,11 @@
 
 namespace clearcut::verify {
 
-/// At most one of each: `chip-load`, where a tooth takes more than any tooth takes, or so little that it only rubs;
-/// `cutting-speed`, where an edge runs faster than anybody lets edges run. Each names the worst move that cuts. Of taps, whose feed follows
-/// their pitch, the stated speed alone is asked. `stated-feed` and `stated-speed` where a tool is driven by half as much again as somebody has stated
-/// (options.stated), or at less than half of that speed. With options.speed_may_be_power an S word up to 255 says nothing about the spindle's turns.
+/// At most one of each: `chip-load`, if a tooth takes more than any tooth can, or so little that it only rubs;
+/// `cutting-speed`, if an edge runs faster than any usual speed. Each names the worst cutting move. For taps, whose
+/// feed follows their pitch, only the stated speed is checked. `stated-feed` and `stated-speed` if a tool runs at
+/// more than 1.5 times the stated value (options.stated), or at less than half of the stated speed. With
+/// options.speed_may_be_power an S word up to 255 is not taken as a spindle speed.
 ///
 /// Source  of the bounds: docs/verification.md, "Feeds and speeds".
 std::vector<Condition> doubtful_cutting_data(const CheckedProgram& program, const VerifyOptions& options);

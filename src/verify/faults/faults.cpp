@@ -19,10 +19,11 @@ namespace clearcut::verify {
 namespace {
 
 /// mm by which a pass may be deeper than the stepdown: two heights rounded by the coarsest controller (0.0001
-/// inch), far below what a cutter notices.
+/// inch), without significance for a cutter.
 constexpr double kStepdownSlack = 5.5e-3;
 
-/// By which a load may exceed that of the reference: words of feeds are rounded, and engagement is measured at places a little apart.
+/// Share by which a load may exceed the reference: feed words are rounded, and engagement is measured at discrete
+/// places.
 constexpr double kReferenceSlack = 0.005;
 
 std::string mm(double value) {
@@ -161,7 +162,7 @@ class FaultFinder {
   }
 
  private:
-  /// Wherever it is said again it has the same cause.
+  /// Repeated faults with the same text get the same cause.
   static Fault caused(const std::string& what, Fault fault) {
     fault.cause = what;
     return fault;
@@ -180,12 +181,12 @@ class FaultFinder {
                  what + (checked.feeds() ? "" : ", in a rapid"));
   }
 
-  /// Whether the tool works along its axis, where no layers are.
+  /// Whether the tool works along its axis, without layers.
   static bool goes_down_alone(const CheckedMove& checked) {
     return checked.tool && (makes_holes(*checked.tool) || checked.tool->kind == ToolKind::kTap);
   }
 
-  /// mm; what is stated for the tool, else for the work at this place.
+  /// mm; stepdown stated for the tool, else for the work at this place.
   std::optional<double> stepdown_of(const CheckedMove& checked) const {
     const auto limits =
         checked.tool ? options_.tool_limits.find(checked.tool->number) : options_.tool_limits.end();
@@ -201,8 +202,8 @@ class FaultFinder {
   const Part& part_;
   const VerifyOptions& options_;
   Attribution attribution_;
-  double least_stepdown_ =
-      std::numeric_limits<double>::infinity();  ///< mm; no pass that takes less is too deep
+  /// mm; passes with a smaller depth are never too deep.
+  double least_stepdown_ = std::numeric_limits<double>::infinity();
 };
 
 /// Successive moves with one fault, and the worst of them.
@@ -216,7 +217,7 @@ class FaultRun {
     if (!worst_ || found.size > worst_->size) worst_ = std::move(found);
   }
 
-  /// The fault of the run, none where it is empty; then a new run begins.
+  /// The fault of the run, none if it is empty; then a new run begins.
   std::optional<Fault> take() {
     std::optional<Fault> fault = std::move(worst_);
     if (fault && length_ > 1)
@@ -235,13 +236,13 @@ class FaultRun {
   int length_ = 0, first_line_ = 0, last_line_ = 0;
 };
 
-/// Which cuts of before a check asks about.
+/// Earlier cuts included in a check.
 enum class Before {
-  kNone,    ///< what an earlier set-up cut was checked there
-  kMissing  ///< what the stock lacks: whether the part has it
+  kNone,    ///< no earlier cuts: those of an earlier set-up were checked there
+  kMissing  ///< volumes missing in the stock: whether they belong to the part
 };
 
-/// Adds one fault for each run of successive moves of one workingstep with that fault.
+/// Adds one fault for each run of successive moves of one workingstep with this fault.
 void collect(const std::vector<CheckedMove>& moves, const MoveCheck& check, Before before,
              std::vector<Fault>& out) {
   FaultRun run;
@@ -259,7 +260,7 @@ void collect(const std::vector<CheckedMove>& moves, const MoveCheck& check, Befo
   finish();
 }
 
-/// Faults of the steps that layers leave on a wall with draft, measured square to the wall.
+/// Faults of the steps left by layers on a wall with draft, measured square to the wall.
 std::vector<Fault> faults_of_steps(const Feature& feature, const FeatureWork& work, const Tolerances& tol) {
   const auto scallop = scallop_of(feature, work, tol);
   if (!scallop || !leaves_steps(work, *scallop, tol)) return {};
@@ -372,7 +373,7 @@ std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& wor
 
 void sort_worst_first(std::vector<Fault>& faults) {
   std::stable_sort(faults.begin(), faults.end(), [](const Fault& a, const Fault& b) {
-    if (a.cause.empty() != b.cause.empty()) return a.cause.empty();  // what follows from others comes last
+    if (a.cause.empty() != b.cause.empty()) return a.cause.empty();  // caused faults come last
     if (a.kind != b.kind) return row_of(a.kind).rank < row_of(b.kind).rank;
     return a.size > b.size;
   });

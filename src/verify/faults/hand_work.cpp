@@ -38,7 +38,7 @@ void HandWork::find_lengths() {
   }
 }
 
-/// The first cut after each change that needs a length.
+/// Finds the first cut after each change that needs a length.
 void HandWork::find_changes() {
   if (first_with_length_) return;
   touched_off_ = true;
@@ -51,7 +51,8 @@ void HandWork::find_changes() {
   }
 }
 
-/// Whether somebody stands at the machine between the cut before and this one: at a pause, or because tools are changed by hand.
+/// Whether an operator is at the machine between the previous cut and this one: at a pause, or because tools are
+/// changed by hand.
 bool HandWork::somebody_comes_before(const CheckedMove& cut) const {
   if (!changes_tools_alone_) return true;
   const auto index = static_cast<std::size_t>(&cut - moves_.data());
@@ -63,8 +64,8 @@ bool HandWork::somebody_comes_before(const CheckedMove& cut) const {
   });
 }
 
-/// Tools that a changer puts in have lengths that nobody measures in the spindle; one tool alone is measured before the program, where a
-/// length that is missing does not let the control cut at wrong heights.
+/// The lengths of tools loaded by a changer are not measured in the spindle; a single tool is measured before the
+/// program, so that a missing length does not make the control cut at wrong heights.
 bool HandWork::needs_length() const {
   return needs_tool_length_ ? !changed_.empty() : changed_.size() > 1;
 }

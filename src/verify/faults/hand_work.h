@@ -1,4 +1,4 @@
-// What a program leaves to whoever stands at the machine: the spindle's switch and speed, and the lengths of tools.
+// Actions that a program leaves to the operator: the spindle's switch and speed, and the lengths of tools.
 #pragma once
 
 #include <set>
@@ -12,22 +12,22 @@
 
 namespace clearcut::verify {
 
-/// Of one program. What it has no word for anywhere is done by hand, and a condition; what it does in one place and not in another is a
-/// mistake.
+/// Manual actions for one program. An action for which the program has no word at all is done by hand, and is a
+/// condition; an action done in one place and missing in another is a mistake.
 class HandWork {
  public:
-  /// Nothing is left to hands, since nothing is known.
+  /// No manual actions, since nothing is known.
   HandWork() = default;
-  /// `control` is that of `moves`, the first of which is its move 0; null: unknown.
+  /// `control` is the control table of `moves`, whose first move has the number 0; null: unknown.
   HandWork(std::span<const CheckedMove> moves, const ControlTable* control, const VerifyOptions& options);
 
-  /// No word of the program turns the spindle: hands switch it on.
+  /// No word of the program turns the spindle: the operator switches it on.
   bool switches_spindle() const { return switches_spindle_; }
   /// No word of the program states a speed.
   bool sets_speed() const { return sets_speed_; }
-  /// Whether the cut needs a tool length that the program could have brought into force, and it is not done by hand.
+  /// Whether the cut needs a tool length that the program should have activated, unless this is done by hand.
   bool lacks_length(const CheckedMove& checked) const;
-  /// `spindle-by-hand`, `speed-by-hand`, `tool-by-hand`, `tool-length-off`, where something is cut so.
+  /// `spindle-by-hand`, `speed-by-hand`, `tool-by-hand`, `tool-length-off`, if some cut is made this way.
   std::vector<Condition> conditions() const;
 
  private:
@@ -41,13 +41,13 @@ class HandWork {
   std::span<const CheckedMove> moves_;
   const ControlTable* control_ = nullptr;
   bool needs_tool_length_ = false;    ///< without a length the control cuts at wrong heights
-  bool changes_tools_alone_ = false;  ///< nobody stands beside a tool change
+  bool changes_tools_alone_ = false;  ///< tools are changed without an operator
   bool switches_spindle_ = false, sets_speed_ = false;
-  const CheckedMove* first_cut_ = nullptr;          ///< that removes material
+  const CheckedMove* first_cut_ = nullptr;          ///< first move that removes material
   const CheckedMove* first_with_length_ = nullptr;  ///< of all moves
-  std::set<int> changed_;                           ///< tools that an M6 puts in
-  std::vector<const CheckedMove*>
-      first_cuts_;            ///< of each tool after such a change, where it needs a length and has none
+  std::set<int> changed_;                           ///< tools loaded by an M6
+  /// Per tool: first cut after such a change, if it needs a length and has none.
+  std::vector<const CheckedMove*> first_cuts_;
   bool touched_off_ = false;  ///< somebody can measure each of them in the spindle
 };
 

@@ -10,9 +10,9 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. A tool that comes down farther off is on another axis.
+/// mm. A tool descending farther off is on another axis.
 constexpr double kOnAxis = 0.01;
-/// mm. Diameters and pitches that differ by less are the same.
+/// mm. Diameters and pitches differing by less are equal.
 constexpr double kSameSize = 0.005;
 
 class HoleCheck {
@@ -46,8 +46,9 @@ class HoleCheck {
   }
 
  private:
-  /// Whether a thread mill is near enough to the axis to work on the thread, and not on another about the same axis: in a hole in the
-  /// boss, whose mill stays within the core, or about the boss that the hole is in, whose mill stays beyond the wall.
+  /// Whether a thread mill is near enough to the axis to work on this thread, and not on another one about the same
+  /// axis: the thread of a hole in the boss, with its mill inside the core, or the thread around the boss of the
+  /// hole, with its mill outside the wall.
   bool is_at_work(const CheckedMove& mill) const {
     const double apart = distance(mill.move->path.from, hole_.center);
     if (hole_.external)
@@ -148,7 +149,7 @@ class HoleCheck {
   const CheckedProgram& program_;
   const VerifyOptions& options_;
   std::vector<std::size_t> upright_;       ///< feed moves on the axis
-  std::vector<const CheckedMove*> mills_;  ///< moves of thread mills about it, rapids as well
+  std::vector<const CheckedMove*> mills_;  ///< moves of thread mills about the axis, including rapids
   bool is_milled_ = false;                 ///< one of them feeds
   std::vector<Fault> faults_;
 };

@@ -14,7 +14,8 @@ namespace {
 /// mm. Coming nearer by less is rounding.
 constexpr double kTouch = 1e-3;
 
-/// A cylinder of the tool: how far above the tip it begins, and its radius, mm. It reaches up without end.
+/// A cylinder of the tool: the height of its lower end above the tip, and its radius, mm. It extends upwards without
+/// limit.
 struct Cylinder {
   double above;
   double radius;
@@ -47,7 +48,7 @@ std::optional<Edge> path_below(const Move& move, double z) {
   return move.z_from < z ? move.path.part(0, t) : move.path.part(t, 1);
 }
 
-/// mm that the tool comes into the block, seen from above; 0 if it stays away.
+/// mm; depth of the tool inside the block, seen from above; 0 if it stays outside.
 double depth_in(const KeepOut& block, const CheckedMove& checked, double radius, double above) {
   const auto path = path_below(*checked.move, block.top_z - above - kTouch);
   return path ? radius - distance_of(*path, block.plan) : 0;

@@ -1,4 +1,4 @@
-// Clamps and what else stands beside the work: nothing of the tool may come there.
+// Clamps and other obstacles beside the work: no part of the tool may enter them.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace clearcut::verify {
 
-/// The first of the part's keep-outs that the cutter, its shank or its holder comes into, feeding or at the rapid; its size is how
-/// far it comes in, seen from above, mm.
+/// The first of the part's keep-outs entered by the cutter, its shank or its holder, feeding or at the rapid; the
+/// fault's size is the depth of intrusion, seen from above, mm.
 std::optional<Fault> keep_out_fault(const Part& part, const CheckedMove& checked);
 
 }  // namespace clearcut::verify

@@ -12,17 +12,18 @@
 namespace clearcut::verify {
 namespace {
 
-/// Of the cutter's radius: how far places along the kerf lie apart.
+/// Distance of places along the kerf as a share of the cutter's radius.
 constexpr double kAlongKerf = 0.25;
-/// mm. Places nearer to the outline than the cutter's radius by more lie in a corner, where no contour runs.
+/// mm. Places nearer to the outline than the cutter's radius, by more than this, are in a corner without a contour
+/// pass.
 constexpr double kOnContour = 1e-3;
 
 using Moves = std::vector<CheckedMove>;
 
-/// Whether the profile parts what it surrounds from the rest.
+/// Whether the profile separates its inside from the rest.
 bool frees(const Part& part, const Feature& feature, const Tolerances& tol) {
   if (!feature.profile || !feature.profile->closed) return false;
-  // Lines that are followed are engraved, unless they go down to the underside of a stock.
+  // Followed lines are engraved, unless they go down to the underside of a stock.
   const bool is_through =
       feature.profile->side == ProfileSide::kOn ? part.stock.has_value() : feature.through;
   const bool is_held = !is_through || !feature.profile->tabs.empty();
@@ -30,14 +31,14 @@ bool frees(const Part& part, const Feature& feature, const Tolerances& tol) {
   return !is_held && (!part.stock || underside <= part.stock->z_bottom + tol.uncut);
 }
 
-/// mm; of the cutter that works on the feature, 0 where none does.
+/// mm; radius of the feature's cutter, 0 if there is none.
 double radius_for(const Part& part, std::size_t feature) {
   for (const Workingstep& step : part.workplan)
     if (step.feature == static_cast<int>(feature)) return tool_of(part, step).radius();
   return 0;
 }
 
-/// What one profile frees.
+/// The piece freed by one profile.
 class Piece {
  public:
   Piece(const Feature& feature, double radius, const Tolerances& tol)
@@ -47,7 +48,7 @@ class Piece {
         underside_(feature.floor_z + cut_.beyond + tol.uncut),
         box_(box(cut_.line)) {}
 
-  /// Whether the move cuts in it.
+  /// Whether the move cuts in the piece.
   bool is_cut_by(const CheckedMove& checked) const {
     if (checked.earlier || checked.is_carried() || !checked.cuts()) return false;
     const Edge& path = checked.move->path;
@@ -55,7 +56,7 @@ class Piece {
     return holds(path.from) || holds(path.at(0.5)) || holds(path.to);
   }
 
-  /// Index of the move before `last` that frees it; absent where all of them leave it held.
+  /// Index of the move before `last` that frees the piece; absent if the piece is still held.
   std::optional<std::size_t> freed_at(const Moves& moves, std::size_t last) const {
     const EdgeTree outline(Path(cut_.line));
     std::optional<std::size_t> freed;
@@ -89,7 +90,7 @@ class Piece {
     return cut_.side == ProfileSide::kOutside ? -radius_ : radius_;
   }
 
-  /// Index of the first move that takes its tip to the underside over p.
+  /// Index of the first move with its tip at the underside over p.
   std::optional<std::size_t> first_over(Vec2 p, const Moves& moves, std::size_t last) const {
     for (std::size_t i = 0; i < last; ++i) {
       const CheckedMove& checked = moves[i];

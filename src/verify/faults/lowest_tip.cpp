@@ -16,7 +16,7 @@ struct Span {
   double to = 0;
 };
 
-/// Where along a path a disc of radius r about its point holds p; at most twice.
+/// Spans of a path on which a disc of radius r contains p; at most two.
 std::vector<Span> held_by_disc(const Edge& path, Vec2 p, double r) {
   std::vector<Span> spans;
   const auto add = [&](double from, double to) {

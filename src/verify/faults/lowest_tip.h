@@ -7,7 +7,8 @@
 
 namespace clearcut::verify {
 
-/// mm; the lowest height of the tip while the cutter's disc covers p; absent where it never does. Exact for lines and arcs.
+/// mm; the lowest height of the tip while the cutter's disc covers p; absent if it never does. Exact for lines and
+/// arcs.
 std::optional<double> lowest_tip(const CheckedMove& checked, Vec2 p);
 
 }  // namespace clearcut::verify

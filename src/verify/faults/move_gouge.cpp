@@ -9,8 +9,8 @@
 namespace clearcut::verify {
 namespace {
 
-/// The deepest gouge of a cutter that may be `aside` mm off its path. Where the cylinder around it would gouge, the cutter's own
-/// shape decides.
+/// The deepest gouge of a cutter that may be `aside` mm off its path. If the cylinder around the cutter would gouge,
+/// the cutter's own shape decides.
 std::optional<Gouge> gouge_of_mill(const FinishedPart& finished, const Move& move, const Tool& tool,
                                    double aside, double slack, bool joined) {
   const auto gouge = gouge_of(finished, move, tool.radius() + aside, slack, joined);
@@ -20,9 +20,10 @@ std::optional<Gouge> gouge_of_mill(const FinishedPart& finished, const Move& mov
   return shaped && shaped->depth < gouge->depth ? shaped : shaped ? gouge : std::nullopt;
 }
 
-/// The gouge that `check` finds of a cutter's move into a part. A wall with draft counts as standing where another feature cuts into
-/// it: what is no gouge where one such feature alone is cut, as each of two grooves that cross, is none of the whole part either; of cutters
-/// without flanks the places themselves are asked then (crossed_draft.h).
+/// The gouge of a cutter's move into a part, found by `check`. A wall with draft counts as present even if another
+/// feature cuts into it; therefore a move that does not gouge a part with only one of the drafted features cut (such
+/// as each of two crossing grooves) does not gouge the whole part either. For cutters without flanks the places
+/// themselves are then tested (crossed_draft.h).
 template <typename Check>
 std::optional<Gouge> least_gouge(const FinishedParts& finished, const Tool& tool, const Move& move,
                                  Check check) {
@@ -52,7 +53,7 @@ std::optional<Gouge> gouge_of_move(const FinishedParts& finished, const CheckedM
     return gouge_of_mill(part, move, tool, aside, slack, joined);
   });
   const FinishedPart& whole = finished.for_tool(tool);
-  // What is no fault as it is needs no second look.
+  // A result without fault needs no second test.
   const bool may_cross = whole.greatest_draft_offset() > 0 && least && least->depth > slack;
   return may_cross && is_clear_of_crossed_draft(whole, move, tool.radius() + aside, slack) ? std::nullopt
                                                                                            : least;

@@ -15,12 +15,12 @@
 namespace clearcut::verify {
 namespace {
 
-/// Share by which a feed or speed may exceed its limit, for rounding to whole rpm and to printed feeds.
+/// Share by which a feed or speed may exceed its limit, to allow for rounding to whole rpm and printed digits.
 constexpr double kSpeedRounding = 1e-3;
 /// mm, for heights rounded by the coarsest controller (0.0001 inch).
 constexpr double kHeightSlack = 5.5e-3;
-/// Degrees by which the engagement may exceed its limit: arcs fitted to a path of constant engagement swing about it by more
-/// than one degree, and the distance of the samples may hide half a degree.
+/// Degrees by which the engagement may exceed its limit: arcs fitted to a path of constant engagement oscillate about
+/// it by more than one degree, and the distance of the samples may hide half a degree.
 constexpr double kDegreeSlack = 2;
 
 Place end_of(const CheckedMove& checked) {
@@ -71,7 +71,7 @@ class StateCheck {
   }
 
   std::optional<Fault> direction(const CheckedMove& checked) const {
-    // Which way a tap turns is asked with its cycle.
+    // The direction of a tap is checked with its cycle.
     if (!checked.control || !checked.works() || checked.control->spindle == SpindleState::kOff ||
         checked.tool->kind == ToolKind::kTap)
       return std::nullopt;
@@ -134,7 +134,7 @@ class StateCheck {
 
   std::optional<Fault> flutes(const CheckedMove& checked) const {
     if (!checked.cuts() || !checked.tool || !checked.tool->flute_length) return std::nullopt;
-    // Their necks are narrower than what cuts; whether that of a T-slot cutter touches anything is asked by itself.
+    // Their necks are narrower than their cutting parts; contact of a T-slot cutter's neck is checked separately.
     if (checked.tool->kind == ToolKind::kThreadMill || checked.tool->kind == ToolKind::kTSlot)
       return std::nullopt;
     const double depth = std::max(checked.load.axial_mm, part_.top_z() - checked.low_z());
@@ -175,12 +175,12 @@ class StateCheck {
                  "The cutter is engaged by " + trimmed(checked.load.max_deg, 1) + " degrees where " +
                      trimmed(*limit, 1) + " are the limit");
     found.cause =
-        "the limit of engagement";  // what clears a feature without regard to it does so in many places
+        "the limit of engagement";  // clearing without regard to the limit exceeds it in many places
     return found;
   }
 
  private:
-  /// Those that say the same have one cause.
+  /// Faults with the same text have one cause.
   Fault fault(FaultKind kind, const CheckedMove& checked, double size, const std::string& what) const {
     Fault found = fault_of(part_, kind, checked, end_of(checked), size, what);
     found.cause = what;
@@ -191,8 +191,8 @@ class StateCheck {
     return std::find(options_.accepted.begin(), options_.accepted.end(), name) != options_.accepted.end();
   }
 
-  /// Where nothing says what goes through, or nothing stands: a rapid below the lowest way through, or a feed move farther
-  /// below than a way through needs.
+  /// If the through features are unknown, or no material is there: a rapid below the lowest through cut, or a feed
+  /// move deeper below than a through cut needs.
   std::optional<Fault> beyond_any_way_through(const CheckedMove& checked, double lowest) const {
     const bool rises = !checked.feeds() && checked.move->z_to > checked.move->z_from;
     if (rises) return std::nullopt;
@@ -202,7 +202,7 @@ class StateCheck {
     return beyond_stock(checked, below);
   }
 
-  /// mm; how far a tool's tip goes below the stock on a way through.
+  /// mm; depth of a tool's tip below the stock in a through cut.
   static double breakthrough(const CheckedMove& checked) {
     return kUsualBreakthrough + (checked.tool ? point_length(*checked.tool) : 0);
   }
@@ -213,7 +213,7 @@ class StateCheck {
                      " mm below the bottom of the stock, into what it lies on");
   }
 
-  /// Finds the first cuts after starts of the spindle that come sooner than the machine needs.
+  /// Finds first cuts that follow a start of the spindle sooner than the machine needs.
   void find_short_waits(const CheckedProgram& program) {
     const double needed = options_.machine.spindle_wait_s;
     if (!options_.control || needed <= 0) return;
@@ -255,7 +255,7 @@ class StateCheck {
            part_.tools[static_cast<std::size_t>(index)].number == checked.tool->number;
   }
 
-  /// Whether some operation of the tool turns this way; where it has none, whether the tool itself does.
+  /// Whether some operation of the tool uses this direction; without operations, whether the tool itself does.
   bool may_turn(const CheckedMove& checked, bool clockwise) const {
     bool any = false;
     for (const Workingstep& step : part_.workplan) {
@@ -269,10 +269,10 @@ class StateCheck {
     return clockwise == (limits == options_.tool_limits.end() || limits->second.is_clockwise);
   }
 
-  /// Whether the tool itself says how it may go down; of others their kind does.
+  /// Whether the tool itself states its permitted descent; for others their kind does.
   bool mills_down(const Tool& tool) const { return std::isinf(takes_of(tool, part_).down); }
 
-  /// Tangent of the steepest entry angle that an operation of the tool states, at least the default.
+  /// Tangent of the steepest entry angle stated by an operation of the tool, at least the default.
   double steepest_of(const CheckedMove& checked) const {
     double steepest = kSteepestEntry;
     for (const Workingstep& step : part_.workplan) {
@@ -282,7 +282,7 @@ class StateCheck {
     return steepest;
   }
 
-  /// mm/min; the highest plunge feed that is stated for the tool or for an operation with it.
+  /// mm/min; the highest plunge feed stated for the tool or for an operation with it.
   std::optional<double> plunge_feed_of(const CheckedMove& checked) const {
     std::optional<double> most;
     const auto limits = options_.tool_limits.find(checked.tool->number);
@@ -296,7 +296,8 @@ class StateCheck {
     return most;
   }
 
-  /// mm down for each mm of advance; of moves so short that the digits of heights decide it, together with the move before.
+  /// mm down for each mm of advance; for moves so short that the digits of heights decide it, together with the
+  /// previous move.
   double judged_slope(const CheckedMove& checked) const {
     constexpr double kShort = 0.05;  // mm
     const double own = checked.slope(), length = checked.move->path.length();
@@ -309,7 +310,8 @@ class StateCheck {
   }
 
   std::optional<Fault> plunge_feed(const CheckedMove& checked) const {
-    // Holes are made at the cutting feed; that of a tap is checked in holes.cpp, against its speed. Thread mills go down along their thread.
+    // Holes are made at the cutting feed; the feed of a tap is checked in holes.cpp, against its speed. Thread mills
+    // descend along their thread.
     if (makes_holes(*checked.tool) || checked.tool->kind == ToolKind::kTap ||
         (checked.tool->kind == ToolKind::kThreadMill && !checked.move->is_vertical()))
       return std::nullopt;

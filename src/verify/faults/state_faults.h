@@ -1,4 +1,4 @@
-// Checks what the control and the tool must not be asked to do while a move cuts: tool length, spindle,
+// Checks the state of control and tool during cutting moves: tool length, spindle,
 // entries, depth.
 #pragma once
 
@@ -13,10 +13,10 @@
 
 namespace clearcut::verify {
 
-/// Returns the fault of one move with respect to one rule, if it has one.
+/// Returns the fault of one move with respect to one rule, if there is one.
 using MoveCheck = std::function<std::optional<Fault>(const CheckedMove&)>;
 
-/// What the program that is checked, and the one that ran before, leave to hands.
+/// Manual actions of the checked program and of the earlier one.
 struct HandWorks {
   HandWork own, earlier;
 
@@ -31,8 +31,8 @@ struct HandWorks {
 std::vector<MoveCheck> state_checks(const Part& part, const CheckedProgram& program,
                                     const VerifyOptions& options, const HandWorks& hands);
 
-/// mm; how far below the stock a cut that goes through it may reach where no part says what goes through. Beyond it is a fault,
-/// up to there a condition.
+/// mm; greatest depth below the stock of a through cut if no part states the through features. A greater depth is a
+/// fault, a smaller one a condition.
 inline constexpr double kUsualBreakthrough = 1;
 
 /// Tangent of 15 degrees: the steepest entry of a cutter that must not plunge, unless an operation with it states

@@ -9,10 +9,10 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm along a move that comes too near to a wall, and how many places at most.
+/// mm along a move that comes too near to a wall, and the greatest number of places.
 constexpr double kLeftStep = 0.1;
 constexpr double kMostLeftSteps = 2000;
-/// Shares of a cutter's height at which the distance of rounded ends and flanks from leaning walls is measured.
+/// Shares of a cutter's height at which the distance of rounded ends and flanks from inclined walls is measured.
 constexpr std::array kShares{0.0, 0.05, 0.15, 0.3, 0.5, 0.75, 1.0};
 
 int steps_along(const Move& move) {
@@ -28,7 +28,7 @@ double apart_of(const Edge& path, const Edge& wall) {
   return path.from == path.to ? distance(wall, path.from) : distance(path, wall);
 }
 
-/// Whether the tool's own shape makes the feature, so that nothing can be left of it.
+/// Whether the tool's own shape makes the feature, so that no stock can be left.
 bool is_made_to_size(const Part& part, const Workingstep& step) {
   const Feature& feature = feature_of(part, step);
   if (step.operation.tool < 0 || step.operation.tool >= static_cast<int>(part.tools.size())) return false;
@@ -45,7 +45,8 @@ Part with_raised_floors(const Part& part, const std::vector<double>& by) {
   return raised;
 }
 
-/// Whether two features meet so that each has a part of its own: whose stock stands where is then not told by their walls.
+/// Whether two features overlap and each also has a part outside the other: their walls then do not determine the
+/// owner of the stock.
 bool cross_each_other(const Feature& a, const Feature& b, const Tolerances& tol) {
   if (!box(a.target).overlaps(box(b.target))) return false;
   const double both = area(intersect(a.target, b.target, tol));
@@ -81,7 +82,7 @@ StockToLeave::StockToLeave(const Part& part, const Tolerances& tol)
   if (most_side_ > tol.uncut) find_walls();
 }
 
-/// Whether the feature leaves its allowance on that wall: a profile does so beside its outline alone, and not on what is waste.
+/// Whether the feature leaves its allowance on the wall: a profile does so only beside its outline, and not on waste.
 bool StockToLeave::owes(std::size_t feature, const Wall& wall) const {
   return lines_[feature].empty() ||
          lines_[feature].nearest(wall.edge.at(0.5), 2 * FinishedPart::kProbe).edge >= 0;
@@ -131,7 +132,7 @@ void StockToLeave::find_walls() {
   tree_ = EdgeTree(std::move(edges));
 }
 
-/// mm from p to the nearest wall at z on which the feature leaves stock; `limit` where none is nearer.
+/// mm from p to the nearest wall at z on which the feature leaves stock; `limit` if none is nearer.
 double StockToLeave::least_apart(std::size_t feature, Vec2 p, double z, double limit) const {
   double least = limit;
   tree_.within(p, limit + raised_->greatest_draft_offset(), [&](int i) {
@@ -162,7 +163,8 @@ int StockToLeave::feature_at(Vec2 p) const {
   return lowest;
 }
 
-/// With the tip at p and z: at each height that the wall and the cutter share, the place where the cutter comes nearest to it.
+/// With the tip at p and z: at each height common to wall and cutter, tests the place at which the cutter comes
+/// nearest to the wall.
 void StockToLeave::at_place(const KeptWall& kept, const Tool& tool, Vec2 p, double z,
                             std::optional<Gouge>& worst) const {
   const Wall& wall = kept.wall;
@@ -188,12 +190,12 @@ void StockToLeave::against(const KeptWall& kept, const CheckedMove& checked,
                            std::optional<Gouge>& worst) const {
   const Move& move = *checked.move;
   const Tool& tool = *checked.tool;
-  // Where features overlap, each leaves stock on its own walls alone.
+  // Of overlapping features, each leaves stock only on its own walls.
   if (checked.workingstep >= 0) {
     const int own = part_.workplan[static_cast<std::size_t>(checked.workingstep)].feature;
     if (std::find(kept.of.begin(), kept.of.end(), own) == kept.of.end()) return;
   }
-  // A chamfer is cut through the stock that is left on the wall below it.
+  // A chamfer is cut through the stock left on the wall below.
   if (kept.is_chamfered && is_conical(tool)) return;
   const double reach = widest_radius(tool) + kept.side + kept.wall.draft_offset(lowest_of(move));
   if (lowest_of(move) >= kept.wall.z_high - tol_.uncut ||

@@ -1,4 +1,4 @@
-// Stock that operations leave on walls and floors on purpose: it has to stand when the program is through.
+// Stock that operations leave on walls and floors on purpose: it must remain after the program.
 #pragma once
 
 #include <memory>
@@ -10,13 +10,13 @@
 
 namespace clearcut::verify {
 
-/// What the workplan leaves in each feature at the end: the least of all its steps.
+/// The stock left by the workplan in each feature at the end: the least of all its steps.
 ///
-/// A place at height z is to be cleared where some feature holds it, whose floor with the stock left there is not above z, and which
-/// is at least that feature's allowance away from every wall that stands at z. A feed move that takes any other place, though it is
-/// outside the part, cuts into stock to leave. Allowances up to tol.uncut ask for nothing.
+/// A place at height z is to be cleared if some feature contains it, that feature's floor with the stock left there
+/// is not above z, and the place is at least the feature's allowance away from every wall at z. A feed move cutting
+/// any other place outside of the part cuts into stock to leave. Allowances up to tol.uncut are ignored.
 ///
-/// Error   Along a move that comes too near, places are looked at every kLeftStep mm.
+/// Error   Along a move that comes too near, places are sampled every kLeftStep mm.
 class StockToLeave {
  public:
   /// Keeps a reference to `part`, which must outlive it.
@@ -24,22 +24,22 @@ class StockToLeave {
 
   /// Whether the workplan leaves anything anywhere.
   bool is_any() const { return raised_ != nullptr; }
-  /// The deepest cut of a move into stock to leave, deeper than tol.uncut; `feature` is whose stock it is.
+  /// The deepest cut of a move into stock to leave, deeper than tol.uncut; `feature` is the feature of this stock.
   std::optional<Gouge> cut_by(const CheckedMove& checked) const;
 
  private:
   struct Left {
     double side = 0, floor = 0;  ///< mm
   };
-  /// A wall with the most that any feature beside it leaves on it.
+  /// A wall with the greatest stock left on it by a feature beside it.
   struct KeptWall {
     Wall wall;
     double side = 0;
     bool is_chamfered = false;
-    std::vector<int> of = {};  ///< the features that leave stock on it
+    std::vector<int> of = {};  ///< the features leaving stock on it
   };
 
-  /// Of features that cross each other nothing is asked.
+  /// Excludes features that cross each other.
   void leave_out_crossing();
   void find_walls();
   bool owes(std::size_t feature, const Wall& wall) const;
@@ -54,15 +54,15 @@ class StockToLeave {
   const Part& part_;
   Tolerances tol_;
   std::vector<Left> left_;                ///< by feature
-  std::unique_ptr<FinishedPart> raised_;  ///< the part with the stock that is left on its floors
+  std::unique_ptr<FinishedPart> raised_;  ///< the part with the stock left on its floors
   std::vector<KeptWall> walls_;
   EdgeTree tree_;                ///< of walls_
-  std::vector<EdgeTree> lines_;  ///< by feature: of profiles, the outline that stock is left on
+  std::vector<EdgeTree> lines_;  ///< by feature: for profiles, the outline with stock left on it
   double most_side_ = 0;
   double most_floor_ = 0;
 };
 
-/// Finds for each of these moves how deep it cuts into stock to leave.
+/// Finds for each of these moves the depth of its cut into stock to leave.
 void check_stock_to_leave(const StockToLeave& left, std::vector<CheckedMove>& moves, std::size_t first,
                           std::size_t last);
 

@@ -12,15 +12,15 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm, square to the side of a tab. Places that are looked at lie so close to each other that no error between them is greater by
-/// more.
+/// mm, square to the side of a tab. Sampled places are so close that an error between them is greater by at most
+/// this.
 constexpr double kBetweenPlaces = 0.0025;
-/// mm. Places are looked at as far beside a tab.
+/// mm. Distance beside a tab up to which places are sampled.
 constexpr double kBesideBody = 0.5;
-/// Lines along the kerf on which places lie; one of them is its middle.
+/// Number of lines of places along the kerf; one of them is its middle.
 constexpr int kLines = 9;
 
-/// The lowest tip of a cutter while it covered a place.
+/// The lowest tip of a cutter while covering a place.
 struct Lowest {
   double z = std::numeric_limits<double>::infinity();
   int line = 0;
@@ -38,7 +38,7 @@ Lowest lowest_over(Vec2 at, const std::vector<const CheckedMove*>& moves) {
   return lowest;
 }
 
-/// The moves that come near a tab with a cutter.
+/// The moves whose cutter comes near a tab.
 std::vector<const CheckedMove*> moves_near(const Tab& tab, const CheckedProgram& program) {
   Box around = box(tab.body).grown(kBesideBody);
   around.add(tab.center);
@@ -56,12 +56,13 @@ std::string place_of(Vec2 at, int line) {
   return text + ".";
 }
 
-/// mm from the edge that the tab stands on to the middle of the kerf.
+/// mm from the tab's edge on the outline to the middle of the kerf.
 double to_middle(const Tab& tab) {
   return distance(tab.foot, tab.center);
 }
 
-/// mm along the foot: in the middle of a curved kerf the cutter touches less of a tab than beside it.
+/// mm along the foot: in the middle of a curved kerf the cutter touches a shorter stretch of a tab than beside the
+/// middle.
 double excess_of(const Tab& tab) {
   if (!tab.foot.is_arc()) return 0;
   const double around = distance(tab.foot.center, tab.center), r = to_middle(tab);
@@ -69,7 +70,7 @@ double excess_of(const Tab& tab) {
          (base::asin(std::min(1.0, r / around)) - 2 * base::asin(std::min(1.0, r / (2 * around))));
 }
 
-/// mm of stock that is to stay where a profile is cut: on its walls and the sides of its tabs, and on its floor.
+/// mm of stock to leave where a profile is cut: on its walls and the sides of its tabs, and on its floor.
 struct StockLeft {
   double sides = 0;
   double floor = 0;
@@ -99,14 +100,15 @@ Vec2 beyond_foot(const Tab& tab, bool ahead, double out, double sides) {
   return foot.center + (outwards * base::cos(angle) + along * base::sin(angle)) * around;
 }
 
-/// How far what stands on one side of a triangular tab is from that side.
+/// Deviation of the material on one side of a triangular tab from this side.
 struct SideError {
-  double off = 0;  ///< mm, square to the side; below 0 where too little stands
+  double off = 0;  ///< mm, square to the side; below 0 if there is too little material
   Vec2 at;
   Lowest lowest;
 };
 
-/// Whether the sides of a triangular tab are as they should be: nowhere lower, and in the middle of the kerf nowhere higher.
+/// Whether the sides of a triangular tab are as they should be: nowhere lower, and in the middle of the kerf nowhere
+/// higher.
 class SideCheck {
  public:
   SideCheck(const Tab& tab, const std::vector<const CheckedMove*>& moves, StockLeft left)
@@ -171,7 +173,7 @@ std::optional<Fault> fault_of_sides(const Feature& feature, const Tab& tab,
                feature.name + ": " + what + place_of(worst.at, worst.lowest.line)};
 }
 
-/// Square tabs that reach farther along the middle of the kerf than they should.
+/// Fault of a square tab that is longer along the middle of the kerf than required.
 std::optional<Fault> fault_of_width(const Feature& feature, const Tab& tab,
                                     const std::vector<const CheckedMove*>& moves, StockLeft left,
                                     const Tolerances& tol) {

@@ -1,4 +1,4 @@
-// Whether the tabs of profiles stand, and how high.
+// Checks the presence and the height of the tabs of profiles.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,13 @@
 
 namespace clearcut::verify {
 
-/// One fault for each tab that is cut away, whose middle is lower or higher than asked for by more than tol.uncut, or, of
-/// triangular tabs, whose sides are lower anywhere or higher in the middle of the kerf by as much, square to the side, or, of square
-/// tabs, that reach farther along it by as much. What is cut from the sides of square tabs is a gouge and what stands beside tabs
-/// is uncut, which other checks find.
+/// One fault for each tab that is cut away, or whose middle is lower or higher than requested by more than tol.uncut;
+/// for triangular tabs also if their sides are lower anywhere, or higher in the middle of the kerf, by more than
+/// this, square to the side; for square tabs also if they are longer along the kerf by more than this. Cuts into the
+/// sides of square tabs are gouges and material beside tabs is uncut; other checks find these.
 ///
-/// Method  Of every move that covers a place with its cutter, the lowest height of the tip while it does so; exact for lines and
-///         arcs. Sides are looked at on nine lines along the kerf, at places whose heights differ by 0.0025 mm.
+/// Method  For each place, the lowest height of the tip of all moves whose cutter covers the place; exact for lines
+///         and arcs. Sides are sampled on nine lines along the kerf, at places with heights 0.0025 mm apart.
 /// Cost    O(tabs * (moves + places * moves near)).
 std::vector<Fault> faults_of_tabs(const Part& part, const CheckedProgram& program, const Tolerances& tol);
 

@@ -12,12 +12,12 @@
 namespace clearcut::verify {
 namespace {
 
-/// Share by which a tap's feed may miss its pitch times the speed.
+/// Permitted relative difference of a tap's feed from its pitch times the speed.
 constexpr double kTapFeedShare = 0.005;
 /// mm; rounding of heights.
 constexpr double kTapHeight = 1e-3;
 
-/// The cycles that turn taps back, by the move at whose end they do so.
+/// The cycles with reversal of taps, by the move at whose end the reversal is.
 std::map<const CheckedMove*, TapCycle> tap_cycles(const CheckedProgram& program,
                                                   const VerifyOptions& options) {
   std::map<const CheckedMove*, TapCycle> cycles;
@@ -85,7 +85,7 @@ class TapCheck {
     return is_tap_move(checked) && checked.low_z() < top_at(checked);
   }
 
-  /// mm; of what the tap works on.
+  /// mm; top of the feature being tapped.
   double top_at(const CheckedMove& checked) const {
     const auto step = static_cast<std::size_t>(checked.workingstep);
     return checked.workingstep < 0 ? part_.top_z() : feature_of(part_, part_.workplan[step]).top_z;

@@ -1,4 +1,4 @@
-// Taps: what they and the spindle do has to follow their thread, with a part or without one.
+// Taps: their motion and the spindle must follow their thread, with or without a part.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,14 @@
 
 namespace clearcut::verify {
 
-/// Checks of every feed move of a tap along its axis below the top: its feed is pitch times speed; into the hole the spindle turns as its
-/// hand asks, by its word or by the cycle, out of it the other way; after the way in it comes out at once, at its feed.
+/// Checks of every feed move of a tap along its axis below the top: its feed is pitch times speed; into the hole the
+/// spindle turns according to the thread's hand, by its word or by the cycle, and in reverse out of the hole; after
+/// the descent the tap retracts at once, at its feed.
 std::vector<MoveCheck> tapping_checks(const Part& part, const CheckedProgram& program,
                                       const VerifyOptions& options);
 
-/// `rigid-tap`, at most once: a tap that is not stated to float goes down in a cycle, or in moves, whose feed nothing ties to the spindle.
+/// `rigid-tap`, at most once: a tap not stated as floating descends in a cycle, or in moves, without synchronisation
+/// of feed and spindle.
 std::vector<Condition> conditions_of_taps(const CheckedProgram& program, const VerifyOptions& options);
 
 }  // namespace clearcut::verify

@@ -14,16 +14,17 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm by which the mill may miss the major radius; the finest tolerance of bolts is several times as much.
+/// mm permitted deviation of the mill from the major radius; the finest tolerance of bolts is several times as large.
 constexpr double kRadiusSlack = 0.01;
-/// A place may lie off the helix by kPitchShare of the pitch plus kThreadHeightSlack mm, more than rounding makes.
+/// Permitted deviation from the helix: kPitchShare of the pitch plus kThreadHeightSlack mm, more than rounding.
 constexpr double kPitchShare = 0.01;
 constexpr double kThreadHeightSlack = 0.006;
-/// Number of places that are checked on each move.
+/// Number of places checked on each move.
 constexpr int kThreadPlaces = 48;
-/// mm. Lines whose ends are as far from the axis as each other to within this are chords of a turn: rounding makes less.
+/// mm. Lines whose ends are as far from the axis as each other to within this are chords of a turn: rounding makes
+/// less.
 constexpr double kSameRadius = 0.003;
-/// Radians. Runs of chords that turn by less do not tell a pitch.
+/// Radians. Runs of chords with a smaller turn do not determine a pitch.
 constexpr double kLeastTurn = 0.1;
 
 double whole_turns_off(double height, double pitch) {
@@ -55,22 +56,22 @@ class ThreadCheck {
   }
 
  private:
-  /// mm from the axis to where the teeth reach: in holes outwards, about bosses inwards.
+  /// mm; distance of the teeth's outermost (in holes) or innermost (around bosses) reach from the axis.
   double reach(const CheckedMove& checked, Vec2 at) const {
     return distance(at, hole_.center) + (hole_.external ? -checked.radius() : checked.radius());
   }
 
-  /// mm; the radius that the teeth have to reach.
+  /// mm; the radius that the teeth must reach.
   double full_radius() const {
     return hole_.external ? root_diameter(*hole_.thread) / 2 : hole_.diameter / 2;
   }
 
-  /// mm by which teeth at that radius are short of the full thread.
+  /// mm missing to the full thread for teeth at the given radius.
   double short_of_full(double reached) const {
     return hole_.external ? reached - full_radius() : full_radius() - reached;
   }
 
-  /// Whether teeth at that radius are in the material of the thread, and not in what its tolerance leaves open.
+  /// Whether teeth at the given radius are in the material of the thread, and not only in its range of tolerance.
   bool is_in_thread(double reached) const {
     if (hole_.external) return reached < hole_.diameter / 2 - crest_tolerance(*hole_.thread);
     return reached > minor_radius_ + minor_tolerance(*hole_.thread);
@@ -80,7 +81,7 @@ class ThreadCheck {
     return move.path.is_arc() && distance(move.path.center, hole_.center) <= kRadiusSlack;
   }
 
-  /// The angle about the axis of a line that is a chord of a turn, radians; 0 for other lines.
+  /// The angle about the axis of a line forming a chord of a turn, radians; 0 for other lines.
   double chord_about_axis(const Move& move) const {
     const Vec2 a = move.path.from - hole_.center, b = move.path.to - hole_.center;
     if (move.path.is_arc() || move.is_vertical() || std::abs(norm(a) - norm(b)) > kSameRadius) return 0;
@@ -88,7 +89,7 @@ class ThreadCheck {
     return norm(a) * (1 - base::cos(sweep / 2)) <= kRadiusSlack ? sweep : 0;
   }
 
-  /// Chords that go on from one another make one turn: a single one rises too little to tell the pitch.
+  /// Successive chords form one turn: a single chord rises too little to determine the pitch.
   std::vector<AxisTurn> turns_of(const std::vector<const CheckedMove*>& moves) const {
     std::vector<AxisTurn> turns;
     bool goes_on = false;
@@ -113,7 +114,7 @@ class ThreadCheck {
     return turns;
   }
 
-  /// Takes z0 and the heights that have a thread from turns at the full radius, and checks their pitch.
+  /// Takes z0 and the threaded heights from turns at the full radius, and checks their pitch.
   void find_helix(const AxisTurn& turn) {
     const CheckedMove& checked = *turn.first;
     const Move& move = *checked.move;
@@ -199,7 +200,7 @@ class ThreadCheck {
   double pitch_, minor_radius_ = 0, slack_ = 0;
   double narrowest_ = 0;
   std::optional<double> origin_;
-  std::vector<std::pair<double, double>> cut_;  ///< mm; heights from and to which each turn has cut a thread
+  std::vector<std::pair<double, double>> cut_;  ///< mm; range of heights threaded by each turn
   std::vector<ThreadDefect> defects_;
 };
 

@@ -18,7 +18,7 @@ bool comes_into(const Undercut& undercut, const Edge& path, double radius) {
   return touches;
 }
 
-/// The lowest of the undercuts that the disc comes into; null where there is none.
+/// The lowest of the undercuts entered by the disc; null if there is none.
 const Undercut* lowest_roof(const FinishedParts& finished, const Edge& path, double radius) {
   const Undercut* lowest = nullptr;
   for (const Undercut& undercut : finished.undercuts()) {
@@ -27,7 +27,8 @@ const Undercut* lowest_roof(const FinishedParts& finished, const Edge& path, dou
   return lowest;
 }
 
-/// Of the disc's upper side, where it comes into undercuts that are too low for it, beside those that are not.
+/// The gouge of the disc's upper side in undercuts that are too low for it, outside of undercuts that are high
+/// enough.
 std::optional<Gouge> gouge_of_roof(const FinishedParts& finished, const Move& move, double height,
                                    double radius, double slack) {
   const double highest = std::max(move.z_from, move.z_to);

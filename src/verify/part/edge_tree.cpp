@@ -7,9 +7,9 @@
 namespace clearcut::verify {
 namespace {
 
-/// From this number of closed loops on they are sorted by where they lie.
+/// Number of closed loops from which on they are sorted by place.
 constexpr std::size_t kManyLoops = 16;
-/// mm; least height of the strips that loops are sorted into.
+/// mm; least height of the strips for sorting loops.
 constexpr double kLeastStrip = 1e-6;
 
 }  // namespace
@@ -25,7 +25,7 @@ EdgeTree::EdgeTree(std::vector<Edge> edges) : edges_(std::move(edges)) {
   sort_loops();
 }
 
-/// Runs of edges of which each begins where the one before ends.
+/// Finds runs of edges, each beginning at the end of the previous one.
 void EdgeTree::find_chains() {
   chain_of_.assign(edges_.size(), 0);
   for (std::size_t i = 0; i < edges_.size(); ++i) {
@@ -40,7 +40,8 @@ void EdgeTree::find_chains() {
     chains_[i].open_before = chains_[i - 1].open_before + (chains_[i - 1].from == chains_[i - 1].to ? 0 : 1);
 }
 
-/// Regions with hundreds of islands list them in any order: only those about a point are of use to find its winding number.
+/// Regions with hundreds of islands list them in any order: only those about a point are of use to find its winding
+/// number.
 void EdgeTree::sort_loops() {
   if (chains_.size() < kManyLoops ||
       std::any_of(chains_.begin(), chains_.end(), [](const Chain& c) { return c.from != c.to; }))
@@ -71,14 +72,15 @@ int EdgeTree::winding(Vec2 p) const {
   return sum;
 }
 
-/// Winding number around p of the edges from `from` to below `to`, which are whole chains.
+/// Winding number around p of the edges from `from` to below `to`, which must be whole chains.
 int EdgeTree::winding_of(Vec2 p, std::uint32_t from, std::uint32_t to) const {
   int sum = 0;
   const auto below = [&](Vec2 q) { return q.y <= p.y ? 1 : 0; };
   const auto open = [&](const Box& b, std::uint32_t first, std::uint32_t end) {
     if (p.y < b.min.y || p.y > b.max.y || b.max.x < p.x || end <= from || first >= to) return false;
     if (b.min.x <= p.x || first < from || end > to) return true;
-    // A chain right of p crosses the ray from p as often as its ends say; one that is closed, as often up as down.
+    // A chain right of p has crossings with the ray from p given by its ends; a closed one crosses equally often up
+    // and down.
     const std::uint32_t begun = chain_of_[first], ended = chain_of_[end - 1];
     if (begun != ended && chains_[begun + 1].open_before != chains_[ended].open_before) return true;
     sum += below(edges_[first].from) - below(edges_[end - 1].to);

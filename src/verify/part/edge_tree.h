@@ -10,8 +10,8 @@
 
 namespace clearcut::verify {
 
-/// Edges with a tree of boxes. Edges of outlines and programs follow each other, so that
-/// boxes over successive edges are small without sorting. Edges may be points (from == to).
+/// Edges with a tree of boxes. Edges of outlines and programs follow each other, so that boxes over successive edges
+/// are small without sorting. Edges may be points (from == to).
 ///
 /// Cost    build O(n); a search O(log n + found) for such edges.
 class EdgeTree {
@@ -31,7 +31,7 @@ class EdgeTree {
     descend([&box](const Box& b) { return b.overlaps(box); }, visit);
   }
 
-  /// Calls visit(index) for every edge whose box comes within `reach` of p.
+  /// Calls visit(index) for every edge with a box within `reach` of p.
   template <typename Visit>
   void within(Vec2 p, double reach, Visit visit) const {
     const double squared = reach * reach;
@@ -42,7 +42,7 @@ class EdgeTree {
     int edge = -1;  ///< -1: none within the limit
     double distance = std::numeric_limits<double>::infinity();
   };
-  /// The nearest edge, at a distance below `limit`, for which accept(index) is true.
+  /// The nearest edge, at a distance below `limit`, with accept(index) true.
   template <typename Accept>
   Hit nearest(Vec2 p, double limit, Accept accept) const {
     Hit best{-1, limit};
@@ -59,8 +59,8 @@ class EdgeTree {
     return nearest(p, limit, [](int) { return true; });
   }
 
-  /// mm from p to the nearest edge; infinite where there is none. Faster than nearest() where no limit is known and the edges
-  /// near p are not among the first: boxes near p are opened first.
+  /// mm from p to the nearest edge; infinite if there are none. Faster than nearest() if no limit is known and the
+  /// edges near p are not among the first: boxes near p are opened first.
   double distance_to(Vec2 p) const {
     double best = std::numeric_limits<double>::infinity();
     const auto may_be_nearer = [&](const Box& b) { return squared_distance(b, p) < best * best; };
@@ -70,8 +70,8 @@ class EdgeTree {
     return best;
   }
 
-  /// Winding number around p of all edges, which have to form closed loops. Cost O(log n + loops whose boxes hold p + edges above
-  /// and below p within the boxes around it).
+  /// Winding number around p of all edges, which must form closed loops. Cost O(log n + loops with boxes around p +
+  /// edges above and below p within the boxes around it).
   int winding(Vec2 p) const;
 
  private:
@@ -88,10 +88,10 @@ class EdgeTree {
     });
   }
 
-  /// Edges of which each begins where the one before ends.
+  /// Edges, each beginning at the end of the previous one.
   struct Chain {
     Vec2 from, to;
-    std::uint32_t open_before = 0;               ///< chains before it that do not end where they begin
+    std::uint32_t open_before = 0;               ///< number of open chains before it
     std::uint32_t first_edge = 0, end_edge = 0;  ///< its edges, to below end_edge
   };
   void find_chains();
@@ -103,8 +103,8 @@ class EdgeTree {
   std::vector<std::uint32_t> chain_of_;  ///< of each edge
   std::vector<Chain> chains_;
   BoxTree tree_;
-  std::vector<std::uint32_t>
-      loops_;          ///< the chains in an order in which neighbours lie near each other, if all are closed
+  /// The chains in an order with neighbours near each other, if all are closed.
+  std::vector<std::uint32_t> loops_;
   BoxTree loop_tree_;  ///< of the boxes of loops_
 };
 

@@ -8,7 +8,7 @@
 namespace clearcut::verify {
 namespace {
 
-/// Share of a wall's length to which the end of a film is found; places that are nearer to each other are one.
+/// Accuracy of the end of a thin sliver as a share of the wall's length; places nearer to each other are one.
 constexpr double kEndOfFilm = 1e-6;
 constexpr double kNoFilm = std::numeric_limits<double>::infinity();
 
@@ -16,7 +16,7 @@ class FilmFinder {
  public:
   FilmFinder(const std::vector<Wall>& walls, const EdgeTree& tree) : walls_(walls), tree_(tree) {}
 
-  /// Adds the wall in pieces that have a film behind them all along, or nowhere.
+  /// Adds the wall in pieces with a thin sliver behind them along their whole length, or nowhere.
   void divide(const Wall& wall, Films& parts) {
     find_near(wall);
     if (near_.empty()) return parts.walls.push_back(wall);
@@ -37,7 +37,7 @@ class FilmFinder {
   }
 
  private:
-  /// Adds a wall behind which a film stands from film_z up.
+  /// Adds a wall with a thin sliver behind it from film_z up.
   static void add(Wall piece, double film_z, Films& parts) {
     if (film_z < piece.z_high) {
       parts.films.push_back(piece);
@@ -58,7 +58,7 @@ class FilmFinder {
     });
   }
 
-  /// Ascending; between two of them how near the other walls are changes one way only, if all are straight.
+  /// Ascending; between two of them the distance of the other walls is monotone, if all are straight.
   std::vector<double> places_along(const Edge& edge) const {
     std::vector<double> places{0, 1};
     for (const Wall* other : near_) {

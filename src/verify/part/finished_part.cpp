@@ -13,10 +13,12 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. The height on both sides of an edge is asked this far beside it: more than outlines that coincide differ by rounding.
+/// mm. The height on both sides of an edge is computed this far beside it: more than the rounding differences of
+/// coincident outlines.
 constexpr double kBeside = 1e-8;
 constexpr double kNothing = -std::numeric_limits<double>::infinity();
-/// mm under the stock that nothing of the part lies in: deeper than any way through. How far a cutter may go is asked of the stock.
+/// mm below the stock without any part: deeper than any through cut. The permitted depth of a cutter is checked with
+/// the stock.
 constexpr double kUnderStock = 1000;
 
 double top_of(const Part& part) {
@@ -30,7 +32,7 @@ Vec2 left_normal_at_middle(const Edge& edge) {
   return left_of(edge.tangent_at(0.5));
 }
 
-/// The edges of a chamfer's strip that lie away from the wall to be chamfered: only there the strip's wall has draft.
+/// The edges of a chamfer's strip away from the wall to be chamfered: only there the strip's wall has draft.
 EdgeTree drafted_edges(const Feature& feature) {
   const double half = feature.chamfer->depth * base::tan(feature.wall_slope.radians()) / 2;
   const EdgeTree line(std::vector<Edge>(feature.chamfer->line));
@@ -50,13 +52,13 @@ bool is_cut(const Feature& feature, int number, const CutFeatures& cut) {
   return !cut.only_draft || *cut.only_draft == number || feature.wall_slope.radians() <= 0;
 }
 
-/// Whether nothing of the part stands under the feature.
+/// Whether there is no part material below the feature.
 bool goes_through(const Feature& feature, const std::optional<Stock>& stock) {
   return stock && feature.through && feature.wall_slope.radians() == 0 &&
          feature.floor_z <= stock->z_bottom + kSamePlaceMm;
 }
 
-/// Walls without those upright ones that another feature with the same outline has given before: operations on one outline, such
+/// Walls without repeated vertical walls from another feature with the same outline: operations on one outline, such
 /// as the cut-outs of a panel, would else multiply every query by their number.
 std::vector<Wall> without_repeats(const std::vector<Wall>& walls) {
   const auto key = [](const Wall& wall) {
@@ -146,7 +148,7 @@ bool FinishedPart::is_inside(int feature, Vec2 p) const {
   return own != shapes_.end() && holds(*own, p);
 }
 
-/// mm; height of the part at p, which this feature holds, if there were no other feature.
+/// mm; height of the part at p, a point of this feature, if there were no other feature.
 double FinishedPart::height_in(const Shape& shape, Vec2 p) const {
   if (shape.slope <= 0) return shape.floor;
   const double far = (shape.top - shape.floor) * shape.slope;
@@ -155,8 +157,8 @@ double FinishedPart::height_in(const Shape& shape, Vec2 p) const {
   return std::max(shape.floor, shape.top - d / shape.slope);
 }
 
-/// mm; how far the wall stands inside its outline for a cutter at p. Beyond an end that the stock's side cuts off
-/// square the value is such that p is as far from the wall as it is from that end.
+/// mm; distance of the wall inside its outline for a cutter at p. Beyond an end cut off square by the stock's side,
+/// the value makes the distance of p from the wall equal to its distance from that end.
 double FinishedPart::draft_offset_inside(const Wall& wall, double z, Vec2 p) const {
   const double draft = wall.draft_offset(z);
   if (!wall.flat_from && !wall.flat_to) return draft;
@@ -195,7 +197,7 @@ double FinishedPart::height(Vec2 p) const {
   return height;
 }
 
-/// mm; as cleared_by(), of one shape alone, whose floor lies at z or below.
+/// mm; as cleared_by(), of only one shape, with its floor at z or below.
 double FinishedPart::cleared_in(const Shape& shape, Vec2 p, double z) const {
   const double from_outline = shape.outline.distance_to(p);
   if (!holds(shape, p)) return -from_outline;
@@ -229,8 +231,8 @@ double FinishedPart::height_beside(Vec2 p, int own, bool inside_own) const {
   return height;
 }
 
-/// Parameters at which the outlines of other shapes meet this edge, or turn beside it, with 0 and 1, ascending: where they
-/// turn away from it without a crossing, other heights begin.
+/// Parameters at which the outlines of other shapes meet this edge, or turn beside it, with 0 and 1, ascending: at
+/// points where they turn away from the edge without a crossing, the height changes.
 std::vector<double> FinishedPart::cuts_of(const Edge& edge, int shape, const EdgeTree& all,
                                           const std::vector<int>& owner) const {
   std::vector<double> cuts{0, 1};
@@ -258,12 +260,13 @@ void FinishedPart::find_walls() {
     const std::vector<double> cuts =
         shapes_.size() == 1 ? std::vector<double>{0, 1} : cuts_of(edge, owner[k], all, owner);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      // Where outlines nearly coincide, crossings cut off pieces too short to find walls: heights are asked kBeside off.
+      // For nearly coincident outlines, crossings cut off pieces too short to find walls: heights are computed at the
+      // distance kBeside.
       if (cuts.size() > 2 && (cuts[i + 1] - cuts[i]) * edge.length() < kBeside) continue;
       add_wall(cuts.size() == 2 ? edge : edge.part(cuts[i], cuts[i + 1]), shapes_[owner[k]], owner[k]);
     }
   }
-  // Before repeats go: films stand between walls of different features.
+  // Before removal of repeats: thin slivers are between walls of different features.
   const Films parts = parted(walls_);
   walls_ = without_repeats(parts.walls);
   films_ = without_repeats(parts.films);

@@ -10,14 +10,14 @@
 
 namespace clearcut::verify {
 
-/// A piece of wall between two floors: left of `edge` it is free above z_low, right of it solid below z_high.
-/// Nothing else bounds where a cutter may be.
+/// A piece of wall between two floors: the area left of `edge` is free above z_low, the area right of it solid below
+/// z_high. Only walls bound the area permitted to a cutter.
 struct Wall {
   Edge edge;
   double z_low = 0;   ///< height of the floor at its foot
-  double z_high = 0;  ///< height of what stands behind it
-  int feature = -1;   ///< whose outline it is; -1: the edge of the stock
-  double top_z = 0;   ///< of walls with draft: height at which the wall is at `edge`
+  double z_high = 0;  ///< height of the material behind it
+  int feature = -1;   ///< feature of the outline; -1: the edge of the stock
+  double top_z = 0;   ///< for walls with draft: height at which the wall is at `edge`
   double slope = 0;   ///< tangent of the draft; at height z the wall is (top_z - z) * slope inside `edge`
   /// Of walls with draft: at this end the side of the stock cuts the wall off square.
   bool flat_from = false;
@@ -25,28 +25,28 @@ struct Wall {
 
   bool stands_at(double z) const { return z_low <= z && z < z_high; }
   double draft_offset(double z) const { return slope > 0 ? std::max(0.0, top_z - z) * slope : 0.0; }
-  /// The ends of the wall at height z where the stock's side cuts it off: lines from or to the outline, free
+  /// The ends of the wall at height z at which the stock's side cuts the wall off: lines from or to the outline, free
   /// on their left.
   std::vector<Edge> flat_ends(double z) const;
 };
 
-/// Which features are taken as cut.
+/// Selection of the features treated as cut.
 struct CutFeatures {
   bool threads = false;  ///< external threads, as their own mills may; all others must leave the boss whole
   std::optional<int> only_draft = {};  ///< of the features with draft only this one
-  /// Those of T-slots whose roof is at this height or higher, mm, with all that stands over them.
+  /// T-slots with a roof at this height or higher, mm, together with all material over them.
   std::optional<double> undercuts_up_to = {};
 };
 
-/// Height of the part over the plan view: the lowest floor of the features that allow the cutter at a place,
+/// Height of the part over the plan view: the lowest floor of the features permitting the cutter at a place,
 /// else the top; nothing beside the stock. Walls are found by cutting all outlines at each other and
 /// computing the height on both sides of every piece. Walls that features share count once; edges between
 /// touching pockets vanish.
 ///
 /// Cost    build O(n log n + crossings); a query O(features * log n).
-///         What is no thicker than kFilm between two features is no wall.
-/// Error   Of walls that crossings cut off, pieces shorter than 10 nm are not found.
-///         Where another feature cuts into a wall with draft, that wall is taken to stand there, too; see FinishedParts.
+///         Material no thicker than kFilm between two features is no wall.
+/// Error   Of walls cut off by crossings, pieces shorter than 10 nm are not found. A wall with draft cut into by
+///         another feature is treated as whole; see FinishedParts.
 class FinishedPart {
  public:
   explicit FinishedPart(const Part& part, const CutFeatures& cut = {});
@@ -54,36 +54,38 @@ class FinishedPart {
   double top_z() const { return top_z_; }
   const std::vector<Wall>& walls() const { return walls_; }
   const EdgeTree& wall_tree() const { return tree_; }
-  /// Outlines of features beside the stock, where nothing stands: what an allowance leaves on a wall it leaves on these, too, as
-  /// far as it reaches into the stock.
+  /// Outlines of features beside the stock, without material: an allowance applies to these like to walls, as far as
+  /// it extends into the stock.
   const std::vector<Wall>& outlines_beyond() const { return beyond_; }
   /// All heights of floors and tops, ascending.
   const std::vector<double>& heights() const { return heights_; }
   /// mm; the greatest distance of a wall with draft from its outline, at any height.
   double greatest_draft_offset() const { return greatest_draft_offset_; }
 
-  /// mm; how far a wall at height z stands inside its outline for a cutter at p. Walls with draft do so only
-  /// towards the feature that they bound.
+  /// mm; distance of a wall at height z inside its outline for a cutter at p. It is non-zero only for walls with
+  /// draft, towards their own feature.
   double draft_offset(const Wall& wall, double z, Vec2 p) const {
     return wall.slope > 0 && z < wall.top_z && is_inside(wall.feature, p) ? draft_offset_inside(wall, z, p)
                                                                           : 0.0;
   }
   /// mm; distance from a path (or point, from == to) to a wall at height z.
   double apart(const Wall& wall, double z, const Edge& path) const;
-  /// Whether p lies within the outline of a feature.
+  /// Whether p is within the outline of a feature.
   bool is_inside(int feature, Vec2 p) const;
 
   double height(Vec2 p) const;
-  /// Whether p lies in a film at height z: what two features that all but touch leave standing, which counts as free.
+  /// Whether p is in a thin sliver at height z: the material between two nearly touching features, which counts as
+  /// free.
   bool is_film(Vec2 p, double z) const;
   /// Whether a point at height z is outside the finished part.
   bool is_free(Vec2 p, double z) const { return z >= top_z_ || height(p) <= z; }
 
-  /// mm by which p lies within what some one feature clears at height z, or beside the stock; below 0 where none does: as far as p is at
-  /// least from anything cleared. Changes by no more than p moves. Exact also where features cut into walls with draft.
+  /// mm; depth of p inside the volume cleared by a single feature at height z, or beside the stock; negative outside
+  /// of all: a lower bound of the distance from cleared places. Changes by no more than the displacement of p. Exact
+  /// also for features that cut into walls with draft.
   double cleared_by(Vec2 p, double z) const;
 
-  /// mm. Places that are nearer to an outline than this lie on it.
+  /// mm. Places nearer to an outline than this are on it.
   static constexpr double kProbe = 1e-5;
 
  private:
@@ -95,7 +97,7 @@ class FinishedPart {
     double top = 0;
     double slope = 0;
     EdgeTree drafted;    ///< the edges whose walls have draft, if some have none
-    bool single = true;  ///< whether it is one region: its edges then have it on their left only
+    bool single = true;  ///< whether it is one region: it is then only on the left of its edges
   };
 
   void add_feature(const Feature& feature, int index);

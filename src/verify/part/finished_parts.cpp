@@ -5,7 +5,8 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. A disc is exactly as high as its undercut: the digits of inches, which must not put it below the floor, raise it by as much.
+/// mm. A disc is exactly as high as its undercut: rounding of inches, which must not move the disc below the floor,
+/// raises it by up to this.
 constexpr double kRaisedByDigits = 0.002;
 
 bool has_external_threads(const Part& part) {

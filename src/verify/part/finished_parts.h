@@ -1,4 +1,4 @@
-// The finished part in the forms that cutters are checked against.
+// The finished part in the forms used for checking cutters.
 #pragma once
 
 #include <map>
@@ -12,17 +12,18 @@
 
 namespace clearcut::verify {
 
-/// What the disc of a T-slot cutter removes, under what stands.
+/// The volume removed by the disc of a T-slot cutter, below remaining material.
 struct Undercut {
   int feature = -1;
-  EdgeTree outline;  ///< of what may be removed
-  double roof =
-      0;  ///< z that a disc may reach up to: the underside of what stands over it, and what digits need
+  EdgeTree outline;  ///< outline of the volume that may be removed
+  /// Greatest z of a disc's upper side: the underside of the material above, plus an allowance for digits.
+  double roof = 0;
 };
 
-/// The part as it has to come out, the same with external threads as their own mills may cut them, the same without what stands over
-/// undercuts, and parts in which of the features with draft only one is cut. The plain part has no undercuts: its material reaches
-/// from its height down everywhere, as for every cutter but their own. May be asked by several threads at once.
+/// The finished part; the same with external threads as cut by their own mills; the same without the material over
+/// undercuts; and parts with only one of the features with draft cut. The plain part has no undercuts: its material
+/// extends from its height down everywhere, as for every cutter except T-slot cutters. Safe to use from several
+/// threads at once.
 class FinishedParts {
  public:
   /// Keeps a reference to `part`, which must outlive it.
@@ -32,9 +33,9 @@ class FinishedParts {
   const FinishedPart& for_tool(const Tool& tool) const {
     return threaded_ && tool.kind == ToolKind::kThreadMill ? *threaded_ : plain_;
   }
-  /// Without what stands over undercuts; the plain part where there are none.
+  /// The part without the material over undercuts; the plain part if there are none.
   const FinishedPart& opened() const { return opened_.empty() ? plain_ : *opened_.begin()->second; }
-  /// The same, but for undercuts in which a disc may not reach up to z.
+  /// The same, except undercuts in which a disc must not reach up to z.
   const FinishedPart& opened_up_to(double z) const {
     const auto found = opened_.lower_bound(z);
     return found == opened_.end() ? plain_ : *found->second;
@@ -43,17 +44,17 @@ class FinishedParts {
     return feature.kind == FeatureKind::kTSlot ? opened() : plain_;
   }
   const std::vector<Undercut>& undercuts() const { return undercuts_; }
-  /// The features with draft that hold p.
+  /// The features with draft around p.
   std::vector<int> drafted_at(Vec2 p) const;
-  /// The part in which no feature with draft is cut but this one: its solid holds that of the whole part. Made when first asked for.
+  /// The part with only this one of the features with draft cut: its solid contains that of the whole part. Made at
+  /// the first call.
   const FinishedPart& with_one_draft(int feature) const;
 
  private:
   const Part& part_;
   FinishedPart plain_;
   std::optional<FinishedPart> threaded_;
-  std::map<double, std::unique_ptr<FinishedPart>>
-      opened_;  ///< by the roof of the lowest undercut that is cut
+  std::map<double, std::unique_ptr<FinishedPart>> opened_;  ///< by the roof of the lowest cut undercut
   std::vector<Undercut> undercuts_;
   std::vector<int> drafted_;
   mutable std::mutex mutex_;

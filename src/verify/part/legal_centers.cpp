@@ -12,28 +12,28 @@ namespace {
 /// mm, for rounding of parallel curves: a wall nearer than reach by less than this is not too near.
 constexpr double kRounding = 1e-7;
 /// mm. A curve on which the cutter fits only within the fit tolerance is a slot if it is this long, or this
-/// far from all legal places; else it is the tip of a sharp corner.
+/// far from all legal places; else the curve is the tip of a sharp corner.
 constexpr double kSlot = 0.1;
 
-/// By how much the cutter may be wider than the place it goes, as shares of the fit tolerance.
+/// Permitted excess of the cutter's width over its place, as shares of the fit tolerance.
 struct Allowances {
-  double slot;   ///< how far it may come into the far wall while it runs along the near one
-  double hole;   ///< how far it may come into all walls around where all that is left is shorter than kSlot
+  double slot;   ///< permitted intrusion into the far wall while running along the near one
+  double hole;   ///< permitted intrusion into all walls around if all remaining curves are shorter than kSlot
   double point;  ///< the same at the centre of round walls
 };
-/// The verifier asks for less than the tolerance allows, because a planner may see walls with rounded or
-/// simplified edges. Where nothing fits by the first row, the next ones are tried.
+/// The verifier requires less than the tolerance allows, because a planner may use walls with rounded or simplified
+/// edges. If nothing fits by the first row, the next rows are tried.
 constexpr Allowances kAllowances[] = {{1, 0.75, 0.5}, {1.7, 0.85, 0.85}, {1.9, 0.95, 0.95}};
 
-/// Number of walls before and after a curve's own that are tested first.
+/// Number of walls before and after a curve's own tested first.
 constexpr int kNeighbours = 3;
 
-/// How many times only the wall nearest to the middle of what is left of a curve is tested, before all others.
+/// Number of rounds in which only the wall nearest to the middle of a curve's rest is tested, before all other walls.
 constexpr int kProbes = 12;
 
 using Interval = TrimmedCurve::Interval;
 
-/// What of `part` lies in none of the intervals, which are ascending.
+/// The parts of `part` outside of all intervals, which must be ascending.
 std::vector<Interval> outside(const std::vector<Interval>& intervals, Interval part) {
   std::vector<Interval> rest;
   for (const Interval& i : intervals) {
@@ -82,7 +82,7 @@ void LegalCenters::add_wall_curves(const std::vector<int>& walls) {
   }
 }
 
-/// Adds arcs about the ends of walls where a corner of the part points into the free area.
+/// Adds arcs about the ends of walls at corners of the part pointing into the free area.
 void LegalCenters::add_corner_curves(const std::vector<int>& walls) {
   std::vector<std::pair<Vec2, int>> starts;
   for (const int i : walls) starts.emplace_back(part_.walls()[i].edge.from, i);
@@ -110,7 +110,7 @@ void LegalCenters::add_corner_curves(const std::vector<int>& walls) {
   }
 }
 
-/// Adds curves beside the ends of walls with draft that the stock's side cuts off.
+/// Adds curves beside the ends of walls with draft cut off by the stock's side.
 void LegalCenters::add_end_curves(const std::vector<int>& walls) {
   for (const int i : walls) {
     for (const Edge& end : part_.walls()[i].flat_ends(z_)) {
@@ -148,8 +148,8 @@ void LegalCenters::add_legal_parts(const Edge& curve, int wall) {
   }
 }
 
-/// Adds the places in holes just as wide as the cutter: of the curve of each wall only some micrometres are left
-/// there, with no other legal place near them. A cutter smaller all round by what it may come into the walls has to fit.
+/// Adds the places in holes just as wide as the cutter: only some micrometres of each wall's curve are left there,
+/// without another legal place nearby. A cutter reduced all round by the permitted intrusion must fit.
 void LegalCenters::add_tight_places() {
   const EdgeTree known(found_);
   for (const auto& [piece, wall] : tight_) {
@@ -177,7 +177,7 @@ TrimmedCurve LegalCenters::legal_parts(const Edge& curve, int wall, double allow
        ++i) {
     cut_by_wall(left, part_.walls()[i], upright);
   }
-  // A wall that is too near to the middle of what is left takes much of it, so that few walls decide.
+  // A wall too near to the middle of the rest removes much of it, so that few walls decide.
   for (int round = 0; round < kProbes && !left.empty(); ++round) {
     const auto stands = [&](int i) { return part_.walls()[i].stands_at(z_); };
     const auto hit = part_.wall_tree().nearest(left.middle(), upright, stands);

@@ -95,7 +95,7 @@ void TrimmedCurve::add_line_cuts(const Edge& wall, double d) {
     const double half = std::sqrt((d - aside) * (d + aside));
     add(along - half, along + half);
   }
-  // Where the line is at distance d beside the wall, on either side.
+  // Places at which the line is at distance d beside the wall, on either side.
   const double across = cross(v, u) / wall_length, start = cross(v, curve_.from - wall.from) / wall_length;
   for (const double side : {d, -d}) {
     if (std::abs(across) < 1e-14) break;
@@ -107,12 +107,12 @@ void TrimmedCurve::add_line_cuts(const Edge& wall, double d) {
   cuts_.push_back(high);
 }
 
-/// Adds where the arc meets the circles about the wall's ends and the lines beside it. Half angles are
+/// Adds the intersections of the arc with the circles about the wall's ends and the lines beside it. Half angles are
 /// computed from their tangents, because on an arc of kilometres a cosine cannot resolve micrometres.
 void TrimmedCurve::add_arc_cuts(const Edge& wall, double d) {
   const Vec2 start = curve_.from - curve_.center;
-  // The two directions from the arc's centre at an angle to v, given by the squares of sine and cosine of
-  // half that angle, up to a common factor.
+  // The two directions from the arc's centre at an angle to v, given by the squares of sine and cosine of half the
+  // angle, up to a common factor.
   const auto add = [&](Vec2 v, double sine_squared, double cosine_squared) {
     if (sine_squared < 0 || cosine_squared < 0) return;
     const double middle = base::atan2(cross(start, v), dot(start, v));

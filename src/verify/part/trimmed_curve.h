@@ -1,4 +1,4 @@
-// A curve from which the parts near walls are cut away.
+// A curve without its parts near walls.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,7 @@
 
 namespace clearcut::verify {
 
-/// What is left of an edge, as ascending disjoint intervals of its parameter. Keeps lengths and angles that
-/// every cut needs.
+/// The rest of an edge, as ascending disjoint intervals of its parameter. Keeps lengths and angles used by every cut.
 class TrimmedCurve {
  public:
   using Interval = std::pair<double, double>;
@@ -24,14 +23,14 @@ class TrimmedCurve {
   const std::vector<Interval>& parts() const { return parts_; }
   Vec2 at(double t) const;
 
-  /// What is left lies within half() mm of middle().
+  /// The rest is within half() mm of middle().
   Vec2 middle() const { return middle_; }
   double half() const { return half_; }
 
-  /// Adds the parameters where legality may change: all at which the curve is at distance d from `wall`, and
+  /// Adds the parameters at which legality may change: all at which the curve is at distance d from `wall`, and
   /// perhaps others.
   void add_cuts(const Edge& wall, double d);
-  /// Divides what is left at these parameters, and keeps the pieces for whose middle is_legal(point) is true.
+  /// Divides the rest at these parameters, and keeps the pieces with is_legal(point) true for their middle.
   template <typename IsLegal>
   void keep(IsLegal is_legal);
 
@@ -77,7 +76,7 @@ void TrimmedCurve::keep(IsLegal is_legal) {
 }
 
 /// The curve at distance d on the left of an edge. Nothing if an arc has no such curve; a point (a line with
-/// from == to) at its centre if the radius left is within `fit` of 0.
+/// from == to) at its centre if the remaining radius is within `fit` of 0.
 std::vector<Edge> parallel(const Edge& edge, double d, double fit);
 
 /// The circle as two half circles.

@@ -7,7 +7,7 @@ namespace {
 
 /// mm. A tip no farther than this below a feature's floor still counts as inside its range of heights.
 constexpr double kHeightSlack = 0.05;
-/// mm. Rounding of a path that just touches an outline.
+/// mm. Rounding error of a path that just touches an outline.
 constexpr double kJustTouches = 1e-3;
 
 Vec2 middle_of(const Move& move) {
@@ -45,13 +45,13 @@ std::optional<double> Attribution::stepdown_at(const CheckedMove& checked) const
   std::optional<double> of_tool, of_any;
   for (int i = 0; i < static_cast<int>(part_.workplan.size()); ++i) {
     const std::optional<double> stepdown = part_.workplan[i].operation.stepdown;
-    // The tip of a cone goes below the foot of the chamfer that its flank cuts.
+    // The tip of a cone goes below the foot of the chamfer cut by its flank.
     const bool chamfers = i == checked.workingstep && feature_of(part_, part_.workplan[i]).chamfer;
     if (!stepdown || !(chamfers || fits(checked, middle, i, checked.radius()))) continue;
     of_any = std::max(of_any.value_or(0), *stepdown);
     if (has_tool(checked, i)) of_tool = std::max(of_tool.value_or(0), *stepdown);
   }
-  // What is asked of other tools does not bind one of a program that ran before.
+  // Values of other tools do not apply to a tool of an earlier program.
   return of_tool || checked.earlier ? of_tool : of_any;
 }
 

@@ -9,8 +9,7 @@
 namespace clearcut::verify {
 namespace {
 
-/// Radians. Smaller turns come from rounding of smooth joins: what is cut off there is thousandths of a
-/// move's length.
+/// Radians. Smaller turns are due to rounding of smooth joins: the cut-off there is thousandths of a move's length.
 constexpr double kSmoothTurn = 0.01;
 
 bool may_round(const CheckedMove& checked) {
@@ -28,8 +27,8 @@ bool is_corner(const CheckedMove& before, const CheckedMove& after) {
          turn_between(*before.move, *after.move) > kSmoothTurn;
 }
 
-/// The piece of a move from one point to another that replaces its end: an arc stays as curved as it was, because its chord
-/// would cut off more than a control that keeps the tolerance.
+/// The piece of a move from one point to another replacing its end: an arc keeps its curvature, because its chord
+/// would cut off more than a control within the tolerance.
 Edge bent(const Edge& path, Vec2 from, Vec2 to) {
   return path.is_arc() ? Edge::from_bulge(from, to, base::tan(path.sweep() / 4)) : Edge::line(from, to);
 }
@@ -40,7 +39,7 @@ std::optional<std::array<Move, 2>> rounded_corner(const CheckedMove& before, con
                                                   double tolerance) {
   if (tolerance <= 0 || !is_corner(before, after)) return std::nullopt;
   const Move &a = *before.move, &b = *after.move;
-  // The circle that touches both moves and passes the corner at the tolerance, on at most half of each move.
+  // The circle tangent to both moves that passes the corner at the tolerance, on at most half of each move.
   const double half = (kPi - turn_between(a, b)) / 2;
   const double legs = std::min(a.path.length(), b.path.length()) / 2;
   const double sine = std::max(base::sin(half), 1e-6);

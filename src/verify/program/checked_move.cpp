@@ -10,7 +10,7 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. Heights that differ by less belong to one layer.
+/// mm. Heights differing by less belong to one layer.
 constexpr double kSameLayer = 1e-3;
 
 const Tool* tool_of(const Part& part, int number) {
@@ -45,7 +45,7 @@ void attribute(const Part& part, const Toolpath& toolpath, std::vector<CheckedMo
   }
 }
 
-/// A workingstep that is cut by plunges alone has one layer, at its lowest tip.
+/// A workingstep cut only by plunges has one layer, at its lowest tip.
 void add_drilled_depths(const Part& part, CheckedProgram& program) {
   std::vector<double> lowest(program.layers.size(), part.top_z());
   for (const CheckedMove& checked : program.moves) {
@@ -58,7 +58,7 @@ void add_drilled_depths(const Part& part, CheckedProgram& program) {
   }
 }
 
-/// Where passes rise over the tabs of a profile they are level on top: that is no layer.
+/// Passes rising over the tabs of a profile are level on top: this level is no layer.
 bool is_over_tabs(const Part& part, const CheckedMove& checked) {
   const Feature& feature = feature_of(part, part.workplan[static_cast<std::size_t>(checked.workingstep)]);
   return feature.profile && !feature.profile->tabs.empty() && checked.low_z() > feature.top_z - kSameLayer;
@@ -79,7 +79,7 @@ void find_layers(const Part& part, CheckedProgram& program) {
   for (LayerHeights& layers : program.layers) std::sort(layers.rbegin(), layers.rend());
 }
 
-/// A move down belongs to the layer that it goes to, moves in between to the layer that was cut before.
+/// A descending move belongs to the layer at its end, moves in between to the layer cut before.
 void assign_layers(CheckedProgram& program) {
   int layer = 0, workingstep = -1;
   for (CheckedMove& checked : program.moves) {
@@ -97,8 +97,7 @@ void assign_layers(CheckedProgram& program) {
   }
 }
 
-/// mm; 0 if the control keeps to the path. 0 also if no bound is known, which is then a condition of the
-/// certificate.
+/// mm; 0 if the control keeps to the path. 0 also if no bound is known; this is then a condition of the certificate.
 double path_tolerance_of(const ControlState* state, const Machine& machine) {
   if (state == nullptr) return 0;
   const PathControl& path = state->path;
@@ -116,7 +115,7 @@ double path_tolerance_of(const ControlState* state, const Machine& machine) {
   return machine.path_tolerance.value_or(0);
 }
 
-/// Adds dwells, and the time that tool changes take on this machine.
+/// Adds dwells, and the time of tool changes on this machine.
 void add_waits(const ControlTable& control, const Machine& machine, std::vector<CheckedMove>& moves) {
   if (moves.empty()) return;
   for (const ControlEvent& event : control.events) {

@@ -89,7 +89,7 @@ class LevelCheck {
   const FinishedPart& part_;
   double radius_, slack_;
   std::optional<Gouge> worst_;
-  /// The wall that worst_ cuts into; null if the centre itself is inside the part.
+  /// The wall gouged by worst_; null if the centre itself is inside the part.
   const Wall* worst_wall_ = nullptr;
 };
 
@@ -118,8 +118,9 @@ class GougeCheck {
   std::optional<Gouge> worst() const { return worst_; }
 
  private:
-  /// Walls with draft are nearer at the lowest tip than at earlier ones: a gouge found with the lowest tip all along is too deep,
-  /// unless the cutter cuts as deep where it is lowest indeed, as on a helix about a cone.
+  /// Walls with draft are nearer at the lowest tip than at earlier ones: a gouge computed with the lowest tip along
+  /// the whole move is too deep, unless the cutter really cuts so deep at its lowest point, as on a helix about a
+  /// cone.
   bool overstates_draft(const Edge& path, double z_from, double z_to, const Gouge& found) {
     const double span = std::abs(z_to - z_from);
     if (!(part_.greatest_draft_offset() > 0) || span <= kDraftError || path.length() <= kDraftError)
@@ -134,12 +135,12 @@ class GougeCheck {
   std::optional<Gouge> worst_;
 };
 
-/// Parameters at which the tip passes the height of a floor, with 0 and 1, ascending.
+/// Parameters of the tip's passage through the height of a floor, with 0 and 1, ascending.
 std::vector<double> cuts_at_heights(const FinishedPart& part, const Move& move, double slack) {
   std::vector<double> cuts{0, 1};
   const double dz = move.z_to - move.z_from;
   for (const double height : part.heights()) {
-    // Half a slack lower, so that the piece above ends where that floor still counts as reached.
+    // Half a slack lower, so that the piece above ends at a height at which the floor still counts as reached.
     const double t = (height - slack / 2 - move.z_from) / dz;
     if (t > 0 && t < 1) cuts.push_back(t);
   }

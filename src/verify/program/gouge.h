@@ -9,7 +9,7 @@
 
 namespace clearcut::verify {
 
-/// What of a cutter goes into the part.
+/// The part of a tool that intrudes into the part.
 enum class CutterPart {
   kEnd,
   kNeck,  ///< of a T-slot cutter
@@ -17,7 +17,7 @@ enum class CutterPart {
 };
 
 struct Gouge {
-  double depth = 0;    ///< mm; the smallest shift, sideways or upwards, that would have avoided it
+  double depth = 0;    ///< mm; the smallest shift, sideways or upwards, that would have avoided the gouge
   Vec2 point;          ///< of the tool's centre
   double z = 0;        ///< of its tip
   bool floor = false;  ///< a floor was cut too deep, not a wall
@@ -27,10 +27,10 @@ struct Gouge {
 
 /// The deepest cut of a flat-ended cutter of `radius` mm into the part along `move`.
 ///
-/// Exact for lines and arcs at one height: radius - distance(path, wall). Where z changes, the move is
-/// checked in pieces between the heights of floors, each at its lowest tip; near walls with draft the pieces
-/// are halved until that errs by less than kLeanError. `slack`: mm by which floors may be cut too deep.
-/// `free_start`: the move is known to begin outside the part.
+/// Exact for lines and arcs at one height: radius - distance(path, wall). For changing z, the move is checked in
+/// pieces between the heights of floors, each at its lowest tip; near walls with draft the pieces are halved until
+/// the error is less than kLeanError. `slack`: mm by which floors may be cut too deep. `free_start`: the move is
+/// known to begin outside the part.
 ///
 /// Cost    O(log n + walls near) for n walls.
 std::optional<Gouge> gouge_of(const FinishedPart& part, const Move& move, double radius, double slack,

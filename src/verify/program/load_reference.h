@@ -1,4 +1,4 @@
-// By which load a program's feeds are held.
+// Reference load for a program's feeds.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 
 namespace clearcut::verify {
 
-/// mm/min that is meant at the reference: what the rule states, else what somebody stated for the tool, else the feed of the workingstep.
+/// mm/min; feed at the reference: stated by the rule, else for the tool, else the feed of the workingstep.
 struct LoadReference {
   FeedRule rule;
   std::vector<MmPerMin> feed_of_step = {};
   std::map<int, MmPerMin> feed_of_tool = {};  ///< by number
 
-  /// 0 where nobody says. Moves of no workingstep are held to the least of all.
+  /// 0 if not stated. Moves without a workingstep are compared with the least of all feeds.
   double feed(int workingstep, int tool) const {
     if (rule.feed) return rule.feed->mm_per_min();
     if (const auto own = feed_of_tool.find(tool); own != feed_of_tool.end()) return own->second.mm_per_min();
@@ -28,7 +28,7 @@ struct LoadReference {
     return rule.cap ? rule.cap->mm_per_min() : kUsualCap * feed(workingstep, tool);
   }
 
-  /// Of the reference's feed, where nobody says another cap.
+  /// Default cap as a multiple of the reference's feed.
   static constexpr double kUsualCap = 2;
 };
 

@@ -11,8 +11,8 @@
 namespace clearcut::verify {
 namespace {
 
-/// mm. Stretches of a path along which the excess can change by less than the first, or that are shorter than the second, are not
-/// halved again.
+/// mm. Stretches of a path are not halved again if the excess can change by less than the first value, or if they are
+/// shorter than the second.
 constexpr double kExact = 1e-5, kShortest = 2e-4;
 constexpr int kSections = 40;
 constexpr double kGolden = 0.6180339887498949;
@@ -23,9 +23,10 @@ bool has_flat_end(const Wall& wall) {
   return wall.flat_from || wall.flat_to;
 }
 
-/// The height between `low` and `high` at which a cutter with its tip at z comes nearest to a wall with draft.
+/// The height between `low` and `high` of the nearest approach of a cutter with its tip at z to a wall with draft.
 double nearest_height(const Wall& wall, const CutterProfile& cutter, double z, double low, double high) {
-  // A flank steeper than the wall comes nearest at low, else at its upper end; a rounding where it is as steep.
+  // A flank steeper than the wall comes nearest at low, else at its upper end; a rounding at its point of equal
+  // slope.
   if (cutter.round > 0) {
     const double touch = cutter.round * (1 - wall.slope / base::hypot(1.0, wall.slope));
     return std::clamp(z + touch, low, high);
@@ -77,7 +78,7 @@ class ShapedCheck {
     return {t, distance_needed(wall, cutter_, z_at(t), leans) - distance(wall.edge, p), leans};
   }
 
-  /// Where the stock's side cuts the wall off square, what stands is told height by height.
+  /// If the stock's side cuts the wall off square, the excess is computed height by height.
   double excess_at_flat_end(const Wall& wall, Vec2 p, double z) const {
     if (z >= wall.z_high) return -distance(wall.edge, p);
     const double low = std::max(z, wall.z_low), high = std::max(low, std::min(wall.z_high, wall.top_z));
@@ -86,7 +87,8 @@ class ShapedCheck {
     return worst;
   }
 
-  /// Raises `worst` to the greatest excess between two heights: upwards both the cutter's radius and the distance grow.
+  /// Raises `worst` to the greatest excess between two heights: upwards both the cutter's radius and the distance
+  /// grow.
   void between_heights(const Wall& wall, const Edge& place, double z, std::array<double, 2> heights,
                        double& worst) const {
     const auto [low, high] = heights;
@@ -101,7 +103,7 @@ class ShapedCheck {
     between_heights(wall, place, z, {middle, high}, worst);
   }
 
-  /// The parameters between which the tip is below the wall's top.
+  /// The range of parameters with the tip below the wall's top.
   std::array<double, 2> below_top(const Wall& wall) const {
     const double dz = move_.z_to - move_.z_from;
     if (dz == 0) return {0, 1};
@@ -148,7 +150,7 @@ class ShapedCheck {
     return from == 0 && to == 1 ? move_.path : move_.path.part(from, to);
   }
 
-  /// No place between two has a greater excess: that of the lowest tip at the least distance.
+  /// Upper bound of the excess between two samples: that of the lowest tip at the least distance.
   double greatest_between(const Wall& wall, const Sample& a, const Sample& b) const {
     const bool leans = a.leans || b.leans || sample_leans(wall, (a.t + b.t) / 2);
     const double low = std::min(z_at(a.t), z_at(b.t));
@@ -168,7 +170,7 @@ class ShapedCheck {
   void by_halves(const Wall& wall, const Sample& a, const Sample& b, Sample& worst) const {
     const double length = 2 * half_ * (b.t - a.t), change = change_by_height(wall, a, b);
     double above = greatest_between(wall, a, b);
-    // At ends that are cut off square less stands than the distance from the outline says.
+    // At ends cut off square there is less material than the distance from the outline suggests.
     const bool is_told = !has_flat_end(wall) && a.leans == b.leans;
     if (!is_told) above = std::min(above, (a.excess + b.excess + length) / 2 + change);
     if (above <= std::max(slack_ / 2, worst.excess)) return;
@@ -193,7 +195,7 @@ class ShapedCheck {
 
   void keep(const Wall& wall, const Sample& worst) {
     const double z = z_at(worst.t), sideways = worst.excess;
-    // On its flank a cutter comes free upwards, too.
+    // A cutter in contact on its flank is also freed by an upward shift.
     const bool by_flank = cutter_.slope > 0 && cutter_.radius_at(wall.z_high - z) < cutter_.widest;
     const double upwards = by_flank ? sideways / cutter_.slope : sideways;
     const double depth = std::min({sideways, upwards, wall.z_high - z});
@@ -217,7 +219,7 @@ class ShapedCheck {
   std::optional<Gouge> worst_;
 };
 
-/// Parameter along a straight move, prolonged at both ends, at which a cone's flank is lowest over p.
+/// Parameter along a straight move, prolonged at both ends, of the lowest place of a cone's flank over p.
 double lowest_place(const Move& move, double slope, Vec2 p) {
   const Vec2 along = move.path.to - move.path.from;
   const double length = norm(along), near = dot(p - move.path.from, along) / (length * length);
@@ -251,7 +253,7 @@ std::optional<double> CutHeights::height_over(const Entry& entry, double distanc
   return std::max(0.0, distance - tip_radius(*entry.tool)) / entry.slope;
 }
 
-/// mm; no cutter's surface comes lower over p along this move.
+/// mm; lower bound of the height of the cutter's surface over p along this move.
 double CutHeights::least_height(const Entry& entry, Vec2 p) {
   const double low = std::min(entry.move->z_from, entry.move->z_to);
   if (entry.slope <= 0) return low;

@@ -1,4 +1,5 @@
-// What a check of a program is told beside the part: what was stated for tools, what the control held, what ran before.
+// Input of a program's check in addition to the part: values stated for tools, states of the control, earlier
+// programs.
 #pragma once
 
 #include <map>
@@ -17,14 +18,14 @@
 
 namespace clearcut::verify {
 
-/// What somebody stated for a tool, beside what operations state for it.
+/// Limits stated for a tool, in addition to those of operations.
 struct ToolLimits {
   std::optional<double> stepdown;  ///< mm
   std::optional<MmPerMin> plunge_feed;
-  bool is_clockwise = true;  ///< which way it cuts
+  bool is_clockwise = true;  ///< direction in which the tool cuts
 };
 
-/// How somebody stated that a tool is driven, over all operations with it; 0: at least one says nothing.
+/// Cutting data stated for a tool, over all operations with it; 0: at least one operation states none.
 struct StatedDrive {
   double most_feed = 0;  ///< mm/min
   double least_rpm = 0, most_rpm = 0;
@@ -35,24 +36,24 @@ struct VerifyOptions {
   Machine machine;
   std::optional<double> engagement_limit_deg;
   int threads = 1;
-  /// A program that ran before on the same stock. What it cut is cut and what it spoiled is reported; its
-  /// lengths and times are not in the figures.
+  /// A program run before on the same stock. Its cuts count and its faults are reported; its lengths and times are
+  /// not in the figures.
   const Toolpath* earlier = nullptr;
-  /// What the control held at each move of `earlier`; absent: it is unknown.
+  /// State of the control at each move of `earlier`; absent: unknown.
   const ControlTable* earlier_control = nullptr;
-  /// What the control held at each move; absent: it is unknown, and nothing about it is checked.
+  /// State of the control at each move; absent: unknown and not checked.
   const ControlTable* control = nullptr;
   bool speed_may_be_power = false;  ///< small S words say how strongly the spindle is driven, not its turns
   bool needs_tool_length = false;  ///< without the tool's length (G43) the control would cut at wrong heights
-  bool changes_tools_alone = false;   ///< a changer puts tools in while nobody stands at the machine
-  std::vector<std::string> accepted;  ///< conditions that somebody has stated to hold: they give no faults
-  /// For tools that no workingstep uses, by number. Other tools have to keep to what their operations state.
+  bool changes_tools_alone = false;   ///< a changer loads tools without an operator at the machine
+  std::vector<std::string> accepted;  ///< confirmed conditions: they cause no faults
+  /// Limits for tools without a workingstep, by number. Other tools are limited by their operations.
   std::map<int, ToolLimits> tool_limits;
   std::map<int, StatedDrive> stated;       ///< by number of the tool
   std::optional<WorkMaterial> material;    ///< absent: no forces and no wear are computed
   std::optional<LoadReference> reference;  ///< absent: feeds do not go by the load
   std::stop_token cancel;                  ///< asked between moves and layers
-  ProgressCallback progress;               ///< told how far it is, as Stage::kCertifying; may be empty
+  ProgressCallback progress;               ///< receives the progress, as Stage::kCertifying; may be empty
 };
 
 }  // namespace clearcut::verify

@@ -16,7 +16,7 @@ class Ox final : public Crossover {
     int to = 0;
     for (int from = 0; from < first.size(); ++from) {
       const int place = second.place(first.at(from));
-      if (place >= low && place <= high) continue;  // will come from the second parent
+      if (place >= low && place <= high) continue;  // will be taken from the second parent
       if (to == low) to = high + 1;
       genes_[static_cast<std::size_t>(to++)] = first.at(from);
     }

@@ -1,4 +1,4 @@
-// The flexible paths of a skeleton as elastic bands, and the points that hold them: what tightening works on.
+// The flexible paths of a skeleton as elastic bands, and the points holding them: the data of tightening.
 #pragma once
 
 #include <cstdint>
@@ -17,18 +17,18 @@ struct Band {
   std::uint32_t b = 0;
 };
 
-/// A point that has to be cleared. It keeps the band nearest to it within the cutter's reach.
+/// A point to be cleared. It keeps the nearest band within the cutter's reach.
 struct Witness {
   Vec2 p;
-  bool moving = false;  ///< it is kept in the middle between the bands on both sides of it
-  double near = 1e300;  ///< mm; distance to the nearest band when it was last computed
-  double when = 0;      ///< mm; Bands::moved at that time
+  bool moving = false;  ///< the witness is kept in the middle between the bands on both sides
+  double near = 1e300;  ///< mm; distance to the nearest band at its last computation
+  double when = 0;      ///< mm; value of Bands::moved at that time
 };
 
 /// A skeleton whose flexible paths are being shortened.
 struct Bands {
   Skeleton skeleton;
-  std::vector<Edge> fixed;  ///< the edges of the rings that stay as they are
+  std::vector<Edge> fixed;  ///< the edges of the unchanged rings
   std::vector<Band> bands;  ///< the pieces of all flexible paths, one path after the other
   std::vector<Witness> witnesses;
   double moved = 0;  ///< mm; no band has moved farther than this since the beginning

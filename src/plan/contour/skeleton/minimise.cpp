@@ -1,10 +1,10 @@
 // Symbols of the minimisation (an augmented Lagrangian with Newton steps):
 //
 //   v_i       vertices of the paths                       unknown
-//   w         witnesses: points that have to be cleared  given, more after each exact check
+//   w         witnesses: points that must be cleared     given, more after each exact check
 //   d(w)      distance from w to the nearest band (straight piece between neighbouring vertices)
 //   lambda_w  force with which w holds its band          multiplier
-//   rho       stiffness of that hold                     1 / mm
+//   rho       stiffness of this force                    1 / mm
 //
 //   minimise  sum |v_i - v_(i+1)| + kEven / 2 sum |v_i - v_(i+1)|^2 / spacing   subject to   d(w) <= limit
 //
@@ -24,7 +24,7 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// Weight of the springs that keep vertices evenly spaced.
+/// Weight of the springs keeping vertices evenly spaced.
 constexpr double kEven = 0.02;
 /// Share of the radius. Lengths below this are smoothed, so that vertices may meet.
 constexpr double kSoft = 0.01;
@@ -49,14 +49,14 @@ Vec2 nearest_on_ring(const Path& ring, Vec2 p, Vec2* tangent = nullptr) {
 }  // namespace
 
 struct BandMinimiser::Impl {
-  /// A band at its present place, with what distances to it are computed from.
+  /// A band at its current place, with precomputed values for distances to it.
   struct Segment {
     Vec2 a;
     Vec2 d;
-    double inverse = 0;  ///< 1 / squared length, 1 / mm^2; 0 if it has none
+    double inverse = 0;  ///< 1 / squared length, 1 / mm^2; 0 for a length of zero
   };
 
-  /// A witness near the limit, and its part of the list of bands that may become its nearest until the next
+  /// A witness near the limit, and its part of the list of bands that may become its nearest one before the next
   /// listing.
   struct Active {
     std::uint32_t witness = 0;
@@ -93,7 +93,7 @@ struct BandMinimiser::Impl {
     paths_.for_paths([&](const std::vector<int>& path) { solve(path); });
     const double longest = longest_move();
     for (std::size_t i = 0; i < before_.size(); ++i) {
-      // Each move is limited on its own, so that one long move does not hold up the others.
+      // Each move is limited on its own, so that one long move does not shorten the others.
       const double far = norm(move_[i]);
       paths_.skeleton.points[i].at = before_[i] + move_[i] * (far > reach ? reach / far : 1);
     }
@@ -163,15 +163,15 @@ struct BandMinimiser::Impl {
   struct Offset {
     Vec2 from_band;
     double squared = 0;  ///< mm^2
-    double t = 0;        ///< parameter of that point
+    double t = 0;        ///< parameter of the point
   };
 
-  /// The point of a band, or of a fixed edge, that is nearest to a witness.
+  /// The point of a band, or of a fixed edge, nearest to a witness.
   struct Hold {
     std::uint32_t band = kFixed;
     double t = 0;
     double distance = std::numeric_limits<double>::infinity();
-    Vec2 away;  ///< unit vector from that point to the witness
+    Vec2 away;  ///< unit vector from the point to the witness
   };
 
   void add_hold(const Active& active) {
@@ -181,7 +181,7 @@ struct BandMinimiser::Impl {
     if (!witness.moving) return hold_band(hold, 1.0);
     const Hold other = opposite_hold(active, witness.p, hold);
     if (!std::isfinite(other.distance)) return hold_band(hold, 1.0);
-    // The witness moves to where both are equally far: along n1 - n2, the direction in which both distances
+    // The witness moves to a place equally far from both: along n1 - n2, the direction in which both distances
     // change at the same rate.
     const double rate = 1 - dot(hold.away, other.away);
     const double gap = other.distance - hold.distance;
@@ -194,8 +194,8 @@ struct BandMinimiser::Impl {
     }
   }
 
-  /// Adds the force with which a witness at `hold.distance` pulls a band; `share`: change of the distance per
-  /// mm that the band moves.
+  /// Adds the force with which a witness at `hold.distance` pulls a band; `share`: change of the distance per mm of
+  /// the band's motion.
   void hold_band(const Hold& hold, double share) {
     const double force = stiffness_ * (hold.distance - limit_) * share;
     if (force <= 0 || hold.distance < 1e-9 || hold.band == kFixed) return;
@@ -212,7 +212,7 @@ struct BandMinimiser::Impl {
     coupling_[hold.band] += h * (s * t);
   }
 
-  /// The vector to p from the point of band `i` that is nearest to p; `t` is the parameter of that point.
+  /// The vector to p from the nearest point of band `i`; `t` is the parameter of this point.
   Vec2 offset_from_band(std::uint32_t i, Vec2 p, double& t) const {
     const Segment& band = segments_[i];
     const Vec2 s = p - band.a;
@@ -225,7 +225,7 @@ struct BandMinimiser::Impl {
     if (hold.distance > 0) hold.away = offset / hold.distance;
   }
 
-  /// Leaves the offsets from all candidates in offsets_, where opposite_hold finds them.
+  /// Leaves the offsets from all candidates in offsets_, for use by opposite_hold.
   Hold nearest_hold(const Active& active, Vec2 p) {
     Hold best;
     std::size_t nearest = 0;
@@ -326,7 +326,7 @@ struct BandMinimiser::Impl {
     }
   }
 
-  /// Moves bands that have left the legal area back to where they were.
+  /// Moves bands outside of the legal area back to their former places.
   void undo_illegal() {
     for (std::size_t i = 0; i < paths_.bands.size(); ++i) {
       const Band band = paths_.bands[i];
@@ -379,7 +379,7 @@ struct BandMinimiser::Impl {
     moved_since_listing_ = 0;
   }
 
-  /// The band nearest to p, however far it is; of several equally near ones the first.
+  /// The band nearest to p at any distance; of several equally near ones the first.
   std::uint32_t nearest_band(Vec2 p) {
     if (!tree_is_built_) {
       tree_.build(static_cast<std::uint32_t>(paths_.bands.size()),
@@ -413,7 +413,7 @@ struct BandMinimiser::Impl {
 
   Bands& paths_;
   const TightenJob& job_;
-  double limit_ = 0;  ///< mm; witnesses pull bands that are farther away
+  double limit_ = 0;  ///< mm; witnesses pull bands farther away than this
   double skin_ = 0;
   double stiffness_ = 0;
   double tension_ = 1;
@@ -426,10 +426,12 @@ struct BandMinimiser::Impl {
   double moved_since_listing_ = 0;
   CellGrid grid_;
   CellLists bands_in_, fixed_in_;
-  BoxTree tree_;  ///< bands where they were when they were listed; built when a witness far from all asks
+  /// Bands at their places during the last listing; built for the first query by a witness far from all bands.
+  BoxTree tree_;
   bool tree_is_built_ = false;
   std::vector<Segment> segments_;
-  std::vector<char> safe_;  ///< for each band: whether it cannot leave the legal area before the next listing
+  /// For each band: whether the band cannot leave the legal area before the next listing.
+  std::vector<char> safe_;
 };
 
 BandMinimiser::BandMinimiser(Bands& paths, const TightenJob& job)

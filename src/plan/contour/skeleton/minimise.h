@@ -8,15 +8,15 @@
 
 namespace clearcut::plan::contour {
 
-/// How one series of Newton steps goes.
+/// Settings of one series of Newton steps.
 struct Pull {
   int steps = 0;
   double reach = 0;       ///< longest first step, as a share of the tool radius
   double last_reach = 0;  ///< longest last step, as a share of the longest first step
   double soft = 0;        ///< stiffness of the witnesses in the first step, 1 / radius
-  double tension = 1;     ///< force with which bands shorten; 0: they only give way to witnesses
+  double tension = 1;     ///< force shortening the bands; 0: bands only give way to witnesses
 };
-/// Moves the vertices of bands, and the witnesses that are kept in the middle between two bands.
+/// Moves the vertices of bands, and the witnesses kept in the middle between two bands.
 ///
 /// Method  An augmented Lagrangian with Newton steps, see the source file.
 /// Cost    O(steps * (vertices + witnesses near the limit)).
@@ -28,8 +28,8 @@ class BandMinimiser {
   BandMinimiser(const BandMinimiser&) = delete;
   BandMinimiser& operator=(const BandMinimiser&) = delete;
 
-  /// Makes Newton steps: long and soft at first, short and stiff at the end. A witness pulls a band that is
-  /// farther than `limit` mm from it. Bands stay in the legal area.
+  /// Makes Newton steps: long and soft at first, short and stiff at the end. A witness pulls a band farther than
+  /// `limit` mm away. Bands stay in the legal area.
   void relax(const Pull& pull, double limit);
 
  private:

@@ -8,8 +8,8 @@
 namespace clearcut::plan::contour {
 namespace {
 
-/// mm. A place that a vertex clears lies this much nearer to it than the radius; places within that of being cleared by
-/// others are left to the exact search.
+/// mm. A place counts as cleared by a vertex if it is this much nearer than the radius; places on the margin of being
+/// cleared by other edges are left to the exact search.
 constexpr double kWithin = 1e-6;
 
 /// Drops vertices of one path after the other, each from its first vertex to its last.
@@ -32,7 +32,7 @@ class Polish {
   }
 
  private:
-  /// All edges while vertices are dropped, which of them are in use, and an index of where they lie.
+  /// All edges while vertices are dropped, flags of the edges in use, and an index of their places.
   struct EdgesInUse {
     explicit EdgesInUse(double cell) : index(cell) {}
     std::vector<Edge> edges;
@@ -65,7 +65,7 @@ class Polish {
     path = std::move(kept);
   }
 
-  /// Whether one straight edge in place of two successive ones clears all that they clear.
+  /// Whether one straight edge in place of two successive ones clears everything cleared by them.
   bool may_drop(std::uint32_t arriving, std::uint32_t leaving, const EdgesInUse& state) const {
     const Edge first = state.edges[arriving], second = state.edges[leaving];
     if (first.from == first.to || second.from == second.to) return true;
@@ -87,8 +87,8 @@ class Polish {
     return !Cover(edges, radius_).has_hole(both.grown(radius_), was_cut);
   }
 
-  /// Whether the place that the vertex between two edges clears farthest from the line in place of both is left by all of
-  /// `edges`: the answer for most vertices, and cheaper than a search for all holes.
+  /// Whether the place cleared by the vertex between two edges that is farthest from the replacing line is left by
+  /// all of `edges`: decides most vertices, and is cheaper than a search for all holes.
   bool uncovers_outer_side(const Edge& first, const Edge& second, const std::vector<Edge>& edges) const {
     const Vec2 along = second.to - first.from, to_vertex = first.to - first.from;
     const double side = cross(along, to_vertex);

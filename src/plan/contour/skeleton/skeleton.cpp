@@ -117,7 +117,7 @@ class SkeletonBuilder {
     return best;
   }
 
-  /// Adds the rings that stay as they are, from the inside out, each with a Leg that leads to it.
+  /// Adds the unchanged rings, from the inside out, each with a Leg leading to it.
   void add_tree(std::size_t root) {
     std::vector<std::size_t> outside_in, open{root};
     while (!open.empty()) {
@@ -162,7 +162,7 @@ class SkeletonBuilder {
     return vertices;
   }
 
-  /// The vertex of the pass that is nearest to the ring.
+  /// The vertex of the pass nearest to the ring.
   Vec2 nearest_to_ring(std::size_t pass, const Path& ring) const {
     Vec2 best;
     double best_distance = kInfinity;
@@ -199,12 +199,12 @@ class SkeletonBuilder {
     go_round(i, place_on(ring, vertices.empty() ? beginning_of(ring) : at(vertices.back())), vertices);
   }
 
-  /// Where the innermost ring begins.
+  /// The start of the innermost ring.
   Vec2 beginning_of(const Path& ring) const {
     return options_.begin ? place_on(ring, *options_.begin).point : ring.front().from;
   }
 
-  /// Adds a path into pass i and all passes inside it, innermost first, and back to where it was entered.
+  /// Adds a path into pass i and all passes inside it, innermost first, and back to its entry point.
   void detour(std::size_t i, std::vector<int>& vertices) {
     if (!passes_[i].closed) return walk_open(i, vertices);
     const auto entrance = place_on(passes_[i].path, at(vertices.back()));
@@ -249,7 +249,7 @@ class SkeletonBuilder {
   const SkeletonOptions& options_;
   /// The child with the greatest length of path inside it first.
   std::vector<std::vector<std::size_t>> children_;
-  std::vector<std::vector<std::size_t>> flexible_;  ///< those of them that may be changed
+  std::vector<std::vector<std::size_t>> flexible_;  ///< changeable ones among them
   std::vector<double> weight_;                      ///< mm; length of the pass and of all passes inside it
   Skeleton skeleton_;
   int last_ = -1;
@@ -263,8 +263,7 @@ void append_lines(const Skeleton& skeleton, const std::vector<int>& vertices, Pa
   }
 }
 
-/// Adds the ring once round from the leg's last point, with the leg's detours in the order in which it meets
-/// them.
+/// Adds the ring once round from the leg's last point, with the leg's detours in the order along the ring.
 void append_ring(const Skeleton& skeleton, const Leg& leg, Path& path) {
   const Path& ring = skeleton.rings[static_cast<std::size_t>(leg.ring)];
   const auto place = [&](int point) {

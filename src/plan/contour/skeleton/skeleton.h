@@ -1,5 +1,4 @@
-// A whole layer as one path of the cutter: rings near the wall that stay as they are, and flexible paths
-// between them.
+// A whole layer as one path of the cutter: unchanged rings near the wall, and flexible paths between them.
 #pragma once
 
 #include <functional>
@@ -13,13 +12,12 @@ namespace clearcut::plan::contour {
 /// A vertex of a flexible path.
 struct FlexPoint {
   Vec2 at;
-  int ring = -1;  ///< index of the ring along which alone it may slide; -1: it may move anywhere
+  int ring = -1;  ///< index of the ring along which the point may slide; -1: it may move anywhere
 };
 
-/// A path to a ring, the ring cut once round from where that path ends, and detours that leave the ring and
-/// come back to it.
+/// A path to a ring, the ring cut once round from the end of that path, and detours from the ring and back.
 struct Leg {
-  std::vector<int> path_in;  ///< indices of points; the last lies on the ring
+  std::vector<int> path_in;  ///< indices of points; the last one is on the ring
   int ring = -1;
   /// Indices of points; each begins and ends with the same point, on the ring.
   std::vector<std::vector<int>> detours;
@@ -38,15 +36,15 @@ struct SkeletonOptions {
   /// The innermost ring begins as near as possible to this point.
   std::optional<Vec2> begin;
   double retract_cost = 20;  ///< mm; feeding this far takes as long as a retract link
-  /// mm; a ring stays as it is if the path inside it is longer than this.
+  /// mm; a ring is unchanged if the path inside is longer than this.
   double flexible = 1e9;
   /// Whether the straight path between two points is legal.
   std::function<bool(Vec2, Vec2)> legal;
 };
 
-/// Orders passes from the inside out and joins them. Every tree of passes becomes one path that visits side
-/// branches on its way and ends on its ring at the wall, or on the first ring that stays as it is, which is
-/// then cut once round. Open passes without a parent are left out.
+/// Orders passes from the inside out and joins them. Every tree of passes becomes one path that visits side branches
+/// along its course and ends on its ring at the wall, or on the first unchanged ring; this ring is then cut once
+/// round. Open passes without a parent are left out.
 Skeleton skeleton_of(const std::vector<Pass>& passes, const SkeletonOptions& options);
 
 /// The paths of the cutter's centre, one for each stretch without a retract link.

@@ -19,13 +19,13 @@ namespace {
 /// kWitnessMargin at the end.
 constexpr double kPullMargin = 0.0005;
 constexpr double kWitnessMargin = 0.004;
-/// mm. The exact check runs with a radius smaller by this, which is more than any program's rounding.
+/// mm. The exact check runs with a radius smaller by this, more than any program's rounding.
 constexpr double kProvenMargin = 0.001;
 /// In the first kRoughRounds rounds the check runs with the radius times kFirstSample, so that only large
 /// holes count.
 constexpr double kFirstSample = 1.01;
 constexpr int kRoughRounds = 3;
-/// mm. Where passes fit exactly side by side there is no room for margins: the limit and the radius of the
+/// mm. If passes fit exactly side by side there is no room for margins: the limit and the radius of the
 /// check are greater than the radius by these.
 constexpr double kResidualLimit = 0.0012;
 constexpr double kResidual = 0.0035;
@@ -35,9 +35,9 @@ constexpr double kSeedSpacing = 1.0;
 constexpr double kCrowded = 0.3;
 /// Greatest size of a hole as a share of the radius; larger ones count as several.
 constexpr double kHoleSize = 2.0;
-/// Rim vertices this near to the middle of a hole belong to it; share of the hole's size.
+/// Rim vertices this near to the middle of a hole belong to this hole; share of the hole's size.
 constexpr double kSameHole = 0.6;
-/// Number of rounds at the end in which the exact check has to find nothing; bands shorten in the first
+/// Number of rounds at the end in which the exact check must find nothing; bands shorten in the first
 /// kSettlingRounds of them.
 constexpr int kSettlingRounds = 4;
 constexpr int kMendingRounds = 14;
@@ -52,7 +52,7 @@ constexpr std::size_t kFewHoles = 20;
 constexpr Pull kFirstPull{22, 0.3, 0.03, 2};
 constexpr Pull kLaterPull{10, 0.1, 0.03, 100};
 constexpr Pull kSettling{10, 0.02, 0.2, 2000};
-/// Without tension, so that nothing opens while the last holes are closed.
+/// Without tension, so that no new holes open while the last ones are closed.
 constexpr Pull kMending{10, 0.02, 0.5, 2e4, 0};
 
 Bands bands_of(Skeleton skeleton) {
@@ -90,7 +90,7 @@ struct Tightener::Impl {
   }
 
   bool finish() {
-    // Witnesses that stand still are no longer needed and would work against the moving ones.
+    // Fixed witnesses are no longer needed and would work against the moving ones.
     std::erase_if(paths_.witnesses, [](const Witness& w) { return !w.moving; });
     limit_ = job_.radius - kWitnessMargin;
     prove_with(job_.radius - kProvenMargin);
@@ -149,7 +149,7 @@ struct Tightener::Impl {
     for (const Vec2 p : by_rings.holes(job_.matters)) paths_.witnesses.push_back({p});
   }
 
-  /// Sets moving witnesses on both sides of every band, where its swept area borders on that of others.
+  /// Sets moving witnesses on both sides of every band, at the border of its swept area with that of others.
   void seed_seams() {
     for (const auto& band : paths_.bands) {
       const Vec2 a = paths_.at(band.a), b = paths_.at(band.b);
@@ -204,7 +204,7 @@ struct Tightener::Impl {
     return middle;
   }
 
-  /// Moves from p, by shorter and shorter steps, to where bands are farthest away.
+  /// Moves from p, by shorter and shorter steps, to the place farthest from all bands.
   Vec2 deepest_near(Vec2 p, const Cover& now) const {
     double depth = now.distance_to(p);
     for (double step = 0.05 * job_.radius; step > 1e-3 * job_.radius;) {
@@ -232,7 +232,7 @@ struct Tightener::Impl {
     return Cover(edges, by_rings_);
   }
 
-  /// Splits long bands and drops vertices that are too close.
+  /// Splits long bands and drops vertices too close together.
   void respace() {
     const double spacing = kBandSpacing * job_.radius;
     paths_.moved += kCrowded * spacing;
@@ -274,7 +274,7 @@ struct Tightener::Impl {
   Bands paths_;
   TightenJob job_;
   BandMinimiser minimiser_;
-  double limit_;       ///< mm; witnesses pull bands that are farther away
+  double limit_;       ///< mm; witnesses pull bands farther away than this
   double proven_ = 0;  ///< mm; radius of the exact check
   std::shared_ptr<const Cover> by_rings_;
   int round_ = 0;

@@ -1,4 +1,4 @@
-// Shortens the flexible paths of a skeleton without leaving anything that they cleared.
+// Shortens the flexible paths of a skeleton without losing any cleared place.
 #pragma once
 
 #include <functional>
@@ -9,22 +9,22 @@
 
 namespace clearcut::plan::contour {
 
-/// What the paths have to clear, and where they may run.
+/// The area to be cleared by the paths, and their legal area.
 struct TightenJob {
   double radius = 0;                  ///< of the cutter, mm
   std::function<bool(Vec2)> matters;  ///< whether a place has to be cleared
-  Box where;                          ///< a box around all places that have to be cleared
-  const LegalArea* legal = nullptr;   ///< where the centre may be
-  double turn_cost = 0;               ///< mm of path that take as long as a corner of a right angle costs
+  Box where;                          ///< a box around all places to be cleared
+  const LegalArea* legal = nullptr;   ///< legal area of the centre
+  double turn_cost = 0;               ///< mm of path that take as much time as a corner of a right angle
   bool bare = false;                  ///< not even a thin residual may stay
 };
 
-/// Shortens the paths of a skeleton while everything that matters stays within the tool radius of a path or a
+/// Shortens the paths of a skeleton while every relevant place stays within the tool radius of a path or a
 /// ring.
 ///
-/// Method  The paths are elastic bands that Newton steps shorten. Witnesses, points that have to be cleared,
-///         hold the bands near them; some stand still, some stay in the middle between two bands. After each
-///         round an exact check (Cover::holes) finds what is left, and new witnesses are set there.
+/// Method  The paths are elastic bands shortened by Newton steps. Witnesses, points to be cleared, hold the bands
+///         near them; some are fixed, some stay in the middle between two bands. After each round an exact check
+///         (Cover::holes) finds uncleared places, and new witnesses are set there.
 /// Cost    O(rounds * iterations * (vertices + witnesses near the limit)).
 class Tightener {
  public:
@@ -39,8 +39,8 @@ class Tightener {
   /// vertices. False if something stays; the skeleton must not be used then.
   bool finish();
   const Skeleton& skeleton() const;
-  /// mm; how far from what is cut something may stay. 0, or a residual well below tol.uncut where passes fit
-  /// exactly side by side, as they do in pockets of round dimensions.
+  /// mm; greatest distance of residuals from the cut area. 0, or a residual well below tol.uncut if passes fit
+  /// exactly side by side, as in pockets of round dimensions.
   double residual() const;
 
  private:
