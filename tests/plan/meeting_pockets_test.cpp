@@ -146,7 +146,7 @@ TEST(MeetingPockets, OfAMosaicAreCutWithoutFaults) {
   }
 }
 
-TEST(MeetingPockets, AreCutAcrossAFilmButNotAcrossAWall) {
+TEST(MeetingPockets, AreCutAcrossASliverButNotAcrossAWall) {
   Tool mill;
   mill.diameter = 1;
   resolve::PlanOptions options;

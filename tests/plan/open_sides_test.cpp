@@ -114,8 +114,8 @@ Entries entries_of(const pipeline::PlanResult& result) {
   return entries;
 }
 
-TEST(Films, BetweenAPartAndItsStockAreNoWallsWhereTheyEnd) {
-  // The stock is wider than the solid by what a CAD kernel's box is, 0.5 nm; a notch ends the film between them.
+TEST(Slivers, BetweenAPartAndItsStockAreNoWallsWhereTheyEnd) {
+  // The stock is wider than the solid by what a CAD kernel's box is, 0.5 nm; a notch ends the sliver between them.
   const double top = 20, above = 20.0000005;
   const std::vector<Vec2> notch{{5, top}, {30, top}, {30, 8}, {40, 8}, {40, above}, {5.0000003, above}};
   const std::vector<Vec2> solid{

@@ -9,7 +9,7 @@
 #include "base/units.h"
 #include "pipeline/run.h"
 #include "read/read_part.h"
-#include "read/step_solid/lie.h"
+#include "read/step_solid/orientation.h"
 #include "read/step_solid/solid_model.h"
 #include "support/plans.h"
 #include "support/solids.h"

@@ -19,7 +19,7 @@
 #include "read/step_solid/floor_sweep.h"
 #include "read/step_solid/height_map.h"
 #include "read/step_solid/leaning_faces.h"
-#include "read/step_solid/lie.h"
+#include "read/step_solid/orientation.h"
 #include "read/step_solid/solid_model.h"
 #include "read/step_solid/tops.h"
 

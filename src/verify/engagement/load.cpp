@@ -229,7 +229,7 @@ class LoadMeter {
     if (of_cap > 1) keep_greatest(checked.load.reference, {of_cap, place});
   }
 
-  static void keep_greatest(Rare<ReferenceLoad>& kept, const ReferenceLoad& one) {
+  static void keep_greatest(HeapOptional<ReferenceLoad>& kept, const ReferenceLoad& one) {
     if (!kept || one.share > kept->share) kept = one;
   }
 

@@ -7,7 +7,7 @@
 
 #include "base/elementary.h"
 #include "base/tolerances.h"
-#include "verify/part/films.h"
+#include "verify/part/slivers.h"
 #include "verify/part/trimmed_curve.h"
 
 namespace clearcut::verify {
@@ -214,8 +214,8 @@ double FinishedPart::cleared_by(Vec2 p, double z) const {
   return most;
 }
 
-bool FinishedPart::is_film(Vec2 p, double z) const {
-  return film_tree_.nearest(p, kFilm, [&](int i) { return films_[i].stands_at(z); }).edge >= 0;
+bool FinishedPart::is_sliver(Vec2 p, double z) const {
+  return sliver_tree_.nearest(p, kThinSliver, [&](int i) { return slivers_[i].stands_at(z); }).edge >= 0;
 }
 
 /// mm; height near a piece of the outline of shape `own`. Walls with draft are taken as upright, because they
@@ -267,11 +267,11 @@ void FinishedPart::find_walls() {
     }
   }
   // Before removal of repeats: thin slivers are between walls of different features.
-  const Films parts = parted(walls_);
+  const Slivers parts = parted(walls_);
   walls_ = without_repeats(parts.walls);
-  films_ = without_repeats(parts.films);
+  slivers_ = without_repeats(parts.slivers);
   tree_ = tree_of(walls_);
-  film_tree_ = tree_of(films_);
+  sliver_tree_ = tree_of(slivers_);
 }
 
 void FinishedPart::add_wall(const Edge& piece, const Shape& shape, int index) {

@@ -44,7 +44,7 @@ struct CutFeatures {
 /// touching pockets vanish.
 ///
 /// Cost    build O(n log n + crossings); a query O(features * log n).
-///         Material no thicker than kFilm between two features is no wall.
+///         Material no thicker than kThinSliver between two features is no wall.
 /// Error   Of walls cut off by crossings, pieces shorter than 10 nm are not found. A wall with draft cut into by
 ///         another feature is treated as whole; see FinishedParts.
 class FinishedPart {
@@ -76,7 +76,7 @@ class FinishedPart {
   double height(Vec2 p) const;
   /// Whether p is in a thin sliver at height z: the material between two nearly touching features, which counts as
   /// free.
-  bool is_film(Vec2 p, double z) const;
+  bool is_sliver(Vec2 p, double z) const;
   /// Whether a point at height z is outside the finished part.
   bool is_free(Vec2 p, double z) const { return z >= top_z_ || height(p) <= z; }
 
@@ -117,8 +117,8 @@ class FinishedPart {
   double height_beside(Vec2 p, int own, bool inside_own) const;
 
   std::vector<Shape> shapes_;
-  std::vector<Wall> walls_, beyond_, films_;
-  EdgeTree tree_, film_tree_;
+  std::vector<Wall> walls_, beyond_, slivers_;
+  EdgeTree tree_, sliver_tree_;
   std::vector<double> heights_;
   double top_z_ = 0;
   double greatest_draft_offset_ = 0;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/rare.h"
+#include "base/heap_optional.h"
 #include "model/control.h"
 #include "model/machine.h"
 #include "model/move.h"
@@ -70,17 +70,17 @@ struct MoveLoad {
   AngleClasses classes;
   double axial_mm = 0;  ///< mm; greatest height of material above the tip
   Place axial_at;
-  Rare<Place> rapid_contact;   ///< a place at which a rapid touches material
-  Rare<Place> plunge_contact;  ///< a place at which a cutter plunges although it must not
+  HeapOptional<Place> rapid_contact;   ///< a place at which a rapid touches material
+  HeapOptional<Place> plunge_contact;  ///< a place at which a cutter plunges although it must not
   /// A place at which the holder, or a shank wider than the cutter, touches material.
-  Rare<Place> holder_contact;
-  Rare<EntryLoad> entry;
-  Rare<Overcut> overcut;
-  Rare<ReferenceLoad> reference;  ///< only if feeds follow the load
-  bool by_flank = false;          ///< a cone cuts only beside its tip
-  bool is_shank = false;          ///< the shank, not the holder, touches
-  Rare<CuttingLoad> forces;       ///< only if the work's material is known
-  double force_mm_n = 0;          ///< N mm; integral of the force over the length
+  HeapOptional<Place> holder_contact;
+  HeapOptional<EntryLoad> entry;
+  HeapOptional<Overcut> overcut;
+  HeapOptional<ReferenceLoad> reference;  ///< only if feeds follow the load
+  bool by_flank = false;                  ///< a cone cuts only beside its tip
+  bool is_shank = false;                  ///< the shank, not the holder, touches
+  HeapOptional<CuttingLoad> forces;       ///< only if the work's material is known
+  double force_mm_n = 0;                  ///< N mm; integral of the force over the length
 };
 
 /// A move of the program, with its data and the results of checking.
@@ -105,7 +105,7 @@ struct CheckedMove {
   double waits_s = 0;
   double time_naive_s = 0;
   std::optional<Gouge> gouge;
-  Rare<Gouge> into_stock_to_leave;  ///< depth of its cut into stock to leave
+  HeapOptional<Gouge> into_stock_to_leave;  ///< depth of its cut into stock to leave
   MoveLoad load;
 
   bool feeds() const { return !is_rapid(move->kind); }

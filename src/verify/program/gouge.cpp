@@ -75,7 +75,7 @@ class LevelCheck {
   /// The centre itself may be inside the part, behind a wall or below a floor.
   void against_inside(Vec2 center, double z) {
     const double height = part_.height(center);
-    if (height <= z + slack_ || part_.is_film(center, z + slack_)) return;
+    if (height <= z + slack_ || part_.is_sliver(center, z + slack_)) return;
     const auto stands = [&](int i) { return part_.walls()[i].stands_at(z + slack_); };
     const auto wall = part_.wall_tree().nearest(center, height - z, stands);
     const double sideways = wall.edge < 0 ? height - z : radius_ + wall.distance;

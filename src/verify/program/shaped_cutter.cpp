@@ -207,7 +207,7 @@ class ShapedCheck {
   void against_inside(double t) {
     const double height = part_.height(at(t)), z = z_at(t);
     if (height <= z + slack_ || (worst_ && height - z <= worst_->depth)) return;
-    if (part_.is_film(at(t), z)) return;
+    if (part_.is_sliver(at(t), z)) return;
     worst_ = Gouge{height - z, at(t), z, true, -1};
   }
 

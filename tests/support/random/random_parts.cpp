@@ -95,7 +95,7 @@ Part random_part(Random& random, double diameter) {
       turned_box(block.center(), block.width() + 2 * kOpenReach, block.height() + 2 * kOpenReach, 0)};
   const Regions walls = intersect(stock, regions, kTol);
   Regions target = subtract(stock, walls, kTol);
-  // Films between walls and the block's edge are nobody's part.
+  // Slivers between walls and the block's edge are nobody's part.
   std::erase_if(target, [](const Region& region) { return region.area() < 0.01 * length(region.outer()); });
   if (target.empty()) return part_of(regions, regions, FeatureKind::kClosedPocket, diameter);
   Part part = part_of(target, subtract(air, walls, kTol), FeatureKind::kOpenPocket, diameter);

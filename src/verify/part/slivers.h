@@ -8,11 +8,11 @@
 namespace clearcut::verify {
 
 /// mm. Thickness up to which material counts as a thin sliver: the depth of a gouge that is no fault.
-inline constexpr double kFilm = 0.001;
+inline constexpr double kThinSliver = 0.001;
 
-struct Films {
-  std::vector<Wall> walls;  ///< walls without the thin slivers, divided at the ends of slivers
-  std::vector<Wall> films;  ///< the pieces of walls with a thin sliver behind them, from z_low up
+struct Slivers {
+  std::vector<Wall> walls;    ///< walls without the thin slivers, divided at the ends of slivers
+  std::vector<Wall> slivers;  ///< the pieces of walls with a thin sliver behind them, from z_low up
 };
 
 /// Separates walls from thin slivers. A line drawn twice, as the edge of two pockets, often differs by some
@@ -20,7 +20,7 @@ struct Films {
 ///
 /// Cost    O(n log n) if no two walls are so near; else with the walls near each.
 /// Error   Walls of one and the same feature have no slivers between them, nor have walls with draft.
-Films parted(const std::vector<Wall>& walls);
+Slivers parted(const std::vector<Wall>& walls);
 
 /// The edges of walls, under their numbers.
 EdgeTree tree_of(const std::vector<Wall>& walls);

@@ -1,4 +1,4 @@
-#include "read/step_solid/lie.h"
+#include "read/step_solid/orientation.h"
 
 #include <algorithm>
 #include <cmath>
