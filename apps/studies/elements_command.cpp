@@ -115,7 +115,7 @@ int run(const ElementsCommand& command) {
   return exit_code_of(result.plan.findings);
 }
 
-/// Elements are numbered in the order they were typed, whatever their kinds.
+/// Elements are numbered in the order they were typed, regardless of their kinds.
 std::vector<ElementOption> in_typed_order(const CLI::App& command, const ElementsCommand& state) {
   std::map<std::string, std::size_t> taken;
   std::vector<ElementOption> elements;

@@ -31,7 +31,7 @@ class Cancelled : public std::runtime_error {
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// Throws Cancelled when somebody asked to stop. Cost one atomic read.
+/// Throws Cancelled if a stop was requested. Cost one atomic read.
 inline void throw_if_cancelled(const std::stop_token& cancel) {
   if (cancel.stop_requested()) throw Cancelled();
 }

@@ -20,7 +20,7 @@ class ProgressMeter {
   void begin(Stage stage, std::size_t most);
   /// So many of them are done. Throws Cancelled.
   void add(std::size_t pieces = 1);
-  /// The stage is over, whatever was counted. Throws Cancelled.
+  /// Ends the stage, regardless of its counts. Throws Cancelled.
   void finish();
 
  private:

@@ -86,7 +86,7 @@ enum class ControlEventKind : unsigned char {
 /// Assumptions of a tapping cycle about its tap, and how the feed is synchronised with the spindle.
 struct TapCycle {
   std::optional<bool> left_hand;  ///< absent: the cycle cuts as the spindle turns
-  bool is_tied = true;            ///< the feed follows the spindle, whatever the holder
+  bool is_tied = true;            ///< the feed follows the spindle, with any holder
   bool turns_by_itself = false;   ///< the control turns the spindle as the cycle asks, regardless of M3 or M4
 };
 

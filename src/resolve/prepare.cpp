@@ -45,7 +45,7 @@ constexpr double kFaceMillStepdown = 2;   // mm
 constexpr double kUnpeckedDiameters = 3;  // depth of a hole / diameter of the drill
 constexpr double kTappingSpeed = 8;       // m/min at the circumference
 
-/// Whether the tool makes its work at once whatever stepdown is asked for.
+/// Whether the tool makes its work at once for any requested stepdown.
 bool is_one_pass(const Tool& tool) {
   return tool.kind == ToolKind::kTap || tool.kind == ToolKind::kThreadMill || tool.kind == ToolKind::kTSlot;
 }
@@ -176,8 +176,8 @@ void make_at_once(Operation& operation, const Tool& tool, const Feature& feature
   if (is_made_at_once(feature, tool)) operation.stepdown = std::max(feature.top_z - feature.floor_z, 1e-3);
 }
 
-/// mm/min and rpm of taps: the feed is the pitch times a whole speed, whatever else is asked for, and no faster than
-/// the machine and the tap.
+/// mm/min and rpm of taps: the feed is the pitch times a whole speed, regardless of other requests, and no faster
+/// than the machine and the tap.
 void tie_tap(Operation& operation, const Tool& tool, const PlanOptions& options, Sources& sources) {
   if (tool.kind != ToolKind::kTap) return;
   CuttingData& cutting = operation.cutting;

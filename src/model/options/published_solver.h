@@ -39,7 +39,7 @@ struct PublishedSolver {
 
 /// Solver that orders the visits of a grid.
 struct VisitSolver {
-  bool is_published = false;  ///< else ours
+  bool is_published = false;  ///< else Clearcut's own
   PublishedSolver published;
 };
 

@@ -86,7 +86,7 @@ struct Engagement {
   double max_deg = 0;
   std::optional<Place> max_at;
   double mean_deg = 0;                    ///< over cutting length
-  double over_limit_mm = 0;               ///< length above the limit asked for (0 without a limit)
+  double over_limit_mm = 0;               ///< length above the requested limit (0 without a limit)
   std::array<double, 18> histogram_mm{};  ///< cutting length by 10 degree classes
   double climb_mm = 0;  ///< cutting length with the material on the right (clockwise spindle)
   double conventional_mm = 0;

@@ -10,7 +10,7 @@
 
 namespace clearcut::order {
 
-/// Leaves fixed ends where they are. Keeps work space: not for several threads at once.
+/// Leaves fixed ends unchanged. Keeps work space: not for several threads at once.
 class Crossover {
  public:
   virtual ~Crossover() = default;

@@ -227,7 +227,7 @@ ObjectivePtr with_tie_break(const Objective& objective, const TourFigures& start
   return weighted_sum({{1.0, borrowed}, {1e-4 / start.length, length_objective()}});
 }
 
-constexpr int kIslands = 4;  // fixed, whatever the threads
+constexpr int kIslands = 4;  // fixed, for any number of threads
 
 /// Independent parallel searches.
 class Islands {

@@ -34,8 +34,8 @@ struct HandTools {
 
 inline constexpr const char* kOrderOfWork = "of the part's work";
 
-/// The tools named in comments of `program` as loaded, if they are all among `usual`; else `usual`. Without repeated
-/// tools.
+/// The tools named in comments of `program` as loaded, if they are all among `usual`; else `usual`. Without
+/// immediate repetitions and numbers below 1.
 HandTools hand_tools_of(std::string_view program, HandTools usual);
 /// The condition for a program that names none of its several tools.
 Condition hand_tools_condition(const HandTools& tools);

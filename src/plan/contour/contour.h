@@ -41,7 +41,7 @@ StepRule parse_step_rule(const std::string& text);
 enum class ResidualRule {
   kOurs,   ///< a path along the medial axis, only if a residual is left
   kNone,   ///< not at all: the plain method, for comparison
-  kLoops,  ///< a loop at every corner of every contour with a residual (Zhao); ridges as ours
+  kLoops,  ///< a loop at every corner of every contour with a residual (Zhao); ridges as in kOurs
   /// The same with the kite of pair-wise interference detection (Park et al.); plan/contour/corner_loop.h.
   kPwid,
   kSingleLoops,  ///< the same with one tangent loop (Choy and Chan)

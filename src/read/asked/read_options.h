@@ -35,7 +35,7 @@ enum class LayerRole {
   kStock,    ///< the stock block
   kVCarve,   ///< carved with a V-bit between the outlines
   kIsolate,  ///< the drawn areas remain, and a band around every piece is milled: copper of a circuit board
-  kStep,     ///< a pocket whose floor remains where deeper pockets overlap it
+  kStep,     ///< a pocket whose floor remains if deeper pockets overlap it
   kTSlot     ///< a slot with an undercut along the line; lines may be open
 };
 

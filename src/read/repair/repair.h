@@ -14,7 +14,7 @@
 
 namespace clearcut::read {
 
-/// Curves filled together are an area of their own, whatever they cross (SVG paths).
+/// Curves filled together are an area of their own, regardless of crossings (SVG paths).
 struct Compound {
   int number = 0;
   bool nonzero = true;     ///< by the winding rule; else even-odd

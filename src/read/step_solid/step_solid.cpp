@@ -463,7 +463,7 @@ std::string some_of(const std::vector<std::string>& names) {
   return names.size() > kNamed ? text + ", ..." : text;
 }
 
-/// Whether a thread is asked for in the hole.
+/// Whether a thread is requested in the hole.
 bool Finder::is_threaded(const Feature& hole) const {
   const Vec2 center = box(hole.target).center();
   return std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {
