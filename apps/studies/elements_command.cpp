@@ -35,7 +35,7 @@ constexpr std::array<std::pair<const char*, const char*>, 5> kElementOptions{
 
 struct ElementsCommand {
   std::string input;
-  std::map<std::string, std::vector<std::string>> typed;  ///< by kind
+  std::map<std::string, std::vector<std::string>> typed;  ///< typed elements by kind
   std::vector<ElementOption> elements;                    ///< the same in the order they were typed
   ElementDefaults defaults;
   std::vector<std::string> tools;

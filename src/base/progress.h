@@ -17,7 +17,7 @@ enum class Stage {
 /// Progress of a plan.
 struct Progress {
   Stage stage = Stage::kPlanning;
-  std::size_t done = 0;  ///< of the stage
+  std::size_t done = 0;  ///< finished pieces of the stage
   std::size_t most = 0;  ///< greatest value that `done` can reach; candidates that cannot win are not counted
 };
 

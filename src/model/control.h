@@ -38,7 +38,7 @@ struct ToolLength {
   friend bool operator==(const ToolLength&, const ToolLength&) = default;
 };
 
-/// How far the control may leave the path between its corners.
+/// Rule for the deviation of the control from the path at corners.
 enum class PathMode : unsigned char {
   kUnstated,    ///< no word so far: as the control was left or set up
   kExactPath,   ///< G61, and controls without deviation from the path
@@ -97,7 +97,7 @@ struct ControlEvent {
   int line = 0;
   double seconds = 0;
   int tool = 0;
-  TapCycle tap = {};  ///< of kTapTurnsBack
+  TapCycle tap = {};  ///< tapping cycle of kTapTurnsBack
 };
 
 /// An arc whose words give two different radii: controls differ in their interpretation of the arc.

@@ -30,7 +30,7 @@ constexpr ToolName kNames[] = {{ToolKind::kEndMill, "endmill"},
                                {ToolKind::kTapered, "tapered"},
                                {ToolKind::kTSlot, "tslot"},
                                {ToolKind::kOther, "other"}};
-/// Degrees; of common drills.
+/// Degrees; point angle of common drills.
 constexpr double kUsualPoint = 118;
 
 }  // namespace

@@ -39,8 +39,8 @@ namespace {
 constexpr std::size_t kMostSteps = 20000;
 
 constexpr double kDefaultFeed = 1000;     // mm/min
-constexpr double kPlungeShare = 0.3;      // of the cutting feed
-constexpr double kRampShare = 0.5;        // of the cutting feed
+constexpr double kPlungeShare = 0.3;      // share of the cutting feed
+constexpr double kRampShare = 0.5;        // share of the cutting feed
 constexpr double kFaceMillStepdown = 2;   // mm
 constexpr double kUnpeckedDiameters = 3;  // depth of a hole / diameter of the drill
 constexpr double kTappingSpeed = 8;       // m/min at the circumference
@@ -413,7 +413,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   for (auto& step : part.workplan)
     apply_options(step.operation, tool_of(part, step), options, sources[step_key(step)]);
   for (auto& step : part.workplan) leave_nothing_of_what_is_made_to_size(part, step, sources[step_key(step)]);
-  std::vector<std::string> told;  // of the material
+  std::vector<std::string> told;  // messages on the material
   for (auto& step : part.workplan) {
     make_at_once(step.operation, tool_of(part, step), feature_of(part, step));
     if (tool_of(part, step).kind == ToolKind::kTap)

@@ -1,4 +1,4 @@
-// How two parents make a new individual (Tour 4.3.3 ii). Each operator is one file in crossover/.
+// Crossover of two parents to a new individual (Tour 4.3.3 ii). Each operator is one file in crossover/.
 #pragma once
 
 #include <memory>

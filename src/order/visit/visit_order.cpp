@@ -17,7 +17,7 @@ constexpr std::size_t kMostEntries = 60000;
 constexpr int kRounds = 4;
 /// Up to this many visits the ways are chosen anew for every tried order.
 constexpr std::size_t kMostWithWays = 24;
-/// Beyond so many the first order stays.
+/// With more visits than this the first order is kept.
 constexpr std::size_t kMostImproved = 1000;
 constexpr std::size_t kLongestMoved = 3;
 /// Smaller savings count as rounding.

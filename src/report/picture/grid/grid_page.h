@@ -9,7 +9,7 @@
 
 namespace clearcut::report {
 
-/// How the search for one order of visits went.
+/// Course of the search for one order of visits.
 struct VisitSearch {
   std::string solver;      ///< "published" or "modern"
   std::size_t points = 0;  ///< number of ordered points
