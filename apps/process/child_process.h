@@ -17,7 +17,7 @@ inline constexpr bool kLimitsMemory = true;
 
 struct ChildLimits {
   double seconds = 0;            ///< wall clock; 0: none
-  std::uint64_t bytes = 0;       ///< of address space; 0: none
+  std::uint64_t bytes = 0;       ///< limit of the address space; 0: none
   std::uint64_t file_bytes = 0;  ///< limit of each written file; 0: none
 };
 

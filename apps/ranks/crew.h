@@ -29,7 +29,7 @@ class Crew {
   ~Crew();
 
   void give(const std::string& task, const std::string& input);
-  /// How many tasks more there is room for.
+  /// Number of further tasks that fit.
   int room() const;
   /// Tasks given whose results were not taken yet.
   std::vector<std::string> in_hand() const;

@@ -45,7 +45,7 @@ struct Timing {
 
 struct Outcome {
   bool leads = false;      ///< this rank distributed at the end, and has all results
-  bool some_died = false;  ///< as far as is known
+  bool some_died = false;  ///< whether ranks died, as far as known
 };
 
 /// Returns on every rank when all is done. Throws InputError with the text of a task's exception, on the distributing

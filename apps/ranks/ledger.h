@@ -30,9 +30,9 @@ class Ledger {
  private:
   static constexpr int kNobody = -1;
 
-  std::map<std::string, int> holders_;  ///< of unfinished tasks
+  std::map<std::string, int> holders_;  ///< ranks of unfinished tasks
   std::deque<std::string> waiting_;     ///< in the order of distribution; may contain tasks already assigned
-  std::vector<double> last_heard_;      ///< by rank
+  std::vector<double> last_heard_;      ///< times by rank
   std::vector<bool> is_silent_;
 };
 

@@ -8,7 +8,7 @@ extern "C" {
 
 /// Functions return false if MPI reports an error.
 struct ClearcutMpi {
-  int version;  ///< of this struct, kClearcutMpiVersion
+  int version;  ///< version of this struct, kClearcutMpiVersion
   /// Joins the job; `here`: processes on this machine.
   bool (*join)(int* number, int* count, int* here);
   /// Keeps a copy of the bytes until they are sent; does not wait for this.

@@ -21,9 +21,9 @@ class Ranks {
   Ranks& operator=(const Ranks&) = delete;
   virtual ~Ranks() = default;
 
-  virtual int number() const = 0;  ///< of this process, from 0
-  virtual int count() const = 0;   ///< of all processes
-  virtual int here() const = 0;    ///< how many of them run on this machine
+  virtual int number() const = 0;  ///< number of this process, from 0
+  virtual int count() const = 0;   ///< number of all processes
+  virtual int here() const = 0;    ///< number of processes on this machine
   /// The text is being sent when this returns; it is lost if the other process has ended.
   virtual void send(int to, const std::string& text) = 0;
   /// The next message, if there is one.

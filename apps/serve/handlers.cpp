@@ -17,7 +17,7 @@ using httplib::Request;
 using httplib::Response;
 namespace fs = std::filesystem;
 
-/// Counts somebody who holds a connection for long.
+/// Counts a client with a long connection.
 class Place {
  public:
   explicit Place(std::atomic<std::size_t>& count) : count_(count), number_(++count) {}

@@ -56,7 +56,7 @@ Route text_route(const std::string& path, const std::string& summary,
   return route;
 }
 
-/// Requests whose results are then asked for as those of a plan.
+/// Routes of requests with results fetched like those of a plan.
 std::vector<Route> grid_and_tour_routes() {
   std::vector<Route> out;
   for (const auto& [path, what, form, reader] :

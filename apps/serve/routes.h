@@ -16,8 +16,8 @@ namespace clearcut::serve {
 /// Data common to all routes.
 struct Service {
   const Settings& settings;
-  std::filesystem::path folder;  ///< of the session
-  std::string options;           ///< of plan and verify, as JSON
+  std::filesystem::path folder;  ///< folder of the session
+  std::string options;           ///< options of plan and verify, as JSON
   std::vector<KnownOption> plan_options, check_options;
   WorkList works;
   std::atomic<std::size_t> followers = 0;  ///< connections with events
@@ -32,12 +32,12 @@ struct Route {
   std::string summary;                               ///< one line
   std::vector<std::string> form;                     ///< accepted fields of the form
   std::vector<std::pair<int, std::string>> answers;  ///< status, and its meaning
-  std::string type = "application/json";             ///< of the answer
+  std::string type = "application/json";             ///< media type of the answer
   std::function<void(Service&, const httplib::Request&, httplib::Response&)> handler;
   /// For requests with a form, read in pieces.
   std::function<void(Service&, const httplib::Request&, httplib::Response&, const httplib::ContentReader&)>
       reader;
-  std::string schema{};     ///< of a good answer, by its name in schemas(); "": any
+  std::string schema{};     ///< schema of a good answer, by its name in schemas(); "": any
   bool needs_first = true;  ///< the first field of the form cannot be left out
 };
 

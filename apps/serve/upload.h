@@ -12,7 +12,7 @@ namespace clearcut::serve {
 
 /// Why a request is not served.
 struct Refusal {
-  int status = 400;  ///< of HTTP
+  int status = 400;  ///< HTTP status
   std::string text;
 };
 

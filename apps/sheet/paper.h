@@ -29,13 +29,13 @@ struct Column {
 
 class Paper {
  public:
-  /// `title`: of the document. A trial measures and draws nothing.
+  /// `title`: title of the document. A trial measures and draws nothing.
   explicit Paper(const std::string& title, bool is_trial = false);
   ~Paper();
   Paper(const Paper&) = delete;
   Paper& operator=(const Paper&) = delete;
 
-  /// Of one line of text.
+  /// Width of one line of text.
   double width(const std::string& text, const Style& style);
   /// Width of the widest piece without a possible line end.
   double widest_word(const std::string& text, const Style& style);

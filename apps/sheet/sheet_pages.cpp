@@ -22,9 +22,9 @@ constexpr double kHighestPicture = 275;
 constexpr double kHandRoom = 22, kHandGap = 12;
 constexpr double kFooterGap = 6;
 
-/// How large all is drawn, points.
+/// Sizes of the drawing, points.
 struct Look {
-  double size = 0;     ///< of letters
+  double size = 0;     ///< size of letters
   double picture = 0;  ///< height
 };
 /// Tried one after the other until all fits on one page.

@@ -59,7 +59,7 @@ Bnd_Box box_of_torus(const BRepAdaptor_Surface& part) {
   return box;
 }
 
-/// Whose boxes the kernel works out by formulas.
+/// Whether the kernel computes boxes of such surfaces by formulas.
 bool is_simple(GeomAbs_SurfaceType type) {
   return type == GeomAbs_Plane || type == GeomAbs_Cylinder || type == GeomAbs_Cone || type == GeomAbs_Sphere;
 }

@@ -16,7 +16,7 @@ namespace {
 
 /// Radians between neighbouring triangles: the distance to the face decides.
 constexpr double kTurn = 1;
-/// Of the face's size, mm. Finer triangles of large faces take too long.
+/// Least tolerance as a share of the face's size. Finer triangles of large faces take too long.
 constexpr double kFinest = 1.0 / 20000;
 /// mm2. Smaller triangles in plan view are vertical.
 constexpr double kUpright = 1e-12;

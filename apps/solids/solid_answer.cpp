@@ -150,7 +150,7 @@ double lean_of(const BRepAdaptor_Surface& surface, const read::SolidFace& face, 
   return is_upright_cone ? std::abs(surface.Cone().SemiAngle()) : 0;
 }
 
-/// mm; of the circle of a cylinder, torus or ball.
+/// mm; radius of the circle of a cylinder, torus or ball.
 double radius_of(const BRepAdaptor_Surface& surface) {
   switch (surface.GetType()) {
     case GeomAbs_Cylinder:

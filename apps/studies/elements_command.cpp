@@ -35,7 +35,7 @@ constexpr std::array<std::pair<const char*, const char*>, 5> kElementOptions{
 
 struct ElementsCommand {
   std::string input;
-  std::map<std::string, std::vector<std::string>> typed;  ///< by kind
+  std::map<std::string, std::vector<std::string>> typed;  ///< typed elements by kind
   std::vector<ElementOption> elements;                    ///< the same in the order they were typed
   ElementDefaults defaults;
   std::vector<std::string> tools;
@@ -115,7 +115,7 @@ int run(const ElementsCommand& command) {
   return exit_code_of(result.plan.findings);
 }
 
-/// Elements are numbered in the order they were typed, whatever their kinds.
+/// Elements are numbered in the order they were typed, regardless of their kinds.
 std::vector<ElementOption> in_typed_order(const CLI::App& command, const ElementsCommand& state) {
   std::map<std::string, std::size_t> taken;
   std::vector<ElementOption> elements;

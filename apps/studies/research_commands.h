@@ -7,7 +7,7 @@
 
 namespace clearcut::cli {
 
-/// `print_reductions`: prints the published table of reductions beside ours; null in builds without studies.
+/// `print_reductions`: prints the published table of reductions beside Clearcut's; null in builds without studies.
 void add_elements_command(CLI::App& app, int& exit_code, void (*print_reductions)());
 void print_grid_reductions();
 void add_tour_command(CLI::App& app, int& exit_code);

@@ -12,7 +12,7 @@ enum class Severity {
   kNote,     ///< a documented default or reading was chosen
   kRepair,   ///< the input was mended within the stated tolerance
   kWarning,  ///< the user should look
-  kSkipped   ///< something asked for will not be machined
+  kSkipped   ///< a requested feature will not be machined
 };
 
 struct Diagnostic {

@@ -1,4 +1,4 @@
-// The two exceptions that leave the library. Results nobody wanted (uncut corner, no tool fits) are data,
+// The two exceptions that leave the library. Undesired results (uncut corner, no tool fits) are data,
 // not exceptions; broken promises inside are assertions (CLEARCUT_ASSERT).
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace clearcut::inline base {
 
-/// A bad file, bad arguments or an impossible job. One line for the user: "place: what, and what to do".
+/// A bad file, bad arguments or an impossible job. One line for the user: "place: fault, and remedy".
 /// Maps to exit code 2.
 class InputError : public std::runtime_error {
  public:

@@ -7,7 +7,7 @@
 
 namespace clearcut::inline base {
 
-/// As std::optional, in the room of a pointer. Copies copy the value.
+/// Like std::optional, in the room of a pointer. Copies copy the value.
 template <typename T>
 class HeapOptional {
  public:

@@ -1,4 +1,4 @@
-// The inch. Lengths are mm everywhere inside; inches exist where files are read and written.
+// The inch. Lengths are mm everywhere inside; inches exist only in reading and writing files.
 #pragma once
 
 namespace clearcut::inline base {

@@ -17,7 +17,7 @@ enum class Stage {
 /// Progress of a plan.
 struct Progress {
   Stage stage = Stage::kPlanning;
-  std::size_t done = 0;  ///< of the stage
+  std::size_t done = 0;  ///< finished pieces of the stage
   std::size_t most = 0;  ///< greatest value that `done` can reach; candidates that cannot win are not counted
 };
 
@@ -31,7 +31,7 @@ class Cancelled : public std::runtime_error {
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// Throws Cancelled when somebody asked to stop. Cost one atomic read.
+/// Throws Cancelled if a stop was requested. Cost one atomic read.
 inline void throw_if_cancelled(const std::stop_token& cancel) {
   if (cancel.stop_requested()) throw Cancelled();
 }

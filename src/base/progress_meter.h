@@ -18,9 +18,9 @@ class ProgressMeter {
 
   /// A stage of at most `most` pieces of work begins. Throws Cancelled.
   void begin(Stage stage, std::size_t most);
-  /// So many of them are done. Throws Cancelled.
+  /// Counts further finished pieces. Throws Cancelled.
   void add(std::size_t pieces = 1);
-  /// The stage is over, whatever was counted. Throws Cancelled.
+  /// Ends the stage, regardless of its counts. Throws Cancelled.
   void finish();
 
  private:

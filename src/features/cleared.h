@@ -15,7 +15,7 @@ struct Cleared {
 
   double floor_z = 0;
   Regions area;
-  Box extent;  ///< of `area`
+  Box extent;  ///< box of `area`
 };
 
 /// mm. Mean thickness below which a remainder of `target` after subtractions counts as a sliver along nominally

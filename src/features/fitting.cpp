@@ -119,7 +119,7 @@ bool same_walls(const Region& a, const Region& b) {
   return a.outer() == b.outer() && a.islands() == b.islands();
 }
 
-/// Of one feature after the other.
+/// Fitting cutters of one feature after the other.
 class Fitting {
  public:
   explicit Fitting(const Tolerances& tol) : tol_(tol) {}

@@ -1,4 +1,4 @@
-// How far a cutter keeps off the raw block.
+// Distance of a cutter from the raw block.
 #pragma once
 
 #include <algorithm>

@@ -58,7 +58,7 @@ Region disc_about(Vec2 center, double radius);
 /// Regions with disjoint interiors.
 using Regions = std::vector<Region>;
 double area(const Regions& regions);
-/// Of all regions, one after the other.
+/// Edges of all regions, one after the other.
 std::vector<Edge> edges_of(const Regions& regions);
 std::size_t edge_count(const Regions& regions);
 Box box(const Regions& regions);

@@ -32,8 +32,8 @@ std::string loop_fault(const Loop& loop, bool may_be_flat) {
   return signed_area(loop) == 0 && !may_be_flat ? "a loop encloses nothing" + at(loop.front().from) : "";
 }
 
-/// Whether the edges go through each other, each with both of its ends clear of the other. Where they meet once, they
-/// touch if they are tangent there; where they meet twice, they touch if the piece between stays near.
+/// Whether the edges go through each other, each with both of its ends clear of the other. Edges with one common
+/// point touch if they are tangent there; edges with two common points touch if the piece between stays near.
 bool go_through(const Edge& a, const Edge& b) {
   const auto clear = [](const Edge& edge, Vec2 p) { return distance(edge, p) > kCrossing; };
   if (!clear(a, b.from) || !clear(a, b.to) || !clear(b, a.from) || !clear(b, a.to)) return false;

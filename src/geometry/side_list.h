@@ -1,12 +1,12 @@
-// Outlines given as the papers give them: lengths of the sides and interior angles between them.
+// Outlines in the form of the papers: lengths of the sides and interior angles between them.
 //
 // Source and symbols (CPO-kappa section II and algorithm 1, CPO-rho appendix A):
 //
 //   paper     here                    unit   meaning
 //   L_0j      Side::length            mm     length of side j
-//   alpha_j   Side::angle             rad    interior angle at its end, above pi where the corner is reflex
+//   alpha_j   Side::angle             rad    interior angle at its end, above pi if the corner is reflex
 //   r_j       Side::radius            mm     of the arc rounding that corner, 0: a sharp corner
-//   (x0, y0)  SideList::start         mm     where the first side begins
+//   (x0, y0)  SideList::start         mm     start of the first side
 //   theta     SideList::orientation   rad    direction of the first side; the papers begin along +x and turn
 #pragma once
 
@@ -17,7 +17,7 @@
 namespace clearcut::inline geometry {
 
 struct Side {
-  /// mm, straight: between the places where the arcs of its corners begin.
+  /// mm; straight length between the beginnings of the arcs at its corners.
   double length = 0;
   double angle = 0;
   double radius = 0;
@@ -25,12 +25,12 @@ struct Side {
 
 /// The material is on the left of every side.
 struct SideList {
-  Vec2 start;  ///< where the first side begins to be straight
+  Vec2 start;  ///< start of the straight part of the first side
   double orientation = 0;
   std::vector<Side> sides;
 };
 
-/// Length between a corner and the place where its arc begins: r |cot(alpha / 2)|, mm.
+/// Length between a corner and the beginning of its arc: r |cot(alpha / 2)|, mm.
 double tangent_length(const Side& corner);
 /// CPO-rho appendix A: L_arc = r (pi - alpha), taken as positive at reflex corners. mm.
 double arc_length(const Side& corner);

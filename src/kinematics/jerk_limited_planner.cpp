@@ -38,7 +38,7 @@ void plan_jerk_limited(std::span<const Leg> legs, const Machine& machine, std::v
   for (std::size_t k = 1; k < pieces.size(); ++k) {
     const double tolerance = corner_tolerance(legs[k - 1], machine);
     const double a = std::min(pieces[k - 1].acceleration, pieces[k].acceleration);
-    // Under exact stop every block ends at rest, whatever comes next.
+    // Under exact stop every block ends at rest, regardless of the next one.
     const double corner = tolerance > 0 ? junction_speed(pieces[k - 1], pieces[k], a, tolerance) : 0;
     pieces[k].entry = std::min(pieces[k].entry, corner);
   }

@@ -36,7 +36,7 @@ Direction direction_at(const Move& move, Vec2 tangent, double plan, double space
   return {u.x, u.y, dz / space};
 }
 
-/// mm/s: the programmed speed, or what the machine or the arc's curvature allows.
+/// mm/s: the programmed speed, or the speed allowed by the machine or the arc's curvature.
 double nominal_speed(const Move& move, double plan, const Machine& machine) {
   const double programmed = move.feed.mm_per_s();
   double speed = is_rapid(move.kind) || programmed <= 0 ? machine.rapid.mm_per_s() : programmed;

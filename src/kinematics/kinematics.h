@@ -1,4 +1,4 @@
-// How long moves take on a real machine: acceleration along the path, slowing down in corners.
+// Time of moves on a real machine: acceleration along the path, slowing down in corners.
 #pragma once
 
 #include <span>

@@ -40,7 +40,7 @@ double most_along(const Vec3& u, const Vec3& of_axes);
 
 /// A move of positive length.
 struct Leg {
-  std::size_t index = 0;  ///< of the move
+  std::size_t index = 0;  ///< index of the move
   const Move* move = nullptr;
   double plan = 0;          ///< mm, in plan view
   double length = 0;        ///< mm, in space

@@ -135,7 +135,7 @@ double half_angle(double turn) {
   return (kPi - turn) / 2;
 }
 
-/// Of an arc's sweep: how far its chord at the corner turns away from its tangent.
+/// Shares of an arc's sweep by which its chord at the corner deviates from its tangent.
 constexpr double kChordBefore = 1.0 / 3, kChordAfter = 1.0 / 6;
 /// Radians by which a corner is sharper than its tangents if an arc curves in the same direction: the previous arc,
 /// else the next one.

@@ -11,7 +11,7 @@ namespace clearcut::kinematics {
 
 /// A leg, or a chord of one.
 struct Piece {
-  std::size_t index = 0;  ///< of the move
+  std::size_t index = 0;  ///< index of the move
   double length = 0;      ///< mm
   Vec3 first, last;       ///< unit directions of travel at its ends
   double top = 0;         ///< mm/s

@@ -1,4 +1,4 @@
-// How long a program takes on a machine: one planner for each family of controllers, each by its controller's own
+// Time of a program on a machine: one planner for each family of controllers, each by its controller's own
 // rules.
 #pragma once
 
@@ -16,7 +16,7 @@ namespace clearcut::kinematics {
 /// A move as input of a control's planner.
 struct PlannedMove {
   const Move* move = nullptr;
-  PathControl path;  ///< how far the control may leave the path, from this move on
+  PathControl path;  ///< permitted deviation of the control from the path, from this move on
   /// The control waits for standstill before this move: start, dwell, tool change, words of M.
   bool from_rest = false;
 };

@@ -44,7 +44,7 @@ std::optional<Circle> helix_circle(const EntryPlace& place, const Regions& legal
   return std::nullopt;
 }
 
-/// At the ramp feed, or as much slower as the plunge feed asks for on steep ramps.
+/// At the ramp feed, reduced on steep ramps as required by the plunge feed.
 Move ramp_move(const Edge& path, double z_from, double z_to, const LinkOptions& options) {
   const MmPerMin feed = sinking_feed(options.ramp_feed, options.plunge_feed, path.length(), z_from - z_to);
   return {path, z_from, z_to, MoveKind::kRamp, feed, 0};

@@ -15,8 +15,8 @@ struct LeadShape {
 };
 
 struct Lead {
-  Edge in;             ///< ends on the pass
-  Edge out;            ///< begins on the pass
+  Edge in;             ///< lead-in; ends on the pass
+  Edge out;            ///< lead-out; begins on the pass
   double along = 0;    ///< mm along the pass from its start to the end of `in`
   double overlap = 0;  ///< mm from there, once round, to the beginning of `out`
 };

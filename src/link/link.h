@@ -25,7 +25,7 @@ struct LinkOptions {
   MmPerMin feed = MmPerMin::of(1000);
   MmPerMin plunge_feed = MmPerMin::of(300);
   MmPerMin ramp_feed = MmPerMin::of(500);
-  std::optional<MmPerMin> lead_feed;  ///< of arcs and lines into and out of passes; absent: feed
+  std::optional<MmPerMin> lead_feed;  ///< feed of arcs and lines into and out of passes; absent: `feed`
   /// Feed of links at depth through cleared areas. Absent: `feed`; for links within a pass the rapid feed.
   std::optional<MmPerMin> link_feed;
   EntryKind entry = EntryKind::kPlunge;
@@ -40,7 +40,7 @@ struct LinkOptions {
   /// Plan view of the raw block; outside it there is no material. Absent: material everywhere outside the
   /// targets.
   std::optional<Box> stock;
-  Machine machine;  ///< whose times decide between links at depth and retract links
+  Machine machine;  ///< machine whose times decide between links at depth and retract links
 };
 
 /// All moves of one feature, layers from the top down.

@@ -9,7 +9,7 @@ struct PassStart {
   Vec2 point;
   std::size_t edge = 0;  ///< for closed passes: the edge of the place
   double t = 0;
-  bool backwards = false;  ///< of open passes: from the last point to the first
+  bool backwards = false;  ///< for open passes: run from the last point to the first
 };
 
 /// The closed path, begun at `start`.

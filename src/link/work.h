@@ -50,7 +50,7 @@ class LayerWork {
 struct WorkItem {
   std::size_t layer = 0;
   std::size_t pass = 0;
-  Box path;   ///< of the path of the centre
+  Box path;   ///< box of the path of the centre
   Box swept;  ///< box of the area swept by the cutter
 };
 

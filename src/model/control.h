@@ -38,7 +38,7 @@ struct ToolLength {
   friend bool operator==(const ToolLength&, const ToolLength&) = default;
 };
 
-/// How far the control may leave the path between its corners.
+/// Rule for the deviation of the control from the path at corners.
 enum class PathMode : unsigned char {
   kUnstated,    ///< no word so far: as the control was left or set up
   kExactPath,   ///< G61, and controls without deviation from the path
@@ -86,7 +86,7 @@ enum class ControlEventKind : unsigned char {
 /// Assumptions of a tapping cycle about its tap, and how the feed is synchronised with the spindle.
 struct TapCycle {
   std::optional<bool> left_hand;  ///< absent: the cycle cuts as the spindle turns
-  bool is_tied = true;            ///< the feed follows the spindle, whatever the holder
+  bool is_tied = true;            ///< the feed follows the spindle, with any holder
   bool turns_by_itself = false;   ///< the control turns the spindle as the cycle asks, regardless of M3 or M4
 };
 
@@ -97,7 +97,7 @@ struct ControlEvent {
   int line = 0;
   double seconds = 0;
   int tool = 0;
-  TapCycle tap = {};  ///< of kTapTurnsBack
+  TapCycle tap = {};  ///< tapping cycle of kTapTurnsBack
 };
 
 /// An arc whose words give two different radii: controls differ in their interpretation of the arc.

@@ -13,7 +13,7 @@ namespace clearcut::inline model {
 struct CutterProfile {
   double flat = 0;    ///< radius of the flat at the tip; 0: a point; below 0: the point was narrowed away
   double round = 0;   ///< radius of the rounding beside the flat; 0: none
-  double slope = 0;   ///< of the flank beside the flat: mm sideways for each mm of height; 0: none
+  double slope = 0;   ///< slope of the flank beside the flat: mm sideways for each mm of height; 0: none
   double widest = 0;  ///< greatest radius; 0: nothing
 
   static CutterProfile cylinder(double radius) { return {radius, 0, 0, radius}; }

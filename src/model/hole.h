@@ -13,7 +13,7 @@ enum class HoleKind {
   kDrilled,
   kSpotted,  ///< a conical spot that guides the drill
   kReamed,
-  kBored,         ///< by a boring bar of the hole's size; by a mill if there is no such bar
+  kBored,         ///< bored by a boring bar of the hole's size; by a mill if there is no such bar
   kCounterbored,  ///< a flat seat about a narrower hole
   kCountersunk,   ///< a cone about a narrower hole
   kTapped,
@@ -41,7 +41,7 @@ double minor_tolerance(const Thread& thread);
 
 /// mm; at the root of the external thread: d3 = d - 1.2269 P.
 double root_diameter(const Thread& thread);
-/// mm; by how much the boss of an external thread may be narrower than the thread: its tolerance 6g of ISO 965-1.
+/// mm; permitted undersize of the boss of an external thread: its tolerance 6g of ISO 965-1.
 double crest_tolerance(const Thread& thread);
 /// mm; distance from the root of an external thread at which a thread mill descends.
 double approach_beside(const Thread& thread);
@@ -61,7 +61,7 @@ struct HoleRequest {
 struct HoleForm {
   HoleKind kind = HoleKind::kDrilled;
   Vec2 center;
-  double diameter = 0;  ///< finished; of countersinks at the top, of threads the major one
+  double diameter = 0;  ///< finished diameter; for countersinks at the top, for threads the major one
   double full_z = 0;    ///< down to this height the hole has its full diameter, or its thread
   std::optional<Thread> thread;
   bool chip_break = false;

@@ -18,7 +18,7 @@ struct Layer {
   double z = 0;            ///< height of the cutter's tip
   Regions target;          ///< material to remove, plan view at z
   Regions allowed;         ///< area in which the cutter may be at z; its boundary is the true walls
-  double tool_radius = 0;  ///< of the flat part of the cutter's end, mm
+  double tool_radius = 0;  ///< radius of the flat part of the cutter's end, mm
   double wall_stock = 0;   ///< stock to leave on walls and the round of the cutter's corners, mm
   /// mm; part of wall_stock due to the corner rounding of the cutter: above the rounding its side cuts.
   double rounded = 0;

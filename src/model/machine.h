@@ -13,7 +13,7 @@ namespace clearcut::inline model {
 
 /// Places of the machine in its own coordinates, mm: with them nothing about offsets and reference points is open.
 struct MachinePlaces {
-  std::array<double, 3> start{};  ///< of the tool's tip when the program begins
+  std::array<double, 3> start{};  ///< place of the tool's tip at the beginning of the program
   /// Origins of G54, G55 ... G59.3; the work is at the origin of G54.
   std::array<std::array<double, 3>, 9> origins{};
   int stated_origins = 9;             ///< number of known origins, in that order; later ones are unknown
@@ -32,7 +32,8 @@ enum class MachineStiffness {
 struct Machine {
   std::string name = "default";
   MmPerMin rapid = MmPerMin::of(5000);
-  double acceleration = 500;                    ///< mm/s2; of the slower of X and Y if the axes differ
+  /// mm/s2; acceleration of the slower of X and Y if the axes differ.
+  double acceleration = 500;
   double junction_deviation = 0.01;             ///< mm
   std::optional<MotionPlanner> planner;         ///< absent: the planner of the program's control
   std::optional<AxisValues> axis_rapid;         ///< mm/min; greatest speed of each axis; absent: `rapid`

@@ -9,7 +9,7 @@
 
 namespace clearcut::inline model {
 
-/// Whose rules decide how fast the axes run; `kinematics/` has one planner for each.
+/// Controller whose rules decide the speed of the axes; `kinematics/` has one planner for each.
 enum class MotionPlanner : unsigned char { kGrbl, kLinuxCnc, kMarlin, kMach, kJerkLimited };
 
 /// Name in machine files and certificates: "grbl", "linuxcnc", "marlin", "mach", "jerk-limited".

@@ -32,7 +32,7 @@ enum class FeatureKind {
   kOutsideProfile,
   kInsideProfile,
   kEngraving,
-  kVCarving,        ///< as deep as a cone's width at the top allows
+  kVCarving,        ///< carving as deep as a cone's width at the top allows
   kChamfer,         ///< the edge of a wall broken by a cone
   kIsolation,       ///< a band around pieces that remain, to separate them from each other
   kExternalThread,  ///< about a boss
@@ -121,7 +121,7 @@ struct Feature {
   double floor_fillet = 0;  ///< mm; radius to be left between floor and walls, if requested
 };
 
-/// How far beyond the stock an open side's `allowed` region reaches, mm.
+/// Extent of an open side's `allowed` region beyond the stock, mm.
 inline constexpr double kOpenReach = 1000.0;
 
 enum class OperationKind {
@@ -147,7 +147,7 @@ struct HoleFeeds {
   double dwell_s = 0;                        ///< at the floor
 };
 
-/// How a feature is to be cut. Absent values are decided by the planner's documented defaults.
+/// Manner of cutting a feature. Absent values are decided by the planner's documented defaults.
 struct Operation {
   std::string name;
   std::string source;
@@ -170,7 +170,7 @@ struct Operation {
   std::optional<double> lead;
   std::optional<Radians> lead_angle;      ///< angle between a straight lead and the pass; absent: arcs
   bool rest = false;                      ///< cut only the material left by earlier steps of the same feature
-  std::optional<Radians> feed_direction;  ///< of parallel strokes against x
+  std::optional<Radians> feed_direction;  ///< direction of parallel strokes against x
   std::string strategy_hint;              ///< strategy named by the file, "" if none
   std::optional<HoleFeeds> hole_feeds = {};
 };
@@ -224,7 +224,7 @@ struct Part {
   std::vector<Feature> features;
   std::vector<Workingstep> workplan;       ///< in order of cutting
   bool order_free = false;                 ///< steps with disjoint features may be cut in any order
-  std::vector<PredrilledHole> predrilled;  ///< as deep as any feature around them
+  std::vector<PredrilledHole> predrilled;  ///< predrilled holes, as deep as any feature around them
   std::vector<KeepOut> keep_outs = {};
   Diagnostics diagnostics;
 

@@ -17,7 +17,7 @@ struct Pass {
   int parent = -1;         ///< index of the enclosing pass, which is nearer to the wall; -1: none
   std::vector<int> after;  ///< indices of passes to be cut before this one, regardless of `parent`
   int component = 0;       ///< passes of one connected legal area share a component
-  double offset = 0;       ///< mm from the wall; of offset contours
+  double offset = 0;       ///< mm; distance of offset contours from the wall
   /// Among the passes that may be cut first, the one with the greatest value begins, unless a start was asked
   /// for. For offset contours the value is the offset, so that cutting begins at the place with most room.
   double start_priority = 0;

@@ -17,7 +17,7 @@ class SectionNames {
  public:
   explicit SectionNames(const Part& part);
 
-  /// Of a workingstep, by its index in the workplan.
+  /// Name of a workingstep, by its index in the workplan.
   const std::string& of(int workingstep) const { return names_[static_cast<std::size_t>(workingstep)]; }
 
   /// Index into the workplan of the step named by a section's label: by the step's name in this table, the step's own

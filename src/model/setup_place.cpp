@@ -21,7 +21,7 @@ struct Side {
   Rows turn;
 };
 
-/// As the reader of solids turns them.
+/// Sides turned up, as in the reader of solids.
 constexpr Side kSides[] = {
     {"+Z", {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}},  {"-Z", {{{1, 0, 0}, {0, -1, 0}, {0, 0, -1}}}},
     {"+X", {{{0, 0, -1}, {0, 1, 0}, {1, 0, 0}}}}, {"-X", {{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}}},

@@ -13,11 +13,12 @@ enum class TabShape : unsigned char { kSquare, kTriangular };
 
 /// Tabs holding the pieces that profiles cut free. Only one of `count`, `spacing` and `at` may be given.
 struct TabOptions {
-  int count = 0;                  ///< of every profile; 0: none
+  int count = 0;                  ///< number of tabs of every profile; 0: none
   std::optional<double> spacing;  ///< mm along every profile from one tab to the next, at most
   std::vector<Vec2> at;           ///< mm; requested places of tabs, on or beside outlines
   TabShape shape = TabShape::kSquare;
-  double width = 4;              ///< mm, along the outline; of triangular tabs at the material's underside
+  /// mm; width along the outline, for triangular tabs at the material's underside.
+  double width = 4;
   std::optional<double> height;  ///< mm above the material's underside; absent: half the depth, 2 mm at most
   std::optional<double> skin;    ///< mm of material left below profiles instead of tabs
 

@@ -36,22 +36,24 @@ std::optional<ToolKind> tool_kind_named(const std::string& name);
 /// A rotating tool. Lengths in mm.
 struct Tool {
   int number = 1;    ///< T word
-  std::string name;  ///< as in the source ("T3"), for messages and headers
+  std::string name;  ///< name from the source ("T3"), for messages and headers
   ToolKind kind = ToolKind::kEndMill;
   double diameter = 0;       ///< for tapered end mills, the diameter of the tip
   double corner_radius = 0;  ///< 0 flat
   int teeth = 2;
-  std::optional<double> flute_length;          ///< of T-slot cutters the height of the disc
+  /// Length of the flutes; for T-slot cutters the height of the disc.
+  std::optional<double> flute_length;
   std::optional<double> max_spindle_rpm = {};  ///< allowed by its maker; > 0
   bool center_cutting = true;                  ///< may plunge straight down
   std::optional<Radians> tip_angle = {};       ///< cones, tapers, points of drills: between opposite flanks
-  double tip_diameter = 0;                     ///< cones: of the flat at the tip
+  double tip_diameter = 0;                     ///< cones: diameter of the flat at the tip
   double pitch = 0;                     ///< taps; thread mills with many rows of teeth: between the rows
-  bool left_hand = false;               ///< taps: of the thread
+  bool left_hand = false;               ///< taps: hand of the thread
   bool floating = false;                ///< taps: held with play along their axis
   std::optional<double> stickout = {};  ///< from the tip up to the holder; absent: the holder is not known
   double holder_diameter = 0;           ///< diameter of the holder at its lower end; 0: not known
-  double shank_diameter = 0;  ///< above the flutes; 0: no wider than the cutter; of T-slot cutters the neck
+  /// Diameter above the flutes; 0: no wider than the cutter; for T-slot cutters the neck.
+  double shank_diameter = 0;
   /// Material of the edges; absent: the usual one for the kind, docs/feeds.md.
   std::optional<bool> high_speed_steel = {};
   bool coated = false;  ///< the edges

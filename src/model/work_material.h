@@ -29,7 +29,7 @@ struct WorkMaterial {
   /// N/mm2 (J/cm3) for chips of any thickness; used for limits on power and force if Kienzle's values are not known.
   double specific_energy = 0;
 
-  /// Whether forces and wear are known; of woods and plastics they are not.
+  /// Whether forces and wear are known; for woods and plastics they are not.
   bool has_forces() const { return kc11 > 0; }
 };
 

@@ -62,7 +62,7 @@ bool is_milled(const Situation& at, const Workingstep& step) {
   return !is_drilled(at, step);
 }
 
-/// Whether a mill bores the hole along one helix, whatever the strategy.
+/// Whether a mill bores the hole along one helix, with any strategy.
 bool is_bored(const Situation& at, const Workingstep& step) {
   const Feature& feature = feature_of(at.plan.part, step);
   return feature.hole_diameter && *feature.hole_diameter <= 2 * tool_of(at.plan.part, step).diameter;

@@ -34,15 +34,15 @@ struct ToolCutting {
 
 struct PlanOptions {
   std::vector<Tool> tools;  ///< replace the part's own; empty keeps those
-  /// Of `tools`, else of the part's own, in their order; those beyond its end state nothing.
+  /// Cutting data of `tools`, else of the part's own, in their order; tools beyond its end have none.
   std::vector<ToolCutting> tool_cutting;
   /// "auto" or a name of `strategies`, for every workingstep; absent: the strategies named by the part's operations,
   /// else "auto".
   std::optional<std::string> strategy;
   std::optional<std::string> stepover;  ///< "0.4" (fraction of the diameter), "lom", "rho", "3.5mm"
-  std::optional<double> angle_deg;      ///< of zigzag lines against x; absent: the fastest found
+  std::optional<double> angle_deg;      ///< angle of zigzag lines against x; absent: the fastest found
   std::optional<double> stepdown;       ///< mm
-  std::optional<double> allowance;      ///< mm, on walls
+  std::optional<double> allowance;      ///< mm; stock to leave on walls
   std::optional<double> allowance_floor;
   std::optional<double> engagement_deg;
   std::optional<EntryKind> entry;
@@ -65,8 +65,9 @@ struct PlanOptions {
   CuttingData cutting;
   Machine machine;
   PostOptions post;
-  PublishedChoices published;  ///< of every workingstep; takes precedence over those of `step_published`
-  StepChoices step_published;  ///< of the job's operations
+  /// Choices for every workingstep; takes precedence over those of `step_published`.
+  PublishedChoices published;
+  StepChoices step_published;  ///< choices of the job's operations
   std::string objective = "time";
   std::vector<std::string> accept;  ///< names of conditions that the user confirms
   std::optional<double> time_s;     ///< longest search

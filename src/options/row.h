@@ -79,7 +79,7 @@ struct Field {
 };
 
 struct Row {
-  std::string name = {};  ///< as typed after "--"
+  std::string name = {};  ///< name typed after "--"
   Group group = Group::kInput;
   Level level = Level::kRest;
   ValueKind kind = ValueKind::kFlag;
@@ -87,8 +87,8 @@ struct Row {
   std::string fallback = {};  ///< default with its reason; "" for none
   Field field = {};
   Range range = between(-kLongestLength, kLongestLength);
-  std::string unit = {};  ///< of numbers: "degrees", "s", "rpm"
-  /// Of kChoice: all there are; of other kinds: examples for completion.
+  std::string unit = {};  ///< unit of numbers: "degrees", "s", "rpm"
+  /// For kChoice: all valid names; for other kinds: examples for completion.
   std::vector<std::string> names = {};
   std::string type = {};  ///< placeholder of the value in the help: "FILE", "X,Y"; "" for the kind's own
   JobTable table = JobTable::kNone;
@@ -97,7 +97,7 @@ struct Row {
   bool key_is_opposite = false;  ///< "no-arcs" is arcs = false
   /// Names for which a job may write false and true; empty for none.
   std::vector<std::string> flag_names = {};
-  bool (*is_known)(const std::string&) = nullptr;  ///< of texts: whether one means something; null: any does
+  bool (*is_known)(const std::string&) = nullptr;  ///< for texts: whether a text is valid; null: any text is
   std::string known = {};              ///< list of valid texts for the message about an invalid one
   bool is_of_operations = false;       ///< also permitted in an [[operation]] of a job
   std::optional<double> neutral = {};  ///< the number that requests no effect

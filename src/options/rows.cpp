@@ -23,7 +23,7 @@ using enum ValueKind;
 /// Degrees.
 constexpr double kLevel = 90, kWholeTurn = 360;
 
-/// One for each kind, for completion and for whoever has mistyped one.
+/// One for each kind, for completion and for suggestions after typing mistakes.
 std::vector<std::string> names_of_conditions() {
   std::vector<std::string> names;
   for (const ConditionRow& row : condition_rows())

@@ -47,8 +47,8 @@ class Lattice {
   int columns_ = 0;
   int rows_ = 0;
   double pitch_ = 1;
-  std::vector<int> column_, row_;  // by point
-  std::vector<int> point_;         // by crossing
+  std::vector<int> column_, row_;  // column and row by point
+  std::vector<int> point_;         // point by crossing
 };
 
 /// Orders worth starting from: back-and-forth sweeps along rows and columns from every corner, spirals inward

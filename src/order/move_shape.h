@@ -5,7 +5,7 @@
 
 namespace clearcut::order {
 
-/// Everything an objective asks of the move a -> b.
+/// All properties of the move a -> b used by objectives.
 struct MoveShape {
   double length = 0;       ///< in the problem's metric
   Vec2 leaves;             ///< direction at a, not normalised

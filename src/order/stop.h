@@ -22,7 +22,8 @@ struct StopRule {
   /// Seconds of one core for which the method plans its work (sizes of populations); below 0: `seconds`. With
   /// `rounds` and no clock a run repeats exactly, regardless of the machine's load.
   double effort = -1;
-  long long rounds = std::numeric_limits<long long>::max();  ///< of the method; makes runs repeat exactly
+  /// Rounds of the method; makes runs repeat exactly.
+  long long rounds = std::numeric_limits<long long>::max();
   double gap = 0;                             ///< stop when (objective - bound) / bound is at most this
   const std::atomic<bool>* cancel = nullptr;  ///< checked every few milliseconds
   double planned_seconds() const { return effort < 0 ? seconds : effort; }

@@ -125,7 +125,7 @@ Problem read_tsplib(std::string_view text, const std::string& name) {
       expect_value(keyword, "EUC_2D", lines);
     } else if (keyword.key == "DIMENSION") {
       dimension = take_number<int>(keyword.value, lines, "a number of points");
-      // A node takes six characters at least: a larger number is a mistake, found before memory is asked for.
+      // A node takes six characters at least: a larger number is a mistake, found before memory is allocated.
       if (dimension < 1 || static_cast<std::size_t>(dimension) > text.size()) {
         lines.fail("DIMENSION does not fit the file; correct it");
       }

@@ -61,7 +61,7 @@ void read_earlier_program(resolve::PlanOptions& options, const std::string& file
   options.earlier_state = {std::move(program.control), std::move(program.conditions), {}};
   for (Condition& one : options.earlier_state.conditions) {
     one.text = "in " + file + ", which has run before: " + one.text;
-    one.line = 0;  // of another program
+    one.line = 0;  // a line of another program
   }
 }
 

@@ -20,7 +20,7 @@ struct ProgramQuestion {
 struct ProgramFeeds {
   std::string program;                        ///< with other F words
   CheckResult before;                         ///< check of the original program
-  CheckResult after;                          ///< of `program`, read back
+  CheckResult after;                          ///< check of `program`, read back
   int words_before = 0, words_after = 0;      ///< F words
   std::map<int, MmPerMin> reference_feeds{};  ///< meant at the reference, by tool
 };

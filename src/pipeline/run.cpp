@@ -29,7 +29,7 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// Degrees. So much more than the limit in a figure is no fault.
+/// Degrees. Excess over the limit in a figure that is no fault.
 constexpr double kFaultlessExcess = 2;
 
 /// Whether another plan of a workingstep may avoid the fault. The workingsteps of one feature share its name; an
@@ -75,7 +75,7 @@ bool begin_to_go_over_rests(bool& over_rests, const Selection& selection, const 
   return true;
 }
 
-/// How many candidates the selection may plan before any fallback.
+/// Number of candidates that the selection may plan before any fallback.
 std::size_t candidates_in(const std::vector<SelectionStep>& steps) {
   std::size_t count = 0;
   for (const SelectionStep& step : steps) count += step.candidates.competing.size();

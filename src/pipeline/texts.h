@@ -15,7 +15,7 @@ namespace clearcut::pipeline {
 /// Basis of a certificate in addition to the options.
 struct CertificateBasis {
   std::string command;                          ///< "plan", "verify", "elements"
-  std::vector<std::string> arguments;           ///< of the command, as typed
+  std::vector<std::string> arguments;           ///< arguments of the command, as typed
   std::vector<report::CertificateFile> inputs;  ///< all files read
   std::string program_name;
   bool dialect_stated = true;  ///< for a checked program: its dialect was stated, not recognised

@@ -22,8 +22,9 @@ namespace clearcut::pipeline {
 /// Cutting data of cutters; absent values come from the part or the defaults of prepare().
 struct ToolSpeeds {
   std::optional<double> cutting_speed;
-  std::vector<double> feeds_per_tooth;  ///< of each tool in the order given; the last serves the rest
-  double tool_change_s = 10;            ///< between the tools of a sequence
+  /// Feed of each tool in the given order; the last one applies to the rest.
+  std::vector<double> feeds_per_tooth;
+  double tool_change_s = 10;  ///< between the tools of a sequence
 };
 
 /// Spindle and feed of a tool with `feed_per_tooth`. Units and formulas above.

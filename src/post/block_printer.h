@@ -39,8 +39,8 @@ class BlockPrinter {
 
   const IsoDialect& dialect_;
   bool numbered_;
-  int number_ = 0;      ///< of the block before
-  int due_number_ = 0;  ///< of the next block; 0: none
+  int number_ = 0;      ///< number of the previous block
+  int due_number_ = 0;  ///< number of the next block; 0: none
   std::string out_;
   std::string block_;
 };

@@ -117,7 +117,7 @@ class IsoWriter {
   std::optional<OpenCycle> open_;
   CutLevel level_ = CutLevel::kMedium;
   std::vector<int> changes_;  ///< tools in the order of their changes
-  std::size_t changed_ = 0;   ///< of them so far
+  std::size_t changed_ = 0;   ///< number of tool changes so far
 };
 
 StepRules IsoWriter::rules_for(const PostOptions& options, const IsoDialect& dialect) {

@@ -19,7 +19,7 @@ bool runs_over(const TextTable& table, const Cells& row) {
 }
 
 struct Layout {
-  std::vector<std::size_t> widths;               ///< of each column
+  std::vector<std::size_t> widths;               ///< width of each column
   std::vector<std::vector<std::size_t>> blocks;  ///< columns placed side by side
 };
 

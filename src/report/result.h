@@ -26,7 +26,7 @@ struct ContourLevels {
 };
 
 struct ResultInfo {
-  std::string name;  ///< of the part; one comment line
+  std::string name;  ///< name of the part; one comment line
   std::vector<ContourLevels> contours;
   std::optional<double> published_s = {};  ///< CPO-rho eq. 9, s
 };

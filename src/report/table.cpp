@@ -86,7 +86,7 @@ std::string verdict_line(const Findings& findings) {
   return fmt::format("verdict: {}\n", verdict_words(findings));
 }
 
-/// Shortens the names in the first column as far as the width of the other columns asks for.
+/// Shortens the names in the first column as far as required by the width of the other columns.
 void fit_names(TextTable& text) {
   const std::string printed = plain(text);
   std::size_t longest_name = 0;

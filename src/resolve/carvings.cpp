@@ -17,7 +17,7 @@
 namespace clearcut::resolve {
 namespace {
 
-/// mm. How far the flanks in an engraved line may stray from its groove.
+/// mm. Permitted deviation of the flanks in an engraved line from its groove.
 constexpr double kBesideGroove = 0.0005;
 /// mm. Floors narrower than this beyond the mill's diameter are left to the bit.
 constexpr double kRoom = 0.01;

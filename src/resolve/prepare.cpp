@@ -39,8 +39,8 @@ namespace {
 constexpr std::size_t kMostSteps = 20000;
 
 constexpr double kDefaultFeed = 1000;     // mm/min
-constexpr double kPlungeShare = 0.3;      // of the cutting feed
-constexpr double kRampShare = 0.5;        // of the cutting feed
+constexpr double kPlungeShare = 0.3;      // share of the cutting feed
+constexpr double kRampShare = 0.5;        // share of the cutting feed
 constexpr double kFaceMillStepdown = 2;   // mm
 constexpr double kUnpeckedDiameters = 3;  // depth of a hole / diameter of the drill
 constexpr double kTappingSpeed = 8;       // m/min at the circumference
@@ -171,8 +171,8 @@ void make_at_once(Operation& operation, const Tool& tool, const Feature& feature
   if (is_made_at_once(feature, tool)) operation.stepdown = std::max(feature.top_z - feature.floor_z, 1e-3);
 }
 
-/// mm/min and rpm of taps: the feed is the pitch times a whole speed, whatever else is asked for, and no faster than
-/// the machine and the tap.
+/// mm/min and rpm of taps: the feed is the pitch times a whole speed, regardless of other requests, and no faster
+/// than the machine and the tap.
 void tie_tap(Operation& operation, const Tool& tool, const PlanOptions& options, Sources& sources) {
   if (tool.kind != ToolKind::kTap) return;
   CuttingData& cutting = operation.cutting;
@@ -407,7 +407,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   for (auto& step : part.workplan)
     apply_options(step.operation, tool_of(part, step), options, sources[step_key(step)]);
   for (auto& step : part.workplan) leave_nothing_of_what_is_made_to_size(part, step, sources[step_key(step)]);
-  std::vector<std::string> told;  // of the material
+  std::vector<std::string> told;  // messages on the material
   for (auto& step : part.workplan) {
     make_at_once(step.operation, tool_of(part, step), feature_of(part, step));
     if (tool_of(part, step).kind == ToolKind::kTap)

@@ -23,7 +23,7 @@ Part prepare(Part part, const PlanOptions& options);
 /// The same; afterwards, `sources` contains the sources of all values that differ from the source of their operation.
 Part prepare(Part part, const PlanOptions& options, StepSources& sources);
 
-/// Whether the tool makes the feature at once, whatever stepdown is asked for all work: cones, taps, thread mills,
+/// Whether the tool makes the feature at once, for any stepdown requested for all work: cones, taps, thread mills,
 /// reamers and boring bars in holes.
 bool is_made_at_once(const Feature& feature, const Tool& tool);
 

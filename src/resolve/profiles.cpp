@@ -30,7 +30,7 @@ constexpr double kSpeck = 0.01;
 constexpr double kBeyondKerf = 0.02;
 /// Distance around a profile, in radii of the cutter, in which others are searched.
 constexpr double kBand = 3;
-/// mm. How far the cutter's rim may stray from an engraved line's.
+/// mm. Permitted deviation of the cutter's rim from that of an engraved line.
 constexpr double kBesideLine = 0.005;
 
 Regions within(const ProfileCut& cut) {

@@ -20,7 +20,7 @@ void refuse_what_cannot_be(const Part& part, const PlanOptions& options);
 /// Warns of features no deeper than the permitted uncut thickness: the checks treat them as cut without any cutting.
 void tell_of_shallow(Part& part, const Tolerances& tol);
 
-/// Of a STEP-NC program: `asked` without the workingsteps for which refuse_what_cannot_be() would refuse the whole
+/// For a STEP-NC program: `asked` without the workingsteps for which refuse_what_cannot_be() would refuse the whole
 /// part, each reported as not machined; tops are computed from the remaining steps. Nothing if there are none, or no
 /// other steps. `prepared`: `asked` with its tools.
 std::optional<Part> without_impossible_steps(const Part& asked, const Part& prepared, const Tolerances& tol);

@@ -16,7 +16,7 @@ namespace {
 constexpr double kCrossing = 2;
 /// mm. Least stated height of crossing rapids, likewise.
 constexpr double kLeastCrossing = 1;
-/// Degrees, of helices and ramps against the plane.
+/// Degrees; angle of helices and ramps against the plane.
 constexpr double kEntryAngle = 3;
 /// Degrees. Above this the cutter is taken to be in a slot.
 constexpr double kSlotAngle = 150;

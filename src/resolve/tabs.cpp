@@ -19,7 +19,7 @@ namespace {
 constexpr double kBeforeTab = 0.02;
 /// mm. Greatest height of tabs without a stated height.
 constexpr double kTabHeight = 2;
-/// Of their depth.
+/// Default height of tabs as a share of the depth.
 constexpr double kTabShare = 0.5;
 /// mm along the outline between places tested for a tab.
 constexpr double kTabSearch = 0.5;
@@ -167,7 +167,7 @@ class TabPlacer {
   /// Plan view of the area that the cutter's widest part cannot enter at depth.
   Regions gap(double middle) const { return across(middle, half_gap(middle) + kBeforeTab); }
 
-  /// On one line, or an arc much wider than the tab, away from corners and other tabs.
+  /// Whether a tab fits: on one line, or an arc much wider than the tab, away from corners and other tabs.
   bool fits(double middle, const std::vector<double>& chosen) const {
     if (middle < 0 || middle > around_) return false;
     const double half = half_gap(middle) + kBeforeTab;

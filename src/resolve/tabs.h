@@ -24,7 +24,7 @@ PlacesByFeature places_of_tabs(const Part& part, const TabOptions& options, cons
 
 /// The cut along a profile.
 struct Kerf {
-  double radius = 0;  ///< mm, of the cutter
+  double radius = 0;  ///< mm; radius of the cutter
   double width = 0;   ///< mm; width of the permitted cut
 };
 

@@ -23,7 +23,7 @@ namespace {
 constexpr double kWallStock = 0.3;   // mm; default
 constexpr double kFloorStock = 0.2;  // mm
 constexpr const char* kForFinishing = "stock for the finishing steps on top";
-/// Of the cutter's radius.
+/// Size of leads as a share of the cutter's radius.
 constexpr double kLead = 0.5;
 
 /// mm between the flat of a mill's end and the walls: below the rounding, material remains on floors along the walls.
@@ -229,7 +229,7 @@ Finish finish_of(const ShopOptions& shop) {
 
 void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources) {
   std::vector<std::vector<Workingstep>> before(part.workplan.size());
-  std::vector<std::pair<int, Workingstep>> at_end;  // by mill, widest first
+  std::vector<std::pair<int, Workingstep>> at_end;  // steps at the end by mill, widest first
   const auto mills = mills_of(part.tools);
   if (mills.size() < 2) return;
   for (const Workingstep& step : last_milling_steps(part)) {

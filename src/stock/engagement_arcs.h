@@ -20,20 +20,20 @@ struct Swept {
   bool round_start = true;  ///< false: another sweep covers the area beyond the start
   /// False: another sweep covers the area beyond the end, and a little before the end.
   bool round_end = true;
-  double radius = 0;  ///< of the cutter
-  Vec2 from;          ///< its beginning; of a disc the centre
+  double radius = 0;  ///< radius of the cutter
+  Vec2 from;          ///< its beginning; for a disc the centre
   Vec2 to;
   Vec2 before;      ///< unit vector, backwards at the start
   Vec2 after;       ///< unit vector, forwards at the end
-  Vec2 center;      ///< of an arc
-  double ring = 0;  ///< of an arc: its radius
+  Vec2 center;      ///< centre of an arc
+  double ring = 0;  ///< radius of an arc
 
   /// Whether p is within `far` mm (> 0) of the point, line or arc. Uses neither roots nor divisions.
   bool comes_within(Vec2 p, double far) const;
   bool covers(Vec2 p) const { return comes_within(p, radius); }
 };
 
-/// How fast the engagement changes.
+/// Rate of change of the engagement.
 struct EngagementChange {
   double per_mm = 0;      ///< radians per mm of straight advance
   double per_radian = 0;  ///< radians per radian of left turn of the heading

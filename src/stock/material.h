@@ -70,7 +70,7 @@ class Material {
   /// Removes the volume swept along `move` by a cutter registered with add_cutter.
   void add_sweep(const Move& move, int cutter);
 
-  /// How many pieces of moves have been added.
+  /// Number of added pieces of moves.
   std::size_t sweeps() const { return sweeps_.size(); }
   /// Removes all but the first `sweeps` pieces: the volume of later ones is material again.
   void forget_beyond(std::size_t sweeps);
@@ -183,9 +183,9 @@ class Material {
 
   std::optional<Box> plan_;
   double z_top_;
-  std::vector<Grid> grids_;  ///< by ascending reach
+  std::vector<Grid> grids_;  ///< grids by ascending reach
   std::vector<Sweep> sweeps_;
-  std::vector<Disc> discs_;  ///< of the sweeps
+  std::vector<Disc> discs_;  ///< discs around the sweeps
   std::vector<Cutter> cutters_;
 };
 

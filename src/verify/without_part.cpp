@@ -35,7 +35,7 @@ std::vector<LayerFindings> layers_of(const std::vector<const CheckedMove*>& move
   return layers;
 }
 
-/// Of the moves of one tool.
+/// Figures of the moves of one tool.
 FeatureFindings row_of(const std::vector<const CheckedMove*>& own, double top) {
   FeatureFindings row;
   row.tool_number = own.front()->tool_number;
@@ -53,7 +53,7 @@ Findings findings_without_part(const Part& part, const CheckedProgram& program,
   Findings findings;
   findings.without_part = true;
   std::vector<const CheckedMove*> all;
-  std::vector<int> order;  // of the tools' first moves
+  std::vector<int> order;  // order of the tools' first moves
   std::map<int, std::vector<const CheckedMove*>> by_tool;
   for (const CheckedMove& checked : program.moves) {
     if (checked.earlier) continue;

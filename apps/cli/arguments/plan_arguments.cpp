@@ -31,7 +31,7 @@ void add_places(const std::vector<std::string>& keep_outs, const std::vector<std
   for (const std::string& text : predrilled) options.predrilled.push_back(parse_predrilled(text));
 }
 
-/// As the part is turned, by the options or its job.
+/// Orientation of the part, from the options or its job.
 SolidOptions lies(const std::optional<JobFile>& from_job, const ChosenSetup& setup,
                   const SolidOptions& typed) {
   if (setup.number > 0 || (from_job && !from_job->setups.empty()))

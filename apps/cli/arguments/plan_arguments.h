@@ -20,7 +20,7 @@ namespace clearcut::cli {
 /// The chosen one of several set-ups of a job, and data of earlier ones.
 struct ChosenSetup {
   int number = 0;                             ///< from 1; 0: none was chosen
-  std::vector<std::string> earlier_programs;  ///< of the set-ups before, in order
+  std::vector<std::string> earlier_programs;  ///< programs of the earlier set-ups, in order
   std::vector<MachinedSetup> machined;        ///< set-ups already planned
   SetupPlace place;                           ///< place of the set-up read
   std::optional<CarriedStock> carried;        ///< stock left by earlier set-ups
@@ -28,11 +28,12 @@ struct ChosenSetup {
 
 /// The initial block of a later set-up.
 enum class Block : unsigned char {
-  kAsLeft,  ///< by the set-ups before
+  kAsLeft,  ///< as left by the earlier set-ups
   kWhole    ///< nothing was cut yet
 };
 
-/// How many [[setup]] a job file has, or set-ups a STEP-NC program; 0 for other files and those of one set-up.
+/// Number of [[setup]] tables of a job file, or of set-ups of a STEP-NC program; 0 for other files and those of one
+/// set-up.
 int setup_count_of(const std::string& input);
 
 /// Raw option values; `options()` turns them into PlanOptions or throws InputError.
@@ -50,7 +51,7 @@ class PlanArguments {
   Part read(Block block = Block::kAsLeft) const;
   /// Stores the names of all typed options, for the origins of values.
   void take_sources(const CLI::App& command);
-  /// Of a drawing, without asking for depth or roles.
+  /// Reads a drawing's overview, without asking for depth or roles.
   Part read_overview(DrawingOverview& overview) const;
   PlanOptions options() const;
   /// The options are for many parts: an option without effect on this part is permitted.
@@ -75,7 +76,7 @@ class PlanArguments {
   /// The job file, when the input is one; of several set-ups the chosen one.
   std::optional<JobFile> job() const;
 
-  /// As --setup and --earlier-setup say, or a caller.
+  /// The set-up chosen by --setup and --earlier-setup, or by a caller.
   ChosenSetup& setup() { return setup_; }
   const ChosenSetup& setup() const { return setup_; }
 
@@ -103,7 +104,7 @@ class PlanArguments {
   Sources sources_;
   mutable StepChoices step_published_;  ///< likewise
   mutable StepSources step_sources_;    ///< sources of the part read
-  bool reads_programs_ = false;         ///< there is --dialect
+  bool reads_programs_ = false;         ///< the command has the option --dialect
   std::optional<std::string> dialect_;  ///< as typed
 };
 

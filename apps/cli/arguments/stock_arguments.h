@@ -30,7 +30,7 @@ struct StockArguments {
  private:
   mutable std::optional<Part> solid_;
   mutable std::optional<Stock> block_;
-  mutable std::vector<Tool> tools_;  ///< of the part
+  mutable std::vector<Tool> tools_;  ///< tools of the part
   mutable std::optional<Toolpath> missing_;
 };
 

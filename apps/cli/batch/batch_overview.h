@@ -13,7 +13,7 @@ struct BatchRow {
   std::string verdict;  ///< CLEAN, CONDITIONAL, FAULTY; UNUSABLE (exit 2), CRASHED, TIMED OUT
   double time_s = 0, feed_mm = 0, rapid_mm = 0, uncut_mm = 0, gouge_mm = 0;
   std::size_t faults = 0;
-  std::string message;  ///< of the command, or the worst fault
+  std::string message;  ///< message of the command, or the worst fault
 };
 
 /// With or without a program.

@@ -9,8 +9,8 @@ namespace clearcut::cli {
 
 struct BatchPart {
   std::string file;                  ///< as given to `plan`
-  std::vector<std::string> options;  ///< of its own, from its line of the list
-  std::string name;                  ///< of its results, below the output folder; unique
+  std::vector<std::string> options;  ///< its own options, from its line of the list
+  std::string name;                  ///< unique name of its results, below the output folder
 };
 
 /// The parts in a folder and the folders below it, by name, except in `output`; or those of a list: one part per

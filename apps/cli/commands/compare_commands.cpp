@@ -23,7 +23,7 @@ namespace clearcut::cli {
 
 namespace {
 
-/// How the answer of a command is printed.
+/// Form of a command's printed answer.
 struct Answer {
   bool as_markdown = false;
   bool as_json = false;

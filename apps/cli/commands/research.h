@@ -7,7 +7,7 @@ namespace clearcut::cli {
 
 struct ResearchCommand {
   const char* name;
-  const char* group;     ///< of the list of commands
+  const char* group;     ///< group in the list of commands
   const char* sentence;  ///< description
 };
 

@@ -15,9 +15,9 @@ void print(const Diagnostics& diagnostics, bool verbose);
 /// The same for warnings only: printed with an error that ends the command.
 void print_warnings(const Diagnostics& diagnostics);
 void print_line(const std::string& text);
-/// On standard error with the program's name before it, as one line for any message.
+/// Prints a message on standard error with the program's name before it, as one line.
 void complain(std::string message);
-/// As wide as the terminal, or for a Markdown page.
+/// Prints a table as wide as the terminal, or for a Markdown page.
 void print_table(const TextTable& table, bool as_markdown = false);
 
 /// The name of a file without its folder.

@@ -20,7 +20,7 @@ std::string json_of(const Progress& at, double spent_s);
 
 /// A search ended by the clock at the latest.
 struct SearchProgress {
-  double best = 0;     ///< of the objective, so far
+  double best = 0;     ///< best value of the objective so far
   double found_s = 0;  ///< since the beginning
   double most_s = 0;   ///< greatest permitted time
 };

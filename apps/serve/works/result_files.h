@@ -11,7 +11,7 @@ namespace clearcut::serve {
 
 struct ResultKind {
   const char* name;    ///< in addresses, and of its file
-  const char* ending;  ///< of its file, with the dot
+  const char* ending;  ///< ending of its file, with the dot
   const char* type;    ///< media type
   const char* what;    ///< in a sentence
   bool is_numbered;    ///< jobs of several set-ups have one for each: "program-2"

@@ -34,7 +34,7 @@ class ContourIndex {
   const ClipperLib::Paths& contours_;
   std::vector<double> areas_;            ///< signed
   std::vector<Box> boxes_;               ///< in units of the grid, like all following members
-  std::vector<std::size_t> first_edge_;  ///< of each contour
+  std::vector<std::size_t> first_edge_;  ///< number of the first edge of each contour
   BoxTree edges_;
 };
 

@@ -168,7 +168,7 @@ bool LegalArea::contains(Vec2 p) const {
   return around != 0;
 }
 
-/// How often the level path from p to x crosses an edge, from its left to its right.
+/// Number of times the level path from p to x crosses an edge, from its left to its right.
 int LegalArea::crossings(std::size_t edge, Vec2 p, double x) const {
   const Box& box = boxes_[edge];
   if (p.y < box.min.y - kAside || p.y > box.max.y + kAside || p.x > box.max.x + kAside) return 0;

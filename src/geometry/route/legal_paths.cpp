@@ -22,7 +22,7 @@ constexpr int kMostTangents = 512;
 /// Bound, with a large safety factor, on the relative rounding error of sums of lengths.
 constexpr double kRounding = 1e-12;
 
-/// The answer of `ask`, asked for once.
+/// The result of `ask`, called once.
 template <typename Ask>
 bool remembered(std::atomic<signed char>& known, Ask&& ask) {
   signed char answer = known.load(std::memory_order_relaxed);

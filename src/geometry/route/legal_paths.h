@@ -43,7 +43,8 @@ class LegalPaths {
 
     const LegalPaths& paths_;
     const std::vector<Vec2>& places_;
-    std::unique_ptr<std::atomic<signed char>[]> seen_;  ///< by place and corner, as LegalPaths::seen_
+    /// Visibility by place and corner, as in LegalPaths::seen_.
+    std::unique_ptr<std::atomic<signed char>[]> seen_;
   };
 
   /// Largest angle of an arc between two neighbouring tangents, degrees.
@@ -66,7 +67,8 @@ class LegalPaths {
 
   LegalArea area_;
   std::vector<Vec2> corners_;
-  mutable std::unique_ptr<std::atomic<signed char>[]> seen_;  ///< of pairs i < j: 0 unknown, 1 yes, -1 no
+  /// Visibility of pairs i < j: 0 unknown, 1 yes, -1 no.
+  mutable std::unique_ptr<std::atomic<signed char>[]> seen_;
 };
 
 }  // namespace clearcut::inline geometry

@@ -16,7 +16,7 @@ struct Walls {
 
 struct Axis {
   MedialAxis graph;
-  std::vector<Walls> walls;                ///< of each edge of the graph
+  std::vector<Walls> walls;                ///< walls of each edge of the graph
   std::vector<std::vector<int>> incident;  ///< edges at each point of the graph
 };
 

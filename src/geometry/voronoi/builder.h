@@ -53,9 +53,9 @@ class CircleFormation {
 
  private:
   using Origin = typename Site::point_type;
-  /// Half of the builder's limit: its largest x is the sum of two of ours.
+  /// Half of the builder's limit: its largest x is the sum of two limits used here.
   static constexpr double kMostRoundings = 32;
-  /// Of DoubleDouble in roundings of double, generously.
+  /// Rounding of DoubleDouble in roundings of double, with a safety factor.
   static constexpr double kFineRounding = 0x1p-48;
 
   static SitePoint point(const Site& site, Origin o) {

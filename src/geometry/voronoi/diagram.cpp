@@ -233,7 +233,7 @@ class Maker {
 
   const Region& region_;
   Diagram out_;
-  std::vector<LatticePoint> points_;  ///< of each point cell
+  std::vector<LatticePoint> points_;  ///< point of each point cell
 };
 
 }  // namespace

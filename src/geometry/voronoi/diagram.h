@@ -19,13 +19,13 @@ struct Node {
 struct Diagram {
   Sites sites;
   std::vector<Node> nodes;
-  std::vector<char> inside;  ///< of each node: in the material to cut, away from the boundary
+  std::vector<char> inside;  ///< per node: whether it is in the material to cut, away from the boundary
   std::vector<int> origin, next, cell;
   std::vector<int> critical;    ///< per edge: node of smallest or largest clearance strictly inside it, or -1
   std::vector<int> cell_start;  ///< per cell: one half-edge around it, -1 for degenerate cells
   std::vector<int> cell_element;  ///< per cell: its element; for doubled walls, the element on the left side
-  std::vector<int> cell_back;     ///< of each cell: element on the right side of a doubled wall, or -1
-  std::vector<int> cell_segment;  ///< of each cell: its segment, -1 for points
+  std::vector<int> cell_back;     ///< per cell: element on the right side of a doubled wall, or -1
+  std::vector<int> cell_segment;  ///< per cell: its segment, -1 for points
   /// Elements at nodes that are unequally far from their elements or nearer to another one, and elements that cross:
   /// if the set is empty, the topology is that of the exact boundary. (The topology of lines is always exact except
   /// for the rounding.)

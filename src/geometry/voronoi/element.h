@@ -14,7 +14,7 @@ enum class Wall : unsigned char { kLine, kConcave, kConvex, kPoint };
 struct Element {
   Wall wall = Wall::kPoint;
   Edge edge;            ///< points: edge.from and edge.center are the vertex
-  double radius = 0;    ///< arcs: of the circle; points: 0
+  double radius = 0;    ///< arcs: radius of the circle; points: 0
   int end_vertex = -1;  ///< edges: the point element at edge.to
 
   static Element of_edge(const Edge& edge);

@@ -185,7 +185,7 @@ class Corrector {
   }
 
   Diagram& diagram_;
-  std::vector<char> center_open_;  ///< of each element
+  std::vector<char> center_open_;  ///< per element: whether its centre is open
 };
 
 }  // namespace

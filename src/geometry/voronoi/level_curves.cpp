@@ -166,7 +166,7 @@ class Tracer {
   const std::vector<double>& levels_;
   double margin_;
   std::vector<int> depth_, first_cut_, open_, unmatched_;
-  std::vector<char> is_cut_;  ///< of each cell: whether a level crosses one of its edges
+  std::vector<char> is_cut_;  ///< per cell: whether a level crosses one of its edges
   std::vector<Cut> cuts_;
 };
 

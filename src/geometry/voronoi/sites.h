@@ -63,7 +63,7 @@ struct SiteErrors {
 };
 
 /// Runs of short lines become one line within `simplify` mm; vertices in one square of the grid become one.
-/// Segments are split where they touch, doubled ones made one. Elements have the same index for all errors.
+/// Segments are split at points of contact, doubled ones made one. Elements have the same index for all errors.
 Sites make_sites(const Region& region, const SiteErrors& errors, double simplify);
 
 }  // namespace clearcut::inline geometry::voronoi

@@ -68,8 +68,8 @@ TangentCircle<T> tangent_circle(SitePoint p, SitePoint q) {
   return {x, y, hypotenuse(x, y), 6 * terms / magnitude(twice)};
 }
 
-/// Through the origin and p, on the right of a line. The centre is p / 2 + t (p.y, -p.x); `larger` asks
-/// for the larger t of the two.
+/// Through the origin and p, on the right of a line. The centre is p / 2 + t (p.y, -p.x); `larger` selects the larger
+/// t of the two.
 template <class T>
 TangentCircle<T> tangent_circle(SitePoint p, SiteLine line, bool larger) {
   using std::sqrt;
@@ -95,7 +95,7 @@ TangentCircle<T> tangent_circle(SitePoint p, SiteLine line, bool larger) {
   return {x, y, hypotenuse(x, y), 24 * magnitude(hypotenuse(px, py)) * (1 + off)};
 }
 
-/// Through the origin, on the right of two lines; `larger` asks for the larger one.
+/// Through the origin, on the right of two lines; `larger` selects the larger one.
 template <class T>
 TangentCircle<T> tangent_circle(SiteLine s, SiteLine t, bool larger) {
   using std::sqrt;

@@ -226,7 +226,7 @@ class LoadFeedSetter {
     if (!divides) stretches_.push_back(whole);
   }
 
-  /// The moves anew, each divided where its stretches differ in feed.
+  /// Writes the moves anew, each divided at changes of feed.
   void write() {
     std::vector<Move> moves;
     std::size_t next = 0;

@@ -16,7 +16,7 @@ namespace {
 constexpr double kParallel = 1e-6;
 /// mm. Other paths are raised in pieces of this length.
 constexpr double kPiece = 0.1;
-/// Of a path's length: places nearer to each other are one.
+/// Share of a path's length: places nearer to each other are one.
 constexpr double kSamePlace = 1e-9;
 /// mm above the top of a square tab at which the cutter crosses the tab without rubbing on it.
 constexpr double kAbove = 0.2;
@@ -136,7 +136,7 @@ void sort_places(std::vector<double>& places) {
   places.erase(std::unique(places.begin(), places.end(), same), places.end());
 }
 
-/// Of a move along the tab's outline: exact.
+/// Raises a move along the tab's outline: exact.
 std::vector<Raised> raised_along(const Move& move, const Ridge& ridge) {
   const auto over = [&](double t) { return ridge.lowest(move.path.at(t)) - z_at(move, t); };
   std::vector<double> places = ridge.bends(move.path);
@@ -156,7 +156,7 @@ std::vector<Raised> raised_along(const Move& move, const Ridge& ridge) {
   return raised;
 }
 
-/// Of any other move: in short pieces, each as high as its neighbours ask for.
+/// Raises any other move: in short pieces, each as high as required at its ends.
 std::vector<Raised> raised_across(const Move& move, const Ridge& ridge) {
   const double length = move.path.length();
   const int pieces = std::max(1, static_cast<int>(std::ceil(length / kPiece)));

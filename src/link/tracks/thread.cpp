@@ -51,7 +51,7 @@ class ThreadPath {
     if (!thread_.external) return step() / 4;
     const double half = thread_.aside / 2;
     const double along =
-        base::acos(std::max(-1.0, 1 - (thread_.crest - thread_.radius) / half));  // of the half circle
+        base::acos(std::max(-1.0, 1 - (thread_.crest - thread_.radius) / half));  // share of the half circle
     const double seen =
         base::atan2(half * base::sin(along), distance(wall_, thread_.center) + half * (1 - base::cos(along)));
     return step() * seen / (2 * along);

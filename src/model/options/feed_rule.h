@@ -1,4 +1,4 @@
-// How the feed follows the load of the cutter.
+// Rule by which the feed follows the load of the cutter.
 #pragma once
 
 #include <optional>

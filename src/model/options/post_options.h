@@ -1,4 +1,4 @@
-// How a program is to be written for its controller.
+// Options for writing a program for its controller.
 #pragma once
 
 #include <optional>
@@ -24,13 +24,13 @@ struct PostOptions {
   bool exact_stop = false;          ///< G61 instead of blending, if the control supports G61
   /// If the control states no bound: no G61; the control rounds corners by its own setting.
   bool continuous = false;
-  std::optional<int> program_number;  ///< of the O word, before any in program_name
+  std::optional<int> program_number;  ///< number of the O word, with precedence over one in program_name
   int programs_before = 0;            ///< number of earlier programs of the same job, added to the O word
   WorkOffset work_offset;             ///< work offset of the part's zero
   EndPosition end;
   bool block_numbers = false;           ///< N words, in tens
   bool optional_stop = false;           ///< M1 before every tool but the first
-  std::optional<Seconds> spindle_wait;  ///< after the spindle starts; default per dialect
+  std::optional<Seconds> spindle_wait;  ///< wait after the spindle starts; default per dialect
   MmPerMin rapid = MmPerMin::of(3000);  ///< for controls whose G0 takes an F word (Marlin)
   Tolerances tol;
 };

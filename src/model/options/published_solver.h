@@ -39,16 +39,16 @@ struct PublishedSolver {
 
 /// Solver that orders the visits of a grid.
 struct VisitSolver {
-  bool is_published = false;  ///< else ours
+  bool is_published = false;  ///< else Clearcut's own
   PublishedSolver published;
 };
 
 /// A user's choices between the published method and Clearcut's own. Absent: no choice.
 struct PublishedChoices {
-  std::optional<bool> bisector_passages;  ///< of contour methods (CPO-kappa eq. 3)
+  std::optional<bool> bisector_passages;  ///< for contour methods (CPO-kappa eq. 3)
   std::optional<bool> sharp_reflex;       ///< for contour methods that cut only contours (CPO-kappa eq. 2)
-  std::optional<bool> published_grid;     ///< of the strategy tour: Tour eq. 4.8, nothing else is cut
-  std::optional<VisitSolver> solver;      ///< of the strategy tour and of elements
+  std::optional<bool> published_grid;     ///< for the strategy tour: Tour eq. 4.8, without additional passes
+  std::optional<VisitSolver> solver;      ///< solver for the strategy tour and for elements
 
   /// Those of `other` go before these.
   void merge(const PublishedChoices& other) {
@@ -59,7 +59,7 @@ struct PublishedChoices {
   }
 };
 
-/// By step_key().
+/// Choices by step_key().
 using StepChoices = std::map<std::string, PublishedChoices>;
 
 }  // namespace clearcut::inline model

@@ -37,7 +37,7 @@ enum class ContourOrder { kInsideOut, kOutsideIn };
 struct ResolvedStep {
   const StrategyEntry* strategy = nullptr;  ///< null: the fastest of the strategies tried ("auto")
   Stepover stepover;
-  /// Of parallel lines against x; absent: the fastest angle is searched.
+  /// Angle of parallel lines against x; absent: the fastest one is searched.
   std::optional<Radians> stroke_angle;
   MmPerMin feed, plunge_feed, ramp_feed;
   MmPerMin lead_feed;  ///< into and out of passes
@@ -58,15 +58,15 @@ struct ResolvedStep {
   std::optional<double> helix_widest;     ///< diameter of the centre's circle; absent: each entry's own limit
   std::optional<double> helix_narrowest;  ///< likewise
   double lead = 0;                        ///< radius of arcs, length of lines; 0: none
-  std::optional<Radians> lead_angle;      ///< of lines against the pass; absent: arcs
+  std::optional<Radians> lead_angle;      ///< angle of lines against the pass; absent: arcs
   /// Engagement in degrees at which clearing aims; "auto" first tries the strategies that keep it. It is no limit: a
   /// greater engagement in places is no fault.
   std::optional<double> aimed_engagement_deg = {};
   double cross_z = 0;                     ///< height of rapids between passes; absolute
-  std::optional<bool> bisector_passages;  ///< of contour methods; absent: the method decides
+  std::optional<bool> bisector_passages;  ///< for contour methods; absent: the method decides
   std::optional<bool> sharp_reflex;  ///< corners of contours at reflex corners; absent: the method decides
-  VisitSolver solver;                ///< of the strategy tour
-  bool published_grid = false;       ///< of the strategy tour: Tour eq. 4.8, nothing else is cut
+  VisitSolver solver;                ///< solver of the strategy tour
+  bool published_grid = false;       ///< for the strategy tour: Tour eq. 4.8, without additional passes
 
   /// Side of the wall, seen along closed passes.
   bool wall_on_right() const { return (direction == CutDirection::kClimb) == spindle_clockwise; }
@@ -74,7 +74,7 @@ struct ResolvedStep {
 
 /// One line of the table of decided values, for people and certificates.
 struct ResolvedValue {
-  int step = -1;  ///< place in the workplan; -1: of the whole plan
+  int step = -1;  ///< place in the workplan; -1: a value of the whole plan
   std::string name;
   std::string value;
   std::string unit;
@@ -83,7 +83,7 @@ struct ResolvedValue {
 
 struct ResolvedPlan {
   Part part;                        ///< with the steps added by options; its operations agree with `steps`
-  std::vector<ResolvedStep> steps;  ///< as many as part.workplan
+  std::vector<ResolvedStep> steps;  ///< one for each step of part.workplan
   ContourOrder order = ContourOrder::kInsideOut;
   std::optional<Vec2> start;             ///< point at which cutting begins; absent: anywhere
   std::optional<double> engagement_deg;  ///< limit; absent: none

@@ -17,7 +17,8 @@ struct ShopOptions {
   std::optional<MmPerMin> link_feed;      ///< feed of links at depth through cleared areas
   std::optional<double> overrun;          ///< mm; open sides are cut this far beyond their edge
   std::optional<double> link_lift;        ///< mm; links at depth run higher by this distance
-  bool margin = false;                    ///< how far the machine may leave the path is to be found
+  /// The allowed deviation of the machine from the path is to be found.
+  bool margin = false;
   std::optional<double> margin_at_least;  ///< mm; margin that the plan must allow and the verdict requires
   std::optional<double> margin_uncut;     ///< mm; greatest uncut thickness with that margin
   std::optional<double> margin_gouge;     ///< mm; greatest gouge depth with that margin
@@ -36,7 +37,8 @@ struct ShopOptions {
   /// mm; greatest excess of the real stock over the stated one, at its sides and top.
   std::optional<double> stock_oversize;
   std::optional<double> finish_depths;  ///< number of depth levels in which walls are finished
-  std::optional<std::string> material;  ///< of the work, for forces and wear: a name of work_materials()
+  /// Material of the work, for forces and wear: a name of work_materials().
+  std::optional<std::string> material;
 
   std::optional<std::string> style;  ///< "machinist", "fastest": style of all choices left open
 

@@ -23,7 +23,7 @@ struct StrategyRequest {
 struct ClearedSize {
   double reached_mm2 = 0;   ///< lower bound of the area that the cutter can clear, summed over the layers
   double legal_rim_mm = 0;  ///< length of the boundary of the centre's legal area, summed likewise
-  std::size_t edges = 0;    ///< of the largest layer's boundary
+  std::size_t edges = 0;    ///< number of edges of the largest layer's boundary
 };
 
 /// Role of a strategy among the candidates of which "auto" keeps the fastest.

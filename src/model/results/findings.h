@@ -15,7 +15,7 @@ namespace clearcut::inline model {
 struct Place {
   Vec2 point;
   double z = 0;
-  int line = 0;  ///< of the program text; 0 if unknown
+  int line = 0;  ///< line of the program text; 0 if unknown
 };
 
 /// Kinds of faults of a program. The properties of each kind are in its row, see row_of().
@@ -86,7 +86,7 @@ struct Engagement {
   double max_deg = 0;
   std::optional<Place> max_at;
   double mean_deg = 0;                    ///< over cutting length
-  double over_limit_mm = 0;               ///< length above the limit asked for (0 without a limit)
+  double over_limit_mm = 0;               ///< length above the requested limit (0 without a limit)
   std::array<double, 18> histogram_mm{};  ///< cutting length by 10 degree classes
   double climb_mm = 0;  ///< cutting length with the material on the right (clockwise spindle)
   double conventional_mm = 0;
@@ -95,10 +95,10 @@ struct Engagement {
 /// Descents into material, each up to its end: the limit of engagement does not apply to them.
 struct Entries {
   int count = 0;
-  double length_mm = 0;         ///< of feed in material
+  double length_mm = 0;         ///< length of feed in material
   double max_deg = 0;           ///< greatest angle of the cutter's circle in material
   double max_axial_mm = 0;      ///< greatest depth of material above the tip
-  std::optional<Place> max_at;  ///< of max_deg
+  std::optional<Place> max_at;  ///< place of max_deg
 };
 
 /// Forces computed from the engagement by a force model; only if the material of the work is known.
@@ -163,7 +163,7 @@ struct LayerFindings {
 
 /// Steps left by layers on drafted walls, mm square to the wall.
 struct Scallop {
-  double height_mm = 0;            ///< the highest; of a flat end, rounded corners leave less
+  double height_mm = 0;            ///< the highest step; for a flat end, rounded corners leave less
   std::optional<double> asked_mm;  ///< greatest permitted scallop
   double z = 0;                    ///< height of the layer below
 };
@@ -175,7 +175,7 @@ struct FeatureFindings {
   double tool_diameter = 0;
   Figures figures;
   std::vector<LayerFindings> layers;    ///< descending z
-  std::optional<Scallop> scallop = {};  ///< of drafted walls
+  std::optional<Scallop> scallop = {};  ///< scallops of drafted walls
 };
 
 struct Findings {
@@ -185,7 +185,7 @@ struct Findings {
   std::vector<FeatureFindings> features;  ///< in workplan order
   std::vector<Fault> faults;              ///< worst first
   std::vector<Condition> conditions;      ///< facts that must be true at the machine, met and open
-  /// Degrees, of each move of the program in its order: the largest angle of the cutter in material. Empty: not
+  /// Degrees; the largest angle of the cutter in material, for each move of the program in its order. Empty: not
   /// measured.
   std::vector<float> move_engagement_deg;
   /// N, likewise: the largest mean tangential force. Empty: the material of the work is not known.

@@ -22,7 +22,7 @@ constexpr long long kMembersSeen = 40'000'000;
 constexpr long long kMostMembers = 400'000;
 
 struct Heaviest {
-  double first = 0, second = 0;  ///< of two directions
+  double first = 0, second = 0;  ///< weights of two directions
   void add(double weight) {
     if (weight > first) {
       second = first;
@@ -57,10 +57,10 @@ class LineCover {
 
  private:
   struct Line {
-    std::size_t first = 0, end = 0;  ///< of members_
+    std::size_t first = 0, end = 0;  ///< range of members_
   };
   struct Direction {
-    std::size_t first = 0, end = 0;  ///< of lines_
+    std::size_t first = 0, end = 0;  ///< range of lines_
   };
 
   void find_lines() {

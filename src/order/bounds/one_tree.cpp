@@ -270,7 +270,7 @@ class CompleteTree {
   std::vector<Vec2> points_;
   KdTree tree_;
   DisjointSets components_;
-  std::vector<double> least_penalty_;  // by k-d node
+  std::vector<double> least_penalty_;  // least penalty by k-d node
   std::vector<int> owner_;
 };
 

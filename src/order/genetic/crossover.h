@@ -1,4 +1,4 @@
-// How two parents make a new individual (Tour 4.3.3 ii). Each operator is one file in crossover/.
+// Crossover of two parents to a new individual (Tour 4.3.3 ii). Each operator is one file in crossover/.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace clearcut::order {
 
-/// Leaves fixed ends where they are. Keeps work space: not for several threads at once.
+/// Leaves fixed ends unchanged. Keeps work space: not for several threads at once.
 class Crossover {
  public:
   virtual ~Crossover() = default;

@@ -19,7 +19,7 @@ struct IslandOptions {
 /// Throws InputError for settings inconsistent with these options of each island.
 void check_islands(const IslandOptions& islands, const GeneticOptions& options);
 
-/// How many epochs a run of `stop.rounds` generations has.
+/// Number of epochs of a run of `stop.rounds` generations.
 long long epoch_count(const IslandOptions& islands, const GeneticOptions& options);
 
 /// The island that sends its best to this one.

@@ -16,7 +16,7 @@ ArrayTour::ArrayTour(std::vector<int> nodes) : order_(std::move(nodes)), positio
 int ArrayTour::walk(const Exchange& exchange, std::array<Piece, kMostExchanged>& pieces) const {
   const int k = exchange.count;
   struct Cut {
-    int position;   // of the node before the cut
+    int position;   // position of the node before the cut
     int before_at;  // index into t of the node before, after
     int after_at;
   };

@@ -67,7 +67,7 @@ class ArrayTour {
   std::vector<int> order_;
   std::vector<int> position_;
   std::vector<Rewrite> rewrites_;
-  std::vector<int> old_nodes_;  // of all rewrites, one after the other
+  std::vector<int> old_nodes_;  // replaced nodes of all rewrites, one after the other
   std::vector<int> buffer_;
   bool forget_ = false;
 };

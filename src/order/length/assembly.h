@@ -17,7 +17,7 @@ struct EdgeChange {
 };
 
 struct Child {
-  LengthModel::Cost gain = 0;  ///< how much shorter than the parent
+  LengthModel::Cost gain = 0;  ///< difference to the parent's length
   std::vector<EdgeChange> changes;
 };
 
@@ -66,7 +66,7 @@ class Assembly {
   int smallest_subtour() const;
 
   const LengthModel& model_;
-  Links links_;  // of the parent, changed while a child is built
+  Links links_;  // links of the parent, changed while a child is built
   std::vector<int> order_, position_;
   struct Undo {
     int node, slot, old_end;

@@ -16,7 +16,7 @@
 
 namespace clearcut::order {
 
-/// How many candidates are tried at each depth; 0 ends the search there.
+/// Number of candidates tried at each depth; 0 ends the search there.
 struct KOptBreadth {
   std::array<int, kMostExchanged> at{};
 };

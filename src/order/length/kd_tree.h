@@ -28,7 +28,7 @@ class KdTree {
 
   const std::vector<Node>& nodes() const { return nodes_; }  ///< root first, children after parents
   int item(int i) const { return items_[i]; }
-  Vec2 point(int i) const { return sorted_[i]; }  ///< of item(i)
+  Vec2 point(int i) const { return sorted_[i]; }  ///< coordinates of item(i)
 
   /// Up to k accepted points inside `window`, nearest first. `accept(index)` sees each candidate once.
   template <class Accept>

@@ -97,10 +97,10 @@ class LengthModel {
   Cost premium_per_end_ = 0;
   double scale_ = 1;
   std::vector<Vec2> points_;
-  std::vector<int> problem_index_;  // of a node
+  std::vector<int> problem_index_;  // index in the problem by node
   Neighbours candidates_;
   std::vector<Cost> candidate_costs_;
-  std::unique_ptr<Moves> moves_;  // only with detours
+  std::unique_ptr<Moves> moves_;  // null without detours
 };
 
 }  // namespace clearcut::order

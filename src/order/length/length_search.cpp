@@ -17,7 +17,7 @@ using Cost = LengthModel::Cost;
 
 constexpr int kSmallestPopulation = 12;
 constexpr double kStartNoise = 0.5;
-constexpr double kShareOfStarts = 0.3;  // of the time; breeding takes about 2.5 times as long
+constexpr double kShareOfStarts = 0.3;  // share of the time; breeding takes about 2.5 times as long
 /// Above this many points one exchange on the whole array is too slow to start from a greedy tour.
 constexpr int kLargestWholeDescent = 150000;
 constexpr int kWindow = 10000;

@@ -19,7 +19,7 @@ class Population {
   using Cost = LengthModel::Cost;
 
   struct Options {
-    int children = 30;  ///< of each pair of parents
+    int children = 30;  ///< number of children of each pair of parents
     std::uint64_t seed = 1;
     long long generations = std::numeric_limits<long long>::max();
   };

@@ -73,7 +73,7 @@ class ExchangeSearch {
   };
 
   const Moves& moves_;
-  std::unique_ptr<Straight> straight_;  ///< only with detours
+  std::unique_ptr<Straight> straight_;  ///< null without detours
   const Objective& objective_;
   const Neighbours& neighbours_;
   int extra_ = -1;  ///< -1 for closed tours
@@ -85,7 +85,8 @@ class ExchangeSearch {
   std::unique_ptr<PathValue> path_value_;  ///< null unless the objective depends on the whole path
   /// The part depending on the whole path is temporarily not evaluated.
   bool repairing_ = false;
-  long long evaluations_left_ = 0;  ///< of whole paths, until the next call of descend or run
+  /// Remaining evaluations of whole paths, until the next call of descend or run.
+  long long evaluations_left_ = 0;
   std::vector<int> queue_;
   std::size_t head_ = 0;
   std::vector<char> queued_;

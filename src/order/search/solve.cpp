@@ -227,12 +227,12 @@ ObjectivePtr with_tie_break(const Objective& objective, const TourFigures& start
   return weighted_sum({{1.0, borrowed}, {1e-4 / start.length, length_objective()}});
 }
 
-constexpr int kIslands = 4;  // fixed, whatever the threads
+constexpr int kIslands = 4;  // fixed, for any number of threads
 
 /// Independent parallel searches.
 class Islands {
  public:
-  /// Begins at the first of `seeds`, one each; objective and neighbours must outlive it.
+  /// Each search begins at one of the first of `seeds`; objective and neighbours must outlive it.
   Islands(const Moves& moves, const Objective& objective, const Neighbours& neighbours,
           const std::vector<std::pair<double, Tour>>& seeds, const SolveOptions& options) {
     Random random(options.seed);

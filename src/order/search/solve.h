@@ -29,7 +29,7 @@ struct Solution {
   double gap = 0;           ///< (objective - bound) / bound; 0 when proven optimal
   double seconds = 0;
   std::uint64_t seed = 0;
-  long long rounds = 0;  ///< of the method; give them as stop.rounds to repeat a run exactly
+  long long rounds = 0;  ///< rounds of the method; pass them as stop.rounds to repeat a run exactly
   std::string method;
 };
 

@@ -17,7 +17,7 @@ constexpr std::size_t kMostEntries = 60000;
 constexpr int kRounds = 4;
 /// Up to this many visits the ways are chosen anew for every tried order.
 constexpr std::size_t kMostWithWays = 24;
-/// Beyond so many the first order stays.
+/// With more visits than this the first order is kept.
 constexpr std::size_t kMostImproved = 1000;
 constexpr std::size_t kLongestMoved = 3;
 /// Smaller savings count as rounding.
@@ -63,7 +63,7 @@ class Costs {
   struct Near {
     std::size_t state = 0;
     double away = 0;
-    double cost = -1;  ///< not asked for yet
+    double cost = -1;  ///< not computed yet
   };
 
   double asked(std::size_t from, std::size_t to) {
@@ -102,7 +102,7 @@ class Costs {
   std::vector<std::size_t> first_;
   std::vector<std::vector<Near>> near_;
   std::vector<Near> all_;      ///< neighbours of the current state
-  std::vector<double> known_;  ///< from each state to each; below 0: not asked for yet
+  std::vector<double> known_;  ///< from each state to each; below 0: not computed yet
 };
 
 /// Visits required before and after each visit.

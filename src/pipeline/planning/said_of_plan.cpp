@@ -21,7 +21,7 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// As text, in thousands.
+/// A number as text, in thousands.
 std::string thousands(std::uint64_t steps) {
   return fmt::format("{} thousand steps of work", steps / 1000);
 }

@@ -11,7 +11,7 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// So many of the candidates are planned in any case.
+/// Number of candidates planned in any case.
 constexpr std::size_t kFirst = 2;
 /// mm. Least length of a strategy's path, from the area that can be cleared.
 double least_way(const StrategyEntry& strategy, const ClearedSize& size, double radius) {

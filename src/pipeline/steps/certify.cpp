@@ -55,7 +55,7 @@ std::string stock_line(const Part& part, const Lengths& lengths) {
 
 /// Characters; every control takes a comment as long in one line.
 constexpr std::size_t kConditionLine = 60;
-/// Of them for how many more kinds there are.
+/// Characters reserved for the number of further kinds.
 constexpr std::size_t kForMore = 9;
 
 /// Each kind of condition once, with its number of occurrences: "2 X OUT-OF-REACH (AT MOST ...)".

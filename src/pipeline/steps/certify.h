@@ -15,7 +15,7 @@
 
 namespace clearcut::pipeline {
 
-/// How a workingstep is linked, by its place in the workplan. `entry` is how to go down.
+/// Link options of a workingstep, by its place in the workplan. `entry`: kind of descent.
 link::LinkOptions link_options(const ResolvedPlan& plan, int workingstep, EntryKind entry);
 
 /// Writes the workingstep and the cutting data into `section`.
@@ -34,8 +34,8 @@ struct HandTools {
 
 inline constexpr const char* kOrderOfWork = "of the part's work";
 
-/// The tools named in comments of `program` as loaded, if they are all among `usual`; else `usual`. Without repeated
-/// tools.
+/// The tools named in comments of `program` as loaded, if they are all among `usual`; else `usual`. Without
+/// immediate repetitions and numbers below 1.
 HandTools hand_tools_of(std::string_view program, HandTools usual);
 /// The condition for a program that names none of its several tools.
 Condition hand_tools_condition(const HandTools& tools);
@@ -49,7 +49,7 @@ verify::VerifyOptions verify_options(const ResolvedPlan& plan);
 /// Values stated for tools, by number.
 struct StatedOfTools {
   std::map<int, verify::ToolLimits> limits = {};   ///< limits of tools without a workingstep
-  std::map<int, verify::StatedDrive> drives = {};  ///< of all
+  std::map<int, verify::StatedDrive> drives = {};  ///< cutting data of all tools
   std::map<int, MmPerMin> reference_feeds = {};    ///< feeds at the reference if feeds follow the load
 };
 

@@ -35,7 +35,7 @@ class MeetingPockets {
   Regions room_of(const Feature& other, double z) const;
 
   std::vector<const Feature*> met_;
-  std::vector<const Feature*> higher_;  ///< of those: cut later, and begin higher than the pocket
+  std::vector<const Feature*> higher_;  ///< features cut later that begin higher than the pocket
   Regions cleared_;  ///< area cleared down to the top of the pocket by earlier work; only for these features
   Tolerances tol_;
   std::vector<const Feature*> last_open_;  ///< open features of the last widened layer

@@ -17,7 +17,7 @@
 namespace clearcut::pipeline {
 namespace {
 
-constexpr double kShare = 0.02;   // of the feature's area
+constexpr double kShare = 0.02;   // share of the feature's area
 constexpr double kCorners = 1.0;  // mm2
 /// Share of the feature's area: if no more is reached, the result is not as requested, however small the feature is.
 constexpr double kMost = 0.5;

@@ -23,7 +23,7 @@ struct PlanResult {
   Toolpath planned;      ///< toolpath before printing
   Findings findings;     ///< findings on `toolpath`, with the conditions for these motions of the control
   ControlTable control;  ///< state of the control at each move of `toolpath`
-  std::vector<report::ContourLevels> contours;  ///< of each section planned by contours
+  std::vector<report::ContourLevels> contours;  ///< contours of each section planned by contours
   std::vector<ResolvedValue> values;            ///< every decided value, with its origin
   std::vector<StrategySelection> selections;    ///< strategies of each workingstep
   std::optional<Toolpath> earlier;              ///< earlier cuts

@@ -1,4 +1,4 @@
-// How much work each strategy may take for a workingstep.
+// Work permitted to each strategy for a workingstep.
 #pragma once
 
 #include <cstdint>

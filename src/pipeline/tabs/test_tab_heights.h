@@ -102,9 +102,9 @@ struct Hill {
 /// Range of heights in which hills are searched.
 struct Middle {
   double aside = 0;   ///< mm from the outline to the right: the kerf's middle
-  double radius = 0;  ///< mm, of the cutter
+  double radius = 0;  ///< mm; radius of the cutter
   double floor = 0;
-  double steepness = 0;  ///< of the sides of tabs; 0: they are upright
+  double steepness = 0;  ///< slope of the sides of tabs; 0: vertical
 };
 
 /// The material along the middle of the kerf beside one side; `before`: mm of outline before the side.

@@ -1,4 +1,4 @@
-// How the best value of a search fell.
+// Decrease of the best value of a search.
 #pragma once
 
 #include <functional>

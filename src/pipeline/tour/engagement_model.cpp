@@ -169,7 +169,7 @@ class RasterEngagement final : public EngagementModel {
     cleared_.push_back(index(x, y));
   }
 
-  double size_ = 1;  ///< of a pixel, mm
+  double size_ = 1;  ///< size of a pixel, mm
   Vec2 origin_;
   int columns_ = 0, rows_ = 0;
   std::vector<char> map_;
@@ -309,7 +309,7 @@ double engagement_cost(double deviation) {
 }
 
 double inverse_engagement_cost(double deviation) {
-  constexpr double kLeast = 0.02;  // of the circle: the accuracy of the raster model
+  constexpr double kLeast = 0.02;  // share of the circle: the accuracy of the raster model
   if (deviation > 0) return engagement_cost(deviation);
   return 1 - kLeast / std::max(-deviation, kLeast);
 }

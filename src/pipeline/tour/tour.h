@@ -15,7 +15,7 @@ namespace clearcut::pipeline {
 /// A value better than all earlier ones.
 struct TourSample {
   double seconds = 0;  ///< since the search began
-  double best = 0;     ///< of the objective
+  double best = 0;     ///< best value of the objective
 };
 
 struct TourOptions {
@@ -24,12 +24,13 @@ struct TourOptions {
   std::optional<bool> closed;  ///< default: TSPLIB files closed, lattices open
   double time_s = 10;
   std::uint64_t seed = 1;
-  int threads = 0;                 ///< 0: all cores
-  double feed = 1000;              ///< mm/min, for the objective time
-  std::optional<double> diameter;  ///< mm, of the cutter for engagement; default: two pitches of the points
+  int threads = 0;     ///< 0: all cores
+  double feed = 1000;  ///< mm/min, for the objective time
+  /// mm; diameter of the cutter for engagement; default: two pitches of the points.
+  std::optional<double> diameter;
   double engagement_percent = 50;  ///< wanted share of the leading half circle in material
   std::string solver = "modern";   ///< or "published": the text's genetic algorithm
-  /// Of the published solver; seed and time are taken from the members above.
+  /// Options of the published solver; seed and time are taken from the members above.
   order::GeneticOptions genetic;
   std::optional<int> genetic_neighbours;  ///< 0: all points; default 24
   std::stop_token cancel;  ///< asked to stop, the search ends with Cancelled within some milliseconds
@@ -41,7 +42,8 @@ struct TourResult {
   order::Problem problem;
   order::Solution solution;
   std::string objective;
-  /// How the best value fell, from the first to the last; of more than a thousand values every other one is left out.
+  /// Decrease of the best value, from the first to the last; of more than a thousand values every other one is left
+  /// out.
   std::vector<TourSample> convergence = {};
 };
 

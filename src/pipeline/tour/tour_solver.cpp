@@ -73,7 +73,7 @@ struct Search {
   MmPerMin feed;
   std::stop_token cancel;
 
-  /// Share of the leading half circle; of the angle asked for, else half.
+  /// Share of the leading half circle; from the requested angle, else half.
   double engagement_target() const { return engagement_deg ? *engagement_deg / 180 : 0.5; }
 };
 

@@ -25,7 +25,7 @@ order::ObjectivePtr machine_time_objective(const Machine& machine, MmPerMin feed
 /// An open path through the points of a grid, along legal paths.
 order::Problem grid_problem(const plan::tour::TourTask& task);
 
-/// How the text's genetic algorithm is run.
+/// Settings of the text's genetic algorithm.
 struct PublishedOrder {
   PublishedSolver solver;
   std::uint64_t seed = 1;

@@ -158,7 +158,7 @@ class Mesh {
     for (const Half h : polygon) out.push_back(start(h));
     return out;
   }
-  /// How far its parts of the boundary are from their walls.
+  /// Distance of its parts of the boundary from their walls.
   double slack(const Polygon& polygon) const {
     double widest = 0;
     for (const Half h : polygon) {
@@ -374,14 +374,14 @@ std::pair<Spot, Spot> nearest_between(const Points& a, const Points& b) {
 struct Swath {
   std::size_t move = 0;
   Curve curve;
-  double radius = 0;  // of its tool
+  double radius = 0;  // radius of its tool
   ccw::Int point = 0;
   ccw::Box box;
 };
 
 struct Piece {
   Polygon polygon;
-  int level = 0;        // how near to the bound cuts are
+  int level = 0;        // nearness of cuts to the bound
   bool beyond = false;  // cut off as out of a move's reach
   int depth = 0;
 };
@@ -408,9 +408,9 @@ struct Setting {
 /// Tiles one polygon by the cuts of moves: for a claimed feature, or around a rapid.
 class Tiling {
  public:
-  /// Of a feature.
+  /// Tiling of a feature.
   Tiling(const Setting& setting, const ccw::Claim& claim);
-  /// Of a rapid.
+  /// Tiling around a rapid.
   Tiling(const Setting& setting, std::size_t move);
 
   /// The tiles with their corners; `centre` is empty if nothing is out of reach.

@@ -38,7 +38,7 @@ struct FoundWitness {
   std::string why_not;               ///< a sentence, with the place; empty if a witness was found
   std::vector<std::string> missing;  ///< features without proof, and the reasons
   std::vector<std::string> proved;   ///< features proved to be cut
-  std::string claims;                ///< as the checker words them
+  std::string claims;                ///< in the checker's words
   int tiles = 0;
 };
 

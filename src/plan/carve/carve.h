@@ -9,7 +9,7 @@
 
 namespace clearcut::plan::carve {
 
-/// How a cone carves. Lengths in mm.
+/// Shape and depths of a carving cone. Lengths in mm.
 struct CarveShape {
   double top = 0;         ///< height of the material
   double floor = 0;       ///< height of the floor; the tip never goes below

@@ -10,7 +10,7 @@
 
 namespace clearcut::plan::carve {
 
-/// How a cone breaks an edge. Lengths in mm.
+/// Shape and depths of a cone breaking an edge. Lengths in mm.
 struct ChamferShape {
   double top = 0;          ///< height of the wall's top
   double slope = 0;        ///< mm of radius that the flanks gain for each mm of height

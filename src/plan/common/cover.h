@@ -66,7 +66,7 @@ class Cover {
   struct Stroke {
     Vec2 from, to, along;
     double whole = 0;  ///< squared length of a line, mm^2; negative for an arc
-    // Of arcs:
+    // Members of arcs:
     Vec2 center;
     Wedge wedge;
     double radius = 0;
@@ -79,8 +79,8 @@ class Cover {
   struct Curve {
     bool circle = false;
     Vec2 a;             ///< a point of the line, or the centre
-    Vec2 direction;     ///< of lines, unit length
-    double radius = 0;  ///< of circles, mm
+    Vec2 direction;     ///< direction of lines, unit length
+    double radius = 0;  ///< radius of circles, mm
     Box box;
   };
   /// All curves and points of which rims of holes may consist.

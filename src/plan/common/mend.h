@@ -10,7 +10,7 @@
 namespace clearcut::plan {
 
 struct MendJob {
-  double radius = 0;       ///< of the cutter, mm
+  double radius = 0;       ///< radius of the cutter, mm
   double residual = 5e-4;  ///< mm; residuals up to this thick may stay between two paths one diameter apart
   std::function<bool(Vec2)> matters;  ///< whether a place has to be cleared
   std::span<const Edge> fixed;        ///< edges that also clear, but get no detours

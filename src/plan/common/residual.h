@@ -9,7 +9,7 @@ namespace clearcut::plan {
 
 /// A path along the medial axis clearing one connected residual.
 struct ResidualPath {
-  std::vector<Vec2> points;  ///< to be visited in this order; at least one
+  std::vector<Vec2> points;  ///< points to be visited in this order; at least one
   bool closed = false;       ///< a cycle of the axis round an island: from the last point back to the first
   bool rooted = false;       ///< points.front() is on the contour of one of the node's children
 };

@@ -11,7 +11,7 @@ namespace clearcut::plan {
 
 /// Input of the rounding of corners.
 struct RoundingJob {
-  double radius = 0;  ///< of the cutter, mm
+  double radius = 0;  ///< radius of the cutter, mm
   /// mm; points within this distance of a pass are still within it afterwards.
   double proven = 0;
   const LegalArea* legal = nullptr;  ///< legal area of the centre

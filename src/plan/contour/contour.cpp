@@ -67,7 +67,7 @@ enum class FaceRing {
   kOnEdge   ///< on the edge, so that arms too narrow for a ring inside are also cleared
 };
 
-/// mm; how far beyond the target's open sides rings may run through air (docs/contour.md, "Open sides").
+/// mm; permitted extent of rings through air beyond the target's open sides (docs/contour.md, "Open sides").
 /// Beside walls by Layer::rounded more, as material there may be narrower than the rounding of the cutter's end.
 double reach_beyond(const Region& target, const Layer& layer, FaceRing face_ring) {
   const Regions& allowed = layer.allowed;

@@ -14,7 +14,7 @@
 
 namespace clearcut::plan::contour {
 
-/// How far apart successive contours are.
+/// Rule for the distance of successive contours.
 struct StepRule {
   enum class Kind {
     kWidest,          ///< "widest": as wide as the cutter allows; local passes clear the residuals
@@ -41,7 +41,7 @@ StepRule parse_step_rule(const std::string& text);
 enum class ResidualRule {
   kOurs,   ///< a path along the medial axis, only if a residual is left
   kNone,   ///< not at all: the plain method, for comparison
-  kLoops,  ///< a loop at every corner of every contour with a residual (Zhao); ridges as ours
+  kLoops,  ///< a loop at every corner of every contour with a residual (Zhao); ridges as in kOurs
   /// The same with the kite of pair-wise interference detection (Park et al.); plan/contour/corner_loop.h.
   kPwid,
   kSingleLoops,  ///< the same with one tangent loop (Choy and Chan)
@@ -50,7 +50,7 @@ enum class ResidualRule {
   kPassages  ///< passages from each contour to the next along the bisector of a single smallest angle (CPO-rho 3.2)
 };
 
-/// How the cutter gets from a contour to the next.
+/// Passage of the cutter from a contour to the next.
 enum class Passage {
   kShortest,  ///< in the order found by linking
   kBisector   ///< along a corner's bisector (CPO-kappa eq. 3); plan/contour/passages.h
@@ -63,7 +63,7 @@ struct ContourOptions {
   /// Reflex corners of contours stay corners (CPO-kappa eq. 2) if the outline has no arcs; false: they are rounded.
   /// Only for rules that cut nothing but contours and passages.
   bool sharp_reflex = false;
-  /// How long to search for shorter paths at the widest step. 0: not at all, under a millisecond; 1: some
+  /// Effort of the search for shorter paths at the widest step. 0: not at all, under a millisecond; 1: some
   /// tenths of a second for an ordinary pocket.
   double effort = 1;
   /// Rings run with the wall on the right (climb milling for a clockwise spindle); false: on the left.

@@ -52,7 +52,7 @@ bool cuts_contours_alone(const ContourMethod& method) {
   return method.residuals == ResidualRule::kNone || method.residuals == ResidualRule::kPassages;
 }
 
-/// As the texts print them: lom, rho and second have corners.
+/// As in the published texts: lom, rho and second have corners.
 bool has_sharp_reflex(const ContourMethod& method, const StrategyRequest& request) {
   const std::string name = method.name;
   const bool is_printed_so = name == "lom" || name == "rho" || name == "second";

@@ -326,7 +326,7 @@ class PassBuilder {
   /// For each node: indices of its rings' passes, the outer one first.
   std::vector<std::vector<std::size_t>> rings_of_;
   std::vector<int> component_of_;
-  std::vector<Box> boxes_;  ///< of the rings among the passes
+  std::vector<Box> boxes_;  ///< boxes of the rings among the passes
   int components_ = 0;
 };
 

@@ -16,9 +16,9 @@ struct Domain {
   Clearance clearance;
 };
 
-/// How rings are planned.
+/// Settings for planning rings.
 struct RingJob {
-  double radius = 0;       ///< of the cutter, mm
+  double radius = 0;       ///< radius of the cutter, mm
   double first_level = 0;  ///< mm from the wall to the first rings
   double reserve = 0;      ///< mm of first_level only for rounding: exact fits need not keep this part
   double margin = 0;       ///< mm; overlap for clearing the residuals of rings

@@ -25,7 +25,7 @@
 
 namespace clearcut::plan::contour {
 
-/// How contours turn at reflex corners.
+/// Shape of contours at reflex corners.
 enum class ReflexCorners {
   kMitred,  ///< sharp, as in the papers: sides are prolonged to their intersections
   kRounded  ///< by an arc about the corner, as in Minkowski offsets: r grows by H from 0

@@ -13,8 +13,8 @@ namespace clearcut::plan::cover {
 struct LatticeStartOptions {
   double radius = 0;  ///< mm
   bool closed = false;
-  std::size_t most = 4;  ///< how many paths
-  double effort = 0.05;  ///< of each search for an order, seconds of one core
+  std::size_t most = 4;  ///< greatest number of paths
+  double effort = 0.05;  ///< effort of each search for an order, seconds of one core
   std::uint64_t seed = 1;
   std::stop_token cancel;
   /// Bends of the shortest path if the straight move is illegal; empty function: all straight moves are legal.

@@ -23,9 +23,9 @@ constexpr double kBoundaryStep = 1e-4;
 constexpr double kRounding = 1e-9;
 /// A part of the search. Lengths in radii.
 struct Phase {
-  double pitch;            ///< of witness points
+  double pitch;            ///< pitch of witness points
   double reserve;          ///< reduction of the disc meanwhile, so that little is left between witnesses
-  double share;            ///< of the steps
+  double share;            ///< share of the steps
   double of_rest;          ///< share of the remaining time
   double first_tolerance;  ///< longer paths are kept up to so much, at first
   double last_tolerance;

@@ -16,14 +16,14 @@ namespace clearcut::plan::cover {
 /// The area to be covered, and the disc. Lengths in mm.
 struct CoverTask {
   Regions area;
-  double radius = 0;  ///< of the disc
+  double radius = 0;  ///< radius of the disc
   bool closed = false;
   std::optional<Vec2> start;          ///< start of open paths
   double corner_price = 0;            ///< cost of a corner in mm, for the machine's loss of time
   const LegalPaths* legal = nullptr;  ///< legal area of the centre; null: everywhere
 };
 
-/// How far a search is.
+/// Progress of a search.
 struct CoverProgress {
   const char* stage = "";  ///< the completed stage
   double length = 0;       ///< length of the path, which may still leave small places
@@ -41,7 +41,7 @@ struct CoverEffort {
 };
 
 struct CoverResult {
-  std::vector<Vec2> points;  ///< of a closed path without its first point again
+  std::vector<Vec2> points;  ///< points; a closed path does not repeat its first point
   double length = 0;
   bool proven = false;  ///< whether no place of the area is left, decided exactly
 };

@@ -26,8 +26,8 @@ class ClearedBand {
   Vec2 a_, b_;
   double radius_;
   bool level_ = true, upright_ = true;  ///< along x (or a single point), along y
-  double slope_ = 0, half_ = 0;  ///< of the band beside the move: dx for each dy, half its width along x
-  double back_ = 0, along_ = 0;  ///< of the band across the move
+  double slope_ = 0, half_ = 0;         ///< band beside the move: dx for each dy, half its width along x
+  double back_ = 0, along_ = 0;         ///< band across the move
   bool is_point_ = false;
 };
 
@@ -90,7 +90,8 @@ class Witnesses {
   double pitch_;
   Vec2 corner_;
   std::ptrdiff_t columns_ = 0, rows_ = 0;
-  std::vector<std::uint8_t> moves_;  ///< of each raster point; kOutside for those outside the area
+  /// Number of moves for each raster point; kOutside for points outside the area.
+  std::vector<std::uint8_t> moves_;
   double bucket_size_;
   std::ptrdiff_t bucket_columns_ = 0, bucket_rows_ = 0;
   std::vector<Bucket> buckets_;

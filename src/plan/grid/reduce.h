@@ -27,7 +27,7 @@ ElementEdges find_edges(const std::vector<Square>& squares);
 /// / radius).
 Places reduce_curve(const std::vector<Square>& squares, double radius);
 
-/// By how many squares an edge moves inwards each time: the tool's radius in squares, rounded up, at least
+/// Number of squares by which an edge moves inwards each time: the tool's radius in squares, rounded up, at least
 /// one.
 int edge_step(double radius);
 

@@ -15,7 +15,7 @@ PointTable tabulate(const ElementJob& job);
 /// Finds an order with a short open path through the points; returns their indices.
 using VisitSolver = std::function<std::vector<int>(const std::vector<Vec2>&)>;
 
-/// How one element is visited.
+/// Visit of one element.
 struct ElementVisit {
   std::size_t element = 0;          ///< index in the job's elements
   std::vector<std::size_t> points;  ///< indices in the table, in order of visit

@@ -22,7 +22,7 @@ namespace {
 
 /// Tried steps, as shares of the diameter; in large areas only the first ones.
 constexpr double kSteps[] = {0.92, 0.86, 0.98, 0.8, 0.74, 0.68, 0.5, 0.35};
-/// So many of them are tried in any case, the others only while none has led to a plan.
+/// Number of steps tried in any case; the others are tried only while none has led to a plan.
 constexpr std::size_t kUsualSteps = 6;
 /// Share of the radius. Steps are chosen to place the innermost turn this far from the deepest point.
 constexpr double kMiddle = 0.95;

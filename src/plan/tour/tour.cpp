@@ -219,7 +219,7 @@ class AreaPlanner {
   AreaPlanner(const ClearingComponent& component, const Work& work)
       : legal_(component.legal), rest_(component.rest), work_(work), paths_({legal_}), route_(paths_) {}
 
-  /// The path through the grid and whatever else must be visited; empty if nothing must.
+  /// The path through the grid and all other points to be visited; empty if there are none.
   Path plan() {
     if (rest_.empty() && !work_.options.published) return {};
     follow(grid());

@@ -22,7 +22,7 @@ struct TourTask {
   std::vector<Vec2> points;
   PathFunction path;  ///< may be called from several threads
   const Layer* layer = nullptr;
-  double pitch = 0;  ///< of the grid, mm
+  double pitch = 0;  ///< pitch of the grid, mm
 };
 
 /// Returns the order of visits, each point once. The pipeline passes this function in, with the requested search.

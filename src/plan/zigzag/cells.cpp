@@ -24,7 +24,7 @@ struct Piece {
   bool arc = false;
   Vec2 center;
   double radius = 0;
-  double side = 0;  ///< of arcs, 1 or -1: x = center.x + side * sqrt(radius^2 - (y - center.y)^2)
+  double side = 0;  ///< side of arcs, 1 or -1: x = center.x + side * sqrt(radius^2 - (y - center.y)^2)
 
   double x_at(double y) const {
     if (high.y - low.y < 1e-12) return low.x;

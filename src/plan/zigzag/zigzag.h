@@ -12,7 +12,7 @@
 namespace clearcut::plan::zigzag {
 
 struct ZigzagOptions {
-  std::optional<Radians> angle;  ///< of the lines to the x axis; absent: the fastest one found
+  std::optional<Radians> angle;  ///< angle of the lines to the x axis; absent: the fastest one found
   /// mm, greatest distance between lines; absent: the widest without residual.
   std::optional<double> stepover;
   /// Lines with the material on the right of the cutter are preferred (climb milling for a clockwise

@@ -466,7 +466,7 @@ class Writer {
   int workpiece_ = 0;
   std::string security_;
   std::vector<std::string> tools_;
-  std::vector<std::string> operations_;  // of each workingstep
+  std::vector<std::string> operations_;  // operation of each workingstep
   std::vector<std::string> steps_;
 };
 

@@ -22,8 +22,8 @@ std::string plain_comment(std::string_view text);
 /// The same in pieces of at most `room` characters, broken between words if there is a blank; one empty piece of "".
 std::vector<std::string> comment_pieces(std::string_view text, std::size_t room);
 
-/// The comment at the beginning of a section: "OPERATION 3: POCKET1", without the number where `place`, its place in
-/// the program, is 0.
+/// The comment at the beginning of a section: "OPERATION 3: POCKET1", without the number if `place`, its place in the
+/// program, is 0.
 std::string operation_comment(int place, std::string_view label);
 
 /// A length in the program's unit: "6 MM", "0.25 IN"; "0.2362 IN = 6 MM" if inches are not exact.

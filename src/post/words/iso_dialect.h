@@ -31,7 +31,7 @@ enum class HomeForm {
   kReference,    ///< G91 G28 Z0. and G90
   kSuppressed    ///< SUPA G0 Z0 D0: no frame and no length count in the block
 };
-/// How a control taps.
+/// Form of tapping of a control.
 enum class Tapping {
   kByWords,      ///< no cycle: down, M4, up; only with a floating holder
   kFloating,     ///< G84 does the same
@@ -66,7 +66,7 @@ struct IsoDialect {
   int inch_decimals = 5;
   bool always_point = false;  ///< "10." not "10"
   bool tape = false;          ///< '%' as the first and the last line
-  int program_digits = 0;     ///< of the O word; 0: none
+  int program_digits = 0;     ///< digits of the O word; 0: none
   CommentForm comments = CommentForm::kParentheses;
   std::size_t line_length = 80;
   /// Length of a block without its blanks, as counted by senders; 0: length of the line.

@@ -29,7 +29,7 @@ class PrintGrid {
   double step() const { return step_; }  ///< mm
   int decimals() const { return decimals_; }
 
-  static constexpr double kLargest = 1e6;  ///< mm; beyond any machine
+  static constexpr double kLargest = 1e6;  ///< mm; greater than any machine
 
  private:
   int decimals_;

@@ -12,7 +12,7 @@
 namespace clearcut::read {
 namespace {
 
-/// Of a regular polygon; Gerber allows 3 to 12.
+/// Sides of a regular polygon; Gerber allows 3 to 12.
 constexpr double kFewestSides = 3, kMostSides = 12;
 
 [[noreturn]] void fail(const std::string& definition, const ApertureContext& context) {

@@ -23,7 +23,7 @@ using Macros = std::map<std::string, std::vector<std::string>>;
 /// Data for making apertures.
 struct ApertureContext {
   const Macros& macros;
-  double mm = 1;  ///< per unit of the file
+  double mm = 1;  ///< mm per unit of the file
   RepairOptions repair;
 };
 

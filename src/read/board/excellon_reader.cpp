@@ -20,13 +20,13 @@ namespace {
 
 constexpr std::size_t kMostHoles = 1'000'000;
 constexpr double kMostRepeatedHoles = 10000;
-/// Of half the distance of an arc's ends: radii are rounded.
+/// Least radius as a share of half the distance of an arc's ends: radii are rounded.
 constexpr double kLeastRadius = 0.99;
 
 /// One move; absent coordinates are unchanged.
 struct DrillMove {
   GerberMove to;
-  std::optional<double> radius;  ///< mm; of a routed arc
+  std::optional<double> radius;  ///< mm; radius of a routed arc
 };
 
 class ExcellonReader {

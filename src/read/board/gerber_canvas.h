@@ -10,7 +10,7 @@
 
 namespace clearcut::read {
 
-/// How apertures are placed: mirrored, then scaled, then turned.
+/// Placement of apertures: mirrored, then scaled, then turned.
 struct ApertureTransform {
   bool mirror_x = false, mirror_y = false;
   double scale = 1, turn_deg = 0;
@@ -71,7 +71,7 @@ class GerberCanvas {
   const std::string& place_;
   std::map<int, Aperture> apertures_;
   const Aperture* aperture_ = nullptr;
-  int number_ = 0;  ///< of the aperture
+  int number_ = 0;  ///< number of the aperture
   bool dark_ = true, in_region_ = false;
   ApertureTransform transform_;
   Path contour_, stroke_;

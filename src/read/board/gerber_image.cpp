@@ -227,7 +227,7 @@ class GerberReader {
   GerberCanvas canvas_;
   bool ended_ = false;
   std::string function_;
-  // How the file is written.
+  // Format of the file's coordinates.
   CoordinateFormat format_;
   bool has_format_ = false, has_unit_ = false, is_incremental_ = false;
   double mm_ = 1;

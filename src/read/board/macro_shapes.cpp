@@ -17,7 +17,7 @@ namespace {
 
 /// Corners of an outline: more are a trap.
 constexpr double kMostCorners = 10000;
-/// Of a moiré.
+/// Greatest number of rings of a moiré.
 constexpr double kMostRings = 1000;
 
 Path polygon(const std::vector<Vec2>& corners) {

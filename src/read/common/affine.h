@@ -20,7 +20,7 @@ struct Affine {
   }
 
   Vec2 operator()(Vec2 p) const { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
-  /// Of a direction: without the shift.
+  /// Image of a direction: without the shift.
   Vec2 linear(Vec2 v) const { return {a * v.x + c * v.y, b * v.x + d * v.y}; }
   double determinant() const { return a * d - b * c; }
   bool mirrors() const { return determinant() < 0; }

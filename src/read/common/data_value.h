@@ -30,7 +30,7 @@ struct DataValue {
   bool is_object() const { return kind == Kind::kObject; }
   bool is_number() const { return kind == Kind::kNumber; }
   bool is_string() const { return kind == Kind::kString; }
-  /// The member called `key`, or null. Of several the last, as everywhere.
+  /// The member called `key`, or null. Of several members the last one.
   const DataValue* find(std::string_view key) const;
 };
 

@@ -35,7 +35,7 @@ enum class LayerRole {
   kStock,    ///< the stock block
   kVCarve,   ///< carved with a V-bit between the outlines
   kIsolate,  ///< the drawn areas remain, and a band around every piece is milled: copper of a circuit board
-  kStep,     ///< a pocket whose floor remains where deeper pockets overlap it
+  kStep,     ///< a pocket whose floor remains if deeper pockets overlap it
   kTSlot     ///< a slot with an undercut along the line; lines may be open
 };
 
@@ -62,7 +62,7 @@ struct OutlineSummary {
   Box box;
   Loop loop;                       ///< the outline itself, mm; in the sense of rotation as drawn
   double area = 0;                 ///< mm2, islands not taken out
-  std::optional<double> diameter;  ///< of circles
+  std::optional<double> diameter;  ///< diameter of circles
   int within = 0;                  ///< number of the next enclosing outline; 0: none
 };
 
@@ -81,7 +81,7 @@ struct DrawingQuestion {
 /// Content of a drawing, even with open questions.
 struct DrawingOverview {
   std::vector<OutlineSummary> outlines;
-  int lines = 0;                       ///< to engrave
+  int lines = 0;                       ///< number of lines to engrave
   bool lines_have_depths = true;       ///< all of these
   std::string question;                ///< question asked by a plan; "" if none
   std::vector<DrawingAnswer> answers;  ///< answers to the question
@@ -96,7 +96,7 @@ struct StockRequest {
   std::array<double, 2> z{};  ///< bottom and top
 };
 
-/// mm. How far through cuts and through holes go below the solid.
+/// mm. Depth of through cuts and through holes below the solid.
 inline constexpr double kBreakthrough = 0.5;
 
 /// Options only for a solid (STEP).
@@ -130,7 +130,7 @@ struct ReadOptions {
   std::optional<double> join_gap;     ///< mm; overrules tol.join_gap
   /// Drawings of unclear meaning or odd size are refused with the possible answers.
   bool ask_if_unclear = false;
-  double scale = 1;             ///< of drawings, after units
+  double scale = 1;             ///< scale of drawings, after conversion of units
   bool mirror = false;          ///< drawings are mirrored left to right: seen from below
   bool scale_is_right = false;  ///< the size was stated and is not questioned
   /// Filled in if given; then no depth is needed, and unclear or open outlines are listed instead of refused.

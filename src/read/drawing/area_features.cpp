@@ -14,7 +14,7 @@ namespace {
 
 /// mm. Chamfers without a depth.
 constexpr double kEdgeBreak = 0.2;
-/// mm. Bands about copper whose width nobody states.
+/// mm. Default width of bands around copper.
 constexpr double kIsolation = 0.3;
 
 }  // namespace

@@ -20,8 +20,8 @@ struct LayerMeaning {
   std::optional<double> depth;  ///< in units of the drawing
   bool depth_in_mm = false;     ///< stated in the name: "POCKET 6MM"
   std::optional<double> top;    ///< in units of the drawing
-  std::optional<double> start;  ///< of V-carving, likewise
-  std::optional<double> width;  ///< of isolation, likewise
+  std::optional<double> start;  ///< start depth of V-carving, likewise
+  std::optional<double> width;  ///< width of isolation, likewise
   std::optional<HoleRequest> hole;
 };
 /// "POCKET_D5" is a depth of 5, and so are "POCKET 5mm", "5MM POCKET" and "POCKET-5" of pockets, profiles and lines;
@@ -48,7 +48,7 @@ struct DrawnGroup {
   bool says_role = false;                      ///< the role is stated by the name, a rule, or an option
   std::optional<double> depth;                 ///< mm
   std::optional<double> top;                   ///< mm
-  double start = 0;                            ///< mm; of V-carving: how far down its outline is as drawn
+  double start = 0;                            ///< mm; for V-carving: depth at which its outline is as drawn
   std::optional<double> width = {};            ///< mm; width of the band around isolated areas
   std::optional<LayerRule> broken_edges = {};  ///< its outlines get a chamfer besides
   std::optional<HoleRequest> hole = {};
@@ -59,7 +59,7 @@ struct DrawnGroup {
 /// Lets the first rule matching `name` override the values taken from the group's name.
 void apply_rules(const std::vector<LayerRule>& rules, const std::string& name, DrawnGroup& group);
 
-/// How many entities were left out, by name.
+/// Number of entities left out, by name.
 using LeftOut = std::map<std::string, int>;
 /// "2 IMAGE, 1 3DFACE on layer D5"; "" for nothing.
 std::string listed(const LeftOut& left_out);

@@ -13,7 +13,7 @@ std::optional<HoleRequest> scaled(std::optional<HoleRequest> request, double mm_
 /// Whether its circles are bosses with a thread about them.
 bool is_external_thread(const DrawnGroup& group);
 
-/// Cones go as deep as their diameter asks for.
+/// Whether no depth is needed: cones go as deep as required by their diameter.
 bool needs_no_depth(const HoleRequest& request);
 
 /// Turns a feature of one outline into a round hole of the kind requested by the group, with its finished diameter.

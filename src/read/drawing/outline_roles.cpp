@@ -428,7 +428,7 @@ void fill_overview(const std::vector<ShapedGroup>& groups, const std::vector<Out
     one.number = static_cast<int>(i) + 1;
     one.layer = group.name;
     one.role = name_of(group.role);
-    // By itself every other outline in another of its layer is an island.
+    // By default an outline inside another of its layer is an island, alternating with the depth of nesting.
     const auto in_own = std::count_if(outline.about.begin(), outline.about.end(), [&](int j) {
       const Outline& around = outlines[static_cast<std::size_t>(j)];
       return around.group == outline.group ||

@@ -12,7 +12,7 @@ namespace {
 /// Depth of a V-carving by the sharpest usual bit, 20 degrees, over its depth by one of 90 degrees, tan 45 / tan 10.
 constexpr double kSharpest = 5.67;
 
-/// mm; how deep the feature may become when its cutter is chosen.
+/// mm; greatest depth of the feature after its cutter is chosen.
 double lowest_of(const Feature& feature) {
   if (!feature.carving) return feature.floor_z;
   const double deepest = kSharpest * (feature.top_z - feature.floor_z);

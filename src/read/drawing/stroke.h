@@ -13,7 +13,7 @@ namespace clearcut::read {
 enum class StrokeCap { kButt, kRound, kSquare };
 enum class StrokeJoin { kMiter, kRound, kBevel };
 
-/// How SVG draws a line: stroke-width, stroke-linecap, stroke-linejoin, stroke-miterlimit.
+/// Pen of an SVG line: stroke-width, stroke-linecap, stroke-linejoin, stroke-miterlimit.
 struct Pen {
   double width = 1;  ///< in the units of the drawing, > 0
   StrokeCap cap = StrokeCap::kButt;

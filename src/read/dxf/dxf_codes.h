@@ -20,7 +20,7 @@ struct DxfWords {
   std::set<std::string> ignored;        ///< unsupported codes that change the appearance: "\\S"
 };
 
-/// Of TEXT: %%c, %%d, %%p, %%nnn, %%%, \U+XXXX, ^I. One paragraph.
+/// For TEXT: %%c, %%d, %%p, %%nnn, %%%, \U+XXXX, ^I. One paragraph.
 DxfWords words_of_text(std::string_view text);
 
 /// For MTEXT: these codes, \P, \~, {}, \\, \{, \}, \S, \f, \H; all others are removed.

@@ -17,7 +17,7 @@ bool is_curve(std::string_view dxf_type);
 /// parallel to the plane.
 std::optional<Affine> entity_map(const DxfDocument& document, const DxfEntity& entity);
 
-/// Of a circle or an arc, mm >= 0. Throws  InputError for a radius below 0.
+/// Radius of a circle or an arc, mm >= 0. Throws  InputError for a radius below 0.
 double radius_of(const DxfDocument& document, const DxfEntity& entity);
 
 /// The curve of `entity` under `map` (drawing to mm); `vertices` are the VERTEX entities of a POLYLINE.

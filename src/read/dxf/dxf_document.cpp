@@ -143,8 +143,9 @@ class Builder {
   std::string_view section_;
   DxfEntity* variable_ = nullptr;
   DxfBlock* block_ = nullptr;
-  std::vector<std::string_view> filters_;                ///< handles of filters that clip blocks
-  std::map<std::string_view, std::string_view> owners_;  ///< of filters and dictionaries, by their handles
+  std::vector<std::string_view> filters_;  ///< handles of filters that clip blocks
+  /// Owners of filters and dictionaries, by their handles.
+  std::map<std::string_view, std::string_view> owners_;
   bool seen_entities_ = false;
 };
 

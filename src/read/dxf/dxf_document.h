@@ -13,7 +13,7 @@ namespace clearcut::read {
 
 struct DxfGroup {
   int code = 0;
-  int line = 0;            ///< of the value
+  int line = 0;            ///< line of the value
   std::string_view value;  ///< without surrounding blanks, except for text (codes 1 and 3)
 };
 
@@ -38,9 +38,9 @@ struct DxfBlock {
 struct DxfDocument {
   std::string file;
   std::map<std::string_view, DxfEntity> header;  ///< "$INSUNITS" -> its groups
-  std::map<std::string, DxfEntity> layers;       ///< by name in capitals
-  std::map<std::string, DxfEntity> styles;       ///< of text, by name in capitals
-  std::map<std::string, DxfBlock> blocks;        ///< by name in capitals
+  std::map<std::string, DxfEntity> layers;       ///< layers by name in capitals
+  std::map<std::string, DxfEntity> styles;       ///< text styles by name in capitals
+  std::map<std::string, DxfBlock> blocks;        ///< blocks by name in capitals
   std::vector<DxfEntity> entities;
   /// Handles, including those of INSERTs shown only within a boundary (XCLIP).
   std::set<std::string_view> clipped;
@@ -51,7 +51,7 @@ struct DxfDocument {
   /// Throws  also when the group is missing.
   double required(const DxfEntity& entity, int code) const;
   int integer(const DxfEntity& entity, int code, int otherwise) const;
-  /// Of the groups `x_code` and `x_code` + 10. Throws  as required() does.
+  /// The point in the groups `x_code` and `x_code` + 10. Throws  as required() does.
   Vec2 point(const DxfEntity& entity, int x_code) const;
   [[noreturn]] void fail(int line, const std::string& what) const;
 };

@@ -355,7 +355,7 @@ class Collector {
     heights_ = {std::min(heights_[0], *low), std::max(heights_[1], *high)};
   }
 
-  /// Of polylines: at the whole of them, or at a vertex.
+  /// Whether a polyline has a width, as a whole or at a vertex.
   bool is_wide(const DxfEntity& entity, std::span<const DxfEntity> followers) const {
     constexpr std::array kWidths{40, 41, 43};
     if (entity.type != "LWPOLYLINE" && entity.type != "POLYLINE") return false;
@@ -446,7 +446,7 @@ class Collector {
   std::vector<DrawnGroup> groups_;
   std::map<std::string, std::size_t> by_layer_;
   std::map<std::string, LayerRole> roles_;
-  std::map<std::string, std::vector<Fill>> fills_;  ///< by layers' names in capitals
+  std::map<std::string, std::vector<Fill>> fills_;  ///< fills by layers' names in capitals
   int compounds_ = 0;                               ///< fills and texts
   DxfLettering lettering_;
   LeftOut fills_not_read_, texts_not_read_;

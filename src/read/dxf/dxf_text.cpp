@@ -27,7 +27,7 @@ DxfEntity own_groups(DxfEntity entity) {
   return entity;
 }
 
-/// How TEXT is justified.
+/// Justification of TEXT.
 enum Across { kLeft, kCentre, kRight, kAligned, kMiddle, kFit };
 enum Along { kBaseline, kBottom, kHalf, kTop };
 
@@ -105,7 +105,7 @@ TextLoops DxfLettering::text(const DxfEntity& entity, const Affine& map) {
   const bool has_second = entity.find(11) && entity.find(21);
   Vec2 at = document_.point(entity, (across != 0 || along != 0) && has_second && !between ? 11 : 10);
   double turn = angle_at(document_, entity, 50);
-  double size = height_of(entity) / face.cap_height();  // of an em
+  double size = height_of(entity) / face.cap_height();  // size of an em
   double stretch = document_.number(entity, 41, 1);
   if (!(stretch > 0)) stretch = 1;
   if (between && has_second && line.width > 0) {

@@ -13,7 +13,7 @@ namespace clearcut::read {
 struct FitSpan {
   Vec2 from, to;
   Vec2 from_slope, to_slope;
-  double length = 0;  ///< of its parameter: the chord
+  double length = 0;  ///< length of its parameter range: the chord
 
   /// The point at share t in [0, 1] of the span.
   Vec2 at(double t) const;

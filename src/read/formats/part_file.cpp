@@ -52,7 +52,7 @@ void refuse_what_is_no_text(std::string_view text, const std::string& file_name)
   }
   // These two say more in their readers.
   if (head.substr(0, 18) == "AutoCAD Binary DXF" || head.substr(0, 2) == "\x1f\x8b") return;
-  // No text has these, whatever its code page.
+  // No text contains these, in any code page.
   if (head.find_first_of(std::string_view("\0\1\2\3\4\5\6", 7)) != std::string_view::npos) {
     throw InputError(file_name,
                      "this is a binary file; give a STEP-NC, DXF, SVG or JSON file, of a board Gerber and "

@@ -20,7 +20,7 @@
 
 namespace clearcut::read {
 
-/// How to cut, for all operations ([plan]) or those of some features ([[operation]]). Absent values are
+/// Settings for cutting, for all operations ([plan]) or those of some features ([[operation]]). Absent values are
 /// taken from the next source: operation, plan, the part's file, the planner's defaults.
 struct CutSettings {
   PlanOptions asked;        ///< options permitted in operations
@@ -57,7 +57,7 @@ struct JobFile {
   std::vector<LibraryTool> tools;  ///< [[tool]]
   std::optional<std::filesystem::path> tool_library;
   ToolOptions tool_options;
-  std::vector<int> tool_numbers;  ///< of the library, in order; empty: all
+  std::vector<int> tool_numbers;  ///< tool numbers of the library, in order; empty: all
   std::string preset;             ///< name of the library's preset; "": the first
   std::optional<std::filesystem::path> machine_file;
   Machine machine;
@@ -68,17 +68,17 @@ struct JobFile {
   std::optional<std::filesystem::path> after;       ///< earlier program, relative to the job's folder
   std::optional<std::filesystem::path> stock_from;  ///< file of the stock, likewise
   std::vector<std::string> stated_keep_outs,
-      stated_predrilled;                   ///< of [plan], in the words of the command line
+      stated_predrilled;                   ///< predrilled holes of [plan], in the words of the command line
   std::vector<KeepOut> keep_outs;          ///< [[keep_out]]
   std::vector<PredrilledHole> predrilled;  ///< [[predrilled]]
   std::optional<ZeroPoint> zero;           ///< absent: the zero of the part's file
-  std::string setup_name;                  ///< of one of several set-ups
+  std::string setup_name;                  ///< name of one of several set-ups
   int setup_number = 0;                    ///< from 1; 0: the job is one set-up
   bool has_own_stock = false;              ///< the set-up states the place of its block
   /// [[setup]]: each a job of its own; the job itself is then as the first of them.
   std::vector<JobFile> setups;
-  Sources sources;       ///< of the keys of [plan], [machine] and [output], and of its machine file
-  Sources part_sources;  ///< of the keys of [part]
+  Sources sources;       ///< sources of the keys of [plan], [machine] and [output], and of its machine file
+  Sources part_sources;  ///< sources of the keys of [part]
 };
 
 /// Throws  InputError "file:line: ..." for bad TOML, unknown keys (with the nearest known one) and

@@ -136,7 +136,7 @@ class SetupReader {
   }
 
  private:
-  /// `block` and `place`: of the first set-up; afterwards `place` belongs to `setup`.
+  /// `block` and `place`: those of the first set-up; afterwards `place` belongs to `setup`.
   Part read_later(JobFile setup, const Stock& block, SetupPlace& place, StepSources& sources,
                   StepChoices& published) {
     const SetupPlace first = place;

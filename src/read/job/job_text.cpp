@@ -31,7 +31,7 @@ std::string feature_line(const Feature& feature) {
                      trimmed(feature.top_z, 3), trimmed(feature.floor_z, 3));
 }
 
-/// As TOML: a number, true, "text", [x, y], ["a", "b"].
+/// A value as TOML: a number, true, "text", [x, y], ["a", "b"].
 std::string toml_of(const Row& row, const Value& value) {
   const auto point = [](Vec2 at) { return fmt::format("[{}, {}]", at.x, at.y); };
   if (const bool* flag = std::get_if<bool>(&value)) return *flag != row.key_is_opposite ? "true" : "false";

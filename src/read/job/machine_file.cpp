@@ -33,7 +33,7 @@ std::optional<std::array<double, 3>> place_of(DataSection& section, const std::s
   return std::array<double, 3>{numbers[0], numbers[1], numbers[2]};
 }
 
-/// In the machine's own coordinates. Without all of them nothing is answered, so each is asked for.
+/// In the machine's own coordinates. Without all of them no condition is met, so each is required.
 MachinePlaces places_of(DataSection section) {
   const auto needed = [&](const std::string& key) {
     const auto place = place_of(section, key);

@@ -41,7 +41,7 @@ Pattern pattern_of(const FaceRequest& request) {
   return pattern;
 }
 
-/// As fontconfig compares names: without blanks, in any case.
+/// A name in the form compared by fontconfig: without blanks, in any case.
 std::string compared(const std::string& name) {
   std::string out = capitals(name);
   out.erase(std::remove(out.begin(), out.end(), ' '), out.end());

@@ -43,7 +43,7 @@ class Lettering {
 
  private:
   std::map<FaceRequest, std::unique_ptr<Face>> faces_;
-  std::map<std::string, std::set<char32_t>> missing_;  ///< by the file of the face
+  std::map<std::string, std::set<char32_t>> missing_;  ///< missing letters by the file of the face
   std::set<char32_t> unshaped_;
 };
 

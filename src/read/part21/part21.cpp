@@ -115,7 +115,7 @@ class Parser {
   /// From '(' to its ')': without recursion, the open lists are in open_ and their values so far in pending_.
   P21Record parse_record_arguments(std::string_view keyword) {
     open_list(P21Kind::kList, keyword);
-    bool value_expected = false;  // after a comma
+    bool value_expected = false;  // a value must follow a comma
     while (true) {
       if (lexer_.token == P21Token::kClose && !value_expected) {
         const P21Value list = close_list();

@@ -24,7 +24,7 @@ constexpr std::size_t kMostMeetings = 20'000;
 /// Greatest number of meetings in areas filled together, resolved by one boolean: a board of 5000 pads and 10 000
 /// tracks has about 300 000.
 constexpr std::size_t kMostMeetingsInFill = 1'000'000;
-/// mm. How far the library may move a boundary: its grid.
+/// mm. Displacement of a boundary by the library: its grid.
 constexpr double kBooleanRounding = 2e-6;
 
 std::vector<Loop> bare(const std::vector<RawLoop>& loops) {

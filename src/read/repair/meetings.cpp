@@ -36,7 +36,7 @@ double bend_of(const Edge& edge) {
   if (!edge.is_arc()) return 0;
   return (edge.turn == Turn::kCounterClockwise ? 1 : -1) / edge.radius();
 }
-/// Of the place at share t of the edge, towards its end or back towards its start.
+/// Departure at share t of the edge, towards its end or back towards its start.
 Departure ahead_along(const Edge& edge, double t) {
   return {edge.tangent_at(t), bend_of(edge)};
 }

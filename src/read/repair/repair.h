@@ -14,10 +14,10 @@
 
 namespace clearcut::read {
 
-/// Curves filled together are an area of their own, whatever they cross (SVG paths).
+/// Curves filled together are an area of their own, regardless of crossings (SVG paths).
 struct Compound {
   int number = 0;
-  bool nonzero = true;     ///< by the winding rule; else even-odd
+  bool nonzero = true;     ///< filled by the nonzero winding rule; else even-odd
   std::string paint = {};  ///< its colour: partly overlapping fills of one colour are one area
   friend bool operator==(const Compound&, const Compound&) = default;
   // Texts have no three-way comparison in every standard library (emscripten's).

@@ -37,12 +37,12 @@ struct SolidFace {
   /// may overlap; their outer edge is within kCurveTolerance of the shadow's.
   std::vector<Path> outline;
   std::optional<WallFront> front;
-  /// Radians between the face and the vertical; of upward planes and vertical cones, else 0.
+  /// Radians between the face and the vertical; only for upward planes and vertical cones, else 0.
   double lean = 0;
   /// mm; radius of the face's swept circle, or of the ball, if the face rises with it from level to vertical: a
   /// hollow fillet. 0 for all others.
   double fillet = 0;
-  /// Of faces with a lean: their edges at z_low in plan view, in the sense of `outline`.
+  /// For faces with a lean: their edges at z_low in plan view, in the sense of `outline`.
   std::vector<Path> foot;
 };
 

@@ -32,7 +32,7 @@ constexpr double kMostWork = 2e7;
 constexpr double kSpeck = 0.01;
 /// mm. Longer or shorter solids are asked about.
 constexpr double kTooLong = 2000, kTooShort = 1;
-/// mm. By this much a solid may stick out of its stock.
+/// mm. Permitted projection of a solid out of its stock.
 constexpr double kSlack = 1e-3;
 /// Length of a drill's point of 118 degrees over its diameter.
 constexpr double kDrillPoint = 0.3004;
@@ -222,7 +222,7 @@ class Finder {
   std::vector<Feature> found_;
   Diagnostics cones_;        ///< drills' points among them
   Diagnostics thin_;         ///< floors not worth a cut
-  double deepest_thin_ = 0;  ///< mm; how deep the deepest of them is
+  double deepest_thin_ = 0;  ///< mm; depth of the deepest of these floors
   std::set<int> reached_;    ///< indices of cells
   std::set<int> shaped_;     ///< numbers of faces made by cutters' own shapes
   std::vector<std::string> proposals_;
@@ -463,7 +463,7 @@ std::string some_of(const std::vector<std::string>& names) {
   return names.size() > kNamed ? text + ", ..." : text;
 }
 
-/// Whether a thread is asked for in the hole.
+/// Whether a thread is requested in the hole.
 bool Finder::is_threaded(const Feature& hole) const {
   const Vec2 center = box(hole.target).center();
   return std::any_of(part_.features.begin(), part_.features.end(), [&](const Feature& other) {

@@ -46,7 +46,7 @@ class SvgClips {
 void narrow_to_viewport(SvgInherited& own, const Affine& place, double width, double height,
                         const Tolerances& tol);
 
-/// How much of something is seen.
+/// Visible share of a shape.
 enum class Seen { kWhole, kPart, kNothing };
 
 /// Reduces curves filling an area together to the visible part, and returns how much is visible. Wholly visible

@@ -16,8 +16,8 @@ namespace clearcut::read {
 /// Elements that draw nothing at their own place.
 bool is_svg_definition(std::string_view name);
 
-/// Pictures, movements, colours and elements of other programs' own: they show or say something, and no cutter
-/// follows them. Whatever else is not read may be part of the work.
+/// Pictures, movements, colours and elements of other programs' own: they only show or describe, and no cutter
+/// follows them. All other unread elements may be part of the work.
 bool draws_nothing_to_cut(const pugi::xml_node& node);
 
 /// "" if absent.

@@ -17,7 +17,7 @@ struct SvgViewport {
 };
 
 struct SvgPage {
-  Affine to_mm;           ///< of the outermost user units, y up
+  Affine to_mm;           ///< map of the outermost user units to mm, y up
   double view_width = 0;  ///< user units, for percentages
   double view_height = 0;
   bool physical = false;  ///< the file states how large a user unit is

@@ -12,7 +12,7 @@
 namespace clearcut::read {
 namespace {
 
-/// How many numbers a command takes, by its capital letter; -1 for no command.
+/// Number of arguments of a command, by its capital letter; -1 for no command.
 int numbers_of(char capital) {
   switch (capital) {
     case 'Z':

@@ -16,7 +16,7 @@ struct SvgStyle {
   std::string fill = "black";
   std::string stroke = "none";
   std::string fill_rule = "nonzero";
-  std::string clip_rule = "nonzero";  ///< of shapes in clip paths
+  std::string clip_rule = "nonzero";  ///< fill rule of shapes in clip paths
   std::string stroke_width = "1";     ///< a length, as written
   std::string cap = "butt";
   std::string join = "miter";
@@ -34,7 +34,7 @@ struct SvgStyle {
   std::string clip;        ///< clip-path, as written; "" for none; not inherited
   bool masked = false;     ///< a mask hides part of the element; not inherited
 
-  std::string transform, transform_origin;  ///< as written; not inherited
+  std::string transform, transform_origin;  ///< transform as written; not inherited
   std::string transform_box;                ///< reference of origin and percentages; not inherited
   std::string moved_by;  ///< "rotate", "scale" or "translate" if the element has this property; not inherited
   /// Place and size, with properties' names and their values as written; not inherited.
@@ -63,10 +63,10 @@ class SvgStyleSheet {
 
  private:
   struct Rule {
-    int order;  ///< in the sheet: of rules as special as each other the last counts
+    int order;  ///< order in the sheet: of equally specific rules the last counts
     std::string declarations;
   };
-  std::map<std::string, std::vector<Rule>, std::less<>> rules_;  ///< by selector
+  std::map<std::string, std::vector<Rule>, std::less<>> rules_;  ///< rules by selector
   int count_ = 0;
 };
 

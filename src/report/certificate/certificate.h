@@ -28,16 +28,16 @@ struct CertificateFile {
 struct CertificateProof {
   std::vector<std::string> proved;      ///< names of features proved to have no material left: claim C1
   std::vector<std::string> not_proved;  ///< sentences naming the unproved features, with the reasons
-  std::vector<std::string> options;     ///< of the checker
+  std::vector<std::string> options;     ///< options of the checker
   std::string witness_sha256;           ///< empty if no witness was found: then nothing is proved
 };
 
 /// Basis of the findings: sufficient to repeat them.
 struct CertificateInfo {
-  std::string version;                 ///< of the software
-  std::uint64_t seed = 0;              ///< of everything random
+  std::string version;                 ///< version of the software
+  std::uint64_t seed = 0;              ///< seed of all random numbers
   std::string command;                 ///< "plan", "verify", "elements"
-  std::vector<std::string> arguments;  ///< of the command, as typed
+  std::vector<std::string> arguments;  ///< arguments of the command, as typed
   std::vector<CertificateFile> inputs;
   std::string program_name;
   std::string program;  ///< the checked text
@@ -47,13 +47,13 @@ struct CertificateInfo {
   Tolerances tolerances;
   std::optional<double> engagement_limit_deg;
   std::optional<std::string> material;
-  /// Of the workingsteps; empty when a program of unknown origin was checked.
+  /// Selections of the workingsteps; empty if a program of unknown origin was checked.
   std::vector<StrategySelection> selections;
   std::vector<ContourLevels> contours = {};  ///< with the coefficients of published methods
   std::optional<double> published_s = {};    ///< CPO-rho eq. 9; absent: not asked
   std::optional<CertificateProof> proof = {};
   std::optional<Margin> margin = {};  ///< absent: not asked
-  /// Of the plan; empty when a program of unknown origin was checked.
+  /// Values of the plan; empty if a program of unknown origin was checked.
   std::vector<ResolvedValue> values = {};
 };
 

@@ -11,7 +11,7 @@ namespace clearcut::report {
 struct ChartBox {
   std::string name;
   std::vector<double> values;  ///< not empty
-  double error = 0;            ///< of the mean
+  double error = 0;            ///< error of the mean
 };
 
 /// A curve and, if low and high are given, the band between them.
@@ -25,14 +25,14 @@ struct ChartPanel {
   std::string title{}, x_label{}, y_label{};
   std::vector<ChartBox> boxes{};
   std::vector<ChartCurve> curves{};
-  bool log_x = false;  ///< of curves; x > 0
+  bool log_x = false;  ///< logarithmic x axis of curves; x > 0
   std::vector<double> samples{};
 };
 
 /// The panels one under the other. Non-finite values are left out.
 std::string chart_svg(const std::vector<ChartPanel>& panels);
 
-/// By linear interpolation between the sorted values; `values` not empty, 0 <= q <= 1.
+/// The quantile by linear interpolation between the sorted values; `values` not empty, 0 <= q <= 1.
 double quantile(std::vector<double> values, double q);
 
 /// About `count` round numbers (1, 2 or 5 times a power of ten) between low and high.

@@ -15,9 +15,9 @@ namespace clearcut::report {
 namespace {
 
 constexpr double kPicture = 560;        // longer side of the animated picture, page units
-constexpr double kShortest = 8;         // s, of the animation
+constexpr double kShortest = 8;         // s; shortest duration of the animation
 constexpr double kLongest = 60;         // s
-constexpr double kMmPerSecond = 40;     // of the animation
+constexpr double kMmPerSecond = 40;     // speed of the animation
 constexpr std::size_t kMostGraphs = 8;  // more than these say nothing new
 
 constexpr const char* kHead = R"(<!DOCTYPE html>

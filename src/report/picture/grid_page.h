@@ -9,12 +9,13 @@
 
 namespace clearcut::report {
 
-/// How the search for one order of visits went.
+/// Course of the search for one order of visits.
 struct VisitSearch {
-  std::string solver;        ///< "published" or "modern"
-  std::size_t points = 0;    ///< number of ordered points
-  double length = 0;         ///< length of the open path found, mm
-  std::vector<double> step;  ///< generations of the published solver, improvements of ours; ascending
+  std::string solver;      ///< "published" or "modern"
+  std::size_t points = 0;  ///< number of ordered points
+  double length = 0;       ///< length of the open path found, mm
+  /// Generations of the published solver, improvements of Clearcut's own; ascending.
+  std::vector<double> step;
   std::vector<double> best;  ///< length of the best path by then, mm
 };
 

@@ -10,7 +10,7 @@
 
 namespace clearcut::report {
 
-/// How the lines of one section are drawn.
+/// Style of the lines of one section.
 struct LineStyle {
   std::string cut_color;
   double cut_width = 1.3;  ///< page units, as the others

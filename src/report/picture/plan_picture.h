@@ -14,13 +14,13 @@ namespace clearcut::report {
 /// A rectangle of the page and the piece of the world shown in it, centred, with x right and y up.
 struct PlanView {
   Vec2 corner;       ///< upper left, on the page
-  double width = 0;  ///< on the page
+  double width = 0;  ///< width on the page
   double height = 0;
   Box world;
 
   double scale() const;          ///< page units per mm
-  Vec2 page(Vec2 point) const;   ///< of a point of the world
-  double mm(double size) const;  ///< of a size on the page
+  Vec2 page(Vec2 point) const;   ///< page coordinates of a point of the world
+  double mm(double size) const;  ///< mm of a size on the page
   /// The part of the world visible in the whole rectangle.
   Box visible() const;
 };

@@ -120,7 +120,7 @@ double time_of_tool(const Findings& findings, int tool) {
 }
 
 std::vector<FeatureFindings> in_order_of_cutting(const Findings& findings, const Toolpath& toolpath) {
-  std::map<int, std::size_t> places;  // of the first section of each workingstep
+  std::map<int, std::size_t> places;  // place of the first section of each workingstep
   for (const Section& section : toolpath.sections) places.emplace(section.workingstep, places.size());
   std::vector<FeatureFindings> rows;
   for (const FeatureFindings& one : findings.features)

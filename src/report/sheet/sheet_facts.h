@@ -39,7 +39,7 @@ double stickout_of(const Part& part, const Toolpath& toolpath, int tool);
 /// Numbers of the tools in the order of their calls in the program, each once.
 std::vector<int> tools_called(const Toolpath& toolpath);
 
-/// How often the program changes from one tool to another.
+/// Number of tool changes of the program.
 int tool_changes(const Toolpath& toolpath);
 
 /// Coolant of a tool while cutting, in the order of the program, each once: "off", "flood, mist", "flood and mist".

@@ -21,8 +21,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMicrometres = 1000;  // per mm
-constexpr double kTicks = 10000;       // per second
+constexpr double kMicrometres = 1000;  // micrometres per mm
+constexpr double kTicks = 10000;       // ticks per second
 constexpr int kDecimals = 6;
 
 Json number(double value, int decimals = kDecimals) {
@@ -140,7 +140,7 @@ Json earlier_json(const Part& part, const Toolpath* earlier) {
   return json;
 }
 
-/// Of all moves, section after section.
+/// Times of all moves, section after section.
 std::vector<double> times_of(const Toolpath& toolpath, const HtmlOptions& options) {
   if (options.move_times_s.size() == moves_in(toolpath)) return options.move_times_s;
   std::vector<double> times;

@@ -21,7 +21,7 @@ constexpr double kLeast = 0.02;
 constexpr double kSmoothTurn = 0.02;
 /// mm. Rounding of places on an outline.
 constexpr double kOnLine = 1e-4;
-/// Of the cutter's radius: how far from a corner the cutter touches both walls at most.
+/// Greatest distance from a corner of the cutter's contact with both walls, in radii of the cutter.
 constexpr double kFarthest = 8;
 constexpr int kHalvings = 50;
 /// Bones whose places a note lists.
@@ -210,7 +210,7 @@ class CornerRelief {
   Part& part_;
   const Tolerances& tol_;
   bool t_bone_;
-  double radius_;  ///< mm, of the cutter
+  double radius_;  ///< mm; radius of the cutter
   Feature* feature_ = nullptr;
   std::vector<Vec2> made_;
   int left_ = 0;  ///< corners without relief

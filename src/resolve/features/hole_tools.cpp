@@ -12,7 +12,8 @@ constexpr double kSameWidth = 0.005;
 constexpr double kSamePitch = 0.002;
 /// mm; least difference in width between a thread mill and the hole around it.
 constexpr double kBesideThreadMill = 0.2;
-/// Of its own width: the helix of a mill in a narrower hole has too many turns.
+/// Least width of a bored hole as a multiple of the mill's width: the helix of a mill in a narrower hole has too many
+/// turns.
 constexpr double kLeastBore = 1.1;
 
 bool is(const Tool& tool, ToolKind kind, double width) {

@@ -50,7 +50,7 @@ void take_near_drills(Part& part, const PlanOptions& options) {
     std::string first;
     int count = 0;
   };
-  std::map<std::pair<double, double>, Taken> taken;  // by the diameters drawn and drilled
+  std::map<std::pair<double, double>, Taken> taken;  // taken drills by the drawn and drilled diameters
   for (Feature& feature : part.features) {
     if (!is_plain_hole(feature)) continue;
     const auto hole = features::round_hole_of(feature, options.tol);

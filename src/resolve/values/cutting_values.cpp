@@ -23,15 +23,15 @@ namespace {
 
 // Rules of docs/feeds.md. Coated edges run a fifth faster; high-speed steel runs at half the speed of carbide.
 constexpr double kCarbide = 2, kCoating = 1.2;
-constexpr double kReamingShare = 2.0 / 3, kTappingShare = 0.4;  // of the drill's speed
+constexpr double kReamingShare = 2.0 / 3, kTappingShare = 0.4;  // share of the drill's speed
 constexpr double kReamingFeed = 0.05;                           // mm a tooth
-constexpr double kFlatHoleShare = 0.5;  // of the drill's feed a turn: counterbores, boring bars
-constexpr double kConeShare = 0.5;      // of the diameter whose feed a cone takes
+constexpr double kFlatHoleShare = 0.5;  // share of the drill's feed per turn: counterbores, boring bars
+constexpr double kConeShare = 0.5;      // share of a cone's diameter for which its feed is taken
 constexpr double kThreadShare =
-    0.25;  // of a mill's feed: small teeth, and the programmed circle is the smaller one
+    0.25;  // share of a mill's feed: small teeth, and the programmed circle is the smaller one
 constexpr double kMostTapping = 15;  // m/min
 constexpr double kPlungeShare = 0.3;
-/// Of the stated power and torque.
+/// Usable share of the stated power and torque.
 constexpr double kPowerShare = 0.8;
 constexpr double kMostThinning = 2;
 /// A stated value this many times above or below is reported.

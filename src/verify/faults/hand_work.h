@@ -48,7 +48,7 @@ class HandWork {
   std::set<int> changed_;                           ///< tools loaded by an M6
   /// Per tool: first cut after such a change, if it needs a length and has none.
   std::vector<const CheckedMove*> first_cuts_;
-  bool touched_off_ = false;  ///< somebody can measure each of them in the spindle
+  bool touched_off_ = false;  ///< the operator can measure each of them in the spindle
 };
 
 }  // namespace clearcut::verify

@@ -1,4 +1,4 @@
-// How deep a move cuts into the finished part, whatever the shape of its cutter.
+// How deep a move cuts into the finished part, for any shape of its cutter.
 #pragma once
 
 #include <optional>

@@ -419,7 +419,7 @@ struct BandMinimiser::Impl {
   double tension_ = 1;
   std::vector<Active> active_;
   std::vector<std::uint32_t> candidates_;
-  std::vector<Offset> offsets_;  ///< of the witness in hand
+  std::vector<Offset> offsets_;  ///< offsets of the current witness
   std::vector<Vec2> before_, gradient_, move_, right_;
   std::vector<Sym2> diagonal_, coupling_, pivot_;
   std::size_t next_band_ = 0;

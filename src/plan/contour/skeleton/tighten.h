@@ -11,7 +11,7 @@ namespace clearcut::plan::contour {
 
 /// The area to be cleared by the paths, and their legal area.
 struct TightenJob {
-  double radius = 0;                  ///< of the cutter, mm
+  double radius = 0;                  ///< radius of the cutter, mm
   std::function<bool(Vec2)> matters;  ///< whether a place has to be cleared
   Box where;                          ///< a box around all places to be cleared
   const LegalArea* legal = nullptr;   ///< legal area of the centre
