@@ -29,7 +29,7 @@ double left_over_floor(const Part& part, int feature) {
   std::optional<double> left;
   for (const Workingstep& step : part.workplan) {
     const int tool = step.operation.tool;
-    // readers ask before tools are chosen
+    // Readers ask before tools are chosen.
     const bool is_known = tool >= 0 && tool < static_cast<int>(part.tools.size());
     if (step.feature != feature) continue;
     const double point = is_known ? point_length(part.tools[static_cast<std::size_t>(tool)]) : 0;

@@ -1,4 +1,4 @@
-// How far a machine may leave the programmed path before the part suffers.
+// Allowed deviation of a machine from the programmed path before the part is out of bounds.
 #pragma once
 
 #include "model/results/margin.h"

@@ -188,7 +188,7 @@ class Evolution {
   Pool pool_;
   StopWatch watch_;
   Individual child_;
-  std::vector<int> mates_;  // number of mates by rank
+  std::vector<int> mates_;  // possible mates, by rank
   std::vector<double> mate_values_;
   long long idle_;  ///< generations since the last gain
   GeneticResult result_;

@@ -173,7 +173,7 @@ bool ExchangeSearch::accept_if_better() {
 }
 
 double ExchangeSearch::slack() const {
-  // greatest gain by one exchange in the part depending on the whole path
+  // Greatest gain by one exchange in the part depending on the whole path.
   constexpr double kMostGained = 0.1;
   return asks_path() ? kMostGained * path_part_ : 0;
 }

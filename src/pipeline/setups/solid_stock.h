@@ -16,7 +16,7 @@ namespace clearcut::pipeline {
 /// Error   On the safe side: corners too narrow for that mill, undercuts, and openings only to the side or from below
 ///         count as filled. A cut reaching into the part is a gouge in the certificate: the stock lacks material of
 ///         the part.
-/// Cost    cost of one plan by contours.
+/// Cost    that of one plan by contours.
 Toolpath missing_of(Part stock, const Stock& block, const std::vector<Tool>& tools);
 
 }  // namespace clearcut::pipeline

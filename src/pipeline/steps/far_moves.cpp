@@ -10,7 +10,8 @@
 namespace clearcut::pipeline {
 namespace {
 
-/// mm. Below the top, clamps are beside the work; greater distances exceed machines of any size.
+/// mm. Permitted distance from the work below its top, where clamps are beside it; and above, where greater distances
+/// exceed machines of any size.
 constexpr double kFarLow = 50, kFarHigh = 2000;
 /// mm, for heights rounded by the coarsest controller (0.0001 inch).
 constexpr double kRoundedHeight = 5.5e-3;

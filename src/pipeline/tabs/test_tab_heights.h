@@ -99,7 +99,7 @@ struct Hill {
   double error = 0;  ///< mm; greatest deviation from a triangle
 };
 
-/// Range of heights in which hills are searched.
+/// The middle of the kerf, along which hills are searched: its place, the cutter, the floor, and the slope of tabs.
 struct Middle {
   double aside = 0;   ///< mm from the outline to the right: the kerf's middle
   double radius = 0;  ///< mm; radius of the cutter

@@ -32,7 +32,7 @@ using TrackSets = std::vector<std::vector<Track>>;
 ///         largest within the outline, so that together they cut every place as deep as any permitted cone, corners
 ///         included.
 /// Error   No gouge, if chords of the axis and rounding of the program stay within `aside`.
-/// Cost    Cost of the Voronoi diagram, plus for each stepdown the number of points on its curves.
+/// Cost    that of the Voronoi diagram, plus for each stepdown the number of points on its curves.
 TrackSets carve_region(const Region& region, const CarveShape& shape, const Regions& cleared,
                        const Tolerances& tol);
 

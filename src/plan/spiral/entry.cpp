@@ -35,7 +35,7 @@ StrategyEntry entry() {
   entry.make = make;
   entry.in_auto = AutoUse::kTried;
   entry.least_length = least_length;
-  // factor on its least time; in 120 random pockets spirals took 1.17 to 2 times the least time
+  // Factor on its least time; in 120 random pockets spirals took 1.17 to 2 times the least time.
   entry.margin = 1.15;
   return entry;
 }

@@ -13,7 +13,7 @@ namespace {
 
 /// Permitted difference of the distances of an arc's ends from its centre, as a share of the radius.
 constexpr double kSameRadii = 0.1;
-/// Rounding allowance on a quarter turn, as a factor.
+/// Greatest sweep of a quadrant arc in quarter turns, with an allowance for rounding.
 constexpr double kRounding = 1.05;
 
 Vec2 on_bisector(Vec2 center, Vec2 from, Vec2 to) {

@@ -89,7 +89,7 @@ bool solids_can_be_read();
 /// Error   lines and circles are exact, other curves within kCurveTolerance of their lines and arcs.
 /// Throws  InputError, one line, if the file contains no solid, the kernel refuses it, the choice matches no body or
 ///         face, or the component is absent.
-/// Cost    cost of the kernel: about 0.1 ms a face and more for free surfaces.
+/// Cost    that of the kernel: about 0.1 ms a face and more for free surfaces.
 SolidModel load_solid(std::string_view text, const std::string& file_name, const SolidChoice& choice);
 
 }  // namespace clearcut::read

@@ -31,7 +31,7 @@ ConvexPolygon ConvexPolygon::square(Vec2 center, double half) {
   return polygon;
 }
 
-/// By the monotone chain.
+/// Computed by the monotone chain.
 ConvexPolygon ConvexPolygon::hull(std::span<Vec2> points) {
   std::sort(points.begin(), points.end(), before);
   const auto end = std::unique(points.begin(), points.end());

@@ -16,7 +16,7 @@ class ConvexPolygon {
 
   ConvexPolygon() = default;
   static ConvexPolygon square(Vec2 center, double half);
-  /// Convex hull of the points; of more than 48 points their bounding box.
+  /// Convex hull of the points; for more than 48 points their bounding box.
   static ConvexPolygon hull(std::span<Vec2> points);
 
   int size() const { return count_; }

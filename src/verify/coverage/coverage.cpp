@@ -403,7 +403,7 @@ class CoverageProof {
   /// a known boundary nearby may still be legal only in part.
   const Box known_;
   LegalCenters legal_;
-  /// mm; how far the program runs from each edge of the legal boundary; -1: not computed yet.
+  /// mm; distance of the program from each edge of the legal boundary; -1: not computed yet.
   std::vector<double> deviation_;
   std::vector<std::pair<double, EdgeTree>> trees_;  ///< for each tool radius: the paths cut with this radius
   // Stacks of items near the cells from the whole target down to the current one.

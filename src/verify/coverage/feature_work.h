@@ -23,7 +23,7 @@ struct LevelCoverage {
 struct FeatureWork {
   int feature = 0;
   int last_workingstep = 0;
-  double smallest_radius = 0;  ///< mm; of its smallest cutter
+  double smallest_radius = 0;  ///< mm; radius of its smallest cutter
   double smallest_flat = 0;    ///< mm; radius of the smallest cutter's flat end
   bool ends_in_point = false;  ///< the smallest cutter has no flat end
   double greatest_radius = 0;

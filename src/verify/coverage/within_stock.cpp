@@ -70,7 +70,8 @@ int side_of(const Edge& edge, const Box& box) {
 /// Appends edges along one side (`upright`: in y) after removing the parts run to and fro.
 void append_without_returns(const std::vector<Edge>& edges, bool upright, std::vector<Edge>& out) {
   const auto along = [upright](Vec2 p) { return upright ? p.y : p.x; };
-  std::map<double, std::pair<Vec2, int>> turns;  // by place: there so many more go on upwards than came
+  // Balance by place: number of edges leaving upwards minus number of edges arriving.
+  std::map<double, std::pair<Vec2, int>> turns;
   for (const Edge& edge : edges) {
     turns.try_emplace(along(edge.from), edge.from, 0).first->second.second += 1;
     turns.try_emplace(along(edge.to), edge.to, 0).first->second.second -= 1;

@@ -19,7 +19,7 @@ constexpr double kAngleRounding = 0.02;
 /// Share of its depth by which an entry may be shallower than an earlier one and still be an entry into the same
 /// layer.
 constexpr double kSameLayerShare = 0.5;
-/// Of the length of an entry: as long have passes to cut before the next one into the same place.
+/// Length that passes must cut before the next entry into the same place, as a multiple of the entry's length.
 constexpr double kPassesBetween = 1;
 /// Share of the radius: walls this near on both sides form a neck. Cosine from which on two directions are opposite.
 constexpr double kNeck = 1.5, kOpposite = -0.5;

@@ -57,7 +57,7 @@ class EntryWatch {
   /// A finished entry into material.
   struct Past {
     std::vector<Edge> path;
-    Box box;  ///< of the path
+    Box box;  ///< box of the path
     double radius = 0, level = 0;
     double passes = 0;  ///< mm that passes must cut before another entry beside it
   };
@@ -75,10 +75,10 @@ class EntryWatch {
   bool begins_ = false, has_met_ = false;
   std::vector<const Move*> descent_;
   double base_ = 0;       ///< mm; height at the start of the descent
-  double slope_ = 0;      ///< of its steepest move
+  double slope_ = 0;      ///< slope of its steepest move
   double length_ = 0;     ///< mm in plan so far
-  double slope_now_ = 0;  ///< of its last move
-  double radius_ = 0;     ///< mm; of the cutter
+  double slope_now_ = 0;  ///< slope of its last move
+  double radius_ = 0;     ///< mm; radius of the cutter
   std::vector<Past> past_;
   double turn_ = 0;  ///< mm; length of one turn of the widest helix of this cutter
 };

@@ -408,7 +408,7 @@ class LoadMeter {
   int own_ = stock::Material::kCylinder;  ///< number of the current cutter
   const Move* before_ = nullptr;          ///< the last feed move before the current one
   EntryWatch entry_;
-  const Tool* stated_for_ = nullptr;  ///< whose are the next two
+  const Tool* stated_for_ = nullptr;  ///< tool of the next two members
   StatedEntry stated_;
   ToolTakes takes_;
   bool entered_ = false;  ///< the entry has met material

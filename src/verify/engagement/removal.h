@@ -6,8 +6,8 @@
 
 namespace clearcut::verify {
 
-/// Of its tool; cuts of earlier set-ups were made narrower, by the ends of their cutters, when they were carried
-/// over, and count as cylinders.
+/// The removal of its tool; cuts of earlier set-ups were made narrower, by the ends of their cutters, when they were
+/// carried over, and count as cylinders.
 stock::Removal removal_of(const CheckedMove& checked);
 
 /// mm above the tip up to which a cutter removes material: above the disc of a T-slot cutter there is only its neck.

@@ -79,7 +79,7 @@ void fold_alike(std::vector<Fault>& faults) {
   faults = std::move(kept);
 }
 
-/// Sets the kind of the cause of the faults selected by `Follows`; returns their number.
+/// Sets the kind of the cause of the faults selected by `follows`; returns their number.
 template <typename Follows>
 std::size_t mark_followers(std::vector<Fault>& faults, FaultKind cause, Follows follows) {
   std::size_t count = 0;

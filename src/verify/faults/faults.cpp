@@ -168,7 +168,7 @@ class FaultFinder {
     return fault;
   }
 
-  /// Of the neck, or of the upper side of the disc.
+  /// The fault of a gouge by the neck, or by the upper side of the disc.
   Fault gouge_of_t_slot(const CheckedMove& checked, const Place& place) const {
     const Gouge& gouge = *checked.gouge;
     const std::string depth = mm(gouge.depth);

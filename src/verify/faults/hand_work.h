@@ -44,7 +44,7 @@ class HandWork {
   bool changes_tools_alone_ = false;  ///< tools are changed without an operator
   bool switches_spindle_ = false, sets_speed_ = false;
   const CheckedMove* first_cut_ = nullptr;          ///< first move that removes material
-  const CheckedMove* first_with_length_ = nullptr;  ///< of all moves
+  const CheckedMove* first_with_length_ = nullptr;  ///< first move with a tool length
   std::set<int> changed_;                           ///< tools loaded by an M6
   /// Per tool: first cut after such a change, if it needs a length and has none.
   std::vector<const CheckedMove*> first_cuts_;

@@ -28,7 +28,7 @@ std::array<Cylinder, 3> cylinders_of(const Tool& tool) {
            {tool.stickout.value_or(0), tool.stickout ? tool.holder_diameter / 2 : 0}}};
 }
 
-/// mm; of a path in plan from a box, 0 within.
+/// mm; distance of a path in plan from a box, 0 within.
 double distance_of(const Edge& path, const Box& box) {
   if (box.contains(path.from) || box.contains(path.to)) return 0;
   if (path.from == path.to) return box.distance_to(path.from);

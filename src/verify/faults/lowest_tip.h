@@ -1,4 +1,4 @@
-// How low a cutter's tip is while the cutter covers a place.
+// Lowest height of a cutter's tip while the cutter covers a place.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// How deep a move cuts into the finished part, for any shape of its cutter.
+// Depth of a move's cut into the finished part, for any shape of its cutter.
 #pragma once
 
 #include <optional>

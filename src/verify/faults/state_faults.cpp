@@ -327,7 +327,7 @@ class StateCheck {
   const Part& part_;
   const VerifyOptions& options_;
   const HandWorks& hands_;
-  const CheckedMove* first_;  ///< of the program, whose moves follow each other
+  const CheckedMove* first_;  ///< first move of the program; the moves are contiguous
   std::set<const CheckedMove*> short_waits_;
   std::set<const CheckedMove*> tapped_;
 };

@@ -22,7 +22,7 @@ struct HandWorks {
 
   HandWorks(const CheckedProgram& program, const VerifyOptions& options);
   const HandWork& of(const CheckedMove& checked) const { return checked.earlier ? earlier : own; }
-  /// Of both.
+  /// Conditions of both programs.
   std::vector<Condition> conditions() const;
 };
 

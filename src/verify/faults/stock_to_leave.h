@@ -53,11 +53,11 @@ class StockToLeave {
 
   const Part& part_;
   Tolerances tol_;
-  std::vector<Left> left_;                ///< by feature
+  std::vector<Left> left_;                ///< stock left by feature
   std::unique_ptr<FinishedPart> raised_;  ///< the part with the stock left on its floors
   std::vector<KeptWall> walls_;
-  EdgeTree tree_;                ///< of walls_
-  std::vector<EdgeTree> lines_;  ///< by feature: for profiles, the outline with stock left on it
+  EdgeTree tree_;                ///< tree of walls_
+  std::vector<EdgeTree> lines_;  ///< outlines by feature: for profiles, the outline with stock left on it
   double most_side_ = 0;
   double most_floor_ = 0;
 };

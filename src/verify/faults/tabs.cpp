@@ -76,7 +76,7 @@ struct StockLeft {
   double floor = 0;
 };
 
-/// Of all steps on the feature, the least.
+/// The least stock left of all steps on the feature.
 StockLeft stock_left(const Part& part, const Feature& feature) {
   StockLeft left{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (const Workingstep& step : part.workplan) {
@@ -132,7 +132,7 @@ class SideCheck {
   }
 
  private:
-  /// `along`: of the foot, from 0 to 1.
+  /// `along`: share of the foot, from 0 to 1.
   SideError error_at(double along, int line) const {
     constexpr int kMiddle = kLines / 2;
     const double side = tab_.aside < 0 ? -1 : 1;

@@ -12,7 +12,7 @@ namespace clearcut::verify {
 /// A fault of a thread.
 struct ThreadDefect {
   enum class Kind { kNothing, kShallow, kNarrow, kHelix } kind = Kind::kHelix;
-  double size = 0;  ///< mm; by how much the thread is wrong
+  double size = 0;  ///< mm; size of the thread's error
   std::string text;
   int line = 0;
 };

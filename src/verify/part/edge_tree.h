@@ -99,13 +99,13 @@ class EdgeTree {
   int winding_of(Vec2 p, std::uint32_t from, std::uint32_t to) const;
 
   std::vector<Edge> edges_;
-  std::vector<Box> boxes_;               ///< of each edge
-  std::vector<std::uint32_t> chain_of_;  ///< of each edge
+  std::vector<Box> boxes_;               ///< box of each edge
+  std::vector<std::uint32_t> chain_of_;  ///< chain of each edge
   std::vector<Chain> chains_;
   BoxTree tree_;
   /// The chains in an order with neighbours near each other, if all are closed.
   std::vector<std::uint32_t> loops_;
-  BoxTree loop_tree_;  ///< of the boxes of loops_
+  BoxTree loop_tree_;  ///< tree of the boxes of loops_
 };
 
 }  // namespace clearcut::verify

@@ -197,7 +197,7 @@ double FinishedPart::height(Vec2 p) const {
   return height;
 }
 
-/// mm; as cleared_by(), of only one shape, with its floor at z or below.
+/// mm; as cleared_by(), for only one shape, with its floor at z or below.
 double FinishedPart::cleared_in(const Shape& shape, Vec2 p, double z) const {
   const double from_outline = shape.outline.distance_to(p);
   if (!holds(shape, p)) return -from_outline;

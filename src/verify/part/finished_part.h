@@ -19,7 +19,7 @@ struct Wall {
   int feature = -1;   ///< feature of the outline; -1: the edge of the stock
   double top_z = 0;   ///< for walls with draft: height at which the wall is at `edge`
   double slope = 0;   ///< tangent of the draft; at height z the wall is (top_z - z) * slope inside `edge`
-  /// Of walls with draft: at this end the side of the stock cuts the wall off square.
+  /// For walls with draft: at this end the side of the stock cuts the wall off square.
   bool flat_from = false;
   bool flat_to = false;
 
@@ -33,7 +33,7 @@ struct Wall {
 /// Selection of the features treated as cut.
 struct CutFeatures {
   bool threads = false;  ///< external threads, as their own mills may; all others must leave the boss whole
-  std::optional<int> only_draft = {};  ///< of the features with draft only this one
+  std::optional<int> only_draft = {};  ///< only this one of the features with draft is cut
   /// T-slots with a roof at this height or higher, mm, together with all material over them.
   std::optional<double> undercuts_up_to = {};
 };

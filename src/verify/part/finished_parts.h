@@ -54,11 +54,12 @@ class FinishedParts {
   const Part& part_;
   FinishedPart plain_;
   std::optional<FinishedPart> threaded_;
-  std::map<double, std::unique_ptr<FinishedPart>> opened_;  ///< by the roof of the lowest cut undercut
+  /// Opened parts by the roof of the lowest cut undercut.
+  std::map<double, std::unique_ptr<FinishedPart>> opened_;
   std::vector<Undercut> undercuts_;
   std::vector<int> drafted_;
   mutable std::mutex mutex_;
-  mutable std::vector<std::unique_ptr<FinishedPart>> with_one_;  ///< by feature
+  mutable std::vector<std::unique_ptr<FinishedPart>> with_one_;  ///< parts by feature
 };
 
 }  // namespace clearcut::verify

@@ -37,7 +37,7 @@ class Attribution {
 
   const Part& part_;
   SectionNames names_;
-  std::vector<EdgeTree> outlines_;  ///< of the features' targets
+  std::vector<EdgeTree> outlines_;  ///< outlines of the features' targets
 };
 
 }  // namespace clearcut::verify

@@ -20,7 +20,7 @@ namespace clearcut::verify {
 /// Cutting length by classes of engagement: a move has few of them.
 class AngleClasses {
  public:
-  static constexpr int kCount = 18;  ///< of 10 degrees each
+  static constexpr int kCount = 18;  ///< number of classes of 10 degrees each
 
   void add(double angle_deg, double length_mm) {
     const int number = std::min(kCount - 1, static_cast<int>(angle_deg / 10));
@@ -76,10 +76,10 @@ struct MoveLoad {
   HeapOptional<Place> holder_contact;
   HeapOptional<EntryLoad> entry;
   HeapOptional<Overcut> overcut;
-  HeapOptional<ReferenceLoad> reference;  ///< only if feeds follow the load
+  HeapOptional<ReferenceLoad> reference;  ///< reference load; only if feeds follow the load
   bool by_flank = false;                  ///< a cone cuts only beside its tip
   bool is_shank = false;                  ///< the shank, not the holder, touches
-  HeapOptional<CuttingLoad> forces;       ///< only if the work's material is known
+  HeapOptional<CuttingLoad> forces;       ///< forces; only if the work's material is known
   double force_mm_n = 0;                  ///< N mm; integral of the force over the length
 };
 

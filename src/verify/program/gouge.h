@@ -1,4 +1,4 @@
-// How deep a move cuts into the finished part.
+// Depth of a move's cut into the finished part.
 #pragma once
 
 #include <optional>
@@ -12,16 +12,16 @@ namespace clearcut::verify {
 /// The part of a tool that intrudes into the part.
 enum class CutterPart {
   kEnd,
-  kNeck,  ///< of a T-slot cutter
-  kDisc   ///< of a T-slot cutter: its upper side
+  kNeck,  ///< neck of a T-slot cutter
+  kDisc   ///< upper side of a T-slot cutter's disc
 };
 
 struct Gouge {
   double depth = 0;    ///< mm; the smallest shift, sideways or upwards, that would have avoided the gouge
-  Vec2 point;          ///< of the tool's centre
-  double z = 0;        ///< of its tip
+  Vec2 point;          ///< place of the tool's centre
+  double z = 0;        ///< height of its tip
   bool floor = false;  ///< a floor was cut too deep, not a wall
-  int feature = -1;    ///< whose outline was cut; -1: a floor or the top of the stock
+  int feature = -1;    ///< feature whose outline was cut; -1: a floor or the top of the stock
   CutterPart by = CutterPart::kEnd;
 };
 

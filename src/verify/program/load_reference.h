@@ -13,7 +13,7 @@ namespace clearcut::verify {
 struct LoadReference {
   FeedRule rule;
   std::vector<MmPerMin> feed_of_step = {};
-  std::map<int, MmPerMin> feed_of_tool = {};  ///< by number
+  std::map<int, MmPerMin> feed_of_tool = {};  ///< feed by number of the tool
 
   /// 0 if not stated. Moves without a workingstep are compared with the least of all feeds.
   double feed(int workingstep, int tool) const {

@@ -34,7 +34,7 @@ double nearest_height(const Wall& wall, const CutterProfile& cutter, double z, d
   return cutter.slope <= wall.slope ? low : std::clamp(z + cutter.full_height(), low, high);
 }
 
-/// mm; how far a cutter with its tip at z has to stay from the outline of a wall.
+/// mm; required distance of a cutter with its tip at z from the outline of a wall.
 double distance_needed(const Wall& wall, const CutterProfile& cutter, double z, bool is_drafted_here) {
   if (z >= wall.z_high) return 0;
   if (!is_drafted_here || wall.slope <= 0) return cutter.radius_at(wall.z_high - z);
@@ -160,7 +160,7 @@ class ShapedCheck {
     return wall.slope > 0 && part_.is_inside(wall.feature, at(t));
   }
 
-  /// mm; how much less the excess at the highest tip may be than at the lowest, at the same distance.
+  /// mm; greatest difference between the excess at the lowest tip and that at the highest, at the same distance.
   double change_by_height(const Wall& wall, const Sample& a, const Sample& b) const {
     const double low = std::min(z_at(a.t), z_at(b.t)), high = std::max(z_at(a.t), z_at(b.t));
     return distance_needed(wall, cutter_, low, a.leans || b.leans) -

@@ -49,7 +49,7 @@ struct VerifyOptions {
   std::vector<std::string> accepted;  ///< confirmed conditions: they cause no faults
   /// Limits for tools without a workingstep, by number. Other tools are limited by their operations.
   std::map<int, ToolLimits> tool_limits;
-  std::map<int, StatedDrive> stated;       ///< by number of the tool
+  std::map<int, StatedDrive> stated;       ///< stated cutting data by number of the tool
   std::optional<WorkMaterial> material;    ///< absent: no forces and no wear are computed
   std::optional<LoadReference> reference;  ///< absent: feeds do not go by the load
   std::stop_token cancel;                  ///< asked between moves and layers
