@@ -6,6 +6,7 @@
 
 #include "model/layer.h"
 #include "model/part.h"
+#include "plan/common/round_on_wall.h"
 
 namespace clearcut::pipeline {
 
@@ -20,9 +21,14 @@ class MeetingPockets {
 
   bool empty() const { return met_.empty(); }
 
+  /// The cutter of the workingstep touches its own leaning walls with its rounded end, and its layers say how far it keeps off those.
+  /// From steeper walls of others it has to keep farther off: their outlines count as that much narrower.
+  void touch_walls(const plan::RoundOnWall& own) { own_ = own; }
+
   /// Widens a layer of the pocket by what those features take away at its depth or below, where that lets the cutter reach
   /// more of its target: up to a diameter beside what is gained. What is added is cut with the layer, whether the other
-  /// feature comes before or after. Cost: some offsets and booleans, once for layers of one outline.
+  /// feature comes before or after. Between leaning walls it may be gained deep down alone: layers are widened from the lowest one up,
+  /// and each by what those under it are. Cost: some offsets and booleans, once for layers of one outline.
   void widen(Layer& layer);
 
  private:
@@ -30,13 +36,16 @@ class MeetingPockets {
   /// What is added to the layer's area; nothing where it gains nothing.
   std::optional<Regions> added_to(const Layer& layer, const std::vector<const Feature*>& open) const;
 
-  /// A feature's outline at a depth, as far as its place is free down to the top of the pocket.
+  /// A feature's outline at a depth, as far as its place is free down to the top of the pocket, and as the cutter may come near to it.
   Regions room_of(const Feature& other, double z) const;
 
   std::vector<const Feature*> met_;
   std::vector<const Feature*> higher_;  ///< of those: cut later, and begin higher than the pocket
+  bool leans_ = false;                  ///< whether the pocket's walls do
+  Regions below_;                       ///< what was added to layers so far, under leaning walls
   Regions cleared_;  ///< down to the top of the pocket by what is cut before; only for those
   Tolerances tol_;
+  plan::RoundOnWall own_;                  ///< no round: the cutter keeps off all walls alike
   std::vector<const Feature*> last_open_;  ///< of the layer that was widened last
   Regions last_allowed_;                   ///< its area before
   std::optional<Regions> last_added_;

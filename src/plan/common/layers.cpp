@@ -9,6 +9,7 @@
 #include "base/text/format.h"
 #include "features/at_depth.h"
 #include "geometry/boolean.h"
+#include "plan/common/round_on_wall.h"
 
 namespace clearcut::plan {
 namespace {
@@ -20,34 +21,12 @@ constexpr double kMostLayers = 10000;
 /// Relative. Rounding of decimal depths: 10.1 - 0.1 are ten steps of 1.
 constexpr double kRounding = 1e-9;
 
-/// How a cutter with a rounded end touches a wall that leans by `draft` radians.
-struct RoundOnWall {
-  double round = 0, draft = 0;
-
-  /// mm that the wall at the height of the tip lies beside the middle of the rounding: as much as the round itself at upright walls.
-  double beside() const { return round * (1 - base::sin(draft)) / base::cos(draft); }
-
-  /// mm of height along which no more than `left` mm stand off the wall, square to it. Square to the wall the end at an angle of
-  /// d to where it touches leaves round (1 - cos d); above the rounding its side leaves the more the higher.
-  double height_within(double left) const {
-    const double wide = base::acos(std::max(-1.0, 1 - left / round));
-    const double low = round - round * base::sin(std::min(kPi / 2, draft + wide));
-    const double side = round + (left - round * (1 - base::cos(draft))) / base::sin(draft);
-    return (wide < draft ? round - round * base::sin(draft - wide) : side) - low;
-  }
-};
-
-/// Share of the step that the scallop alone gives. Where rounded ends need less than that, no step is small enough.
-constexpr double kLeastStep = 0.1;
-
 /// mm; the height that a layer may take on leaning walls, of a rounded end that touches them, or keeps off as if it were flat.
 double height_for(double scallop, double draft, const RoundedEnd& end) {
   const double flat = scallop / base::sin(draft);
   if (end.round <= 0) return flat;
-  if (end.touches_walls) return RoundOnWall{end.round, draft}.height_within(scallop);
-  // It comes nearest to the wall at some height over the tip: below it the next layer cuts.
-  const double less = flat - end.round * (1 - base::sin(draft));
-  return less > kLeastStep * flat ? less : flat;
+  const RoundOnWall touch{end.round, draft};
+  return end.touches_walls ? touch.height_within(scallop) : touch.height_kept_off(scallop).value_or(flat);
 }
 
 /// mm; no more than leaves the scallop on leaning walls.
