@@ -98,8 +98,12 @@ CuttingData keep_stated_limits(Workingstep& step, Operation stated, const Part& 
     resolve::change_tool(stated, step.operation.tool, part, options);
   }
   const Tool& tool = tool_of(prepared, step);
+  const Feature& feature = feature_of(prepared, step);
   const bool mills = !makes_holes(tool);
-  if (!resolve::is_made_at_once(feature_of(prepared, step), tool))
+  // Upright walls are finished at their whole depth, or in as many depths as were asked for.
+  const bool is_wall_pass =
+      step.operation.kind == OperationKind::kSideFinishing && feature.wall_slope.radians() == 0;
+  if (!resolve::is_made_at_once(feature, tool) && !is_wall_pass)
     step.operation.stepdown = options.stepdown && mills ? options.stepdown : stated.stepdown;
   const auto& plunge = options.cutting.plunge_feed;
   step.operation.cutting.plunge_feed = plunge ? plunge : stated.cutting.plunge_feed;
@@ -139,10 +143,18 @@ void add_drive(std::map<int, verify::StatedDrive>& drives, int tool, const Cutti
   all.least_rpm = std::min(all.least_rpm, rpm);
 }
 
-/// Whether `name` names a narrower mill's step on the material left by the step `of`, and not its finishing.
-bool is_rest_of(const std::string& name, const std::string& of) {
-  const std::string begin = of + "_rest_T";
-  return name.starts_with(begin) && name.find_first_not_of("0123456789", begin.size()) == std::string::npos;
+/// Whether `name` is that of a step that was put beside the step `of`: for tabs, for the neck of a T-slot, for what a narrower mill
+/// still reaches, or for finishing.
+bool follows_from(const std::string& name, const std::string& of) {
+  if (!name.starts_with(of)) return false;
+  std::string_view ending = std::string_view(name).substr(of.size());
+  constexpr std::string_view kRest = "_rest_T";
+  if (ending.starts_with(kRest)) {
+    const std::size_t end = ending.find_first_not_of("0123456789", kRest.size());
+    ending = end == std::string_view::npos ? std::string_view() : ending.substr(end);
+  }
+  constexpr std::string_view kEndings[] = {"", "_tabs", "_neck", "_walls", "_floor"};
+  return std::find(std::begin(kEndings), std::end(kEndings), ending) != std::end(kEndings);
 }
 
 /// A program of another CAM is checked against the stated stepdown and plunge feed, not against Clearcut's defaults.
@@ -151,15 +163,13 @@ std::map<int, verify::StatedDrive> keep_stated_limits(Part& prepared, const Part
                                                       const resolve::PlanOptions& options) {
   std::map<int, verify::StatedDrive> drives;
   for (std::size_t i = 0; i < prepared.workplan.size(); ++i) {
-    // Tabs, T-slots and narrower mills insert their own steps, named after the steps above or after them.
+    // Tabs, T-slots, narrower mills and finishing put steps of their own in between, which are named after those above or after them.
     const std::string& name = prepared.workplan[i].name;
     const bool same = i < part.workplan.size() && part.workplan[i].name == name;
     const auto stated =
         same ? part.workplan.begin() + static_cast<std::ptrdiff_t>(i)
-             : std::find_if(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
-                 return name == step.name || name == step.name + "_tabs" || name == step.name + "_neck" ||
-                        is_rest_of(name, step.name);
-               });
+             : std::find_if(part.workplan.begin(), part.workplan.end(),
+                            [&](const Workingstep& step) { return follows_from(name, step.name); });
     const int tool = tool_of(prepared, prepared.workplan[i]).number;
     const CuttingData cutting =
         stated == part.workplan.end()

@@ -107,5 +107,44 @@ TEST(CrossedDraft, PlansAreNoGougesAndWrongOnesAre) {
   }
 }
 
+/// How far the rounded end comes below the part over p at most, mm; its corner is `round` wide.
+double gouge_over(Vec2 p, const CrossedPockets& pockets, const Toolpath& toolpath, double radius,
+                  double round) {
+  double deepest = 0;
+  for (const Section& section : toolpath.sections) {
+    for (const Move& move : section.moves) {
+      const double off =
+          move.path.from == move.path.to ? distance(move.path.from, p) : distance(move.path, p);
+      if (is_rapid(move.kind) || off >= radius) continue;
+      const double in = std::max(0.0, off - (radius - round));
+      const double over = round - std::sqrt(round * round - in * in);
+      deepest = std::max(deepest, pockets.height(p) - std::max(move.z_from, move.z_to) - over);
+    }
+  }
+  return deepest;
+}
+
+TEST(CrossedDraft, RoundedEndsTouchWallsThatTheyCannotKeepOff) {
+  constexpr double kRadius = 2, kRound = 1, kGrid = 0.8;
+  const CrossedPockets pockets{{0, 0, 14.5, 22.4}, {5.5, -3.7, 15.6, 15.7}, 0.7854, 2.4, 2.8};
+  resolve::PlanOptions options = with({"bullnose:4:corner=1"});
+  options.strategy = "contour";
+  options.accept = {"out-of-reach"};
+  const PlanResult plan = plan_part(pockets.part(), options);
+  EXPECT_EQ(verdict_of(plan.findings), Verdict::kClean) << faults_of(plan.findings);
+  for (double x = -6; x < 26; x += kGrid)
+    for (double y = -4; y < 28; y += kGrid)
+      EXPECT_LT(gouge_over({x, y}, pockets, plan.toolpath, kRadius - 0.01, kRound), 0.02) << x << " " << y;
+}
+
+TEST(CrossedDraft, WhatIsGainedDeepDownAloneIsCutFromTheTop) {
+  const CrossedPockets pockets{{0, 0, 16, 22.3}, {11.8, 5.5, 19.6, 11}, 0.7854, 3.9, 5.2};
+  resolve::PlanOptions options = with({"endmill:4"});
+  options.strategy = "contour";
+  options.accept = {"out-of-reach"};
+  const PlanResult plan = plan_part(pockets.part(), options);
+  EXPECT_EQ(verdict_of(plan.findings), Verdict::kClean) << faults_of(plan.findings);
+}
+
 }  // namespace
 }  // namespace clearcut::pipeline

@@ -89,6 +89,18 @@ TEST(Dogbones, AreNotCutThroughWallsAndThatIsSaid) {
   EXPECT_EQ(verdict_of(thin.findings), Verdict::kClean) << faults_of(thin.findings);
 }
 
+/// Both pockets end at one wall: beyond it the lower one's bones have all of their depth to cut.
+TEST(Dogbones, OfAPocketUnderAnotherAreCutFromTheTopBeyondIt) {
+  resolve::PlanOptions options = with({"endmill:6", "endmill:3"});
+  options.shop.dogbones = "corner";
+  options.shop.rest = true;
+  options.accept = {"out-of-reach"};
+  const PlanResult result =
+      plan_part(drawn(box("POCKET_D1", 0, 0, 40, 30) + box("POCKET_D2", 10, 0, 24, 20)), options);
+  EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << faults_of(result.findings);
+  EXPECT_LE(nearest(result.toolpath, {10, 0}, -2), 1.5005);
+}
+
 TEST(Dogbones, WithoutThemTheCornersStay) {
   resolve::PlanOptions options = with({"endmill:6"});
   const PlanResult plain = plan_part(drawn(box("POCKET_D3", 0, 0, 40, 30)), options);

@@ -15,6 +15,7 @@
 #include "pipeline/run.h"
 #include "read/gcode/gcode.h"
 #include "support/independent/raster_simulator.h"
+#include "support/random/first_seed.h"
 
 namespace clearcut {
 namespace {
@@ -180,7 +181,7 @@ TEST(MutatedPrograms, AreFaultyWhereARasterSaysSo) {
   const std::vector<Region> regions = outlines();
   const std::vector<std::string> strategies{"contour", "zigzag", "spiral", "adaptive"};
   const int each = mutation_count(320) / static_cast<int>(regions.size() * strategies.size());
-  Random random(11);
+  Random random(static_cast<std::uint64_t>(10 + test_support::first_seed()));
   Tally tally;
   for (const Region& region : regions) {
     for (const std::string& strategy : strategies) {

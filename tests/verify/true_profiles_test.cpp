@@ -16,11 +16,13 @@
 #include "pipeline/check.h"
 #include "pipeline/run.h"
 #include "support/independent/profile_field.h"
+#include "support/random/first_seed.h"
 
 namespace clearcut {
 namespace {
 
 using test_support::BodyWay;
+using test_support::first_seed;
 using test_support::ProfileField;
 using test_support::TurnedBody;
 using End = TurnedBody::End;
@@ -233,7 +235,7 @@ bool is_said(const Findings& findings, const Answer& answer) {
 
 TEST(TrueProfiles, RapidsAndPlungesMeetWhatStandsAndNothingElse) {
   int certain = 0, free = 0;
-  for (int seed = 1; seed <= profile_count(250); ++seed) {
+  for (int seed = first_seed(); seed < first_seed() + profile_count(250); ++seed) {
     Random random(static_cast<std::uint64_t>(seed));
     RandomProgram program(random);
     program.run();
@@ -492,7 +494,7 @@ std::string mutant_of(const std::string& program, Random& random) {
 
 TEST(TrueProfiles, PlansAreCleanAndMutantsFaultyWhereTheFieldSaysSo) {
   int plans = 0, wrong = 0, mutants = 0;
-  for (int seed = 1; seed <= profile_count(140); ++seed) {
+  for (int seed = first_seed(); seed < first_seed() + profile_count(140); ++seed) {
     Random random(static_cast<std::uint64_t>(seed) + 5000);
     const Job job = random_job(random);
     const resolve::PlanOptions options = options_of(job, random);
@@ -583,7 +585,7 @@ std::string wrong_on_leaning_walls(const Job& job, const Toolpath& toolpath, dou
 
 TEST(TrueProfiles, PlansOnLeaningWallsAreCleanAndMutantsFaulty) {
   int wrong = 0, mutants = 0;
-  for (int seed = 1; seed <= profile_count(4); ++seed) {
+  for (int seed = first_seed(); seed < first_seed() + profile_count(4); ++seed) {
     Random random(static_cast<std::uint64_t>(seed) + 90000);
     const Job job = leaning_job(random);
     resolve::PlanOptions options = options_of(job, random);

@@ -59,6 +59,7 @@ MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Toleranc
   const Workingstep& step = part.workplan[static_cast<std::size_t>(workingstep)];
   const Feature& pocket = feature_of(part, step);
   const bool is_hole = pocket.kind == FeatureKind::kRoundHole && !is_formed(pocket);
+  leans_ = pocket.wall_slope.radians() != 0;
   if (pocket.profile) return;
   const bool leaves_stock = (is_hole || !closed_all_round(pocket)) && step.operation.allowance_side > 0;
   if (pocket.kind != FeatureKind::kClosedPocket && !leaves_stock) return;
@@ -83,6 +84,9 @@ MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Toleranc
 
 Regions MeetingPockets::room_of(const Feature& other, double z) const {
   Regions room = features::at_depth(other.allowed, other.wall_slope, other.top_z - z, tol_);
+  const plan::RoundOnWall theirs{own_.round, other.wall_slope.radians()};
+  const double farther = theirs.beside() - own_.beside();
+  if (farther > 0) room = inset(room, farther, tol_);
   const bool higher = std::find(higher_.begin(), higher_.end(), &other) != higher_.end();
   return higher ? intersect(room, cleared_, tol_) : room;
 }
@@ -103,6 +107,8 @@ void MeetingPockets::widen(Layer& layer) {
     last_added_ = added_to(layer, open);
     last_allowed_ = layer.allowed;
     last_open_ = open;
+    if ((leans_ || !upright) && last_added_)
+      below_ = below_.empty() ? *last_added_ : unite(below_, *last_added_, tol_);
   }
   if (!last_added_) return;
   const Regions wide = without_short_edges(unite(layer.allowed, *last_added_, tol_), kShortEdge);
@@ -124,8 +130,9 @@ std::optional<Regions> MeetingPockets::added_to(const Layer& layer,
   const Regions with_others = intersect(layer.target, reached(intersect(wide, near, tol_), 0), tol_);
   // Slightly enlarged, since otherwise slivers remain along coincident parts of the two.
   const Regions gained = subtract(with_others, reached(layer.allowed, tol_.uncut / 2), tol_);
-  if (gained.empty()) return std::nullopt;
-  return intersect(wide, dilate(gained, around, tol_), tol_);
+  if (gained.empty() && below_.empty()) return std::nullopt;
+  const Regions added = intersect(wide, dilate(gained, around, tol_), tol_);
+  return below_.empty() ? added : unite(added, below_, tol_);
 }
 
 }  // namespace clearcut::pipeline

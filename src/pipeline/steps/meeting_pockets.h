@@ -6,6 +6,7 @@
 
 #include "model/layer.h"
 #include "model/part.h"
+#include "plan/common/round_on_wall.h"
 
 namespace clearcut::pipeline {
 
@@ -20,10 +21,14 @@ class MeetingPockets {
 
   bool empty() const { return met_.empty(); }
 
-  /// Widens a layer of the pocket by the areas that these features remove at its depth or below, if this lets the
-  /// cutter reach more of its target: up to a diameter beside the gained area. The added area is cut with the layer,
-  /// whether the other feature comes before or after. Cost: some offsets and booleans, once for layers of one
-  /// outline.
+  /// The cutter of the workingstep touches its own leaning walls with its rounded end, and its layers say how far it keeps off those.
+  /// From steeper walls of others it has to keep farther off: their outlines count as that much narrower.
+  void touch_walls(const plan::RoundOnWall& own) { own_ = own; }
+
+  /// Widens a layer of the pocket by what those features take away at its depth or below, where that lets the cutter reach
+  /// more of its target: up to a diameter beside what is gained. What is added is cut with the layer, whether the other
+  /// feature comes before or after. Between leaning walls it may be gained deep down alone: layers are widened from the lowest one up,
+  /// and each by what those under it are. Cost: some offsets and booleans, once for layers of one outline.
   void widen(Layer& layer);
 
  private:
@@ -31,14 +36,17 @@ class MeetingPockets {
   /// The area added to the layer; nothing without a gain.
   std::optional<Regions> added_to(const Layer& layer, const std::vector<const Feature*>& open) const;
 
-  /// A feature's outline at a depth, as far as its place is free down to the top of the pocket.
+  /// A feature's outline at a depth, as far as its place is free down to the top of the pocket, and as the cutter may come near to it.
   Regions room_of(const Feature& other, double z) const;
 
   std::vector<const Feature*> met_;
-  std::vector<const Feature*> higher_;  ///< features cut later that begin higher than the pocket
-  Regions cleared_;  ///< area cleared down to the top of the pocket by earlier work; only for these features
+  std::vector<const Feature*> higher_;  ///< of those: cut later, and begin higher than the pocket
+  bool leans_ = false;                  ///< whether the pocket's walls do
+  Regions below_;                       ///< what was added to layers so far, under leaning walls
+  Regions cleared_;  ///< down to the top of the pocket by what is cut before; only for those
   Tolerances tol_;
-  std::vector<const Feature*> last_open_;  ///< open features of the last widened layer
+  plan::RoundOnWall own_;                  ///< no round: the cutter keeps off all walls alike
+  std::vector<const Feature*> last_open_;  ///< of the layer that was widened last
   Regions last_allowed_;                   ///< its area before
   std::optional<Regions> last_added_;
 };

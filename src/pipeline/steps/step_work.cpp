@@ -58,8 +58,15 @@ void keep_what_others_missed(Layer& layer, int index, MeetingPockets& met, const
   if (!layer.target.empty()) layer.allowed = wide.allowed;
 }
 
-/// The layers of one workingstep with material left. Open features, and pockets with only stock of earlier work left,
-/// cut only this material; in other features the walls bound every pass, so the whole layer is cut.
+/// Whether layers that keep off leaning walls as a flat end has to leave more on them than may stand, however thin they are. Those that
+/// touch the walls leave more beside the steeper walls of others.
+bool has_to_touch(const plan::RoundOnWall& touch, const Operation& operation) {
+  return operation.scallop && touch.draft > 0 && touch.round > 0 &&
+         !touch.height_kept_off(*operation.scallop);
+}
+
+/// The layers of one workingstep over which something still stands. Open features cut only that, and pockets of which
+/// nothing but stock of earlier work is left; in others the walls bound every pass, so the whole layer is cut.
 std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
   const Part& part = plan.part;
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
@@ -79,15 +86,20 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
   const bool bare = is_bare(part, feature) || !met.empty();
   const auto holes = features::holes_before(part, index, plan.tol);
   const features::Standing standing(part, index, plan.tol);
-  // The cutter must keep its whole radius from vertical walls of other pockets or of material above. Beside the
-  // layers of another step, its own layers must be placed as that step expects of a flat end.
+  // Upright walls of what stands above it has to keep off by its whole radius.
+  // Beside the layers of another step its own have to lie as that expects of a flat end.
   const auto steps = std::count_if(part.workplan.begin(), part.workplan.end(),
                                    [&](const Workingstep& other) { return other.feature == step.feature; });
-  const bool leans_alone = met.empty() && feature.top_z >= part.top_z() && steps == 1;
-  const plan::RoundedEnd end{outer_profile(tool).round, leans_alone};
+  const bool leans_alone = feature.top_z >= part.top_z() && steps == 1;
+  const plan::RoundOnWall touch{outer_profile(tool).round, feature.wall_slope.radians()};
+  const bool touches = leans_alone && (met.empty() || has_to_touch(touch, operation));
+  const plan::RoundedEnd end{touch.round, touches};
+  if (touches) met.touch_walls(touch);
   auto layers = plan::layers_of(feature, operation, tool.radius() - narrower, plan.tol, end,
                                 standing.top() - feature.top_z);
-  for (auto& layer : layers) {
+  MeetingPockets missed = met;  // layers that nothing stands over widen no others
+  for (auto at = layers.rbegin(); at != layers.rend(); ++at) {
+    Layer& layer = *at;
     layer.reserve = std::max(reserve, spared);
     layer.holes = holes;
     if (part.stock) layer.stock = part.stock->plan;
@@ -95,7 +107,7 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
     // The material is bounded by the outline at the top: between drafted walls there is less.
     if (feature.wall_slope.radians() != 0) stands = intersect(stands, layer.allowed, plan.tol);
     if (stands.empty() && closed_all_round(feature)) {
-      keep_what_others_missed(layer, index, met, plan);
+      keep_what_others_missed(layer, index, missed, plan);
     } else if (!closed_all_round(feature) || layer.z >= feature.top_z) {
       layer.target = overrun(stands, layer.allowed, plan);
       if (!layer.target.empty() && !closed_all_round(feature)) met.widen(layer);

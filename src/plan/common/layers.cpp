@@ -9,6 +9,7 @@
 #include "base/text/format.h"
 #include "features/at_depth.h"
 #include "geometry/contours/boolean.h"
+#include "plan/common/round_on_wall.h"
 
 namespace clearcut::plan {
 namespace {
@@ -20,37 +21,12 @@ constexpr double kMostLayers = 10000;
 /// Relative. Rounding of decimal depths: 10.1 - 0.1 are ten steps of 1.
 constexpr double kRounding = 1e-9;
 
-/// Contact of a cutter's rounded end with a wall inclined by `draft` radians.
-struct RoundOnWall {
-  double round = 0, draft = 0;
-
-  /// mm; distance, at the height of the tip, of the wall from the middle of the rounding: the rounding's radius for
-  /// vertical walls.
-  double beside() const { return round * (1 - base::sin(draft)) / base::cos(draft); }
-
-  /// mm of height over which no more than `left` mm remain on the wall, square to the wall. At an angle d from its
-  /// contact point the rounded end leaves round (1 - cos d), square to the wall; above the rounding, the side leaves
-  /// an amount growing with the height.
-  double height_within(double left) const {
-    const double wide = base::acos(std::max(-1.0, 1 - left / round));
-    const double low = round - round * base::sin(std::min(kPi / 2, draft + wide));
-    const double side = round + (left - round * (1 - base::cos(draft))) / base::sin(draft);
-    return (wide < draft ? round - round * base::sin(draft - wide) : side) - low;
-  }
-};
-
-/// Least share of the step given by the scallop only. If rounded ends need a smaller step, no step is small enough.
-constexpr double kLeastStep = 0.1;
-
-/// mm; the permitted height of a layer at inclined walls, for a rounded end that touches the walls, or keeps the
-/// distance of a flat end.
+/// mm; the height that a layer may take on leaning walls, of a rounded end that touches them, or keeps off as if it were flat.
 double height_for(double scallop, double draft, const RoundedEnd& end) {
   const double flat = scallop / base::sin(draft);
   if (end.round <= 0) return flat;
-  if (end.touches_walls) return RoundOnWall{end.round, draft}.height_within(scallop);
-  // The rounded end is nearest to the wall at some height over the tip: below this height the next layer cuts.
-  const double less = flat - end.round * (1 - base::sin(draft));
-  return less > kLeastStep * flat ? less : flat;
+  const RoundOnWall touch{end.round, draft};
+  return end.touches_walls ? touch.height_within(scallop) : touch.height_kept_off(scallop).value_or(flat);
 }
 
 /// mm; no more than leaves the scallop on leaning walls.

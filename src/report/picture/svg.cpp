@@ -96,6 +96,7 @@ double draw_main(SvgWriter& svg, const Job& job) {
   double y = view.corner.y + 16;
   if (!single && job.part.is_shape_stated) y = draw_feature_list(svg, job, {left, y}, width);
   y = draw_legend(svg, job, {left, y});
+  y = draw_condition_list(svg, job.findings, {left, y}, width);
   y = draw_fault_list(svg, job.findings, {left, y}, width);
   return std::max(view.corner.y + view.height, y) + kGap;
 }

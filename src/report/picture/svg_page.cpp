@@ -15,6 +15,8 @@ namespace clearcut::report {
 namespace {
 
 constexpr std::size_t kFeaturesListed = 18;
+/// Open conditions that are listed, and lines for each.
+constexpr std::size_t kConditionsListed = 8, kConditionLines = 4;
 constexpr std::size_t kFaultsListed = 8;
 constexpr double kLineHeight = 25;
 
@@ -238,6 +240,24 @@ void draw_feature_row(SvgWriter& svg, const Job& job, int feature, Vec2 at, doub
                                          : report::palette::kBad}});
 }
 
+/// The text in lines of at most `letters`, broken between words; what goes beyond `most` lines is cut off with dots.
+std::vector<std::string> lines_of(const std::string& text, std::size_t letters, std::size_t most) {
+  std::vector<std::string> lines;
+  std::size_t from = 0;
+  while (from < text.size()) {
+    const std::string rest = text.substr(from);
+    if (rest.size() <= letters || lines.size() + 1 == most) {
+      lines.push_back(shortened(rest, letters));
+      break;
+    }
+    std::size_t end = text.rfind(' ', from + letters);
+    if (end == std::string::npos || end <= from) end = text.find(' ', from + letters);
+    lines.push_back(shortened(text.substr(from, end - from), letters));
+    from = end == std::string::npos ? text.size() : end + 1;
+  }
+  return lines;
+}
+
 }  // namespace
 
 SvgWriter::Attributes text_style(double size, const char* color, const char* weight, const char* anchor) {
@@ -278,6 +298,27 @@ double draw_legend(SvgWriter& svg, const Job& job, Vec2 at) {
     y += kLineHeight - 2;
   }
   return y + 20;
+}
+
+double draw_condition_list(SvgWriter& svg, const Findings& findings, Vec2 at, double width) {
+  const std::vector<Condition> open = open_conditions(findings);
+  if (open.empty()) return at.y;
+  const std::size_t letters = static_cast<std::size_t>(width / 7.2);
+  svg.text(at, "Conditions", text_style(16, report::palette::kWarn, "bold"));
+  double y = at.y + kLineHeight;
+  for (std::size_t i = 0; i < std::min(kConditionsListed, open.size()); ++i) {
+    for (const std::string& line : lines_of(open[i].name + ": " + open[i].text, letters, kConditionLines)) {
+      svg.text({at.x, y}, line, text_style(13, report::palette::kInk));
+      y += 18;
+    }
+    y += 4;
+  }
+  if (open.size() > kConditionsListed) {
+    svg.text({at.x, y}, fmt::format("and {} more", open.size() - kConditionsListed),
+             text_style(13, report::palette::kFaint));
+    y += 20;
+  }
+  return y + 16;
 }
 
 double draw_fault_list(SvgWriter& svg, const Findings& findings, Vec2 at, double width) {

@@ -69,6 +69,19 @@ TEST(Svg, IsWellFormedAndSaysWhatWasFound) {
   EXPECT_THAT(words, HasSubstr("uncut 0.250 mm, POCKET1"));
 }
 
+TEST(Svg, NamesOpenConditionsAndNotThoseThatAreMet) {
+  Findings findings = sample::findings();
+  findings.conditions = {
+      {"left-out", "face 12 <cone> is neither flat and level nor upright: its material stays"},
+      {"blending", "met"}};
+  findings.conditions.back().met_by = "accepted";
+  const std::string words = all_words(picture(sample::part(), sample::toolpath(), findings));
+  EXPECT_THAT(words, HasSubstr("Conditions"));
+  EXPECT_THAT(words, HasSubstr("left-out: face 12 <cone> is neither"));
+  EXPECT_THAT(words, HasSubstr("stays"));
+  EXPECT_THAT(words, Not(HasSubstr("blending")));
+}
+
 TEST(Svg, ACleanPartIsCalledClean) {
   Findings findings = sample::findings();
   findings.faults.clear();

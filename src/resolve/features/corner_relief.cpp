@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/text/format.h"
+#include "features/stacking.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/contours/loops.h"
 
@@ -99,7 +100,8 @@ class CornerRelief {
   CornerRelief(Part& part, const PlanOptions& options, double radius)
       : part_(part), tol_(options.tol), t_bone_(*options.shop.dogbones == "t-bone"), radius_(radius) {}
 
-  void relieve(std::size_t index) {
+  /// Returns whether the feature has got a bone.
+  bool relieve(std::size_t index) {
     feature_ = &part_.features[index];
     made_.clear();
     left_ = 0;
@@ -108,6 +110,7 @@ class CornerRelief {
     else
       relieve_pocket();
     tell();
+    return !made_.empty();
   }
 
  private:
@@ -234,11 +237,25 @@ std::optional<double> narrowest_radius(const Part& part, std::size_t feature) {
   return radius;
 }
 
+/// A pocket under another one begins at the other's floor; what its bones take beside the other one begins above that.
+void raise_top(Part& part, std::size_t index, const Tolerances& tol) {
+  Part as_drawn = part;
+  Feature& feature = as_drawn.features[index];
+  for (const Feature& other : part.features) {
+    if (!other.chamfer && other.top_z > feature.top_z && box(other.target).overlaps(box(feature.target)))
+      feature.top_z = other.top_z;
+  }
+  part.features[index].top_z =
+      std::max(part.features[index].top_z, features::stacked_tops(as_drawn, tol)[index]);
+}
+
 void relieve(Part& part, const PlanOptions& options, bool profiles) {
   if (!options.shop.dogbones) return;
   for (std::size_t i = 0; i < part.features.size(); ++i) {
     if (!takes_relief(part.features[i]) || part.features[i].profile.has_value() != profiles) continue;
-    if (const auto radius = narrowest_radius(part, i)) CornerRelief(part, options, *radius).relieve(i);
+    const auto radius = narrowest_radius(part, i);
+    if (radius && CornerRelief(part, options, *radius).relieve(i) && !profiles)
+      raise_top(part, i, options.tol);
   }
 }
 

@@ -1,19 +1,20 @@
 // Whether a cutter keeps clear of a part in which features cut into walls with draft.
 #pragma once
 
+#include "model/cutter_profile.h"
 #include "model/move.h"
 #include "verify/part/finished_part.h"
 
 namespace clearcut::verify {
 
-/// Whether a cylinder of `radius` mm, its tip along `move`, stays within the union of the volumes cleared by the
-/// part's features. FinishedPart treats a wall with draft as whole even if another feature cuts into it; this
-/// function tests the places themselves.
+/// Whether a cutter, its tip along `move`, stays within what the features of the part clear together. The walls of
+/// FinishedPart stand whole where another feature cuts into one with draft; this asks the places themselves.
 ///
-/// Method  A quadtree over the area swept by the cylinder, using that cleared_by() changes no faster than its place.
-/// Error   True: the cylinder nowhere cuts in by more than 0.001 mm. False: it does, or the proof needs more than
-///         kMostCells cells. Sloping moves are tested in pieces, each at its lowest tip. `slack`: mm by which floors
-///         may be cut too deep.
-bool is_clear_of_crossed_draft(const FinishedPart& part, const Move& move, double radius, double slack);
+/// Method  A quadtree over what the cutter sweeps, with the bound that cleared_by() changes no faster than its place, each cell at the
+///         lowest height that the cutter's surface has over it: whatever is clear there is clear above.
+/// Error   True: it goes into nothing by more than 0.001 mm. False: it does, or is not found not to in kMostCells cells. Sloping moves are
+///         looked at in pieces, each at its lowest tip. `slack`: mm by which floors may be cut too deep.
+bool is_clear_of_crossed_draft(const FinishedPart& part, const Move& move, const CutterProfile& cutter,
+                               double slack);
 
 }  // namespace clearcut::verify

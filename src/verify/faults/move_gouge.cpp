@@ -20,10 +20,9 @@ std::optional<Gouge> gouge_of_mill(const FinishedPart& finished, const Move& mov
   return shaped && shaped->depth < gouge->depth ? shaped : shaped ? gouge : std::nullopt;
 }
 
-/// The gouge of a cutter's move into a part, found by `check`. A wall with draft counts as present even if another
-/// feature cuts into it; therefore a move that does not gouge a part with only one of the drafted features cut (such
-/// as each of two crossing grooves) does not gouge the whole part either. For cutters without flanks the places
-/// themselves are then tested (crossed_draft.h).
+/// The gouge that `check` finds of a cutter's move into a part. A wall with draft counts as standing where another feature cuts into
+/// it: what is no gouge where one such feature alone is cut, as each of two grooves that cross, is none of the whole part either; the
+/// places themselves are asked then (crossed_draft.h).
 template <typename Check>
 std::optional<Gouge> least_gouge(const FinishedParts& finished, const Tool& tool, const Move& move,
                                  Check check) {
@@ -42,21 +41,16 @@ std::optional<Gouge> least_gouge(const FinishedParts& finished, const Tool& tool
 std::optional<Gouge> gouge_of_move(const FinishedParts& finished, const CheckedMove& checked,
                                    const Move& move, double aside, double slack, bool joined) {
   const Tool& tool = *checked.tool;
-  if (has_flanks(tool)) {
-    const CutterProfile cutter = outer_profile(tool);
-    const CutterProfile wider = aside > 0 ? cutter.narrowed(-aside) : cutter;
-    return least_gouge(finished, tool, move,
-                       [&](const FinishedPart& part) { return shaped_gouge_of(part, move, wider, slack); });
-  }
   if (tool.kind == ToolKind::kTSlot) return undercut_gouge_of(finished, move, tool, aside, slack);
+  const CutterProfile cutter = outer_profile(tool), wider = aside > 0 ? cutter.narrowed(-aside) : cutter;
   const auto least = least_gouge(finished, tool, move, [&](const FinishedPart& part) {
-    return gouge_of_mill(part, move, tool, aside, slack, joined);
+    return has_flanks(tool) ? shaped_gouge_of(part, move, wider, slack)
+                            : gouge_of_mill(part, move, tool, aside, slack, joined);
   });
   const FinishedPart& whole = finished.for_tool(tool);
   // A result without fault needs no second test.
   const bool may_cross = whole.greatest_draft_offset() > 0 && least && least->depth > slack;
-  return may_cross && is_clear_of_crossed_draft(whole, move, tool.radius() + aside, slack) ? std::nullopt
-                                                                                           : least;
+  return may_cross && is_clear_of_crossed_draft(whole, move, wider, slack) ? std::nullopt : least;
 }
 
 }  // namespace clearcut::verify
