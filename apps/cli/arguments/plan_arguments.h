@@ -59,6 +59,8 @@ class PlanArguments {
   StatedOptions stated() const { return {typed_, values_.names()}; }
   /// An option that was typed and serves planning alone; "" where none was.
   std::string typed_for_planning() const;
+  /// The part with the tools of the library and of the command line, where there are any, in place of its own.
+  Part with_given_tools(Part part) const;
   /// The part with the tools that were typed one by one in place of its own.
   Part with_typed_tools(Part part) const;
   /// Of a command that reads programs and writes none: --dialect, which control runs them.
@@ -66,6 +68,8 @@ class PlanArguments {
   /// As it was typed. Throws InputError for a name that no control has.
   std::optional<read::gcode::Dialect> dialect() const;
   const std::string& input() const { return input_; }
+  /// The project file that the input lies in; "" where it lies in none.
+  const std::string& project() const { return project_; }
   /// mm; of the material, where it was typed.
   std::optional<double> top() const { return typed_.input.top; }
   /// Every file that the options rest on, by its role, those that a job names included.
@@ -91,10 +95,13 @@ class PlanArguments {
   Machine machine(const Machine& of_job) const;
   /// What was typed, once the command line has been parsed.
   void take_values();
+  /// Where the input is a project file: its part, and of its options those that nobody typed.
+  void open_project();
   void take_solver(PlanOptions& options, bool has_job) const;
   void refuse_what_serves_other_inputs(const Part& part, const std::optional<JobFile>& from_job) const;
 
   std::string input_;
+  std::string project_;
   bool refuses_idle_ = true;
   OptionValues values_;
   Asked typed_;  ///< what the values say by themselves

@@ -1,12 +1,13 @@
 // The tab that checks a program of any CAM against the part it is for.
 
-/** @type {{ files: ChosenFiles, run: Run, program?: File }} */
+/** @type {{ files: ChosenFiles, run: Run, program?: File, answers: Record<string, string[]> }} */
 const check = {
   files: listOfFiles('check', ['program', 'part', 'file'],
     () => {
       check.run.forget();
       showCheckCommand();
     }),
+  answers: {},
   run: new Run('check', {certifying: 'Checking the program', done: state => showCheck(state), ended: () => showCheckCommand()})
 };
 const mostLines = 20000;  // of a program that are shown
@@ -23,7 +24,7 @@ function checkOptions() {
   if (alone) add('--stock', inMm(element('check-stock').value));
   else add('--depth', inMm(element('check-depth').value));
   add('--dialect', element('dialect').value);
-  words.push(element('check-options').value.trim());
+  words.push(...wordsOfAnswers(check.answers));
   return words.filter(word => word).join(' ');
 }
 

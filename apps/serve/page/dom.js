@@ -33,7 +33,7 @@ function fillList(list, texts) { list.replaceChildren(...texts.map(text => made(
 function showFrame(id, address) {
   const frame = /** @type {HTMLIFrameElement} */ (element(id).cloneNode());
   frame.hidden = !address;
-  frame.src = address ? address + (lengths.inch && id !== 'elements-report' ? '#unit=inch' : '') : 'about:blank';
+  frame.src = address ? `${address}#framed${lengths.inch && id !== 'elements-report' ? '&unit=inch' : ''}` : 'about:blank';
   element(id).replaceWith(frame);
 }
 
@@ -48,6 +48,7 @@ function fillSelect(select, values, first) {
 function say(status, text, isError = false) {
   status.textContent = text;
   status.classList.toggle('error', isError);
+  status.classList.remove('done');
 }
 
 /** A word as a shell takes it. @type {(word: string) => string} */

@@ -63,6 +63,7 @@ struct JobFile {
   Machine machine;
   CutSettings plan;
   std::vector<OperationRule> operations;
+  std::vector<std::string> sequence;  ///< names of features (with *) in the order of work; empty: free
   JobOutput output;
   PlanOptions whole;  ///< what [plan], [machine] and [output] ask of the plan as a whole
   std::optional<std::filesystem::path> after;  ///< program that has run before, found from the job's folder

@@ -19,6 +19,7 @@ struct HtmlOptions {
   /// Of every move, section after section, with the waits before it: as the certificate counts them, so that the
   /// clock of the page ends at its machining time.
   std::vector<double> move_times_s = {};
+  std::string material = {};  ///< of the work, a name of work_materials(); "": not known
 };
 
 /// Shape   a well-formed HTML page (also XML) that takes material away move by move, shaded by depth, true to
