@@ -56,6 +56,10 @@ describe('history', () => {
 
 describe('operations', () => {
   const rows = `operationRows(${JSON.stringify(features)}, project.now.sequence)`;
+  test('rows on one centre are told apart', () => {
+    const ask = newPage(), wide = {...hole('CBORE', 0), extent_mm: box(-3, -3, 9, 9)};
+    assert.notEqual(ask(`placeOfFeature(${JSON.stringify(hole('A', 0))})`), ask(`placeOfFeature(${JSON.stringify(wide)})`));
+  });
   test('holes of one kind are one row', () => {
     const ask = newPage();
     assert.deepEqual(
@@ -65,18 +69,18 @@ describe('operations', () => {
     const ask = newPage();
     ask(`(part.features = ${
       JSON.stringify(
-        features)}, changeOperation('round_hole 3.00,3.00', {answers: {'--feed': ['300'], '--strategy': ['contour']}, tool: '2'}, 'x'), 0)`);
+        features)}, changeOperation('round_hole 3.00 3.00 6.00 6.00', {answers: {'--feed': ['300'], '--strategy': ['contour']}, tool: '2'}, 'x'), 0)`);
     assert.equal(ask(`operationTables(${rows}, project.now.operations)`),
       ['HOLE_D8', 'HOLE_D8_2'].map(name => `[[operation]]\nfeature = "${name}"\ntool = 2\nfeed = 300\nstrategy = "contour"\n`).join('\n'));
-    ask(`(changeOperation('round_hole 3.00,3.00', {isOff: true}, 'on'), 0)`);
+    ask(`(changeOperation('round_hole 3.00 3.00 6.00 6.00', {isOff: true}, 'on'), 0)`);
     assert.match(
       String(ask(`operationTables(${rows}, project.now.operations)`)), /^\[\[operation\]\]\nfeature = "HOLE_D8"\nskip = true\n\n/);
-    ask(`(changeOperation('round_hole 3.00,3.00', {isOff: false, tool: '', answers: {}}, 'on'), 0)`);
+    ask(`(changeOperation('round_hole 3.00 3.00 6.00 6.00', {isOff: false, tool: '', answers: {}}, 'on'), 0)`);
     assert.deepEqual(ask('project.now.operations'), {});
   });
   test('one that was moved stays there, and the job names all in their order', () => {
     const ask = newPage();
-    ask(`(part.features = ${JSON.stringify(features)}, moveOperation('round_hole 83.00,3.00', 0), 0)`);
+    ask(`(part.features = ${JSON.stringify(features)}, moveOperation('round_hole 83.00 3.00 6.00 6.00', 0), 0)`);
     assert.deepEqual(ask(`namesInSequence(${rows}, project.now.sequence)`), ['DEEP', 'POCKET', 'HOLE_D8', 'HOLE_D8_2']);
     const job = /** @type {{ text: string }} */ (ask(`jobOf('a.dxf', '--tool endmill:6 --stepdown 2', moreOfJob(project.now))`));
     assert.match(job.text, /\[plan\]\nstepdown = 2\nsequence = \["DEEP", "POCKET", "HOLE_D8", "HOLE_D8_2"\]/);
@@ -164,5 +168,15 @@ describe('files', () => {
   test('the example is a drawing of six outlines', () => {
     const text = String(newPage()('exampleDrawing()'));
     assert.deepEqual([text.match(/LWPOLYLINE/g)?.length, text.match(/CIRCLE/g)?.length], [2, 4]);
+  });
+});
+
+describe('research', () => {
+  test('published methods are offered where somebody asks for research', () => {
+    const ask = newPage();
+    const option = JSON.stringify(
+      {values: ['auto', 'zigzag', 'lom', 'lom-corrected'], help: 'auto, zigzag, or a published method: lom, lom-corrected (default auto)'});
+    assert.deepEqual(ask(`offeredValues(${option})`), ['auto', 'zigzag']);
+    assert.deepEqual(ask(`(research.isShown = true, offeredValues(${option}))`), ['auto', 'zigzag', 'lom', 'lom-corrected']);
   });
 });

@@ -82,6 +82,16 @@ function listOfValues(option) {
   return id;
 }
 
+/** Whether published methods are offered, too. */
+const research = {
+  isShown: false
+};
+/** The values that are offered: published methods where somebody asks for research. @type {(option: CommandOption) => string[]} */
+function offeredValues({values, help}) {
+  const published = /published method: ([\w, -]+)/.exec(help)?.[1].split(', ').map(name => name.trim()) ?? [];
+  return research.isShown ? values : values.filter(value => !published.includes(value));
+}
+
 /** Fields for options of a command; what they say is kept elsewhere. */
 class OptionFields {
   /** @param {FieldsOf} of */
@@ -176,7 +186,7 @@ class OptionFields {
     const shown = shownAnswer(option, text), usual = option.place?.default ?? '';
     if (option.place?.choice || namesFile(option) || ['--strategy', '--objective', '--unit'].includes(nameOfOption(option))) {
       const select = made('select', '', {id});
-      const values = namesFile(option) ? this.of.files() : option.values;
+      const values = namesFile(option) ? this.of.files() : offeredValues(option);
       fillSelect(
         select, values.includes(text) || !text ? values : [...values, text], usual ? `as usual: ${usual}`.slice(0, 60) : 'as usual');
       select.value = text;

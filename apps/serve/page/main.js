@@ -13,6 +13,27 @@ function showTab(name) {
   }
 }
 
+/** Files dropped anywhere are for the tab that is shown; they must not replace the page. */
+function takeDropped() {
+  const shade = (/** @type {boolean} */ isOver) => {
+    document.body.classList.toggle('dropping', isOver);
+  };
+  document.addEventListener('dragover', event => {
+    event.preventDefault();
+    shade(event.dataTransfer?.types.includes('Files') ?? false);
+  });
+  document.addEventListener('dragleave', event => {
+    if (!event.relatedTarget) shade(false);
+  });
+  document.addEventListener('drop', event => {
+    const isTaken = event.defaultPrevented, files = event.dataTransfer?.files;
+    event.preventDefault();
+    shade(false);
+    const shown = tabs.find(name => !element(name).hidden);
+    if (!isTaken && files && files.length > 0 && shown) ({plan, check, elements, tour})[shown].files.add(files);
+  });
+}
+
 /** @type {() => void} */
 function setUpTabs() {
   tabs.forEach(name => {
@@ -26,9 +47,7 @@ function setUpTabs() {
       element(`tab-${next}`).focus();
     });
   });
-  // A file dropped beside a list must not replace the page.
-  document.addEventListener('dragover', event => event.preventDefault());
-  document.addEventListener('drop', event => event.preventDefault());
+  takeDropped();
 }
 
 /** @type {FieldPlace[]} */
@@ -37,6 +56,9 @@ const fieldPlaces = ['drawing', 'stock', 'holding', 'tools', 'machine', 'cutting
 /** Research is shown where somebody asks for it. @type {(isShown: boolean) => void} */
 function showResearch(isShown) {
   element('research-go').setAttribute('aria-pressed', String(isShown));
+  research.isShown = isShown;
+  for (const fields of shownFields) fields.show(['--strategy']);
+  showOperations();
   for (const tab of /** @type {const} */ (['elements', 'tour'])) {
     element(`tab-${tab}`).hidden = !isShown || !commands.has(tab);
     if (!isShown && !element(tab).hidden) showTab('plan');

@@ -2,8 +2,8 @@
 
 /** Where a feature lies, whatever it is called: what was said of it holds after it was read anew. @type {(feature: FeatureInfo) => string} */
 function placeOfFeature({kind, extent_mm}) {
-  const {x, y} = extent_mm ?? {x: [0, 0], y: [0, 0]};
-  return `${kind} ${((x[0] + x[1]) / 2).toFixed(2)},${((y[0] + y[1]) / 2).toFixed(2)}`;
+  const {x, y} = extent_mm ?? {x: [0, 0], y: [0, 0]}, words = [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2, x[1] - x[0], y[1] - y[0]];
+  return `${kind} ${words.map(value => value.toFixed(2)).join(' ')}`;
 }
 
 /** @type {(feature: FeatureInfo) => string} */

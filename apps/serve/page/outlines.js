@@ -163,7 +163,7 @@ function showFound(info, texts, isAgain) {
   fillList(element('found'), texts.slice(0, mostOutlines));
   element('found-box').hidden = texts.length === 0;
   element('found-title').textContent = titleOfFound(info);
-  if (!isAgain) element('found-box').open = !info || info.asks.length > 0 || info.found.length > 0;
+  if (!isAgain) element('found-box').open = !info || info.asks.length > 0 || info.found.some(one => one.kind === 'warning');
   const isWanted = info?.asks.some(ask => ask.includes('--depth')) ?? false;
   document.getElementById('option-depth')?.classList.toggle('wanted', isWanted);
   if (isWanted) element('drawing-card').open = true;

@@ -318,6 +318,7 @@ interface PageElements {
   'show-drawing': HTMLButtonElement;
   'show-machining': HTMLButtonElement;
   'show-compare': HTMLButtonElement;
+  'invitation': HTMLDivElement;
   'plan-progress': HTMLProgressElement;
   'readings': HTMLDivElement;
   'readings-question': HTMLParagraphElement;
