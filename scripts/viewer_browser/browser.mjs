@@ -97,10 +97,10 @@ export async function opensAnew(page, address) {
   await page.goto(address, {timeout: 60000});
   await page.waitForSelector('#option-post', {state: 'attached', timeout: 60000});
   await page.evaluate(
-    'replaceProject(emptyProject()); document.querySelectorAll("#plan-form > details").forEach(one => { one.open = true; })');
+    'replaceProject(emptyProject()); document.querySelectorAll("#plan-form > details, #outlines-box").forEach(one => { one.open = true; })');
 }
 
-/** Says options of a plan in their fields, and with `tools` its tools; those before are gone. @type {(page: Page, options: string) => Promise<void>} */
+/** Says options of a plan besides those that are said; '': none are any more. @type {(page: Page, options: string) => Promise<void>} */
 export async function saysOptions(page, options) {
   await page.evaluate(`{
     const said = optionsOf(${JSON.stringify(options)}), answers = {}, given = [], tools = [];
@@ -109,6 +109,6 @@ export async function saysOptions(page, options) {
       else if (name === '--op') given.push(...values.map(value => ({option: name, value})));
       else answers[name] = [...(answers[name] ?? []), ...values];
     }
-    change('', {answers, given, ...tools.length > 0 ? {tools, saysTools: true} : {}});
+    change('', {answers: said.length > 0 ? {...project.now.answers, ...answers} : {}, given, ...tools.length > 0 ? {tools, saysTools: true} : {}});
   }`);
 }

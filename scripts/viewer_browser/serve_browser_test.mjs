@@ -35,7 +35,7 @@ async function plans(page) {
   const inMm = await textOf(page, '#plan-command');
   await page.selectOption('#lengths', 'inch');
   check(await page.inputValue('#tool-0-diameter') === '0.23622' && await textOf(page, '#plan-command') === inMm &&
-      (await textOf(page, '#plan-form fieldset .unit')).startsWith('in'),
+      await textOf(page, '#tool-table [data-unit]') === 'in',
     'in inches fields say the same');
   await page.selectOption('#lengths', 'mm');
   check(await page.inputValue('#tool-0-diameter') === '6', 'and in mm again');
@@ -72,6 +72,7 @@ async function drives(page) {
   check(await page.locator('#drawing path').count() === outlines &&
       (await page.locator('#drawing text').allTextContents()).flatMap(text => text.split(', ')).length === outlines,
     'and are drawn with their numbers');
+  await page.click('#show-drawing');
   await page.locator('#drawing path[data-index="2"]').dispatchEvent('click');
   check(await page.evaluate('document.activeElement.id') === 'menu-kind' && await page.locator('#drawing path.marked').count() === 1,
     'a click on one asks what it is for');
@@ -84,6 +85,7 @@ async function drives(page) {
   await page.screenshot({path: picture('serve-drawing-1366')});
   await page.selectOption('[aria-label="What outline 4 is for"]', 'pocket');
   await page.fill('[aria-label="Depth of outline 4, mm"]', '4');
+  await page.press('[aria-label="Depth of outline 4, mm"]', 'Tab');
   for (let k = 6; k <= outlines; ++k) await page.selectOption(`[aria-label="What outline ${k} is for"]`, 'ignore');
   await page.selectOption('#option-material', 'aluminium');
   await page.selectOption('#option-post', 'grbl');

@@ -66,3 +66,26 @@ function theOne(kind, within) {
 
 /** A file's name without its ending. @type {(name: string) => string} */
 const stemOf = name => name.replace(/\.[^.]*$/, '');
+
+/** The field that somebody is typing in: what was typed is not said yet, and must not be overwritten by what is. @type {{ field: Element | null }} */
+const typing = {
+  field: null
+};
+/** @type {(within: Element) => boolean} */
+const isTypedIn = within => typing.field !== null && typing.field === document.activeElement && within.contains(typing.field);
+
+/** `left`: called once such a field was left. @type {(left: () => void) => void} */
+function watchTyping(left) {
+  document.addEventListener('input', event => {
+    const {target} = event;
+    typing.field = target instanceof HTMLInputElement && !['checkbox', 'file', 'range'].includes(target.type) ? target : null;
+  }, true);
+  document.addEventListener('change', () => {
+    typing.field = null;
+  }, true);
+  document.addEventListener('focusout', () => {
+    if (!typing.field) return;
+    typing.field = null;
+    setTimeout(left);
+  });
+}

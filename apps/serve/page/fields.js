@@ -208,7 +208,7 @@ class OptionFields {
   /** Shows what is said now; a field that has the focus keeps it. `names`: the options that may have changed. @type {(names?: string[]) => void} */
   show(names) {
     for (const {option, box} of this.fields) {
-      if (names && !names.includes(nameOfOption(option))) continue;
+      if (names && !names.includes(nameOfOption(option)) || isTypedIn(box)) continue;
       const held = box.contains(document.activeElement) ? document.activeElement?.id : '';
       this.fill(option, box);
       if (held) document.getElementById(held)?.focus();

@@ -106,6 +106,11 @@ for (const place of document.querySelectorAll('[data-no-solids]')) {
 }
 if (pipeline.promise) element('promise').textContent = pipeline.promise;
 element('lengths').addEventListener('change', chooseLengths);
+watchTyping(() => {
+  showTools();
+  showOperations();
+  showSaidOutlines();
+});
 setUpTabs();
 setUpPlan();
 setUpDrawing();

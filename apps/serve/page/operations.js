@@ -245,6 +245,7 @@ function moreOfOperation(row, k) {
 
 /** The list anew; what has the focus keeps it. */
 function showOperations() {
+  if (isTypedIn(element('operations'))) return;
   const held = document.activeElement?.id ?? '', rows = operationRows(part.features, project.now.sequence);
   element('operations-box').hidden = rows.length === 0;
   element('operations').replaceChildren(...(part.isOfSetups ? [] : rows.map(operationItem)));

@@ -106,6 +106,7 @@ function relabelOutlines() {
 function showSaidOutlines() {
   for (const row of theOne('tbody', element('outlines')).rows) {
     const said = project.now.outlines[part.outlines[Number(row.dataset.index)].number], depth = said?.depth ?? '';
+    if (isTypedIn(row)) continue;
     theOne('select', row).value = said?.kind ?? '';
     theOne('input', row).value = lengths.inch ? changedNumbers(depth, mmToInch) : depth;
   }

@@ -164,6 +164,7 @@ function showProject(before) {
   showTools();
   showOperations();
   showSaidOutlines();
+  colourDrawing();
   showPlanCommand();
   if (isNewPart) {
     plan.read = chosen;
@@ -245,7 +246,8 @@ function showMiddle(which) {
 function showStock() {
   const {stock} = project.now, chosen = fileOf(project.now, 'part'), isJob = chosen !== undefined && isJobName(chosen.name);
   for (const name of /** @type {const} */ (['margin', 'bottom', 'top'])) {
-    element(`stock-${name}`).value = lengths.inch ? changedNumbers(stock[name], mmToInch) : stock[name];
+    if (!isTypedIn(element(`stock-${name}`)))
+      element(`stock-${name}`).value = lengths.inch ? changedNumbers(stock[name], mmToInch) : stock[name];
     element(`stock-${name}`).disabled = isJob;
   }
 }

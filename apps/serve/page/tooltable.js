@@ -131,6 +131,7 @@ function libraryRow(one) {
 
 /** The table anew; what has the focus keeps it. */
 function showTools() {
+  if (isTypedIn(element('tool-table'))) return;
   const held = document.activeElement?.id ?? '', {tools} = project.now, used = toolsUsed(project.now);
   const shown = hasToolLibrary() || used.length === 0 ? readTools.library : [];
   theOne('tbody', element('tool-table')).replaceChildren(...shown.map(libraryRow), ...tools.map(toolRow));
