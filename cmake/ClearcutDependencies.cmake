@@ -55,7 +55,7 @@ function(clearcut_link_packages)
     set_source_files_properties(src/read/lettering/face.cpp src/read/lettering/face_test.cpp PROPERTIES
       INCLUDE_DIRECTORIES "${fonts_INCLUDE_DIRS}")
   endif()
-  foreach(pair "base|fmt::fmt" "base|TBB::tbb" "base|OpenSSL::Crypto" "geometry|PkgConfig::polyclipping" "geometry|Boost::headers"
+  foreach(pair "base|fmt::fmt" "base|TBB::tbb" "base|OpenSSL::Crypto" "base|nlohmann_json::nlohmann_json" "geometry|PkgConfig::polyclipping" "geometry|Boost::headers"
                "read|nlohmann_json::nlohmann_json" "read|pugixml::pugixml" "read|PkgConfig::tomlplusplus"
                 "report|nlohmann_json::nlohmann_json" "pipeline|nlohmann_json::nlohmann_json"
                 "studies|nlohmann_json::nlohmann_json")

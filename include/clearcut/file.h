@@ -5,3 +5,4 @@
 #include "base/files/digest.h"
 #include "base/files/file.h"
 #include "base/files/output_names.h"
+#include "base/files/project_entry.h"

@@ -14,6 +14,7 @@
 #include "read/job/job_setups.h"
 #include "read/job/machine_file.h"
 #include "read/job/machine_library.h"
+#include "read/job/project_file.h"
 #include "read/read_part.h"
 #include "read/stepnc/ap238.h"
 #include "read/tools/tool_library.h"
@@ -37,6 +38,7 @@ using read::SolidOptions;
 
 // Jobs: a part with its stock, tools, machine and wishes.
 using read::CutSettings;
+using read::is_project_name;
 using read::job_text;
 using read::JobFile;
 using read::JobOutput;
@@ -44,8 +46,10 @@ using read::OperationRule;
 using read::parse_zero_point;
 using read::part_of_job;
 using read::part_of_setup;
+using read::ProjectFile;
 using read::read_job;
 using read::read_job_text;
+using read::read_project;
 using read::StatedOptions;
 using read::tools_of_job;
 using read::with_zero_at;

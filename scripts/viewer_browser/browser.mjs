@@ -91,3 +91,24 @@ export async function becomes(page, code) {
   }
   return false;
 }
+
+/** The page that plans with nothing said, whatever this browser kept; every card is open. @type {(page: Page, address: string) => Promise<void>} */
+export async function opensAnew(page, address) {
+  await page.goto(address, {timeout: 60000});
+  await page.waitForSelector('#option-post', {state: 'attached', timeout: 60000});
+  await page.evaluate(
+    'replaceProject(emptyProject()); document.querySelectorAll("#plan-form > details, #outlines-box").forEach(one => { one.open = true; })');
+}
+
+/** Says options of a plan besides those that are said; '': none are any more. @type {(page: Page, options: string) => Promise<void>} */
+export async function saysOptions(page, options) {
+  await page.evaluate(`{
+    const said = optionsOf(${JSON.stringify(options)}), answers = {}, given = [], tools = [];
+    for (const [name, values] of said) {
+      if (name === '--tool') tools.push(...values.map(text => ({isOn: true, kind: text.split(':')[0], diameter: text.split(':').slice(1).join(':'), more: {}})));
+      else if (name === '--op') given.push(...values.map(value => ({option: name, value})));
+      else answers[name] = [...(answers[name] ?? []), ...values];
+    }
+    change('', {answers: said.length > 0 ? {...project.now.answers, ...answers} : {}, given, ...tools.length > 0 ? {tools, saysTools: true} : {}});
+  }`);
+}

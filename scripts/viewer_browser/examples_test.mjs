@@ -3,7 +3,7 @@
 // command has to find it CLEAN; and its report, scrubbed both ways, has to look as a fresh replay does. CLEARCUT_EXAMPLES=WORD: those whose name holds it.
 import {mkdirSync, readFileSync} from 'node:fs';
 import {resolve} from 'node:path';
-import {check, conclude, launch, reportIn, textOf, watch} from './browser.mjs';
+import {check, conclude, launch, opensAnew, reportIn, saysOptions, textOf, watch} from './browser.mjs';
 import {copyExamples, EXAMPLES, filesOf, jobPlannedByCommand, optionsOf, plannedByCommand, programsOf, scrubsBothWays, verifiedByCommand} from './examples.mjs';
 import {hostOf} from './static_host.mjs';
 
@@ -49,10 +49,9 @@ async function isRefused(page, example) {
 
 /** @type {(page: Page, example: Example) => Promise<void>} */
 async function inPage(page, example) {
-  await page.goto(address);
+  await opensAnew(page, address);
   await page.setInputFiles('#plan-files', filesOf(example).map(name => `${folder}/${name}`));
-  await page.fill('#tool-diameter', '');
-  await page.fill('#plan-options', optionsOf(example));
+  await saysOptions(page, optionsOf(example));
   await page.click('#plan-go');
   if (home === 'web' && filesOf(example).some(name => name.endsWith('.step'))) {
     await isRefused(page, example);

@@ -4,7 +4,7 @@ import {execFileSync, spawnSync} from 'node:child_process';
 import {copyFileSync, mkdirSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {resolve} from 'node:path';
 import {showsBeside} from './beside.mjs';
-import {becomes, check, conclude, fits, isAccessible, launch, reportIn, textOf, watch} from './browser.mjs';
+import {becomes, check, conclude, fits, isAccessible, launch, opensAnew, reportIn, saysOptions, textOf, watch} from './browser.mjs';
 import {keepsItsPlace, walksByTab} from './keyboard.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -20,7 +20,7 @@ async function open(width, height, colorScheme) {
   context.setDefaultTimeout(120000);  // a machine may be busy with other work
   const page = await context.newPage();
   watch(page, url => url.startsWith(address) || /^(data|blob):/.test(url));
-  await page.goto(address, {timeout: 60000});
+  await opensAnew(page, address);
   return page;
 }
 
@@ -30,15 +30,15 @@ const picture = name => `${folder}/pictures/${name}.png`;
 /** @type {(page: Page) => Promise<void>} */
 async function plans(page) {
   await page.setInputFiles('#plan-files', `${folder}/square.json`);
-  await page.fill('#plan-options', '--accept out-of-reach');
+  await saysOptions(page, '--accept out-of-reach');
   check((await textOf(page, '#plan-command')).startsWith('clearcut plan square.json --tool endmill:6'), 'the command line is shown');
   const inMm = await textOf(page, '#plan-command');
   await page.selectOption('#lengths', 'inch');
-  check(await page.inputValue('#tool-diameter') === '0.23622' && await textOf(page, '#plan-command') === inMm &&
-      (await textOf(page, '#plan-form fieldset .unit')).startsWith('in'),
+  check(await page.inputValue('#tool-0-diameter') === '0.23622' && await textOf(page, '#plan-command') === inMm &&
+      await textOf(page, '#tool-table [data-unit]') === 'in',
     'in inches fields say the same');
   await page.selectOption('#lengths', 'mm');
-  check(await page.inputValue('#tool-diameter') === '6', 'and in mm again');
+  check(await page.inputValue('#tool-0-diameter') === '6', 'and in mm again');
   await page.click('#plan-go');
   await page.waitForSelector('#plan-result:not([hidden])', {timeout: 120000});
   check(await textOf(page, '#plan-verdict') === 'CLEAN', 'a plan ends with its verdict');
@@ -63,7 +63,7 @@ async function saved(page, selector, name) {
 async function drives(page) {
   rmSync(`${folder}/drive`, {recursive: true, force: true});
   mkdirSync(`${folder}/drive`);
-  await page.goto(address);
+  await opensAnew(page, address);
   await page.setInputFiles('#plan-files', [`${folder}/plate.dxf`, `${folder}/tools.toml`]);
   await page.waitForSelector('#outlines tbody tr', {timeout: 60000});
   const outlines = await page.locator('#outlines tbody tr').count();
@@ -72,20 +72,24 @@ async function drives(page) {
   check(await page.locator('#drawing path').count() === outlines &&
       (await page.locator('#drawing text').allTextContents()).flatMap(text => text.split(', ')).length === outlines,
     'and are drawn with their numbers');
+  await page.click('#show-drawing');
   await page.locator('#drawing path[data-index="2"]').dispatchEvent('click');
-  check(await page.evaluate('document.activeElement.getAttribute("aria-label")') === 'What outline 3 is for' &&
-      await page.locator('#drawing path.marked').count() === 1,
-    'a click on one leads to its line');
+  check(await page.evaluate('document.activeElement.id') === 'menu-kind' && await page.locator('#drawing path.marked').count() === 1,
+    'a click on one asks what it is for');
+  await page.keyboard.press('Escape');
+  await page.evaluate('document.getElementById("outlines-box").open = true');
   await page.selectOption('#plan-list li:last-child select', 'tools');
+  await page.click('#show-drawing');
   await page.selectOption('[aria-label="What outline 3 is for"]', 'ignore');
-  check(await page.getAttribute('#drawing path[data-index="2"]', 'class') === 'ignore marked', 'what it is for is seen in the drawing');
+  check(await page.getAttribute('#drawing path[data-index="2"]', 'class') === 'ignore', 'what it is for is seen in the drawing');
   await page.screenshot({path: picture('serve-drawing-1366')});
   await page.selectOption('[aria-label="What outline 4 is for"]', 'pocket');
   await page.fill('[aria-label="Depth of outline 4, mm"]', '4');
+  await page.press('[aria-label="Depth of outline 4, mm"]', 'Tab');
   for (let k = 6; k <= outlines; ++k) await page.selectOption(`[aria-label="What outline ${k} is for"]`, 'ignore');
-  await page.selectOption('#material', 'aluminium');
-  await page.selectOption('#post', 'grbl');
-  await page.fill('#plan-options', '--accept out-of-reach --accept tool-change --stepdown 2 --no-tool-change');
+  await page.selectOption('#option-material', 'aluminium');
+  await page.selectOption('#option-post', 'grbl');
+  await saysOptions(page, '--accept out-of-reach --accept tool-change --stepdown 2 --no-tool-change');
   const shown = await textOf(page, '#plan-command');
   check(
     ['--tools tools.toml', '--op ignore:3', '--op pocket_d4:4', '--material aluminium', '--post grbl'].every(word => shown.includes(word)),
@@ -118,10 +122,10 @@ async function drives(page) {
 
 /** A job that is milled from two sides: each set-up has its results. @type {(page: Page) => Promise<void>} */
 async function plansSetups(page) {
-  await page.goto(address);
+  await opensAnew(page, address);
   await page.setInputFiles('#plan-files', [`${folder}/twice.toml`, `${folder}/square.json`]);
   await page.waitForFunction(() => document.getElementById('found')?.textContent?.includes('set-up 2: '), null, {timeout: 60000});
-  await page.fill('#plan-options', '--accept out-of-reach');
+  await saysOptions(page, '--accept out-of-reach');
   await page.click('#plan-go');
   await page.waitForSelector('#plan-result:not([hidden])', {timeout: 120000});
   check((await textOf(page, '#plan-downloads')).includes('Program of set-up 2'), 'each set-up has its program');
@@ -139,7 +143,7 @@ async function asksForReadings(page) {
     `0\nLWPOLYLINE\n8\n0\n90\n4\n70\n1\n10\n${a}\n20\n${a}\n10\n${b}\n20\n${a}\n10\n${b}\n20\n${b}\n10\n${a}\n20\n${b}\n`;
   writeFileSync(`${folder}/unsaid.dxf`,
     `0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n${square(0, 60)}${square(20, 40)}0\nENDSEC\n0\nEOF\n`);
-  await page.goto(address);
+  await opensAnew(page, address);
   await page.setInputFiles('#plan-files', `${folder}/unsaid.dxf`);
   await page.waitForSelector('#readings-list button');
   check((await page.locator('#readings-list strong').allTextContents()).join('; ') ===
@@ -155,20 +159,20 @@ async function asksForReadings(page) {
   check(await page.isHidden('#readings') && (await textOf(page, '#plan-command')).includes('--op profile:outer') &&
       /field Depth/.test(await textOf(page, '#plan-status')),
     'a click says which is meant');
-  await page.fill('#depth', '3');
-  await page.press('#depth', 'Tab');
+  await page.fill('#option-depth', '3');
+  await page.press('#option-depth', 'Tab');
   await page.waitForFunction(() => document.getElementById('plan-status')?.textContent === 'unsaid.dxf is ready to be planned.');
   await page.click('#given-again');
   await page.waitForSelector('#readings-list button');
   check(!(await textOf(page, '#plan-command')).includes('--op'), 'and it can be asked again');
-  await page.fill('#depth', '');
+  await page.fill('#option-depth', '');
 }
 
 /** @type {(page: Page) => Promise<void>} */
 async function compares(page) {
-  await page.goto(address);
+  await opensAnew(page, address);
   await page.setInputFiles('#plan-files', `${folder}/square.json`);
-  await page.fill('#plan-options', '--accept out-of-reach');
+  await saysOptions(page, '--accept out-of-reach');
   await page.click('#compare-go');
   await page.waitForSelector('#comparison tbody tr', {timeout: 240000});
   check(await page.locator('#comparison tr.fastest').count() === 1 && await page.locator('#comparison tbody tr').count() > 2,
@@ -184,7 +188,8 @@ async function compares(page) {
 async function cancels(page) {
   await page.setInputFiles('#plan-files', `${folder}/large.json`);
   await page.selectOption('#plan-list li:last-child select', 'part');
-  await page.fill('#tool-diameter', '1');
+  await page.fill('#tool-0-diameter', '1');
+  await page.press('#tool-0-diameter', 'Tab');
   await page.click('#plan-go');
   await page.waitForFunction(
     () => /Planning|Reading/.test(document.getElementById('plan-status')?.textContent ?? ''), null, {timeout: 60000});
@@ -222,13 +227,15 @@ async function checks(page) {
 
 /** A condition that is met is none that is open. @type {(page: Page) => Promise<void>} */
 async function checksWithConditions(page) {
-  await page.goto(address);
+  await opensAnew(page, address);
   await page.click('#tab-check');
   spawnSync(command, ['plan', 'square.json', '--tool', 'endmill:20', '-o', 'wide.ngc', '--quiet'], {cwd: folder});
   await page.setInputFiles('#check-files', [`${folder}/wide.ngc`, `${folder}/square.json`]);
   await page.fill('#check-diameter', '20');
   for (const [options, verdict, open] of [['', 'CONDITIONAL', 1], ['--accept out-of-reach', 'CLEAN', 0]]) {
-    await page.fill('#check-options', String(options));
+    await page.evaluate('document.querySelectorAll("#check-form details").forEach(one => { one.open = true; })');
+    await page.fill('#check-option-accept-1', String(options).replace('--accept ', ''));
+    await page.press('#check-option-accept-1', 'Tab');
     await page.click('#check-go');
     await page.waitForFunction(wanted => document.getElementById('check-verdict')?.textContent === wanted, verdict, {timeout: 120000});
     check(await page.locator('#check-faults li.condition').count() === open, `${verdict}: ${open} open conditions are listed`);
@@ -251,7 +258,7 @@ async function checksAlone(page) {
 
 /** What is no program is told for what it is. @type {(page: Page) => Promise<void>} */
 async function refusesNoPrograms(page) {
-  await page.goto(address);
+  await opensAnew(page, address);
   await page.click('#tab-check');
   for (const [name, text, words] of [['empty.ngc', '\n', 'the file is empty'],
          ['letter.txt', 'Dear Sir,\nplease mill this.\n', 'no line of it is a block of a program, such as G1 X10 F300'],
@@ -276,7 +283,7 @@ async function cancelsCheck(page) {
   const moves = Array.from({length: 60000}, (_, i) => `G1 X${(0.004 * i).toFixed(3)} Y${((i % 2 ? -1 : 1) * 0.0012 * i).toFixed(3)} F900`);
   writeFileSync(
     `${folder}/long.ngc`, `G21 G90 G17 G54\nT1 M6\nS5000 M3\nG0 Z5\nG0 X0 Y0\nG1 Z-1 F300\n${moves.join('\n')}\nG0 Z5\nM5\nM2\n`);
-  await page.goto(address);
+  await opensAnew(page, address);
   await page.click('#tab-check');
   await page.setInputFiles('#check-files', `${folder}/long.ngc`);
   await page.fill('#check-diameter', '6');
@@ -293,7 +300,8 @@ async function cancelsCheck(page) {
 
 /** Elements that are written down, then a job of them: squares, tool impact, visit, points. @type {(page: Page) => Promise<void>} */
 async function activates(page) {
-  await page.goto(address);
+  await opensAnew(page, address);
+  await page.click('#research-go');
   await page.click('#tab-elements');
   await page.fill('[aria-label="Numbers of element 1"]', '0,0,24,18');
   await page.click('#elements-add');
@@ -345,7 +353,7 @@ async function refusesElements(page) {
 
 /** A lattice, then points of a file whose best value falls while the page shows it, and a search that is cancelled. @type {(page: Page) => Promise<void>} */
 async function solves(page) {
-  await page.goto(address);
+  await opensAnew(page, address);
   await page.click('#tab-tour');
   await page.waitForSelector('#tour-objective option', {state: 'attached'});
   await page.fill('#tour-lattice', '10 x 10');

@@ -5,7 +5,7 @@ import {spawnSync} from 'node:child_process';
 import {readFileSync, writeFileSync} from 'node:fs';
 import {join, resolve} from 'node:path';
 import {showsBeside} from './beside.mjs';
-import {becomes, check, conclude, fits, isAccessible, launch, reportIn, textOf, watch} from './browser.mjs';
+import {becomes, check, conclude, fits, isAccessible, launch, opensAnew, reportIn, saysOptions, textOf, watch} from './browser.mjs';
 import {hostOf} from './static_host.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -19,7 +19,7 @@ async function open(width, height, colorScheme) {
   const context = await browser.newContext({viewport: {width, height}, colorScheme, reducedMotion: 'reduce'});
   const page = await context.newPage();
   watch(page, url => url.startsWith(address) || /^(data|blob):/.test(url));
-  await page.goto(address, {timeout: 60000});
+  await opensAnew(page, address);
   return page;
 }
 
@@ -38,7 +38,7 @@ async function planned(page, verdict) {
 /** @type {(page: Page) => Promise<void>} */
 async function plansBracket(page) {
   await page.setInputFiles('#plan-files', join(examples, 'bracket.dxf'));
-  await page.fill('#plan-options', '--stepdown 2.5');
+  await saysOptions(page, '--stepdown 2.5');
   check((await textOf(page, '#plan-command')).startsWith('clearcut plan bracket.dxf --tool endmill:6'), 'the command line is shown');
   await planned(page, 'CLEAN');
   const frame = await reportIn(page, '#plan-report');
@@ -63,7 +63,7 @@ async function asksForReadings(page) {
     `0\nLWPOLYLINE\n8\n0\n90\n4\n70\n1\n10\n${a}\n20\n${a}\n10\n${b}\n20\n${a}\n10\n${b}\n20\n${b}\n10\n${a}\n20\n${b}\n`;
   writeFileSync(`${folder}/unsaid.dxf`,
     `0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n4\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n${square(0, 60)}${square(20, 40)}0\nENDSEC\n0\nEOF\n`);
-  await page.goto(address);
+  await opensAnew(page, address);
   await page.setInputFiles('#plan-files', `${folder}/unsaid.dxf`);
   await page.waitForSelector('#readings-list button');
   check((await page.locator('#readings-list strong').allTextContents()).join('; ') ===
@@ -79,13 +79,13 @@ async function asksForReadings(page) {
   check(await page.isHidden('#readings') && (await textOf(page, '#plan-command')).includes('--op profile:outer') &&
       /field Depth/.test(await textOf(page, '#plan-status')),
     'a click says which is meant');
-  await page.fill('#depth', '3');
-  await page.press('#depth', 'Tab');
+  await page.fill('#option-depth', '3');
+  await page.press('#option-depth', 'Tab');
   await page.waitForFunction(() => document.getElementById('plan-status')?.textContent === 'unsaid.dxf is ready to be planned.');
   await page.click('#given-again');
   await page.waitForSelector('#readings-list button');
   check(!(await textOf(page, '#plan-command')).includes('--op'), 'and it can be asked again');
-  await page.fill('#depth', '');
+  await page.fill('#option-depth', '');
 }
 
 /** @type {(page: Page) => Promise<void>} */
@@ -94,7 +94,7 @@ async function compares(page) {
     JSON.stringify({name: 'small', units: 'mm', outer: [[0, 0, 0], [40, 0, 0], [40, 30, 0], [0, 30, 0]], islands: [], top: 0, depth: 2}));
   await page.setInputFiles('#plan-files', `${folder}/small.json`);
   await partOf(page);
-  await page.fill('#plan-options', '--accept out-of-reach');
+  await saysOptions(page, '--accept out-of-reach');
   await page.click('#compare-go');
   await page.waitForSelector('#comparison tbody tr', {timeout: 300000});
   const rows = await page.locator('#comparison tbody tr').count();
@@ -121,8 +121,9 @@ async function cancels(page) {
   writeFileSync(`${folder}/large.json`, JSON.stringify(part));
   await page.setInputFiles('#plan-files', `${folder}/large.json`);
   await partOf(page);
-  await page.fill('#tool-diameter', '1');
-  await page.fill('#plan-options', '');
+  await page.fill('#tool-0-diameter', '1');
+  await page.press('#tool-0-diameter', 'Tab');
+  await saysOptions(page, '');
   await page.click('#plan-go');
   await page.waitForFunction(
     () => /Planning|Reading/.test(document.getElementById('plan-status')?.textContent ?? ''), null, {timeout: 60000});
@@ -146,19 +147,20 @@ async function cancels(page) {
 async function refuses(page) {
   await page.setInputFiles('#plan-files', join(examples, 'bracket.step'));
   await partOf(page);
-  await page.fill('#tool-diameter', '6');
+  await page.fill('#tool-0-diameter', '6');
+  await page.press('#tool-0-diameter', 'Tab');
   await page.click('#plan-go');
   await page.waitForFunction(() => document.getElementById('plan-status')?.classList.contains('error'), null, {timeout: 60000});
   check(/bracket\.step.*a STEP solid, which this page cannot read/.test(await textOf(page, '#plan-status')),
     'a STEP solid is refused in plain words');
   await page.setInputFiles('#plan-files', join(examples, 'bracket.dxf'));
   await partOf(page);
-  await page.fill('#plan-options', '--no-such-option');
+  await saysOptions(page, '--no-such-option');
   await page.click('#plan-go');
   await page.waitForFunction(
     () => /no-such-option/.test(document.getElementById('plan-status')?.textContent ?? ''), null, {timeout: 60000});
   check(true, 'an unknown option is refused in the words of the command');
-  await page.fill('#plan-options', '');
+  await saysOptions(page, '');
 }
 
 /** @type {(page: Page) => Promise<void>} */
@@ -190,7 +192,7 @@ async function cancelsCheck(page) {
   const moves = Array.from({length: 60000}, (_, i) => `G1 X${(0.004 * i).toFixed(3)} Y${((i % 2 ? -1 : 1) * 0.0012 * i).toFixed(3)} F900`);
   writeFileSync(
     `${folder}/long.ngc`, `G21 G90 G17 G54\nT1 M6\nS5000 M3\nG0 Z5\nG0 X0 Y0\nG1 Z-1 F300\n${moves.join('\n')}\nG0 Z5\nM5\nM2\n`);
-  await page.goto(address);
+  await opensAnew(page, address);
   await page.click('#tab-check');
   await page.setInputFiles('#check-files', `${folder}/long.ngc`);
   await page.fill('#check-diameter', '6');
@@ -207,6 +209,7 @@ async function cancelsCheck(page) {
 
 /** @type {(page: Page) => Promise<void>} */
 async function activates(page) {
+  await page.click('#research-go');
   await page.click('#tab-elements');
   await page.setInputFiles('#elements-files', join(examples, 'five_pockets.toml'));
   await page.click('#elements-go');
@@ -251,9 +254,9 @@ async function worksOffline(page) {
     host.close(closed);
   });
   await page.reload();
-  await page.waitForFunction(() => document.querySelectorAll('#strategy option').length > 3, null, {timeout: 30000});
+  await page.waitForFunction(() => document.querySelectorAll('#option-strategy option').length > 3, null, {timeout: 30000});
   await page.setInputFiles('#plan-files', join(examples, 'bracket.dxf'));
-  await page.fill('#plan-options', '--stepdown 2.5');
+  await saysOptions(page, '--stepdown 2.5');
   await planned(page, 'CLEAN');
 }
 
@@ -270,7 +273,7 @@ await page.screenshot({path: picture('web-1366')});
 await isAccessible(page, 'the page with a plan');
 check(await fits(page), 'nothing overflows at 1366');
 await asksForReadings(page);
-await page.goto(address);
+await opensAnew(page, address);
 await compares(page);
 await cancels(page);
 await refuses(page);

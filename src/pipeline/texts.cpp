@@ -29,6 +29,7 @@ template <typename Result>
 std::string page_of(const Result& result, const resolve::PlanOptions& options, const std::string& program) {
   report::HtmlOptions page{options.machine, program};
   if (result.earlier) page.earlier = &*result.earlier;
+  page.material = options.shop.material.value_or("");
   page.move_times_s = times_of_moves(result.part, result.toolpath, result.control, options);
   return report::html(result.part, result.toolpath, result.findings, page);
 }

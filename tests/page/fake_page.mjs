@@ -30,7 +30,12 @@ class FakeElement {
   setAttribute() {}
   addEventListener() {}
   scrollIntoView() {}
+  focus() {}
   querySelectorAll() { return []; }
+  /** @param {string} kind */
+  querySelector(kind) { return new FakeElement(kind); }
+  /** @type {FakeElement[]} */
+  get rows() { return []; }
 }
 
 /** The scripts of a folder up to and with the last one that is wanted, in the page's order. @type {(folder: string, last: string) => string} */
@@ -59,7 +64,17 @@ export function runScripts(folder, last, texts = {}) {
     document,
     matchMedia: () => ({matches: false}),
     getComputedStyle: () => ({getPropertyValue: () => '#123456'}),
+    setTimeout,
+    clearTimeout,
+    URL,
     URLSearchParams,
+    Blob,
+    File,
+    FormData,
+    TextDecoder,
+    TextEncoder,
+    atob,
+    btoa,
     Path2D: Object
   });
   vm.runInContext(scriptsOf(path.join(root, folder), last), context);

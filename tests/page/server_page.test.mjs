@@ -243,9 +243,7 @@ describe('readings of a drawing', () => {
         `[['--op', 'pocket:outer'], ['--op', 'pocket:B'], ['--op', 'step:my layer'], ['--unit', 'inch'], ['--new', 'thing']].map(([option, value]) => wordsOfAnswer({ option, value }))`),
       ['A pocket: what lies in it stays', 'Milled with that pocket', 'A step that stays in that pocket', 'Drawn in inches', '--new thing']);
     assert.equal(
-      ask(
-        `(part.given = [{ option: '--op', value: 'step:my layer' }], outlineOptions.call(null, element('outlines').querySelector = () => ({ rows: [] })).join(' '))`),
-      '--op "step:my layer"');
+      ask(`outlineOptions({ ...emptyProject(), given: [{ option: '--op', value: 'step:my layer' }] }).join(' ')`), '--op "step:my layer"');
     assert.equal(
       ask(`rolesSaid(['profile', 'pocket', 'pocket', '', 'inside', 'inside'].map(role => ({ role })))`), '1 profile, 2 pockets, 2 inside');
   });

@@ -48,6 +48,20 @@ void OptionValues::add(CLI::App& command, const std::function<bool(const Row&)>&
     if (wanted(row)) add_row(command, row);
 }
 
+void OptionValues::set(const std::string& name, const std::vector<std::string>& values,
+                       const std::string& place) {
+  const Row& row = *row_named(name);
+  if (row.kind == ValueKind::kFlag) {
+    flags_[name] = true;
+  } else {
+    if (takes_several(row.kind))
+      value_of_texts(row, values, place);
+    else
+      value_of_text(row, values.back(), place);
+    texts_[name] = values;
+  }
+}
+
 bool OptionValues::has(const std::string& name) const {
   const auto texts = texts_.find(name);
   if (texts != texts_.end()) return !texts->second.empty();

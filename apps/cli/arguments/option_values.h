@@ -24,6 +24,10 @@ class OptionValues {
   /// Stores the typed values into `asked`, replacing existing ones.
   void put_into(Asked& asked) const;
   Asked asked() const;
+  /// Whether the command has the row.
+  bool knows(const std::string& name) const { return texts_.contains(name) || flags_.contains(name); }
+  /// As though it had been typed. Throws InputError at `place` where the row refuses it.
+  void set(const std::string& name, const std::vector<std::string>& values, const std::string& place);
 
  private:
   void add_row(CLI::App& command, const Row& row);

@@ -52,7 +52,9 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
   command
       .add_option(
           input_name, input_,
-          is_input ? "Part: .p21 .stp .step .stpnc .dxf .svg .json .edges .toml" : "Part the program is for")
+          is_input
+              ? "Part: .p21 .stp .step .stpnc .dxf .svg .json .edges .toml, or a project (.clearcut.json)"
+              : "Part the program is for")
       ->required()
       ->type_name("FILE");
   values_.add(command, [](const Row& row) {
@@ -98,7 +100,20 @@ std::string PlanArguments::typed_for_planning() const {
   return "";
 }
 
+void PlanArguments::open_project() {
+  if (!is_project_name(input_)) return;
+  const ProjectFile project = read_project(input_);
+  project_ = project.file;
+  input_ = project.input;
+  for (const auto& [name, values] : project.options) {
+    if (values_.has(name) || !values_.knows(name)) continue;
+    values_.set(name, values, project_ + ": " + name);
+    sources_.set(name.starts_with("no-") ? name.substr(3) : name, {Origin::kJobFile, project_});
+  }
+}
+
 void PlanArguments::take_values() {
+  open_project();
   typed_ = values_.asked();
   setup_.number = typed_.input.setup.value_or(0);
   setup_.earlier_programs = typed_.input.earlier_setups;
@@ -106,6 +121,14 @@ void PlanArguments::take_values() {
   stock_.after = typed_.input.after;
   const auto from_job = stock_.from || input_.empty() ? std::nullopt : job();
   if (from_job && from_job->stock_from) stock_.from = from_job->stock_from->string();
+}
+
+Part PlanArguments::with_given_tools(Part part) const {
+  const std::vector<Tool> given = tools();
+  if (given.empty()) return part;
+  part.tools = given;
+  resolve::number_tools(part.tools);
+  return part;
 }
 
 Part PlanArguments::with_typed_tools(Part part) const {
@@ -295,12 +318,13 @@ std::vector<std::string> paths_of(const std::vector<CertificateFileName>& files)
 std::vector<CertificateFileName> PlanArguments::input_files() const {
   std::vector<CertificateFileName> files;
   const auto job = this->job();
+  if (!project_.empty()) files.push_back({"project", project_});
   if (!input_.empty()) files.push_back({job ? "job" : "part", input_});
   if (job && !job->part_file.empty()) files.push_back({"part", job->part_file.string()});
   const auto& machine_file = typed_.input.machine_file;
   if (typed_.input.tool_library) add_library(*typed_.input.tool_library, files);
   if (job && !typed_.input.tool_library && job->tool_library) add_library(*job->tool_library, files);
-  if (machine_file && (std::filesystem::exists(*machine_file) || !library_machine(*machine_file)))
+  if (machine_file && (is_file(*machine_file) || !library_machine(*machine_file)))
     files.push_back({"machine", *machine_file});
   if (job && !machine_file && job->machine_file) files.push_back({"machine", job->machine_file->string()});
   for (const std::string& program : setup_.earlier_programs) files.push_back({"earlier program", program});

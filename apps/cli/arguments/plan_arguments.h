@@ -60,14 +60,18 @@ class PlanArguments {
   StatedOptions stated() const { return {typed_, values_.names()}; }
   /// A typed option that only serves planning; "" if there is none.
   std::string typed_for_planning() const;
-  /// The part with individually typed tools instead of its own.
+  /// The part with the tools of the library and of the command line, where there are any, in place of its own.
+  Part with_given_tools(Part part) const;
+  /// The part with the tools that were typed one by one in place of its own.
   Part with_typed_tools(Part part) const;
   /// For a command that reads programs and writes none: --dialect, the control that runs them.
   void add_dialect_option(CLI::App& command);
   /// The typed dialect. Throws InputError for an unknown name.
   std::optional<read::gcode::Dialect> dialect() const;
   const std::string& input() const { return input_; }
-  /// mm; top of the material, if typed.
+  /// The project file that the input lies in; "" where it lies in none.
+  const std::string& project() const { return project_; }
+  /// mm; of the material, where it was typed.
   std::optional<double> top() const { return typed_.input.top; }
   /// All files on which the options are based, with their roles, including files named in a job.
   std::vector<CertificateFileName> input_files() const;
@@ -92,10 +96,13 @@ class PlanArguments {
   Machine machine(const Machine& of_job) const;
   /// Takes the typed values, after the command line has been parsed.
   void take_values();
+  /// Where the input is a project file: its part, and of its options those that nobody typed.
+  void open_project();
   void take_solver(PlanOptions& options, bool has_job) const;
   void refuse_what_serves_other_inputs(const Part& part, const std::optional<JobFile>& from_job) const;
 
   std::string input_;
+  std::string project_;
   bool refuses_idle_ = true;
   OptionValues values_;
   Asked typed_;  ///< options from the typed values only

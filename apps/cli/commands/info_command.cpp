@@ -134,7 +134,11 @@ std::vector<PartInfo> infos_of(const PlanArguments& arguments) {
   ProgressLine line(kStops);
   line.expect("reading " + arguments.input());
   const int count = arguments.setup().number > 0 ? 0 : setup_count_of(arguments.input());
-  if (count == 0) return {info_of(arguments)};
+  if (count == 0) {
+    PartInfo info = info_of(arguments);
+    info.part = arguments.with_given_tools(std::move(info.part));
+    return {info};
+  }
   std::vector<PartInfo> infos;
   for (int number = 1; number <= count; ++number) {
     PlanArguments one = arguments;
@@ -182,6 +186,7 @@ void add_info_command(CLI::App& app, int& exit_code) {
   auto state = std::make_shared<PlanArguments>();
   auto as_json = std::make_shared<bool>(false);
   state->add_part_options(*command, "INPUT");
+  state->add_tool_list_options(*command);
   command->option_defaults()->group("Output");
   command->add_flag("--json", *as_json, "Print JSON");
   command->callback([state, as_json, &exit_code] {

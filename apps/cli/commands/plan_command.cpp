@@ -60,8 +60,10 @@ std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptio
   return files;
 }
 
+/// Beside the job, and where that lies in a project file beside that.
 std::string in_folder_of(const std::string& job_file, const std::string& name) {
-  return (std::filesystem::path(job_file).parent_path() / name).string();
+  const std::filesystem::path folder = std::filesystem::path(job_file).parent_path();
+  return ((is_project_name(folder.string()) ? folder.parent_path() : folder) / name).string();
 }
 
 /// Output files not named on the command line are taken from the job.

@@ -4,6 +4,7 @@
 #include <clearcut/options.h>
 #include <clearcut/report.h>
 
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -61,7 +62,8 @@ Json tool_json(const Tool& tool) {
   return {{"number", tool.number},
           {"kind", name_of(tool.kind)},
           {"diameter_mm", number(tool.diameter)},
-          {"teeth", tool.teeth}};
+          {"teeth", tool.teeth},
+          {"name", tool.name}};
 }
 
 Json tool_run_json(const ToolRun& run, bool fastest) {
@@ -200,6 +202,22 @@ Json job_key_json(const OptionText& option) {
 
 }  // namespace
 
+namespace {
+
+/// What a page needs to give an option its place: whom it is for, and what its numbers are counted in.
+Json place_json(const OptionText& option) {
+  static constexpr std::array kLevels{"first", "rest", "research"};
+  const Row* row = option.positional ? nullptr : row_named(option.names.back().substr(2));
+  if (!row) return nullptr;
+  return {{"level", kLevels.at(static_cast<std::size_t>(row->level))},
+          {"choice", row->kind == ValueKind::kChoice},
+          {"unit", row->counted_in()},
+          {"default", row->fallback},
+          {"operations", row->is_of_operations}};
+}
+
+}  // namespace
+
 std::string options_json(const CLI::App& app) {
   Json all = Json::object();
   for (const CommandText& command : commands_of(app)) {
@@ -213,7 +231,8 @@ std::string options_json(const CLI::App& app) {
                          {"many", option.many},
                          {"file", option.file},
                          {"positional", option.positional},
-                         {"job", job_key_json(option)}});
+                         {"job", job_key_json(option)},
+                         {"place", place_json(option)}});
     all[command.name] = options;
   }
   return all.dump(1);

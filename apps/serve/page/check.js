@@ -1,12 +1,15 @@
 // The tab that checks a program of any CAM against the part it is for.
 
-/** @type {{ files: ChosenFiles, run: Run, program?: File }} */
+/** @type {{ files: ChosenFiles, run: Run, program?: File, due: number, answers: Record<string, string[]> }} */
 const check = {
   files: listOfFiles('check', ['program', 'part', 'file'],
     () => {
       check.run.forget();
       showCheckCommand();
+      checkSoon();
     }),
+  answers: {},
+  due: 0,
   run: new Run('check', {certifying: 'Checking the program', done: state => showCheck(state), ended: () => showCheckCommand()})
 };
 const mostLines = 20000;  // of a program that are shown
@@ -23,7 +26,7 @@ function checkOptions() {
   if (alone) add('--stock', inMm(element('check-stock').value));
   else add('--depth', inMm(element('check-depth').value));
   add('--dialect', element('dialect').value);
-  words.push(element('check-options').value.trim());
+  words.push(...wordsOfAnswers(check.answers));
   return words.filter(word => word).join(' ');
 }
 
@@ -106,9 +109,19 @@ async function showCheck(state) {
   say(element('check-status'), `Done: ${state.verdict}.`);
 }
 
-/** @type {(event: Event) => Promise<void>} */
+/** Checks a moment later, so that changes that follow each other at once give one check. */
+function checkSoon() {
+  clearTimeout(check.due);
+  if (!check.files.of('program')) return;
+  check.due = setTimeout(() => {
+    startCheck().catch(error => say(element('check-status'), wordsOfError(error), true));
+  }, 300);
+}
+
+/** @type {(event?: Event) => Promise<void>} */
 async function startCheck(event) {
-  event.preventDefault();
+  event?.preventDefault();
+  clearTimeout(check.due);
   check.program = check.files.of('program');
   if (!check.program) return;
   await check.run.start(check.files.form(checkOptions()));
@@ -117,5 +130,9 @@ async function startCheck(event) {
 function setUpCheck() {
   element('check-form').addEventListener('submit', startCheck);
   element('check-form').addEventListener('input', showCheckCommand);
+  element('check-form').addEventListener('change', event => {
+    // Files tell of themselves.
+    if (!(event.target instanceof HTMLInputElement && event.target.type === 'file')) checkSoon();
+  });
   showCheckCommand();
 }

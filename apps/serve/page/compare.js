@@ -25,8 +25,7 @@ function compareRow(one, shownFirst) {
   }
   const take = made('button', 'Take', {type: 'button', 'aria-label': `Take the strategy ${one.strategy}`});
   take.addEventListener('click', () => {
-    element('strategy').value = one.strategy === 'auto' ? '' : one.strategy;
-    showPlanCommand();
+    answer('--strategy', one.strategy === 'auto' ? null : [one.strategy]);
     say(element('plan-status'), `The next plan takes ${one.strategy}.`);
   });
   const last = made('td'), shown = made('td');
@@ -61,6 +60,8 @@ const comparing = new Run('compare', {
 /** Another part: what was compared is not shown any more. */
 function forgetComparison() {
   comparing.cancel();
+  element('show-compare').hidden = true;
+  if (element('plan').dataset.middle === 'compare') showMiddle('drawing');
   say(element('compare-status'), '');
   element('compare-result').hidden = true;
   forgetBeside();
@@ -69,6 +70,10 @@ function forgetComparison() {
 /** @type {() => Promise<void>} */
 async function startComparison() {
   forgetBeside();
-  compared = plan.files.form(planOptions({strategy: false}));
+  const asked = await planAsked(planOptions({strategy: false}));
+  if (!asked) return;
+  compared = formOfPlan(asked);
+  element('show-compare').hidden = false;
+  showMiddle('compare');
   await comparing.start(compared);
 }

@@ -33,7 +33,7 @@ function fillList(list, texts) { list.replaceChildren(...texts.map(text => made(
 function showFrame(id, address) {
   const frame = /** @type {HTMLIFrameElement} */ (element(id).cloneNode());
   frame.hidden = !address;
-  frame.src = address ? address + (lengths.inch && id !== 'elements-report' ? '#unit=inch' : '') : 'about:blank';
+  frame.src = address ? `${address}#framed${lengths.inch && id !== 'elements-report' ? '&unit=inch' : ''}` : 'about:blank';
   element(id).replaceWith(frame);
 }
 
@@ -48,6 +48,7 @@ function fillSelect(select, values, first) {
 function say(status, text, isError = false) {
   status.textContent = text;
   status.classList.toggle('error', isError);
+  status.classList.remove('done');
 }
 
 /** A word as a shell takes it. @type {(word: string) => string} */
@@ -65,3 +66,26 @@ function theOne(kind, within) {
 
 /** A file's name without its ending. @type {(name: string) => string} */
 const stemOf = name => name.replace(/\.[^.]*$/, '');
+
+/** The field that somebody is typing in: what was typed is not said yet, and must not be overwritten by what is. @type {{ field: Element | null }} */
+const typing = {
+  field: null
+};
+/** @type {(within: Element) => boolean} */
+const isTypedIn = within => typing.field !== null && typing.field === document.activeElement && within.contains(typing.field);
+
+/** `left`: called once such a field was left. @type {(left: () => void) => void} */
+function watchTyping(left) {
+  document.addEventListener('input', event => {
+    const {target} = event;
+    typing.field = target instanceof HTMLInputElement && !['checkbox', 'file', 'range'].includes(target.type) ? target : null;
+  }, true);
+  document.addEventListener('change', () => {
+    typing.field = null;
+  }, true);
+  document.addEventListener('focusout', () => {
+    if (!typing.field) return;
+    typing.field = null;
+    setTimeout(left);
+  });
+}

@@ -21,13 +21,8 @@ function extentOfDrawing(outlines) {
   return {x: around('x'), y: around('y')};
 }
 
-/** The line of an outline in the list; none beyond the last that is listed. @type {(index: number) => HTMLTableRowElement | undefined} */
-const rowOfOutline = index => theOne('tbody', element('outlines')).rows[index];
-/** What an outline is for, as chosen or as read; 'unsaid': nothing says it. @type {(outline: OutlineInfo, index: number) => string} */
-function roleNow(outline, index) {
-  const row = rowOfOutline(index);
-  return (row && theOne('select', row).value) || (isOpen(outline) ? 'unsaid' : outline.role) || 'unsaid';
-}
+/** What an outline is for, as chosen or as read; 'unsaid': nothing says it. @type {(outline: OutlineInfo) => string} */
+function roleNow(outline) { return project.now.outlines[outline.number]?.kind || (isOpen(outline) ? 'unsaid' : outline.role) || 'unsaid'; }
 
 /** The curves of a drawing, the largest first, so that a click finds what lies in it. @type {(outlines: OutlineInfo[], roleOf: (one: OutlineInfo, index: number) => string) => SVGPathElement[]} */
 function curvesOf(outlines, roleOf) {
@@ -45,9 +40,11 @@ function viewBoxOf({x: [x0, x1], y: [y0, y1]}) {
 function colourDrawing() {
   let unsaid = 0;
   for (const curve of element('drawing-curves').children) {
-    const index = Number(curve.getAttribute('data-index')), {number, layer} = part.outlines[index],
-          role = roleNow(part.outlines[index], index);
+    const index = Number(curve.getAttribute('data-index')), {number, layer} = part.outlines[index], role = roleNow(part.outlines[index]);
     curve.setAttribute('class', curve.classList.contains('marked') ? `${role} marked` : role);
+    curve.setAttribute('tabindex', '0');
+    curve.setAttribute('role', 'button');
+    curve.setAttribute('aria-label', `Outline ${number}, layer ${layer}: ${role === 'unsaid' ? 'not said yet' : role}`);
     curve.replaceChildren(madeSvg('title', {}, `outline ${number}, layer ${layer}: ${role === 'unsaid' ? 'not said yet' : role}`));
     if (role === 'unsaid') ++unsaid;
   }
@@ -77,6 +74,7 @@ function showDrawing() {
     element('drawing-numbers').replaceChildren(...numbersOfOutlines(outlines.filter(one => one.path)).map(numberAt));
   colourDrawing();
   sizeNumbers();
+  showMarks();
 }
 
 /**
@@ -114,12 +112,5 @@ function setUpDrawing() {
   list.addEventListener('input', colourDrawing);
   for (const kind of ['focusin', 'mouseover']) list.addEventListener(kind, event => markOutline(rowAround(event.target)?.dataset.index));
   for (const kind of ['focusout', 'mouseleave']) list.addEventListener(kind, () => markOutline(undefined));
-  element('drawing-curves').addEventListener('click', event => {
-    const index = event.target instanceof Element ? event.target.getAttribute('data-index') : null,
-          row = index === null ? undefined : rowOfOutline(Number(index));
-    if (!row) return;
-    element('outlines-box').open = true;
-    theOne('select', row).focus();
-  });
   new ResizeObserver(sizeNumbers).observe(element('drawing'));
 }

@@ -10,11 +10,12 @@ const elementNumbers = {
 };
 const elementKinds = /** @type {ElementKind[]} */ (Object.keys(elementNumbers));
 
-/** @type {{ files: ChosenFiles, run: Run, rows: ElementRow[], stem: string }} */
+/** @type {{ files: ChosenFiles, run: Run, rows: ElementRow[], stem: string, answers: Record<string, string[]> }} */
 const elements = {
   files: listOfFiles('elements', ['job'], () => showElementsCommand()),
   rows: [],
   stem: '',
+  answers: {},
   run: new Run('elements', {things: 'elements', done: state => showElements(state), ended: () => showElementsCommand()})
 };
 
@@ -48,7 +49,7 @@ function elementsOptions() {
   add('--solver', element('elements-solver').value);
   if (element('elements-solver').value) add('--generations', element('elements-generations').value);
   add('--post', element('elements-post').value);
-  words.push(element('elements-options').value.trim());
+  words.push(...wordsOfAnswers(elements.answers));
   return words.filter(word => word).join(' ');
 }
 

@@ -100,8 +100,8 @@ function takeOption([name, values], job) {
   return true;
 }
 
-/** The job's text, and the options that it cannot hold. @type {(file: string, options: string) => JobText} */
-function jobOf(file, options) {
+/** The job's text, and the options that it cannot hold. `more`: what options cannot say. @type {(file: string, options: string, more?: JobMore | null) => JobText} */
+function jobOf(file, options, more = null) {
   /** @type {JobTables} */
   const job = {
     lines: {part: [`file = ${tomlText(file)}`], tools: [], machine: [], plan: [], output: [`program = ${tomlText(stemOf(file) + '.ngc')}`]},
@@ -115,7 +115,11 @@ function jobOf(file, options) {
     const lines = [...job.lines[name], ...lists];
     return lines.length > 0 ? [`[${name}]\n${lines.join('\n')}\n`] : [];
   };
-  const text = [...table('part'), ...table('tools'), ...job.each, ...table('machine'), ...table('plan'), ...table('output')].join('\n');
+  if (more && more.sequence.length > 0) job.lists.plan.sequence = more.sequence;
+  const text = [
+    ...table('part'), ...more?.stock ? [more.stock] : [], ...table('tools'), ...job.each, ...table('machine'), ...table('plan'),
+    ...table('output'), ...more?.operations ? [more.operations] : []
+  ].join('\n');
   const note = left.length > 0 ? `# A job has no words for these; say them on the command line: ${left.join(' ')}\n` : '';
   return {text: `${note}# clearcut plan ${stemOf(file)}.toml, beside ${file}\n${text}`, left};
 }

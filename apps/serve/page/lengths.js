@@ -49,7 +49,11 @@ function chooseLengths() {
   for (const field of lengthFields()) field.value = changedNumbers(field.value, inch ? mmToInch : inchToMm);
   lengths.inch = inch;
   for (const name of document.querySelectorAll('[data-unit]')) name.textContent = lengthName();
+  for (const fields of shownFields) fields.show();
   relabelOutlines();
+  showStock();
+  showTools();
+  showOperations();
   showPlanCommand();
   showCheckCommand();
   showElementsCommand();

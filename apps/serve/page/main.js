@@ -13,6 +13,27 @@ function showTab(name) {
   }
 }
 
+/** Files dropped anywhere are for the tab that is shown; they must not replace the page. */
+function takeDropped() {
+  const shade = (/** @type {boolean} */ isOver) => {
+    document.body.classList.toggle('dropping', isOver);
+  };
+  document.addEventListener('dragover', event => {
+    event.preventDefault();
+    shade(event.dataTransfer?.types.includes('Files') ?? false);
+  });
+  document.addEventListener('dragleave', event => {
+    if (!event.relatedTarget) shade(false);
+  });
+  document.addEventListener('drop', event => {
+    const isTaken = event.defaultPrevented, files = event.dataTransfer?.files;
+    event.preventDefault();
+    shade(false);
+    const shown = tabs.find(name => !element(name).hidden);
+    if (!isTaken && files && files.length > 0 && shown) ({plan, check, elements, tour})[shown].files.add(files);
+  });
+}
+
 /** @type {() => void} */
 function setUpTabs() {
   tabs.forEach(name => {
@@ -26,40 +47,58 @@ function setUpTabs() {
       element(`tab-${next}`).focus();
     });
   });
-  // A file dropped beside a list must not replace the page.
-  document.addEventListener('dragover', event => event.preventDefault());
-  document.addEventListener('drop', event => event.preventDefault());
+  takeDropped();
 }
 
-const toolKinds = ['endmill', 'facemill', 'bullnose', 'ball', 'drill', 'reamer'];  // others need an angle: see the options
+/** @type {FieldPlace[]} */
+const fieldPlaces = ['drawing', 'stock', 'holding', 'tools', 'machine', 'cutting', 'research'];
+
+/** Research is shown where somebody asks for it. @type {(isShown: boolean) => void} */
+function showResearch(isShown) {
+  element('research-go').setAttribute('aria-pressed', String(isShown));
+  research.isShown = isShown;
+  for (const fields of shownFields) fields.show(['--strategy']);
+  showOperations();
+  for (const tab of /** @type {const} */ (['elements', 'tour'])) {
+    element(`tab-${tab}`).hidden = !isShown || !commands.has(tab);
+    if (!isShown && !element(tab).hidden) showTab('plan');
+  }
+  element('research-box').hidden = !isShown;
+}
+/** Those that this page has. @type {Set<string>} */
+const commands = new Set();
 
 async function setUpOptions() {
   const options = await pipeline.options();
   learnJobKeys(options);
   // A page without a server may have fewer commands.
-  element('tab-elements').hidden = !options.elements;
-  element('tab-tour').hidden = !options.tour;
+  for (const name of Object.keys(options)) commands.add(name);
+  for (const option of options.info ?? []) readNames.add(nameOfOption(option));
+  readNames.delete('--origin');  // places stay those of the drawing, wherever the zero is
+  setUpPlanFields(options.plan ?? []);
   /** @type {(command: string, name: string) => string[]} */
   const values = (command, name) => options[command]?.find(one => one.names.includes(name))?.values ?? [];
-  fillSelect(element('unit'), values('plan', '--unit'), 'as the file says');
-  fillSelect(element('strategy'), values('plan', '--strategy').filter(name => name !== 'auto'), 'the fastest');
-  fillSelect(element('material'), values('plan', '--material'), 'not said');
-  fillSelect(element('post'), values('plan', '--post').filter(name => name !== 'linuxcnc'), 'linuxcnc');
   fillSelect(element('dialect'), values('verify', '--dialect'), 'recognise it');
   fillSelect(element('elements-post'), values('elements', '--post').filter(name => name !== 'linuxcnc'), 'linuxcnc');
   fillSelect(element('tour-objective'), values('tour', '--objective'));
   fillSelect(element('tour-solver'), values('tour', '--solver'));
   showTourCommand();
-  /** @type {['plan-names' | 'check-names' | 'elements-names' | 'tour-names', string][]} */
-  const lists = [['plan-names', 'plan'], ['check-names', 'verify'], ['elements-names', 'elements'], ['tour-names', 'tour']];
-  for (const [list, command] of lists) {
-    const usable = (options[command] ?? []).filter(one => !one.positional && !['Output', 'Help'].includes(one.group));
-    element(list).replaceChildren(
-      ...usable.map(one => made('option', '', {value: `${one.names.at(-1)}${one.value ? ' ' : ''}`, label: one.help.slice(0, 80)})));
-  }
+  const without = (/** @type {string} */ command, /** @type {string[]} */ names) => (
+    options[command] ?? []).filter(one => !one.positional && !['Output', 'Help'].includes(one.group) && !names.includes(nameOfOption(one)));
+  check.answers = fieldsWithin(
+    'check-option-', without('verify', ['--part', '--depth', '--stock', '--dialect']), element('fields-check'), showCheckCommand);
+  elements.answers = fieldsWithin('elements-option-',
+    without('elements',
+      ['--line', '--arc', '--pocket', '--hole', '--slot', '--tool', '--stock', '--resolution', '--solver', '--generations', '--post']),
+    element('fields-elements'), showElementsCommand);
+  tour.answers = fieldsWithin('tour-option-', without('tour', ['--objective', '--solver', '--time', '--seed', '--closed', '--open']),
+    element('fields-tour'), showTourCommand);
+  await goOn();
 }
 
-for (const select of [element('tool-kind'), element('check-kind')]) fillSelect(select, toolKinds);
+fillSelect(element('check-kind'), toolKinds.slice(0, 7));
+element('research-go').addEventListener('click', () => showResearch(element('research-go').getAttribute('aria-pressed') !== 'true'));
+showResearch(false);
 for (const word of document.querySelectorAll('[data-solids]')) word.toggleAttribute('hidden', pipeline.noSolids !== '');
 for (const place of document.querySelectorAll('[data-no-solids]')) {
   place.textContent = ` ${pipeline.noSolids}`;
@@ -67,9 +106,18 @@ for (const place of document.querySelectorAll('[data-no-solids]')) {
 }
 if (pipeline.promise) element('promise').textContent = pipeline.promise;
 element('lengths').addEventListener('change', chooseLengths);
+watchTyping(() => {
+  showTools();
+  showOperations();
+  showSaidOutlines();
+});
 setUpTabs();
 setUpPlan();
 setUpDrawing();
+setUpMenu();
+setUpPlaces();
+setUpTools();
+setUpOperations();
 setUpReadings();
 setUpBeside();
 setUpCheck();

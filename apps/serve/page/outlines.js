@@ -1,11 +1,14 @@
 // What a part holds: what was found and mended, what has to be said, and what each outline of a drawing is for.
 
-/** `isAsked`: which reading is meant is still to be said; `given`: the answers so far. @type {{ asked: number, outlines: OutlineInfo[], isAsked: boolean, given: DrawingAnswer[] }} */
+/** `isAsked`: which reading is meant is still to be said; `isOfSetups`: the part is a job of several set-ups. @type {PartRead} */
 const part = {
   asked: 0,
   outlines: [],
+  features: [],
   isAsked: false,
-  given: []
+  isOfSetups: false,
+  isReady: false,
+  readBy: ''
 };
 const outlineKinds =
   ['pocket', 'step', 'profile', 'inside', 'drill', 'engrave', 'tslot', 'vcarve', 'isolate', 'chamfer', 'face', 'island', 'ignore'];
@@ -18,15 +21,27 @@ const isOpen = outline => part.isAsked && !outline.says_role;
 /** What the list says of an outline where nobody chose. @type {(outline: OutlineInfo) => string} */
 const roleAsRead = outline => outline.role && !isOpen(outline) ? `${outline.role} (read)` : 'not said yet';
 
-/** The options that say what outlines are for: the answers, and what was changed in the list. @type {() => string[]} */
-function outlineOptions() {
-  const words = part.given.map(optionOfAnswer);
-  for (const row of theOne('tbody', element('outlines')).rows) {
-    const outline = part.outlines[Number(row.dataset.index)];
-    const kind = theOne('select', row).value, depth = inMm(theOne('input', row).value);
-    if (kind || depth) words.push(`--op ${kind || outline.role}${depth ? `_d${depth}` : ''}:${outline.number}`);
+/** The options that say what outlines are for: the answers, and what was changed in the list. @type {(now?: Project) => string[]} */
+function outlineOptions(now = project.now) {
+  const words = now.given.map(optionOfAnswer);
+  for (const [number, {kind, depth, role: read}] of Object.entries(now.outlines)) {
+    const role = kind || read;
+    if (role) words.push(`--op ${role}${depth ? `_d${depth}` : ''}:${number}`);
   }
   return words;
+}
+
+/** What was said of an outline so far, with what it is read as. @type {(number: number) => OutlineSaid} */
+const saidOfOutline = number =>
+  project.now.outlines[number] ?? {kind: '', depth: '', role: part.outlines.find(one => one.number === number)?.role ?? ''};
+
+/** @type {(number: number, said: Partial<OutlineSaid>, what: string) => void} */
+function changeOutline(number, said, what) {
+  const next = {...saidOfOutline(number), ...said};
+  /** @type {Record<string, OutlineSaid>} */
+  const outlines = {...project.now.outlines, [number]: next};
+  if (!next.kind && !next.depth) delete outlines[number];
+  change(`outline ${number} ${what}`, {outlines});
 }
 
 /** @type {(outline: OutlineInfo) => string} */
@@ -45,12 +60,13 @@ function outlineRow(outline, index) {
   const depth = made('input', '', {
     'aria-label': `Depth of outline ${outline.number}, ${lengthName()}`,
     inputmode: 'decimal',
-    'data-length': '1',
     size: '4',
     placeholder: outline.depth_mm === null ? '' : String(shownLength(outline.depth_mm, 3))
   });
   const layer = made('td', outline.layer, {title: outline.within ? `within outline ${outline.within}` : 'within no other'});
   row.append(made('td', String(outline.number)), layer, made('td', sizeOf(outline)), made('td'), made('td'));
+  kind.addEventListener('change', () => changeOutline(outline.number, {kind: kind.value}, 'kind'));
+  depth.addEventListener('change', () => changeOutline(outline.number, {depth: inMm(depth.value)}, 'depth'));
   row.children[3].append(kind);
   row.children[4].append(depth);
   return row;
@@ -58,7 +74,7 @@ function outlineRow(outline, index) {
 
 /** The same outlines, read anew after something was said: what was chosen in the list stays, and so do the names of layers. @type {(outlines: OutlineInfo[]) => void} */
 function renewOutlines(outlines) {
-  part.outlines = outlines.map((one, index) => ({...one, layer: part.outlines[index].layer}));
+  part.outlines = outlines.map((one, index) => ({...one, layer: part.outlines[index].layer, layerNow: one.layer}));
   for (const row of theOne('tbody', element('outlines')).rows)
     theOne('option', row).textContent = roleAsRead(part.outlines[Number(row.dataset.index)]);
   relabelOutlines();
@@ -66,9 +82,9 @@ function renewOutlines(outlines) {
 
 /** @type {(outlines: OutlineInfo[]) => void} */
 function showOutlines(outlines) {
-  part.outlines = outlines;
+  part.outlines = outlines.map(one => ({...one, layerNow: one.layer}));
   element('outlines-box').hidden = outlines.length === 0;
-  theOne('tbody', element('outlines')).replaceChildren(...outlines.slice(0, mostOutlines).map(outlineRow));
+  theOne('tbody', element('outlines')).replaceChildren(...part.outlines.slice(0, mostOutlines).map(outlineRow));
   element('outlines-title').textContent =
     `Outlines of the drawing: ${outlines.length}${outlines.length > mostOutlines ? `, the first ${mostOutlines} listed` : ''}`;
   showDrawing();
@@ -82,7 +98,18 @@ function relabelOutlines() {
     depth.setAttribute('aria-label', `Depth of outline ${outline.number}, ${lengthName()}`);
     depth.placeholder = outline.depth_mm === null ? '' : String(shownLength(outline.depth_mm, 3));
   }
+  showSaidOutlines();
   showDrawing();
+}
+
+/** What was said of the outlines, in their fields. */
+function showSaidOutlines() {
+  for (const row of theOne('tbody', element('outlines')).rows) {
+    const said = project.now.outlines[part.outlines[Number(row.dataset.index)].number], depth = said?.depth ?? '';
+    if (isTypedIn(row)) continue;
+    theOne('select', row).value = said?.kind ?? '';
+    theOne('input', row).value = lengths.inch ? changedNumbers(depth, mmToInch) : depth;
+  }
 }
 
 /** @type {(feature: FeatureInfo) => string} */
@@ -101,6 +128,7 @@ function joinedSetups(setups) {
   const named = setups.map((one, i) => ({one, setup: `set-up ${i + 1}: `}));
   return {
     answers: [],
+    tools: [],
     asks: named.flatMap(({one, setup}) => one.asks.map(ask => setup + ask)),
     found: named.flatMap(({one, setup}) => one.found.map(item => ({...item, what: setup + item.what}))),
     features: named.flatMap(({one, setup}) => one.features.map(feature => ({...feature, name: setup + feature.name}))),
@@ -136,8 +164,19 @@ function showFound(info, texts, isAgain) {
   fillList(element('found'), texts.slice(0, mostOutlines));
   element('found-box').hidden = texts.length === 0;
   element('found-title').textContent = titleOfFound(info);
-  if (!isAgain) element('found-box').open = !info || info.asks.length > 0 || info.found.length > 0;
-  element('depth').classList.toggle('wanted', info?.asks.some(ask => ask.includes('--depth')) ?? false);
+  if (!isAgain) element('found-box').open = !info || info.asks.length > 0 || info.found.some(one => one.kind === 'warning');
+  const isWanted = info?.asks.some(ask => ask.includes('--depth')) ?? false;
+  document.getElementById('option-depth')?.classList.toggle('wanted', isWanted);
+  if (isWanted) element('drawing-card').open = true;
+}
+
+/** What was read, for everybody who asks. @type {(answer: InfoAnswer, info: PartInfo | null | undefined) => void} */
+function takePart(answer, info) {
+  part.isOfSetups = Boolean(answer.info && 'setups' in answer.info);
+  part.features = info?.features ?? [];
+  part.isReady = info?.asks.length === 0;
+  readTools.library = info?.tools ?? [];
+  if (info) part.isAsked = info.answers.length > 0;
 }
 
 /** `isAgain`: the same part, after something was said. @type {(name: string, answer: InfoAnswer, isAgain: boolean) => void} */
@@ -145,24 +184,36 @@ function showPart(name, answer, isAgain) {
   const info = answer.info && 'setups' in answer.info ? joinedSetups(answer.info.setups) : answer.info;
   const texts = info ? textsOf(info) : [answer.message ?? 'The part cannot be read.'],
         outlines = info?.outlines ?? (isAgain ? part.outlines : []);
-  if (info) part.isAsked = info.answers.length > 0;
+  takePart(answer, info);
   showFound(info, texts, isAgain);
-  if (!plan.run.isOn && !plan.run.id) say(element('plan-status'), shownText(readiness(name, info, texts)), !info);
+  if (!plan.run.isOn || !part.isReady) say(element('plan-status'), shownText(readiness(name, info, texts)), !info);
   if (isAgain && outlines.length === part.outlines.length) renewOutlines(outlines);
   else showOutlines(outlines);
+  showSaidOutlines();
+  colourDrawing();
   offerReadings(info);
+  showTools();
+  showOperations();
+  if (part.isReady) planSoon();
+  else showMiddle('drawing');
 }
+
+/** Options of `clearcut info`. @type {Set<string>} */
+const readNames = new Set();
 
 /** What is said of the part so far, as the command takes it. @type {() => string} */
 function readOptions() {
-  const unit = element('unit').value, depth = inMm(element('depth').value);
-  return [unit && `--unit ${unit}`, depth && `--depth ${quoted(depth)}`, ...outlineOptions()].filter(word => word).join(' ');
+  const {answers} = project.now, own = Object.fromEntries(Object.entries(answers).filter(([name]) => readNames.has(name)));
+  const library = project.now.files.find(one => one.role === 'tools');
+  return [...wordsOfAnswers(own), ...library ? [optionWord('--tools', library.file.name)] : [], ...outlineOptions()].join(' ');
 }
 
 /** Another part: what was said of the last one is void. @type {() => Promise<void>} */
 async function readNewPart() {
-  part.given = [];
-  part.isAsked = false;
+  part.isAsked = part.isReady = false;
+  part.features = [];
+  readTools.library = [];
+  showOperations();
   element('found-box').hidden = element('outlines-box').hidden = element('readings').hidden = element('given').hidden = true;
   showOutlines([]);
   await readPart(false);
@@ -170,11 +221,12 @@ async function readNewPart() {
 
 /** Asks the server what the part holds; a later question makes an earlier one void. @type {(isAgain?: boolean) => Promise<void>} */
 async function readPart(isAgain = true) {
-  const mine = ++part.asked, chosen = plan.files.of('part');
+  const mine = ++part.asked, chosen = fileOf(project.now, 'part');
+  part.readBy = readOptions();
   if (!chosen) return;
-  if (!plan.run.isOn && !plan.run.id) say(element('plan-status'), `Reading ${chosen.name} …`);
+  if (!plan.run.isOn && !isAgain) say(element('plan-status'), `Reading ${chosen.name} …`);
   try {
-    const answer = await pipeline.info(plan.files.form(readOptions()));
+    const answer = await pipeline.info(formOfPlan({input: chosen.name, options: readOptions(), files: []}));
     if (mine !== part.asked) return;
     showPart(chosen.name, answer, isAgain);
   } catch (error) {

@@ -52,17 +52,15 @@ function readingButton(answer, info) {
 
 /** @type {(answer: DrawingAnswer) => void} */
 function giveAnswer(answer) {
-  if (answer.option === '--unit') element('unit').value = answer.value;
-  else part.given.push(answer);
-  showPlanCommand();
-  readPart();
+  if (answer.option === '--op') change('', {given: [...project.now.given, answer]});
+  else change('', {answers: {...project.now.answers, [answer.option]: [answer.value]}});
   element('outlines-title').focus();
 }
 
 /** What was answered so far, and the way to ask again. */
 function showGiven() {
-  element('given').hidden = part.given.length === 0;
-  element('given-words').textContent = part.given.map(wordsOfAnswer).join('; ');
+  element('given').hidden = project.now.given.length === 0;
+  element('given-words').textContent = project.now.given.map(wordsOfAnswer).join('; ');
 }
 
 /** Reads the drawing by each answer, and offers what comes of it. @type {(info: PartInfo | null | undefined) => Promise<void>} */
@@ -73,8 +71,11 @@ async function offerReadings(info) {
     element('readings').hidden = true;
     return;
   }
-  const read = await Promise.all(
-    answers.map(answer => pipeline.info(plan.files.form(`${readOptions()} ${optionOfAnswer(answer)}`)).catch(() => null)));
+  const read = await Promise.all(answers.map(
+    answer => pipeline
+                .info(formOfPlan(
+                  {input: fileOf(project.now, 'part')?.name ?? '', options: `${readOptions()} ${optionOfAnswer(answer)}`, files: []}))
+                .catch(() => null)));
   if (mine !== part.asked) return;
   element('readings-question').textContent = `${shownText(plainQuestion(info.asks[0]))}. Which is meant?`;
   element('readings-list').replaceChildren(...answers.flatMap((answer, k) => {
@@ -84,10 +85,4 @@ async function offerReadings(info) {
   element('readings').hidden = false;
 }
 
-function setUpReadings() {
-  element('given-again').addEventListener('click', () => {
-    part.given = [];
-    showPlanCommand();
-    readPart();
-  });
-}
+function setUpReadings() { element('given-again').addEventListener('click', () => change('', {given: []})); }

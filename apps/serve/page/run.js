@@ -40,16 +40,18 @@ class Run {
     element(`${tab}-cancel`).addEventListener('click', () => this.cancel());
   }
 
-  /** Begins another; what the last one left is not wanted any more. @type {(form: FormData) => Promise<void>} */
-  async start(form) {
+  /** Begins another; what the last one left is not wanted any more. `isAgain`: that is shown until the next has come. @type {(form: FormData, isAgain?: boolean) => Promise<void>} */
+  async start(form, isAgain = false) {
     this.leave();
     const mine = ++this.count;
     this.isOn = true;
-    element(`${this.tab}-result`).hidden = true;
-    element(`${this.tab}-go`).disabled = true;
+    if (!isAgain) {
+      element(`${this.tab}-result`).hidden = true;
+      element(`${this.tab}-go`).disabled = true;
+    }
     element(`${this.tab}-cancel`).hidden = false;
     say(element(`${this.tab}-status`), 'Sending the files …');
-    element(`${this.tab}-status`).scrollIntoView({block: 'nearest'});  // a narrow page has it below the form
+    if (!isAgain) element(`${this.tab}-status`).scrollIntoView({block: 'nearest'});  // a narrow page has it below the form
     try {
       const id = await pipeline.begin(this.tab, form);
       if (mine !== this.count) {
@@ -175,7 +177,9 @@ function showVerdict(tab, state) {
   const summary = element(`${tab}-summary`), said = `planned and certified in ${state.seconds.toFixed(1)} s`;
   summary.textContent = said;
   reasonsOf(state.results).then(reasons => {
-    if (reasons && summary.textContent === said) summary.textContent = `${said}; ${reasons}`;
+    if (!reasons || summary.textContent !== said) return;
+    summary.textContent = `${reasons} (${said})`;
+    summary.title = reasons;
   }, () => {});
   fillList(element(`${tab}-messages`), state.messages);
   element(`${tab}-notes`).hidden = state.messages.length === 0;

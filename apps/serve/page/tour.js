@@ -1,9 +1,10 @@
 // The tab that orders points: how the best value falls while the search goes on, its bound, and the tour.
 
-/** @type {{ files: ChosenFiles, run: Run, samples: TourSample[], stem: string }} */
+/** @type {{ files: ChosenFiles, run: Run, samples: TourSample[], stem: string, answers: Record<string, string[]> }} */
 const tour = {
   files: listOfFiles('tour', ['points'], () => showTourCommand()),
   samples: [],
+  answers: {},
   stem: '',
   run: new Run('tour', {progress: state => hearTour(state), done: state => showTour(state), ended: () => showTourCommand()})
 };
@@ -20,7 +21,7 @@ function tourOptions() {
   add('--solver', element('tour-solver').value);
   add('--time', element('tour-time').value);
   add('--seed', element('tour-seed').value);
-  words.push(element('tour-shape').value, element('tour-options').value.trim());
+  words.push(element('tour-shape').value, ...wordsOfAnswers(tour.answers));
   return words.filter(word => word).join(' ');
 }
 

@@ -96,17 +96,21 @@ interface InfoAnswer { state?: string; message?: string; info?: PartInfo | Setup
 interface Extent { x: [number, number]; y: [number, number] }
 /** An option of the command that answers what is asked of a drawing. */
 interface DrawingAnswer { option: string; value: string }
-interface PartInfo { asks: string[]; answers: DrawingAnswer[]; found: Found[]; features: FeatureInfo[]; outlines: OutlineInfo[] }
+interface PartInfo { asks: string[]; answers: DrawingAnswer[]; found: Found[]; features: FeatureInfo[]; outlines: OutlineInfo[]; tools: ToolInfo[] }
+/** Of a tool library or the part's file. */
+interface ToolInfo { number: number; kind: string; diameter_mm: number; teeth: number; name: string }
 /** Of a job with several set-ups. */
 interface SetupInfos { setups: PartInfo[] }
 /** What was mended, left out or is worth a word. */
 interface Found { kind: 'note' | 'repair' | 'warning' | 'skipped'; where: string; what: string }
-interface FeatureInfo { name: string; kind: string; top_z: number; floor_z: number; extent_mm: Extent | null }
+interface FeatureInfo { name: string; kind: string; source?: string; top_z: number; floor_z: number; extent_mm: Extent | null }
 /** Where the numbers of outlines stand in the drawing, y down, and whether in a circle. */
 interface NumberPlace { x: number; y: number; isCircle: boolean; text: string }
 interface OutlineInfo {
   number: number;
   layer: string;
+  /** As it is called after something was said of it; `layer` is how the drawing calls it. */
+  layerNow?: string;
   extent_mm: Extent | null;
   /** Data of an SVG path, y up; null: one of too many to be drawn. */
   path: string | null;
@@ -134,7 +138,9 @@ interface PlannedRun {
 /** GET /options: of each command. */
 type Options = Record<string, CommandOption[]>;
 interface CommandOption {
-  names: string[]; positional: boolean; group: string; help: string; value: string; values: string[]; many: boolean;
+  names: string[]; positional: boolean; group: string; help: string; value: string; values: string[]; many: boolean; file?: boolean;
+  /** Whom it is for, whether there are no other values, what its numbers are counted in, its default, and whether an operation may have it. */
+  place?: { level: 'first' | 'rest' | 'research'; choice: boolean; unit: string; default: string; operations: boolean } | null;
   job: { table: JobTable; key: string; opposite: boolean; number: boolean } | null;
 }
 
@@ -170,6 +176,67 @@ interface TourFound {
   time_s: number; method: string; convergence: TourSample[]; tour: number[];
 }
 
+type MiddleName = 'drawing' | 'machining' | 'compare';
+/** Where the field of an option stands. */
+type FieldPlace = 'drawing' | 'stock' | 'holding' | 'tools' | 'machine' | 'cutting' | 'research';
+/** Fields of options, and where what they say is kept. */
+interface FieldsOf {
+  /** Of the fields' ids. */
+  prefix: string;
+  /** Names of files that an option may name. */
+  files(): string[];
+  /** Of an option; [] of a flag that is set, undefined where nothing is said. */
+  values(name: string): string[] | undefined;
+  say(name: string, values: string[] | null): void;
+}
+
+/** A tool of the shop: mm, degrees; `more` by the keys of the fields of tools. */
+interface ToolSaid { isOn: boolean; kind: string; diameter: string; more: Record<string, string> }
+interface ToolField { key: string; label: string; isLength?: boolean; values?: string[]; word(value: string): string }
+/** Of an outline, by the option --op; '': as it is read, which is `role`. mm. */
+interface OutlineSaid { kind: string; depth: string; role: string }
+/** Of an operation: left out, the number of its tool or '', and options of its own. */
+interface OperationSaid { isOff: boolean; tool: string; answers: Record<string, string[]> }
+/** The block, mm; bottom '': not said. */
+interface StockSaid { margin: string; bottom: string; top: string }
+/** Everything that was said of a part. */
+interface Project {
+  files: ChosenFile[];
+  /** By the names of options; [] of a flag. mm. */
+  answers: Record<string, string[]>;
+  given: DrawingAnswer[];
+  /** By the numbers of outlines. */
+  outlines: Record<string, OutlineSaid>;
+  tools: ToolSaid[];
+  /** The tools of the table were chosen for this part. */
+  saysTools: boolean;
+  /** By the keys of rows. */
+  operations: Record<string, OperationSaid>;
+  /** Keys of rows in the order of work; []: nobody has said it. */
+  sequence: string[];
+  stock: StockSaid;
+}
+/** Features that are one row of the list of operations. */
+interface OperationRow { key: string; kind: string; source: string; features: FeatureInfo[] }
+/** What the part holds, as it was read last by the options `readBy`. */
+interface PartRead { asked: number; outlines: OutlineInfo[]; features: FeatureInfo[]; isAsked: boolean; isOfSetups: boolean; isReady: boolean; readBy: string }
+/** What the command is asked: the name of its input, options, and files that were made for it. */
+interface PlanAsked { input: string; options: string; files: File[] }
+/** What a job says that options cannot. */
+interface JobMore { operations: string; stock: string; sequence: string[] }
+/** In the drawing, mm. */
+interface Place2 { x: number; y: number }
+interface Clamp { x: [number, number]; y: [number, number]; z: [number, number] }
+/** A place on a profile: `along` it, mm, and how far `away` it is. */
+interface OnProfile extends Place2 { curve: SVGPathElement; along: number; away: number }
+/** A file within a project file. */
+interface PackedFile { name: string; text?: string; base64?: string }
+/** A project file. */
+interface ProjectJson {
+  clearcut: string; version: number; files: PackedFile[];
+  page?: Omit<Project, 'files'> & { roles: { name: string; role: FileRole }[] };
+}
+
 /** A job file and the options that it has no words for. */
 interface JobText { text: string; left: string[] }
 /** Lines of a job file by their tables. */
@@ -184,35 +251,74 @@ interface PageElements {
   'tab-check': HTMLButtonElement;
   'tab-elements': HTMLButtonElement;
   'tab-tour': HTMLButtonElement;
+  'research-go': HTMLButtonElement;
+  'undo': HTMLButtonElement;
+  'redo': HTMLButtonElement;
+  'project-new': HTMLButtonElement;
+  'project-save': HTMLButtonElement;
   'lengths': HTMLSelectElement;
   'promise': HTMLParagraphElement;
   'plan': HTMLElement;
   'plan-form': HTMLFormElement;
   'plan-drop': HTMLDivElement;
   'plan-files': HTMLInputElement;
+  'example-go': HTMLButtonElement;
   'plan-kinds': HTMLParagraphElement;
   'plan-list': HTMLUListElement;
-  'tool-kind': HTMLSelectElement;
-  'tool-diameter': HTMLInputElement;
-  'depth': HTMLInputElement;
-  'unit': HTMLSelectElement;
-  'strategy': HTMLSelectElement;
-  'post': HTMLSelectElement;
-  'material': HTMLSelectElement;
+  'unused': HTMLParagraphElement;
   'found-box': HTMLDetailsElement;
   'found-title': HTMLElement;
   'found': HTMLUListElement;
+  'drawing-card': HTMLDetailsElement;
+  'drawing-now': HTMLSpanElement;
+  'fields-drawing': HTMLDivElement;
   'outlines-box': HTMLDetailsElement;
   'outlines-title': HTMLElement;
   'outlines': HTMLTableElement;
-  'plan-options': HTMLInputElement;
-  'plan-names': HTMLDataListElement;
+  'stock-box': HTMLDetailsElement;
+  'stock-now': HTMLSpanElement;
+  'stock-margin': HTMLInputElement;
+  'stock-bottom': HTMLInputElement;
+  'stock-top': HTMLInputElement;
+  'zero-pick': HTMLButtonElement;
+  'fields-stock': HTMLDivElement;
+  'tools-box': HTMLDetailsElement;
+  'tools-now': HTMLSpanElement;
+  'tools-note': HTMLParagraphElement;
+  'tool-table': HTMLTableElement;
+  'tool-add': HTMLButtonElement;
+  'tools-save': HTMLButtonElement;
+  'fields-tools': HTMLDivElement;
+  'machine-box': HTMLDetailsElement;
+  'machine-now': HTMLSpanElement;
+  'fields-machine': HTMLDivElement;
+  'operations-box': HTMLDetailsElement;
+  'operations-now': HTMLSpanElement;
+  'operations': HTMLOListElement;
+  'operations-note': HTMLSpanElement;
+  'operations-free': HTMLButtonElement;
+  'cutting-box': HTMLDetailsElement;
+  'cutting-now': HTMLSpanElement;
+  'fields-cutting': HTMLDivElement;
+  'holding-box': HTMLDetailsElement;
+  'holding-now': HTMLSpanElement;
+  'tabs-place': HTMLButtonElement;
+  'clamp-draw': HTMLButtonElement;
+  'fields-holding': HTMLDivElement;
+  'research-box': HTMLDetailsElement;
+  'research-now': HTMLSpanElement;
+  'fields-research': HTMLDivElement;
   'plan-command': HTMLElement;
   'plan-go': HTMLButtonElement;
   'plan-cancel': HTMLButtonElement;
+  'plan-again': HTMLInputElement;
   'compare-go': HTMLButtonElement;
   'compare-cancel': HTMLButtonElement;
   'plan-status': HTMLDivElement;
+  'show-drawing': HTMLButtonElement;
+  'show-machining': HTMLButtonElement;
+  'show-compare': HTMLButtonElement;
+  'invitation': HTMLDivElement;
   'plan-progress': HTMLProgressElement;
   'readings': HTMLDivElement;
   'readings-question': HTMLParagraphElement;
@@ -244,7 +350,9 @@ interface PageElements {
   'drawing-box': HTMLElement;
   'drawing': SVGSVGElement;
   'drawing-curves': SVGGElement;
+  'drawing-marks': SVGGElement;
   'drawing-numbers': SVGGElement;
+  'outline-menu': HTMLDivElement;
   'drawing-size': HTMLSpanElement;
   'drawing-unsaid': HTMLSpanElement;
   'check': HTMLElement;
@@ -260,8 +368,7 @@ interface PageElements {
   'check-stock-box': HTMLLabelElement;
   'check-stock': HTMLInputElement;
   'dialect': HTMLSelectElement;
-  'check-options': HTMLInputElement;
-  'check-names': HTMLDataListElement;
+  'fields-check': HTMLDivElement;
   'check-command': HTMLElement;
   'check-go': HTMLButtonElement;
   'check-cancel': HTMLButtonElement;
@@ -296,8 +403,7 @@ interface PageElements {
   'elements-generations-box': HTMLLabelElement;
   'elements-generations': HTMLInputElement;
   'elements-post': HTMLSelectElement;
-  'elements-options': HTMLInputElement;
-  'elements-names': HTMLDataListElement;
+  'fields-elements': HTMLDivElement;
   'elements-command': HTMLElement;
   'elements-go': HTMLButtonElement;
   'elements-cancel': HTMLButtonElement;
@@ -323,8 +429,7 @@ interface PageElements {
   'tour-time': HTMLInputElement;
   'tour-seed': HTMLInputElement;
   'tour-shape': HTMLSelectElement;
-  'tour-options': HTMLInputElement;
-  'tour-names': HTMLDataListElement;
+  'fields-tour': HTMLDivElement;
   'tour-command': HTMLElement;
   'tour-go': HTMLButtonElement;
   'tour-cancel': HTMLButtonElement;

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/files/output_names.h"
+#include "base/files/project_entry.h"
 
 namespace clearcut::inline base {
 namespace {
@@ -68,6 +69,7 @@ void give_up_if(const std::function<bool()>& interrupted) {
 }  // namespace
 
 std::string read_file(const std::string& path, std::size_t limit) {
+  if (const auto within = project_path(path)) return read_project_entry(*within);
   std::error_code error;
   const auto status = fs::status(path, error);
   if (!fs::exists(status)) throw InputError(path, "no such file; check the name");

@@ -168,6 +168,7 @@ PredrilledHole predrilled_of(DataSection section) {
 
 void read_plan_section(DataSection section, JobFile& job) {
   job.plan = settings_of(section);
+  job.sequence = section.texts("sequence");
   Asked asked{job.whole, {}};
   take_options(section, JobTable::kPlan, OptionsOf::kWhole, asked);
   job.whole = std::move(asked.plan);

@@ -63,6 +63,7 @@ struct JobFile {
   Machine machine;
   CutSettings plan;
   std::vector<OperationRule> operations;
+  std::vector<std::string> sequence;  ///< names of features (with *) in the order of work; empty: free
   JobOutput output;
   PlanOptions whole;  ///< options of [plan], [machine] and [output] for the whole plan
   std::optional<std::filesystem::path> after;       ///< earlier program, relative to the job's folder

@@ -121,6 +121,20 @@ TEST_F(Job, SkippedFeaturesAreReported) {
   EXPECT_EQ(read.diagnostics.items().back().severity, Severity::kSkipped);
 }
 
+TEST_F(Job, AStatedSequenceIsTheOrderOfWork) {
+  const Part read = part(kPart + "[plan]\nsequence = [\"b\", \"a\"]\n");
+  ASSERT_EQ(read.workplan.size(), 2u);
+  EXPECT_EQ(feature_of(read, read.workplan[0]).name, "b");
+  EXPECT_FALSE(read.order_free);
+  EXPECT_EQ(feature_of(part(kPart), part(kPart).workplan[0]).name, "a");
+  try {
+    part(kPart + "[plan]\nsequence = [\"none\"]\n");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("sequence: no feature is called 'none'"), std::string::npos);
+  }
+}
+
 TEST_F(Job, MachineToolsLibraryAndOutput) {
   write("mill.toml", "name = \"mill\"\nrapid = 3000\ntravel = {x = [0, 300], y = [0, 200], z = [-50, 10]}\n");
   write("tools.toml", kTools);

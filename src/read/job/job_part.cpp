@@ -213,12 +213,38 @@ class Dresser {
     for (const Workingstep& step : part_.workplan) steps_.push_back({step, {{&job_.plan, job_.file}}});
     for (const OperationRule& rule : job_.operations) apply(rule);
     if (steps_.empty()) throw InputError(job_.file, "every operation is skipped; nothing is left to machine");
+    if (!job_.sequence.empty()) put_in_sequence();
     part_.workplan.clear();
     for (Planned& planned : steps_) part_.workplan.push_back(dressed(std::move(planned)));
   }
 
  private:
-  /// The job's tools replace the part's; operations keep their tool by number if the job has it too.
+  const std::string& feature_name(const Planned& planned) const {
+    return part_.features[static_cast<std::size_t>(planned.step.feature)].name;
+  }
+
+  /// The place of a step in the sequence that the job states; what it does not name comes last.
+  std::size_t place_in_sequence(const Planned& planned) const {
+    const auto named = [&](const std::string& name) { return matches(name, feature_name(planned)); };
+    return static_cast<std::size_t>(std::find_if(job_.sequence.begin(), job_.sequence.end(), named) -
+                                    job_.sequence.begin());
+  }
+
+  /// The order of work is the job's afterwards, and no longer free.
+  void put_in_sequence() {
+    for (const std::string& name : job_.sequence) {
+      const auto named = [&](const Feature& feature) { return matches(name, feature.name); };
+      if (std::none_of(part_.features.begin(), part_.features.end(), named))
+        throw InputError(
+            job_.file, "sequence: no feature is called '" + printable(name) + "'; clearcut info lists them");
+    }
+    std::stable_sort(steps_.begin(), steps_.end(), [&](const Planned& a, const Planned& b) {
+      return place_in_sequence(a) < place_in_sequence(b);
+    });
+    part_.order_free = false;
+  }
+
+  /// The job's tools replace the part's; operations keep theirs by number where the job has it too.
   void set_tools() {
     ToolLibrary library = tools_of(job_);
     part_.diagnostics.append(library.diagnostics);

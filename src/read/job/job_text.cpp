@@ -150,7 +150,9 @@ std::string tool_sections(const Part& part, const StatedOptions& stated) {
   return out + "\n[[tool]]\nnumber = 1\nkind = \"endmill\"\ndiameter = 6\nteeth = 2\n";
 }
 
-const char* const kAfterPlan = R"(
+const char* const kAfterPlan =
+    R"(# sequence = ["*"]         # names of features in the order of work; absent: whatever order is shortest
+
 # [[operation]]            # what differs for some features; the same keys as [plan], and:
 # feature = "POCKET*"      # name, * for anything
 # tool = 1                 # number

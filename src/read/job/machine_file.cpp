@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/files/file.h"
+#include "base/files/project_entry.h"
 #include "read/job/machine_library.h"
 #include "read/job/machine_settings.h"
 
@@ -92,7 +93,7 @@ void take_motion(DataSection& section, Machine& machine) {
 
 /// The text of a machine file; nothing for a name of the library.
 std::optional<std::string> text_of(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) {
+  if (!std::filesystem::exists(file) && !is_file(file)) {
     if (library_machine(file.string())) return std::nullopt;
     throw InputError(file.string(),
                      "no such file, and no machine of that name; 'clearcut machines' lists "

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/files/file.h"
+#include "base/files/project_entry.h"
 #include "read/common/text.h"
 #include "read/common/units.h"
 #include "read/tools/formats.h"
@@ -118,8 +119,7 @@ Tool tool_of(const DataValue& root, ToolKind kind) {
 std::optional<fs::path> find_bit(const fs::path& library, const std::string& name) {
   const fs::path folder = library.parent_path();
   for (const fs::path& place : {folder / name, folder / "Bit" / name, folder / ".." / "Bit" / name}) {
-    std::error_code ignored;
-    if (fs::is_regular_file(place, ignored)) return place;
+    if (is_file(place)) return place;
   }
   return std::nullopt;
 }

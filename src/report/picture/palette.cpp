@@ -15,7 +15,41 @@ using Rgb = std::array<double, 3>;
 constexpr std::array<Rgb, 5> kDepths{
     {{234, 240, 244}, {189, 214, 231}, {122, 170, 207}, {61, 117, 168}, {27, 69, 116}}};
 
+/// How a material looks where light falls on it.
+struct Look {
+  const char* material;
+  Rgb color;
+};
+constexpr std::array<Look, 12> kLooks{{{"aluminium", {214, 218, 222}},
+                                       {"brass", {224, 190, 98}},
+                                       {"steel", {178, 186, 194}},
+                                       {"alloy-steel", {164, 172, 182}},
+                                       {"stainless", {196, 202, 206}},
+                                       {"cast-iron", {138, 142, 146}},
+                                       {"titanium", {182, 178, 172}},
+                                       {"plastic", {232, 236, 240}},
+                                       {"softwood", {232, 202, 156}},
+                                       {"hardwood", {190, 140, 92}},
+                                       {"mdf", {198, 166, 128}},
+                                       {"plywood", {224, 190, 140}}}};
+/// Share of the light that the deepest floor has lost.
+constexpr double kShadow = 0.5;
+
+std::string hex_of(const Rgb& color) {
+  return fmt::format("#{:02x}{:02x}{:02x}", std::lround(color[0]), std::lround(color[1]),
+                     std::lround(color[2]));
+}
+
 }  // namespace
+
+std::string material_color(const std::string& material, double fraction) {
+  for (const Look& look : kLooks) {
+    if (material != look.material) continue;
+    const double light = 1 - kShadow * std::clamp(fraction, 0.0, 1.0);
+    return hex_of({look.color[0] * light, look.color[1] * light, look.color[2] * light});
+  }
+  return depth_color(fraction);
+}
 
 std::string depth_color(double fraction) {
   const double position = std::clamp(fraction, 0.0, 1.0) * (kDepths.size() - 1);

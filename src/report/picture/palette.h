@@ -25,7 +25,10 @@ inline constexpr const char* kBad = "#d11f31";
 
 /// Shade of a floor: 0 at the top of the work (pale), 1 at its deepest (dark blue). Clamped.
 std::string depth_color(double fraction);
-/// Colour of lines in contrast with depth_color(fraction).
+/// Shade of a material of the work as it looks, 0 at the top, darker to 1 at its deepest; of none, and of one without a colour
+/// of its own, depth_color().
+std::string material_color(const std::string& material, double fraction);
+/// Lines that stand out on depth_color(fraction).
 std::string line_color_on_depth(double fraction);
 /// Cutting lines of the i-th tool.
 std::string tool_color(int i);

@@ -18,6 +18,7 @@ struct HtmlOptions {
   /// Time of every move, section after section, with the waits before the move: as counted in the certificate, so
   /// that the clock of the page ends at the certificate's machining time.
   std::vector<double> move_times_s = {};
+  std::string material = {};  ///< of the work, a name of work_materials(); "": not known
 };
 
 /// Shape   a well-formed HTML page (also XML) that removes material move by move, shaded by depth, true to time;

@@ -309,13 +309,13 @@ Box stage_of(const Job& job) {
 }
 
 /// Colours of 256 heights from `bottom` to `top`.
-Json shades(const Part& part, double bottom) {
+Json shades(const Part& part, double bottom, const std::string& material) {
   Json json = Json::array();
   for (int i = 0; i < 256; ++i) {
     const double fraction = part.is_shape_stated
                                 ? depth_fraction(part, bottom + (part.top_z() - bottom) * i / 255)
                                 : 1 - i / 255.0;
-    json.push_back(report::palette::depth_color(fraction));
+    json.push_back(report::palette::material_color(material, fraction));
   }
   return json;
 }
@@ -334,7 +334,7 @@ std::string html_data(const Part& part, const Toolpath& toolpath, const Findings
   json["top"] = number(part.top_z());
   const double bottom = lowest_z(job);
   json["bottom"] = number(bottom);
-  json["shades"] = shades(part, bottom);
+  json["shades"] = shades(part, bottom, options.material);
   json["stock"] = part.stock ? corners(part.stock->plan) : Json(nullptr);
   json["stock_z"] = part.stock ? number(part.stock->z_bottom) : Json(nullptr);
   json["world"] = corners(stage_of(job));

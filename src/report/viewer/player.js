@@ -35,6 +35,7 @@ function unmark() {
   for (const button of by('faults').querySelectorAll('.chosen')) button.classList.remove('chosen');
 }
 function redraw() {
+  by('finished').setAttribute('aria-pressed', String(isFinishedShown()));
   measureStage();
   lensIsDue();
   if (space.on) {
@@ -90,6 +91,18 @@ function play(on) {
   if (on) requestAnimationFrame(frame);
 }
 
+const isFinishedShown = () => at.time >= total && by('path').value === 'none';
+/** Which part of the path was shown before the finished part was. */
+let pathBefore = 'recent';
+/** The part at the end, without path and cutter; asked again, the beginning and the path as it was. */
+function showFinished() {
+  const isShown = isFinishedShown();
+  if (!isShown) pathBefore = by('path').value;
+  by('path').value = isShown ? pathBefore : 'none';
+  play(false);
+  show(isShown ? 0 : total);
+}
+
 /** To the end of the move under way, or one move on or back. @type {(by_: number) => void} */
 function stepMove(by_) {
   const i = shownMove(), next = by_ > 0 && shownFraction() > 0 && shownFraction() < 1 ? i : i + by_;
@@ -120,6 +133,7 @@ const KEYS = {
   '0': () => by('fit').click(),
   'm': () => setMeasuring(!measure.on),
   'b': blinkChange,
+  'f': showFinished,
   'Escape': () => setMeasuring(false)
 };
 /** Whether a key means something else where it is pressed: in a list, a field, or to a button. @type {(event: KeyboardEvent) => boolean} */
@@ -143,6 +157,7 @@ function listen() {
   by('forward').onclick = () => stepMove(1);
   by('scrub').oninput = () => show(total * Number(by('scrub').value) / 100000);
   by('path').onchange = redraw;
+  by('finished').onclick = showFinished;
   by('color-by').onchange = () => {
     if (by('color-by').value !== 'kind' && by('path').value !== 'all') by('path').value = 'all';
     colorMoves();
@@ -228,6 +243,7 @@ function openView() {
   chooseView(name === 'above' || Object.hasOwn(STANDPOINTS, name) ? name : 'iso');
 }
 
+if (new URLSearchParams(location.hash.slice(1)).has('framed')) document.body.classList.add('framed');
 fullStock();
 openUnit();
 listenToProgram();

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "base/files/file.h"
+#include "base/files/project_entry.h"
 
 namespace clearcut::read::gcode {
 
@@ -12,9 +13,8 @@ SubprogramFiles files_beside(const std::string& program) {
   return [folder](const std::string& name) -> std::optional<std::string> {
     if (name.empty() || name[0] == '.' || name.find_first_of("/\\:") != std::string::npos)
       return std::nullopt;
-    std::error_code error;
     const std::filesystem::path path = folder / name;
-    if (!std::filesystem::is_regular_file(path, error)) return std::nullopt;
+    if (!is_file(path)) return std::nullopt;
     constexpr std::size_t kLargest = std::size_t{64} << 20;
     return read_file(path.string(), kLargest);
   };

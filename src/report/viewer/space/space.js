@@ -129,7 +129,7 @@ function drawAll(one, isBefore) {
   drawPart(values, rough);
   if (!isBefore) drawPathInSpace(values, rough);
   gl.depthMask(true);
-  if (!isBefore) drawCutter(values);
+  if (!isBefore && !isFinishedShown()) drawCutter(values);
 }
 
 /** @type {(one: Detail) => void} */
