@@ -23,6 +23,8 @@ constexpr std::array kRows{
     ConditionRow{"program-end"}, ConditionRow{"d#", "d1"}, ConditionRow{"tool-name-#", "tool-name-1"},
     ConditionRow{"parameter-#", "parameter-100"}, ConditionRow{"measured-move"},
     ConditionRow{"measured-value"}, ConditionRow{"subprogram-#", "subprogram-1"}, ConditionRow{"compressor"},
+    ConditionRow{"compensation-d#", "compensation-d1"},
+    ConditionRow{"compensation-t#", "compensation-t1"}, ConditionRow{"compensation-corners"},
     ConditionRow{"rtliof"}, ConditionRow{"h"}, ConditionRow{"cycle800"},
     // What is not known without a part.
     ConditionRow{"stock"}, ConditionRow{"below-stock"}, ConditionRow{"arc-radii"},

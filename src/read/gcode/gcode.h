@@ -12,6 +12,7 @@
 #include "model/control.h"
 #include "model/machine.h"
 #include "model/move.h"
+#include "read/gcode/compensation/values.h"
 #include "read/gcode/dialect.h"
 #include "read/gcode/macros/subprogram_files.h"
 
@@ -26,6 +27,8 @@ struct ReadControllerOptions {
   std::optional<MachinePlaces> places;
   /// Numbers of the tools that are put in by hand, at the start and at each pause, for programs without T words.
   std::vector<int> hand_tools;
+  /// What D words and tables of tools hold where a program has its control compensate.
+  CompensationValues compensation;
   /// Files with subprograms that the program calls; empty: none.
   SubprogramFiles subprograms;
   /// Lines that a program with macros may execute: a loop that never ends stops there.
@@ -40,6 +43,7 @@ struct Program {
       diagnostics;  ///< words that were ignored or assumed without moving anything, each with its line
   std::vector<Condition>
       conditions;  ///< what must hold at the machine for `toolpath` to be what it does; one a name
+  std::vector<int> compensated_tools;    ///< T words while the control compensates, ascending
   Dialect dialect = Dialect::kLinuxCnc;  ///< as which it was read
   bool dialect_stated = false;           ///< by the options; else recognised
   bool ended = false;                    ///< an end word was seen; Marlin has none and ends with the text
