@@ -175,7 +175,7 @@ void Compensation::join_by_lines(const Move& said, Vec2 next_begins, double outs
   const Vec2 next = said.path.tangent_at(0);
   std::vector<Vec2> places;
   if (outside < kPi / 2) {
-    const double along = radius_ * std::tan(outside / 2);
+    const double along = radius_ * base::tan(outside / 2);
     places = {last_ends + heading_ * along};
   } else {
     places = {last_ends + heading_ * radius_, beside(corner, next) - next * radius_};
@@ -265,7 +265,7 @@ Vec2 Compensation::meeting(const Move& said) const {
   const double turn = std::abs(base::atan2(cross(heading_, next), dot(heading_, next)));
   if (kPi - turn < 1e-9)
     refuse(said.line, "a compensated contour runs back on itself; no tool fits into the corner");
-  return last_ends - heading_ * (radius_ * std::tan(turn / 2));
+  return last_ends - heading_ * (radius_ * base::tan(turn / 2));
 }
 
 /// `later`: of the two places the one farther along the line.
