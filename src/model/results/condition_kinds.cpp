@@ -23,7 +23,8 @@ constexpr std::array kRows{
     ConditionRow{"program-end"}, ConditionRow{"d#", "d1"}, ConditionRow{"tool-name-#", "tool-name-1"},
     ConditionRow{"parameter-#", "parameter-100"}, ConditionRow{"measured-move"},
     ConditionRow{"measured-value"}, ConditionRow{"subprogram-#", "subprogram-1"}, ConditionRow{"compressor"},
-    ConditionRow{"rtliof"}, ConditionRow{"h"}, ConditionRow{"cycle800"},
+    ConditionRow{"compensation-d#", "compensation-d1"}, ConditionRow{"compensation-t#", "compensation-t1"},
+    ConditionRow{"compensation-corners"}, ConditionRow{"rtliof"}, ConditionRow{"h"}, ConditionRow{"cycle800"},
     // Facts unknown without a part.
     ConditionRow{"stock"}, ConditionRow{"below-stock"}, ConditionRow{"arc-radii"},
     ConditionRow{"cuts-nothing"},

@@ -105,7 +105,7 @@ Reading read_to_depth(Dialect dialect, std::string_view text, const std::string&
   const DialectRules& rules = rules_of(dialect);
   switch (rules.language) {
     case Language::kKlartext:
-      program.ended = read::gcode::read_klartext(text, builder);
+      program.ended = read::gcode::read_klartext(text, options.compensation, builder);
       break;
     case Language::kSinumerik:
       program.ended = read_sinumerik(text, rules, options, builder);
@@ -116,6 +116,7 @@ Reading read_to_depth(Dialect dialect, std::string_view text, const std::string&
       reading.depends_on_dialect = interpreter.depends_on_dialect();
     }
   }
+  builder.require_no_compensation(last_line(text));
   program.ended = program.ended || rules.end == ProgramEnd::kText;
   if (!program.ended) {
     program.diagnostics.warn(file_name, "the program has no end word (M2, M30, END PGM)");
@@ -126,6 +127,7 @@ Reading read_to_depth(Dialect dialect, std::string_view text, const std::string&
   }
   note_low_end(builder, last_line(text));
   program.toolpath = builder.take();
+  program.compensated_tools.assign(builder.compensated_tools().begin(), builder.compensated_tools().end());
   program.control = builder.take_control();
   program.control.planner = rules.planner;
   return reading;

@@ -269,7 +269,8 @@ TEST(GcodeRefusals, EachNamesItsLineAndWhatToDo) {
   const std::string start = "G0 X0 Y0 Z5 F100\n";
   EXPECT_EQ(
       message_of(start + "G41 D1"),
-      "test.ngc:2: G41 cutter radius compensation is not read; post the path of the tool's centre (G40)");
+      "test.ngc:2: cutter compensation by the radius of D1, and no tool T1 is given; add it by --tool, or "
+      "state it in the job");
   EXPECT_THAT(message_of(start + "#1="), HasSubstr("test.ngc:2: a number is missing"));
   EXPECT_THAT(message_of(start + "G1 X[1+2"), HasSubstr("test.ngc:2: an expression lacks its ']'"));
   EXPECT_THAT(message_of(start + "G1 X#<a>"), HasSubstr("test.ngc:2: #<a> is read before anything sets it"));
@@ -352,7 +353,8 @@ TEST(Klartext, LengthsAndDatumsAreConditions) {
 TEST(Klartext, WhatItCannotReadItRefuses) {
   EXPECT_THAT(message_of(klartext("4 L X+Q1")),
               HasSubstr("test.ngc:5: Q1 is read before the program sets it"));
-  EXPECT_THAT(message_of(klartext("4 L X+1 RL")), HasSubstr("RL radius compensation"));
+  EXPECT_THAT(message_of(klartext("4 L X+1 RL")),
+              HasSubstr("cutter compensation by the radius of the tool table, and no tool"));
   EXPECT_THAT(message_of(klartext("4 CYCL DEF 7.0 DATUM SHIFT")), HasSubstr("cycle 7 is not read"));
   EXPECT_THAT(message_of(klartext("4 RND R5")), HasSubstr("block 'RND' is not read"));
   EXPECT_THAT(message_of(klartext("4 CALL LBL 1")), HasSubstr("there is no LBL 1"));

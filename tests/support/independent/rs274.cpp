@@ -17,9 +17,10 @@ namespace {
 
 constexpr int kTools = 20;
 
-std::string tool_table() {
+std::string tool_table(double diameter) {
   std::string table;
-  for (int t = 1; t <= kTools; ++t) table += "T" + std::to_string(t) + " P" + std::to_string(t) + " Z0 D6\n";
+  for (int t = 1; t <= kTools; ++t)
+    table += "T" + std::to_string(t) + " P" + std::to_string(t) + " Z0 D" + std::to_string(diameter) + "\n";
   return table;
 }
 
@@ -194,9 +195,9 @@ bool has_rs274() {
   return std::system("command -v rs274 >/dev/null 2>&1") == 0;
 }
 
-CanonProgram run_rs274(const std::string& program) {
+CanonProgram run_rs274(const std::string& program, double tool_diameter) {
   const ScratchFolder folder;
-  folder.file("tool.tbl", tool_table());
+  folder.file("tool.tbl", tool_table(tool_diameter));
   folder.file("rs274.var", "");
   folder.file("in.ngc", program);
   // It keeps a map of its tools in $HOME: an own one, so that tests may run side by side.

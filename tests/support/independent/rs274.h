@@ -26,7 +26,8 @@ struct CanonProgram {
 };
 
 bool has_rs274();
-CanonProgram run_rs274(const std::string& program);
+/// `tool_diameter`: of every tool in its table, in inches, which are its machine's unit.
+CanonProgram run_rs274(const std::string& program, double tool_diameter = 6);
 
 /// Same motion: each canonical move is met by our moves of one program line, in order, with the same feed,
 /// and every sampled point agrees within `tolerance`. Motion before the first feed move is left out: where

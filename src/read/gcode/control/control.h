@@ -96,6 +96,8 @@ struct Control {
   bool length_used = false;  ///< a tool length was in force
   bool units_said = false, distance_said = false, plane_said = false, centers_said = false;
   bool return_said = false;
+  int radius_number = -1;                       ///< the last D word where it stays; -1: none
+  std::optional<OutsideCorner> outside_corner;  ///< that a word chose (G450, G451)
   PlanMap plan_map;
   bool polar_mode = false;  ///< G16: X is a distance from the zero, Y an angle
   Target polar_place;       ///< said last in it

@@ -5,6 +5,7 @@
 
 #include "base/inch.h"
 #include "base/text/format.h"
+#include "read/gcode/compensation/compensation_words.h"
 #include "read/gcode/control/place_words.h"
 #include "read/gcode/motion/dwell.h"
 #include "read/gcode/words/g_words.h"
@@ -27,7 +28,12 @@ std::string m_word(int tenths) {
 }  // namespace
 
 void ModeWords::set_modes(const Block& block) {
+  CompensationWords compensation(control_);
+  if (has_g(block, 400)) compensation.set(400, block);
+  compensation.note_number(block);
   for (const int code : block.g) set_mode(code, block);
+  for (const int code : block.g)
+    if (group_of(code) == Group::kCompensation) compensation.set(code, block);
 }
 
 void ModeWords::use_units(double unit) {
@@ -48,6 +54,7 @@ void ModeWords::set_mode(int code, const Block& block) {
     case 170:
     case 180:
     case 190:
+      if (code != 170) CompensationWords(control_).refuse_while_on(g_word(code));
       control_.modes.plane = code == 170 ? Plane::kXY : code == 180 ? Plane::kZX : Plane::kYZ;
       control_.plane_said = true;
       break;
@@ -93,18 +100,21 @@ void ModeWords::set_mode(int code, const Block& block) {
 void ModeWords::set_other(int code, const Block& block) {
   const Group group = group_of(code);
   if (group == Group::kOffset) {
+    CompensationWords(control_).refuse_while_on(g_word(code));
     PlaceWords(control_).use_system(code, block);
-  } else if (group == Group::kCompensation) {
-    control_.refuse(g_word(code) +
-                    " cutter radius compensation is not read; post the path of the tool's centre (G40)");
+  } else if (group == Group::kCompensation || code == 400) {
+    return;  // see set_modes
   } else if (code == 430 || code == 431 || code == 490) {
+    if (control_.rules.compensation.begins_in_plan) CompensationWords(control_).refuse_while_on(g_word(code));
     PlaceWords(control_).set_length(code, block);
   } else if (code == 610 || code == 611 || code == 640 || code == 1870) {
     set_path(code, block);
   } else if (code == 150 || code == 160) {
+    CompensationWords(control_).refuse_while_on(g_word(code));
     control_.polar_mode = code == 160;
     control_.polar_place = {};
   } else if (code == 690) {
+    if (control_.plan_map.is_on) CompensationWords(control_).refuse_while_on("G69");
     control_.plan_map = {};
   } else if (code == 51) {
     control_.condition(

@@ -5,6 +5,7 @@
 
 #include "base/elementary.h"
 #include "base/inch.h"
+#include "read/gcode/compensation/compensation_words.h"
 #include "read/gcode/control/canned_cycles.h"
 #include "read/gcode/control/place_words.h"
 #include "read/gcode/words/g_words.h"
@@ -36,6 +37,7 @@ void MotionWords::move(const Block& block) {
     control_.motion = 0;
   }
   check_words_said(block);
+  check_compensation();
   control_.moved = true;
   if (control_.motion != 0) control_.before_feed();
   if (control_.motion == 0 || control_.motion == 10) return straight(block, control_.motion == 0);
@@ -101,6 +103,18 @@ void MotionWords::check_words_said(const Block& block) {
                              "increments");
     }
   }
+}
+
+/// Arcs cannot begin or end compensation, and nothing but lines and arcs follows it.
+void MotionWords::check_compensation() const {
+  const int motion = control_.motion;
+  const bool is_arc = motion == 20 || motion == 30;
+  if (motion == 0 || motion == 10) return;
+  if (!is_arc) return CompensationWords(control_).refuse_while_on(g_word(motion));
+  if (control_.builder.compensation_begins())
+    control_.refuse("cutter compensation begins with an arc; enter along a straight line");
+  if (control_.builder.compensation_leaves())
+    control_.refuse("cutter compensation ends with an arc; leave along a straight line");
 }
 
 void MotionWords::straight(const Block& block, bool rapid) {

@@ -16,6 +16,7 @@ class MotionWords {
 
  private:
   void check_words_said(const Block& block);
+  void check_compensation() const;
   void straight(const Block& block, bool rapid);
   void rigid_tap(const Block& block);
   void measure(const Block& block);

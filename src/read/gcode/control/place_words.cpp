@@ -6,6 +6,8 @@
 #include "base/elementary.h"
 #include "base/text/format.h"
 #include "base/units.h"
+#include "read/gcode/compensation/compensation_words.h"
+#include "read/gcode/control/circle_words.h"
 #include "read/gcode/words/g_words.h"
 
 namespace clearcut::read::gcode {
@@ -24,6 +26,10 @@ std::string lower(std::string text) {
 
 /// Words that use X, Y, Z for something else than motion in the work's frame.
 bool PlaceWords::move_specially(const Block& block) {
+  for (const int code : block.g) {
+    if (group_of(code) == Group::kOnce || code == 530)
+      CompensationWords(control_).refuse_while_on(g_word(code));
+  }
   if (has_g(block, 280) || has_g(block, 300)) {
     go_home(block, has_g(block, 280));
     return true;
@@ -36,6 +42,7 @@ bool PlaceWords::move_specially(const Block& block) {
     machine_frame(block);
     return true;
   }
+  if (mill_circle(control_, block)) return true;
   if (has_g(block, 100)) {
     set_offset_table(block);
     return true;

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/inch.h"
 #include "base/text/format.h"
+#include "read/gcode/compensation/compensation_words.h"
 #include "read/gcode/klartext/hole_cycle.h"
 #include "read/gcode/klartext/path_words.h"
 #include "read/gcode/klartext/q_parameters.h"
@@ -30,7 +31,8 @@ constexpr int kFirstOfCycles = 200;  // Q parameters below it are the programmer
 
 class Reader {
  public:
-  explicit Reader(ToolpathBuilder& builder) : builder_(builder) {}
+  Reader(const CompensationValues& compensation, ToolpathBuilder& builder)
+      : compensation_(compensation), builder_(builder) {}
 
   bool read(std::string_view text);
 
@@ -53,6 +55,7 @@ class Reader {
   void check_blending();
   void machine_frame(const PathWords& words);
 
+  void compensate(PathWords::Radius wanted);
   void line(const PathWords& words, bool polar);
   void circle_center(const PathWords& words);
   void circle(const PathWords& words);
@@ -72,6 +75,7 @@ class Reader {
            "' is not read; post the program with L, C, CR and CP blocks only");
   }
 
+  const CompensationValues& compensation_;
   ToolpathBuilder& builder_;
   std::vector<std::string_view> lines_;
   std::map<std::string, std::size_t> labels_;  ///< where they stand in lines_
@@ -85,6 +89,7 @@ class Reader {
   double feed_ = 0;
   double speed_ = 0;
   int spindle_ = 5;
+  double wider_ = 0;   ///< DR, mm: the tool counts as that much larger
   double longer_ = 0;  ///< DL, mm: every height is that much off
   std::optional<Vec2> pole_;
   std::optional<HoleCycle> hole_;  ///< as last defined; CYCL CALL and M99 make it
@@ -211,6 +216,7 @@ void Reader::block(const Words& found) {
 void Reader::tool_call(const std::vector<std::string>& words) {
   double longer = 0;
   bool changed = false;
+  wider_ = 0;
   for (std::size_t k = 2; k < words.size(); ++k) {
     const std::string& word = words[k];
     if (k == 2 && (is_digit(word[0]) || word[0] == '"')) {
@@ -221,8 +227,8 @@ void Reader::tool_call(const std::vector<std::string>& words) {
     } else if (word[0] == 'S') {
       speed_ = std::abs(number(word.substr(1)));
       builder_.say_speed();
-    } else if (word.rfind("DR", 0) == 0 && number(word.substr(2)) != 0) {
-      refuse("TOOL CALL with a radius correction DR; post the path of the tool's centre");
+    } else if (word.rfind("DR", 0) == 0 && word.rfind("DR2", 0) != 0) {
+      wider_ = number(word.substr(2)) * unit_;
     } else if (word.rfind("DL", 0) == 0) {
       longer = number(word.substr(2)) * unit_;
     } else if (word[0] == 'F') {
@@ -263,6 +269,8 @@ double Reader::cycle_value(const std::string& text) const {
 
 /// Rigid tapping turns the spindle by itself, as the sign of its pitch says, and leaves it stopped.
 void Reader::call_hole() {
+  if (builder_.compensates())
+    refuse("a cycle is called while radius compensation is on; end it by R0 before");
   if (!hole_) refuse("a cycle is called before one is defined; correct it");
   check_blending();
   const int turns = turning_of(*hole_);
@@ -342,6 +350,7 @@ void Reader::path_block(const std::string& kind, const std::vector<std::string>&
   for (const int m : words.m) {
     if (m != 2 && m != 30 && m != 99) m_word(m);
   }
+  if (words.compensation) compensate(*words.compensation);
   if (words.retract) retract(*words.retract);
   if (!words.rapid && !words.machine_frame && !words.retract && kind != "CC") check_blending();
   if (words.machine_frame) {
@@ -363,8 +372,25 @@ void Reader::path_block(const std::string& kind, const std::vector<std::string>&
   ended_ = std::any_of(words.m.begin(), words.m.end(), [](int m) { return m == 2 || m == 30; });
 }
 
+/// RL and RR hold until R0. The radius is that of the table, which DR of the call makes larger.
+void Reader::compensate(PathWords::Radius wanted) {
+  if (wanted == PathWords::Radius::kNone) return builder_.end_compensation();
+  const int tool = builder_.drive.tool;
+  const double radius =
+      compensation_of(compensation_, builder_, tool, tool, "the tool table", line_) + wider_;
+  const bool is_left = (wanted == PathWords::Radius::kLeft) != (radius < 0);
+  const auto side = is_left ? CompensationSide::kLeft : CompensationSide::kRight;
+  if (builder_.compensates()) {
+    if (!builder_.compensates_as(side, std::abs(radius)))
+      refuse("the side of radius compensation changes while it is on; end it by R0 before");
+    return;
+  }
+  builder_.begin_compensation(rules_of(dialect_of(Language::kKlartext)).compensation, side, std::abs(radius));
+}
+
 /// M91 counts from the machine's own zero, M92 from a place of its builder: neither is known here.
 void Reader::machine_frame(const PathWords& words) {
+  if (builder_.compensates()) refuse("M91 or M92 while radius compensation is on; end it by R0 before");
   const bool plan = words.absolute[0] || words.absolute[1];
   builder_.condition(
       "m91", line_,
@@ -474,6 +500,8 @@ void Reader::polar_circle(const PathWords& words) {
 }
 
 void Reader::arc(const ArcShape& shape, double z_to) {
+  if (builder_.compensation_begins())
+    refuse("radius compensation begins with an arc; enter along a straight line");
   const std::vector<Edge> edges = arc_edges(shape);
   const double z_from = builder_.known(2, line_);
   for (std::size_t k = 0; k < edges.size(); ++k) {
@@ -484,8 +512,8 @@ void Reader::arc(const ArcShape& shape, double z_to) {
 
 }  // namespace
 
-bool read_klartext(std::string_view text, ToolpathBuilder& builder) {
-  return Reader(builder).read(text);
+bool read_klartext(std::string_view text, const CompensationValues& compensation, ToolpathBuilder& builder) {
+  return Reader(compensation, builder).read(text);
 }
 
 }  // namespace clearcut::read::gcode

@@ -20,9 +20,12 @@ class Collector {
 
   void add(const std::string& word) {
     const auto rest = [&](std::size_t skip) { return number(std::string_view(word).substr(skip)); };
-    if (word == "R0") return;
-    if (word == "RL" || word == "RR")
-      refuse(word + " radius compensation is not read; post the tool's centre (R0)");
+    if (word == "R0" || word == "RL" || word == "RR") {
+      found_.compensation = word == "R0"   ? PathWords::Radius::kNone
+                            : word == "RL" ? PathWords::Radius::kLeft
+                                           : PathWords::Radius::kRight;
+      return;
+    }
     if (word == "FMAX") {
       found_.rapid = true;
     } else if (word == "DR+" || word == "DR-") {

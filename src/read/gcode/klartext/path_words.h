@@ -17,6 +17,9 @@ struct PathWords {
   Target incremental;
   std::optional<double> polar_angle, polar_step, polar_radius, radius, feed;
   std::optional<Turn> turn;
+  /// R0, RL, RR: compensation ends or begins.
+  enum class Radius : unsigned char { kNone, kLeft, kRight };
+  std::optional<Radius> compensation;
   bool rapid = false;
   bool machine_frame = false;
   std::optional<double> retract;  ///< M140: mm up along the tool; infinite: to the end of the travel

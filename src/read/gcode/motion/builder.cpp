@@ -33,6 +33,7 @@ ToolpathBuilder::ToolpathBuilder(BuilderSetup setup, Diagnostics& diagnostics,
 }
 
 void ToolpathBuilder::begin_section(std::string label, int workingstep) {
+  if (defers()) return defer(SectionStart{std::move(label), workingstep});
   label_ = std::move(label);
   workingstep_ = workingstep;
   new_section_ = true;
@@ -41,6 +42,9 @@ void ToolpathBuilder::begin_section(std::string label, int workingstep) {
 /// What has moved with the tool before keeps it; the next move begins a section of the new one. Rapids that come before a
 /// change under the new section's name belong to the section before.
 void ToolpathBuilder::change_tool(int number, bool by_hand, int line) {
+  if (compensated_)
+    throw InputError(place(line),
+                     "the tool is changed while cutter compensation is on; end it before (G40, R0)");
   auto& sections = toolpath_.sections;
   const bool other = number != drive.tool;
   if (other && !new_section_ && !section_cuts_ && sections.size() > 1) {
@@ -59,7 +63,9 @@ void ToolpathBuilder::change_tool(int number, bool by_hand, int line) {
 }
 
 void ToolpathBuilder::add_event(ControlEventKind kind, int line, double seconds) {
-  control_.events.push_back({kind, static_cast<std::size_t>(moves_), line, seconds, drive.tool});
+  const ControlEvent event{kind, static_cast<std::size_t>(moves_), line, seconds, drive.tool};
+  if (defers()) return defer(event);
+  control_.events.push_back(event);
 }
 
 void ToolpathBuilder::turn_tap_back(const TapCycle& tap, int line) {
@@ -91,11 +97,9 @@ void ToolpathBuilder::feed(const Target& target, MmPerMin feed, int line) {
 }
 
 void ToolpathBuilder::arc(const Edge& path, double z_to, MmPerMin feed, int line, double apart) {
-  if (apart > kRoundedRadii)
-    control_.arcs.push_back({static_cast<std::size_t>(moves_), apart - kRoundedRadii});
   Move move{path, known(2, line), z_to, MoveKind::kCut, feed, line};
   move.kind = guessed_kind(move, false);
-  append(move);
+  take(move, apart > kRoundedRadii ? apart - kRoundedRadii : 0);
   at_ = {path.to.x, path.to.y, z_to};
 }
 
@@ -181,9 +185,124 @@ void ToolpathBuilder::straight(const Target& target, bool rapid, MmPerMin feed, 
   }
   Move move{
       Edge::line({*from[0], *from[1]}, {*at_[0], *at_[1]}), *from[2], *at_[2], MoveKind::kCut, feed, line};
+  const bool leaves = beside_ && !compensated_ && (exit_takes_height_ || target[0] || target[1]);
+  if (leaves) move.path.from = *beside_;
   if (move.is_vertical() && move.z_from == move.z_to) return;
   move.kind = guessed_kind(move, rapid);
-  append(move);
+  take(move, 0);
+}
+
+/// A move as programmed, on its way through what compensates. `apart`: mm between the radii of an arc beyond what rounding does.
+void ToolpathBuilder::take(Move move, double apart) {
+  if (!compensated_ || compensated_->radius == 0) {
+    leave_contour(move);
+    if (move.is_vertical() && move.z_from == move.z_to) return;
+    if (apart > 0) control_.arcs.push_back({static_cast<std::size_t>(moves_), apart});
+    return append(move);
+  }
+  Compensated& now = *compensated_;
+  if (!now.moves)
+    now.moves.emplace(now.rules, now.side, now.radius, beside_.value_or(move.path.from), setup_.file_name);
+  beside_.reset();
+  defer(state());
+  if (apart > 0) defer(apart);
+  now.before.emplace_back();
+  give(now.moves->add(move));
+}
+
+/// Behind the end of a compensation the centre is still beside the contour, up to the first move in plan.
+void ToolpathBuilder::leave_contour(Move& move) {
+  if (!beside_) return;
+  if (move.path.is_arc())
+    throw InputError(place(move.line), "cutter compensation ends with an arc; leave along a straight line");
+  if (move.is_vertical() && !exit_takes_height_) {
+    move.path = Edge::line(*beside_, *beside_);
+    return;
+  }
+  beside_.reset();
+}
+
+void ToolpathBuilder::defer(const Deferred& what) {
+  auto& before = compensated_->before;
+  if (before.empty()) before.emplace_back();
+  before.back().push_back(what);
+}
+
+void ToolpathBuilder::give(const std::vector<OffsetMove>& moves) {
+  if (moves.empty()) return;
+  const State now = state();
+  std::size_t next = 0;
+  auto& before = compensated_->before;
+  for (const OffsetMove& offset : moves) {
+    for (; next <= offset.from; ++next) {
+      for (const Deferred& what : before[next]) bring(what);
+      before[next].clear();
+    }
+    append(offset.move);
+  }
+  use(now);
+}
+
+void ToolpathBuilder::bring(const Deferred& what) {
+  if (const auto* event = std::get_if<ControlEvent>(&what)) {
+    control_.events.push_back(*event);
+    control_.events.back().before_move = static_cast<std::size_t>(moves_);
+  } else if (const auto* section = std::get_if<SectionStart>(&what)) {
+    label_ = section->label;
+    workingstep_ = section->workingstep;
+    new_section_ = true;
+  } else if (const auto* state = std::get_if<State>(&what)) {
+    use(*state);
+  } else {
+    control_.arcs.push_back({static_cast<std::size_t>(moves_), std::get<double>(what)});
+  }
+}
+
+void ToolpathBuilder::use(const State& state) {
+  drive = state.drive;
+  drive_turns_ = state.turns;
+  speed = state.speed;
+  length = state.length;
+  path_control = state.path;
+}
+
+void ToolpathBuilder::begin_compensation(const CompensationRules& rules, CompensationSide side,
+                                         double radius) {
+  compensated_tools_.insert(drive.tool);
+  compensated_ = Compensated{rules, side, radius, std::nullopt, {}};
+}
+
+void ToolpathBuilder::end_compensation() {
+  if (!compensated_) return;
+  if (!compensated_->moves) {
+    compensated_.reset();
+    return;
+  }
+  give(compensated_->moves->end());
+  note_outside_corner();
+  const State now = state();
+  for (const auto& before : compensated_->before)
+    for (const Deferred& what : before) bring(what);
+  use(now);
+  if (!compensated_->moves->begins()) beside_ = compensated_->moves->place();
+  exit_takes_height_ = compensated_->rules.exit_takes_height;
+  compensated_.reset();
+}
+
+void ToolpathBuilder::note_outside_corner() {
+  const int line = compensated_->moves->outside_corner_line();
+  if (line == 0 || compensated_->rules.outside_needs.empty()) return;
+  condition("compensation-corners", line, std::string(compensated_->rules.outside_needs));
+}
+
+bool ToolpathBuilder::compensation_begins() const {
+  return compensated_ && compensated_->radius > 0 && (!compensated_->moves || compensated_->moves->begins());
+}
+
+void ToolpathBuilder::require_no_compensation(int line) const {
+  if (compensated_)
+    throw InputError(place(line),
+                     "the program ends while cutter compensation is on; end it before (G40, R0)");
 }
 
 void ToolpathBuilder::append(const Move& move) {

@@ -6,11 +6,13 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "base/diagnostics.h"
 #include "model/control.h"
 #include "model/move.h"
+#include "read/gcode/compensation/compensation.h"
 
 namespace clearcut::read::gcode {
 
@@ -69,6 +71,22 @@ class ToolpathBuilder {
   /// X or Y are at a place of the machine now that is not known here; `name` is the condition for going on from there.
   void leave_plan(const std::string& name);
 
+  /// From here on the places of moves are those of the contour, beside which the tool's centre runs. `radius`: mm, 0 where the centre
+  /// runs on the contour itself.
+  void begin_compensation(const CompensationRules& rules, CompensationSide side, double radius);
+  /// The next move in plan leads from where the centre is to its own place.
+  void end_compensation();
+  bool compensates() const { return compensated_.has_value(); }
+  bool compensates_as(CompensationSide side, double radius) const {
+    return compensated_ && compensated_->side == side && compensated_->radius == radius;
+  }
+  /// The next move in plan is the first or the first behind the end of one with a radius above 0.
+  bool compensation_begins() const;
+  bool compensation_leaves() const { return beside_.has_value(); }
+  const std::set<int>& compensated_tools() const { return compensated_tools_; }
+  /// At the end of the text, in that line.
+  void require_no_compensation(int line) const;
+
   const Target& position() const { return at_; }
   double safe_z() const { return setup_.safe_z; }
   double home_z() const { return setup_.home_z; }
@@ -93,7 +111,38 @@ class ToolpathBuilder {
     int line = 0;
   };
 
+  /// A control that compensates looks ahead: what comes with moves that wait waits with them.
+  struct State {
+    Drive drive;
+    bool turns = false;
+    double speed = 0;
+    ToolLength length;
+    PathControl path;
+  };
+  struct SectionStart {
+    std::string label;
+    int workingstep = -1;
+  };
+  using Deferred = std::variant<ControlEvent, SectionStart, State, double>;
+  struct Compensated {
+    CompensationRules rules;
+    CompensationSide side = CompensationSide::kLeft;
+    double radius = 0;
+    std::optional<Compensation> moves;  ///< from the first move on
+    /// For each programmed move what comes before it, its state and, for arcs, how far its radii are apart.
+    std::vector<std::vector<Deferred>> before;
+  };
+
   void straight(const Target& target, bool rapid, MmPerMin feed, int line);
+  void take(Move move, double apart);
+  void leave_contour(Move& move);
+  void defer(const Deferred& what);
+  bool defers() const { return compensated_ && compensated_->moves; }
+  void give(const std::vector<OffsetMove>& moves);
+  void bring(const Deferred& what);
+  State state() const { return {drive, drive_turns_, speed, length, path_control}; }
+  void use(const State& state);
+  void note_outside_corner();
   void check_return(const Target& target, bool rapid, int line);
   void check_start(const Target& target, int line);
   void place_first_rapids(Vec2 place);
@@ -110,6 +159,10 @@ class ToolpathBuilder {
   ControlTable control_;
   Target at_;
   std::vector<Unplaced> unplaced_;
+  std::optional<Compensated> compensated_;
+  std::optional<Vec2> beside_;  ///< where the centre is behind the end of a compensation, until it leaves
+  bool exit_takes_height_ = false;
+  std::set<int> compensated_tools_;
   std::string away_;  ///< condition for going on from an unknown place of the machine
   double highest_;
   std::string label_;

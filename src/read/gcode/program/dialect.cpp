@@ -27,6 +27,23 @@ constexpr int kFirstOfUser = 1000, kLastOfUser = 1990;
 constexpr int kSpindleAndFlood[] = {130, 140};
 constexpr int kMissingOnMarlin[] = {130, 140, 480};
 
+/// NIST's interpreter and its descendants: LinuxCNC, Mach, PathPilot.
+constexpr CompensationRules kOfInterpreter{.entry = EntryRule::kAcrossEntry,
+                                           .tangent = 0.05,
+                                           .begins_in_plan = true,
+                                           .looks_at_all = false,
+                                           .exit_takes_height = true,
+                                           .most_still = 1000};
+constexpr CompensationRules kOfFanuc{
+    .outside = OutsideCorner::kLines,
+    .outside_needs =
+        "the control joins outside corners of a compensated contour by lines and begins by type A, as it "
+        "is delivered (parameters 5003 and 19607)"};
+constexpr CompensationRules kOfHaas{
+    .outside = OutsideCorner::kLines,
+    .outside_needs =
+        "the control goes round outside corners of a compensated contour as a Fanuc does (setting 58)"};
+
 constexpr DialectRules mach_rules(Dialect dialect, std::string_view name, std::string_view title) {
   DialectRules rules;
   rules.dialect = dialect;
@@ -36,7 +53,8 @@ constexpr DialectRules mach_rules(Dialect dialect, std::string_view name, std::s
   rules.needs_lengths = true;
   rules.macros = MacroLanguage::kMach;
   rules.g.sets = kPlanMaps | kSkipMoves | kDrillCycles | kToolLengths | kFractionalOffsets | kKeptShifts |
-                 kExactStopBesidePath | kAbsoluteCenters;
+                 kExactStopBesidePath | kAbsoluteCenters | kCompensation;
+  rules.compensation = kOfInterpreter;
   rules.m.missing = kSpindleAndFlood;
   rules.centers_set_up = true;
   rules.has_old_units = true;
@@ -59,29 +77,31 @@ constexpr DialectRules mach4_rules() {
 
 /// In the order of Dialect.
 constexpr std::array kRules{
-    DialectRules{.dialect = Dialect::kLinuxCnc,
-                 .name = "linuxcnc",
-                 .title = "LinuxCNC",
-                 .planner = MotionPlanner::kLinuxCnc,
-                 .macros = MacroLanguage::kLinuxCnc,
-                 .g = {kProbing | kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets |
-                       kKeptShifts | kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters},
-                 .m = {.only = kLinuxCncMiscellaneous,
-                       .user_words = true,
-                       .at_others = ", which stops there; its set-up has a REMAP for it that moves nothing"},
-                 .stray_words = StrayWords::kLinuxCnc,
-                 .zero_length_is_off = false,
-                 .bounded_blending = true,
-                 .returns_to_r = true,
-                 .cycle_rises_over = true,
-                 .cycle_needs_dwell = true,
-                 .feeds_out_to_clear = true,
-                 .keeps_cycle_words = false,
-                 .rereads_cycle_numbers = true,
-                 .feed_in_unit_before = true,
-                 .resets_modes = true,
-                 .saves_modes = true,
-                 .polar_words = true},
+    DialectRules{
+        .dialect = Dialect::kLinuxCnc,
+        .name = "linuxcnc",
+        .title = "LinuxCNC",
+        .planner = MotionPlanner::kLinuxCnc,
+        .macros = MacroLanguage::kLinuxCnc,
+        .g = {kProbing | kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets | kKeptShifts |
+              kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters | kCompensation | kStatedRadii},
+        .m = {.only = kLinuxCncMiscellaneous,
+              .user_words = true,
+              .at_others = ", which stops there; its set-up has a REMAP for it that moves nothing"},
+        .stray_words = StrayWords::kLinuxCnc,
+        .zero_length_is_off = false,
+        .bounded_blending = true,
+        .returns_to_r = true,
+        .cycle_rises_over = true,
+        .cycle_needs_dwell = true,
+        .feeds_out_to_clear = true,
+        .keeps_cycle_words = false,
+        .rereads_cycle_numbers = true,
+        .feed_in_unit_before = true,
+        .resets_modes = true,
+        .saves_modes = true,
+        .polar_words = true,
+        .compensation = kOfInterpreter},
     DialectRules{.dialect = Dialect::kGrbl,
                  .name = "grbl",
                  .title = "Grbl",
@@ -96,34 +116,38 @@ constexpr std::array kRules{
                  .radius_beats_center = true,
                  .resets_modes = true,
                  .mist_needs = "M7 is a word of firmware that was built with ENABLE_M7; this one was"},
-    DialectRules{.dialect = Dialect::kFanuc,
-                 .name = "fanuc",
-                 .title = "Fanuc",
-                 .macros = MacroLanguage::kFanuc,
-                 .needs_lengths = true,
-                 .changer_alone = true,
-                 .g = {kPlanMaps | kSkipMoves | kDrillCycles | kToolLengths | kOffsetsByNumber},
-                 .lengths_by_number = true,
-                 .taps = TapRule::kTiedByM29,
-                 .radius_beats_center = true,
-                 .home_is_top = true,
-                 .no_home_in_cycle = true,
-                 .adds_to_offsets = true,
-                 .points_matter = true,
-                 .dwell_by_x = true,
-                 .dwell_in_ms = true,
-                 .count_in_program_number = true,
-                 .most_calls = 10,
-                 .numbered_offsets = 300,
-                 .offset_with_number = 540,
-                 .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on"},
+    DialectRules{
+        .dialect = Dialect::kFanuc,
+        .name = "fanuc",
+        .title = "Fanuc",
+        .macros = MacroLanguage::kFanuc,
+        .needs_lengths = true,
+        .changer_alone = true,
+        .g = {kPlanMaps | kSkipMoves | kDrillCycles | kToolLengths | kOffsetsByNumber | kCompensation},
+        .lengths_by_number = true,
+        .taps = TapRule::kTiedByM29,
+        .radius_beats_center = true,
+        .home_is_top = true,
+        .no_home_in_cycle = true,
+        .adds_to_offsets = true,
+        .points_matter = true,
+        .dwell_by_x = true,
+        .dwell_in_ms = true,
+        .count_in_program_number = true,
+        .most_calls = 10,
+        .numbered_offsets = 300,
+        .offset_with_number = 540,
+        .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on",
+        .compensation = kOfFanuc,
+        .radius_number_stays = true},
     DialectRules{.dialect = Dialect::kHaas,
                  .name = "haas",
                  .title = "Haas",
                  .macros = MacroLanguage::kFanuc,
                  .needs_lengths = true,
                  .changer_alone = true,
-                 .g = {kPlanMaps | kSkipMoves | kDrillCycles | kToolLengths | kHaasWords | kOffsetsByNumber},
+                 .g = {kPlanMaps | kSkipMoves | kDrillCycles | kToolLengths | kHaasWords | kOffsetsByNumber |
+                       kCompensation},
                  .m = {.missing = kSpindleAndFlood},
                  .lengths_by_number = true,
                  .taps = TapRule::kTied,
@@ -137,7 +161,9 @@ constexpr std::array kRules{
                  .numbered_offsets = 99,
                  .mist_on = 830,
                  .mist_off = 840,
-                 .mist_needs = "M83 is an option of the machine; it has it, for mist"},
+                 .mist_needs = "M83 is an option of the machine; it has it, for mist",
+                 .compensation = kOfHaas,
+                 .radius_number_stays = true},
     DialectRules{.dialect = Dialect::kHeidenhain,
                  .name = "heidenhain",
                  .title = "Heidenhain",
@@ -177,14 +203,15 @@ constexpr std::array kRules{
                  .needs_lengths = true,
                  .changer_alone = true,
                  .home_is_top = true,
-                 .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on"},
+                 .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on",
+                 .radius_of_edge = true},
     // EIA/ISO programs: the words of Fanuc, with synchronous tapping under words of their own.
     DialectRules{.dialect = Dialect::kMazak,
                  .name = "mazak",
                  .title = "Mazak EIA/ISO",
                  .needs_lengths = true,
                  .changer_alone = true,
-                 .g = {kDrillCycles | kToolLengths | kOffsetsByNumber | kExactStopBesidePath},
+                 .g = {kDrillCycles | kToolLengths | kOffsetsByNumber | kExactStopBesidePath | kCompensation},
                  .lengths_by_number = true,
                  .radius_beats_center = true,
                  .home_is_top = true,
@@ -195,29 +222,33 @@ constexpr std::array kRules{
                  .dwell_in_ms = true,
                  .numbered_offsets = 300,
                  .offset_with_number = 540,
-                 .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on"},
+                 .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on",
+                 .compensation = kOfFanuc,
+                 .radius_number_stays = true},
     // PathPilot is built on LinuxCNC's interpreter. Its work offsets by number (G54.1 P) are not read.
-    DialectRules{.dialect = Dialect::kTormach,
-                 .name = "tormach",
-                 .title = "Tormach PathPilot",
-                 .planner = MotionPlanner::kLinuxCnc,
-                 .g = {kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets | kKeptShifts |
-                       kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters},
-                 .m = {.only = kLinuxCncMiscellaneous,
-                       .user_words = true,
-                       .at_others = ", which stops there; its set-up has a word for it that moves nothing"},
-                 .stray_words = StrayWords::kLinuxCnc,
-                 .zero_length_is_off = false,
-                 .bounded_blending = true,
-                 .returns_to_r = true,
-                 .cycle_rises_over = true,
-                 .cycle_needs_dwell = true,
-                 .feeds_out_to_clear = true,
-                 .keeps_cycle_words = false,
-                 .rereads_cycle_numbers = true,
-                 .feed_in_unit_before = true,
-                 .resets_modes = true,
-                 .saves_modes = true},
+    DialectRules{
+        .dialect = Dialect::kTormach,
+        .name = "tormach",
+        .title = "Tormach PathPilot",
+        .planner = MotionPlanner::kLinuxCnc,
+        .g = {kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets | kKeptShifts |
+              kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters | kCompensation | kStatedRadii},
+        .m = {.only = kLinuxCncMiscellaneous,
+              .user_words = true,
+              .at_others = ", which stops there; its set-up has a word for it that moves nothing"},
+        .stray_words = StrayWords::kLinuxCnc,
+        .zero_length_is_off = false,
+        .bounded_blending = true,
+        .returns_to_r = true,
+        .cycle_rises_over = true,
+        .cycle_needs_dwell = true,
+        .feeds_out_to_clear = true,
+        .keeps_cycle_words = false,
+        .rereads_cycle_numbers = true,
+        .feed_in_unit_before = true,
+        .resets_modes = true,
+        .saves_modes = true,
+        .compensation = kOfInterpreter},
 };
 
 constexpr bool rows_are_in_order() {
@@ -239,7 +270,9 @@ constexpr SpecialWords kSpecialWords[] = {
     {591, 593, kFractionalOffsets}, {922, 923, kKeptShifts},    {611, 611, kExactStopBesidePath},
     {281, 281, kStoredPlaces},      {301, 301, kStoredPlaces},  {901, 901, kAbsoluteCenters},
     {160, 160, kPlanMaps},          {680, 680, kPlanMaps},      {501, 501, kPlanMaps},
-    {511, 511, kPlanMaps},          {310, 310, kSkipMoves},     {382, 385, kProbing}};
+    {511, 511, kPlanMaps},          {310, 310, kSkipMoves},     {382, 385, kProbing},
+    {410, 410, kCompensation},      {420, 420, kCompensation},  {411, 411, kStatedRadii},
+    {421, 421, kStatedRadii}};
 
 bool among(std::span<const int> list, int code) {
   return std::find(list.begin(), list.end(), code) != list.end();

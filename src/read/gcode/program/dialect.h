@@ -9,6 +9,7 @@
 
 #include "model/motion_planner.h"
 #include "model/options/controllers.h"
+#include "read/gcode/compensation/compensation.h"
 
 namespace clearcut::read::gcode {
 
@@ -74,7 +75,9 @@ enum GWordSet : unsigned {
   kAbsoluteCenters = 1U << 9U,      ///< G90.1
   kPlanMaps = 1U << 10U,            ///< G16, G68, G51.1, G50.1
   kSkipMoves = 1U << 11U,           ///< G31
-  kProbing = 1U << 12U              ///< G38.2 to G38.5
+  kProbing = 1U << 12U,             ///< G38.2 to G38.5
+  kCompensation = 1U << 13U,        ///< G41, G42
+  kStatedRadii = 1U << 14U          ///< G41.1, G42.1
 };
 
 /// Which G words a control has.
@@ -159,6 +162,9 @@ struct DialectRules {
   std::string_view inch_needs = {};      ///< what must hold for G20; empty: nothing
   bool pause_says_text = false;          ///< M0 and M1 show the text behind them
   std::string_view mist_needs = {};      ///< what must hold for them; empty: every such control has them
+  CompensationRules compensation = {};
+  bool radius_number_stays = false;  ///< D holds until another: G41 takes the last one
+  bool radius_of_edge = false;       ///< G41 takes the radius of the tool in the spindle, whatever D says
 };
 
 const DialectRules& rules_of(Dialect dialect);

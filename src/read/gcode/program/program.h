@@ -8,6 +8,7 @@
 #include "model/control.h"
 #include "model/machine.h"
 #include "model/move.h"
+#include "read/gcode/compensation/values.h"
 #include "read/gcode/program/dialect.h"
 #include "read/gcode/program/subprogram_files.h"
 
@@ -22,6 +23,8 @@ struct ReadControllerOptions {
   std::optional<MachinePlaces> places;
   /// Numbers of the tools that are put in by hand, at the start and at each pause, for programs without T words.
   std::vector<int> hand_tools;
+  /// Values of D words and tool tables for programs with cutter compensation.
+  CompensationValues compensation;
   /// Files with subprograms that the program calls; empty: none.
   SubprogramFiles subprograms;
   /// Lines that a program with macros may execute: a loop that never ends stops there.
@@ -36,6 +39,7 @@ struct Program {
       diagnostics;  ///< words that were ignored or assumed without moving anything, each with its line
   std::vector<Condition>
       conditions;  ///< what must hold at the machine for `toolpath` to be what it does; one a name
+  std::vector<int> compensated_tools;    ///< T words under cutter compensation, ascending
   Dialect dialect = Dialect::kLinuxCnc;  ///< as which it was read
   bool dialect_stated = false;           ///< by the options; else recognised
   bool ended = false;                    ///< an end word was seen; Marlin has none and ends with the text

@@ -40,6 +40,7 @@ enum class NamedUse : unsigned char {
   kShiftMore,   ///< moves it further
   kFrame,       ///< turns, scales or mirrors; alone it takes the programmed frame away
   kCompress,    ///< joins short blocks within a tolerance
+  kAround,      ///< approaches go round the contour that compensation begins at
   kFreeRapids,  ///< rapids need not be straight
   kProgram      ///< jumps, loops, variables, calls
 };
@@ -58,7 +59,7 @@ constexpr NamedWord kNamedWords[] = {{"MSG", NamedUse::kNothing},        {"STOPR
                                      {"DYNPREC", NamedUse::kNothing},    {"COMPOF", NamedUse::kNothing},
                                      {"CFC", NamedUse::kNothing},        {"CFTCP", NamedUse::kNothing},
                                      {"CFIN", NamedUse::kNothing},       {"NORM", NamedUse::kNothing},
-                                     {"KONT", NamedUse::kNothing},       {"DIAMOF", NamedUse::kNothing},
+                                     {"KONT", NamedUse::kAround},        {"DIAMOF", NamedUse::kNothing},
                                      {"RTLION", NamedUse::kNothing},     {"WALIMON", NamedUse::kNothing},
                                      {"WALIMOF", NamedUse::kNothing},    {"TRAFOOF", NamedUse::kNothing},
                                      {"TOFFOF", NamedUse::kNothing},     {"CUT2D", NamedUse::kNothing},
@@ -95,11 +96,11 @@ std::optional<NamedUse> use_of(const std::string& name) {
   return std::nullopt;
 }
 
-/// G words, whole numbers, that change nothing of a path of the tool's centre: exact stop in one block and its criteria, radius
-/// compensation off and its corners, Siemens mode, speed in rpm, soft approach off.
-constexpr int kStillGWords[] = {9, 40, 97, 290, 450, 451, 460, 461, 462, 601, 602};
+/// G words, whole numbers, that change nothing of a path: exact stop in one block and its criteria, Siemens mode, speed in rpm, what
+/// compensation does where approaches meet the contour.
+constexpr int kStillGWords[] = {9, 97, 290, 460, 461, 462, 601, 602};
 /// G words that other controls take alike, as their interpreter knows them.
-constexpr int kSharedGWords[] = {0, 1, 2, 3, 17, 18, 19, 90, 91, 93, 94, 95, 54, 55, 56, 57};
+constexpr int kSharedGWords[] = {0, 1, 2, 3, 17, 18, 19, 40, 41, 42, 90, 91, 93, 94, 95, 54, 55, 56, 57};
 
 /// What is told of G words that are refused.
 struct RefusedG {
@@ -107,8 +108,6 @@ struct RefusedG {
   std::string_view why;
 };
 constexpr RefusedG kRefusedG[] = {
-    {41, "cutter radius compensation is not read; post the path of the tool's centre (G40)"},
-    {42, "cutter radius compensation is not read; post the path of the tool's centre (G40)"},
     {33, "threads by words are not read; post CYCLE84 or CYCLE840"},
     {63, "threads by words are not read; post CYCLE84 or CYCLE840"},
     {331, "threads by words are not read; post CYCLE84 or CYCLE840"},
@@ -213,6 +212,9 @@ class SinumerikReader {
         found.frame = use;
         frame_word_ = word.name;
         return;
+      case NamedUse::kAround:
+        control_.refuse(
+            "KONT goes round to a contour that compensation begins at, which is not read; post NORM");
       case NamedUse::kCompress:
         compressor_ = word.name;
         return;
@@ -236,6 +238,10 @@ class SinumerikReader {
       return std::find(std::begin(list), std::end(list), g) != std::end(list);
     };
     if (among(kStillGWords)) return;
+    if (g == 450 || g == 451) {
+      control_.outside_corner = g == 450 ? OutsideCorner::kArc : OutsideCorner::kLines;
+      return;
+    }
     if (among(kSharedGWords)) {
       refuse_two_of_one_kind(10 * g, found.block);
       return found.block.g.push_back(10 * g);

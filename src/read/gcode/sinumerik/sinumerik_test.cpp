@@ -206,7 +206,7 @@ TEST(Sinumerik, WhatComputesOrLeavesThePlaneIsRefusedInOneLine) {
   EXPECT_THAT(refusal("GOTOF END"), HasSubstr("(GOTOF) are not read"));
   EXPECT_THAT(refusal("DEF REAL DEPTH"), HasSubstr("(DEF) are not read"));
   EXPECT_THAT(refusal("L100 P2"), HasSubstr("subprogram calls are not read"));
-  EXPECT_THAT(refusal("G41 X5"), HasSubstr("cutter radius compensation"));
+  EXPECT_THAT(refusal("G41 X5"), HasSubstr("cutter compensation by the radius of the tool table"));
   EXPECT_THAT(refusal("D=\"SHORT\""), HasSubstr("D word with an impossible edge"));
   EXPECT_THAT(refusal("G1 A30"), HasSubstr("axis word A"));
   EXPECT_THAT(refusal("TRAORI"), HasSubstr("TRAORI is not read"));

@@ -21,7 +21,7 @@ constexpr int kReturnWords[] = {980, 990};
 constexpr int kOffsetWords[] = {540,  541,  1540, 550,  560,  570,  580,  590,  591,  592,  593,
                                 1100, 1110, 1120, 1130, 1140, 1150, 1160, 1170, 1180, 1190, 1200,
                                 1210, 1220, 1230, 1240, 1250, 1260, 1270, 1280, 1290};
-constexpr int kOnceWords[] = {100, 280, 281, 300, 301, 310, 501, 511, 520, 680, 920, 921, 922, 923};
+constexpr int kOnceWords[] = {100, 120, 130, 280, 281, 300, 301, 310, 501, 511, 520, 680, 920, 921, 922, 923};
 constexpr int kCompensationWords[] = {410, 411, 420, 421};
 // Dwell, look-ahead, exact stop, polar and scaling and rotation off, lengths, machine frame (G53, see
 // go_home), path control, cycle end, rpm, smoothness.
