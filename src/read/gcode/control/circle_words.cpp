@@ -3,7 +3,7 @@
 #include <array>
 
 #include "base/text/format.h"
-#include "read/gcode/compensation/compensation_words.h"
+#include "read/gcode/control/compensation_words.h"
 #include "read/gcode/words/g_words.h"
 
 namespace clearcut::read::gcode {

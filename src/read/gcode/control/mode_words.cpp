@@ -5,7 +5,7 @@
 
 #include "base/inch.h"
 #include "base/text/format.h"
-#include "read/gcode/compensation/compensation_words.h"
+#include "read/gcode/control/compensation_words.h"
 #include "read/gcode/control/place_words.h"
 #include "read/gcode/motion/dwell.h"
 #include "read/gcode/words/g_words.h"

@@ -5,8 +5,8 @@
 
 #include "base/elementary.h"
 #include "base/inch.h"
-#include "read/gcode/compensation/compensation_words.h"
 #include "read/gcode/control/canned_cycles.h"
+#include "read/gcode/control/compensation_words.h"
 #include "read/gcode/control/place_words.h"
 #include "read/gcode/words/g_words.h"
 

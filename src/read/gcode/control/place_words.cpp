@@ -6,8 +6,8 @@
 #include "base/elementary.h"
 #include "base/text/format.h"
 #include "base/units.h"
-#include "read/gcode/compensation/compensation_words.h"
 #include "read/gcode/control/circle_words.h"
+#include "read/gcode/control/compensation_words.h"
 #include "read/gcode/words/g_words.h"
 
 namespace clearcut::read::gcode {

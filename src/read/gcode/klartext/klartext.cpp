@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "base/inch.h"
 #include "base/text/format.h"
-#include "read/gcode/compensation/compensation_words.h"
+#include "read/gcode/control/compensation_words.h"
 #include "read/gcode/klartext/hole_cycle.h"
 #include "read/gcode/klartext/path_words.h"
 #include "read/gcode/klartext/q_parameters.h"

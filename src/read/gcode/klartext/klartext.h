@@ -3,8 +3,8 @@
 
 #include <string_view>
 
-#include "read/gcode/compensation/values.h"
 #include "read/gcode/motion/builder.h"
+#include "read/gcode/motion/compensation_values.h"
 
 namespace clearcut::read::gcode {
 

@@ -12,7 +12,7 @@
 #include "base/diagnostics.h"
 #include "model/control.h"
 #include "model/move.h"
-#include "read/gcode/compensation/compensation.h"
+#include "read/gcode/motion/compensation.h"
 
 namespace clearcut::read::gcode {
 

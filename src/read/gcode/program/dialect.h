@@ -9,7 +9,7 @@
 
 #include "model/motion_planner.h"
 #include "model/options/controllers.h"
-#include "read/gcode/compensation/compensation.h"
+#include "read/gcode/motion/compensation.h"
 
 namespace clearcut::read::gcode {
 

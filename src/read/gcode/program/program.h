@@ -8,7 +8,7 @@
 #include "model/control.h"
 #include "model/machine.h"
 #include "model/move.h"
-#include "read/gcode/compensation/values.h"
+#include "read/gcode/motion/compensation_values.h"
 #include "read/gcode/program/dialect.h"
 #include "read/gcode/program/subprogram_files.h"
 

@@ -1,6 +1,6 @@
 // Contours with cutter compensation as each control runs them. tests/read/compensation_differential_test.cpp holds LinuxCNC's beside
 // its own interpreter.
-#include "read/gcode/compensation/compensation.h"
+#include "read/gcode/motion/compensation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "read/gcode/compensation/compensation_words.h"
+#include "read/gcode/control/compensation_words.h"
 
 #include <cmath>
 

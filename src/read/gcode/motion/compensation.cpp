@@ -1,4 +1,4 @@
-#include "read/gcode/compensation/compensation.h"
+#include "read/gcode/motion/compensation.h"
 
 #include <algorithm>
 #include <cmath>
