@@ -70,8 +70,8 @@ int checked_output(int exit_code) {
 }
 
 /// Commands that work on one file of somebody's. Others make many plans at once and know what they need.
-constexpr std::array<std::string_view, 8> kOfOneFile{"plan",    "info", "tools", "verify",
-                                                     "convert", "init", "check", "feeds"};
+constexpr std::array<std::string_view, 9> kOfOneFile{"plan",    "info", "tools", "verify",
+                                                     "convert", "init", "check", "feeds", "resume"};
 
 void limit_memory(std::string_view command) {
   if (std::find(kOfOneFile.begin(), kOfOneFile.end(), command) == kOfOneFile.end()) return;
