@@ -69,9 +69,9 @@ int checked_output(int exit_code) {
   return kUnusable;
 }
 
-/// Commands for one file of a user. Other commands make many plans at once and have their own limits.
-constexpr std::array<std::string_view, 8> kOfOneFile{"plan",    "info", "tools", "verify",
-                                                     "convert", "init", "check", "feeds"};
+/// Commands that work on one file of somebody's. Others make many plans at once and know what they need.
+constexpr std::array<std::string_view, 9> kOfOneFile{"plan", "info",  "tools", "verify", "convert",
+                                                     "init", "check", "feeds", "resume"};
 
 void limit_memory(std::string_view command) {
   if (std::find(kOfOneFile.begin(), kOfOneFile.end(), command) == kOfOneFile.end()) return;

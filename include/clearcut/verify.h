@@ -8,6 +8,7 @@
 #include "pipeline/margin.h"
 #include "pipeline/move_figures.h"
 #include "pipeline/program_feeds.h"
+#include "pipeline/resume/resume.h"
 #include "read/gcode/gcode.h"
 #include "resolve/values/plan_options.h"
 
@@ -22,6 +23,9 @@ using pipeline::margin_line;
 using pipeline::MoveFigures;
 using pipeline::ProgramFeeds;
 using pipeline::ProgramQuestion;
+using pipeline::resume_program;
+using pipeline::ResumedProgram;
+using pipeline::Stop;
 using pipeline::times_of_moves;
 
 using Program = read::gcode::Program;

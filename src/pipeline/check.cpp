@@ -13,6 +13,7 @@
 #include "model/results/not_machined.h"
 #include "model/section_names.h"
 #include "pipeline/margin.h"
+#include "pipeline/resume/check_after.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/certify.h"
 #include "pipeline/steps/out_of_reach.h"
@@ -308,20 +309,39 @@ void require_reference(const ResolvedPlan& plan, const StatedOfTools& stated) {
     throw InputError("--feed-by", "say which feed is meant at the reference: add --reference-feed");
 }
 
-}  // namespace
+/// The calls of tools by the whole program.
+Toolpath called_by(const Toolpath& rest, const FirstPart* first) {
+  Toolpath whole;
+  const auto add = [&](const Toolpath& toolpath) {
+    for (const Section& section : toolpath.sections) {
+      whole.sections.emplace_back();
+      whole.sections.back().tool_number = section.tool_number;
+    }
+  };
+  if (first) add(first->toolpath);
+  add(rest);
+  return whole;
+}
 
-CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
-                          const resolve::PlanOptions& options, std::optional<read::gcode::Dialect> dialect,
-                          const std::map<int, MmPerMin>& reference_feeds) {
+/// Lets `first` have run before, where there is one.
+void take_first(ResolvedPlan& plan, const FirstPart* first) {
+  if (!first || first->toolpath.sections.empty()) return;
+  plan.earlier = first->toolpath;
+  plan.earlier_state = first->state;
+}
+
+/// `reference_feeds`: as check_program(). `first`: null where nothing of the same program has run before.
+CheckResult check_text(const Part& part, const ProgramText& text, const resolve::PlanOptions& options,
+                       const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first) {
   const StrategyTable& strategies = strategies_of(options);
-  const ProgramText text{program, program_name, dialect};
   std::optional<ResolvedPlan> resolved;
   if (text.names_no_tools()) resolved = resolve::resolve(part, options, strategies);
   auto read = read_program(text, options, part.top_z(), resolved ? as_worked(resolved->part) : HandTools{});
   require_tools(!options.tools.empty() || !part.tools.empty(), read.toolpath, text);
   CheckResult result;
   resolve::PlanOptions asked = numbered_by(read.toolpath, options);
-  if (!resolved) resolved = resolved_for(read.toolpath, part, asked, strategies);
+  if (!resolved) resolved = resolved_for(called_by(read.toolpath, first), part, asked, strategies);
+  take_first(*resolved, first);
   const ResolvedPlan& plan = *resolved;
   result.part = plan.part;
   result.earlier = plan.earlier;
@@ -341,17 +361,17 @@ CheckResult check_program(const Part& part, const std::string& program, const st
   return result;
 }
 
-CheckResult check_program_alone(const std::optional<Stock>& stock, const std::string& program,
-                                const std::string& program_name, const resolve::PlanOptions& options,
-                                std::optional<read::gcode::Dialect> dialect, std::optional<double> top,
-                                const std::map<int, MmPerMin>& reference_feeds) {
-  const ProgramText text{program, program_name, dialect};
+CheckResult check_text_alone(const std::optional<Stock>& stock, const ProgramText& text,
+                             const resolve::PlanOptions& options, std::optional<double> top,
+                             const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first) {
+  const std::string& program_name = text.name;
   auto read = read_program(text, options, stock ? stock->z_top : top.value_or(0),
                            text.names_no_tools() ? as_given(options.tools) : HandTools{});
   require_moves(read.toolpath, program_name);
   require_tools(!options.tools.empty(), read.toolpath, text);
   const resolve::PlanOptions asked = numbered_by(read.toolpath, options);
-  const ResolvedPlan plan = resolve::resolve_without_part(asked);
+  ResolvedPlan plan = resolve::resolve_without_part(asked);
+  take_first(plan, first);
   CheckResult result;
   result.part = plan.part;
   result.part.name = program_name.substr(program_name.find_last_of('/') + 1);
@@ -373,6 +393,33 @@ CheckResult check_program_alone(const std::optional<Stock>& stock, const std::st
   if (const auto open = cuts_nothing(result.findings)) result.findings.conditions.push_back(*open);
   accept_conditions(result.findings, plan.accept);
   return result;
+}
+
+}  // namespace
+
+CheckResult check_program(const Part& part, const std::string& program, const std::string& program_name,
+                          const resolve::PlanOptions& options, std::optional<read::gcode::Dialect> dialect,
+                          const std::map<int, MmPerMin>& reference_feeds) {
+  return check_text(part, {program, program_name, dialect}, options, reference_feeds, nullptr);
+}
+
+CheckResult check_program_alone(const std::optional<Stock>& stock, const std::string& program,
+                                const std::string& program_name, const resolve::PlanOptions& options,
+                                std::optional<read::gcode::Dialect> dialect, std::optional<double> top,
+                                const std::map<int, MmPerMin>& reference_feeds) {
+  return check_text_alone(stock, {program, program_name, dialect}, options, top, reference_feeds, nullptr);
+}
+
+CheckResult check_rest(const Part& part, const FirstPart& first, const std::string& program,
+                       const std::string& program_name, const resolve::PlanOptions& options,
+                       std::optional<read::gcode::Dialect> dialect) {
+  return check_text(part, {program, program_name, dialect}, options, {}, &first);
+}
+
+CheckResult check_rest_alone(const Stock& stock, const FirstPart& first, const std::string& program,
+                             const std::string& program_name, const resolve::PlanOptions& options,
+                             std::optional<read::gcode::Dialect> dialect) {
+  return check_text_alone(stock, {program, program_name, dialect}, options, {}, {}, &first);
 }
 
 }  // namespace clearcut::pipeline

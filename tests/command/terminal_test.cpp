@@ -34,9 +34,9 @@ using ::testing::Not;
 
 const std::string kSquare = R"({"name": "square", "units": "mm",
   "outer": [[0, 0, 0], [50, 0, 0], [50, 50, 0], [0, 50, 0]], "islands": [], "top": 0, "depth": 2})";
-const std::array<const char*, 15> kCommands{"serve", "plan",     "batch", "setup-sheet", "verify",
-                                            "check", "info",     "init",  "convert",     "compare",
-                                            "tools", "elements", "tour",  "reproduce",   "study"};
+const std::array<const char*, 16> kCommands{
+    "serve", "plan",    "resume",  "batch", "setup-sheet", "verify", "check",     "info",
+    "init",  "convert", "compare", "tools", "elements",    "tour",   "reproduce", "study"};
 
 std::size_t widest_line(const std::string& text) {
   std::size_t widest = 0;

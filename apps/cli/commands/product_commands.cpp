@@ -6,6 +6,7 @@ void add_product_commands(CLI::App& app, int& exit_code, void (*at_random)(const
   add_plan_command(app, exit_code);
   add_batch_command(app, exit_code);
   add_feeds_command(app, exit_code);
+  add_resume_command(app, exit_code);
   add_setup_sheet_command(app, exit_code);
   add_serve_command(app, exit_code);
   add_verify_command(app, exit_code);

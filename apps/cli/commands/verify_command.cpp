@@ -217,17 +217,23 @@ void tell_of_header(const std::string& program) {
     print_line("note: the header certifies the program as it was before; what holds now is said below\n");
 }
 
+/// What the program is checked against; `part` keeps the part that the question points to.
+ProgramQuestion question_of(const VerifyCommand& command, std::optional<Part>& part) {
+  ProgramQuestion question;
+  question.dialect = command.arguments.dialect();
+  question.top = command.arguments.top();
+  if (command.stock) question.stock = parse_stock(*command.stock, question.top.value_or(0));
+  if (!command.arguments.input().empty()) question.part = &part.emplace(command.arguments.read());
+  return question;
+}
+
 int run_feeds(const VerifyCommand& command, const std::string& output) {
   PlanOptions options = command.arguments.options();
   std::optional<ProgressLine> line;
   if (!command.quiet) options.progress = line.emplace(kStops).callback();
   const std::string program = read_file(command.program);
-  ProgramQuestion question;
-  question.dialect = command.arguments.dialect();
-  question.top = command.arguments.top();
-  if (command.stock) question.stock = parse_stock(*command.stock, question.top.value_or(0));
   std::optional<Part> part;
-  if (!command.arguments.input().empty()) question.part = &part.emplace(command.arguments.read());
+  const ProgramQuestion question = question_of(command, part);
   const ProgramFeeds feeds = feeds_of_program(question, program, command.program, options);
   std::vector<std::string> inputs = paths_of(command.arguments.input_files());
   inputs.push_back(command.program);
@@ -259,6 +265,110 @@ void add_feeds_command(CLI::App& app, int& exit_code) {
       ->type_name("FILE");
   command->add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
   command->callback([state, output, &exit_code] { exit_code = run_feeds(*state, *output); });
+}
+
+namespace {
+
+struct ResumeCommand {
+  std::optional<int> line;
+  std::string place;
+  std::string output;
+};
+
+/// "X,Y,Z", mm or with units.
+std::array<double, 3> stopped_at(const std::string& text) {
+  const std::vector<std::string> words = split(text, ',');
+  std::array<double, 3> place{};
+  bool is_place = words.size() == 3;
+  for (std::size_t axis = 0; is_place && axis < 3; ++axis) {
+    const std::optional<double> length = length_in_mm(words[axis]);
+    is_place = length.has_value();
+    place[axis] = length.value_or(0);
+  }
+  if (!is_place)
+    throw InputError("--place " + text,
+                     "needs where the tip of the tool stood, X,Y,Z, for example 20,35.5,-2");
+  return place;
+}
+
+Stop stop_of(const ResumeCommand& resume) {
+  Stop stop;
+  stop.line = resume.line;
+  if (!resume.place.empty()) stop.place = stopped_at(resume.place);
+  if (stop.line.has_value() == stop.place.has_value())
+    throw InputError("resume",
+                     "say where the program stopped: --line N, the first line to run again, or "
+                     "--place X,Y,Z, where the tip of the tool stood");
+  return stop;
+}
+
+/// Where the program goes on, and what was found out about the stop.
+std::string resume_lines(const ResumedProgram& resumed, bool by_place) {
+  std::string text =
+      fmt::format("goes on with line {} by T{}, from X {} Y {} Z {}; it is line {} now\n", resumed.line,
+                  resumed.tool, trimmed(resumed.begin.point.x, 3), trimmed(resumed.begin.point.y, 3),
+                  trimmed(resumed.begin.z, 3), resumed.line + resumed.new_lines);
+  if (by_place)
+    text += fmt::format("the place lies {} mm beside the path{}\n", trimmed(resumed.beside_mm, 3),
+                        resumed.passes > 1
+                            ? fmt::format(", which passes it {} times: the first is taken", resumed.passes)
+                            : "");
+  if (!resumed.before.findings.faults.empty())
+    text += "note: the program that was stopped is FAULTY itself (clearcut verify says where)\n";
+  return text;
+}
+
+int run_resume(const VerifyCommand& command, const ResumeCommand& resume) {
+  const Stop stop = stop_of(resume);
+  PlanOptions options = command.arguments.options();
+  std::optional<ProgressLine> line;
+  if (!command.quiet) options.progress = line.emplace(kStops).callback();
+  const std::string program = read_file(command.program);
+  std::optional<Part> part;
+  const ResumedProgram resumed =
+      resume_program(question_of(command, part), stop, program, command.program, options);
+  std::vector<std::string> inputs = paths_of(command.arguments.input_files());
+  inputs.push_back(command.program);
+  write_outputs({{resume.output, resumed.program}}, inputs);
+  const CheckResult& result = resumed.after;
+  if (!command.quiet) print(result.part.diagnostics, true);
+  if (resume.output != "-")
+    print_line(with_colours(command.quiet ? verdict_and_reasons(result.findings)
+                                          : dialect_line(command, result) +
+                                                resume_lines(resumed, stop.place.has_value()) +
+                                                write_table(result, table_width())));
+  return exit_code_of(result.findings);
+}
+
+}  // namespace
+
+void add_resume_command(CLI::App& app, int& exit_code) {
+  auto* command = app.add_subcommand("resume", "Go on with any program after a stop, safely");
+  command->group("Planning");
+  auto state = declare_question(*command);
+  let_part_be_absent(*command, *state);
+  auto resume = std::make_shared<ResumeCommand>();
+  command->option_defaults()->group("Input");
+  CLI::Option* line =
+      command->add_option("--line", resume->line, "Line of PROGRAM that is the first to run again")
+          ->type_name("N")
+          ->check(CLI::PositiveNumber);
+  command
+      ->add_option(
+          "--place", resume->place,
+          "Where the tip of the tool stood, in the work's coordinates: the move that passes there runs "
+          "again")
+      ->type_name("X,Y,Z")
+      ->excludes(line);
+  command->option_defaults()->group("Output");
+  command
+      ->add_option(
+          "-o,--output", resume->output,
+          "Program to write: the rest, behind lines that bring the machine there (- for standard output)")
+      ->required()
+      ->type_name("FILE");
+  command->add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
+  command->callback([state, resume, &exit_code] { exit_code = run_resume(*state, *resume); });
 }
 
 void add_setup_sheet_command(CLI::App& app, int& exit_code) {

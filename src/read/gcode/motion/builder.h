@@ -88,6 +88,8 @@ class ToolpathBuilder {
   void require_no_compensation(int line) const;
 
   const Target& position() const { return at_; }
+  /// What happened between moves so far.
+  const std::vector<ControlEvent>& events() const { return control_.events; }
   double safe_z() const { return setup_.safe_z; }
   double home_z() const { return setup_.home_z; }
   /// Coordinate of `axis`, taken as 0 under a condition where the program has not said it.

@@ -1,0 +1,25 @@
+// The lines that bring a control from its start into the state that it had before a line of a program.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "read/gcode/control/held_state.h"
+
+namespace clearcut::pipeline {
+
+/// Heights and feeds of the way in. mm, mm/min.
+struct WayIn {
+  double safe_z = 0;               ///< nothing stands above it; at it the cutter goes over the place
+  double entry_z = 0;              ///< down to here by a rapid, below it at `plunge`
+  double plunge = 0;               ///< 0: the program has fed nowhere with this tool
+  bool is_needed = true;           ///< false: the tool is changed before anything moves
+  bool semicolons = false;         ///< comments of the program begin with ';'
+  bool tools_by_comments = false;  ///< the control has no words for tools
+};
+
+/// Lines, each with its end. Throws nothing: what they do is read back by the caller.
+std::string lines_that_begin_again(const read::gcode::HeldState& held, const read::gcode::DialectRules& rules,
+                                   const WayIn& way, int line);
+
+}  // namespace clearcut::pipeline

@@ -1,0 +1,253 @@
+// Programs that go on after a stop: what is read from the text must be what the program as a whole would have done from there on.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <set>
+#include <string>
+
+#include "base/random.h"
+#include "pipeline/resume/resume.h"
+#include "pipeline/test_drawings.h"
+#include "read/gcode/gcode.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+using ::testing::HasSubstr;
+
+const std::string kPocket = R"(%
+O0012
+G17 G21 G40 G49 G80 G90 G94
+G54
+G64 P0.01
+T1 M6
+S12000 M3
+G4 P2
+G43 H1
+M8
+G0 Z25
+G0 X20 Y20
+Z5
+G1 Z-2 F300
+X40 F1000
+Y30
+X20
+Y20
+G0 Z5
+G91
+G0 X2 Y2
+G1 Z-7 F200
+X16 F900
+G90
+G3 X38 Y28 I0 J3
+X34 Y28 I-2 J0
+G1 X22
+Y22
+G0 Z25
+G98
+G81 X30 Y25 Z-4 R2 F100
+X32
+G80
+M5 M9
+M30
+%
+)";
+
+ResumedProgram resumed_alone(const std::string& program, int line,
+                             std::optional<read::gcode::Dialect> dialect = read::gcode::Dialect::kLinuxCnc) {
+  ProgramQuestion question;
+  question.stock = Stock{{{0, 0}, {60, 50}}, -10, 0};
+  question.dialect = dialect;
+  return resume_program(question, {line, {}}, program, "pocket.nc", with({"endmill:6"}));
+}
+
+std::string refusal_of(const std::string& program, int line) {
+  try {
+    resumed_alone(program, line);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Resume, BringsTheControlIntoTheStateBeforeTheLine) {
+  const ResumedProgram resumed = resumed_alone(kPocket, 16);
+  EXPECT_TRUE(resumed.after.findings.faults.empty()) << faults_of(resumed.after.findings);
+  EXPECT_EQ(resumed.program.substr(0, resumed.program.find("Y30\n")),
+            "%\nO0012\n(RESUMED BEFORE LINE 16)\nG17 G21 G40 G80 G90 G94\nG54\nG64 P0.01\nT1 M6\nS12000 M3\n"
+            "G4 P2\nG0 G43 H1 Z25.\nG0 X40. Y20.\nM8\nG0 Z2.\nG1 Z-2. F100\nG1 Z-2. F1000\n");
+  EXPECT_EQ(resumed.program.substr(resumed.program.find("Y30\n")), kPocket.substr(kPocket.find("Y30\n")));
+  // Counting on from a place, at a feed that is slower than any before; nothing but G91 is in the way.
+  const ResumedProgram counting = resumed_alone(kPocket, 23);
+  EXPECT_TRUE(counting.after.findings.faults.empty()) << faults_of(counting.after.findings);
+  EXPECT_THAT(counting.program,
+              HasSubstr("G0 X22. Y22.\nM8\nG0 Z2.\nG1 Z-2. F100\nG1 Z-2. F200\nG91\nX16 F900\n"));
+}
+
+/// What the lines above cut counts as cut, and only that: a rapid through it is none through material.
+TEST(Resume, WhatWasCutBeforeIsTakenAway) {
+  std::string low = kPocket;
+  low.replace(low.find("G0 X2 Y2"), 8, "G0 X2 Z-7");  // along the slot that line 15 cut
+  const auto at = low.find("G1 Z-7 F200");
+  low.replace(at, 11, "G1 Y2 F200");
+  EXPECT_TRUE(has(resumed_alone(low, 16).after.findings, FaultKind::kRapidInMaterial) ==
+              has(resumed_alone(low, 14).after.findings, FaultKind::kRapidInMaterial));
+  const ResumedProgram late = resumed_alone(kPocket, 29);
+  EXPECT_TRUE(late.after.findings.faults.empty()) << faults_of(late.after.findings);
+}
+
+TEST(Resume, NamesTheNearestLineThatServes) {
+  EXPECT_THAT(refusal_of(kPocket, 26),
+              HasSubstr("among arcs whose word stands in a line before; the nearest line that "
+                        "serves is --line 25"));
+  EXPECT_THAT(refusal_of(kPocket, 32),
+              HasSubstr("within a drilling or tapping cycle; the nearest line that serves "
+                        "is --line 31"));
+  EXPECT_THAT(refusal_of(kPocket, 33), HasSubstr("nothing moves from here on"));
+  EXPECT_THAT(refusal_of(kPocket, 99), HasSubstr("nothing is run from here on"));
+  std::string shifted = kPocket;
+  shifted.replace(shifted.find("G91\n"), 4, "G92 Z5\nG91\n");
+  EXPECT_THAT(refusal_of(shifted, 24), HasSubstr("(G92, G10); the nearest line that serves is --line 20"));
+  std::string computed = kPocket;
+  computed.replace(computed.find("G91\n"), 4, "#1 = 2\nG91\n");
+  EXPECT_THAT(
+      refusal_of(computed, 24),
+      HasSubstr("after lines that compute or call subprograms; the nearest line that serves is --line 20"));
+  EXPECT_EQ(refusal_of(computed, 16), "none");
+}
+
+TEST(Resume, APlaceIsPassedByTheFirstMoveThatRunsThere) {
+  ProgramQuestion question;
+  question.stock = Stock{{{0, 0}, {60, 50}}, -10, 0};
+  question.dialect = read::gcode::Dialect::kLinuxCnc;
+  Stop stop;
+  stop.place = {{40.02, 25, -2}};
+  const ResumedProgram resumed = resume_program(question, stop, kPocket, "pocket.nc", with({"endmill:6"}));
+  EXPECT_EQ(resumed.line, 16);
+  EXPECT_EQ(resumed.passes, 1);
+  EXPECT_NEAR(resumed.beside_mm, 0.02, 1e-9);
+  stop.place = {{55, 25, -2}};
+  try {
+    resume_program(question, stop, kPocket, "pocket.nc", with({"endmill:6"}));
+    ADD_FAILURE() << "no refusal";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("line 25 comes nearest, 14 mm beside"));
+  }
+}
+
+/// What the control holds at a move, told.
+std::string told_state(const ControlTable& control, const Toolpath& toolpath, int line) {
+  std::size_t index = 0;
+  for (const Section& section : toolpath.sections)
+    for (const Move& move : section.moves) {
+      if (move.line < line || is_rapid(move.kind)) {
+        ++index;
+        continue;
+      }
+      const ControlState* const state = control.at(index);
+      if (!state) return "none";
+      return fmt::format("T{} {} S{} {} {} {} {} F{}", state->tool, static_cast<int>(state->spindle),
+                         state->spindle_rpm, static_cast<int>(state->coolant),
+                         static_cast<int>(state->length.kind), state->length.h,
+                         static_cast<int>(state->path.mode), move.feed.mm_per_min());
+    }
+  return "end";
+}
+
+/// The names of the open ones.
+std::string conditions_of(const Findings& findings) {
+  std::set<std::string> names;
+  for (const Condition& one : findings.conditions)
+    if (one.met_by.empty()) names.insert(one.name);
+  return fmt::format("{}", fmt::join(names, " "));
+}
+
+/// What is wrong, without lines of programs.
+std::string kinds_of(const Findings& findings) {
+  std::multiset<std::string> kinds;
+  for (const Fault& fault : findings.faults)
+    kinds.insert(fmt::format("{} {} {:.4f}", name_of(fault.kind), fault.feature, fault.size));
+  return fmt::format("{}", fmt::join(kinds, "; "));
+}
+
+/// All, for messages.
+std::string texts_of(const Findings& findings) {
+  std::string text;
+  for (const Condition& one : findings.conditions) text += one.name + ": " + one.text + "\n";
+  return text;
+}
+
+struct Counted {
+  int served = 0, refused = 0;
+};
+
+/// Stops at random lines of one program.
+void stop_at_random(const Part& part, const PlanResult& planned, const resolve::PlanOptions& options,
+                    int stops, Random& random, Counted& counted) {
+  ProgramQuestion question;
+  question.part = &part;
+  question.dialect = read::gcode::dialect_named(options.post.dialect);
+  const auto lines = static_cast<int>(std::count(planned.program.begin(), planned.program.end(), '\n'));
+  for (int k = 0; k < stops; ++k) {
+    const int line = 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(lines)));
+    try {
+      const ResumedProgram resumed =
+          resume_program(question, {line, {}}, planned.program, "plan.nc", options);
+      ++counted.served;
+      const Findings &before = resumed.before.findings, &after = resumed.after.findings;
+      ASSERT_EQ(kinds_of(after), kinds_of(before))
+          << faults_of(after) << options.post.dialect << " line " << line << "\n"
+          << resumed.program.substr(0, 600);
+      ASSERT_EQ(conditions_of(after), conditions_of(before))
+          << texts_of(after) << options.post.dialect << " line " << line << "\n"
+          << resumed.program.substr(0, 600);
+      ASSERT_NEAR(after.all.uncut_thickness_mm, before.all.uncut_thickness_mm, 1e-6);
+      const int now = resumed.line + resumed.new_lines;
+      ASSERT_EQ(told_state(resumed.after.control, resumed.after.toolpath, now),
+                told_state(resumed.before.control, resumed.before.toolpath, resumed.line))
+          << options.post.dialect << " line " << line << "\n"
+          << resumed.program.substr(0, 600);
+    } catch (const InputError& error) {
+      ++counted.refused;
+      const std::string what = error.what();
+      const bool is_known = what.find("the nearest line that serves") != std::string::npos ||
+                            what.find("from here on") != std::string::npos;
+      ASSERT_TRUE(is_known) << options.post.dialect << " line " << line << ": " << what;
+    }
+  }
+}
+
+/// Stops of the random test; more by the environment variable.
+int random_stops() {
+  const char* asked = std::getenv("CLEARCUT_RANDOM_STOPS");
+  return asked ? std::atoi(asked) : 1;
+}
+
+TEST(Resume, RandomStopsMakeTheSamePart) {
+  const Part part = drawn(box("STOCK_D12", 0, 0, 60, 40) + rounded_box("POCKET_D4", 5, 5, 32, 33, 4) +
+                          circle("DRILL_D12", {45, 12}, 2.5) + circle("DRILL_D12", {45, 28}, 2.5) +
+                          circle("DRILL_D12", {52, 20}, 2.5));
+  Random random(49);
+  Counted counted;
+  for (const char* dialect :
+       {"linuxcnc", "grbl", "fanuc", "haas", "mach3", "mach4", "mazak", "tormach", "marlin"}) {
+    for (const bool inch : {false, true}) {
+      if (inch && std::string(dialect) == "marlin") continue;
+      resolve::PlanOptions options = with({"endmill:6", "drill:5"});
+      options.post.dialect = dialect;
+      options.post.inch = inch;
+      options.cutting.coolant = Coolant::kFlood;
+      const PlanResult planned = plan_part(part, options);
+      stop_at_random(part, planned, options, random_stops(), random, counted);
+      if (HasFatalFailure()) return;
+    }
+  }
+  if (random_stops() > 10) printf("%d stops served, %d refused\n", counted.served, counted.refused);
+  EXPECT_GT(counted.served, counted.refused);
+}
+
+}  // namespace
+}  // namespace clearcut::pipeline

@@ -1,0 +1,362 @@
+#include "read/gcode/control/held_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "base/text/format.h"
+#include "read/gcode/control/interpreter.h"
+#include "read/gcode/words/g_words.h"
+#include "read/gcode/words/tape_marks.h"
+
+namespace clearcut::read::gcode {
+
+namespace {
+
+/// mm; places that a program writes with all of its digits agree to this.
+constexpr double kSameHeldPlace = 1e-4;
+/// Share by which a feed or a speed may differ after it was written with six digits.
+constexpr double kSameHeldValue = 1e-6;
+
+struct HindranceText {
+  Hindrance hindrance;
+  const char* text;
+};
+constexpr HindranceText kHindranceTexts[] = {
+    {Hindrance::kNone, ""},
+    {Hindrance::kCycle, "within a drilling or tapping cycle"},
+    {Hindrance::kArcs, "among arcs whose word stands in a line before"},
+    {Hindrance::kUnplaced, "before the program has stated where the cutter is"},
+    {Hindrance::kCompensation, "under cutter radius compensation"},
+    {Hindrance::kMap, "while places are turned, mirrored or polar (G68, G51.1, G16)"},
+    {Hindrance::kShift, "while the zero is where the cutter stood when it was set (G92, G10)"},
+    {Hindrance::kSavedModes, "while modes are kept for later (M70)"},
+    {Hindrance::kMacro, "after lines that compute or call subprograms"}};
+
+/// A word of coolant as it is written: "M8".
+std::string m_text(int tenths) {
+  return "M" + trimmed(tenths / 10.0, 1);
+}
+
+/// The G word with those of the letters that the block has: "G64 P0.01".
+std::string with_letters(const Block& block, int code, std::string_view letters) {
+  std::string text = g_word(code);
+  for (const char letter : letters)
+    if (block.has(letter)) text += std::string(" ") + letter + trimmed(block.value(letter), 6);
+  return text;
+}
+
+bool is_coolant_on(int m, const DialectRules& rules) {
+  return m == 70 || m == 80 || m == 880 || m == rules.mist_on;
+}
+
+/// Whether the axis words of the block are places that a motion word leads to.
+bool has_places(const Block& block, int motion) {
+  const bool arcs = motion == 20 || motion == 30;
+  const bool arc_words = block.has('I') || block.has('J') || block.has('K') || block.has('R');
+  if (!block.has_axis() && !block.is_polar() && !(arcs && arc_words)) return false;
+  return std::none_of(block.g.begin(), block.g.end(), [](int code) {
+    return code == 40 || (group_of(code) == Group::kOnce && code != 280 && code != 300);
+  });
+}
+
+/// Follows a program and keeps what its words leave behind.
+class Follower {
+ public:
+  Follower(std::string_view text, const std::string& file_name, const ReadControllerOptions& options)
+      : rules_(rules_of(*options.dialect)),
+        builder_({file_name, options.home_z, options.safe_z}, diagnostics_, conditions_),
+        interpreter_(builder_, rules_, options),
+        reader_(text, file_name) {}
+
+  StopScan run(int line) {
+    StopScan scan;
+    try {
+      follow(line, scan);
+    } catch (const MacroError&) {
+      scan.macro_line = block_.line;
+      if (scan.blocks.empty() || scan.blocks.back().line != block_.line)
+        scan.blocks.push_back({.line = block_.line});
+    }
+    settle_motion_words(scan);
+    return scan;
+  }
+
+ private:
+  void follow(int line, StopScan& scan) {
+    TapeMarks marks;
+    while (!interpreter_.ended() && reader_.next(block_)) {
+      if (marks.ends(block_.percent, block_.has_words())) return;
+      if (!block_.has_words()) continue;
+      const StopBlock stop = now();
+      needs_.push_back(need_of(stop));
+      scan.blocks.push_back(stop);
+      if (block_.line >= line && !scan.held) {
+        scan.held = held();
+        scan.held_line = block_.line;
+      }
+      if (block_.line >= line && stop.moves && !scan.moving) {
+        scan.moving = held();
+        scan.moving_line = block_.line;
+      }
+      execute();
+    }
+  }
+
+  StopBlock now() {
+    Control& control = interpreter_.control();
+    StopBlock stop;
+    stop.line = block_.line;
+    stop.moves = has_places(block_, said_or(control.motion));
+    stop.changes_tool = std::find(block_.m.begin(), block_.m.end(), 60) != block_.m.end();
+    const Target& at = builder_.position();
+    stop.is_placed = at[0] && at[1] && at[2];
+    stop.z = at[2].value_or(0);
+    stop.tool = builder_.drive.tool;
+    stop.hindrance = hindrance();
+    return stop;
+  }
+
+  int said_or(int motion) const {
+    const int said = motion_in(block_);
+    return said >= 0 ? said : motion;
+  }
+
+  Hindrance hindrance() {
+    const Control& control = interpreter_.control();
+    if (compensates_) return Hindrance::kCompensation;
+    if (control.plan_map.is_on || control.polar_mode) return Hindrance::kMap;
+    if (zero_moved_) return Hindrance::kShift;
+    return keeps_modes_ ? Hindrance::kSavedModes : Hindrance::kNone;
+  }
+
+  /// What a place without a motion word of its own would need from the lines above.
+  enum class Need : unsigned char { kNothing, kPasses, kCycle, kArcs, kStraight };
+  Need need_of(const StopBlock& stop) {
+    if (motion_in(block_) >= 0) return Need::kNothing;
+    if (!stop.moves) return Need::kPasses;
+    const int motion = interpreter_.control().motion;
+    if (motion == 0 || motion == 10) return stop.is_placed ? Need::kNothing : Need::kStraight;
+    return motion == 20 || motion == 30 ? Need::kArcs : Need::kCycle;
+  }
+
+  /// The first place after a line decides what is needed of the lines above it.
+  void settle_motion_words(StopScan& scan) const {
+    Need need = Need::kNothing;
+    for (std::size_t i = needs_.size(); i-- > 0;) {
+      if (needs_[i] != Need::kPasses) need = needs_[i];
+      Hindrance& found = scan.blocks[i].hindrance;
+      if (found != Hindrance::kNone) continue;
+      if (need == Need::kCycle) found = Hindrance::kCycle;
+      if (need == Need::kArcs) found = Hindrance::kArcs;
+      if (need == Need::kStraight) found = Hindrance::kUnplaced;
+    }
+  }
+
+  void execute() {
+    Control& control = interpreter_.control();
+    const Coolant coolant = control.modes.coolant;
+    interpreter_.execute(block_);
+    for (const int code : block_.g) keep(code);
+    for (const int m : block_.m) keep_m(m);
+    keep_coolant(coolant);
+  }
+
+  void keep(int code) {
+    const Control& control = interpreter_.control();
+    HeldWords& words = words_;
+    switch (group_of(code)) {
+      case Group::kPlane:
+        words.plane = g_word(code);
+        break;
+      case Group::kUnits:
+        words.units = g_word(code);
+        break;
+      case Group::kDistance:
+        words.distance = g_word(code);
+        break;
+      case Group::kCenters:
+        words.centers = g_word(code);
+        break;
+      case Group::kFeedMode:
+        words.feed_mode = g_word(code);
+        break;
+      case Group::kReturn:
+        words.level = g_word(code);
+        break;
+      case Group::kOffset:
+        words.offset = with_letters(block_, code, "P");
+        break;
+      case Group::kCompensation:
+        compensates_ = true;
+        break;
+      case Group::kOnce:
+        keep_once(code);
+        break;
+      default:
+        if (code == 700 || code == 710) words.units = g_word(code);
+        if (code == 610 || code == 611) words.path = g_word(code);
+        if (code == 640) words.path = with_letters(block_, code, "PQ");
+        if (code == 1870) words.path = with_letters(block_, code, "PE");
+        if (code == 51) words.smoothing = with_letters(block_, code, "QPR");
+        if (code == 800) words.cycle_end = g_word(code);
+        if (code == 400) {
+          compensates_ = false;
+          words.compensation = g_word(code);
+        }
+        if (code == 530) keep_home(code, control.modes.absolute);
+    }
+  }
+
+  void keep_once(int code) {
+    const Control& control = interpreter_.control();
+    if (code == 280 || code == 300) keep_home(code, control.modes.absolute);
+    if (code == 920 || code == 923) zero_moved_ = true;
+    if (code == 921 || code == 922) zero_moved_ = false;
+    if (code == 520) words_.local_shift = true;
+    if (code != 100) return;
+    const bool writes_offset = block_.has('L') && block_.value('L') == 2 && control.modes.absolute &&
+                               !block_.has('R') && block_.m.empty();
+    if (!writes_offset) {
+      zero_moved_ = true;
+      return;
+    }
+    words_.zeros.push_back(with_letters(block_, code, "LPXYZ"));
+  }
+
+  /// Only straight up: by G28 in G91, and by G53 to a height.
+  void keep_home(int code, bool absolute) {
+    if (!block_.has('Z') || block_.has('X') || block_.has('Y')) return;
+    if (code == 530)
+      words_.home = "G0 " + with_letters(block_, code, "Z");
+    else if (!absolute && block_.value('Z') == 0)
+      words_.home = "G91 " + with_letters(block_, code, "Z");
+  }
+
+  void keep_m(int m) {
+    if (!rules_.saves_modes) return;
+    if (m == 700 || m == 730) keeps_modes_ = true;
+    if (m == 710 || m == 720) keeps_modes_ = false;
+  }
+
+  void keep_coolant(Coolant before) {
+    const Coolant now = interpreter_.control().modes.coolant;
+    if (now == Coolant::kOff) words_.coolant.clear();
+    if (now == before || now == Coolant::kOff) return;
+    const bool goes_down = before == Coolant::kBoth;
+    if (goes_down) {
+      const bool mist = has_mist(now);
+      std::erase_if(words_.coolant,
+                    [&](const std::string& word) { return (word == m_text(rules_.mist_on)) != mist; });
+      return;
+    }
+    for (const int m : block_.m) {
+      if (is_coolant_on(m, rules_)) words_.coolant.push_back(m_text(m));
+      if (m == 130 || m == 140) words_.coolant.push_back(m_text(80));
+    }
+  }
+
+  /// s that the program waits between the last start of the spindle and the motion after it.
+  double spindle_wait() const {
+    const auto& events = builder_.events();
+    const auto start = std::find_if(events.rbegin(), events.rend(), [](const ControlEvent& event) {
+      return event.kind == ControlEventKind::kSpindleStart;
+    });
+    if (start == events.rend()) return 0;
+    double seconds = 0;
+    for (auto event = start.base(); event != events.end(); ++event)
+      if (event->kind == ControlEventKind::kDwell && event->before_move == start->before_move)
+        seconds += event->seconds;
+    return seconds;
+  }
+
+  HeldState held() {
+    Control& control = interpreter_.control();
+    HeldState state;
+    state.modes = control.modes;
+    state.modes.system = control.frame.system();
+    state.motion = control.motion;
+    state.tool = builder_.drive.tool;
+    state.next_tool = control.next_tool;
+    state.tool_said = control.tool_said;
+    state.changer = control.changer;
+    state.position = builder_.position();
+    for (std::size_t axis = 0; axis < 3; ++axis) state.shift[axis] = control.frame.shift(axis);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      Frame without = control.frame;
+      without.clear_local(false);
+      state.local[axis] = state.shift[axis] - without.shift(axis);
+    }
+    state.at_home = builder_.at_home_height();
+    state.spindle_wait = spindle_wait();
+    state.words = words_;
+    return state;
+  }
+
+  const DialectRules& rules_;
+  Diagnostics diagnostics_;
+  std::vector<Condition> conditions_;
+  ToolpathBuilder builder_;
+  Interpreter interpreter_;
+  BlockReader reader_;
+  Block block_;
+  std::vector<Need> needs_;
+  HeldWords words_;
+  bool compensates_ = false, zero_moved_ = false, keeps_modes_ = false;
+};
+
+bool same_value(double a, double b) {
+  return std::abs(a - b) <= kSameHeldValue * std::max(std::abs(a), std::abs(b));
+}
+
+bool same_place(const Target& a, const Target& b) {
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (a[axis] && b[axis] && std::abs(*a[axis] - *b[axis]) > kSameHeldPlace) return false;
+  return true;
+}
+
+bool same_shift(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(),
+                    [](double one, double other) { return std::abs(one - other) <= kSameHeldPlace; });
+}
+
+}  // namespace
+
+const char* text_of(Hindrance hindrance) {
+  return kHindranceTexts[static_cast<std::size_t>(hindrance)].text;
+}
+
+std::string difference(const HeldState& a, const HeldState& b) {
+  const Modes &m = a.modes, &n = b.modes;
+  const bool feed_holds = m.feed_mode != FeedMode::kInverseTime && m.feed > 0;
+  const struct {
+    const char* name;
+    bool same;
+  } rows[] = {{"units", m.unit == n.unit},
+              {"G90 or G91", m.absolute == n.absolute},
+              {"arc centres", m.absolute_centers == n.absolute_centers},
+              {"G98 or G99", m.return_to_level == n.return_to_level},
+              {"plane", m.plane == n.plane},
+              {"feed mode", m.feed_mode == n.feed_mode},
+              {"feed", !feed_holds || same_value(m.feed, n.feed)},
+              {"speed", same_value(m.speed, n.speed)},
+              {"spindle", m.spindle == n.spindle},
+              {"coolant", m.coolant == n.coolant},
+              {"work offset", m.system == n.system},
+              {"zero", same_shift(a.shift, b.shift)},
+              {"tool length", m.length == n.length},
+              {"path control", m.path == n.path},
+              {"tool", a.tool == b.tool},
+              {"next tool", a.next_tool == b.next_tool},
+              {"place", same_place(a.position, b.position)}};
+  for (const auto& row : rows)
+    if (!row.same) return row.name;
+  return "";
+}
+
+StopScan scan_stops(std::string_view text, const std::string& file_name, const ReadControllerOptions& options,
+                    int line) {
+  return Follower(text, file_name, options).run(line);
+}
+
+}  // namespace clearcut::read::gcode
