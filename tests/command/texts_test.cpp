@@ -189,8 +189,7 @@ TEST(TextsPage, EveryCommandRuns) {
   const ScratchFolder folder;
   folder.file("part.edges", "name plate\ndepth 2\n60 90\n40 90\n60 90\n40 90\n");
   folder.file("triangle.edges", "name triangle\ndepth 2\n79.9861 60\n79.9861 60\n79.9861 60\n");
-  folder.file("turned.edges",
-              "name turned\norientation 30\ndepth 2\n60 90\n40 90\n60 90\n40 90\n");
+  folder.file("turned.edges", "name turned\norientation 30\ndepth 2\n60 90\n40 90\n60 90\n40 90\n");
   folder.file("chamfer.edges", "name cut corner\ndepth 2\n60 90\n35 135\n7.0711 135\n55 90\n40 90\n");
   folder.file("sharp.edges", "name sharp\ndepth 2\n60 70\n87.7141 40\n87.7141 70\n");
   folder.file("round.edges", "name round\ndepth 2\n60 90 14\n40 90 14\n60 90 14\n40 90 14\n");
