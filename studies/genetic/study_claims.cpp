@@ -15,8 +15,13 @@ struct Excess {
   double error = 0;
 };
 
+/// The error of a sum or a difference of two figures.
+double of_independent(double error, double other) {
+  return std::sqrt(error * error + other * other);
+}
+
 Excess difference(const LevelMean& a, const LevelMean& b) {
-  return {a.mean - b.mean, std::hypot(a.error, b.error)};
+  return {a.mean - b.mean, of_independent(a.error, b.error)};
 }
 
 /// How far the third level lies above the line through the other two.
@@ -26,7 +31,7 @@ Excess above_line(const StudyClaim& claim, const StudyMeans& means) {
   const LevelMean y1 = means.mean(claim.first), y2 = means.mean(claim.second), y3 = means.mean(claim.third);
   const double t = (x3 - x1) / (x2 - x1);
   return {y3.mean - (y1.mean + t * (y2.mean - y1.mean)),
-          std::hypot(y3.error, std::hypot((1 - t) * y1.error, t * y2.error))};
+          of_independent(y3.error, of_independent((1 - t) * y1.error, t * y2.error))};
 }
 
 Excess excess_of(const StudyClaim& claim, const StudyMeans& means) {
