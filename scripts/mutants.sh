@@ -30,15 +30,17 @@ mutant() {
 }
 
 formulas=src/plan/contour/formulas.cpp
-mutant $formulas '(std::sin(alpha / 2) + 1) / 2' '(std::sin(alpha / 2) + 1) / 2.02' plan_test 'Formulas.*'
-mutant $formulas '(std::sin(alpha / 2) + 1) / 2' '(std::sin(alpha / 1.98) + 1) / 2' plan_test 'Formulas.*'
+mutant $formulas '(base::sin(alpha / 2) + 1) / 2' '(base::sin(alpha / 2) + 1) / 2.02' plan_test 'Formulas.*'
+mutant $formulas '(base::sin(alpha / 2) + 1) / 2' '(base::sin(alpha / 1.98) + 1) / 2' plan_test 'Formulas.*'
 mutant $formulas '(2 * radius) + 0.5' '(2 * radius) + 0.505' plan_test 'Formulas.*'
 mutant $formulas '(radius - w)' '(radius - 1.01 * w)' plan_test 'Formulas.*'
 mutant $formulas '(radius - 2 * radius * overlap)' '(radius - 2.02 * radius * overlap)' plan_test 'Formulas.*'
-mutant $formulas 'return step / std::sin(alpha / 2)' 'return 1.01 * step / std::sin(alpha / 2)' plan_test 'Formulas.*:*Triangle*'
-mutant src/plan/contour/side_offsets.cpp 'std::cos(angle / 2)' 'std::cos(angle / 1.98)' plan_test 'SideOffsets.*'
-mutant src/pipeline/compare.cpp 'kTau = 0.177' 'kTau = 0.17877' pipeline_test 'PublishedConstants.*'
-mutant src/pipeline/tour/engagement_model.cpp 'std::expm1(5 *' 'std::expm1(5.05 *' pipeline_test 'PublishedConstants.*'
+mutant $formulas 'return step / base::sin(alpha / 2)' 'return 1.01 * step / base::sin(alpha / 2)' plan_test 'Formulas.*:*Triangle*'
+mutant src/plan/contour/side_offsets.cpp 'base::cos(angle / 2)' 'base::cos(angle / 1.98)' plan_test 'SideOffsets.*'
+mutant src/kinematics/published_time.h 'kPublishedStop = 0.177' 'kPublishedStop = 0.17877' kinematics_test 'PublishedTime.*'
+mutant src/kinematics/published_time.cpp 'cutting_s + 2 *' 'cutting_s + 2.02 *' kinematics_test 'PublishedTime.*'
+mutant src/kinematics/published_time.cpp '(1 + discontinuities)' '(1.01 + discontinuities)' kinematics_test 'PublishedTime.*'
+mutant src/pipeline/tour/engagement_model.cpp 'base::expm1(5 *' 'base::expm1(5.05 *' pipeline_test 'PublishedConstants.*'
 mutant src/pipeline/tour/engagement_model.cpp 'kLeast = 0.02' 'kLeast = 0.0202' pipeline_test 'PublishedConstants.*:Engagement.*'
 constants='PublishedConstants.*'
 mutant src/plan/contour/contour.h 'double w = 1.0' 'double w = 1.01' pipeline_test "$constants"
@@ -53,12 +55,22 @@ mutant src/order/genetic/genetic.h 'neighbours = 24;' 'neighbours = 25;' pipelin
 mutant src/plan/grid/interpolate.cpp 'kPointsPerSquare = 3;' 'kPointsPerSquare = 3.03;' pipeline_test "$constants"
 mutant src/plan/grid/interpolate.cpp 'kPaperStep = 0.001;' 'kPaperStep = 0.00101;' pipeline_test "$constants"
 mutant src/plan/tour/tour.cpp '(options.pitch_in_mm ? 1 : 2 * radius())' '(options.pitch_in_mm ? 1 : 2.02 * radius())' pipeline_test "$constants"
-mutant src/plan/common/layers.cpp '*operation.scallop / draft' '*operation.scallop / (1.01 * draft)' pipeline_test "$constants"
-mutant src/geometry/edge.cpp '4 * std::asin(' '4.04 * std::asin(' pipeline_test "$constants"
+mutant src/plan/common/layers.cpp 'scallop / base::sin(draft)' 'scallop / (1.01 * base::sin(draft))' pipeline_test "$constants"
+mutant src/geometry/edge.cpp '4 * base::asin(' '4.04 * base::asin(' pipeline_test "$constants"
 mutant studies/genetic/genetic_study.cpp 'kZ = 3;' 'kZ = 3.03;' studies_test 'GeneticStudy.*'
-mutant src/pipeline/tour/tour_solver.cpp 'kPublishedPatience = 1000;' 'kPublishedPatience = 1010;' pipeline_test "$constants"
+mutant src/order/genetic/genetic.h 'patience = 1000;' 'patience = 1010;' pipeline_test "$constants"
 mutant src/plan/tour/tour.cpp 'box(work_.layer.target).grown(work_.radius())' 'box(work_.layer.target).grown(1.01 * work_.radius())' plan_test 'PlanTour.ThePublished*'
 mutant studies/reproduce/reproduce_published.cpp 'kStudent = 4.303;' 'kStudent = 4.346;' studies_test 'PublishedFishhead.*'
+mutant $formulas "base::sin(alpha / 2) / (2 * radius)" "base::sin(alpha / 1.98) / (2 * radius)" plan_test 'Formulas.*'
+mutant $formulas '/ (2 * radius) + 0.5' '/ (2.02 * radius) + 0.5' plan_test 'Formulas.*'
+mutant $formulas 'overlap) / base::sin(alpha / 2)' 'overlap) / base::sin(alpha / 1.98)' plan_test 'Formulas.*'
+mutant $formulas 'return step / base::sin(alpha / 2)' 'return step / base::sin(alpha / 1.98)' plan_test 'Formulas.*:*Triangle*'
+mutant src/plan/contour/side_offsets.cpp 'base::sin(angle / 2)' 'base::sin(angle / 1.98)' plan_test 'SideOffsets.*'
+mutant src/plan/contour/step_rule.cpp 'step = 2 * radius * share' 'step = 2.02 * radius * share' plan_test 'StepRule.*'
+mutant src/kinematics/published_time.cpp 'time.cutting_s += 60 *' 'time.cutting_s += 60.6 *' kinematics_test 'PublishedTime.*'
+mutant src/kinematics/published_time.cpp 'published_time(60 * length_mm' 'published_time(60.6 * length_mm' kinematics_test 'PublishedTime.*'
+mutant src/order/objective/machining_time.cpp 'seconds_per_mm_(60 /' 'seconds_per_mm_(60.6 /' pipeline_test "$constants"
+mutant src/order/objective/machining_time.cpp '? 2 * tau_ : 0' '? 2.02 * tau_ : 0' pipeline_test "$constants"
 
 [ "$survived" -eq 0 ] && echo 'every change of 1 % shows'
 exit "$survived"

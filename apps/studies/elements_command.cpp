@@ -46,6 +46,7 @@ struct ElementsCommand {
   std::string html;
   std::string points;
   bool print_points = false;
+  bool all_squares = false;
   OptionValues solver;
   bool table = false;
   void (*print_reductions)() = nullptr;
@@ -109,6 +110,7 @@ int run(const ElementsCommand& command) {
     if (command.print_points) print_table(points_table(job, result.points));
     if (command.output != "-") {
       print_table(element_table(result));
+      if (command.all_squares) print_table(square_table(search_squares(job, result.points, command.options)));
       print_line(with_colours(write_table(result.plan, table_width())));
     }
   }
@@ -171,6 +173,10 @@ void add_elements_command(CLI::App& app, int& exit_code, void (*print_reductions
       ->type_name("FILE");
   command->add_option("--points", state->points, "Table of all points to write (CSV)")->type_name("FILE");
   command->add_flag("--print-points", state->print_points, "Print the table of all points");
+  command->add_flag(
+      "--all-squares", state->all_squares,
+      "Let the published algorithm order all squares of each element, too, and print its times with and "
+      "without reduction");
   command->option_defaults()->group("Controller");
   command
       ->add_option("--post", state->options.post.dialect,

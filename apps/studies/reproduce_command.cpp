@@ -28,6 +28,7 @@ struct ReproduceCommand {
   bool all = false;
   bool quiet = false;
   bool resume = false;
+  bool as_markdown = false;
   std::string json;
   std::string html;
 };
@@ -98,10 +99,10 @@ bool is_among(const std::vector<const studies::ReproducibleTable*>& tables, cons
   return std::any_of(tables.begin(), tables.end(), [&](const auto* table) { return table->name == name; });
 }
 
-void print_reproduction(const studies::Reproduction& reproduction) {
+void print_reproduction(const studies::Reproduction& reproduction, bool as_markdown) {
   auto text = reproduction.table;
   if (!reproduction.compared.empty()) text.notes.push_back(reproduction.summary());
-  print_table(text);
+  print_table(text, as_markdown);
   std::fflush(stdout);
 }
 
@@ -116,7 +117,8 @@ void reproduce_tables(const ReproduceCommand& command) {
     if (!is_among(tables, one.name)) made.push_back(one);
   for (const auto* table : tables) {
     made.push_back(reproduction(*table, kept, command));
-    if (command.json != "-" && command.html != "-") print_reproduction(made.back().reproduction);
+    if (command.json != "-" && command.html != "-")
+      print_reproduction(made.back().reproduction, command.as_markdown);
     if (keeps(command)) write_outputs({{command.json, studies::reproduction_json(made)}}, {});
   }
   if (keeps(command)) std::filesystem::remove(runs_file(command));
@@ -151,6 +153,8 @@ void add_reproduce_command(CLI::App& app, int& exit_code) {
       "--resume", state->resume,
       "Keep the tables that the file of --json has already, and the finished runs of the table that was "
       "broken off; make the others");
+  command->add_flag("--markdown", state->as_markdown,
+                    "Print Markdown tables, as the pages of docs/ have them");
   command->add_flag("--quiet", state->quiet, "No progress");
   command->callback([state, &exit_code] {
     reproduce_tables(*state);

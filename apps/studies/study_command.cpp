@@ -98,8 +98,11 @@ void add_study_command(CLI::App& app, int& exit_code) {
   command->add_option("--objective", options.objective, "length, turns or angle")
       ->capture_default_str()
       ->check(one_of({"length", "turns", "angle"}));
-  command->add_flag("--published", options.published_size,
-                    "Runs, generations and lattices of the text: days");
+  auto* minutes =
+      command->add_flag("--minutes", options.middle_size,
+                        "Runs and generations that take minutes of a core; the findings show from there on");
+  command->add_flag("--published", options.published_size, "Runs, generations and lattices of the text: days")
+      ->excludes(minutes);
   command->add_option("--seed", options.seed, "Seed of the first run")
       ->capture_default_str()
       ->check(is_seed());

@@ -32,13 +32,17 @@ void add_genetic_options(CLI::App& command, TourOptions& options) {
       ->capture_default_str()
       ->check(one_of({"random", "rank", "roulette", "tournament", "truncation"}))
       ->group(group);
-  command.add_option("--crossover", genetic.crossover, "pmx, ox, erx, cx or eax")
+  command
+      .add_option("--crossover", genetic.crossover,
+                  "pmx, ox, erx, cx, eax, ox1, ox2, pos, hx, smx, mpx, vr, ap, aer, scx or upmx")
       ->capture_default_str()
-      ->check(one_of({"pmx", "ox", "erx", "cx", "eax"}))
+      ->check(one_of(order::crossover_names()))
       ->group(group);
-  command.add_option("--mutation", genetic.mutation, "exchange, inversion or nearest")
+  command
+      .add_option("--mutation", genetic.mutation,
+                  "exchange, inversion, nearest or one of the others of docs/tour.md")
       ->capture_default_str()
-      ->check(one_of({"exchange", "inversion", "nearest"}))
+      ->check(one_of(order::mutation_names()))
       ->group(group);
   command.add_option("--replacement", genetic.replacement, "distinct, worst, parent or generation")
       ->capture_default_str()
@@ -64,7 +68,7 @@ void add_genetic_options(CLI::App& command, TourOptions& options) {
                   "Nearest points a mutation draws from; 0: all (default 24)")
       ->group(group);
   command
-      .add_option("--patience", genetic.patience, "Generations without gain that end the run (default 40000)")
+      .add_option("--patience", genetic.patience, "Generations without gain that end the run (default 1000)")
       ->group(group);
   command.add_option("--generations", genetic.stop.rounds, "Most generations (default: no limit)")
       ->capture_default_str()

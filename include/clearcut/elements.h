@@ -13,6 +13,8 @@ using pipeline::element_table;
 using pipeline::ElementFigures;
 using pipeline::ElementsResult;
 using pipeline::plan_elements;
+using pipeline::search_squares;
+using pipeline::square_table;
 using read::ElementDefaults;
 using read::ElementOption;
 using read::elements_of_options;

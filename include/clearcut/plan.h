@@ -11,6 +11,7 @@
 #include "base/progress.h"
 #include "clearcut/part.h"
 #include "features/fitting.h"
+#include "kinematics/published_time.h"
 #include "pipeline/compare.h"
 #include "pipeline/job_options.h"
 #include "pipeline/run.h"
@@ -86,9 +87,10 @@ inline report::TextTable compare_strategies(const Part& part, const PlanOptions&
 }
 
 // The same in its steps, with a count of plans while it runs.
+using kinematics::published_time;
+using kinematics::PublishedTime;
 using pipeline::CountCallback;
 using pipeline::fastest_clean;
-using pipeline::published_time;
 using pipeline::run_strategies;
 using pipeline::strategy_table;
 using pipeline::StrategyRun;

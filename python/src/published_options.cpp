@@ -60,7 +60,8 @@ void add_published_options(OptionsClass& options) {
   add_setting(options, "selection",
               "Of the published solver: random, rank, roulette, tournament or truncation.",
               &PublishedSolver::selection);
-  add_setting(options, "crossover", "Of the published solver: pmx, ox, erx, cx or eax.",
+  add_setting(options, "crossover",
+              "Of the published solver: pmx, ox, erx, cx, eax, or one of those that docs/tour.md lists.",
               &PublishedSolver::crossover);
   add_setting(options, "mutation", "Of the published solver: exchange, inversion or nearest.",
               &PublishedSolver::mutation);

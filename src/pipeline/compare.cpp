@@ -12,14 +12,13 @@
 namespace clearcut::pipeline {
 namespace {
 
-constexpr double kTau = 0.177;  // s, CPO-rho section 4
-
 StrategyRun run_of(const std::string& strategy, const Part& part, resolve::PlanOptions options) {
   options.strategy = strategy;
   try {
-    return {strategy, plan_part(part, options).findings.all, ""};
+    const PlanResult result = plan_part(part, options);
+    return {strategy, result.findings.all, "", kinematics::published_time(result.toolpath)};
   } catch (const InputError& error) {
-    return {strategy, std::nullopt, error.what()};
+    return {strategy, std::nullopt, error.what(), {}};
   }
 }
 
@@ -38,7 +37,7 @@ std::vector<std::string> cells(const StrategyRun& row, const StrategyRun* fixed,
           fmt::format("{:.2f}", f.feed_mm / std::max(f.lower_bound_mm, 1e-9)),
           std::to_string(f.retracts),
           fmt::format("{:.2f}", f.time_s),
-          fmt::format("{:.2f}", published_time(f.time_naive_s, f.turns)),
+          fmt::format("{:.2f}", row.published.seconds()),
           fmt::format("{:.3f}", f.uncut_thickness_mm),
           fmt::format("{:.2f}", f.uncut_mm2),
           fmt::format("{:.4f}", f.gouge_mm),
@@ -48,10 +47,6 @@ std::vector<std::string> cells(const StrategyRun& row, const StrategyRun* fixed,
 }
 
 }  // namespace
-
-double published_time(double naive_s, int discontinuities) {
-  return naive_s + 2 * (1 + discontinuities) * kTau;
-}
 
 std::vector<StrategyRun> run_strategies(const Part& part, const resolve::PlanOptions& options,
                                         const CountCallback& count) {
@@ -100,7 +95,8 @@ report::TextTable strategy_table(const Part& part, const resolve::PlanOptions& o
   table.notes.push_back(
       "* fastest that is certified clean; vs fixed: mm longer than contours at a fixed step alone");
   table.notes.push_back(
-      "time: with the machine's acceleration and cornering; eq. 9: length / feed + 2 (1 + nd) 0.177 s");
+      "time: all moves, with the machine's acceleration and cornering; eq. 9: level feed moves, length / "
+      "feed + 2 (1 + nd) 0.177 s");
   const StrategyTable& strategies = strategies_of(options);
   for (const auto& name : strategy_names(strategies))
     table.notes.push_back(name + ": " + description_of(name, strategies));

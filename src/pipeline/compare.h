@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/published_time.h"
 #include "model/results/findings.h"
 #include "report/words/text_table.h"
 #include "resolve/values/plan_options.h"
@@ -19,8 +20,9 @@ using CountCallback = std::function<void(std::size_t done, std::size_t of)>;
 /// One strategy on the whole part.
 struct StrategyRun {
   std::string strategy;
-  std::optional<Figures> figures;  ///< none if the strategy cannot plan the part
-  std::string refusal;             ///< and why
+  std::optional<Figures> figures;            ///< none where it cannot plan the part
+  std::string refusal;                       ///< and why
+  kinematics::PublishedTime published = {};  ///< CPO-rho eq. 9
 };
 
 /// Every strategy of the options' table. Throws InputError if none can plan the part. Cost one plan each.
@@ -33,12 +35,8 @@ const StrategyRun* fastest_clean(const std::vector<StrategyRun>& runs);
 report::TextTable strategy_table(const Part& part, const resolve::PlanOptions& options,
                                  const std::vector<StrategyRun>& runs);
 
-/// One row for each strategy: lengths, times (kinematic; and CPO-rho eq. 9 with tau = 0.177 s), uncut material, load,
-/// verdict; the fastest clean row is marked. Strategies that cannot plan the part have the reason instead. Throws
-/// InputError if none can.
+/// One row a strategy: lengths, times (of the whole program, kinematic; CPO-rho eq. 9 of its level feed moves), what is left, load,
+/// verdict; the fastest clean row is marked. Strategies that cannot plan the part say why. Throws InputError where none can.
 report::TextTable compare(const Part& part, const resolve::PlanOptions& options);
-
-/// CPO-rho eq. 9: T = sum L / V_f + 2 (1 + nd) tau, nd the number of discontinuities, tau = 0.177 s.
-double published_time(double naive_s, int discontinuities);
 
 }  // namespace clearcut::pipeline

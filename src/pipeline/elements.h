@@ -32,6 +32,21 @@ struct ElementsResult {
 /// findings, as everywhere. Throws InputError with all faults of the job on one line.
 ElementsResult plan_elements(const ElementJob& job, const resolve::PlanOptions& options);
 
+/// What the published genetic algorithm makes of one element's squares: all of them, and those that the reduction keeps.
+struct SquareSearch {
+  std::string id;
+  std::size_t squares = 0, reduced = 0;
+  double all_mm = 0, all_s = 0;  ///< length of the open path, time of the search
+  double reduced_mm = 0, reduced_s = 0;
+};
+
+/// Of every element of a tabulated job. Ends as options.published.solver says, else after 1000 generations without gain.
+std::vector<SquareSearch> search_squares(const ElementJob& job, const PointTable& points,
+                                         const resolve::PlanOptions& options);
+
+/// A row for each.
+report::TextTable square_table(const std::vector<SquareSearch>& searches);
+
 /// The elements with their squares, reduced squares and lengths of visit.
 report::TextTable element_table(const ElementsResult& result);
 

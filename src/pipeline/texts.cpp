@@ -3,6 +3,7 @@
 #include "base/files/digest.h"
 #include "base/version.h"
 #include "kinematics/planner.h"
+#include "kinematics/published_time.h"
 #include "pipeline/compare.h"
 #include "pipeline/move_figures.h"
 #include "report/certificate/certificate.h"
@@ -54,10 +55,6 @@ report::CertificateInfo certificate_info(const resolve::PlanOptions& options, co
   return info;
 }
 
-double eq9_time(const PlanResult& result) {
-  return published_time(result.findings.all.time_naive_s, result.findings.all.turns);
-}
-
 report::SetupSheetInfo sheet_info(const resolve::PlanOptions& options, const std::string& program_name,
                                   const std::string& dialect) {
   report::SetupSheetInfo info;
@@ -85,7 +82,7 @@ std::string write_certificate(const PlanResult& result, const resolve::PlanOptio
   info.selections = result.selections;
   info.values = result.values;
   info.contours = result.contours;
-  info.published_s = eq9_time(result);
+  info.published = kinematics::published_time(result.toolpath);
   return report::certificate_json(result.part, result.findings, info);
 }
 
@@ -165,7 +162,8 @@ std::string write_setup_sheet(const CheckResult& result, const resolve::PlanOpti
 }
 
 std::string write_segments(const PlanResult& result) {
-  return report::result_file(result.toolpath, {result.part.name, result.contours, eq9_time(result)});
+  return report::result_file(
+      result.toolpath, {result.part.name, result.contours, kinematics::published_time(result.toolpath)});
 }
 
 }  // namespace clearcut::pipeline

@@ -77,7 +77,7 @@ ToolRun run_of(const Candidate& candidate, const Part& part, resolve::PlanOption
     run.clean = figures.clean;
     run.feed_mm = figures.feed_mm;
     run.time_s = figures.time_s;
-    run.published_s = published_time(figures.time_naive_s, figures.turns);
+    run.published_s = kinematics::published_time(result.toolpath).seconds();
     run.unreachable_mm2 = figures.unreachable_mm2;
   } catch (const InputError& error) {
     run.refusal = error.what();

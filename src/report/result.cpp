@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "base/text/format.h"
 #include "base/units.h"
 #include "report/words/text.h"
 
@@ -72,12 +73,22 @@ std::string contour_lines(const ContourLevels& contours) {
   return text;
 }
 
+/// "# time by CPO-rho eq. 9 26.30 s: sum L 373.4802 mm, V_f 1000 mm/min, nd 10, tau 0.177 s".
+std::string published_line(const kinematics::PublishedTime& time) {
+  std::string feed = trimmed(time.slowest.mm_per_min(), 3);
+  if (time.fastest.mm_per_min() > time.slowest.mm_per_min())
+    feed += " to " + trimmed(time.fastest.mm_per_min(), 3);
+  return fmt::format("# time by CPO-rho eq. 9 {} s: sum L {} mm, V_f {} mm/min, nd {}, tau {} s\n",
+                     fixed(time.seconds(), 2), fixed(time.length_mm, kDecimals), feed, time.discontinuities,
+                     trimmed(kinematics::kPublishedStop, 3));
+}
+
 }  // namespace
 
 std::string result_file(const Toolpath& toolpath, const ResultInfo& info) {
   std::string text = "# " + ascii(info.name) + "\n# x_i y_i x_f y_f [x_c y_c G02|G03], mm\n";
   for (const ContourLevels& contours : info.contours) text += contour_lines(contours);
-  if (info.published_s) text += "# time by CPO-rho eq. 9 " + fixed(*info.published_s, 2) + " s\n";
+  if (info.published) text += published_line(*info.published);
   double total = 0;
   for (const Section& section : toolpath.sections) total += append_section(section, text);
   return text + "# total length " + fixed(total, kDecimals) + "\n";

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "kinematics/published_time.h"
 #include "model/move.h"
 
 namespace clearcut::report {
@@ -28,7 +29,7 @@ struct ContourLevels {
 struct ResultInfo {
   std::string name;  ///< name of the part; one comment line
   std::vector<ContourLevels> contours;
-  std::optional<double> published_s = {};  ///< CPO-rho eq. 9, s
+  std::optional<kinematics::PublishedTime> published = {};  ///< CPO-rho eq. 9
 };
 
 /// Shape   comment lines start with '#': name, columns; distances of the contours and the steps between them, only

@@ -31,6 +31,16 @@ TEST(ResultFile, TriangleOfThePaperHasItsFirstContour) {
             "# total length 62.6656\n");
 }
 
+TEST(ResultFile, SaysOfWhatEquation9IsMade) {
+  ResultInfo info{
+      "a", {}, kinematics::PublishedTime{373.4802, 22.408812, 10, MmPerMin::of(1000), MmPerMin::of(1000)}};
+  EXPECT_THAT(result_file({}, info),
+              HasSubstr("# time by CPO-rho eq. 9 26.30 s: sum L 373.4802 mm, V_f 1000 mm/min, "
+                        "nd 10, tau 0.177 s\n"));
+  info.published->slowest = MmPerMin::of(500);
+  EXPECT_THAT(result_file({}, info), HasSubstr("V_f 500 to 1000 mm/min"));
+}
+
 TEST(ResultFile, NamesEveryStepWhereTheyDiffer) {
   EXPECT_THAT(result_file({}, {"a", {{"P", {4, 10, 17.5}}, {"Q", {4}}}}),
               HasSubstr("# P offset step 6.0000 7.5000\n# Q contours at 4.0000\n# total"));

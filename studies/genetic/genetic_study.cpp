@@ -88,6 +88,32 @@ std::string metric_name(StudyMetric metric) {
                                             : "processor time of all generations, s";
 }
 
+/// What the text finds, and what these runs say of it.
+void add_claims(report::TextTable& table, const GeneticStudy& study, const std::vector<StudyRow>& rows) {
+  const std::vector<StudyClaim>& claims = study_plan(study.name).claims;
+  const auto values_of = [&](const std::string& name) {
+    for (std::size_t i = 0; i < study.levels.size(); ++i)
+      if (study.levels[i].name == name) return metric_values(study, rows, static_cast<int>(i));
+    return std::vector<double>();
+  };
+  StudyMeans means;
+  means.mean = [&](const std::string& name) {
+    const auto values = values_of(name);
+    const Moments m = moments(values);
+    return LevelMean{m.mean, m.error, static_cast<int>(values.size())};
+  };
+  means.greatest_deviation = [&](const std::string& name) {
+    const auto values = values_of(name);
+    const double mean = moments(values).mean;
+    double greatest = 0;
+    for (const double value : values) greatest = std::max(greatest, std::abs(value - mean));
+    return greatest;
+  };
+  means.abscissa = [](const std::string& name) { return std::stod(name) * std::stod(name); };  // points
+  for (const StudyClaim& claim : claims) table.notes.push_back(claim_text(claim, means));
+  if (claims.empty()) table.notes.emplace_back("the text prints no finding of this study");
+}
+
 std::string islands_note(const order::IslandOptions& islands) {
   return fmt::format("{} islands, each of the population; {}", islands.islands,
                      islands.migrants == 0
@@ -129,7 +155,9 @@ GeneticStudy genetic_study(const std::string& name, const GeneticStudyOptions& o
   if (objective != "length" && objective != "turns" && objective != "angle")
     throw InputError("--objective",
                      fmt::format("'{}' has no known optimum; use length, turns or angle", objective));
-  const StudySize& size = options.published_size ? plan.published : plan.ours;
+  const StudySize& size = options.published_size ? plan.published
+                          : options.middle_size  ? plan.middle
+                                                 : plan.ours;
   GeneticStudy study{.name = plan.name, .figure = plan.figure, .factor = plan.factor, .metric = plan.metric};
   study.published_size =
       fmt::format("{} runs of {} generations", plan.published.runs, plan.published.generations);
@@ -221,6 +249,7 @@ report::TextTable study_table(const GeneticStudy& study, const std::vector<Study
       "{} generations of {}, objective {}; the text: {}", first.genetic.stop.rounds,
       study.factor == "side" ? std::string("each lattice") : fmt::format("a {0} x {0} lattice", first.side),
       first.objective, study.published_size));
+  add_claims(table, study, rows);
   return table;
 }
 

@@ -58,6 +58,7 @@ struct GeneticStudyOptions {
   std::optional<int> side;               ///< of the lattice, where that is not the factor
   std::string objective = "length";
   order::IslandOptions islands{};  ///< populations side by side in each run
+  bool middle_size = false;        ///< minutes of work instead of seconds
   bool published_size = false;     ///< runs, generations and sides of the text: days of work
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all cores

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "studies/genetic/genetic_study.h"
+#include "studies/genetic/study_claims.h"
 
 namespace clearcut::studies {
 
@@ -17,8 +18,9 @@ struct StudySize {
 struct StudyPlan {
   std::string name, figure, factor;
   StudyMetric metric = StudyMetric::kFitness;
-  StudySize ours, published;
-  std::vector<std::string> levels;  ///< sizes, names, or sides
+  StudySize ours, middle, published;  ///< seconds, minutes, days
+  std::vector<std::string> levels;    ///< sizes, names, or sides
+  std::vector<StudyClaim> claims{};   ///< of the text; empty where it prints no finding
 };
 
 const std::vector<StudyPlan>& study_plans();

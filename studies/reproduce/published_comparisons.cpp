@@ -12,9 +12,11 @@
 #include "base/units.h"
 #include "geometry/side_list.h"
 #include "geometry/voronoi/clearance.h"
+#include "kinematics/published_time.h"
 #include "pipeline/compare.h"
 #include "pipeline/run.h"
 #include "pipeline/tool_sets.h"
+#include "studies/reproduce/planned_outline.h"
 
 namespace clearcut::studies {
 namespace {
@@ -23,7 +25,6 @@ namespace {
 constexpr double kLengthRadius = 4, kLengthStep = 7.2;
 /// CPO-rho section 4. The teeth and feeds per tooth are not printed: these are ours.
 constexpr double kCuttingSpeed = 36.6;  // m/min
-constexpr double kInscribed = 20.46;
 /// mm: from this radius on the printed times of all methods are equal.
 constexpr double kSameForAll = 10;
 /// mm/min; one feed for all cutters each, about the one that fits the printed times.
@@ -33,28 +34,9 @@ const Explanation kOutline{"the outline is not printed; ours stands in", 0.25};
 const Explanation kNotPrinted{
     "outline and feed are not printed; ours stands in, and one feed is fitted to all cutters", 0.4};
 
-double radians(double degrees) {
-  return Radians::of_degrees(degrees).radians();
-}
-
-Region region_of(const SideList& list) {
-  return Region::from_valid_loops(closed_by_compass_rule(traced(list)), {});
-}
-
-/// A star of six points: twelve sides of 28.6 mm, so that contours 7.2 mm apart are about as long as theirs.
+/// Twelve sides of 28.6 mm, so that contours 7.2 mm apart are about as long as theirs.
 Region concave_star() {
-  SideList list;
-  for (int i = 0; i < 6; ++i) {
-    list.sides.push_back({28.6, radians(240), 0});
-    list.sides.push_back({28.6, radians(60), 0});
-  }
-  return region_of(list);
-}
-
-Region scaled(const std::vector<Vec2>& corners, double factor) {
-  std::vector<Vec2> points;
-  for (const Vec2 corner : corners) points.push_back(corner * factor);
-  return Region::from_valid_loops(loop_from_points(points), {});
+  return star(28.6, 60);
 }
 
 /// Four corners of 41, 68, 111 and 140 degrees, sized like the star.
@@ -62,41 +44,10 @@ Region acute_convex() {
   return scaled({{0, 0}, {60, 0}, {43, 29}, {24, 21}}, 1.113);
 }
 
-/// Five corners, the sharpest of 30 degrees as the paper's (figure 10 prints its rho), scaled to the inscribed radius
-/// of the paper.
-Region inscribed_polygon(const Tolerances& tol) {
-  const std::vector<Vec2> corners{{0, 0}, {120, 0}, {95, 40}, {72, 72 * base::tan(kPi / 6)}};
-  return scaled(corners, kInscribed / Clearance(scaled(corners, 1), tol).max());
-}
-
-Part part_of(const Region& region, const std::string& name, const Tool& tool) {
-  Part part;
-  part.name = name;
-  part.tools = {tool};
-  Feature feature;
-  feature.name = name;
-  feature.target = feature.allowed = {region};
-  feature.floor_z = -1;
-  part.features = {feature};
-  Workingstep step;
-  step.operation.stepdown = 1;
-  step.operation.entry = EntryKind::kPlunge;
-  part.workplan = {step};
-  return part;
-}
-
 std::optional<Figures> figures_of(const Part& part, const std::string& strategy,
-                                  const std::optional<std::string>& stepover = {},
-                                  const CuttingData& cutting = {}) {
-  resolve::PlanOptions options;
-  options.cutting = cutting;
-  options.strategy = strategy;
-  options.stepover = stepover;
-  try {
-    return pipeline::plan_part(part, options).findings.all;
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
+                                  const std::optional<std::string>& stepover = {}) {
+  const auto planned = planned_outline(part, {strategy, stepover});
+  return planned ? std::optional(planned->findings.all) : std::nullopt;
 }
 
 double length_in_plan(const Figures& figures) {
@@ -113,9 +64,7 @@ struct LengthRow {
 
 void add_lengths(Reproduction& result, const char* shape, const Region& region,
                  const std::vector<LengthRow>& rows) {
-  Tool tool;
-  tool.diameter = 2 * kLengthRadius;
-  const Part part = part_of(region, shape, tool);
+  const Part part = pocket_part(region, shape, 2 * kLengthRadius);
   const std::string step = fmt::format("{}mm", kLengthStep);
   const auto fixed = figures_of(part, "fixed", step);
   const auto text = [](double value) { return fmt::format("{:.2f}", value); };
@@ -149,20 +98,17 @@ constexpr CutterRow kCutters[] = {{2, 19.51, 17.23, 15.46}, {3, 15.15, 14.97, 13
 
 /// The way of a cutter in plan; absent where it does not fit.
 struct CutterWay {
-  double length_mm = 0;
-  int turns = 0;
+  kinematics::PublishedTime published;
   bool clean = false;
 
   /// Minutes by eq. 9 at one feed, mm/min.
-  double minutes(double feed) const { return pipeline::published_time(60 * length_mm / feed, turns) / 60; }
+  double minutes(double feed) const { return published.seconds_at(MmPerMin::of(feed)) / 60; }
 };
 
 std::optional<CutterWay> way_of(const Region& polygon, double radius, const std::string& strategy) {
-  Tool tool;
-  tool.diameter = 2 * radius;
-  const auto figures = figures_of(part_of(polygon, "polygon", tool), strategy, std::nullopt);
-  if (!figures) return std::nullopt;
-  return CutterWay{length_in_plan(*figures), figures->turns, figures->clean};
+  const auto planned = planned_outline(pocket_part(polygon, "polygon", 2 * radius), {strategy});
+  if (!planned) return std::nullopt;
+  return CutterWay{kinematics::published_time(planned->toolpath), planned->findings.all.clean};
 }
 
 /// The one feed, mm/min, at which the printed times of rho come out with the least relative squares, and what then stays.
@@ -178,8 +124,8 @@ FittedFeed fitted_feed(const Region& polygon) {
     const auto way = row.present > 0 ? way_of(polygon, row.radius, "rho") : std::nullopt;
     if (!way) continue;
     rows.emplace_back(row.present, *way);
-    const double stops = pipeline::published_time(0, way->turns) / 60;
-    const double share = way->length_mm / row.present;
+    const double stops = kinematics::published_time(0, way->published.discontinuities) / 60;
+    const double share = way->published.length_mm / row.present;
     across += share * (row.present - stops) / row.present;
     squares += share * share;
   }

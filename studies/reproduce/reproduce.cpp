@@ -8,6 +8,7 @@
 #include "studies/reproduce/reproduce_coefficients.h"
 #include "studies/reproduce/reproduce_grid.h"
 #include "studies/reproduce/reproduce_objectives.h"
+#include "studies/reproduce/reproduce_operators.h"
 #include "studies/reproduce/reproduce_orders.h"
 #include "studies/reproduce/reproduce_published.h"
 #include "studies/reproduce/reproduce_scallop.h"
@@ -21,13 +22,14 @@ const std::vector<ReproducibleTable>& reproducible_tables() {
       {"overlaps", "CPO-rho table 1", 0.1, false, overlap_table},
       {"captions", "CPO-kappa figure 9, CPO-rho figures 10 and 11", 0.1, false, caption_figures},
       {"triangle", "CPO-kappa figure 10", 0.1, false, triangle_figure},
+      {"operators", "Tour section 3.6.2 and table 3.1", 0.1, false, operators_table},
       {"lengths", "CPO-kappa table 1", 0.3, false, length_comparison},
       {"lattices", "Tour tables 6.3 and 6.6", 0.3, false, lattice_table},
-      {"grid", "Grid table 1", 0.3, false, grid_table},
       {"points", "Tour section 5.3.2", 0.5, false, grid_points_table},
       {"cutter-trend", "CPO-rho table 3, which is faster", 0.5, false, cutter_trend},
       {"cutters", "CPO-rho table 3", 0.6, false, cutter_comparison},
-      {"scallop", "Tour table 6.1", 0.7, false, scallop_table},
+      {"scallop", "Tour table 6.1", 1.5, false, scallop_table},
+      {"grid", "Grid table 1", 2, false, grid_table},
       {"single-multi", "Tour figures 6-16 and 6-17", 5, false, single_multi_table},
       {"tour-engagement", "Tour figure 6-15", 9, false, engagement_table},
       {"fishhead", "Tour table 6.5", 15, false, fishhead_table},

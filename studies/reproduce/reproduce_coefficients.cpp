@@ -6,13 +6,16 @@
 #include <cmath>
 #include <functional>
 
+#include "base/error.h"
 #include "base/units.h"
 #include "geometry/side_list.h"
+#include "kinematics/published_time.h"
 #include "model/layer.h"
 #include "model/pass.h"
 #include "plan/contour/contour.h"
 #include "plan/contour/side_offsets.h"
 #include "studies/reproduce/page/reproduction_figures.h"
+#include "studies/reproduce/planned_outline.h"
 
 namespace clearcut::studies {
 namespace {
@@ -59,15 +62,10 @@ void add_rows(Reproduction& result, const std::string& name, const Printed& prin
   std::vector<Cell> first{name + ", printed"}, second{name + ", ours"};
   for (std::size_t i = 0; i < kAngles.size(); ++i) {
     first.emplace_back(fmt::format("{:.{}f}", printed[i], decimals));
-    second.push_back(beside(cut_to(ours(radians(kAngles[i])), decimals), printed[i], decimals));
+    second.push_back(computed(cut_to(ours(radians(kAngles[i])), decimals), printed[i], decimals));
   }
   result.add(first);
   result.add(second);
-}
-
-Region equilateral(double edge) {
-  const std::vector<Vec2> corners{{0, 0}, {edge, 0}, {edge / 2, edge * std::sqrt(3.0) / 2}};
-  return Region::from_valid_loops(loop_from_points(corners), {});
 }
 
 /// CPO-kappa eq. 1 to 3, without geometry.
@@ -92,14 +90,20 @@ std::vector<Pass> contours_of(const Region& outline, double radius, double step)
   return contours;
 }
 
-/// A six-pointed star with tips of `tip` degrees.
-Region star(int tip) {
-  SideList list;
-  for (int i = 0; i < 6; ++i) {
-    list.sides.push_back({50, radians(300 - tip), 0});
-    list.sides.push_back({50, radians(tip), 0});
-  }
-  return Region::from_valid_loops(closed_by_compass_rule(traced(list)), {});
+/// Step over diameter of the first contour of a planned pocket, as its certificate has it; 0 where the cutter does not fit.
+double planned_coefficient(const Region& outline, double radius, const char* strategy) {
+  const auto planned = planned_outline(pocket_part(outline, "pocket", 2 * radius), {strategy});
+  if (!planned || planned->contours.empty() || planned->contours.front().coefficients.empty()) return 0;
+  return planned->contours.front().coefficients.front().share;
+}
+
+/// Of the level feed moves, mm.
+Box level_box(const Toolpath& toolpath) {
+  Box all;
+  for (const Section& section : toolpath.sections)
+    for (const Move& move : section.moves)
+      if (!is_rapid(move.kind) && !move.is_vertical() && move.z_from == move.z_to) all.add(move.path.box());
+  return all;
 }
 
 }  // namespace
@@ -111,7 +115,9 @@ Reproduction coefficient_table() {
     add_rows(result, fmt::format("rho, R = {} mm", row.radius), row.printed, 3,
              [r = row.radius](double alpha) { return plan::contour::rho(alpha, r); });
   }
-  result.table.notes.push_back("printed figures are cut, not rounded; ours are cut alike");
+  result.table.notes.push_back(
+      "by the formulas that the strategies take their steps from; printed figures are cut, not rounded, and "
+      "ours are cut alike");
   return result;
 }
 
@@ -132,26 +138,31 @@ Reproduction triangle_figure() {
   constexpr double kStep = 7.01, kRadius = 5, kEdge = 79.9861;
   Reproduction result;
   result.table.title = "CPO-kappa figure 10: equilateral triangle, edge 79.9861 mm, R = 5 mm, step 7.01 mm";
-  result.table.columns = {{"contour", report::Align::kLeft}, {"printed"}, {"ours"}, {"length, ours"}};
+  result.table.columns = {{"contour", report::Align::kLeft}, {"printed"}, {"ours"}};
   const Region triangle = equilateral(kEdge);
-  const auto contours = contours_of(triangle, kRadius, kStep);
-  result.figures.push_back(passes_figure("contours of CPO-kappa figure 10", {triangle}, contours));
+  result.figures.push_back(
+      passes_figure("contours of CPO-kappa figure 10", {triangle}, contours_of(triangle, kRadius, kStep)));
+  const auto planned =
+      planned_outline(pocket_part(triangle, "triangle", 2 * kRadius), {"lom", fmt::format("{}mm", kStep), 6});
+  CLEARCUT_ASSERT(planned && planned->findings.all.clean && planned->contours.size() == 1);
   constexpr std::array<double, 3> kOffsets{5, 12.01, 19.02};
-  double total = (static_cast<double>(contours.size()) - 1) * plan::contour::passage_length(kStep, kPi / 3);
-  for (std::size_t i = 0; i < contours.size(); ++i) {
-    const double printed = i < kOffsets.size() ? kOffsets[i] : 0;
-    result.add({fmt::format("contour {}, from the wall", i + 1), fmt::format("{:.2f}", printed),
-                beside(contours[i].offset, printed, 2), fmt::format("{:.4f}", length(contours[i].path))});
-    total += length(contours[i].path);
-  }
-  const Box first = box(contours.front().path);
-  const double ours_by_formulas = total_by_formulas(kEdge, kRadius, kStep);
-  result.add({"first contour from x", "8.6603", beside(first.min.x, 8.6603, 4), ""});
+  const auto& offsets = planned->contours.front().from_wall;
+  CLEARCUT_ASSERT(offsets.size() == kOffsets.size());
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+    result.add({fmt::format("contour {}, from the wall", i + 1), fmt::format("{:.2f}", kOffsets[i]),
+                beside(offsets[i], kOffsets[i], 2)});
+  const Box first = level_box(planned->toolpath);
+  const double total = kinematics::published_time(planned->toolpath).length_mm;
+  result.add({"first contour from x", "8.6603", beside(first.min.x, 8.6603, 4)});
   result.add({"first contour to x", "71.3259",
-              beside(first.max.x, 71.3259, 4, {"the edge is printed to within 0.00005 mm", 2e-6}), ""});
-  result.add({"total with passages", "373.4802", beside(total, 373.4802, 4), ""});
-  result.add({"by lengths and angles alone", "373.4802", beside(ours_by_formulas, 373.4802, 4), ""});
+              beside(first.max.x, 71.3259, 4, {"the edge is printed to within 0.00005 mm", 2e-6})});
+  result.add({"total with passages", "373.4802", beside(total, 373.4802, 4)});
+  result.add({"by lengths and angles alone", "373.4802",
+              computed(total_by_formulas(kEdge, kRadius, kStep), 373.4802, 4)});
   const double alpha = plan::contour::smallest_angle(triangle);
+  result.table.notes.push_back(
+      "of the program, read back: clearcut plan triangle.edges --tool endmill:10 --strategy lom --stepover "
+      "7.01mm --decimals 6 --result triangle.txt -o triangle.ngc");
   result.table.notes.push_back(fmt::format(
       "7.01 is not 2 R kappa = {:.2f} (eq. 6, the centre would be cut by two contours): it is 0.01 mm above "
       "2 R rho = {:.2f} of the other paper (eq. 8, w = 1 mm); the text does not say so",
@@ -160,27 +171,25 @@ Reproduction triangle_figure() {
 }
 
 Reproduction caption_figures() {
+  constexpr double kStarSide = 60, kStarTip = 90;
   Reproduction result;
-  result.table.title = "Coefficients and steps printed in captions";
+  result.table.title = "Coefficients printed in captions, of planned pockets";
   result.table.columns = {{"figure", report::Align::kLeft}, {"smallest angle, deg"}, {"printed"}, {"ours"}};
-  const Region tips = star(90), triangle = equilateral(100);
-  const double tip = plan::contour::smallest_angle(tips), corner = plan::contour::smallest_angle(triangle);
-  const auto degrees = [](double angle) { return fmt::format("{:.2f}", angle * 180 / kPi); };
-  result.add({"CPO-kappa 9: kappa, star, R = 8 mm", degrees(tip), "0.8535",
-              beside(cut_to(plan::contour::kappa(tip), 4), 0.8535, 4)});
-  result.add({"CPO-rho 10: rho, R = 4 mm", "30.00", "0.5970",
-              beside(cut_to(plan::contour::rho(radians(30), 4), 4), 0.5970, 4)});
-  result.add({"CPO-rho 11: rho, triangle of 100 mm, R = 8 mm", degrees(corner), "0.7187",
-              beside(cut_to(plan::contour::rho(corner, 8), 4), 0.7187, 4)});
-  constexpr double kStarRadius = 8;
-  result.figures.push_back(passes_figure(
-      "contours of a star as in CPO-kappa figure 9, edges of 50 mm (its lengths are not printed)", {tips},
-      contours_of(tips, kStarRadius, 2 * kStarRadius * plan::contour::kappa(tip))));
-  result.figures.push_back(passes_figure(
-      "contours of CPO-rho figure 11", {triangle},
-      contours_of(triangle, kStarRadius, 2 * kStarRadius * plan::contour::rho(corner, kStarRadius))));
+  const auto add = [&](const char* name, const Region& outline, double radius, const char* strategy,
+                       double printed) {
+    const double share = planned_coefficient(outline, radius, strategy);
+    result.add({name, fmt::format("{:.2f}", plan::contour::smallest_angle(outline) * 180 / kPi),
+                fmt::format("{:.4f}", printed), beside(cut_to(share, 4), printed, 4)});
+    result.figures.push_back(passes_figure(std::string("contours of ") + name, {outline},
+                                           contours_of(outline, radius, 2 * radius * share)));
+  };
+  add("CPO-kappa 9: kappa, star, R = 8 mm", star(kStarSide, kStarTip), 8, "lom", 0.8535);
+  add("CPO-rho 10: rho, R = 4 mm", inscribed_polygon({}), 4, "rho", 0.5970);
+  add("CPO-rho 11: rho, triangle of 100 mm, R = 8 mm", equilateral(100), 8, "rho", 0.7187);
   result.table.notes.push_back(
-      "figures 9 and 10 do not print their angles: 90 and 30 degrees are what their coefficients stand for");
+      "figures 9 and 10 do not print their outlines: tips of 90 and a smallest corner of 30 degrees are what "
+      "their coefficients stand for; the sides are ours");
+  result.table.notes.push_back("each pocket is planned and certified; the coefficient is the certificate's");
   return result;
 }
 

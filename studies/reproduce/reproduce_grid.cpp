@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 
 #include "base/text/format.h"
 #include "model/design_element.h"
 #include "order/search/solve.h"
+#include "pipeline/tour/tour_solver.h"
 #include "plan/grid/visit.h"
 #include "studies/reproduce/published_grids.h"
 
@@ -21,14 +23,16 @@ struct PrintedRow {
   int squares, reduced;
   const char* time_all;
   const char* time_reduced;
+  double all_s, reduced_s;  ///< the same in seconds
 };
 
-constexpr std::array<PrintedRow, 6> kTable1{{{10, 2, MiddleRow::kKeep, 121, 16, "> 3 h", "85 s"},
-                                             {12, 2, MiddleRow::kKeep, 169, 25, "> 5 h", "160 s"},
-                                             {20, 3, MiddleRow::kKeep, 441, 36, "> 10 h", "7.5 min"},
-                                             {20, 4, MiddleRow::kKeep, 441, 16, "> 10 h", "85 s"},
-                                             {30, 3, MiddleRow::kKeep, 961, 81, "> 1 day", "20 min"},
-                                             {30, 3, MiddleRow::kStrict, 961, 64, "> 1 day", "12 min"}}};
+constexpr std::array<PrintedRow, 6> kTable1{
+    {{10, 2, MiddleRow::kKeep, 121, 16, "> 3 h", "85 s", 10800, 85},
+     {12, 2, MiddleRow::kKeep, 169, 25, "> 5 h", "160 s", 18000, 160},
+     {20, 3, MiddleRow::kKeep, 441, 36, "> 10 h", "7.5 min", 36000, 450},
+     {20, 4, MiddleRow::kKeep, 441, 16, "> 10 h", "85 s", 36000, 85},
+     {30, 3, MiddleRow::kKeep, 961, 81, "> 1 day", "20 min", 86400, 1200},
+     {30, 3, MiddleRow::kStrict, 961, 64, "> 1 day", "12 min", 86400, 720}}};
 
 ElementJob job_of(const PrintedRow& row) {
   ElementJob job;
@@ -61,13 +65,24 @@ order::Solution shortest_visit(const std::vector<Vec2>& points) {
   return solved(problem, *order::length_objective(), 1);
 }
 
-/// Milliseconds to the shortest open path, checked against the printed time of a genetic algorithm.
-Cell time_to_optimum(const std::vector<Vec2>& points, const char* printed) {
+/// The published algorithm on the same points: its seconds beside the printed ones, and how much longer its path is than the shortest.
+Cell genetic_time(const std::vector<Vec2>& points, const char* printed, double printed_s) {
+  order::Problem problem;
+  problem.points = points;
+  problem.shape = order::Shape::kOpenPath;
+  const auto found = pipeline::published_order(problem, *order::length_objective(), {});
+  const double shortest = shortest_visit(points).bound;
+  const std::string text =
+      fmt::format("{:.2f} s, +{:.1f} %", found.seconds, 100 * std::max(0.0, found.value / shortest - 1));
+  return beside(text, printed, found.seconds <= printed_s ? Agreement::kExplained : Agreement::kDiffers,
+                "a genetic algorithm on another machine, and no older one; ours ends after 1000 generations "
+                "without gain");
+}
+
+/// Milliseconds to the shortest open path, and whether it is proven.
+std::string time_to_optimum(const std::vector<Vec2>& points) {
   const auto solution = shortest_visit(points);
-  const bool proven = solution.gap < 1e-9;
-  return beside(fmt::format("{:.1f} ms{}", 1000 * solution.seconds, proven ? "" : " (not proven)"), printed,
-                proven ? Agreement::kExplained : Agreement::kDiffers,
-                "theirs is a genetic algorithm; ours is proven optimal");
+  return fmt::format("{:.1f} ms{}", 1000 * solution.seconds, solution.gap < 1e-9 ? "" : " (not proven)");
 }
 
 std::vector<std::string> cells_of(const PrintedRow& row) {
@@ -98,7 +113,7 @@ std::vector<std::string> cells_of(const PrintedRow& row) {
 
 Reproduction grid_table() {
   Reproduction result;
-  result.table.title = "Grid table 1: squares after interpolation and reduction, time to the optimal order";
+  result.table.title = "Grid table 1: squares after interpolation and reduction, time of a genetic algorithm";
   result.table.columns = {{"pocket mm"},
                           {"R mm, ours"},
                           {"middle row", report::Align::kLeft},
@@ -106,21 +121,31 @@ Reproduction grid_table() {
                           {"ours"},
                           {"reduced, theirs"},
                           {"ours"},
-                          {"time all, theirs"},
+                          {"GA on all, theirs"},
                           {"ours"},
-                          {"time reduced, theirs"},
-                          {"ours"}};
+                          {"proven optimum"},
+                          {"GA on reduced, theirs"},
+                          {"ours"},
+                          {"proven optimum"}};
   for (const PrintedRow& row : kTable1) {
     const PointTable table = plan::grid::tabulate(job_of(row));
     result.add({fmt::format("{0} x {0}", row.side), fmt::format("{}", row.radius),
                 row.rule == MiddleRow::kKeep ? "keep" : "strict", std::to_string(row.squares),
                 beside(static_cast<double>(table.points.size()), row.squares, 0), std::to_string(row.reduced),
                 beside(static_cast<double>(count_reduced(table)), row.reduced, 0), row.time_all,
-                time_to_optimum(points_of(table, false), row.time_all), row.time_reduced,
-                time_to_optimum(points_of(table, true), row.time_reduced)});
+                genetic_time(points_of(table, false), row.time_all, row.all_s),
+                time_to_optimum(points_of(table, false)), row.time_reduced,
+                genetic_time(points_of(table, true), row.time_reduced, row.reduced_s),
+                time_to_optimum(points_of(table, true))});
   }
   result.table.notes.push_back(
       "tool radii and the rule of the middle row are not printed; these give the printed counts");
+  result.table.notes.push_back(
+      "ours: the published algorithm of the Tour text (25 individuals, until 1000 generations bring no "
+      "gain), and by how much its path is "
+      "longer than the proven optimum; on a lattice nearest-neighbour paths begin near it; `clearcut "
+      "elements --all-squares` does the "
+      "same for any job");
   result.table.notes.push_back(
       "without reduction the squares are a whole lattice, whose shortest path is known at once");
   return result;

@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "base/elementary.h"
+#include <cmath>
+
 #include "base/error.h"
 #include "pipeline/run.h"
 #include "studies/fishhead.h"
@@ -10,8 +11,7 @@
 namespace clearcut::studies {
 namespace {
 
-constexpr double kSlope = 0.785;  ///< radians, printed
-constexpr int kSloped = 5;        ///< POCKET3, among features and steps
+constexpr int kSloped = 5;  ///< POCKET3, among features and steps
 
 /// The pocket alone, in a stock whose top it begins at.
 Part sloped_pocket() {
@@ -24,21 +24,32 @@ Part sloped_pocket() {
   return part;
 }
 
-/// Certified scallop where `asked` mm are allowed.
-FeatureFindings planned(double asked) {
-  resolve::PlanOptions options;
+/// The pocket as planned and certified; its layers are as deep as `options` say.
+FeatureFindings planned(resolve::PlanOptions options) {
   options.strategy = "tour";
-  options.scallop = asked;
   const pipeline::PlanResult result = pipeline::plan_part(sloped_pocket(), options);
   CLEARCUT_ASSERT(result.findings.all.clean && result.findings.features.front().scallop);
   return result.findings.features.front();
 }
 
-/// Steps on the walls where the pocket's depth is shared out equally.
-double equal_layers_scallop(std::size_t layers) {
+/// Layers as deep as a scallop of `asked` mm allows, the last one with what is left.
+FeatureFindings planned_by_scallop(double asked) {
+  resolve::PlanOptions options;
+  options.scallop = asked;
+  return planned(options);
+}
+
+/// The pocket's depth shared out equally; mm, to the four decimals that a command states.
+double equal_stepdown(std::size_t layers) {
   const Part part = sloped_pocket();
   const Feature& pocket = part.features.front();
-  return (pocket.top_z - pocket.floor_z) / static_cast<double>(layers) * base::sin(kSlope);
+  return std::ceil(1e4 * (pocket.top_z - pocket.floor_z) / static_cast<double>(layers)) / 1e4;
+}
+
+FeatureFindings planned_by_stepdown(double stepdown) {
+  resolve::PlanOptions options;
+  options.stepdown = stepdown;
+  return planned(options);
 }
 
 }  // namespace
@@ -46,23 +57,26 @@ double equal_layers_scallop(std::size_t layers) {
 Reproduction scallop_table() {
   Reproduction result;
   result.table.title = "Tour table 6.1: scallop height on the drafted walls of the sloped fishhead, mm";
-  result.table.columns = {
-      {"specified"}, {"actual, printed"}, {"equal layers"}, {"ours, measured"}, {"layers"}};
+  result.table.columns = {{"specified"},       {"actual, printed"}, {"layers"},
+                          {"stepdown, equal"}, {"equal, measured"}, {"as deep as allowed, measured"}};
   for (const double asked : {0.5, 0.2}) {
-    const auto found = planned(asked);
-    const double equal = equal_layers_scallop(found.layers.size());
+    const FeatureFindings deepest = planned_by_scallop(asked);
+    const double stepdown = equal_stepdown(deepest.layers.size());
+    const FeatureFindings equal = planned_by_stepdown(stepdown);
+    CLEARCUT_ASSERT(equal.layers.size() == deepest.layers.size());
     const bool is_printed = asked == 0.5;
-    result.add({fmt::format("{:.2f}", asked), is_printed ? "0.48" : "-",
-                is_printed ? beside(equal, 0.48, 2) : Cell(fmt::format("{:.2f}", equal)),
-                fmt::format("{:.3f}", found.scallop->height_mm), std::to_string(found.layers.size())});
+    const double height = equal.scallop->height_mm;
+    result.add({fmt::format("{:.2f}", asked), is_printed ? "0.48" : "-", std::to_string(equal.layers.size()),
+                fmt::format("{:.4f}", stepdown),
+                is_printed ? beside(height, 0.48, 2) : Cell(fmt::format("{:.2f}", height)),
+                fmt::format("{:.3f}", deepest.scallop->height_mm)});
   }
   result.table.notes.push_back(
-      "equal layers: the depth of the pocket shared out equally, depth / layers times the sine of the slope; "
-      "printed is what that gives");
+      "measured on the certified program, square to the wall; equal: clearcut plan "
+      "examples/fishhead_sloped.p21 --strategy tour "
+      "--stepdown 0.6786");
   result.table.notes.push_back(
-      "measured on the program, square to the wall, certified clean; every layer but the last is as deep as "
-      "the scallop "
-      "allows");
+      "as deep as allowed: every layer but the last takes all of the scallop that is specified");
   return result;
 }
 

@@ -1,6 +1,7 @@
 #include "studies/reproduce/reproduction.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,23 +10,53 @@
 
 namespace clearcut::studies {
 
-const char* name_of(Agreement agreement) {
-  if (agreement == Agreement::kAgrees) return "agrees";
-  return agreement == Agreement::kExplained ? "explained" : "differs";
-}
+namespace {
 
-Cell beside(double ours, double printed, int decimals, const Explanation& explanation) {
+/// What an agreement is called, and how a summary counts its cells.
+struct AgreementWords {
+  Agreement agreement;
+  const char* name;
+  const char* counted;
+};
+constexpr AgreementWords kWords[] = {{Agreement::kAgrees, "agrees", "agree"},
+                                     {Agreement::kComputed, "computed", "computed"},
+                                     {Agreement::kPrinted, "printed", "sums of print"},
+                                     {Agreement::kExplained, "explained", "explained"},
+                                     {Agreement::kDiffers, "differs", "differ"}};
+
+Cell compared_cell(double ours, double printed, int decimals, const Explanation& explanation,
+                   Agreement where_same) {
   const double off = std::abs(ours - printed);
   const bool same = off < 0.5 * base::pow(10.0, -decimals);
   const bool within = !explanation.reason.empty() && off <= explanation.share * std::abs(printed);
-  const Agreement agreement = same     ? Agreement::kAgrees
-                              : within ? Agreement::kExplained
-                                       : Agreement::kDiffers;
+  const Agreement agreement = same ? where_same : within ? Agreement::kExplained : Agreement::kDiffers;
   const std::string reason =
       within ? fmt::format("{} (at most {:g} %)", explanation.reason, 100 * explanation.share)
              : explanation.reason;
   return beside(fmt::format("{:.{}f}", ours, decimals), fmt::format("{:.{}f}", printed, decimals), agreement,
                 same ? "" : reason);
+}
+
+}  // namespace
+
+const char* name_of(Agreement agreement) {
+  return kWords[static_cast<std::size_t>(agreement)].name;
+}
+
+bool is_same(Agreement agreement) {
+  return agreement < Agreement::kExplained;
+}
+
+Cell beside(double ours, double printed, int decimals, const Explanation& explanation) {
+  return compared_cell(ours, printed, decimals, explanation, Agreement::kAgrees);
+}
+
+Cell computed(double ours, double printed, int decimals) {
+  return compared_cell(ours, printed, decimals, {}, Agreement::kComputed);
+}
+
+Cell of_print(double sum, double printed, int decimals, const Explanation& explanation) {
+  return compared_cell(sum, printed, decimals, explanation, Agreement::kPrinted);
 }
 
 Cell beside(const std::string& ours, const std::string& printed, Agreement agreement,
@@ -54,13 +85,16 @@ int Reproduction::count(Agreement agreement) const {
 }
 
 Agreement Reproduction::agreement() const {
-  if (count(Agreement::kDiffers) > 0) return Agreement::kDiffers;
-  return count(Agreement::kExplained) > 0 ? Agreement::kExplained : Agreement::kAgrees;
+  Agreement worst = Agreement::kAgrees;
+  for (const Compared& one : compared) worst = std::max(worst, one.agreement);
+  return worst;
 }
 
 std::string Reproduction::summary() const {
-  return fmt::format("{} printed cells: {} agree, {} explained, {} differ", compared.size(),
-                     count(Agreement::kAgrees), count(Agreement::kExplained), count(Agreement::kDiffers));
+  std::vector<std::string> counts;
+  for (const AgreementWords& one : kWords)
+    counts.push_back(fmt::format("{} {}", count(one.agreement), one.counted));
+  return fmt::format("{} printed cells: {}", compared.size(), fmt::join(counts, ", "));
 }
 
 double cut_to(double value, int decimals) {

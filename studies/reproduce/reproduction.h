@@ -1,6 +1,7 @@
 // A published table beside our figures, with every printed cell checked.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -9,13 +10,22 @@
 namespace clearcut::studies {
 
 enum class Agreement {
-  kAgrees,     ///< to the printed digit
+  kAgrees,     ///< the system ran, and its figure is the printed one to the last digit
+  kComputed,   ///< so is that of a formula; nothing was planned
+  kPrinted,    ///< other printed figures add up to it; nothing of ours is in it
   kExplained,  ///< differs by no more than the stated reason can make it
   kDiffers     ///< differs by more, or nobody can say why
 };
 
-/// "agrees", "explained", "differs".
+/// From the best to the worst.
+inline constexpr std::array kAgreements{Agreement::kAgrees, Agreement::kComputed, Agreement::kPrinted,
+                                        Agreement::kExplained, Agreement::kDiffers};
+
+/// "agrees", "computed", "printed", "explained", "differs".
 const char* name_of(Agreement agreement);
+
+/// Whether nothing separates ours from print.
+bool is_same(Agreement agreement);
 
 /// A printed figure with ours beside it.
 struct Compared {
@@ -46,6 +56,12 @@ struct Explanation {
 /// `explanation` does not reach is marked in the text.
 Cell beside(double ours, double printed, int decimals, const Explanation& explanation = {});
 
+/// The same of a figure that a formula gives: equal figures are kComputed.
+Cell computed(double ours, double printed, int decimals);
+
+/// The same of a sum of printed figures: equal ones are kPrinted.
+Cell of_print(double sum, double printed, int decimals, const Explanation& explanation = {});
+
 /// Words instead of figures, checked by the caller.
 Cell beside(const std::string& ours, const std::string& printed, Agreement agreement,
             const std::string& reason = "");
@@ -66,7 +82,7 @@ struct Reproduction {
   int count(Agreement agreement) const;
   /// The worst of all cells.
   Agreement agreement() const;
-  /// "63 printed cells: 60 agree, 3 explained, 0 differ".
+  /// "63 printed cells: 50 agree, 10 computed, 0 sums of print, 3 explained, 0 differ".
   std::string summary() const;
 };
 

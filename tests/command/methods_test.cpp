@@ -135,8 +135,10 @@ TEST(Methods, ReproducedTablesDifferOnlyWhereTheirOutlinesAreNotPrinted) {
     EXPECT_THAT(out, Not(HasSubstr("(differs)"))) << table;
     EXPECT_THAT(out, ContainsRegex("printed cells: .* 0 differ")) << table;
   }
-  EXPECT_THAT(run_clearcut({"reproduce", "coefficients"}).out, HasSubstr("63 printed cells: 63 agree"));
-  EXPECT_THAT(run_clearcut({"reproduce", "overlaps"}).out, HasSubstr("54 printed cells: 54 agree"));
+  EXPECT_THAT(run_clearcut({"reproduce", "coefficients"}).out,
+              HasSubstr("63 printed cells: 0 agree, 63 computed"));
+  EXPECT_THAT(run_clearcut({"reproduce", "overlaps"}).out,
+              HasSubstr("54 printed cells: 0 agree, 54 computed"));
   const std::string overlaps = run_clearcut({"reproduce", "overlaps"}).out;
   EXPECT_THAT(overlaps,
               ContainsRegex("R = 5 mm, printed +0.09 +0.26 +0.42 +0.57 +0.71 +0.82 +0.91 +0.96 +1.00"));
@@ -144,7 +146,8 @@ TEST(Methods, ReproducedTablesDifferOnlyWhereTheirOutlinesAreNotPrinted) {
               ContainsRegex("R = 40 mm, ours +0.08 +0.24 +0.40 +0.56 +0.72 +0.80 +0.96 +0.96 +1.04"));
   EXPECT_THAT(overlaps,
               ContainsRegex("R = 50 mm, ours +0.10 +0.30 +0.40 +0.50 +0.70 +0.80 +0.90 +0.90 +1.00"));
-  EXPECT_THAT(run_clearcut({"reproduce", "scallop"}).out, ContainsRegex("0.50 +0.48 +0.48 +0.500 +14"));
+  EXPECT_THAT(run_clearcut({"reproduce", "scallop"}).out,
+              ContainsRegex("0.50 +0.48 +14 +0.6786 +0.48 +0.500"));
   EXPECT_THAT(run_clearcut({"reproduce", "lengths"}).out, HasSubstr("the shapes are ours"));
 }
 
@@ -218,9 +221,9 @@ TEST(Methods, RhoSaysItsCoefficient) {
 TEST(Methods, CertificatesHoldCoefficientsAndResiduals) {
   const ScratchFolder folder;
   const auto input = folder.file("triangle.edges", kTriangle);
-  const auto result =
-      run_clearcut({"plan", input, "--tool", "endmill:10", "--strategy", "lom", "--stepover", "7.01mm",
-                    "--certificate", folder.path("c.json"), "-o", folder.path("a.ngc")});
+  const auto result = run_clearcut({"plan", input, "--tool", "endmill:10", "--strategy", "lom", "--stepover",
+                                    "7.01mm", "--certificate", folder.path("c.json"), "--result",
+                                    folder.path("a.txt"), "-o", folder.path("a.ngc")});
   ASSERT_EQ(result.exit_code, 0) << result.err;
   const auto json = nlohmann::json::parse(read_file(folder.path("c.json")));
   const auto& contours = json.at("contours").at(0);
@@ -230,7 +233,16 @@ TEST(Methods, CertificatesHoldCoefficientsAndResiduals) {
   EXPECT_NEAR(first.at("smallest_angle_deg").get<double>(), 60, 1e-3);
   // Eq. 4: F = (R - 2 R (1 - kappa)) / sin(alpha / 2) - R.
   EXPECT_NEAR(first.at("residual_mm").get<double>(), (5 - 10 * (1 - 0.701)) / 0.5 - 5, 1e-3);
-  EXPECT_GT(json.at("published_time_s").get<double>(), json.at("time_naive_s").get<double>());
+  // Eq. 9 over the contours and passages alone: 373.4802 / 1000 min + 2 (1 + 10) 0.177 s.
+  EXPECT_NEAR(json.at("published_time_s").get<double>(), 26.3028, 1e-3);
+  EXPECT_NEAR(json.at("published_length_mm").get<double>(), 373.4802, 1e-3);
+  EXPECT_EQ(json.at("published_discontinuities").get<int>(), 10);
+  EXPECT_EQ(json.at("published_feed_mm_per_min"), (nlohmann::json{1000.0, 1000.0}));
+  EXPECT_THAT(read_file(folder.path("a.txt")), HasSubstr("eq. 9 26.30 s: sum L 373.48"));
+  const auto tools = nlohmann::json::parse(run_clearcut({"tools", input, "--tool", "endmill:10", "--strategy",
+                                                         "lom", "--stepover", "7.01mm", "--json", "-"})
+                                               .out);
+  EXPECT_NEAR(tools.at("tools").at(0).at("published_time_s").get<double>(), 26.3028, 1e-3);
   const auto schema = nlohmann::ordered_json::parse(report::certificate_schema());
   EXPECT_THAT(report::schema_faults(json, schema), testing::IsEmpty());
   for (const auto& [key, value] : json.items()) {

@@ -49,7 +49,7 @@ Json run_json(const StrategyRun& run, bool fastest) {
   json["lower_bound_mm"] = number(f.lower_bound_mm);
   json["retracts"] = f.retracts;
   json["time_s"] = number(f.time_s);
-  json["published_time_s"] = number(published_time(f.time_naive_s, f.turns));
+  json["published_time_s"] = number(run.published.seconds());
   json["uncut_thickness_mm"] = number(f.uncut_thickness_mm);
   json["uncut_mm2"] = number(f.uncut_mm2);
   json["gouge_mm"] = number(f.gouge_mm);

@@ -7,8 +7,23 @@ namespace clearcut::order {
 namespace {
 
 const NamedMakers<std::unique_ptr<Crossover> (*)(const OperatorContext&)>& crossover_makers() {
-  static const NamedMakers<std::unique_ptr<Crossover> (*)(const OperatorContext&)> all{
-      "crossover", {{"pmx", pmx}, {"ox", ox}, {"erx", erx}, {"cx", cx}, {"eax", eax}}};
+  static const NamedMakers<std::unique_ptr<Crossover> (*)(const OperatorContext&)> all{"crossover",
+                                                                                       {{"pmx", pmx},
+                                                                                        {"ox", ox},
+                                                                                        {"erx", erx},
+                                                                                        {"cx", cx},
+                                                                                        {"eax", eax},
+                                                                                        {"ox1", ox1},
+                                                                                        {"ox2", ox2},
+                                                                                        {"pos", pos},
+                                                                                        {"hx", hx},
+                                                                                        {"smx", smx},
+                                                                                        {"mpx", mpx},
+                                                                                        {"vr", vr},
+                                                                                        {"ap", ap},
+                                                                                        {"aer", aer},
+                                                                                        {"scx", scx},
+                                                                                        {"upmx", upmx}}};
   return all;
 }
 

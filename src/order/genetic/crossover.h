@@ -35,6 +35,35 @@ std::unique_ptr<Crossover> cx(const OperatorContext& context);
 /// the shortest place; not in the text's implementation, named in its review.
 std::unique_ptr<Crossover> eax(const OperatorContext& context);
 
+/// What pmx does with one stretch, positions low to high (Tour 3.6.2, b.2.1).
+void map_stretch(const Genome& first, const Genome& second, int low, int high, Genome& child);
+/// The genes next to `gene` in either closed tour, ascending: what erx draws from (Tour table 3.1).
+std::vector<int> genetic_edges(const Genome& first, const Genome& second, int gene);
+
+// The others of Tour 3.6.2, by the rules of [larranaga1999] and [abdoun2012].
+/// OX1: a random stretch as in the second parent; from its end on and around, the rest in the order of the first from there.
+std::unique_ptr<Crossover> ox1(const OperatorContext& context);
+/// OX2: random genes stand in the places that they have in the first parent, in the order of the second.
+std::unique_ptr<Crossover> ox2(const OperatorContext& context);
+/// POS: random positions as in the second parent; the rest in the order of the first.
+std::unique_ptr<Crossover> pos(const OperatorContext& context);
+/// HX, HC: the shorter of the moves that both parents make from here; any where both lead to used genes.
+std::unique_ptr<Crossover> hx(const OperatorContext& context);
+/// SMX: a stretch that both parents run through between the same ends takes the shorter of its two orders.
+std::unique_ptr<Crossover> smx(const OperatorContext& context);
+/// MPX: 10 genes to half of them as they follow each other in the second parent, then the rest in the order of the first.
+std::unique_ptr<Crossover> mpx(const OperatorContext& context);
+/// VR: positions where the parents agree stay; all others are drawn.
+std::unique_ptr<Crossover> vr(const OperatorContext& context);
+/// AP: genes of one parent and the other in turn, used ones left out.
+std::unique_ptr<Crossover> ap(const OperatorContext& context);
+/// AER: moves of one parent and the other in turn; any where that leads to a used gene.
+std::unique_ptr<Crossover> aer(const OperatorContext& context);
+/// SCX: a random number of moves of one parent, then of the other; any where that leads to a used gene.
+std::unique_ptr<Crossover> scx(const OperatorContext& context);
+/// UPMX: pmx at single random positions, a third of all, instead of a stretch.
+std::unique_ptr<Crossover> upmx(const OperatorContext& context);
+
 const std::vector<std::string>& crossover_names();
 /// Throws InputError for an unknown name.
 std::unique_ptr<Crossover> crossover_named(const std::string& name, const OperatorContext& context);

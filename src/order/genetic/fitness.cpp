@@ -80,9 +80,29 @@ double Fitness::local_after(const Individual& before, const Genome& after) {
   return local;
 }
 
+double Fitness::change_of_genes(const Genome& genome, const Rearrangement& r) const {
+  const auto old_at = [&](int p) { return genome.at(p); };
+  const auto new_at = [&](int p) {
+    return p >= r.first && p <= r.last ? r.genes[static_cast<std::size_t>(p - r.first)] : genome.at(p);
+  };
+  // Around a closed tour the last edge and the outer corners may be the first ones again.
+  const int edges = std::min(r.last - r.first + 2, size_), corners = std::min(r.last - r.first + 3, size_);
+  double sum = 0;
+  for (int k = 0; k < edges; ++k) {
+    const int i = closed_ ? wrapped(r.first - 1 + k) : r.first - 1 + k;
+    if (is_edge(i)) sum += edge_at(i, new_at) - edge_at(i, old_at);
+  }
+  for (int k = 0; k < corners; ++k) {
+    const int i = closed_ ? wrapped(r.first - 1 + k) : r.first - 1 + k;
+    if (is_corner(i)) sum += corner_at(i, new_at) - corner_at(i, old_at);
+  }
+  return sum;
+}
+
 double Fitness::change(const Genome& genome, const Rearrangement& r) const {
   using Kind = Rearrangement::Kind;
   if (r.kind == Kind::kNone) return 0;
+  if (r.kind == Kind::kGenes) return change_of_genes(genome, r);
   const bool swaps = r.kind == Kind::kSwap;
   const auto old_at = [&](int p) { return genome.at(p); };
   const auto new_at = [&](int p) {

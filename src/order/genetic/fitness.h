@@ -29,7 +29,7 @@ class Fitness {
   /// corners at altered positions are priced.
   double local_after(const Individual& before, const Genome& after);
 
-  /// Change of `local` by a rearrangement not yet applied. O(1): a reversed stretch keeps its value.
+  /// Change of `local` by a rearrangement, before it is applied. O(1) where two change places or a stretch is reversed, which keeps its value.
   double change(const Genome& genome, const Rearrangement& rearrangement) const;
 
   /// Whether the value follows from `local` only.
@@ -40,6 +40,8 @@ class Fitness {
   void complete(Individual& individual) const;
 
  private:
+  /// Of a rearrangement that says all genes between its ends. O(their number).
+  double change_of_genes(const Genome& genome, const Rearrangement& rearrangement) const;
   template <class At>
   double edge_at(int i, At at) const;
   template <class At>

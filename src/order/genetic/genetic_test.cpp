@@ -34,7 +34,7 @@ TEST(Genetic, EveryCombinationOfOperatorsImprovesAndRepeats) {
   for (const std::string& selection : selection_names()) {
     for (const std::string& crossover : crossover_names()) {
       for (const std::string& replacement : replacement_names()) {
-        GeneticOptions options = generations(200);
+        GeneticOptions options = generations(100);
         options.selection = selection;
         options.crossover = crossover;
         options.replacement = replacement;

@@ -9,12 +9,14 @@
 
 namespace clearcut::order {
 
-/// Positions first..last change places in pairs (reverse), or only first and last do (swap).
+/// Positions first..last change places in pairs (reverse), only first and last do (swap), or they hold `genes`, which are those that
+/// they held in another order.
 struct Rearrangement {
-  enum class Kind { kNone, kSwap, kReverse };
+  enum class Kind { kNone, kSwap, kReverse, kGenes };
   Kind kind = Kind::kNone;
   int first = 0;  ///< positions, first < last
   int last = 0;
+  Tour genes = {};  ///< of kGenes
 };
 
 /// A permutation that also stores the position of each gene.
@@ -44,9 +46,17 @@ class Genome {
     if (change.kind == Rearrangement::Kind::kReverse) {
       for (int p = change.first, q = change.last; p < q; ++p, --q) swap(p, q);
     }
+    if (change.kind == Rearrangement::Kind::kGenes) {
+      for (int p = change.first; p <= change.last; ++p)
+        put(p, change.genes[static_cast<std::size_t>(p - change.first)]);
+    }
   }
 
  private:
+  void put(int position, int gene) {
+    genes_[static_cast<std::size_t>(position)] = gene;
+    places_[static_cast<std::size_t>(gene)] = position;
+  }
   Tour genes_;
   std::vector<int> places_;
 };

@@ -29,6 +29,9 @@ std::unique_ptr<Mutation> inversion_mutation(const OperatorContext& context);
 /// to one of its own neighbours are reversed, so that the two become adjacent.
 std::unique_ptr<Mutation> nearest_mutation(const OperatorContext& context);
 
+// The others of Tour 3.6.2 (c) by their names: displacement, insertion, inverted-displacement (a stretch or one gene moves elsewhere;
+// DM, ISM, IVM), scramble, partial-shuffle (SM, PSM), centre-inversion, three-successive, three-random (throas, thrors), shorter
+// (Sengoku's). Simple inversion and the reversed sequence are `inversion`, twors is `exchange`.
 const std::vector<std::string>& mutation_names();
 /// Throws InputError for an unknown name.
 std::unique_ptr<Mutation> mutation_named(const std::string& name, const OperatorContext& context);

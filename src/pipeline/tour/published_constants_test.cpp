@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "kinematics/published_time.h"
 #include "order/genetic/genetic.h"
 #include "order/lattice.h"
 #include "order/search/solve.h"
@@ -21,8 +22,8 @@ namespace {
 
 /// CPO-rho eq. 9: T = sum L / V_f + 2 (1 + nd) tau, tau = 0.177 s.
 TEST(PublishedConstants, TimeOfEquation9) {
-  EXPECT_NEAR(published_time(100, 0), 100.354, 1e-9);
-  EXPECT_NEAR(published_time(100, 9), 103.54, 1e-9);
+  EXPECT_NEAR(kinematics::published_time(100, 0), 100.354, 1e-9);
+  EXPECT_NEAR(kinematics::published_time(100, 9), 103.54, 1e-9);
 }
 
 /// The same as an objective: a row of four points 1 mm apart at 60 mm/min has no turn.
@@ -30,6 +31,14 @@ TEST(PublishedConstants, TimeAsAnObjective) {
   order::Problem row = order::lattice_problem(4, 1);
   row.shape = order::Shape::kOpenPath;
   EXPECT_NEAR(order::solve(row, *order::time_objective(60), {}).objective, 3 + 0.354, 1e-9);
+}
+
+/// The same with a corner: three points around it, 2 mm, one turn.
+TEST(PublishedConstants, TimeOfATurnAsAnObjective) {
+  order::Problem corner = order::lattice_problem(2, 2);
+  corner.points.pop_back();
+  corner.shape = order::Shape::kOpenPath;
+  EXPECT_NEAR(order::solve(corner, *order::time_objective(60), {}).objective, 2 + 0.708, 1e-9);
 }
 
 /// Tour eq. 4.22 as restated in docs/tour.md.

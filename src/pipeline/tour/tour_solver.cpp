@@ -18,8 +18,6 @@ namespace {
 /// Seconds of one core for a population, and rounds, if no search time is stated.
 constexpr double kTourEffort = 0.1, kBriefEffort = 0.02;
 constexpr long long kTourRounds = 2;
-/// Tour 4.3.3: "1000 generations without any improvement".
-constexpr long long kPublishedPatience = 1000;
 /// Fewer points make no population.
 constexpr std::size_t kFewPoints = 5;
 
@@ -135,7 +133,6 @@ order::GeneticResult published_order(const order::Problem& problem, const order:
   }
   const PublishedSolver& published = how.solver;
   order::GeneticOptions genetic;
-  genetic.patience = kPublishedPatience;
   genetic.seed = how.seed;
   if (published.generations) {
     genetic.stop.rounds = *published.generations;

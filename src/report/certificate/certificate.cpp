@@ -265,7 +265,12 @@ void add_margin(Json& json, const CertificateInfo& info) {
 void add_contours(Json& json, const CertificateInfo& info) {
   for (const ContourLevels& one : info.contours)
     if (!one.coefficients.empty()) json["contours"].push_back(contours(one));
-  if (json.contains("contours") && info.published_s) json["published_time_s"] = number(*info.published_s);
+  if (!json.contains("contours") || !info.published) return;
+  const kinematics::PublishedTime& time = *info.published;
+  json["published_time_s"] = number(time.seconds());
+  json["published_length_mm"] = number(time.length_mm);
+  json["published_discontinuities"] = time.discontinuities;
+  json["published_feed_mm_per_min"] = {number(time.slowest.mm_per_min()), number(time.fastest.mm_per_min())};
 }
 
 }  // namespace

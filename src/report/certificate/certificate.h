@@ -49,8 +49,8 @@ struct CertificateInfo {
   std::optional<std::string> material;
   /// Selections of the workingsteps; empty if a program of unknown origin was checked.
   std::vector<StrategySelection> selections;
-  std::vector<ContourLevels> contours = {};  ///< with the coefficients of published methods
-  std::optional<double> published_s = {};    ///< CPO-rho eq. 9; absent: not asked
+  std::vector<ContourLevels> contours = {};                 ///< with the coefficients of published methods
+  std::optional<kinematics::PublishedTime> published = {};  ///< CPO-rho eq. 9; absent: not asked
   std::optional<CertificateProof> proof = {};
   std::optional<Margin> margin = {};  ///< absent: not asked
   /// Values of the plan; empty if a program of unknown origin was checked.

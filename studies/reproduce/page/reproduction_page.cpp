@@ -16,22 +16,24 @@ namespace {
 constexpr const char* kHead = R"(<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1"><title>Clearcut: the four texts, printed and reproduced</title>
 <style>
-:root { color-scheme: light dark; --ink: #222; --page: #fff; --rule: #ccc; --link: #0b57a8; --agrees: #cdeccd; --explained: #fbe8b0; --differs: #f6c3c0; }
+:root { color-scheme: light dark; --ink: #222; --page: #fff; --rule: #ccc; --link: #0b57a8; --agrees: #cdeccd; --computed: #d5e6f7; --printed: #e6e6e6; --explained: #fbe8b0; --differs: #f6c3c0; }
 @media (prefers-color-scheme: dark) {
-  :root { --ink: #e6ebf0; --page: #14191f; --rule: #4a5866; --link: #74b3ff; --agrees: #1d4a2c; --explained: #564309; --differs: #6b2a2a; }
+  :root { --ink: #e6ebf0; --page: #14191f; --rule: #4a5866; --link: #74b3ff; --agrees: #1d4a2c; --computed: #1c3d5c; --printed: #3a4149; --explained: #564309; --differs: #6b2a2a; }
 }
 body { font: 15px/1.45 sans-serif; margin: 2em auto; max-width: 76em; padding: 0 1em; color: var(--ink); background: var(--page); overflow-wrap: break-word; }
 a { color: var(--link); } td a { display: inline-block; min-width: 24px; min-height: 24px; }
 table { border-collapse: collapse; margin: .6em 0; font-size: 13px; }
 th, td { border: 1px solid var(--rule); padding: .15em .5em; text-align: right; }
 th:first-child, td:first-child { text-align: left; }
-.agrees { background: var(--agrees); } .explained { background: var(--explained); } .differs { background: var(--differs); }
+.agrees { background: var(--agrees); } .computed { background: var(--computed); } .printed { background: var(--printed); } .explained { background: var(--explained); } .differs { background: var(--differs); }
 figure { margin: 1em 0; } figure svg { max-width: 100%; height: auto; background: #fff; border-radius: 6px; } figcaption { font-size: 13px; }
 .key { padding: 0 .5em; } .scroll { overflow-x: auto; } .scroll:focus-visible { outline: 2px solid var(--link); }
 </style></head><body>
 <h1>The four texts: printed, and reproduced by this program</h1>
 <p>Our figures are coloured where the text prints one to compare with:
-<span class="key agrees">agrees to the printed digit</span>
+<span class="key agrees">the system ran, and its figure is the printed one</span>
+<span class="key computed">a formula gives the printed figure</span>
+<span class="key printed">other printed figures add up to it</span>
 <span class="key explained">differs for a known reason</span>
 <span class="key differs">differs, and we cannot say why</span>.
 Pointing at a cell shows the printed figure.</p>
@@ -85,14 +87,17 @@ std::string table_html(const NamedReproduction& named) {
 std::string overview_html(const std::vector<NamedReproduction>& tables) {
   std::string html =
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"All tables\">"
-      "<table><tr><th>table</th><th>name</th><th>agree</th><th>explained</th><th>differ</th></tr>\n";
+      "<table><tr><th>table</th><th>name</th><th>agree</th><th>computed</th><th>sums of "
+      "print</th><th>explained</th><th>differ</th></tr>\n";
   for (const auto& named : tables) {
     const Reproduction& one = named.reproduction;
     html += fmt::format(
-        "<tr><td>{0}</td><td><a href=\"#{1}\">{1}</a></td><td>{2}</td><td>{3}</td><td "
-        "class=\"{5}\">{4}</td></tr>\n",
+        "<tr><td>{0}</td><td><a "
+        "href=\"#{1}\">{1}</a></td><td>{2}</td><td>{3}</td><td>{4}</td><td>{5}</td><td "
+        "class=\"{7}\">{6}</td></tr>\n",
         xml_escaped(named.place), xml_escaped(named.name), one.count(Agreement::kAgrees),
-        one.count(Agreement::kExplained), one.count(Agreement::kDiffers), name_of(one.agreement()));
+        one.count(Agreement::kComputed), one.count(Agreement::kPrinted), one.count(Agreement::kExplained),
+        one.count(Agreement::kDiffers), name_of(one.agreement()));
   }
   return html + "</table></div>\n";
 }
@@ -128,7 +133,7 @@ nlohmann::ordered_json json_of(const NamedReproduction& named) {
 }
 
 Agreement agreement_named(const std::string& name) {
-  for (const Agreement one : {Agreement::kAgrees, Agreement::kExplained})
+  for (const Agreement one : kAgreements)
     if (name == name_of(one)) return one;
   return Agreement::kDiffers;
 }

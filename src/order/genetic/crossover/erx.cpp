@@ -1,34 +1,12 @@
+#include <algorithm>
 #include <array>
 
 #include "order/genetic/crossover.h"
+#include "order/genetic/crossover/unused_genes.h"
 
 namespace clearcut::order {
 
 namespace {
-
-/// Genes not yet used, drawn and taken out in O(1).
-class Unused {
- public:
-  void fill(const Tour& genes) {
-    genes_ = genes;
-    places_.resize(genes.size());
-    for (std::size_t i = 0; i < genes.size(); ++i)
-      places_[static_cast<std::size_t>(genes[i])] = static_cast<int>(i);
-  }
-  bool has(int gene) const { return places_[static_cast<std::size_t>(gene)] >= 0; }
-  int any(Random& random) const { return genes_[random.below(genes_.size())]; }
-  void take(int gene) {
-    const auto place = static_cast<std::size_t>(places_[static_cast<std::size_t>(gene)]);
-    genes_[place] = genes_.back();
-    places_[static_cast<std::size_t>(genes_[place])] = static_cast<int>(place);
-    places_[static_cast<std::size_t>(gene)] = -1;
-    genes_.pop_back();
-  }
-
- private:
-  Tour genes_;
-  std::vector<int> places_;
-};
 
 class Erx final : public Crossover {
  public:
@@ -74,11 +52,21 @@ class Erx final : public Crossover {
   }
 
   const OperatorContext& context_;
-  Unused unused_;
+  UnusedGenes unused_;
   Tour genes_;
 };
 
 }  // namespace
+
+std::vector<int> genetic_edges(const Genome& first, const Genome& second, int gene) {
+  std::vector<int> edges;
+  for (const Genome* parent : {&first, &second})
+    for (const int step : {parent->size() - 1, 1})
+      edges.push_back(parent->at((parent->place(gene) + step) % parent->size()));
+  std::sort(edges.begin(), edges.end());
+  edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+  return edges;
+}
 
 std::unique_ptr<Crossover> erx(const OperatorContext& context) {
   return std::make_unique<Erx>(context);

@@ -12,10 +12,7 @@ class Pmx final : public Crossover {
 
   void cross(const Genome& first, const Genome& second, Random& random, Genome& child) override {
     const auto [low, high] = std::minmax({context_.any_position(random), context_.any_position(random)});
-    child = first;
-    for (int p = low; p <= high; ++p) {
-      if (child.at(p) != second.at(p)) child.swap(p, child.place(second.at(p)));
-    }
+    map_stretch(first, second, low, high, child);
   }
 
  private:
@@ -23,6 +20,13 @@ class Pmx final : public Crossover {
 };
 
 }  // namespace
+
+void map_stretch(const Genome& first, const Genome& second, int low, int high, Genome& child) {
+  child = first;
+  for (int p = low; p <= high; ++p) {
+    if (child.at(p) != second.at(p)) child.swap(p, child.place(second.at(p)));
+  }
+}
 
 std::unique_ptr<Crossover> pmx(const OperatorContext& context) {
   return std::make_unique<Pmx>(context);
