@@ -113,10 +113,8 @@ std::vector<LayerPasses> passes_of(const StepWork& work, const Feature& feature,
 
 /// s, as the planner of the control needs that the program is for.
 double time_on_machine(const Section& section, const ResolvedPlan& job) {
-  PostOptions post = post_options_of(job);
-  const auto dialect = read::gcode::dialect_named(post.dialect);
-  return kinematics::planned_time(section.moves, post::path_control_of(post), job.machine,
-                                  dialect ? std::optional(planner_of(*dialect)) : std::nullopt)
+  return kinematics::planned_time(section.moves, post::path_control_of(post_options_of(job)), job.machine,
+                                  planner_of_control(job))
       .seconds();
 }
 
