@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "base/elementary.h"
 #include "verify/coverage/swath_cover.h"
@@ -28,6 +29,10 @@ constexpr double kFineShare = 50;
 constexpr double kRounding = 1e-9;
 /// mm. A point so much farther from the nearest legal centre than the cutter reaches is out of reach.
 constexpr double kBeyondReach = 1e-6;
+/// mm and the sine of an angle. Where an edge ends nearer to the way between two places, or meets it at less, the winding number of
+/// one is not derived from that of the other.
+constexpr double kBesideWay = 1e-6;
+constexpr double kLeastAcross = 1e-4;
 /// The area of unreachable corners is counted in cells of R / kCornerCells.
 constexpr double kCornerCells = 48;
 
@@ -203,6 +208,11 @@ class CoverageProof {
   }
 
   bool beside_target(Cell& cell, const Range from, Range& out) {
+    return leaves_outline(cell, from, out) && target_.winding(cell.center) == 0;
+  }
+
+  /// Lists the outline's edges near the cell. True if there is none, other than in the cell that it is a quarter of.
+  bool leaves_outline(Cell& cell, const Range from, Range& out) {
     if (!cell.on_outline) return false;
     out.begin = end(outline_);
     for (int k = from.begin; k < from.end; ++k) {
@@ -211,7 +221,63 @@ class CoverageProof {
     }
     out.end = end(outline_);
     cell.on_outline = !out.empty();
-    return !cell.on_outline && target_.winding(cell.center) == 0;
+    return !cell.on_outline;
+  }
+
+  /// The outline's winding number at one place of a cell, which those at others follow from.
+  struct WindingNearby {
+    Range outline;                   ///< the edges that come near the cell
+    WindingNearby* above = nullptr;  ///< of the cell that this one is a quarter of
+    std::optional<Vec2> known_at{};
+    int number = 0;
+  };
+
+  int winding_at(Vec2 p, WindingNearby& nearby) const {
+    for (const WindingNearby* cell = &nearby; cell != nullptr; cell = cell->above) {
+      if (!cell->known_at) continue;
+      const auto number = winding_beyond(*cell, p);
+      if (!number) break;
+      nearby.known_at = p;
+      nearby.number = *number;
+      return *number;
+    }
+    const int number = target_.winding(p);
+    for (WindingNearby* cell = &nearby; cell != nullptr && !cell->known_at; cell = cell->above) {
+      cell->known_at = p;
+      cell->number = number;
+    }
+    return number;
+  }
+
+  static bool passes_beside(const Edge& line, const Box& box) {
+    const auto [left, right] = std::minmax(line.from.x, line.to.x);
+    const auto [low, high] = std::minmax(line.from.y, line.to.y);
+    return right < box.min.x || left > box.max.x || high < box.min.y || low > box.max.y;
+  }
+
+  /// Adds what the edges on the way from the place that is known to p change; nothing where the way meets one of them at its end or
+  /// at so small an angle that rounding may decide.
+  std::optional<int> winding_beyond(const WindingNearby& nearby, Vec2 p) const {
+    const Vec2 from = *nearby.known_at;
+    if (from == p) return nearby.number;
+    const Edge way = Edge::line(from, p);
+    const Vec2 along = unit(p - from);
+    const Box box = way.box().grown(kBesideWay);
+    int number = nearby.number;
+    for (int k = nearby.outline.begin; k < nearby.outline.end; ++k) {
+      const Edge& edge = target_.edges()[outline_[k]];
+      if (!edge.is_arc() && passes_beside(edge, box)) continue;
+      for (const Vec2 at : {edge.from, edge.to})
+        if (distance(way, at) < kBesideWay) return std::nullopt;
+      for (const Vec2 at : intersections(way, edge)) {
+        const double across = cross(edge.tangent_at(nearest(edge, at).t), along);
+        if (std::abs(across) < kLeastAcross || distance(at, from) < kBesideWay ||
+            distance(at, p) < kBesideWay)
+          return std::nullopt;
+        number += across > 0 ? 1 : -1;  // what an edge encloses lies on its left
+      }
+    }
+    return number;
   }
 
   /// A convex polygon that contains the cell's part of the target.
@@ -347,24 +413,26 @@ class CoverageProof {
 
   /// Adds the part of a cell that no centre reaches; the program is known to have cut the rest as far as
   /// possible.
-  bool count_corner(Cell cell, Near near) {
+  bool count_corner(Cell cell, Near near, WindingNearby* above = nullptr) {
     const int marks[] = {end(outline_), end(legals_)};
-    if (!settle_corner(cell, near)) {
-      for (int i = 0; i < 4; ++i) count_corner(cell.quarter(i), near);
+    WindingNearby nearby{near.outline, above};
+    if (!settle_corner(cell, near, nearby)) {
+      nearby.outline = near.outline;
+      for (int i = 0; i < 4; ++i) count_corner(cell.quarter(i), near, &nearby);
     }
     outline_.resize(marks[0]);
     legals_.resize(marks[1]);
     return true;
   }
 
-  bool settle_corner(Cell& cell, Near& near) {
-    if (beside_target(cell, near.outline, near.outline)) return true;
+  bool settle_corner(Cell& cell, Near& near, WindingNearby& nearby) {
+    if (leaves_outline(cell, near.outline, near.outline) && winding_at(cell.center, nearby) == 0) return true;
     const double least = keep_nearest_legals(cell, near.legals);
     if (least + cell.reach() <= question_.flat) return true;
     const double area = 4 * cell.half * cell.half;
     const bool beyond = least > question_.flat;
     if (2 * cell.half <= question_.flat / kCornerCells) {
-      if (beyond && (!cell.on_outline || target_.winding(cell.center) != 0) &&
+      if (beyond && (!cell.on_outline || winding_at(cell.center, nearby) != 0) &&
           !residual_.holds(cell.center)) {
         result_.unreachable_mm2 += area;
       }
