@@ -13,7 +13,6 @@
 #include "features/round_hole.h"
 #include "geometry/boolean.h"
 #include "geometry/clearance.h"
-#include "kinematics/kinematics.h"
 #include "kinematics/planner.h"
 #include "link/sections/slot_feed.h"
 #include "model/results/not_machined.h"
@@ -190,18 +189,14 @@ StepPlan fastest_plan(const StepWork& work, const StrategyCandidate& candidate, 
   const bool alone =
       !candidate.beside_rivals || best.hole || edge_count(feature.allowed) > kMostEdgesForRivals;
   if (alone || best.section.moves.empty()) return best;
-  double best_time = kinematics::kinematic_time(best.section.moves, job.machine).seconds();
   for (const auto& name : candidate.strategy->rivals) {
     const StrategyEntry* rival = strategies.find(name);
     if (!rival) continue;
     try {
       StepPlan plan = plan_step(work, {rival, {}, false, false, true}, job, most_work);
-      // By the plain rule that plans within strategies go by, so that a strategy is the same path for every control.
-      const double time = kinematics::kinematic_time(plan.section.moves, job.machine).seconds();
-      if (plan.section.moves.empty() || time >= best_time || !plan.leaves_nothing) continue;
+      if (plan.section.moves.empty() || plan.time_s >= best.time_s || !plan.leaves_nothing) continue;
       best.section = std::move(plan.section);
       best.time_s = plan.time_s;
-      best_time = time;
     } catch (const OutOfWork&) {
       continue;  // the candidate itself stands
     }
