@@ -103,16 +103,8 @@ std::optional<Vec2> AccessPaths::air_before(Vec2 p, std::size_t item) const {
 
 std::optional<Vec2> AccessPaths::cleared_before(Vec2 p, std::size_t item) const {
   if (!options_.may_plunge || !layer(item).open()) return std::nullopt;
-  std::vector<Vec2> places;
-  for (const Region& region : layer(item).touching()) {
-    for (const Edge& edge : region.edges()) places.push_back(nearest(edge, p).point);
-  }
-  const std::size_t count = std::min(places.size(), kMostPlaces);
-  const auto nearer = [&](Vec2 a, Vec2 b) { return norm_squared(a - p) < norm_squared(b - p); };
-  std::partial_sort(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count), places.end(),
-                    nearer);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (is_clear(item, places[i], p)) return places[i];
+  for (const Vec2 place : layer(item).nearest_on_rim(p, kMostPlaces)) {
+    if (is_clear(item, place, p)) return place;
   }
   return std::nullopt;
 }

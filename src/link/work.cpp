@@ -17,6 +17,9 @@ constexpr std::size_t kMostMixed = 2000;
 /// mm. Places nearer than this to the target are not taken to be cleared.
 constexpr double kSpare = 0.05;
 
+/// Factor by which distances to boxes are taken to be less, for their rounding.
+constexpr double kRoundedDown = 1 - 1e-9;
+
 bool reaches_out(const LayerPasses& layer, const LegalArea& legal, double tool_radius) {
   const Box target = box(layer.target);
   if (target.empty()) return false;
@@ -51,6 +54,47 @@ const LegalRoutes& LayerWork::routes() const {
 const Regions& LayerWork::touching() const {
   if (!touching_) touching_ = dilate(layer_->target, tool_radius_ + kSpare, Tolerances{});
   return *touching_;
+}
+
+std::vector<Vec2> LayerWork::nearest_on_rim(Vec2 p, std::size_t most) const {
+  if (!rim_) {
+    rim_.emplace();
+    for (const Region& region : touching()) {
+      const std::vector<Edge> edges = region.edges();
+      rim_->edges.insert(rim_->edges.end(), edges.begin(), edges.end());
+    }
+    rim_->tree.build(static_cast<std::uint32_t>(rim_->edges.size()),
+                     [&](std::uint32_t i) { return rim_->edges[i].box(); });
+  }
+  struct Place {
+    double squared = 0;
+    std::uint32_t edge = 0;
+    Vec2 point;
+    bool operator<(const Place& other) const {
+      return squared < other.squared || (squared == other.squared && edge < other.edge);
+    }
+  };
+  std::vector<Place> nearest_ones;  // a heap, the farthest on top
+  const auto may_be_nearer = [&](const Box& box) {
+    if (nearest_ones.size() < most) return true;
+    const double reach = box.distance_to(p) * kRoundedDown;
+    return reach * reach <= nearest_ones.front().squared;
+  };
+  rim_->tree.descend_nearest_first(p, may_be_nearer, [&](std::uint32_t i) {
+    const Vec2 point = nearest(rim_->edges[i], p).point;
+    const Place place{norm_squared(point - p), i, point};
+    if (nearest_ones.size() == most && !(place < nearest_ones.front())) return;
+    if (nearest_ones.size() == most) {
+      std::pop_heap(nearest_ones.begin(), nearest_ones.end());
+      nearest_ones.pop_back();
+    }
+    nearest_ones.push_back(place);
+    std::push_heap(nearest_ones.begin(), nearest_ones.end());
+  });
+  std::sort_heap(nearest_ones.begin(), nearest_ones.end());
+  std::vector<Vec2> points;
+  for (const Place& place : nearest_ones) points.push_back(place.point);
+  return points;
 }
 
 bool LayerWork::turned_round(std::size_t pass) const {

@@ -10,6 +10,7 @@
 
 #include "geometry/route/legal_area.h"
 #include "geometry/route/legal_route.h"
+#include "geometry/spatial/box_tree.h"
 #include "model/pass.h"
 
 namespace clearcut::link {
@@ -26,6 +27,8 @@ class LayerWork {
   /// Positions of the cutter's centre in which the cutter touches the target; elsewhere everything is already
   /// cleared. Made at the first call.
   const Regions& touching() const;
+  /// The places of that area's boundary nearest to p, one on each of the `most` nearest edges, the nearest first.
+  std::vector<Vec2> nearest_on_rim(Vec2 p, std::size_t most) const;
   /// Whether the cutter may leave the material sideways.
   bool open() const { return open_; }
   /// Whether a ring is cut in the opposite direction: outer rings of open layers are cut from the air
@@ -43,6 +46,11 @@ class LayerWork {
   double tool_radius_;
   mutable std::unique_ptr<LegalRoutes> routes_;
   mutable std::optional<Regions> touching_;
+  struct Rim {
+    std::vector<Edge> edges;
+    BoxTree tree;
+  };
+  mutable std::optional<Rim> rim_;  ///< of touching_; made at the first question
   bool open_ = false;
 };
 

@@ -7,7 +7,17 @@
 #include <utility>
 
 #include "base/progress_meter.h"
+#include "base/text/format.h"
+#include "base/work_budget.h"
+#include "features/fitting.h"
+#include "features/round_hole.h"
+#include "geometry/contours/boolean.h"
+#include "geometry/voronoi/clearance.h"
+#include "kinematics/planner.h"
+#include "link/sections/slot_feed.h"
 #include "model/results/findings.h"
+#include "model/results/not_machined.h"
+#include "model/section_names.h"
 #include "pipeline/contour_results.h"
 #include "pipeline/idle_options.h"
 #include "pipeline/margin.h"

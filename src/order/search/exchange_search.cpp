@@ -143,8 +143,15 @@ bool ExchangeSearch::keeps_rules() const {
     const int first = backwards ? n - 1 : 1, last = backwards ? 1 : n - 1;
     if (problem.start >= 0 && rank(problem.start) != first) return false;
     if (problem.end >= 0 && rank(problem.end) != last) return false;
-    return std::all_of(problem.precedence.begin(), problem.precedence.end(),
-                       [&](const Precedence& p) { return (rank(p.before) < rank(p.after)) != backwards; });
+    const auto& rules = problem.precedence;
+    const auto keeps = [&](const Precedence& p) { return (rank(p.before) < rank(p.after)) != backwards; };
+    // The rule that was broken last is the likeliest to be broken again.
+    std::size_t& broken = broken_[backwards ? 1 : 0];
+    if (broken < rules.size() && !keeps(rules[broken])) return false;
+    const auto found = std::find_if_not(rules.begin(), rules.end(), keeps);
+    if (found == rules.end()) return true;
+    broken = static_cast<std::size_t>(found - rules.begin());
+    return false;
   };
   return holds(false) || holds(true);
 }

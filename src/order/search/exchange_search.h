@@ -3,6 +3,7 @@
 // chained by kicks.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -91,6 +92,8 @@ class ExchangeSearch {
   std::size_t head_ = 0;
   std::vector<char> queued_;
   std::vector<int> segments_;
+  /// Of the rules of precedence, along the path and against it: the one that was broken last.
+  mutable std::array<std::size_t, 2> broken_{};
 };
 
 }  // namespace clearcut::order

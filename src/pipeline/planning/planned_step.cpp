@@ -6,7 +6,6 @@
 #include "base/work_budget.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
-#include "kinematics/kinematics.h"
 #include "kinematics/planner.h"
 #include "pipeline/steps/certify.h"
 #include "plan/common/clearing_area.h"
@@ -15,7 +14,6 @@
 #include "plan/common/walls.h"
 #include "plan/profile/profile.h"
 #include "post/post.h"
-#include "read/gcode/program/dialect.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -86,10 +84,8 @@ std::vector<LayerPasses> passes_of(const StepWork& work, const Feature& feature,
 
 /// s; time by the planner of the program's control.
 double time_on_machine(const Section& section, const ResolvedPlan& job) {
-  PostOptions post = post_options_of(job);
-  const auto dialect = read::gcode::dialect_named(post.dialect);
-  return kinematics::planned_time(section.moves, post::path_control_of(post), job.machine,
-                                  dialect ? std::optional(planner_of(*dialect)) : std::nullopt)
+  return kinematics::planned_time(section.moves, post::path_control_of(post_options_of(job)), job.machine,
+                                  planner_of_control(job))
       .seconds();
 }
 
@@ -136,18 +132,14 @@ StepPlan fastest_plan(const StepWork& work, const StrategyCandidate& candidate, 
   const bool alone =
       !candidate.beside_rivals || best.hole || edge_count(feature.allowed) > kMostEdgesForRivals;
   if (alone || best.section.moves.empty()) return best;
-  double best_time = kinematics::kinematic_time(best.section.moves, job.machine).seconds();
   for (const auto& name : candidate.strategy->rivals) {
     const StrategyEntry* rival = strategies.find(name);
     if (!rival) continue;
     try {
       StepPlan plan = plan_step(work, {rival, {}, false, false, true}, job, most_work);
-      // By the plain rule used inside of strategies, so that a strategy gives the same path for every control.
-      const double time = kinematics::kinematic_time(plan.section.moves, job.machine).seconds();
-      if (plan.section.moves.empty() || time >= best_time || !plan.leaves_nothing) continue;
+      if (plan.section.moves.empty() || plan.time_s >= best.time_s || !plan.leaves_nothing) continue;
       best.section = std::move(plan.section);
       best.time_s = plan.time_s;
-      best_time = time;
     } catch (const OutOfWork&) {
       continue;  // the candidate itself is kept
     }

@@ -1,5 +1,6 @@
 #include "pipeline/selection/strategies.h"
 
+#include "pipeline/steps/certify.h"
 #include "pipeline/tour/tour_solver.h"
 #include "plan/adaptive/entry.h"
 #include "plan/contour/entries.h"
@@ -7,6 +8,7 @@
 #include "plan/spiral/entry.h"
 #include "plan/tour/entry.h"
 #include "plan/zigzag/entry.h"
+#include "post/post.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -15,9 +17,17 @@ plan::tour::TourSolver solver_for(const StrategyRequest& request) {
   return tour_solver(request.plan, request.step, request.briefly);
 }
 
+plan::MachineClock clock_of(const StrategyRequest& request) {
+  const Machine& machine = request.plan.machine;
+  const bool is_slower = machine.max_feed && *machine.max_feed < machine.rapid;
+  return {machine, request.step.feed,
+          request.plan.link_feed.value_or(is_slower ? *machine.max_feed : machine.rapid),
+          post::path_control_of(post_options_of(request.plan)), planner_of_control(request.plan)};
+}
+
 StrategyTable all_strategies() {
   std::vector<StrategyEntry> all{
-      plan::zigzag::entry(),         plan::spiral::entry(), plan::adaptive::entry(),
+      plan::zigzag::entry(),         plan::spiral::entry(), plan::adaptive::entry(clock_of),
       plan::tour::entry(solver_for), plan::cover::entry(),
   };
   for (StrategyEntry& entry : plan::contour::entries()) all.push_back(std::move(entry));

@@ -164,6 +164,11 @@ PostOptions post_options_of(const ResolvedPlan& plan) {
   return post;
 }
 
+std::optional<MotionPlanner> planner_of_control(const ResolvedPlan& plan) {
+  const auto dialect = read::gcode::dialect_named(plan.post.dialect);
+  return dialect ? std::optional(read::gcode::planner_of(*dialect)) : std::nullopt;
+}
+
 link::LinkOptions link_options(const ResolvedPlan& plan, int workingstep, EntryKind entry) {
   const ResolvedStep& step = plan.steps.at(static_cast<std::size_t>(workingstep));
   const Tool& tool = tool_of(plan.part, plan.part.workplan.at(static_cast<std::size_t>(workingstep)));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -42,6 +43,8 @@ Condition hand_tools_condition(const HandTools& tools);
 
 /// Options for writing the program: requested ones, and the machine's needs if not requested otherwise.
 PostOptions post_options_of(const ResolvedPlan& plan);
+/// Of the control that the program is for; absent where its words are no G code.
+std::optional<MotionPlanner> planner_of_control(const ResolvedPlan& plan);
 
 /// Keeps the address of plan.earlier.
 verify::VerifyOptions verify_options(const ResolvedPlan& plan);

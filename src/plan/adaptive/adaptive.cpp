@@ -11,6 +11,7 @@
 #include "plan/adaptive/clearing/step_pictures.h"
 #include "plan/adaptive/entry_regions.h"
 #include "plan/adaptive/finish/finish.h"
+#include "plan/adaptive/smooth_links.h"
 #include "plan/adaptive/trace/wall_cuts.h"
 
 namespace clearcut::plan::adaptive {
@@ -85,6 +86,7 @@ class AdaptivePlanner {
         limit_(limit),
         entry_circle_(std::min(kEntryCircle * radius_, options.widest_helix.value_or(kNoLimit) / 2)),
         remaining_({legal}, radius_, layer.stock),
+        clock_(options.clock),
         links_(clearance.axis(), layer.tool_radius + layer.wall_stock, 2 * radius_),
         path_(remaining_, links_),
         pictures_(options.pictures, legal, path_),
@@ -92,12 +94,13 @@ class AdaptivePlanner {
         clearing_(remaining_, path_,
                   {front_, legal, RadiusShares::kWallPitch * radius_, residual_between_cuts(radius_, limit)},
                   inner.clearing, limit, {RadiusShares::kAir * radius_, 0}),
-        finish_(remaining_, path_, legal, inner.finishing, layer.target, limit),
+        finish_(remaining_, path_, legal, inner.finishing, layer.target, limit, options.clock),
         open_(layer.stock && has_open_side(layer)),
         retracts_(retracts),
         cancel_(options.cancel) {
     leave_corners();
     for (const PredrilledHole& hole : layer.holes) remaining_.remove_disc(hole.center, hole.diameter / 2);
+    uncut_ = remaining_.cuts();
   }
 
   /// All passes. With Retracts::kFew nothing, if more rests are left at the end than are cut one by one.
@@ -109,7 +112,10 @@ class AdaptivePlanner {
     if (!finish_.run(open_, retracts_ == Retracts::kFew ? kFewRests : kMostRests, pictures_) &&
         retracts_ == Retracts::kFew)
       return std::nullopt;
-    return path_.take_passes();
+    auto passes = path_.take_passes();
+    remaining_.forget_beyond(uncut_);
+    smooth_links(passes, remaining_, clock_);
+    return passes;
   }
 
  private:
@@ -263,6 +269,8 @@ class AdaptivePlanner {
   double radius_, limit_;
   double entry_circle_;  ///< mm; radius of an entry's first circle
   RemainingStock remaining_;
+  std::size_t uncut_ = 0;  ///< the state of the stock before the first cut
+  const MachineClock& clock_;
   ClearLinks links_;
   ClearingPath path_;
   StepPictures pictures_;

@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "model/layer.h"
 #include "model/pass.h"
+#include "plan/common/machine_clock.h"
 
 namespace clearcut::plan::adaptive {
 
@@ -21,6 +22,8 @@ struct AdaptiveOptions {
   std::optional<Vec2> start;
   /// mm; greatest diameter of the centre's circle on the helix of an entry.
   std::optional<double> widest_helix;
+  /// Joints of cuts are eased and links rounded where that saves the machine time. If it does not run: neither.
+  MachineClock clock;
   /// Asked before each cut; plan_adaptive throws Cancelled if a stop was requested.
   std::stop_token cancel;
   /// Takes a picture after each step; null: none.

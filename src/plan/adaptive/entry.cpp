@@ -1,5 +1,7 @@
 #include "plan/adaptive/entry.h"
 
+#include <utility>
+
 #include "base/elementary.h"
 #include "plan/adaptive/adaptive.h"
 #include "plan/common/layers.h"
@@ -7,8 +9,9 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
-Strategy make(const StrategyRequest& request) {
+Strategy make(const StrategyRequest& request, const ClockOf& clock_of) {
   AdaptiveOptions options;
+  options.clock = clock_of(request);
   if (request.step.aimed_engagement_deg)
     options.engagement = Radians::of_degrees(*request.step.aimed_engagement_deg);
   if (request.plan.engagement_deg) options.engagement = Radians::of_degrees(*request.plan.engagement_deg);
@@ -25,11 +28,13 @@ double least_length(const ClearedSize& size, double radius) {
 
 }  // namespace
 
-StrategyEntry entry() {
+StrategyEntry entry(ClockOf clock_of) {
   StrategyEntry entry;
   entry.name = "adaptive";
   entry.description = "engagement limited, spiral and arcs";
-  entry.make = make;
+  entry.make = [clock_of = std::move(clock_of)](const StrategyRequest& request) {
+    return make(request, clock_of);
+  };
   entry.in_auto = AutoUse::kTried;
   entry.limits_engagement = true;
   entry.takes_stepover = false;

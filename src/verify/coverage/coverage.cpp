@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "base/elementary.h"
 #include "base/tolerances.h"
@@ -27,6 +28,11 @@ constexpr double kAreaCells = 64;
 constexpr double kFineShare = 50;
 /// mm. A point so much farther from the nearest legal centre than the cutter reaches is out of reach.
 constexpr double kBeyondReach = 1e-6;
+/// Greatest number of edges from which the winding number of one place is derived from that of another: the tree is faster than more.
+constexpr int kMostCrossed = 32;
+/// mm and the sine of an angle. Where an edge ends nearer to the way between both places, or meets it at less, the tree is asked, too.
+constexpr double kBesideWay = 1e-6;
+constexpr double kLeastAcross = 1e-4;
 /// The area of unreachable corners is counted in cells of R / kCornerCells.
 constexpr double kCornerCells = 48;
 
@@ -92,6 +98,13 @@ class CoverageProof {
   struct Near {
     Range swaths, outline, legals;
   };
+  /// The outline's winding number at one place of a cell, which those at others follow from.
+  struct WindingNearby {
+    Range outline;                   ///< the edges that come near the cell
+    WindingNearby* above = nullptr;  ///< of the cell that this one is a quarter of
+    std::optional<Vec2> known_at{};
+    int number = 0;
+  };
   struct NearSwath {
     double excess;  ///< mm; distance of the cell's centre outside the swath
     int index;
@@ -102,11 +115,13 @@ class CoverageProof {
     return static_cast<int>(stack.size());
   }
 
-  void visit(Cell cell, const Near& parents) {
+  void visit(Cell cell, const Near& parents, WindingNearby* above = nullptr) {
     const int marks[] = {end(swaths_), end(outline_), end(legals_)};
     Near near;
-    if (!settle(cell, parents, near)) {
-      for (int i = 0; i < 4; ++i) visit(cell.quarter(i), near);
+    WindingNearby nearby{parents.outline, above};
+    if (!settle(cell, parents, near, nearby)) {
+      nearby.outline = near.outline;
+      for (int i = 0; i < 4; ++i) visit(cell.quarter(i), near, &nearby);
     }
     swaths_.resize(marks[0]);
     outline_.resize(marks[1]);
@@ -139,17 +154,18 @@ class CoverageProof {
   }
 
   /// Decides a cell if possible; else fills `near` for its quarters.
-  bool settle(Cell& cell, const Near& parents, Near& near) {
+  bool settle(Cell& cell, const Near& parents, Near& near, WindingNearby& nearby) {
     if (covered_by_one(cell, parents.swaths, near.swaths)) return true;
-    if (beside_target(cell, parents.outline, near.outline)) return true;
-    ConvexPolygon part = part_in_target(cell, near.outline);
+    if (leaves_outline(cell, parents.outline, near.outline) && winding_at(cell.center, nearby) == 0)
+      return true;
+    ConvexPolygon part = part_in_target(cell, near.outline, nearby);
     if (part.empty()) return true;
     if (residual_.may_be() && residual_.holds_on_one_wall(part, cell.center, cell.reach())) return true;
     if (cell.half <= question_.flat && take_covered(part, near.swaths)) return true;
     const bool within_reach = list_legals(cell, part, parents.legals, near.legals);
     if (cell.legality == Legality::kNone) {
-      if (near.legals.empty()) return count_unreachable(cell, near);
-      if (program_follows(near.legals)) return count_corner(cell, near);
+      if (near.legals.empty()) return count_unreachable(cell, near, nearby);
+      if (program_follows(near.legals)) return count_corner(cell, near, &nearby);
     }
     return cell.half <= question_.flat / 4 && settle_uncut(cell, part, near, within_reach);
   }
@@ -204,7 +220,8 @@ class CoverageProof {
     return false;
   }
 
-  bool beside_target(Cell& cell, const Range from, Range& out) {
+  /// Lists the outline's edges near the cell. True if there is none, other than in the cell that it is a quarter of.
+  bool leaves_outline(Cell& cell, const Range from, Range& out) {
     if (!cell.on_outline) return false;
     out.begin = end(outline_);
     for (int k = from.begin; k < from.end; ++k) {
@@ -213,11 +230,60 @@ class CoverageProof {
     }
     out.end = end(outline_);
     cell.on_outline = !out.empty();
-    return !cell.on_outline && target_.winding(cell.center) == 0;
+    return !cell.on_outline;
   }
 
-  /// A convex polygon around the cell's part of the target.
-  ConvexPolygon part_in_target(const Cell& cell, Range outline) {
+  int winding_at(Vec2 p, WindingNearby& nearby) const {
+    for (const WindingNearby* cell = &nearby; cell != nullptr; cell = cell->above) {
+      if (!cell->known_at) continue;
+      const auto number = winding_beyond(*cell, p);
+      if (!number) break;
+      nearby.known_at = p;
+      nearby.number = *number;
+      return *number;
+    }
+    const int number = target_.winding(p);
+    for (WindingNearby* cell = &nearby; cell != nullptr && !cell->known_at; cell = cell->above) {
+      cell->known_at = p;
+      cell->number = number;
+    }
+    return number;
+  }
+
+  static bool passes_beside(const Edge& line, const Box& box) {
+    const auto [left, right] = std::minmax(line.from.x, line.to.x);
+    const auto [low, high] = std::minmax(line.from.y, line.to.y);
+    return right < box.min.x || left > box.max.x || high < box.min.y || low > box.max.y;
+  }
+
+  /// Adds what the edges on the way from the place that is known to p change; nothing where the way meets one of them at its end or
+  /// at so small an angle that rounding may decide.
+  std::optional<int> winding_beyond(const WindingNearby& nearby, Vec2 p) const {
+    if (nearby.outline.end - nearby.outline.begin > kMostCrossed) return std::nullopt;
+    const Vec2 from = *nearby.known_at;
+    if (from == p) return nearby.number;
+    const Edge way = Edge::line(from, p);
+    const Vec2 along = unit(p - from);
+    const Box box = way.box().grown(kBesideWay);
+    int number = nearby.number;
+    for (int k = nearby.outline.begin; k < nearby.outline.end; ++k) {
+      const Edge& edge = target_.edges()[outline_[k]];
+      if (!edge.is_arc() && passes_beside(edge, box)) continue;
+      for (const Vec2 at : {edge.from, edge.to})
+        if (distance(way, at) < kBesideWay) return std::nullopt;
+      for (const Vec2 at : intersections(way, edge)) {
+        const double across = cross(edge.tangent_at(nearest(edge, at).t), along);
+        if (std::abs(across) < kLeastAcross || distance(at, from) < kBesideWay ||
+            distance(at, p) < kBesideWay)
+          return std::nullopt;
+        number += across > 0 ? 1 : -1;  // what an edge encloses lies on its left
+      }
+    }
+    return number;
+  }
+
+  /// A convex polygon that contains the cell's part of the target.
+  ConvexPolygon part_in_target(const Cell& cell, Range outline, WindingNearby& nearby) {
     const ConvexPolygon square = ConvexPolygon::square(cell.center, cell.half);
     if (!cell.on_outline || outline.end - outline.begin > kHullEdges) return square;
     extremes_.clear();
@@ -225,9 +291,9 @@ class CoverageProof {
     for (int k = outline.begin; k < outline.end; ++k)
       append_extremes(target_.edges()[outline_[k]], box, extremes_);
     for (const Vec2 corner : square.points()) {
-      if (target_.winding(corner) != 0) extremes_.push_back(corner);
+      if (winding_at(corner, nearby) != 0) extremes_.push_back(corner);
     }
-    if (extremes_.empty()) return target_.winding(cell.center) != 0 ? square : ConvexPolygon();
+    if (extremes_.empty()) return winding_at(cell.center, nearby) != 0 ? square : ConvexPolygon();
     return ConvexPolygon::hull(extremes_);
   }
 
@@ -340,31 +406,34 @@ class CoverageProof {
     return count_width(width);
   }
 
-  bool count_unreachable(const Cell& cell, const Near& near) {
-    if (cell.on_outline || residual_.may_be()) return count_corner(cell, near);
+  bool count_unreachable(const Cell& cell, const Near& near, WindingNearby& nearby) {
+    if (cell.on_outline || residual_.may_be()) return count_corner(cell, near, &nearby);
     result_.unreachable_mm2 += 4 * cell.half * cell.half;
     return true;
   }
 
-  /// Adds the unreachable part of a cell; the program is known to have cut the rest as far as possible.
-  bool count_corner(Cell cell, Near near) {
+  /// Adds the part of a cell that no centre reaches; the program is known to have cut the rest as far as
+  /// possible.
+  bool count_corner(Cell cell, Near near, WindingNearby* above = nullptr) {
     const int marks[] = {end(outline_), end(legals_)};
-    if (!settle_corner(cell, near)) {
-      for (int i = 0; i < 4; ++i) count_corner(cell.quarter(i), near);
+    WindingNearby nearby{near.outline, above};
+    if (!settle_corner(cell, near, nearby)) {
+      nearby.outline = near.outline;
+      for (int i = 0; i < 4; ++i) count_corner(cell.quarter(i), near, &nearby);
     }
     outline_.resize(marks[0]);
     legals_.resize(marks[1]);
     return true;
   }
 
-  bool settle_corner(Cell& cell, Near& near) {
-    if (beside_target(cell, near.outline, near.outline)) return true;
+  bool settle_corner(Cell& cell, Near& near, WindingNearby& nearby) {
+    if (leaves_outline(cell, near.outline, near.outline) && winding_at(cell.center, nearby) == 0) return true;
     const double least = keep_nearest_legals(cell, near.legals);
     if (least + cell.reach() <= question_.flat) return true;
     const double area = 4 * cell.half * cell.half;
     const bool beyond = least > question_.flat;
     if (2 * cell.half <= question_.flat / kCornerCells) {
-      if (beyond && (!cell.on_outline || target_.winding(cell.center) != 0) &&
+      if (beyond && (!cell.on_outline || winding_at(cell.center, nearby) != 0) &&
           !residual_.holds(cell.center)) {
         result_.unreachable_mm2 += area;
       }

@@ -178,6 +178,15 @@ std::vector<Edge> ClearingPath::moves() const {
   return moves;
 }
 
+void ClearingPath::ease_joints(const EasingJob& job) {
+  const auto ease = [&](Pass& pass) {
+    const auto changed = adaptive::ease_joints(pass, job);
+    replaced_.insert(replaced_.end(), changed.begin(), changed.end());
+  };
+  for (Pass& pass : passes_) ease(pass);
+  ease(pass_);
+}
+
 std::vector<Pass> ClearingPath::take_passes() {
   finish_pass();
   return std::exchange(passes_, {});

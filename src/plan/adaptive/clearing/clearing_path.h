@@ -7,6 +7,7 @@
 #include "model/pass.h"
 #include "plan/adaptive/clearing/clear_links.h"
 #include "plan/adaptive/clearing/disc_engagement.h"
+#include "plan/adaptive/finish/eased_joints.h"
 
 namespace clearcut::plan::adaptive {
 
@@ -49,6 +50,8 @@ class ClearingPath {
   std::vector<Edge> moves() const;
   /// Whether p is cleared by cuts that were joined into others, which run a little beside them and may not clear it.
   bool is_beside_joined(Vec2 p) const;
+  /// Puts arcs in the place of the kinks between cuts, where that saves the machine time.
+  void ease_joints(const EasingJob& job);
   /// All passes; ends the current one.
   std::vector<Pass> take_passes();
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/elementary.h"
 #include "geometry/contours/boolean.h"
 #include "plan/adaptive/clearing/parameters.h"
 #include "plan/common/cover.h"
@@ -29,6 +30,10 @@ constexpr double kTouched = 1e-6;
 constexpr double kLeastRound = 0.3;
 /// Share of the tool radius: shorter finished stretches of wall are run over, because a link would cost more.
 constexpr double kMergeGap = 1.0;
+/// Share of the tool radius: how far arcs in place of kinks may deviate from them where no wall is near; and the same over the sine
+/// of the limit, which is the radians that a cut beside them engages more (of 0.01 that EngagementTolerance::kExcess leaves).
+constexpr double kMostEase = 0.0035;
+constexpr double kEaseOfEngagement = 0.005;
 /// Greatest number of times that all walls are cut by trochoidal steps.
 constexpr int kMostRounds = 30;
 /// Share of the tool radius: wall on both sides of a wall's end that is cut along if something still stands
@@ -38,13 +43,15 @@ constexpr double kBeyondEnd = 0.2;
 }  // namespace
 
 AdaptiveFinish::AdaptiveFinish(RemainingStock& remaining, ClearingPath& path, const Region& legal,
-                               const Regions& area, const Regions& target, double limit)
+                               const Regions& area, const Regions& target, double limit,
+                               const MachineClock& clock)
     : remaining_(remaining),
       path_(path),
       legal_(legal),
       target_(target),
       radius_(remaining.tool_radius()),
       limit_(limit),
+      clock_(clock),
       cuts_(remaining, path, {legal, kFinePitch * radius_, ResidualLimits::kWall}, area, limit,
             {kMergeGap * radius_, RadiusShares::kWallPitch * radius_}) {}
 
@@ -54,6 +61,8 @@ bool AdaptiveFinish::run(bool open, int most_rests, StepPictures& pictures) {
   cut_walls();
   if (open) cut_wall_ends();
   pictures.after("trochoidal steps");
+  path_.ease_joints({remaining_.legal(), clock_, ResidualLimits::kWall,
+                     std::min(kMostEase, kEaseOfEngagement * base::sin(limit_)) * radius_});
   const bool all = cut_rests(open, most_rests);
   pictures.after("rests");
   return all;

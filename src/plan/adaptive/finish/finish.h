@@ -18,10 +18,10 @@ class AdaptiveFinish {
   /// `legal`: where the centre may be. `area`: the somewhat smaller area for cuts off the walls. `limit`: of
   /// the engagement, radians. References are kept.
   AdaptiveFinish(RemainingStock& remaining, ClearingPath& path, const Region& legal, const Regions& area,
-                 const Regions& target, double limit);
+                 const Regions& target, double limit, const MachineClock& clock);
 
   /// Runs all steps in this order: along walls within the limit; round corners; trochoidal steps where
-  /// material still stands along walls; the rests that the exact check of the cover finds. `open`: the target
+  /// material still stands along walls; arcs in place of kinks; the rests that the exact check of the cover finds. `open`: the target
   /// has open sides. Cuts up to `most_rests` rests one by one; false if more were left. `pictures` get one for each step.
   bool run(bool open, int most_rests, StepPictures& pictures);
   /// One cut that begins at a clear place beside the material and ends at a wall or in the open; see
@@ -64,6 +64,7 @@ class AdaptiveFinish {
   const Regions& target_;
   double radius_;
   double limit_;
+  const MachineClock& clock_;
   WallCuts cuts_;
   std::vector<Corner> all_corners_;
   std::vector<Corner> corners_;  ///< those not yet cut
