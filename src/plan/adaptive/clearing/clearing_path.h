@@ -7,7 +7,7 @@
 #include "model/pass.h"
 #include "plan/adaptive/clearing/clear_links.h"
 #include "plan/adaptive/clearing/disc_engagement.h"
-#include "plan/adaptive/finish/eased_joints.h"
+#include "plan/adaptive/clearing/eased_joints.h"
 
 namespace clearcut::plan::adaptive {
 

@@ -1,4 +1,4 @@
-#include "plan/adaptive/finish/eased_joints.h"
+#include "plan/adaptive/clearing/eased_joints.h"
 
 #include <algorithm>
 #include <cmath>
