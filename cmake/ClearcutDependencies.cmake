@@ -43,7 +43,7 @@ if(CLEARCUT_TESTS)
   find_package(GTest REQUIRED)
   target_link_libraries(clearcut_testing INTERFACE GTest::gmock GTest::gtest GTest::gtest_main pugixml::pugixml)
   # Tests do little themselves: a third of the time to compile them would go into optimising them further.
-  target_compile_options(clearcut_testing INTERFACE $<$<CONFIG:Release>:-O1>)
+  target_compile_options(clearcut_testing INTERFACE $<$<CONFIG:Release>:-O1> $<$<CONFIG:Debug>:-O0>)
   target_compile_definitions(clearcut_testing INTERFACE
     CLEARCUT_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
     CLEARCUT_BINARY_DIR="${PROJECT_BINARY_DIR}")
