@@ -56,7 +56,11 @@ std::vector<Vec2> spread_over(const Regions& target) {
   return points;
 }
 
-/// mm; error of the axes.
+/// Of the cutter's radius: how far its centre has to be free to go for a ramp, or a ring that it follows several times, to come down as
+/// gently as a cutter without teeth in its middle has to.
+constexpr double kRoomToEnter = 0.075;
+
+/// mm; how far axes may lie from where they are.
 constexpr double kChordOfCurve = 0.01;
 
 /// The widest discs between walls, from one end of a piece of their medial axis to the other: middles and radii
@@ -165,6 +169,17 @@ double Fitting::worth_a_try(const Feature& feature) {
 
 double largest_fitting_diameter(const Feature& feature, const Tolerances& tol) {
   return Fitting(tol).fitting(feature);
+}
+
+bool has_room_to_enter(const Feature& feature, const Tool& tool, const Tolerances& tol) {
+  if (tool.center_cutting || !clears_floors(tool) || feature.profile || !closed_all_round(feature))
+    return true;
+  // An exact fit has room along itself.
+  const Regions centers = inset(feature.allowed, tool.radius() - tol.fit - tol.chord, tol);
+  return std::any_of(centers.begin(), centers.end(), [&](const Region& region) {
+    const Box box = region.box();
+    return std::max(box.width(), box.height()) >= kRoomToEnter * tool.radius();
+  });
 }
 
 std::vector<double> largest_cutters(const Part& part, const Tolerances& tol) {

@@ -156,7 +156,8 @@ int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::
     if (drills(a) != drills(b)) return drills(a);
     if (clears_floors(a) != clears_floors(b)) return clears_floors(a);
     if (keeps_walls(a, feature) != keeps_walls(b, feature)) return keeps_walls(a, feature);
-    const bool a_fits = a.diameter <= fits, b_fits = b.diameter <= fits;
+    const bool a_fits = a.diameter <= fits && has_room_to_enter(feature, a, tol),
+               b_fits = b.diameter <= fits && has_room_to_enter(feature, b, tol);
     if (a_fits != b_fits) return a_fits;
     // A rounded end leaves its own shape between floor and walls, although the part has a corner there.
     if (a_fits && leaves_corner(a) != leaves_corner(b)) return leaves_corner(a);

@@ -137,6 +137,25 @@ TEST(CrossedDraft, RoundedEndsTouchWallsThatTheyCannotKeepOff) {
       EXPECT_LT(gouge_over({x, y}, pockets, plan.toolpath, kRadius - 0.01, kRound), 0.02) << x << " " << y;
 }
 
+TEST(CrossedDraft, RoundedEndsTouchWallsUnderAPocketThatIsWiderThanThey) {
+  const auto planned = [](double beside) {
+    const Rectangle wide{-beside, -beside, 24 + 2 * beside, 22 + 2 * beside};
+    const std::string text =
+        fmt::format(R"({{"units": "mm", "pockets": [{{"name": "P", "top": 0, "depth": 2, "outer": {}}},
+                        {{"name": "L", "top": -2, "depth": 3, "slope_rad": 0.6, "outer": {}}}]}})",
+                    wide.text(), Rectangle{0, 0, 24, 22}.text());
+    resolve::PlanOptions options = with({"ball:4"});
+    options.strategy = "contour";
+    options.accept = {"out-of-reach"};
+    return plan_part(read::read_part_text(text, "under.json", {}), options).findings;
+  };
+  const Findings apart = planned(5);
+  EXPECT_EQ(verdict_of(apart), Verdict::kClean) << faults_of(apart);
+  // Beside walls that stand above, it keeps off all of them.
+  const Findings near = planned(0.2);
+  EXPECT_FALSE(has(near, FaultKind::kGouge)) << faults_of(near);
+}
+
 TEST(CrossedDraft, WhatIsGainedDeepDownAloneIsCutFromTheTop) {
   const CrossedPockets pockets{{0, 0, 16, 22.3}, {11.8, 5.5, 19.6, 11}, 0.7854, 3.9, 5.2};
   resolve::PlanOptions options = with({"endmill:4"});

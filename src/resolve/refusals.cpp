@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "base/tolerances.h"
+#include "features/fitting.h"
 #include "features/round_hole.h"
 #include "features/stacking.h"
 #include "model/results/not_machined.h"
@@ -196,6 +197,40 @@ void refuse_places_outside(const Part& part, const PlanOptions& options) {
   }
 }
 
+/// Whether another feature as deep may open the walls of this one.
+bool may_be_opened(const Part& part, const Feature& feature) {
+  return std::any_of(part.features.begin(), part.features.end(), [&](const Feature& other) {
+    return &other != &feature && other.floor_z <= feature.floor_z &&
+           box(other.allowed).overlaps(box(feature.allowed));
+  });
+}
+
+/// A cutter that may not plunge where it can go no other way. One that does not fit at all is told of elsewhere.
+void refuse_plunges(const Part& part, const PlanOptions& options) {
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    const Workingstep& step = part.workplan[i];
+    const Feature& feature = feature_of(part, step);
+    const Tool& tool = tool_of(part, step);
+    if (step.stated_path || step.operation.rest || may_be_opened(part, feature) ||
+        features::has_room_to_enter(feature, tool, options.tol))
+      continue;
+    const double widest = features::largest_fitting_diameter(feature, options.tol);
+    if (tool.diameter > widest + options.tol.fit) continue;
+    const auto holes = features::holes_before(part, static_cast<int>(i), options.tol);
+    const bool is_begun = std::any_of(holes.begin(), holes.end(), [&](const PredrilledHole& hole) {
+      return hole.diameter >= tool.diameter && contains(feature.target, hole.center);
+    });
+    if (is_begun) continue;
+    throw InputError(
+        name_and_place(feature),
+        fmt::format(
+            "T{} ({} {} mm) may not plunge and has no room for a ramp or a circle there, where the widest "
+            "cutter that fits has {} mm; give a narrower mill, one that may plunge, or a drill of that "
+            "size",
+            tool.number, name_of(tool.kind), trimmed(tool.diameter, 4), trimmed(widest, 3)));
+  }
+}
+
 void refuse_step(const Part& part, const Workingstep& step) {
   refuse_beside_stock(part, feature_of(part, step));
   refuse_below_stock(part, feature_of(part, step));
@@ -286,6 +321,7 @@ void refuse_what_cannot_be(const Part& part, const PlanOptions& options) {
   for (const Workingstep& step : part.workplan) {
     refuse_step(part, step);
   }
+  refuse_plunges(part, options);
   refuse_endless(part);
   refuse_places_outside(part, options);
 }

@@ -52,5 +52,24 @@ TEST(Refusals, LengthsOfFlutesThatAreProposedAreTakenAndReachTheDeepestFloor) {
   EXPECT_EQ(refusal(two_levels(130)), "");
 }
 
+TEST(Refusals, CuttersThatMayNotPlungeNeedRoomToGoDown) {
+  Part part;
+  part.features = {pocket({{0, 0}, {4.1, 4.1}}, 0, -3)};
+  part.workplan.resize(1);
+  Tool tool;
+  tool.diameter = 4;
+  tool.center_cutting = false;
+  part.tools = {tool};
+  EXPECT_THAT(refusal(part), HasSubstr("may not plunge and has no room for a ramp"));
+  part.predrilled = {{{2, 2}, 4.1}};
+  EXPECT_EQ(refusal(part), "");
+  part.predrilled.clear();
+  part.features = {pocket({{0, 0}, {4, 8}}, 0, -3)};
+  EXPECT_EQ(refusal(part), "") << "it ramps along the slot";
+  part.features = {pocket({{0, 0}, {4.1, 4.1}}, 0, -3)};
+  part.tools[0].center_cutting = true;
+  EXPECT_EQ(refusal(part), "");
+}
+
 }  // namespace
 }  // namespace clearcut::resolve

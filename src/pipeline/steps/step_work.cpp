@@ -6,6 +6,7 @@
 
 #include "base/parallel.h"
 #include "base/progress.h"
+#include "features/at_depth.h"
 #include "features/round_hole.h"
 #include "features/standing.h"
 #include "geometry/contours/boolean.h"
@@ -65,6 +66,20 @@ bool has_to_touch(const plan::RoundOnWall& touch, const Operation& operation) {
          !touch.height_kept_off(*operation.scallop);
 }
 
+/// Whether the cutter that touches the leaning walls of `feature` keeps off what stands above it: the upright walls of pockets that it lies
+/// under are as far beside its outline as the rounded end is wider there.
+bool is_free_above(const Part& part, const Feature& feature, const plan::RoundOnWall& touch,
+                   const Tolerances& tol) {
+  if (feature.top_z >= part.top_z()) return true;
+  Regions stands = dilate(feature.allowed, touch.round - touch.beside(), tol);
+  for (const Feature& other : part.features) {
+    if (&other == &feature || other.floor_z > feature.top_z || other.profile || other.chamfer) continue;
+    const double deep = std::max(0.0, other.top_z - feature.top_z);
+    stands = subtract(stands, features::at_depth(other.allowed, other.wall_slope, deep, tol), tol);
+  }
+  return stands.empty();
+}
+
 /// The layers of one workingstep over which something still stands. Open features cut only that, and pockets of which
 /// nothing but stock of earlier work is left; in others the walls bound every pass, so the whole layer is cut.
 std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
@@ -90,9 +105,11 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
   // Beside the layers of another step its own have to lie as that expects of a flat end.
   const auto steps = std::count_if(part.workplan.begin(), part.workplan.end(),
                                    [&](const Workingstep& other) { return other.feature == step.feature; });
-  const bool leans_alone = feature.top_z >= part.top_z() && steps == 1;
   const plan::RoundOnWall touch{outer_profile(tool).round, feature.wall_slope.radians()};
-  const bool touches = leans_alone && (met.empty() || has_to_touch(touch, operation));
+  const bool begins_at_top = feature.top_z >= part.top_z();
+  const bool touches =
+      steps == 1 && ((begins_at_top && met.empty()) ||
+                     (has_to_touch(touch, operation) && is_free_above(part, feature, touch, plan.tol)));
   const plan::RoundedEnd end{touch.round, touches};
   if (touches) met.touch_walls(touch);
   auto layers = plan::layers_of(feature, operation, tool.radius() - narrower, plan.tol, end,
