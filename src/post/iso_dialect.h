@@ -40,6 +40,12 @@ enum class Tapping {
   kRigidByG33_1  ///< G33.1; G84 with a floating holder
 };
 enum class DwellForm { kPSeconds, kXSeconds, kSSeconds, kFSeconds };
+/// What G41 says beside itself.
+enum class RadiusWord {
+  kNone,      ///< the control does not compensate
+  kNumbered,  ///< D and the tool's number
+  kOfEdge     ///< nothing: it takes the radius of the edge in force
+};
 /// How a program calls the cycles that make a hole.
 enum class CycleForm {
   kNone,   ///< holes are moves
@@ -93,6 +99,7 @@ struct IsoDialect {
   MistWords mist = {};
   Tapping tapping = Tapping::kByWords;
   CycleForm cycles = CycleForm::kNone;
+  RadiusWord radius = RadiusWord::kNumbered;
   bool entered_at_tools = false;  ///< shops begin at a tool after a reset, which ends the modes of the start
   bool modal_cycles = false;      ///< one cycle for holes alike, whose places follow it
   bool numbers_tools = false;     ///< N1, N2, ... where the work of a tool begins

@@ -12,6 +12,12 @@
 
 namespace clearcut::inline model {
 
+/// Paths of the tool's centre that the control shifts by what a D word holds, 0 with a new tool.
+struct WearCompensation {
+  std::vector<int> workingsteps;  ///< whose passes are shifted
+  double range = 0;               ///< mm that D may hold either way
+};
+
 struct PostOptions {
   std::string dialect = "linuxcnc";  ///< linuxcnc grbl fanuc haas heidenhain mach3 mach4 marlin
   bool inch = false;
@@ -27,6 +33,7 @@ struct PostOptions {
   int programs_before = 0;            ///< of the same job, by which the O word counts on
   WorkOffset work_offset;             ///< where the part's zero is
   EndPosition end;
+  std::optional<WearCompensation> wear;
   bool block_numbers = false;           ///< N words, in tens
   bool optional_stop = false;           ///< M1 before every tool but the first
   std::optional<Seconds> spindle_wait;  ///< after the spindle starts; default per dialect

@@ -35,6 +35,11 @@ struct ShopOptions {
   std::optional<double>
       stock_oversize;                   ///< mm by which the stock may be larger than stated, beside and above
   std::optional<double> finish_depths;  ///< number of depths in which walls are finished
+  std::optional<double> finish_steps;   ///< number of passes beside each other in which walls come to size
+  std::optional<double> spring_passes;  ///< number of passes along walls that are at size already
+  std::optional<std::string>
+      compensation;                  ///< "radius", "wear": what the control adds to paths that it compensates
+  std::optional<double> wear_range;  ///< mm by which a D word may be off 0 either way
   std::optional<std::string> material;  ///< of the work, for forces and wear: a name of work_materials()
 
   std::optional<std::string> style;  ///< "machinist", "fastest": what is done where nobody says how

@@ -176,6 +176,12 @@ struct FeatureFindings {
   std::optional<Scallop> scallop = {};  ///< of drafted walls
 };
 
+/// D words of compensated paths from -range to range were looked at.
+struct WearFindings {
+  double range_mm = 0;
+  std::vector<int> tools;  ///< T words whose paths are compensated, ascending
+};
+
 struct Findings {
   /// Nothing said what was to be made: uncut and gouge were not asked, and their figures are not numbers.
   bool without_part = false;
@@ -183,6 +189,7 @@ struct Findings {
   std::vector<FeatureFindings> features;  ///< in workplan order
   std::vector<Fault> faults;              ///< worst first
   std::vector<Condition> conditions;      ///< what must hold at the machine, met and open
+  std::optional<WearFindings> wear = {};  ///< where the control compensates for wear
   /// Degrees, of each move of the program in its order: the largest angle of the cutter in material. Empty: not measured.
   std::vector<float> move_engagement_deg;
   /// N, likewise: the largest mean tangential force. Empty: the material of the work is not known.
