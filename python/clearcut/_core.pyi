@@ -88,6 +88,10 @@ class Settings(TypedDict, total=False):
     finish_stock: Length | None
     finish_stock_floor: Length | None
     finish_depths: float | None
+    finish_steps: float | None
+    spring_passes: float | None
+    compensation: str | None
+    wear_range: Length | None
     dogbones: str | None
     style: str | None
     material: str | None
@@ -317,6 +321,10 @@ class PlanOptions:
     finish_stock: Length | None
     finish_stock_floor: Length | None
     finish_depths: float | None
+    finish_steps: float | None
+    spring_passes: float | None
+    compensation: str | None
+    wear_range: Length | None
     dogbones: str | None
     style: str | None
     material: str | None

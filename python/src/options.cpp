@@ -158,6 +158,17 @@ void add_shop(OptionsClass& options) {
   add_plain<double>(
       options, "finish_depths", doc("ShopOptions::finish_depths"),
       [](auto& o) -> auto& { return o.shop.finish_depths; });
+  add_plain<double>(
+      options, "finish_steps", doc("ShopOptions::finish_steps"),
+      [](auto& o) -> auto& { return o.shop.finish_steps; });
+  add_plain<double>(
+      options, "spring_passes", doc("ShopOptions::spring_passes"),
+      [](auto& o) -> auto& { return o.shop.spring_passes; });
+  add_plain<std::string>(
+      options, "compensation", doc("ShopOptions::compensation"),
+      [](auto& o) -> auto& { return o.shop.compensation; });
+  length(
+      "wear_range", doc("ShopOptions::wear_range"), [](auto& o) -> auto& { return o.shop.wear_range; });
   add_plain<std::string>(
       options, "dogbones", doc("ShopOptions::dogbones"), [](auto& o) -> auto& { return o.shop.dogbones; });
   add_plain<std::string>(

@@ -310,6 +310,12 @@ std::string finishes_no_walls(const Situation& at) {
                 "no walls are finished; see --finish walls");
 }
 
+std::string writes_no_compensation(const Situation& at) {
+  return unless(
+      at.plan.post.wear.has_value(),
+      "no path is compensated; plans write --compensation wear where --finish walls finishes walls");
+}
+
 std::string finishes_no_floor(const Situation& at) {
   return unless(at.plan.finish == Finish::kFloor || at.plan.finish == Finish::kAll,
                 "no floors are finished; see --finish floor");

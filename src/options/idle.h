@@ -51,6 +51,7 @@ std::string without_slot_feed(const Situation& at);
 std::string without_feed_rule(const Situation& at);
 std::string has_one_mill(const Situation& at);
 std::string finishes_no_walls(const Situation& at);
+std::string writes_no_compensation(const Situation& at);
 std::string finishes_no_floor(const Situation& at);
 std::string has_no_corners(const Situation& at);
 std::string plans_corners_otherwise(const Situation& at);

@@ -18,6 +18,7 @@
 #include "pipeline/steps/certify.h"
 #include "pipeline/steps/out_of_reach.h"
 #include "pipeline/steps/stock_taken.h"
+#include "pipeline/wear.h"
 #include "read/gcode/gcode.h"
 #include "read/gcode/tool_comments.h"
 #include "report/sheet/sheet_facts.h"
@@ -289,13 +290,16 @@ HandTools as_worked(const Part& part) {
 
 /// The program as its control reads it, limited to heights up to `safe_z`, mm.
 read::gcode::Program read_program(const ProgramText& program, const resolve::PlanOptions& options,
-                                  double safe_z, HandTools usual_by_hand) {
+                                  const std::vector<Tool>& tools, double safe_z, HandTools usual_by_hand,
+                                  double wear = 0) {
   read::gcode::ReadControllerOptions reading;
   reading.dialect = program.dialect;
   reading.home_z = home_z(options.machine);
   reading.safe_z = safe_z;
   reading.places = options.machine.places;
   reading.subprograms = read::gcode::files_beside(program.name);
+  reading.compensation = compensation_values(tools, options.shop);
+  if (reading.compensation.wear) reading.compensation.wear = wear;
   const HandTools by_hand = hand_tools_of(program.text, std::move(usual_by_hand));
   reading.hand_tools = by_hand.numbers;
   auto read = read::gcode::read_gcode(program.text, program.name, reading);
@@ -336,7 +340,9 @@ CheckResult check_text(const Part& part, const ProgramText& text, const resolve:
   const StrategyTable& strategies = strategies_of(options);
   std::optional<ResolvedPlan> resolved;
   if (text.names_no_tools()) resolved = resolve::resolve(part, options, strategies);
-  auto read = read_program(text, options, part.top_z(), resolved ? as_worked(resolved->part) : HandTools{});
+  const std::vector<Tool>& tools = options.tools.empty() ? part.tools : options.tools;
+  const HandTools by_hand = resolved ? as_worked(resolved->part) : HandTools{};
+  auto read = read_program(text, options, tools, part.top_z(), by_hand);
   require_tools(!options.tools.empty() || !part.tools.empty(), read.toolpath, text);
   CheckResult result;
   resolve::PlanOptions asked = numbered_by(read.toolpath, options);
@@ -353,8 +359,18 @@ CheckResult check_text(const Part& part, const ProgramText& text, const resolve:
   result.toolpath = std::move(read.toolpath);
   number_sections(result.toolpath, result.part);
   SectionNames(result.part).settle(result.toolpath);
-  result.findings = check(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan,
-                          std::move(stated));
+  result.findings =
+      check(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan, stated);
+  if (options.shop.compensation == "wear")
+    check_wear(result.findings, {wear_range_of(options.shop), plan.tol.uncut, read.compensated_tools, {}},
+               [&](double wear) {
+                 auto shifted = read_program(text, options, tools, part.top_z(), by_hand, wear);
+                 const Part cut = worn(result.part, read.compensated_tools, wear);
+                 number_sections(shifted.toolpath, cut);
+                 SectionNames(cut).settle(shifted.toolpath);
+                 return check(cut, shifted.toolpath, shifted.control, shifted.conditions, shifted.dialect,
+                              plan, stated);
+               });
   add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
   result.margin = margin_asked({result.part, result.toolpath, result.control}, plan, result.findings);
@@ -365,7 +381,7 @@ CheckResult check_text_alone(const std::optional<Stock>& stock, const ProgramTex
                              const resolve::PlanOptions& options, std::optional<double> top,
                              const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first) {
   const std::string& program_name = text.name;
-  auto read = read_program(text, options, stock ? stock->z_top : top.value_or(0),
+  auto read = read_program(text, options, options.tools, stock ? stock->z_top : top.value_or(0),
                            text.names_no_tools() ? as_given(options.tools) : HandTools{});
   require_moves(read.toolpath, program_name);
   require_tools(!options.tools.empty(), read.toolpath, text);

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/files/file.h"
 #include "pipeline/selection/strategies.h"
+#include "pipeline/wear.h"
 #include "read/gcode/gcode.h"
 #include "resolve/values/names.h"
 
@@ -22,13 +23,13 @@ void check_strategies(const read::JobFile& job) {
   for (const read::OperationRule& rule : job.operations) check(rule.settings);
 }
 
-/// Read in the dialect of the named control; if that does not accept the program, in the dialect for which it was
-/// written.
-read::gcode::Program read_as_its_control(const std::string& file, const Machine& machine,
+/// As the control that is named; where that does not take it, as the one for which it was written.
+read::gcode::Program read_as_its_control(const std::string& file, const resolve::PlanOptions& options,
                                          std::optional<read::gcode::Dialect> dialect) {
   read::gcode::ReadControllerOptions reading;
-  reading.home_z = home_z(machine);
-  reading.places = machine.places;
+  reading.home_z = home_z(options.machine);
+  reading.places = options.machine.places;
+  reading.compensation = compensation_values(options.tools, options.shop);
   reading.subprograms = read::gcode::files_beside(file);
   const std::string text = read_file(file);
   try {
@@ -56,7 +57,7 @@ std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::Libra
 
 void read_earlier_program(resolve::PlanOptions& options, const std::string& file,
                           std::optional<read::gcode::Dialect> dialect) {
-  read::gcode::Program program = read_as_its_control(file, options.machine, dialect);
+  read::gcode::Program program = read_as_its_control(file, options, dialect);
   options.earlier = std::move(program.toolpath);
   options.earlier_state = {std::move(program.control), std::move(program.conditions), {}};
   for (Condition& one : options.earlier_state.conditions) {

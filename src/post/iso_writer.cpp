@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/error.h"
 #include "base/inch.h"
 #include "base/text/format.h"
 #include "post/block_printer.h"
@@ -91,6 +92,10 @@ class IsoWriter {
   void call_cycle(const CycleCall& call);
   void write_hole(const DrillBlock& hole, const Tool* tap);
   void write_tap_move(const Move& move, const Section& section);
+  bool is_compensated(const Section& section) const;
+  void compensate(std::span<const Move> moves, std::size_t i, const Section& section);
+  void begin_compensation(const Move& lead, const Move& next, const Section& section);
+  [[noreturn]] void refuse_compensation(const Section& section, const std::string& why) const;
   void write_move(const Move& move);
   void write_rapid(const Ticks& to);
   void write_feed(const Step& step, MmPerMin feed);
@@ -114,6 +119,7 @@ class IsoWriter {
   std::vector<Step> steps_;
   Stops stops_;
   int sections_ = 0;  ///< written so far
+  bool compensates_ = false;
   std::optional<OpenCycle> open_;
   CutLevel level_ = CutLevel::kMedium;
   std::vector<int> changes_;  ///< tools in the order of their changes
@@ -262,6 +268,7 @@ void IsoWriter::write_moves(std::span<const Move> run, const Section& section, c
     } else if (tap) {
       write_tap_move(moves[i], section);
     } else {
+      if (is_compensated(section)) compensate(moves, i, section);
       write_move(moves[i]);
       if (at_floor > 0 && ends_at_floor(moves[i], section)) dwell(at_floor);
     }
@@ -501,6 +508,51 @@ void IsoWriter::end_rapid() {
   if (dialect_.rapid_feed) feed_word(options_.rapid);
   held_.feed = -1;
   out_.end_block();
+}
+
+bool IsoWriter::is_compensated(const Section& section) const {
+  if (!options_.wear) return false;
+  const auto& steps = options_.wear->workingsteps;
+  return std::find(steps.begin(), steps.end(), section.workingstep) != steps.end();
+}
+
+void IsoWriter::refuse_compensation(const Section& section, const std::string& why) const {
+  throw InputError("--compensation", "the passes along the walls of '" + section.label + "' " + why);
+}
+
+/// The words before move i: compensation is on along a pass, begins with the line that leads in and ends with the one that leads out.
+void IsoWriter::compensate(std::span<const Move> moves, std::size_t i, const Section& section) {
+  const Move& move = moves[i];
+  const bool cuts_next = i + 1 < moves.size() && moves[i + 1].kind == MoveKind::kCut;
+  if (move.kind == MoveKind::kLeadIn && cuts_next) {
+    begin_compensation(move, moves[i + 1], section);
+  } else if (move.kind == MoveKind::kLeadOut && compensates_) {
+    if (move.path.is_arc())
+      refuse_compensation(section, "end with an arc; give --lead-angle, so that they end with a line");
+    out_.word("G40");
+    compensates_ = false;
+  } else if (move.kind == MoveKind::kCut && !compensates_) {
+    refuse_compensation(
+        section, "begin without a line of their own; give a shorter --lead, or leave out --compensation");
+  } else if (move.kind != MoveKind::kCut && compensates_) {
+    refuse_compensation(
+        section, "end without a line of their own; give a shorter --lead, or leave out --compensation");
+  }
+}
+
+/// Away from the wall is where the lead comes from: there a D above 0 shifts the path.
+void IsoWriter::begin_compensation(const Move& lead, const Move& next, const Section& section) {
+  if (lead.path.is_arc())
+    refuse_compensation(section, "begin with an arc; give --lead-angle, so that they begin with a line");
+  if (lead.path.length() <= 2 * options_.wear->range)
+    refuse_compensation(section,
+                        "begin with a line of " + trimmed(lead.path.length(), 3) +
+                            " mm, which is less than twice the range of wear; give a longer --lead or a "
+                            "smaller --wear-range");
+  const bool is_left = cross(next.path.tangent_at(0), lead.path.from - lead.path.to) > 0;
+  out_.word(is_left ? "G41" : "G42");
+  if (dialect_.radius == RadiusWord::kNumbered) out_.word(fmt::format("D{}", held_.tool));
+  compensates_ = true;
 }
 
 void IsoWriter::write_move(const Move& move) {

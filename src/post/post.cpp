@@ -90,6 +90,9 @@ void refuse_missing_words(const PostOptions& options, const IsoDialect* dialect)
     refuse("--optional-stop", "M1 that stops only where the operator wants it");
   if (options.spindle_wait && !(options.spindle_wait->seconds() <= kLongestWait))
     throw InputError("--spindle-wait", "must be at most " + trimmed(kLongestWait, 0) + " s");
+  if (options.wear && (!dialect || dialect->radius == RadiusWord::kNone))
+    refuse("--compensation",
+           dialect ? "cutter compensation" : "compensation for wear alone that is written here");
   const int digits = dialect ? dialect->program_digits : 0;
   if (options.program_number && digits == 0) refuse("--program-number", "O word");
   if (options.program_number && std::to_string(*options.program_number + options.programs_before).size() >

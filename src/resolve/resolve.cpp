@@ -235,6 +235,20 @@ void resolve_shop(ResolvedPlan& plan, const ShopOptions& shop) {
   if (plan.material && !plan.material->has_forces()) plan.material.reset();
 }
 
+/// mm, where nothing is said.
+constexpr double kWearRange = 0.1;
+
+/// What the control is to compensate: all passes that finish walls.
+std::optional<WearCompensation> wear_of(const Part& part, const ShopOptions& shop) {
+  if (!writes_wear(shop)) return std::nullopt;
+  WearCompensation wear{{}, shop.wear_range.value_or(kWearRange)};
+  for (std::size_t i = 0; i < part.workplan.size(); ++i)
+    if (part.workplan[i].operation.kind == OperationKind::kSideFinishing)
+      wear.workingsteps.push_back(static_cast<int>(i));
+  if (wear.workingsteps.empty()) return std::nullopt;
+  return wear;
+}
+
 void limit_feed_rule(FeedRule& rule, const Machine& machine) {
   if (rule.feed) rule.feed = limited(*rule.feed, machine);
   if (rule.cap) rule.cap = limited(*rule.cap, machine);
@@ -297,6 +311,7 @@ ResolvedPlan resolve(const Part& part, const PlanOptions& options, const Strateg
     plan.steps.push_back(std::move(step));
     list_step(plan, static_cast<int>(i), own, options);
   }
+  plan.post.wear = wear_of(plan.part, options.shop);
   tell_of_style(plan, options);
   list_plan(plan, options);
   return plan;

@@ -25,6 +25,8 @@ constexpr double kFloorStock = 0.2;  // mm
 constexpr const char* kForFinishing = "stock for the finishing steps on top";
 /// Size of leads as a share of the cutter's radius.
 constexpr double kLead = 0.5;
+/// Degrees between the pass and lines along which compensation begins and ends.
+constexpr double kLeadAngle = 45;
 
 /// mm between the flat of a mill's end and the walls: below the rounding, material remains on floors along the walls.
 double rounded_off(const Tool& tool) {
@@ -82,7 +84,7 @@ bool reaches_more_than_before(const Part& part, const Workingstep& step, const T
   });
 }
 
-Workingstep named_step(const Workingstep& step, const char* ending, OperationKind kind,
+Workingstep named_step(const Workingstep& step, const std::string& ending, OperationKind kind,
                        StepSources& sources) {
   Workingstep out = step;
   out.stated_path.reset();
@@ -94,10 +96,10 @@ Workingstep named_step(const Workingstep& step, const char* ending, OperationKin
   return out;
 }
 
-/// A step along the walls, with the last tool.
-Workingstep wall_step(const Workingstep& last, const Part& part, const ShopOptions& shop,
-                      StepSources& sources) {
-  Workingstep step = named_step(last, "_walls", OperationKind::kSideFinishing, sources);
+/// Along the walls, with the tool that came last.
+Workingstep wall_step(const Workingstep& last, const std::string& ending, const Part& part,
+                      const ShopOptions& shop, StepSources& sources) {
+  Workingstep step = named_step(last, ending, OperationKind::kSideFinishing, sources);
   Operation& operation = step.operation;
   const Feature& feature = feature_of(part, last);
   const double depth = feature.top_z - feature.floor_z - operation.allowance_floor;
@@ -111,11 +113,33 @@ Workingstep wall_step(const Workingstep& last, const Part& part, const ShopOptio
     operation.lead = kLead * tool_of(part, last).radius();
     sources[step_key(step)].set("lead", {Origin::kDerived, "half the cutter's radius"});
   }
+  // A control begins and ends compensation along lines.
+  if (writes_wear(shop) && !operation.lead_angle) {
+    operation.lead_angle = Radians::of_degrees(kLeadAngle);
+    sources[step_key(step)].set("lead-angle", {Origin::kDerived, "compensation begins along lines"});
+  }
   return step;
 }
 
-/// A step over the floor with the same tool, or over its part left by wider tools; away from walls finished
-/// afterwards.
+/// The passes beside each other in which the walls of a feature come to size, and those that are run again then.
+void add_wall_steps(const Workingstep& last, const Part& part, const ShopOptions& shop,
+                    std::vector<Workingstep>& walls, StepSources& sources) {
+  const int steps = static_cast<int>(shop.finish_steps.value_or(1));
+  const int springs = static_cast<int>(shop.spring_passes.value_or(0));
+  const double stock = shop.finish_stock.value_or(kWallStock);
+  for (int k = 1; k < steps; ++k) {
+    Workingstep step = wall_step(last, "_walls_" + std::to_string(k), part, shop, sources);
+    step.operation.allowance_side += stock * (steps - k) / steps;
+    sources[step_key(step)].set("allowance", {Origin::kDerived, "stock for the passes beside it"});
+    walls.push_back(std::move(step));
+  }
+  walls.push_back(wall_step(last, "_walls", part, shop, sources));
+  for (int k = 1; k <= springs; ++k)
+    walls.push_back(wall_step(last, "_walls_spring" + (k > 1 ? "_" + std::to_string(k) : std::string()), part,
+                              shop, sources));
+}
+
+/// Over the floor with the same tool, or what wider ones leave of it; away from walls that are finished afterwards.
 Workingstep floor_step(const Workingstep& roughing, bool rest, const ShopOptions& shop,
                        StepSources& sources) {
   Workingstep step = named_step(roughing, "_floor", OperationKind::kBottomFinishing, sources);
@@ -198,7 +222,7 @@ double sharpest_turn(const Loop& loop, double radius) {
 void warn_of_corners(const Workingstep& walls, const PlanOptions& options, Part& part) {
   if (!options.engagement_deg) return;
   const double radius = tool_of(part, walls).radius();
-  const double stock = options.shop.finish_stock.value_or(kWallStock);
+  const double stock = options.shop.finish_stock.value_or(kWallStock) / options.shop.finish_steps.value_or(1);
   if (stock <= 0 || stock >= radius) return;
   double sharpest = 0;
   for (const Region& region : feature_of(part, walls).target) {
@@ -225,6 +249,10 @@ Finish finish_of(const ShopOptions& shop) {
   if (*shop.finish == "floor") return Finish::kFloor;
   if (*shop.finish == "all") return Finish::kAll;
   throw InputError("finish", "'" + *shop.finish + "' is unknown; use one of walls, floor, all");
+}
+
+bool writes_wear(const ShopOptions& shop) {
+  return shop.compensation == "wear";
 }
 
 void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources) {
@@ -268,7 +296,7 @@ void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& so
     const auto hole = features::round_hole_of(feature_of(part, last), options.tol);
     if (hole && features::makes_hole(tool_of(part, last), *hole, options.tol)) continue;
     if (finish != Finish::kWalls) add_floor_steps(part, last.feature, shop, floors, sources);
-    if (finish != Finish::kFloor) walls.push_back(wall_step(last, part, shop, sources));
+    if (finish != Finish::kFloor) add_wall_steps(last, part, shop, walls, sources);
   }
   for (Workingstep& step : part.workplan) {
     const auto same = [&](const Workingstep& other) { return other.feature == step.feature; };

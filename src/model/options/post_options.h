@@ -12,6 +12,12 @@
 
 namespace clearcut::inline model {
 
+/// Paths of the tool's centre that the control shifts by what a D word holds, 0 with a new tool.
+struct WearCompensation {
+  std::vector<int> workingsteps;  ///< whose passes are shifted
+  double range = 0;               ///< mm that D may hold either way
+};
+
 struct PostOptions {
   std::string dialect = "linuxcnc";  ///< linuxcnc grbl fanuc haas heidenhain mach3 mach4 marlin
   bool inch = false;
@@ -28,6 +34,7 @@ struct PostOptions {
   int programs_before = 0;            ///< number of earlier programs of the same job, added to the O word
   WorkOffset work_offset;             ///< work offset of the part's zero
   EndPosition end;
+  std::optional<WearCompensation> wear;
   bool block_numbers = false;           ///< N words, in tens
   bool optional_stop = false;           ///< M1 before every tool but the first
   std::optional<Seconds> spindle_wait;  ///< wait after the spindle starts; default per dialect

@@ -32,13 +32,17 @@ struct ShopOptions {
   std::optional<std::string> finish;   ///< "walls", "floor", "all": finishing after everything else
   std::optional<double> finish_stock;  ///< mm left on walls for the finishing pass
   std::optional<double> finish_stock_floor;
-  /// "corner", "t-bone": relief in inside corners, so that square parts fit.
-  std::optional<std::string> dogbones;
-  /// mm; greatest excess of the real stock over the stated one, at its sides and top.
-  std::optional<double> stock_oversize;
-  std::optional<double> finish_depths;  ///< number of depth levels in which walls are finished
-  /// Material of the work, for forces and wear: a name of work_materials().
-  std::optional<std::string> material;
+  std::optional<std::string>
+      dogbones;  ///< "corner", "t-bone": relief in inside corners, so that square parts fit
+  std::optional<double>
+      stock_oversize;                   ///< mm by which the stock may be larger than stated, beside and above
+  std::optional<double> finish_depths;  ///< number of depths in which walls are finished
+  std::optional<double> finish_steps;   ///< number of passes beside each other in which walls come to size
+  std::optional<double> spring_passes;  ///< number of passes along walls that are at size already
+  std::optional<std::string>
+      compensation;                  ///< "radius", "wear": what the control adds to paths that it compensates
+  std::optional<double> wear_range;  ///< mm by which a D word may be off 0 either way
+  std::optional<std::string> material;  ///< of the work, for forces and wear: a name of work_materials()
 
   std::optional<std::string> style;  ///< "machinist", "fastest": style of all choices left open
 

@@ -178,15 +178,21 @@ struct FeatureFindings {
   std::optional<Scallop> scallop = {};  ///< scallops of drafted walls
 };
 
+/// D words of compensated paths from -range to range were looked at.
+struct WearFindings {
+  double range_mm = 0;
+  std::vector<int> tools;  ///< T words whose paths are compensated, ascending
+};
+
 struct Findings {
   /// The shape to be made was not stated: uncut and gouge were not examined, and their figures are NaN.
   bool without_part = false;
   Figures all;
   std::vector<FeatureFindings> features;  ///< in workplan order
   std::vector<Fault> faults;              ///< worst first
-  std::vector<Condition> conditions;      ///< facts that must be true at the machine, met and open
-  /// Degrees; the largest angle of the cutter in material, for each move of the program in its order. Empty: not
-  /// measured.
+  std::vector<Condition> conditions;      ///< what must hold at the machine, met and open
+  std::optional<WearFindings> wear = {};  ///< where the control compensates for wear
+  /// Degrees, of each move of the program in its order: the largest angle of the cutter in material. Empty: not measured.
   std::vector<float> move_engagement_deg;
   /// N, likewise: the largest mean tangential force. Empty: the material of the work is not known.
   std::vector<float> move_force_n = {};

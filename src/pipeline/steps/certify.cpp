@@ -19,6 +19,7 @@
 #include "model/results/not_machined.h"
 #include "model/section_names.h"
 #include "pipeline/steps/far_moves.h"
+#include "pipeline/wear.h"
 #include "post/post.h"
 #include "post/words/comment.h"
 #include "read/gcode/gcode.h"
@@ -281,14 +282,18 @@ verify::VerifyOptions verify_options(const ResolvedPlan& plan) {
 
 namespace {
 
-/// Reads the program as its control does; if the control has no words for tools they are loaded by hand in the order
-/// of work.
-read::gcode::Program read_back(const std::string& program, const Toolpath& planned,
-                               const ResolvedPlan& plan) {
+/// As the control that the program is posted for reads it; tools are put in by hand in the order of work where it has no
+/// words for them.
+read::gcode::Program read_back(const std::string& program, const Toolpath& planned, const ResolvedPlan& plan,
+                               double wear = 0) {
   read::gcode::ReadControllerOptions reading;
   reading.dialect = read::gcode::dialect_named(plan.post.dialect);
   reading.home_z = home_z(plan.machine);
   reading.safe_z = plan.part.top_z();
+  if (plan.post.wear) {
+    reading.compensation.wear = wear;
+    reading.compensation.is_stated = true;
+  }
   HandTools usual{{}, kOrderOfWork};
   for (const Section& section : planned.sections) usual.numbers.push_back(section.tool_number);
   const HandTools tools = hand_tools_of(program, std::move(usual));
@@ -383,6 +388,15 @@ void certify(PlanResult& result, const Toolpath& planned, const ResolvedPlan& pl
   SectionNames(result.part).settle(result.toolpath);
   result.control = std::move(read.control);
   result.findings = check(result.part, result.toolpath, result.control, read.conditions, read.dialect, plan);
+  if (!plan.post.wear) return;
+  const WearQuestion question{plan.post.wear->range, plan.tol.uncut, read.compensated_tools,
+                              compensated_features(plan.part, *plan.post.wear)};
+  check_wear(result.findings, question, [&](double wear) {
+    read::gcode::Program shifted = read_back(result.program, planned, plan, wear);
+    const Part part = worn(result.part, read.compensated_tools, wear);
+    SectionNames(part).settle(shifted.toolpath);
+    return check(part, shifted.toolpath, shifted.control, shifted.conditions, shifted.dialect, plan);
+  });
 }
 
 void sign(PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan) {

@@ -23,6 +23,7 @@ constexpr std::array kDialects{
                .exact_stop = {},
                .changer = false,
                .spindle_wait = 2,
+               .radius = RadiusWord::kNone,
                .optional_stop = false,
                .largest_radius = 1000},
     IsoDialect{.name = "fanuc",
@@ -99,6 +100,7 @@ constexpr std::array kDialects{
                .spindle_wait = 2,
                .rapid_feed = true,
                .repeats_motion = true,
+               .radius = RadiusWord::kNone,
                .optional_stop = false,
                .block_numbers = false,
                .end = "",
@@ -121,9 +123,9 @@ constexpr std::array kDialects{
                .home = HomeForm::kSuppressed,
                .dwell = DwellForm::kFSeconds,
                .tapping = Tapping::kRigid,
-               .cycles = CycleForm::kCalls},
-    // Mazak's EIA/ISO: rigid tapping has a separate word there (G84.2), which is not written; the magazine is called
-    // ahead.
+               .cycles = CycleForm::kCalls,
+               .radius = RadiusWord::kOfEdge},
+    // Mazak's EIA/ISO: rigid tapping is a word of its own there (G84.2), which is not written; the magazine is called ahead.
     IsoDialect{.name = "mazak",
                .extension = ".eia",
                .mm_decimals = 3,

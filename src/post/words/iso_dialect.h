@@ -40,7 +40,13 @@ enum class Tapping {
   kRigidByG33_1  ///< G33.1; G84 with a floating holder
 };
 enum class DwellForm { kPSeconds, kXSeconds, kSSeconds, kFSeconds };
-/// Form of the calls of hole cycles in a program.
+/// What G41 says beside itself.
+enum class RadiusWord {
+  kNone,      ///< the control does not compensate
+  kNumbered,  ///< D and the tool's number
+  kOfEdge     ///< nothing: it takes the radius of the edge in force
+};
+/// How a program calls the cycles that make a hole.
 enum class CycleForm {
   kNone,   ///< holes are moves
   kWords,  ///< G81 and its like, ended by G80
@@ -94,10 +100,10 @@ struct IsoDialect {
   MistWords mist = {};
   Tapping tapping = Tapping::kByWords;
   CycleForm cycles = CycleForm::kNone;
-  /// Shops start at a tool after a reset; the reset cancels the modes set at the start.
-  bool entered_at_tools = false;
-  bool modal_cycles = false;      ///< one cycle for equal holes, followed by their places
-  bool numbers_tools = false;     ///< N1, N2, ... at the beginning of a tool's work
+  RadiusWord radius = RadiusWord::kNumbered;
+  bool entered_at_tools = false;  ///< shops begin at a tool after a reset, which ends the modes of the start
+  bool modal_cycles = false;      ///< one cycle for holes alike, whose places follow it
+  bool numbers_tools = false;     ///< N1, N2, ... where the work of a tool begins
   bool preselects = false;        ///< the next tool is called while one works
   bool table_forward = false;     ///< Y also goes home at the end, bringing the work to the operator
   bool optional_stop = true;      ///< M1, which stops if enabled by the operator

@@ -245,6 +245,12 @@ void add_proof(Json& json, const CertificateInfo& info) {
   if (!proof.witness_sha256.empty()) json["proof"]["witness_sha256"] = proof.witness_sha256;
 }
 
+void add_wear(Json& json, const Findings& findings) {
+  if (!findings.wear) return;
+  json["wear"]["range_mm"] = number(findings.wear->range_mm);
+  json["wear"]["tools"] = findings.wear->tools;
+}
+
 void add_margin(Json& json, const CertificateInfo& info) {
   if (!info.margin) return;
   const Margin& margin = *info.margin;
@@ -298,6 +304,7 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
   add_contours(json, info);
   add_proof(json, info);
   add_margin(json, info);
+  add_wear(json, findings);
   if (!info.values.empty()) json["values"] = Json::array();
   for (const ResolvedValue& one : info.values) json["values"].push_back(resolved(one));
   json["conditions"] = Json::array();

@@ -232,6 +232,12 @@ void list_shop(PlanList& list, const ResolvedPlan& plan, const ShopOptions& shop
   }
   list.add("rest", text_of(shop.rest.value_or(false)), "", shop.rest.has_value(), "no");
   list.add("finish", name_of(plan.finish), "", shop.finish.has_value(), "none");
+  list.add("finish-steps", trimmed(shop.finish_steps.value_or(1), 0), "", shop.finish_steps.has_value(), "1");
+  list.add("spring-passes", trimmed(shop.spring_passes.value_or(0), 0), "", shop.spring_passes.has_value(),
+           "0");
+  list.add("compensation", shop.compensation.value_or("none"), "", shop.compensation.has_value(), "none");
+  if (plan.post.wear)
+    list.add("wear-range", trimmed(plan.post.wear->range, 4), "mm", shop.wear_range.has_value(), "0.1 mm");
   list.add("dogbones", shop.dogbones.value_or("none"), "", shop.dogbones.has_value(), "none");
   list.add("material", shop.material.value_or("none"), "", shop.material.has_value(), "none: no forces");
   list.add("style", shop.is_machinist() ? "machinist" : "fastest", "", shop.style.has_value(),
