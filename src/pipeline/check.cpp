@@ -18,7 +18,7 @@
 #include "pipeline/steps/certify.h"
 #include "pipeline/steps/out_of_reach.h"
 #include "pipeline/steps/stock_taken.h"
-#include "pipeline/wear.h"
+#include "pipeline/steps/wear.h"
 #include "read/gcode/gcode.h"
 #include "read/gcode/tool_comments.h"
 #include "report/sheet/sheet_facts.h"

@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "base/files/file.h"
 #include "pipeline/selection/strategies.h"
-#include "pipeline/wear.h"
+#include "pipeline/steps/wear.h"
 #include "read/gcode/gcode.h"
 #include "resolve/values/names.h"
 

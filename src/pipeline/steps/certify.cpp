@@ -19,7 +19,7 @@
 #include "model/results/not_machined.h"
 #include "model/section_names.h"
 #include "pipeline/steps/far_moves.h"
-#include "pipeline/wear.h"
+#include "pipeline/steps/wear.h"
 #include "post/post.h"
 #include "post/words/comment.h"
 #include "read/gcode/gcode.h"

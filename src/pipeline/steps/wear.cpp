@@ -1,4 +1,4 @@
-#include "pipeline/wear.h"
+#include "pipeline/steps/wear.h"
 
 #include <algorithm>
 
