@@ -291,6 +291,14 @@ class FeatureWriter {
     return entity("SLOT", {course, section, cut.closed ? p21_list({end}) : p21_list({end, end})});
   }
 
+  /// The section of a step: its angle is that between floor and wall.
+  std::string leaning_wall() {
+    const double lean = feature_.wall_slope.radians();
+    if (lean == 0) return kUnset;
+    const std::string angle = p21_real(kPi / 2 + lean);
+    return out_.add("VEE_PROFILE", {kUnset, kUnset, angle, angle});
+  }
+
   /// The wall is the side opposite to an open one, with the material on its left. A step takes the smaller
   /// part of the stock: readers that doubt the drawn side rely on it.
   std::string step() {
@@ -300,7 +308,7 @@ class FeatureWriter {
         if (stock_.carries(loop[i]) || !stock_.carries(loop[(i + 2) % 4])) continue;
         if (!stock_.is_nearer_side(loop[i], loop[(i + 1) % 4].length())) continue;
         const std::string path = linear_path(out_, common_, loop[i].to, loop[i].from);
-        return entity("STEP", {path, kUnset, "()"});
+        return entity("STEP", {path, leaning_wall(), "()"});
       }
     }
     return open_pocket();
