@@ -42,6 +42,13 @@ Cleared cleared_by(const Feature& feature, double floor, double top, const Toler
   return {floor, at_depth(feature.target, feature.wall_slope, top - feature.floor_z, tol)};
 }
 
+/// What an undercut lies below: not the slot for its neck, which goes down as far.
+std::vector<Cleared> shallower(std::vector<Cleared> cleared, double floor) {
+  constexpr double kSameFloor = 0.01;  // mm
+  std::erase_if(cleared, [&](const Cleared& one) { return one.floor_z <= floor + kSameFloor; });
+  return cleared;
+}
+
 }  // namespace
 
 std::vector<double> stacked_tops(const Part& part, const Tolerances& tol) {
@@ -51,7 +58,9 @@ std::vector<double> stacked_tops(const Part& part, const Tolerances& tol) {
   for (const int index : cutting_order(part)) {
     const Feature& feature = part.features[static_cast<std::size_t>(index)];
     const double start = part.stock ? part.stock->z_top : feature.top_z;
-    const double over = top_over(feature.target, deepest_first, start, tol);
+    const bool is_undercut = feature.kind == FeatureKind::kTSlot;
+    const double over = top_over(
+        feature.target, is_undercut ? shallower(deepest_first, feature.floor_z) : deepest_first, start, tol);
     const double top = feature.chamfer ? over : std::max(over, feature.floor_z);
     tops[static_cast<std::size_t>(index)] = top;
     // A chamfer, a countersink, a thread or an undercut does not lower the material for other features.

@@ -5,6 +5,7 @@
 
 #include "base/random.h"
 #include "pipeline/run.h"
+#include "pipeline/test_drawings.h"
 #include "post/part/stepnc_writer.h"
 #include "read/read_part.h"
 #include "report/motion_text.h"
@@ -91,6 +92,34 @@ TEST(StatedToolpathPlans, HelicesAndLeadsComeBackAsTheyWere) {
   options.entry = EntryKind::kHelix;
   options.lead = 1.5;
   expect_same_program(plate(), options, "helix");
+}
+
+/// What drawings ask for beyond pockets and holes, each by a cutter of its own.
+TEST(StatedToolpathPlans, EdgesGroovesThreadsAndProfilesComeBackAsTheyWere) {
+  struct Row {
+    const char* what;
+    std::string entities;
+    std::vector<std::string> tools;
+  };
+  const std::string pocket = box("POCKET_D4", 12, 12, 48, 32), stock = box("STOCK_D10", 0, 0, 60, 44);
+  const std::string blunt = "chamfer:90deg:8:tip=0.4";
+  const Row rows[] = {
+      {"chamfer of a pocket", stock + pocket + box("CHAMFER_D0.5", 12, 12, 48, 32), {"endmill:5", blunt}},
+      {"chamfer by a V-bit",
+       stock + pocket + box("CHAMFER_D0.5", 12, 12, 48, 32),
+       {"endmill:5", "vbit:60deg:6"}},
+      {"groove of a cone", stock + circle("ENGRAVE_D1", {30, 22}, 9), {"vbit:60deg:6"}},
+      {"groove of a ball", stock + circle("ENGRAVE_D1.5", {30, 22}, 9), {"ball:4"}},
+      {"engraving", stock + circle("ENGRAVE_D1", {30, 22}, 9), {"endmill:2"}},
+      {"profile", rounded_box("PROFILE_D6", 0, 0, 50, 30, 5), {"endmill:5"}},
+      {"tapped thread",
+       box("STOCK_D20", 0, 0, 60, 44) + circle("TAP_M6_D8", {30, 22}, 2.5),
+       {"drill:5", "tap:M6"}},
+  };
+  for (const Row& row : rows) {
+    SCOPED_TRACE(row.what);
+    expect_same_program(drawn(row.entities), with(row.tools), row.what);
+  }
 }
 
 TEST(StatedToolpathPlans, OthersThanTheFilesArePlannedWhereAsked) {

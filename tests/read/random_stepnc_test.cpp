@@ -61,8 +61,13 @@ struct Boss {
   double top = 0;
 };
 
+/// What the cutter's form leaves, rather than a floor and upright walls.
+enum class Form { kUpright, kVee, kHalfRound, kChamfer, kLeaning };
+
 struct Volume {
   Shape shape;
+  Form form = Form::kUpright;
+  double wide = 0;  ///< mm: kChamfer: on the top; kLeaning: how far its wall comes in down to its floor
   double floor = 0;
   int tool = 1;
   bool drilled = false;
@@ -70,8 +75,13 @@ struct Volume {
 };
 
 /// mm of cutters by T number.
-const std::map<int, double> kCutters{{1, 6}, {2, 4}, {3, 5}};
+const std::map<int, double> kCutters{{1, 6}, {2, 4}, {3, 5}, {4, 8}, {5, 5}};
+constexpr int kCone = 4;  ///< of 90 degrees
+constexpr int kBall = 5;
 constexpr double kDrillPoint = 1.55;  ///< mm; longer than the point of the drill
+
+const std::map<int, std::string> kBodies{
+    {1, "ENDMILL"}, {2, "ENDMILL"}, {3, "TWIST_DRILL"}, {4, "COUNTERSINK"}, {5, "BALL_ENDMILL"}};
 
 class Generator {
  public:
@@ -85,6 +95,7 @@ class Generator {
     for (int column = 0; column < 3; ++column)
       for (int row = 0; row < 2; ++row)
         if (chance(0.6) || volumes.empty()) add_feature({20 + 40.0 * column, 20 + 40.0 * row});
+    if (chance(0.4)) add_step();
     std::string steps;
     for (const int step : steps_) steps += (steps.empty() ? "#" : ",#") + std::to_string(step);
     put(2, "WORKPLAN('MAIN',(" + steps + "),$,#4,$)");
@@ -159,9 +170,11 @@ class Generator {
                         size = std::to_string(72 + 3 * number);
       put(70 + 3 * number, "MILLING_CUTTING_TOOL('T" + std::to_string(number) + "',#" + body + ",(),$,$,$)");
       put(71 + 3 * number,
-          std::string(number == 3 ? "TWIST_DRILL" : "ENDMILL") + "(#" + size + ",2,.RIGHT.,$,$)");
-      put(72 + 3 * number, "MILLING_TOOL_DIMENSION(" + length(diameter) + ",$,$," + length(25) + "," +
-                               (number == 3 ? "$" : "0.") + ",$,$)");
+          kBodies.at(number) + "(#" + size + ",2,.RIGHT.,$,$" + (number == kCone ? ",$)" : ")"));
+      const std::string angle = number == kCone ? real(kPiHere / 2) : "$";
+      const std::string corner = number == kBall ? length(diameter / 2) : number < 3 ? "0." : "$";
+      put(72 + 3 * number, "MILLING_TOOL_DIMENSION(" + length(diameter) + "," + angle + ",$," + length(25) +
+                               "," + corner + ",$,$)");
     }
     put(90, "MILLING_TECHNOLOGY(0.01,.TCP.,$,-100.,$,$,$,$,$)");
     put(91, "MILLING_MACHINE_FUNCTIONS(.T.,$,$,.F.,$,(),.F.,$,$,())");
@@ -204,13 +217,17 @@ class Generator {
 
   void add_feature(Point middle) {
     const double depth = between(2, 12);
-    switch (below(4)) {
+    switch (below(6)) {
       case 0:
         return add_pocket(middle, depth);
       case 1:
         return add_slot(middle, depth);
       case 2:
         return add_hole(middle, depth);
+      case 3:
+        return add_groove(middle, depth, kCone);
+      case 4:
+        return add_groove(middle, depth, kBall);
       default:
         return add_ring_of_holes(middle, depth);
     }
@@ -249,6 +266,81 @@ class Generator {
                 bosses + "),$," + add("PLANAR_POCKET_BOTTOM_CONDITION()") + ",$," +
                 (corner > 0 ? measure(corner) : "$") + "," + profile + ")"),
             operation);
+    volumes.push_back(volume);
+    if (volume.bosses.empty() && chance(0.4)) add_chamfer(volume, last_ - 1);
+  }
+
+  /// About a pocket, by its angle of 45 degrees; the face that the edge lies in is there before.
+  void add_chamfer(const Volume& pocket, int entity) {
+    Volume volume = pocket;
+    volume.form = Form::kChamfer;
+    volume.tool = kCone;
+    volume.wide = between(0.3, 1.2);
+    volume.floor = -volume.wide;
+    const std::string face =
+        add("PLANAR_FACE('FACE',#3,()," + placement({}, 2, 0) + "," + depth_plane(-2) + ",$,$,$,())");
+    const std::string walls = "#" + std::to_string(entity), operation = milling_by(kCone, "$");
+    work_on(add("CHAMFER('EDGE',#3,(" + operation + ")," +
+                (chance(0.5) ? face + "," + walls : walls + "," + face) + "," + real(kPiHere / 4) + "," +
+                measure(volume.wide) + ")"),
+            operation);
+    volumes.push_back(volume);
+  }
+
+  std::string milling_by(int tool, const std::string& stepdown) {
+    return add("BOTTOM_AND_SIDE_FINISH_MILLING($,$,'OP',$,$,#" + std::to_string(70 + 3 * tool) +
+               ",#90,#91,$,$,$,$," + stepdown + ",$,$,$)");
+  }
+
+  /// A vee of 90 degrees, or a slot that the ball makes at once, its lower part half round.
+  void add_groove(Point middle, double depth, int tool) {
+    Volume volume;
+    volume.form = tool == kCone ? Form::kVee : Form::kHalfRound;
+    volume.tool = tool;
+    const double down =
+        tool == kCone ? between(0.5, 3.8) : kCutters.at(kBall) / 2 + (chance(0.5) ? 0 : 0.3 * depth);
+    volume.floor = -down;
+    volume.shape.kind = Shape::Kind::kCapsule;
+    volume.shape.turn = chance(0.5) ? 0 : between(0, 6);
+    volume.shape.a = between(3, 9);
+    volume.shape.b = tool == kCone ? down : kCutters.at(kBall) / 2;
+    volume.shape.place = middle;
+    const double half = volume.shape.a, c = std::cos(volume.shape.turn), s = std::sin(volume.shape.turn);
+    const std::string place = placement({middle.x - half * c, middle.y - half * s}, 0, volume.shape.turn);
+    const std::string path =
+        add("LINEAR_PATH($," + measure(2 * half) + "," + add("DIRECTION('',(1.,0.,0.))") + ")");
+    const std::string end = add("RADIUSED_SLOT_END_TYPE()");
+    const std::string section = tool == kCone
+                                    ? add("VEE_PROFILE($,$," + real(kPiHere / 2) + "," +
+                                          (chance(0.5) ? "$" : real(kPiHere / 4)) + ")")
+                                    : add("ROUNDED_U_PROFILE($," + measure(kCutters.at(kBall)) + ")");
+    const std::string operation = milling_by(tool, chance(0.5) ? length(1.5) : "$");
+    work_on(add("SLOT('GROOVE',#3,(" + operation + ")," + place + "," + depth_plane(-down) + "," + path +
+                "," + section + ",(" + end + "," + end + "))"),
+            operation);
+    volumes.push_back(volume);
+  }
+
+  /// Along the whole front of the block, its wall leaning.
+  void add_step() {
+    Volume volume;
+    volume.form = Form::kLeaning;
+    const double wide = between(0.5, 0.9), depth = between(1, 4);
+    const double lean = chance(0.3) ? 0 : between(0.2, 0.8) * std::atan(wide / depth);
+    volume.floor = -depth;
+    volume.wide = depth * std::tan(lean);
+    volume.shape.kind = Shape::Kind::kRectangle;
+    volume.shape.place = {60, wide - 50};
+    volume.shape.a = 200;
+    volume.shape.b = 50;
+    const std::string angle = real(kPiHere / 2 + lean);
+    const std::string path =
+        add("LINEAR_PATH($," + measure(120) + "," + add("DIRECTION('',(1.,0.,0.))") + ")");
+    const std::string operation = milling_by(1, "$");
+    work_on(
+        add("STEP('STEP',#3,(" + operation + ")," + placement({0, wide}, 0, 0) + "," + depth_plane(-depth) +
+            "," + path + "," + add("VEE_PROFILE($,$," + angle + "," + angle + ")") + ",())"),
+        operation);
     volumes.push_back(volume);
   }
 
@@ -337,12 +429,38 @@ std::optional<double> lowest_within(Point p, const test_support::TipWay& way, do
   return std::min(way.z0 + low * (way.z1 - way.z0), way.z0 + high * (way.z1 - way.z0));
 }
 
+/// mm; how high what cuts stands over the tip, `away` mm from its axis.
+double over_tip(int tool, double away) {
+  const double radius = kCutters.at(tool) / 2;
+  if (tool == kCone) return away;
+  return tool == kBall ? radius - std::sqrt(std::max(0.0, radius * radius - away * away)) : 0;
+}
+
+/// The same as lowest_within() for cutters whose ends are not flat: what they leave is convex along a straight way.
+std::optional<double> lowest_of_form(Point p, const test_support::TipWay& way, double wider) {
+  if (!lowest_within(p, way, kCutters.at(way.tool) / 2 + wider)) return std::nullopt;
+  const auto left_at = [&](double t) {
+    const double x = way.x0 + t * (way.x1 - way.x0), y = way.y0 + t * (way.y1 - way.y0);
+    const double away = std::max(0.0, std::hypot(x - p.x, y - p.y) - wider);
+    if (away > kCutters.at(way.tool) / 2) return 1000 + away;
+    return way.z0 + t * (way.z1 - way.z0) + over_tip(way.tool, away);
+  };
+  double low = 0, high = 1;
+  for (int i = 0; i < 60; ++i) {
+    const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+    (left_at(a) < left_at(b) ? high : low) = left_at(a) < left_at(b) ? b : a;
+  }
+  return left_at((low + high) / 2);
+}
+
 /// What stands at p in the end, by cutters a little narrower or wider than they are.
 double height_at(Point p, const std::vector<test_support::TipWay>& ways, double wider) {
   double height = 0;
   for (const auto& way : ways) {
     if (std::min(way.z0, way.z1) >= height) continue;
-    const auto low = lowest_within(p, way, kCutters.at(way.tool) / 2 + wider);
+    const bool is_flat = way.tool != kCone && way.tool != kBall;
+    const auto low =
+        is_flat ? lowest_within(p, way, kCutters.at(way.tool) / 2 + wider) : lowest_of_form(p, way, wider);
     if (low) height = std::min(height, *low);
   }
   return height;
@@ -354,9 +472,45 @@ struct Meant {
   std::optional<double> at_most;
 };
 
+/// mm. The wall of a half-round slot is too steep beyond to be judged by heights.
+constexpr double kSteep = 0.3;
+
+/// What the cutter's form leaves there of a volume; nothing where that is judged by neither side.
+std::optional<Meant> formed_at(Point p, const Volume& volume) {
+  const double away = volume.shape.distance(p);
+  if (volume.form == Form::kChamfer) {
+    if (std::abs(away) < kBesideWalls || std::abs(away - volume.wide) < kBesideWalls) return std::nullopt;
+    if (away < 0 || away > volume.wide) return Meant{0, 1000};
+    const double height = away - volume.wide;
+    // Where the pocket has corners the mill's roundings keep the cone off them.
+    const bool is_round = volume.shape.kind == Shape::Kind::kCircle;
+    return Meant{height, is_round ? std::optional(height) : std::nullopt};
+  }
+  if (std::abs(away) < kBesideWalls) return std::nullopt;
+  if (away > 0) return Meant{0, 1000};
+  if (volume.form == Form::kLeaning) {
+    const double lean = volume.wide / -volume.floor, down = lean > 0 ? -away / lean : 1000;
+    if (down < -volume.floor) return Meant{-down, std::nullopt};
+    return Meant{volume.floor, -away > volume.wide + 0.05 ? std::optional(volume.floor) : std::nullopt};
+  }
+  const double from_line = away + volume.shape.b;
+  if (volume.form == Form::kVee) return Meant{volume.floor + from_line, volume.floor + from_line};
+  if (-away < kSteep) return std::nullopt;
+  const double height = volume.floor + over_tip(kBall, from_line);
+  return Meant{height, height};
+}
+
 std::optional<Meant> meant_at(Point p, const std::vector<Volume>& volumes) {
   Meant meant{0, 0};
   for (const Volume& volume : volumes) {
+    if (volume.form != Form::kUpright) {
+      const auto formed = formed_at(p, volume);
+      if (!formed) return std::nullopt;
+      if (formed->at_most == 1000.0) continue;
+      meant.at_least = std::min(meant.at_least, formed->at_least);
+      meant.at_most = formed->at_most;
+      continue;
+    }
     const double away = volume.shape.distance(p), radius = kCutters.at(volume.tool) / 2;
     if (std::abs(away) < kBesideWalls) return std::nullopt;
     if (away > 0) continue;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <map>
+#include <span>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -115,9 +117,167 @@ const char* const kExample[] = {
     "#97=DRILLING_TYPE_STRATEGY(0.5,0.6,1.,0.5,0.7,1.5)",
 };
 
+/// Features and cutters that the first example has not: a face, an open pocket, a slot, a vee, half round and T slots, a step whose wall leans, a
+/// pattern, a compound, a chamfer.
+const char* const kFormedExample[] = {
+    "#1=PROJECT('FORMED',#2,(#3),$,$,$)",
+    "#2=WORKPLAN('MAIN',(#20,#21,#22,#23,#24,#25,#26,#27,#28,#29,#36),$,#4,$)",
+    "#3=WORKPIECE('PLATE',$,$,$,$,#6,())",
+    "#4=SETUP('VICE',#12,#9,(#10))",
+    "#6=BLOCK('BLANK',#12,120.,80.,20.)",
+    "#9=PLANE('SECURITY',#16)",
+    "#10=WORKPIECE_SETUP(#3,#12,$,$,())",
+    "#12=AXIS2_PLACEMENT_3D('',#31,#14,#15)",
+    "#31=CARTESIAN_POINT('',(0.,0.,0.))",
+    "#14=DIRECTION('',(0.,0.,1.))",
+    "#15=DIRECTION('',(1.,0.,0.))",
+    "#16=AXIS2_PLACEMENT_3D('',#32,#14,#15)",
+    "#32=CARTESIAN_POINT('',(0.,0.,40.))",
+    "#90=MILLING_TECHNOLOGY(0.015,.TCP.,$,-100.,$,$,$,$,$)",
+    "#91=MILLING_MACHINE_FUNCTIONS(.T.,$,$,.F.,$,(),.F.,$,$,())",
+    // T1 mill, T2 cone, T3 ball, T4 disc, T5 drill.
+    "#100=MILLING_CUTTING_TOOL('T1',#101,(),$,$,$)",
+    "#101=ENDMILL(#102,3,.RIGHT.,.F.,$)",
+    "#102=MILLING_TOOL_DIMENSION(6.,$,$,20.,0.,$,$)",
+    "#103=MILLING_CUTTING_TOOL('T2',#104,(),$,$,$)",
+    "#104=COUNTERSINK(#105,2,.RIGHT.,.F.,$,$)",
+    "#105=MILLING_TOOL_DIMENSION(10.,1.5707963268,$,20.,$,$,$)",
+    "#106=MILLING_CUTTING_TOOL('T3',#107,(),$,$,$)",
+    "#107=BALL_ENDMILL(#108,2,.RIGHT.,.F.,$)",
+    "#108=MILLING_TOOL_DIMENSION(6.,$,$,20.,3.,$,$)",
+    "#109=MILLING_CUTTING_TOOL('T4',#110,(),$,$,$)",
+    "#110=T_SLOT_MILL(#111,6,.RIGHT.,.F.,$,3.)",
+    "#111=MILLING_TOOL_DIMENSION(12.,$,$,$,$,$,$)",
+    "#112=MILLING_CUTTING_TOOL('T5',#113,(),$,$,$)",
+    "#113=TWIST_DRILL(#114,2,.RIGHT.,.F.,$)",
+    "#114=MILLING_TOOL_DIMENSION(4.,$,$,30.,$,$,$)",
+    // A face over everything.
+    "#20=MACHINING_WORKINGSTEP('FACE',#9,#200,#201,$)",
+    "#200=PLANAR_FACE('FACE',#3,(#201),#202,#204,#206,#209,$,())",
+    "#201=PLANE_ROUGH_MILLING($,$,'OP',$,$,#100,#90,#91,$,$,$,$,$,$)",
+    "#202=AXIS2_PLACEMENT_3D('',#203,#14,#15)",
+    "#203=CARTESIAN_POINT('',(0.,0.,20.))",
+    "#204=PLANE('',#205)",
+    "#205=AXIS2_PLACEMENT_3D('',#210,#14,#15)",
+    "#210=CARTESIAN_POINT('',(0.,0.,-1.))",
+    "#206=LINEAR_PATH($,#207,#208)",
+    "#207=TOLERANCED_LENGTH_MEASURE(118.,$)",
+    "#208=DIRECTION('',(1.,0.,0.))",
+    "#209=LINEAR_PROFILE($,#211)",
+    "#211=TOLERANCED_LENGTH_MEASURE(78.,$)",
+    // An open pocket at the left.
+    "#21=MACHINING_WORKINGSTEP('OPEN',#9,#220,#221,$)",
+    "#220=OPEN_POCKET('OPEN',#3,(#221),#222,#224,(),$,#226,$,$,#227,$)",
+    "#221=BOTTOM_AND_SIDE_ROUGH_MILLING($,$,'OP',$,$,#100,#90,#91,$,$,$,$,$,$,$,$)",
+    "#222=AXIS2_PLACEMENT_3D('',#223,#14,#15)",
+    "#223=CARTESIAN_POINT('',(0.,50.,19.))",
+    "#224=PLANE('',#225)",
+    "#225=AXIS2_PLACEMENT_3D('',#228,#14,#15)",
+    "#228=CARTESIAN_POINT('',(0.,0.,-3.))",
+    "#226=PLANAR_POCKET_BOTTOM_CONDITION()",
+    "#227=GENERAL_PROFILE($,#229)",
+    "#229=POLYLINE('',(#230,#231,#232,#233))",
+    "#230=CARTESIAN_POINT('',(0.,20.,0.))",
+    "#231=CARTESIAN_POINT('',(15.,20.,0.))",
+    "#232=CARTESIAN_POINT('',(15.,0.,0.))",
+    "#233=CARTESIAN_POINT('',(0.,0.,0.))",
+    // A step whose wall leans, at the front.
+    "#22=MACHINING_WORKINGSTEP('STEP',#9,#240,#221,$)",
+    "#240=STEP('STEP',#3,(#221),#241,#243,#245,#248,())",
+    "#241=AXIS2_PLACEMENT_3D('',#242,#14,#15)",
+    "#242=CARTESIAN_POINT('',(0.,5.,19.))",
+    "#243=PLANE('',#244)",
+    "#244=AXIS2_PLACEMENT_3D('',#249,#14,#15)",
+    "#249=CARTESIAN_POINT('',(0.,0.,-2.))",
+    "#245=LINEAR_PATH($,#246,#247)",
+    "#246=TOLERANCED_LENGTH_MEASURE(118.,$)",
+    "#247=DIRECTION('',(1.,0.,0.))",
+    "#248=VEE_PROFILE($,$,1.9,1.9)",
+    // A vee, a half round slot and a T slot.
+    "#23=MACHINING_WORKINGSTEP('VEE',#9,#260,#261,$)",
+    "#260=SLOT('VEE',#3,(#261),#262,#264,#266,#269,(#270,#270))",
+    "#261=BOTTOM_AND_SIDE_FINISH_MILLING($,$,'OP',$,$,#103,#90,#91,$,$,$,$,$,$,$,$)",
+    "#262=AXIS2_PLACEMENT_3D('',#263,#14,#15)",
+    "#263=CARTESIAN_POINT('',(30.,60.,19.))",
+    "#264=PLANE('',#265)",
+    "#265=AXIS2_PLACEMENT_3D('',#271,#14,#15)",
+    "#271=CARTESIAN_POINT('',(0.,0.,-2.5))",
+    "#266=LINEAR_PATH($,#267,#268)",
+    "#267=TOLERANCED_LENGTH_MEASURE(15.,$)",
+    "#268=DIRECTION('',(1.,0.,0.))",
+    "#269=VEE_PROFILE($,$,1.5707963268,0.7853981634)",
+    "#270=RADIUSED_SLOT_END_TYPE()",
+    "#24=MACHINING_WORKINGSTEP('ROUND',#9,#280,#281,$)",
+    "#280=SLOT('ROUND',#3,(#281),#282,#284,#266,#289,(#270,#270))",
+    "#281=BOTTOM_AND_SIDE_FINISH_MILLING($,$,'OP',$,$,#106,#90,#91,$,$,$,$,$,$,$,$)",
+    "#282=AXIS2_PLACEMENT_3D('',#283,#14,#15)",
+    "#283=CARTESIAN_POINT('',(60.,60.,19.))",
+    "#284=PLANE('',#285)",
+    "#285=AXIS2_PLACEMENT_3D('',#288,#14,#15)",
+    "#288=CARTESIAN_POINT('',(0.,0.,-3.))",
+    "#289=ROUNDED_U_PROFILE($,#286)",
+    "#286=TOLERANCED_LENGTH_MEASURE(6.,$)",
+    "#25=MACHINING_WORKINGSTEP('NECK',#9,#300,#221,$)",
+    "#26=MACHINING_WORKINGSTEP('DISC',#9,#300,#301,$)",
+    "#300=SLOT('TEE',#3,(#221,#301),#302,#304,#306,#309,(#310,#310))",
+    "#301=BOTTOM_AND_SIDE_FINISH_MILLING($,$,'OP',$,$,#109,#90,#91,$,$,$,$,$,$,$,$)",
+    "#302=AXIS2_PLACEMENT_3D('',#303,#14,#15)",
+    "#303=CARTESIAN_POINT('',(0.,30.,19.))",
+    "#304=PLANE('',#305)",
+    "#305=AXIS2_PLACEMENT_3D('',#311,#14,#15)",
+    "#311=CARTESIAN_POINT('',(0.,0.,-6.))",
+    "#306=LINEAR_PATH($,#307,#308)",
+    "#307=TOLERANCED_LENGTH_MEASURE(120.,$)",
+    "#308=DIRECTION('',(1.,0.,0.))",
+    "#309=TEE_PROFILE($,0.,0.,#312,#313,$,#314,$,$)",
+    "#310=OPEN_SLOT_END_TYPE()",
+    "#312=TOLERANCED_LENGTH_MEASURE(12.,$)",
+    "#313=TOLERANCED_LENGTH_MEASURE(3.,$)",
+    "#314=TOLERANCED_LENGTH_MEASURE(8.,$)",
+    // Holes in a row, a pocket with its edge broken.
+    "#27=MACHINING_WORKINGSTEP('HOLES',#9,#320,#321,$)",
+    "#320=RECTANGULAR_PATTERN('ROW',#3,(#321),#322,#330,#331,#332,1,3,$,$,(),())",
+    "#321=DRILLING($,$,'DRILL',$,$,#112,#90,#91,$,$,$,$,$,$)",
+    "#322=AXIS2_PLACEMENT_3D('',#323,#14,#15)",
+    "#323=CARTESIAN_POINT('',(40.,47.,19.))",
+    "#330=ROUND_HOLE('HOLE',#3,(#321),#322,#333,#334,$,#335)",
+    "#331=TOLERANCED_LENGTH_MEASURE(9.,$)",
+    "#332=DIRECTION('',(1.,0.,0.))",
+    "#333=PLANE('',#336)",
+    "#336=AXIS2_PLACEMENT_3D('',#337,#14,#15)",
+    "#337=CARTESIAN_POINT('',(0.,0.,-8.))",
+    "#334=TOLERANCED_LENGTH_MEASURE(4.,$)",
+    "#335=FLAT_HOLE_BOTTOM()",
+    "#28=MACHINING_WORKINGSTEP('POCKET',#9,#340,#221,$)",
+    "#340=CLOSED_POCKET('POCKET',#3,(#221),#341,#343,(),$,#226,$,$,#345)",
+    "#341=AXIS2_PLACEMENT_3D('',#342,#14,#15)",
+    "#342=CARTESIAN_POINT('',(100.,60.,19.))",
+    "#343=PLANE('',#344)",
+    "#344=AXIS2_PLACEMENT_3D('',#347,#14,#15)",
+    "#347=CARTESIAN_POINT('',(0.,0.,-4.))",
+    "#345=CIRCULAR_CLOSED_PROFILE($,#346)",
+    "#346=TOLERANCED_LENGTH_MEASURE(16.,$)",
+    "#29=MACHINING_WORKINGSTEP('EDGE',#9,#350,#261,$)",
+    "#350=CHAMFER('EDGE',#3,(#261),#200,#340,0.7853981634,#351)",
+    "#351=TOLERANCED_LENGTH_MEASURE(0.6,$)",
+    // An n-gon that stays, in a pocket of its own.
+    "#36=MACHINING_WORKINGSTEP('BOSSED',#9,#360,#221,$)",
+    "#360=CLOSED_POCKET('BOSSED',#3,(#221),#361,#363,(#366),0.05,#226,$,$,#365)",
+    "#361=AXIS2_PLACEMENT_3D('',#362,#14,#15)",
+    "#362=CARTESIAN_POINT('',(75.,15.,19.))",
+    "#363=PLANE('',#364)",
+    "#364=AXIS2_PLACEMENT_3D('',#370,#14,#15)",
+    "#370=CARTESIAN_POINT('',(0.,0.,-2.))",
+    "#365=NGON_PROFILE($,#371,6,.T.)",
+    "#371=TOLERANCED_LENGTH_MEASURE(17.,$)",
+    "#366=BOSS('BOSS',#3,(),#12,#363,#367,0.05)",
+    "#367=CIRCULAR_CLOSED_PROFILE($,#368)",
+    "#368=TOLERANCED_LENGTH_MEASURE(3.,$)",
+};
+
 /// Whatever a change may leave as it is, with the reason. Attributes whose row says annotation need none.
 struct Unchanged {
-  const char* keyword;
+  const char* keyword;    ///< "": any
   const char* attribute;  ///< "": all
   bool changed;           ///< also when it has another value, not only when it is taken away
   const char* reason;
@@ -130,10 +290,14 @@ const Unchanged kUnchanged[] = {
     {"PROJECT", "its_workpieces", false, "the workpiece of the features is the same"},
     {"MACHINING_WORKINGSTEP", "its_secplane", false, "the plane of the set-up is the same"},
     {"SETUP", "its_secplane", false, "the planes of the steps are the same"},
-    {"WORKPIECE_SETUP", "its_workpiece", false, "there is one workpiece"},
-    {"CLOSED_POCKET", "its_workpiece", false, "there is one workpiece"},
-    {"ROUND_HOLE", "its_workpiece", false, "there is one workpiece"},
-    {"BOSS", "its_workpiece", false, "there is one workpiece"},
+    {"", "its_workpiece", false, "there is one workpiece"},
+    {"", "hand_of_cut", false, "right where nothing is stated"},
+    {"", "number_of_teeth", false, "two where nothing is stated"},
+    {"LINEAR_PATH", "its_direction", false, "along x where none is stated"},
+    {"VEE_PROFILE", "tilt_angle", false, "alike on both sides where none is stated"},
+    {"TEE_PROFILE", "first_angle", false, "level where none is stated"},
+    {"TEE_PROFILE", "second_angle", false, "level where none is stated"},
+    {"RECTANGULAR_PATTERN", "number_of_rows", false, "one where none is stated"},
     {"BLOCK", "position", false, "at the origin where none is stated"},
     {"RECTANGULAR_CLOSED_PROFILE", "placement", false, "at the origin where none is stated"},
     {"AXIS2_PLACEMENT_3D", "location", false, "at the origin where none is stated"},
@@ -143,27 +307,28 @@ const Unchanged kUnchanged[] = {
     {"TOLERANCED_LENGTH_MEASURE", "implicit_tolerance", false, "the size is the middle of its field"},
     {"PLUS_MINUS_VALUE", "", true, "of holes: the drill lies in the field; of others see the pocket's width"},
     {"BOTTOM_AND_SIDE_ROUGH_MILLING", "its_tool_direction", false, "upright where none is stated"},
-    {"BOTTOM_AND_SIDE_ROUGH_MILLING", "retract_plane", true, "no rapid crosses within these steps"},
-    {"CENTER_DRILLING", "retract_plane", true, "no rapid crosses within these steps"},
-    {"DRILLING", "retract_plane", true, "no rapid crosses within these steps"},
     {"CENTER_DRILLING", "start_point", false, "the middle of the hole"},
     {"DRILLING", "previous_diameter", false, "an earlier step makes that hole"},
     {"CONTOUR_PARALLEL", "allow_multiple_passes", false, "allowed where nothing is stated"},
     {"CONTOUR_PARALLEL", "rotation_direction", false, "says the same as the cut mode"},
     {"CONTOUR_PARALLEL", "cutmode", false, "says the same as the rotation"},
     {"MILLING_CUTTING_TOOL", "its_id", true, "a name; the numbers are the same"},
-    {"MILLING_TOOL_DIMENSION", "cutting_edge_length", true, "longer than any step is deep"},
-    {"MILLING_TOOL_DIMENSION", "tool_top_angle", true, "of a drill that only centres, whose depth is stated"},
-    {"ENDMILL", "number_of_teeth", true, "feeds per tooth alone depend on it"},
-    {"CENTER_DRILL", "number_of_teeth", true, "feeds per tooth alone depend on it"},
-    {"TWIST_DRILL", "number_of_teeth", true, "feeds per tooth alone depend on it"},
-    {"ENDMILL", "hand_of_cut", false, "right where nothing is stated"},
-    {"CENTER_DRILL", "hand_of_cut", false, "right where nothing is stated"},
-    {"TWIST_DRILL", "hand_of_cut", false, "right where nothing is stated"},
     {"MILLING_TECHNOLOGY", "feedrate_reference", false, "of the tool's centre where nothing is stated"},
     {"MILLING_TECHNOLOGY", "synchronize_spindle_with_feed", false, "off where nothing is stated"},
     {"MILLING_MACHINE_FUNCTIONS", "mist", false, "off where nothing is stated"},
     {"MILLING_MACHINE_FUNCTIONS", "through_spindle_coolant", false, "off where nothing is stated"},
+};
+/// Of the example of features of form besides: its workpiece lies at the origin, along the axes.
+const Unchanged kUnchangedOfForms[] = {
+    {"", "its_origin", false, "at the origin where none is stated"},
+    {"WORKPLAN", "its_setup", false,
+     "its planes are those of the steps, and the workpiece lies at its origin"},
+    {"SETUP", "its_workpiece_setup", false, "the workpiece lies at the origin where nothing is stated"},
+    {"RECTANGULAR_PATTERN", "feature_placement", false, "the axes of the workpiece where none are stated"},
+    {"BOSS", "feature_placement", false, "at the origin where none is stated"},
+    {"SLOT", "end_conditions", false, "as the cutter leaves them, open at the edge of the stock"},
+    {"MILLING_TOOL_DIMENSION", "tool_top_angle", false, "of a cone 90 degrees where none is stated"},
+    {"MILLING_TOOL_DIMENSION", "edge_radius", false, "of a ball half its diameter"},
 };
 
 struct Entity {
@@ -201,10 +366,14 @@ Entity parsed(const std::string& line) {
   return entity;
 }
 
-std::vector<Entity> example() {
+std::vector<Entity> entities_of(std::span<const char* const> lines) {
   std::vector<Entity> entities;
-  for (const char* line : kExample) entities.push_back(parsed(line));
+  for (const char* line : lines) entities.push_back(parsed(line));
   return entities;
+}
+
+std::vector<Entity> example() {
+  return entities_of(kExample);
 }
 
 std::string file_of(const std::vector<Entity>& entities) {
@@ -273,12 +442,15 @@ std::string row_word(const std::string& keyword, std::size_t argument) {
   return "";
 }
 
-bool may_stay(const std::string& keyword, const std::string& word, bool taken_away) {
+bool may_stay(const std::string& keyword, const std::string& word, bool taken_away,
+              std::span<const Unchanged> more) {
   if (!word.empty() && word[0] == '~') return true;
   const std::string name = !word.empty() && word[0] == '?' ? word.substr(1) : word;
-  for (const Unchanged& one : kUnchanged)
-    if (keyword == one.keyword && (name == one.attribute || std::string(one.attribute).empty()))
-      return taken_away || one.changed;
+  for (const std::span<const Unchanged> rows : {std::span<const Unchanged>(kUnchanged), more})
+    for (const Unchanged& one : rows)
+      if ((keyword == one.keyword || std::string(one.keyword).empty()) &&
+          (name == one.attribute || std::string(one.attribute).empty()))
+        return taken_away || one.changed;
   return false;
 }
 
@@ -307,36 +479,76 @@ TEST(StepNcMutation, TheDocumentationSaysWhatBecomesOfEachEntity) {
   EXPECT_THAT(page, ::testing::HasSubstr(read::stepnc::entity_tables()));
 }
 
-/// Whether the file with another value is seen to be another.
-bool is_seen(const std::vector<Entity>& whole, std::size_t entity, std::size_t argument,
-             const std::string& value, const std::string& before) {
-  std::vector<Entity> mutated = whole;
-  mutated[entity].arguments[argument] = value;
-  return seen(mutated) != before;
-}
-
-TEST(StepNcMutation, EachAttributeChangedOrTakenAwayAloneIsSeen) {
-  const std::vector<Entity> whole = example();
-  const std::string before = seen(whole);
+/// Changes and takes away each attribute alone; how many mutations that are. `seen_of`: what a person sees of a file.
+template <class Seen>
+int expect_each_is_seen(const std::vector<Entity>& whole, const Seen& seen_of,
+                        std::span<const Unchanged> more = {}) {
+  const std::string before = seen_of(whole);
   int mutations = 0;
+  const auto is_seen = [&](std::size_t entity, std::size_t argument, const std::string& value) {
+    std::vector<Entity> mutated = whole;
+    mutated[entity].arguments[argument] = value;
+    return seen_of(mutated) != before;
+  };
   for (std::size_t e = 0; e < whole.size(); ++e) {
     for (std::size_t a = 0; a < whole[e].arguments.size(); ++a) {
       const std::string value = whole[e].arguments[a], word = row_word(whole[e].keyword, a);
       const std::vector<std::string> others = changed(value);
-      if (!others.empty() && !may_stay(whole[e].keyword, word, false)) {
+      if (!others.empty() && !may_stay(whole[e].keyword, word, false, more)) {
         ++mutations;
-        EXPECT_TRUE(
-            std::any_of(others.begin(), others.end(),
-                        [&](const std::string& other) { return is_seen(whole, e, a, other, before); }))
+        EXPECT_TRUE(std::any_of(others.begin(), others.end(),
+                                [&](const std::string& other) { return is_seen(e, a, other); }))
             << whole[e].text() << " with another value for " << value << " (" << word << ")";
       }
-      if (value == "$" || value == "()" || may_stay(whole[e].keyword, word, true)) continue;
+      if (value == "$" || value == "()" || may_stay(whole[e].keyword, word, true, more)) continue;
       ++mutations;
-      EXPECT_TRUE(is_seen(whole, e, a, value[0] == '(' ? "()" : "$", before))
+      EXPECT_TRUE(is_seen(e, a, value[0] == '(' ? "()" : "$"))
           << whole[e].text() << " without " << value << " (" << word << ")";
     }
   }
-  EXPECT_GT(mutations, 150);
+  return mutations;
+}
+
+TEST(StepNcMutation, EachAttributeChangedOrTakenAwayAloneIsSeen) {
+  EXPECT_GT(expect_each_is_seen(example(), seen), 150);
+}
+
+/// What a reader makes of a file, and says of it: each feature, tool and operation in numbers.
+std::string read_of(const std::vector<Entity>& entities) {
+  std::ostringstream all;
+  try {
+    const Part part = read::stepnc::read_stepnc(file_of(entities), "m.p21", {});
+    for (const Feature& one : part.features) {
+      const Box plan = box(one.target);
+      all << one.name << ' ' << name_of(one.kind) << ' ' << one.top_z << ' ' << one.floor_z << ' '
+          << area(one.target) << ' ' << plan.min.x << ' ' << plan.min.y << ' ' << plan.max.x << ' '
+          << plan.max.y << ' ' << one.wall_slope.radians() << ' ' << one.through << ' '
+          << one.hole_diameter.value_or(0) << ' ' << (one.chamfer ? one.chamfer->depth : 0) << '\n';
+    }
+    for (const Workingstep& step : part.workplan)
+      all << step.name << ' ' << step.feature << ' ' << step.operation.tool << ' '
+          << (step.operation.cutting.feed ? step.operation.cutting.feed->mm_per_min() : 0) << ' '
+          << step.operation.cutting.spindle_rpm.value_or(0) << ' ' << step.operation.cutting.spindle_clockwise
+          << ' ' << static_cast<int>(step.operation.kind) << ' '
+          << static_cast<int>(step.operation.cutting.coolant.value_or(Coolant::kOff)) << '\n';
+    for (const Tool& tool : part.tools)
+      all << tool.number << ' ' << name_of(tool.kind) << ' ' << tool.diameter << ' ' << tool.corner_radius
+          << '\n';
+    all << part.clearance_z.value_or(0) << ' ' << part.stock->z_top << ' ' << part.stock->plan.max.x << ' '
+        << part.stock->plan.max.y << '\n';
+    for (const Diagnostic& one : part.diagnostics.items())
+      if (one.what.rfind("not used, an annotation", 0) != 0 && one.what.rfind("names of ", 0) != 0)
+        all << one.where << ": " << one.what << '\n';
+  } catch (const InputError& error) {
+    all << error.what();
+  }
+  return all.str();
+}
+
+TEST(StepNcMutation, EachAttributeOfOtherFeaturesIsReadOrSaid) {
+  const std::vector<Entity> whole = entities_of(kFormedExample);
+  EXPECT_THAT(read_of(whole), ::testing::Not(::testing::HasSubstr("not machined")));
+  EXPECT_GT(expect_each_is_seen(whole, read_of, kUnchangedOfForms), 250);
 }
 
 }  // namespace

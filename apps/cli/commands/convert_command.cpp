@@ -28,15 +28,17 @@ void refuse_shaped(const Part& part, const std::string& output) {
   }
 }
 
-/// Whether written moves describe the hole. The standard's words for cones and threads are not written yet.
+/// What its entity and the moves that are written with a hole say of it. Cones about holes are not written yet, and threads of mills have no
+/// word in the standard.
 bool is_said_by_moves(const HoleForm& hole) {
-  return hole.kind != HoleKind::kCountersunk && hole.kind != HoleKind::kTapped &&
-         hole.kind != HoleKind::kThreadMilled;
+  return hole.kind != HoleKind::kCountersunk && hole.kind != HoleKind::kThreadMilled;
 }
 
 void refuse_shaped_with_toolpaths(Part part, const std::string& output) {
-  for (Feature& feature : part.features)
+  for (Feature& feature : part.features) {
     if (feature.hole && is_said_by_moves(*feature.hole)) feature.hole.reset();
+    feature.chamfer.reset();
+  }
   refuse_shaped(part, output);
 }
 

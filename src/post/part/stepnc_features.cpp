@@ -168,9 +168,12 @@ class FeatureWriter {
         region_(*piece.region),
         name_(piece.name),
         operations_(operations),
-        stock_(stock) {}
+        stock_(stock),
+        tool_(piece.tool) {}
 
   std::string write() {
+    if (feature_.chamfer) return chamfer();
+    if (tool_ != nullptr && is_grooved(feature_, *tool_)) return groove();
     switch (feature_.kind) {
       case FeatureKind::kClosedPocket:
       case FeatureKind::kVCarving:
@@ -256,6 +259,46 @@ class FeatureWriter {
     return entity("SLOT", {course, profile, p21_list({band->from_end, band->to_end})});
   }
 
+  /// The edge between a face and walls that are not machined by themselves: its line is theirs.
+  std::string chamfer() {
+    const Chamfer& edge = *feature_.chamfer;
+    const std::string level = p21_plane(out_, common_, "face", 0);
+    const std::string at = p21_placement(out_, common_, {}, feature_.top_z);
+    const std::string face = out_.add("PLANAR_FACE", {p21_string(name_ + " FACE"), common_.workpiece, "()",
+                                                      at, level, kUnset, kUnset, kUnset, "()"});
+    const std::string line = closed_profile(out_, common_, edge.line), down = depth();
+    const std::string flat = out_.add("PLANAR_POCKET_BOTTOM_CONDITION", {});
+    const std::string walls =
+        edge.air_inside
+            ? out_.add("CLOSED_POCKET", {p21_string(name_ + " WALLS"), common_.workpiece, "()", at, down,
+                                         "()", kUnset, flat, kUnset, kUnset, line})
+            : out_.add("GENERAL_OUTSIDE_PROFILE",
+                       {p21_string(name_ + " WALLS"), common_.workpiece, "()", at, down, kUnset, line});
+    const double lean = feature_.wall_slope.radians();
+    return out_.add("CHAMFER", {p21_string(name_), common_.workpiece, p21_list(operations_), walls, face,
+                                p21_real(lean), length_measure(out_, edge.depth)});
+  }
+
+  /// A vee, or the half round of a ball.
+  std::string groove() {
+    const ProfileCut& cut = *feature_.profile;
+    const std::string course = out_.add("GENERAL_PATH", {kUnset, curve(out_, common_, cut.line)});
+    const std::string section =
+        is_conical(*tool_) ? out_.add("VEE_PROFILE", {kUnset, kUnset, p21_real(tool_->tip_angle->radians()),
+                                                      p21_real((kPi - tool_->tip_angle->radians()) / 2)})
+                           : out_.add("ROUNDED_U_PROFILE", {kUnset, length_measure(out_, tool_->diameter)});
+    const std::string end = out_.add(cut.closed ? "LOOP_SLOT_END_TYPE" : "RADIUSED_SLOT_END_TYPE", {});
+    return entity("SLOT", {course, section, cut.closed ? p21_list({end}) : p21_list({end, end})});
+  }
+
+  /// The section of a step: its angle is that between floor and wall.
+  std::string leaning_wall() {
+    const double lean = feature_.wall_slope.radians();
+    if (lean == 0) return kUnset;
+    const std::string angle = p21_real(kPi / 2 + lean);
+    return out_.add("VEE_PROFILE", {kUnset, kUnset, angle, angle});
+  }
+
   /// The wall is the side opposite to an open one, with the material on its left. A step takes the smaller
   /// part of the stock: readers in doubt about the drawn side rely on this.
   std::string step() {
@@ -265,13 +308,36 @@ class FeatureWriter {
         if (stock_.carries(loop[i]) || !stock_.carries(loop[(i + 2) % 4])) continue;
         if (!stock_.is_nearer_side(loop[i], loop[(i + 1) % 4].length())) continue;
         const std::string path = linear_path(out_, common_, loop[i].to, loop[i].from);
-        return entity("STEP", {path, kUnset, "()"});
+        return entity("STEP", {path, leaning_wall(), "()"});
       }
     }
     return open_pocket();
   }
 
+  std::string thread() {
+    const Thread& thread = *feature_.hole->thread;
+    const auto word = [&](const char* name, const char* text) {
+      return out_.add("DESCRIPTIVE_PARAMETER", {p21_string(name), p21_string(text)});
+    };
+    const std::string pitch =
+        out_.add("NUMERIC_PARAMETER", {p21_string("PITCH"), p21_real(thread.pitch), p21_string("MM")});
+    return placed_hole(
+        "CATALOGUE_THREAD", feature_.hole->full_z - feature_.top_z,
+        {kUnset, "()", ".T.", kUnset, kUnset, word("FORM", "METRIC"), length_measure(out_, thread.diameter),
+         pitch, word("HAND", thread.left_hand ? "LEFT" : "RIGHT"), kUnset});
+  }
+
+  /// At the middle of the hole, and as deep as said.
+  std::string placed_hole(const std::string& keyword, double down, const std::vector<std::string>& rest) {
+    std::vector<std::string> arguments = {p21_string(name_), common_.workpiece, p21_list(operations_),
+                                          p21_placement(out_, common_, feature_.hole->center, feature_.top_z),
+                                          p21_plane(out_, common_, "depth", down)};
+    arguments.insert(arguments.end(), rest.begin(), rest.end());
+    return out_.add(keyword, arguments);
+  }
+
   std::string round_hole() {
+    if (is_tapped(feature_)) return thread();
     const auto center = circle_center(region_.outer());
     if (!center) return closed_pocket();
     const std::string condition =
@@ -309,11 +375,21 @@ class FeatureWriter {
   const std::string& name_;
   const std::vector<std::string>& operations_;
   StockEdge stock_;
+  const Tool* tool_;
 };
 
 }  // namespace
 
+bool is_grooved(const Feature& feature, const Tool& tool) {
+  return feature.kind == FeatureKind::kEngraving && is_carved(feature, tool) && tool.tip_diameter == 0;
+}
+
+bool is_tapped(const Feature& feature) {
+  return feature.hole && feature.hole->kind == HoleKind::kTapped && feature.hole->thread;
+}
+
 Vec2 placement_of(const FeaturePiece& piece) {
+  if (is_tapped(*piece.feature)) return piece.feature->hole->center;
   if (piece.feature->kind != FeatureKind::kRoundHole) return {};
   return circle_center(piece.region->outer()).value_or(Vec2{});
 }

@@ -27,9 +27,15 @@ struct FeaturePiece {
   const Feature* feature = nullptr;
   const Region* region = nullptr;
   std::string name;
+  const Tool* tool = nullptr;  ///< of its operations
 };
 
-/// Place of its entity's placement in plan: at the centre of round holes, else at zero.
+/// Whether the feature is a line that its cutter makes by its form: a slot with the cutter's section along the line.
+bool is_grooved(const Feature& feature, const Tool& tool);
+/// Whether it is a thread that a tap cuts: written as one, with an operation of its own.
+bool is_tapped(const Feature& feature);
+
+/// Where the placement of its entity lies in plan: at the centre of round holes, else at zero.
 Vec2 placement_of(const FeaturePiece& piece);
 
 /// Writes the entity of `piece` and returns its reference. `operations` are the references of its operations.

@@ -18,6 +18,11 @@ std::string positive_real(double value) {
   return value > 0 ? p21_real(value) : kUnset;
 }
 
+/// A chamfer mill whose tip does not cut is a tapered end mill as wide as its tip.
+bool has_blunt_tip(const Tool& tool) {
+  return tool.kind == ToolKind::kChamferMill && tool.tip_diameter > 0;
+}
+
 const char* body_keyword(ToolKind kind) {
   switch (kind) {
     case ToolKind::kEndMill:
@@ -44,6 +49,7 @@ const char* body_keyword(ToolKind kind) {
       return "COUNTERBORE";
     case ToolKind::kVBit:
     case ToolKind::kChamferMill:
+      return "COUNTERSINK";
     case ToolKind::kThreadMill:
     case ToolKind::kTSlot:
     case ToolKind::kOther:
@@ -106,9 +112,20 @@ const char* operation_keyword(OperationKind kind) {
 /// Writes the program in the order: project, workplan, workpiece, set-up, tools, then each feature with its
 /// operations.
 /// Of a drill with a stated point: the angle of its edges against the plane square to its axis.
+/// Of cones from 90 degrees on that between their flanks.
 std::string top_angle_of(const Tool& tool) {
-  if (tool.kind != ToolKind::kDrill || !tool.tip_angle) return kUnset;
-  return p21_real((kPi - tool.tip_angle->radians()) / 2);
+  if (!tool.tip_angle || has_blunt_tip(tool)) return kUnset;
+  const double tip = tool.tip_angle->radians();
+  if (is_conical(tool)) return p21_real(tip < kPi / 2 - 1e-6 ? (kPi - tip) / 2 : tip);
+  return tool.kind == ToolKind::kDrill ? p21_real((kPi - tip) / 2) : kUnset;
+}
+
+std::string width_of(const Tool& tool) {
+  return p21_real(has_blunt_tip(tool) ? tool.tip_diameter : tool.diameter);
+}
+
+std::string edge_length_of(const Tool& tool) {
+  return has_blunt_tip(tool) ? p21_real(flank_height(tool)) : optional_real(tool.flute_length);
 }
 
 class Writer {
@@ -201,16 +218,16 @@ class Writer {
   void write_tools() {
     for (std::size_t i = 0; i < part_.tools.size(); ++i) {
       const Tool& tool = part_.tools[i];
-      const std::string size =
-          out_.add("MILLING_TOOL_DIMENSION",
-                   {p21_real(tool.diameter), top_angle_of(tool), kUnset, optional_real(tool.flute_length),
-                    p21_real(tool.corner_radius), kUnset, kUnset});
+      const std::string size = out_.add("MILLING_TOOL_DIMENSION",
+                                        {width_of(tool), top_angle_of(tool), kUnset, edge_length_of(tool),
+                                         p21_real(tool.corner_radius), kUnset, kUnset});
       const char* hand = counter_clockwise(static_cast<int>(i)) ? ".LEFT." : ".RIGHT.";
       std::vector<std::string> arguments = {size, std::to_string(tool.teeth), hand, ".F.", kUnset};
-      if (body_keyword(tool.kind) == std::string_view("SIDE_MILL")) arguments.push_back(kUnset);
-      if (tool.kind == ToolKind::kTapered)
+      const std::string_view keyword = has_blunt_tip(tool) ? "TAPERED_ENDMILL" : body_keyword(tool.kind);
+      if (keyword == "SIDE_MILL" || keyword == "COUNTERSINK") arguments.push_back(kUnset);
+      if (keyword == "TAPERED_ENDMILL")
         arguments.push_back(p21_real(tool.tip_angle.value_or(Radians{}).radians() / 2));
-      const std::string body = out_.add(body_keyword(tool.kind), arguments);
+      const std::string body = out_.add(std::string(keyword), arguments);
       const std::string edge = out_.add("CUTTING_COMPONENT", {kUnset, kUnset, kUnset, kUnset, kUnset});
       tools_.push_back(out_.add("MILLING_CUTTING_TOOL", {p21_string(tool_name(tool)), body, p21_list({edge}),
                                                          kUnset, kUnset, kUnset}));
@@ -285,18 +302,30 @@ class Writer {
       its_operations.push_back(operations_[i]);
     }
     std::vector<std::string> pieces;
-    for (const Region& region : feature.target)
+    const Tool* tool = tool_on(index);
+    for (const Region& region : feature.target) {
       pieces.push_back(write_feature(out_, common_,
-                                     {&feature, &region, piece_name(feature.name, pieces.size())},
+                                     {&feature, &region, piece_name(feature.name, pieces.size()), tool},
                                      part_.stock, its_operations));
+      if (feature.chamfer || (tool != nullptr && is_grooved(feature, *tool))) break;  // the line is all of it
+    }
     if (toolpath_ == nullptr || pieces.size() < 2) return pieces;
     return {
         out_.add("COMPOUND_FEATURE", {p21_string(feature.name), common_.workpiece, p21_list(its_operations),
                                       p21_placement(out_, common_, {}, 0), p21_list(pieces)})};
   }
 
-  /// The frame of the feature's entity, used for its toolpaths.
-  static PathOrigin path_origin(const Feature& feature) {
+  /// What the first workingstep on a feature works with.
+  const Tool* tool_on(int feature) const {
+    for (const Workingstep& step : part_.workplan)
+      if (step.feature == feature) return &tool_of(part_, step);
+    return nullptr;
+  }
+
+  /// The frame of the feature's entity, in which its toolpaths are written.
+  static PathOrigin path_origin(const Feature& feature, const Tool& tool) {
+    if (feature.chamfer) return {};  // which has no frame of its own
+    if (is_grooved(feature, tool)) return {{}, feature.top_z};
     if (feature.target.size() != 1) return {};
     return {placement_of({&feature, &feature.target.front(), feature.name}), feature.top_z};
   }
@@ -306,7 +335,9 @@ class Writer {
     const std::string retract = operation.retract_z ? p21_real(*operation.retract_z - feature.top_z) : kUnset;
     const auto section = section_of(step);
     const std::string path =
-        section ? paths_.write(*section, path_origin(feature), spindle_of(operation.cutting)) : kUnset;
+        section ? paths_.write(*section, path_origin(feature, tool_of(part_, part_.workplan[step])),
+                               spindle_of(operation.cutting))
+                : kUnset;
     is_explicit_ = path != kUnset;
     std::vector<std::string> arguments = {path,
                                           kUnset,
@@ -319,20 +350,23 @@ class Writer {
                                           kUnset};
     const std::vector<std::string> rest =
         operation.kind == OperationKind::kDrilling || operation.kind == OperationKind::kReaming
-            ? drilling_arguments(operation)
+            ? drilling_arguments(operation, is_tapped(feature))
             : milling_arguments(operation);
     arguments.insert(arguments.end(), rest.begin(), rest.end());
     const bool bores = operation.kind == OperationKind::kReaming &&
                        part_.tools[static_cast<std::size_t>(operation.tool)].kind == ToolKind::kBoringBar;
     const bool spots = feature.hole && feature.hole->kind == HoleKind::kSpotted;
-    const char* keyword = bores ? "BORING" : spots ? "CENTER_DRILLING" : operation_keyword(operation.kind);
+    const char* keyword = bores                ? "BORING"
+                          : spots              ? "CENTER_DRILLING"
+                          : is_tapped(feature) ? "TAPPING"
+                                               : operation_keyword(operation.kind);
     return out_.add(keyword, arguments);
   }
 
   /// Whether a share of the feed really reduces it.
   static bool is_reduced(double depth, double share) { return depth > 0 && share != 1; }
 
-  std::vector<std::string> drilling_arguments(const Operation& operation) {
+  std::vector<std::string> drilling_arguments(const Operation& operation, bool taps) {
     std::vector<std::string> arguments(5, kUnset);
     if (const auto& feeds = operation.hole_feeds) {
       if (feeds->dwell_s > 0) arguments[2] = p21_real(feeds->dwell_s);
@@ -343,6 +377,8 @@ class Writer {
                                 {kUnset, p21_real(feeds->start_share), p21_real(feeds->start_depth), kUnset,
                                  p21_real(feeds->end_share), p21_real(feeds->end_depth)});
     }
+    if (taps)
+      arguments.push_back(part_.tools[static_cast<std::size_t>(operation.tool)].floating ? ".T." : ".F.");
     if (operation.kind == OperationKind::kReaming) arguments.insert(arguments.end(), {".F.", kUnset, kUnset});
     return arguments;
   }
@@ -470,16 +506,25 @@ class Writer {
   std::vector<std::string> steps_;
 };
 
-/// The standard's features are volumes to remove; a line for the cutter's side to follow is none of them.
-void refuse_profiles(const Part& part) {
-  for (const Feature& feature : part.features) {
-    if (!feature.profile) continue;
+/// Why a line to follow cannot be written; "" where it can. With its moves a profile is the kerf that it clears.
+std::string not_written(const Feature& feature, const Tool& tool, bool has_moves) {
+  if (!feature.profile || is_grooved(feature, tool)) return "";
+  if (feature.kind == FeatureKind::kTSlot) return "a line to follow, and STEP-NC has none";
+  if (!feature.profile->tabs.empty()) return "and its tabs are material that STEP-NC has no word for";
+  if (is_carved(feature, tool)) return "cut by a cone with a flat tip, and STEP-NC has no such section";
+  return has_moves ? "" : "a line to follow, and STEP-NC has none";
+}
+
+void refuse_profiles(const Part& part, bool has_moves) {
+  for (const Workingstep& step : part.workplan) {
+    const Feature& feature = feature_of(part, step);
+    const std::string why = not_written(feature, tool_of(part, step), has_moves);
+    if (why.empty()) continue;
     std::string kind = name_of(feature.kind);
     std::replace(kind.begin(), kind.end(), '_', ' ');
     throw InputError(part.source_file,
                      feature.name + (feature.kind == FeatureKind::kTSlot ? " is a " : " is an ") + kind +
-                         ", a line to follow, and STEP-NC has none; write outline JSON, which "
-                         "holds it (-o NAME.json)");
+                         ", " + why + "; write outline JSON, which holds it (-o NAME.json)");
   }
 }
 
@@ -493,14 +538,14 @@ void refuse_without_tools(const Part& part) {
 }  // namespace
 
 std::string write_stepnc(const Part& part) {
-  refuse_profiles(part);
   refuse_without_tools(part);
+  refuse_profiles(part, false);
   return Writer(part).write();
 }
 
 std::string write_stepnc(const Part& part, const Toolpath& toolpath) {
-  refuse_profiles(part);
   refuse_without_tools(part);
+  refuse_profiles(part, true);
   return Writer(part, &toolpath).write();
 }
 

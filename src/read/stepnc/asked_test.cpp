@@ -109,6 +109,17 @@ TEST(StepNcBosses, ThatEndBelowTheTopAreMilledOver) {
   EXPECT_NEAR(area(none.features[0].target), 1200, 1e-9) << "it ends below the floor";
 }
 
+TEST(StepNcBosses, WhoseWallsLeanLessThanTheirPocketsAreSaid) {
+  const auto boss_with = [](const std::string& slope) {
+    Program program = with_boss(0);
+    program.feature("CLOSED_POCKET('POCKET',#3,(#30),#21,#23,(#70),0.1,#26,$,$,#27)");
+    return program.with(70, "BOSS('BOSS',#3,(),#71,#23,#73," + slope + ")").read();
+  };
+  EXPECT_THAT(conditions_of(boss_with("0.")), ElementsAre(HasSubstr("less than those of its pocket")));
+  EXPECT_THAT(conditions_of(boss_with("0.1")), IsEmpty());
+  EXPECT_THAT(all_diagnostics(boss_with("$")), HasSubstr("its walls lean as those of its pocket"));
+}
+
 TEST(StepNcOpenPockets, DrawnTheOtherWayRoundAreTakenFromTheSmallerSide) {
   const auto pocket = [](const std::string& points) {
     Program p;
@@ -122,7 +133,28 @@ TEST(StepNcOpenPockets, DrawnTheOtherWayRoundAreTakenFromTheSmallerSide) {
   EXPECT_NEAR(area(right.features[0].target), 750, 1e-6);
   EXPECT_THAT(conditions_of(right), IsEmpty());
   EXPECT_NEAR(area(other.features[0].target), 750, 1e-6);
-  EXPECT_THAT(conditions_of(other), ElementsAre(HasSubstr("that side is taken")));
+  EXPECT_THAT(conditions_of(other), IsEmpty());
+  EXPECT_THAT(all_diagnostics(other), HasSubstr("that side is taken"));
+}
+
+/// A pocket in a corner of the stock, and one about a block that stands there, are drawn alike.
+TEST(StepNcOpenPockets, InACornerOfTheStockAreTakenFromTheSmallerSideOnACondition) {
+  Program p;
+  p.feature("OPEN_POCKET('OPEN',#3,(#30),#21,#23,(),$,#26,$,$,#70,$)").with(70, "GENERAL_PROFILE($,#71)");
+  p.with(71, "POLYLINE('',(#72,#73,#74))").with(72, "CARTESIAN_POINT('',(30.,0.,0.))");
+  p.with(73, "CARTESIAN_POINT('',(30.,25.,0.))").with(74, "CARTESIAN_POINT('',(0.,25.,0.))");
+  const Part part = p.read();
+  EXPECT_NEAR(area(part.features[0].target), 750, 1e-6);
+  EXPECT_THAT(conditions_of(part), ElementsAre(HasSubstr("that side is taken")));
+}
+
+TEST(StepNcOutsideProfiles, OfOpenRectanglesLeaveWhatIsBetweenTheirSides) {
+  Program p;
+  p.feature("RECTANGULAR_OPEN_SHAPE_PROFILE('P',#3,(#30),#21,#23,$,$,$,#70)");
+  p.with(70, "SQUARE_U_PROFILE($,#72,$,$,$,$)").with(72, "TOLERANCED_LENGTH_MEASURE(20.,$)");
+  const Part part = p.with(22, "CARTESIAN_POINT('',(50.,40.,0.))").read();
+  EXPECT_NEAR(area(part.features[0].target), 100 * 80 - 20 * 40, 1e-6);
+  EXPECT_THAT(conditions_of(part), IsEmpty());
 }
 
 TEST(StepNcOpenPockets, AreClosedByTheirWallsWhereThoseMeetTheOpenSide) {

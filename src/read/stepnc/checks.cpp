@@ -9,11 +9,31 @@
 
 namespace clearcut::read::stepnc {
 
+/// Parts of patterns and compounds that nobody makes, where others are made.
+void Reader::check_members() {
+  const auto is_made = [&](std::size_t draft) {
+    const auto steps = steps_of_draft_.find(draft);
+    return steps != steps_of_draft_.end() && !steps->second.empty();
+  };
+  for (const auto& [feature, drafts] : drafts_of_) {
+    if (std::none_of(drafts.begin(), drafts.end(), is_made) || left_out_.count(feature)) continue;
+    const P21Entity* whole = context_.file.find(feature);
+    for (const std::size_t draft : drafts) {
+      const Node& part = drafts_[draft].node;
+      if (is_made(draft) || bad_drafts_.count(draft) || left_out_.count(part.id())) continue;
+      context_.diagnostics.doubt(context_.file.place(part.line()), kNotFollowed,
+                                 part.label() + ", a part of " + Node(context_.file, *whole).label() +
+                                     ", is made by no workingstep");
+    }
+  }
+}
+
 /// What round holes lack when all steps are made.
 void Reader::check_holes() {
   for (const auto& [index, steps] : steps_of_draft_) {
     const Draft& draft = drafts_[index];
-    if (!draft.hole_diameter || steps.empty()) continue;
+    if (!draft.hole_diameter || draft.thread || steps.empty())
+      continue;  // threads are checked where they are cut
     const Feature& hole = feature_of_draft(index);
     double deepest = kEverywhere;
     for (const std::size_t step : steps)

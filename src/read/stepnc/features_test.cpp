@@ -148,7 +148,7 @@ TEST(StepNc, RoundedSlotIsCutWhereItsSidesAreUpright) {
 
 TEST(StepNc, SlotsWithoutAFlatFloorAreRefusedByName) {
   EXPECT_THAT(slot("VEE_PROFILE($,#74,1.,0.5)", "(#75,#75)").error(),
-              HasSubstr("VEE_PROFILE: a slot of this cross-section"));
+              HasSubstr("VEE_PROFILE: its sides do not lean alike"));
   EXPECT_THAT(slot("TEE_PROFILE($,0.,0.,#74,#74,$,#74,$,$)", "(#75,#75)").error(), HasSubstr("TEE_PROFILE"));
   EXPECT_THAT(slot("SQUARE_U_PROFILE($,#74,$,$,$,$)", "(#75,#77)").error(),
               HasSubstr("WOODRUFF_SLOT_END_TYPE: a slot with this kind of end"));

@@ -25,6 +25,10 @@ void Reader::use_overcut(const Node& operation, const std::vector<std::size_t>& 
 }
 
 std::vector<int> Reader::features_for(std::size_t draft, const StatedOperation& stated, const Node& node) {
+  const ToolKind tool = part_.tools[static_cast<std::size_t>(stated.operation.tool)].kind;
+  const bool is_ball = tool == ToolKind::kBallEndMill;
+  if (tool == ToolKind::kTSlot) return {undercut_of(draft, node)};
+  if (drafts_[draft].groove && (drafts_[draft].groove->sides || is_ball)) return {groove_of(draft, stated)};
   if (!goes_straight_down(stated.operation)) return features_of_draft_[draft];
   check_previous(draft, stated, node);
   if (stated.hole == HoleKind::kTapped) return {thread_for(draft, stated, node)};

@@ -159,7 +159,7 @@ TEST(StepNcPattern, WhatCannotBeIsRefusedByName) {
   EXPECT_THAT(error("GENERAL_PATTERN('R',#3,(),#50,#20,(#21))"), HasSubstr("in a circle"));
   EXPECT_THAT(error("GENERAL_PATTERN('R',#3,(),#50,#40,())"), HasSubstr("no locations"));
   EXPECT_THAT(error("COMPOUND_FEATURE('C',#3,(),#50,#23,())"), HasSubstr("no elements"));
-  EXPECT_THAT(error("CHAMFER('C',#3,(),#40,#40,0.7,#43)"), HasSubstr("deburr"));
+  EXPECT_THAT(error("EDGE_ROUND('C',#3,(),#40,#40,#43,$,$)"), HasSubstr("round it by hand"));
 }
 
 /// A counterbore: 20 mm wide 3 mm deep, and under it 6 mm, placed in the compound.
@@ -217,11 +217,21 @@ TEST(StepNcCompound, AnElementAloneLiesInItsCompound) {
 TEST(StepNcCompound, ElementsThatCannotBeMadeAreLeftOutByName) {
   const Part part = with_counterbore()
                         .feature("COMPOUND_FEATURE('CB',#3,(),#50,#23,(#46,#40,#80))")
-                        .with(80, "CHAMFER('C',#3,(),#40,#46,0.7,#43)")
+                        .with(80, "EDGE_ROUND('C',#3,(),#40,#46,#43,$,$)")
                         .read();
   EXPECT_EQ(part.features.size(), 1U);
   EXPECT_THAT(all_diagnostics(part), HasSubstr("a part of #20 COMPOUND_FEATURE is left out: "));
-  EXPECT_THAT(all_diagnostics(part), HasSubstr("#80 CHAMFER"));
+  EXPECT_THAT(all_diagnostics(part), HasSubstr("#80 EDGE_ROUND"));
+}
+
+TEST(StepNcCompound, ElementsThatNoWorkingstepMakesAreSaid) {
+  const Part part = with_counterbore()
+                        .feature("COMPOUND_FEATURE('CB',#3,(),#50,#23,(#46,#40,#80))")
+                        .with(80, "CHAMFER('C',#3,(),#40,#46,0.7,#43)")
+                        .read();
+  EXPECT_EQ(part.features.size(), 1U);
+  EXPECT_THAT(all_diagnostics(part),
+              HasSubstr("#80 CHAMFER, a part of #20 COMPOUND_FEATURE, is made by no workingstep"));
 }
 
 TEST(StepNcCompound, PatternsOfCompoundsAndCompoundsOfPatterns) {

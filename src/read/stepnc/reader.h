@@ -16,6 +16,14 @@ namespace clearcut::read::stepnc {
 inline constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 inline constexpr double kLevel = 0.01;  ///< mm; heights nearer than this are one
 
+/// A closed line at the top of a wall.
+struct WallEdge {
+  Loop line;
+  double top = 0;
+  bool air_inside = true;
+  Radians wall_slope;
+};
+
 /// Reads one file once. Features are drafted, made, worked on by workingsteps in their order, and checked for what they ask for; at last
 /// whatever nobody used is named.
 class Reader {
@@ -44,6 +52,20 @@ class Reader {
   void check_clearance();
   void make_features();
   void make_feature(std::size_t draft);
+  std::vector<Draft> unmachined(const Node& owner);
+  std::vector<WallEdge> edges_of(const Node& owner);
+  std::vector<double> floors_of(const Node& owner);
+  std::vector<WallEdge> edges_between(const Node& walls, const Node& face);
+  void make_chamfer(std::size_t draft);
+  int make_groove(std::size_t draft);
+  int undercut_of(std::size_t draft, const Node& step);
+  void check_disc(std::size_t draft, const Tool& tool, const Node& step) const;
+  int groove_of(std::size_t draft, const StatedOperation& stated);
+  bool is_groove_alone(std::size_t draft) const;
+  void check_form_cutter(std::size_t draft, const StatedOperation& stated, const Node& step) const;
+  void check_rounded_bottoms();
+  void check_undercuts();
+  std::map<std::uint64_t, ToolUse> tool_uses() const;
   std::vector<double> zone_floors(const Draft& draft, double top, double floor);
   std::vector<FeatureRegions> zone_regions(const Draft& draft, double top, const std::vector<double>& floors);
   double boss_top(const Draft& draft, std::size_t boss) const {
@@ -56,7 +78,7 @@ class Reader {
   std::optional<StatedPath> stated_path(const Node& feature, const Node& node, const Operation& operation,
                                         const std::vector<std::size_t>& drafts);
   std::vector<std::size_t> sound_drafts(const Node& feature) const;
-  void check_part(const Draft& draft, const Node& step, const StatedOperation& stated) const;
+  void check_part(std::size_t draft, const Node& step, const StatedOperation& stated) const;
   void use_overcut(const Node& operation, const std::vector<std::size_t>& drafts);
   std::vector<int> features_for(std::size_t draft, const StatedOperation& stated, const Node& node);
   int hole_for(std::size_t draft, const StatedOperation& stated, const Node& node);
@@ -69,6 +91,7 @@ class Reader {
   int add_hole(const Feature& like, const Draft& draft, const std::string& name, double width, double floor);
   void check_previous(std::size_t draft, const StatedOperation& stated, const Node& node);
   void check_holes();
+  void check_members();
   void check_hole_end(const Draft& draft, const std::vector<std::size_t>& steps);
   void check_fillets();
   bool fillets_are_in_plan() const;
@@ -80,6 +103,7 @@ class Reader {
   double regions_top_ = 0;  // z of the top of the zone before, while zones are made
   std::string unique_name(const Draft& draft);
   std::string unique_name(const std::string& base);
+  void tell_what_is_read();
   void leave_out(const Node& step, const InputError& error);
   std::string within_file(const InputError& error) const;  ///< its text, for messages that name the file
   Feature& feature_of(const Workingstep& step) {
@@ -109,7 +133,10 @@ class Reader {
   std::vector<std::vector<int>> features_of_draft_;
   std::map<std::size_t, std::vector<std::size_t>> steps_of_draft_;  // -> Part::workplan
   std::set<std::string> names_;
-  std::map<std::string, int> copies_;  // of a name after the first
+  std::map<std::string, int> copies_;     // of a name after the first
+  std::map<std::size_t, int> undercuts_;  // of drafts_ -> Part::features
+  std::map<std::size_t, int> grooves_;    // of drafts_ -> Part::features
+  std::set<std::uint64_t> left_out_;      // features whose workingsteps were left out
   bool absolute_depths_ = false;
   bool fillets_in_plan_ = false;
   bool has_own_holes_ = false;  ///< features that operations on holes have added

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "base/elementary.h"
@@ -48,10 +49,14 @@ Part Reader::read(int number) {
   part_.keep_outs = read_keep_outs(program_, part_.stock, context_);
   check_clearance();
   make_features();
-  const Tools tools(context_);
+  const Tools tools(context_, tool_uses());
   part_.tools = tools.list();
   make_workingsteps(tools);
+  tell_what_is_read();
   check_holes();
+  check_rounded_bottoms();
+  check_undercuts();
+  check_members();
   check_fillets();
   drop_unused_features();
   set_tops();
@@ -187,9 +192,16 @@ std::string Reader::unique_name(const std::string& base) {
 void Reader::make_features() {
   features_of_draft_.assign(drafts_.size(), {});
   fillets_in_plan_ = fillets_are_in_plan();
-  for (std::size_t i = 0; i < drafts_.size(); ++i) {
+  // Edges last: they lie between other features.
+  std::vector<std::size_t> order(drafts_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return !drafts_[i].edge; });
+  for (const std::size_t i : order) {
     try {
-      make_feature(i);
+      if (drafts_[i].edge)
+        make_chamfer(i);
+      else
+        make_feature(i);
     } catch (const InputError& error) {
       bad_drafts_.emplace(i, error);
       context_.said(drafts_[i].node);
@@ -278,8 +290,10 @@ void Reader::make_feature(std::size_t index) {
   feature.source = "#" + std::to_string(draft.node.id());
   feature.floor_z = floor_of(draft);
   feature.top_z = absolute_depths_ ? part_.stock->z_top : draft.placement_z;
-  if (draft.raised_floor > 0 && feature.floor_z >= feature.top_z - 1e-9)
-    draft.node.fail("it is no deeper than its half-round section, of which nothing can be machined yet");
+  if (draft.groove && (draft.groove->sides || feature.floor_z >= feature.top_z - 1e-9)) {
+    features_of_draft_[index].push_back(make_groove(index));
+    return;
+  }
   if (feature.floor_z >= feature.top_z - 1e-9)
     draft.node.fail("its depth plane (z " + trimmed(feature.floor_z, 3) + ") is not below its top (z " +
                     trimmed(feature.top_z, 3) + "); give a depth below zero");
@@ -288,11 +302,6 @@ void Reader::make_feature(std::size_t index) {
   const std::vector<double> floors = zone_floors(draft, feature.top_z, feature.floor_z);
   std::vector<FeatureRegions> regions = zone_regions(draft, feature.top_z, floors);
   const std::string name = unique_name(draft);
-  if (draft.raised_floor > 0)
-    say_not_machined(context_.diagnostics, context_.file.place(draft.node.line()),
-                     "the rounded bottom of " + name,
-                     draft.node.label() + ": what lies below z " + trimmed(feature.floor_z, 3) +
-                         " cannot be machined yet; the part above it is");
   for (std::size_t zone = 0; zone < floors.size(); ++zone) {
     const bool lowest = zone + 1 == floors.size();
     feature.floor_z = floors[zone];
@@ -319,6 +328,7 @@ void Reader::leave_out(const Node& step, const InputError& error) {
   context_.said(step);
   if (!first_error_) first_error_ = error;
   const auto feature = step.sound_ref(2);
+  if (feature) left_out_.insert(feature->id());
   const std::string own = step.text(0).empty() ? "workingstep #" + std::to_string(step.id()) : step.text(0);
   say_not_machined(context_.diagnostics, context_.file.place(step.line()),
                    feature ? name_of_feature(*feature) : own,
@@ -355,6 +365,33 @@ void Reader::make_workingsteps(const Tools& tools) {
                            std::to_string(program_.steps.size() - 1) + " workingsteps can be machined)");
 }
 
+/// What bears on a plan only where it comes near a limit, so that whoever compares the file sees it: sizes of tools, planes of retracts.
+void Reader::tell_what_is_read() {
+  std::set<int> tools;
+  std::map<std::string, std::string> planes;  // by height, of which operations
+  for (const Workingstep& step : part_.workplan) {
+    tools.insert(step.operation.tool);
+    if (!step.operation.retract_z) continue;
+    const double over = *step.operation.retract_z - feature_of(step).top_z;
+    std::string& of = planes[trimmed(over, 3)];
+    if (of.find(step.operation.source) == std::string::npos)
+      of += (of.empty() ? "" : ", ") + step.operation.source;
+  }
+  std::string text;
+  for (const int index : tools) {
+    const Tool& tool = part_.tools[static_cast<std::size_t>(index)];
+    text += (text.empty() ? "" : "; ") + ("T" + std::to_string(tool.number)) + " " + name_of(tool.kind) +
+            " " + trimmed(tool.diameter, 4) + " mm, " + std::to_string(tool.teeth) + " teeth";
+    if (tool.flute_length) text += ", edges " + trimmed(*tool.flute_length, 3) + " mm";
+    if (tool.tip_angle) text += ", point " + trimmed(tool.tip_angle->degrees(), 3) + " deg";
+  }
+  context_.diagnostics.note(context_.file.name, "tools as read: " + text);
+  text.clear();
+  for (const auto& [over, of] : planes) text += (text.empty() ? "" : "; ") + over + " (" + of + ")";
+  if (!text.empty())
+    context_.diagnostics.note(context_.file.name, "retract planes as read, mm over the features: " + text);
+}
+
 /// Of a pattern or compound: what could be made of it.
 std::vector<std::size_t> Reader::sound_drafts(const Node& feature) const {
   const auto bad = bad_features_.find(feature.id());
@@ -388,7 +425,7 @@ void Reader::make_workingstep(const Node& step, const Tools& tools) {
   }
   std::vector<std::size_t> of;
   for (const std::size_t i : chosen) of.push_back(drafts[i]);
-  for (const std::size_t draft : of) check_part(drafts_[draft], step, stated);
+  for (const std::size_t draft : of) check_part(draft, step, stated);
   use_overcut(node, of);
   std::optional<StatedPath> path = stated_path(feature, node, operation, of);
   for (const std::size_t draft : of) {
@@ -450,10 +487,9 @@ std::optional<StatedPath> Reader::stated_path(const Node& feature, const Node& n
   }
 }
 
-void Reader::check_part(const Draft& draft, const Node& step, const StatedOperation& stated) const {
-  const ToolKind kind = part_.tools[static_cast<std::size_t>(stated.operation.tool)].kind;
-  if (draft.raised_floor > 0 && kind == ToolKind::kBallEndMill)
-    step.fail("a rounded bottom cannot be machined yet; leave this step out");
+void Reader::check_part(std::size_t index, const Node& step, const StatedOperation& stated) const {
+  const Draft& draft = drafts_[index];
+  check_form_cutter(index, stated, step);
   const bool is_countersink = stated.hole == HoleKind::kCountersunk && draft.node.is("ROUND_HOLE");
   if (goes_straight_down(stated.operation) && !draft.hole_diameter && !is_countersink)
     step.fail(draft.node.is("ROUND_HOLE") ? "a tapered hole is milled, not drilled; give a milling operation"

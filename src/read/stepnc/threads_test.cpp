@@ -39,6 +39,7 @@ TEST(StepNcThreads, AThreadIsTappedInItsHole) {
   const Tool& tap = tool_of(part, part.workplan[1]);
   EXPECT_EQ(tap.kind, ToolKind::kTap);
   EXPECT_EQ(tap.pitch, 1);
+  EXPECT_EQ(all_diagnostics(part).find("no operation makes the hole"), std::string::npos);
 }
 
 TEST(StepNcThreads, WithoutAThreadThePitchFollowsFromFeedAndSpeed) {

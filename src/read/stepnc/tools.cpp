@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
 #include "base/units.h"
@@ -28,7 +30,7 @@ constexpr BodyKind kBodies[] = {
     {"TAPERED_DRILL", ToolKind::kDrill},      {"REAMER", ToolKind::kReamer},
     {"TAPERED_REAMER", ToolKind::kReamer},    {"BORING_TOOL", ToolKind::kBoringBar},
     {"COUNTERSINK", ToolKind::kSpotDrill},    {"TAP", ToolKind::kTap},
-    {"COUNTERBORE", ToolKind::kCounterbore}};
+    {"COUNTERBORE", ToolKind::kCounterbore},  {"T_SLOT_MILL", ToolKind::kTSlot}};
 
 ToolKind kind_of(const Node& body) {
   for (const BodyKind& entry : kBodies)
@@ -49,7 +51,13 @@ std::optional<int> number_in(std::string& name) {
 
 double corner_radius_of(const Node& tool, const Tool& result, std::optional<double> edge_radius,
                         Context& context) {
-  if (result.kind == ToolKind::kBallEndMill) return result.radius();
+  if (result.kind == ToolKind::kBallEndMill) {
+    if (edge_radius && std::abs(*edge_radius - result.radius()) > 1e-6)
+      context.warn("not followed: an edge radius of " + trimmed(*edge_radius, 4) +
+                       " mm; the end of a ball mill is as round as it is wide",
+                   tool);
+    return result.radius();
+  }
   if (is_driven_down(result)) return 0;
   if (!edge_radius) context.note("no edge radius; the cutter is taken as flat-ended", tool);
   if (edge_radius && *edge_radius > result.radius() + 1e-9)
@@ -87,7 +95,32 @@ void read_taper(const Node& body, Tool& tool, Context& context) {
                body);
 }
 
-Tool read_tool(const Node& node, Context& context) {
+/// mm on each side between the neck of a T-slot cutter and its slot, where nothing states the neck.
+constexpr double kBesideUnstatedNeck = 0.1;
+
+/// The height of its disc, and a neck that passes through the slots that it undercuts: the standard has no word for it.
+void read_disc(const Node& body, const ToolUse& use, Tool& tool, Context& context) {
+  if (const auto height = body.length(5); height && *height > 0) tool.flute_length = height;
+  if (!tool.flute_length) body.fail("the height of its disc is missing; give cutting_thickness");
+  if (use.neck <= 0) return;
+  tool.shank_diameter = std::max(use.neck - 2 * kBesideUnstatedNeck, 0.1);
+  context.warn("no attribute states the neck of a T-slot cutter: it is taken as " +
+                   trimmed(tool.shank_diameter, 3) + " mm, " + trimmed(kBesideUnstatedNeck, 3) +
+                   " mm off the walls of its slot",
+               body);
+}
+
+/// A countersink that runs along edges is a V-bit; a tapered end mill that breaks edges alone is a chamfer mill, with its own tip.
+void read_cone(const Node& body, const ToolUse& use, Tool& tool, Context& context) {
+  if (tool.kind == ToolKind::kSpotDrill && use.mills) tool.kind = ToolKind::kVBit;
+  if (tool.kind != ToolKind::kTapered || !use.breaks_edges) return;
+  tool.kind = ToolKind::kChamferMill;
+  tool.tip_diameter = tool.diameter;
+  tool.diameter += 2 * *tool.flute_length * base::tan(tool.tip_angle->radians() / 2);
+  context.note("it breaks edges alone and is taken as a chamfer mill, whose tip does not cut", body);
+}
+
+Tool read_tool(const Node& node, const ToolUse& use, Context& context) {
   if (!node.is_any("MILLING_CUTTING_TOOL", "CUTTING_TOOL"))
     node.fail("a MILLING_CUTTING_TOOL is needed here; correct the reference");
   const Node body = node.needed_ref(1, "tool body");
@@ -107,6 +140,8 @@ Tool read_tool(const Node& node, Context& context) {
   if (tool.kind == ToolKind::kDrill) tool.tip_angle = tip_of(size, context);
   if (tool.kind == ToolKind::kSpotDrill)
     tool.tip_angle = tip_of(size, context).value_or(Radians::of_degrees(90));
+  read_cone(body, use, tool, context);
+  if (tool.kind == ToolKind::kTSlot) read_disc(body, use, tool, context);
   return tool;
 }
 
@@ -118,10 +153,10 @@ bool same_tool(const Tool& a, const Tool& b) {
 
 }  // namespace
 
-Tools::Tools(Context& context) {
+Tools::Tools(Context& context, const std::map<std::uint64_t, ToolUse>& uses) : uses_(uses) {
   for (const Node& node : nodes_called(context.file, "MILLING_CUTTING_TOOL")) {
     try {
-      Tool tool = read_tool(node, context);
+      Tool tool = read_tool(node, uses_[node.id()], context);
       const auto number = number_in(tool.name);
       if (number) tool.number = *number;
       by_entity_[node.id()] = add(std::move(tool), number.has_value());
@@ -161,7 +196,7 @@ void Tools::number_the_rest() {
 int Tools::find(const Node& tool, Context& context) const {
   const auto found = by_entity_.find(tool.id());
   if (found != by_entity_.end()) return found->second;
-  read_tool(tool, context);  // throws what is wrong with it
+  read_tool(tool, {}, context);  // throws what is wrong with it
   tool.fail("a MILLING_CUTTING_TOOL is needed here; correct the reference");
 }
 

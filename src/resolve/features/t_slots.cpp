@@ -69,28 +69,48 @@ class TSlotShaper {
   void run() {
     std::vector<Workingstep> workplan;
     for (const Workingstep& step : part_.workplan) {
-      if (feature_of(part_, step).kind == FeatureKind::kTSlot) workplan.push_back(shape(step));
+      if (feature_of(part_, step).kind == FeatureKind::kTSlot) {
+        const std::optional<Workingstep> neck = shape(step, workplan);
+        if (neck) workplan.push_back(*neck);
+      }
       workplan.push_back(step);
     }
     part_.workplan = std::move(workplan);
   }
 
  private:
-  /// The step for milling the slot for the neck.
-  Workingstep shape(const Workingstep& step) {
+  /// The step that mills the slot for the neck; nothing where one of those before it does.
+  std::optional<Workingstep> shape(const Workingstep& step, const std::vector<Workingstep>& before) {
     const Tool& cutter = cutter_of(step);
-    const int mill = neck_mill(feature_of(part_, step), cutter);
-    Feature neck = feature_of(part_, step);
     Feature& feature = part_.features[static_cast<std::size_t>(step.feature)];
+    const bool is_free = is_neck_free(feature, cutter, before);
+    const int mill = is_free ? -1 : neck_mill(feature, cutter);
+    Feature neck = feature;
     find_ends(feature, cutter);
     sources_[step_key(step)].set("stepdown", {Origin::kDerived, "the height of the disc"});
     feature.top_z = feature.floor_z + *cutter.flute_length;
+    if (is_free) return std::nullopt;
     neck.name += "_neck";
     neck.kind = FeatureKind::kEngraving;
     ProfileCut cut = *neck.profile;
     cut.line = drawn_out(cut.line, off_stock(part_.tools[static_cast<std::size_t>(mill)]), part_.stock);
     features::follow(neck, std::move(cut), options_.tol);
     return step_on(std::move(neck), step, mill);
+  }
+
+  /// Whether what is milled before leaves nothing where the neck runs.
+  bool is_neck_free(const Feature& slot, const Tool& cutter, const std::vector<Workingstep>& before) const {
+    Regions missing = features::kerf_of(*slot.profile, cutter.shank_diameter, options_.tol);
+    if (part_.stock && !missing.empty())
+      missing = intersect(missing, {rectangular_region(part_.stock->plan)}, options_.tol);
+    for (const Workingstep& step : before) {
+      const Feature& other = feature_of(part_, step);
+      const bool is_open = !other.profile && !other.chamfer && !other.carving && !is_formed(other) &&
+                           other.wall_slope.radians() == 0 && clears_floors(tool_of(part_, step)) &&
+                           other.floor_z <= slot.floor_z + kSameHeight;
+      if (is_open && !missing.empty()) missing = subtract(missing, other.allowed, options_.tol);
+    }
+    return area(missing) < kRemnant;
   }
 
   const Tool& cutter_of(const Workingstep& step) const {

@@ -68,9 +68,7 @@ constexpr ListedEntity kListed[] = {
     {"GENERAL_PATTERN"},
     {"CATALOGUE_THREAD"},
     {"DEFINED_THREAD"},
-    {"CHAMFER", kRefused,
-     "an edge is broken with a chamfering cutter along it, which is not planned; deburr it by hand or add a "
-     "V-cutter pass"},
+    {"CHAMFER"},
     {"EDGE_ROUND", kRefused,
      "an edge is rounded with a form cutter along it, which is not planned; round it by hand or add the "
      "pass"},
@@ -116,6 +114,8 @@ constexpr ListedEntity kListed[] = {
     {"PARTIAL_CIRCULAR_PROFILE"},
     {"SQUARE_U_PROFILE"},
     {"ROUNDED_U_PROFILE"},
+    {"VEE_PROFILE"},
+    {"TEE_PROFILE"},
     {"LINEAR_PATH"},
     {"GENERAL_PATH"},
     {"PARTIAL_CIRCULAR_PATH"},
@@ -128,14 +128,6 @@ constexpr ListedEntity kListed[] = {
     {"B_SPLINE_CURVE_WITH_KNOTS"},
     {"BEZIER_CURVE"},
     {"TOLERANCED_LENGTH_MEASURE"},
-    {"TEE_PROFILE", kRefused,
-     "the undercut of a T slot is planned along lines of drawings (a layer named like TSLOT_D12); draw it "
-     "there, or "
-     "write its neck alone as a slot with SQUARE_U_PROFILE"},
-    {"VEE_PROFILE", kRefused,
-     "a slot of this cross-section has no flat floor and cannot be machined yet; write its upright part as a "
-     "slot "
-     "with SQUARE_U_PROFILE"},
     // Operations.
     {"PLANE_MILLING"},
     {"PLANE_ROUGH_MILLING"},
@@ -210,8 +202,8 @@ constexpr ListedEntity kListed[] = {
     {"COUNTERSINK"},
     {"TAP"},
     {"COUNTERBORE"},
+    {"T_SLOT_MILL"},
     {"SIDE_MILL", kRefused, kFormCutter},
-    {"T_SLOT_MILL", kRefused, kFormCutter},
     {"DOVETAIL_MILL", kRefused, kFormCutter},
     {"WOODRUFF_KEYSEAT_MILL", kRefused, kFormCutter},
     {"THREAD_MILL", kRefused, "threads are cut with a TAP; give one, and TAPPING"},

@@ -58,8 +58,16 @@ void read_bosses(const Node& feature, std::size_t argument, const Frame& frame, 
     const Loop outline = closed_profile(boss.needed_ref(5, "boundary"), true, context);
     draft.bosses.push_back(planar_map(placed).path(outline));
     draft.boss_tops.push_back(local.origin.z);
-    const double slope = context.draft_angle(boss.number(6).value_or(0));
+    draft.boss_ids.push_back(boss.id());
+    if (boss.unset(6) && draft.wall_slope.radians() > 0)
+      context.note("no slope is stated; its walls lean as those of its pocket", boss);
+    const double slope = boss.unset(6) ? draft.wall_slope.radians() : context.draft_angle(*boss.number(6));
     check_slope(boss, slope);
+    if (slope < draft.wall_slope.radians() - kFlatFloor)
+      context.diagnostics.doubt(
+          context.file.place(boss.line()), kNotFollowed,
+          boss.label() + ": its walls lean by " + trimmed(Radians::of(slope).degrees(), 3) +
+              " degrees, less than those of its pocket; all walls are cut with the larger angle");
     if (slope > draft.wall_slope.radians()) {
       context.diagnostics.doubt(context.file.place(boss.line()), kNotFollowed,
                                 boss.label() + ": its walls have draft, " +
@@ -224,6 +232,12 @@ void read_slot(const Node& feature, const Frame& frame, Draft& draft, Context& c
   draft.width = section.width;
   draft.wall_slope = Radians::of(section.draft);
   draft.raised_floor = section.rounded_below;
+  if (section.rounded_below > 0) draft.groove = Groove{};
+  if (section.undercut_width > 0) draft.undercut = Undercut{section.undercut_width, section.undercut_height};
+  if (section.vee) {
+    draft.groove = Groove{Radians::of(*section.vee)};
+    draft.width = 2 * std::abs(draft.depth_z) * base::tan(*section.vee / 2);
+  }
   if (section.fillet > 0) draft.floor_fillet = Toleranced{section.fillet, 0, 0};
   const std::vector<Node> ends = feature.refs(7);
   const bool loop = !ends.empty() && ends[0].is("LOOP_SLOT_END_TYPE");
@@ -233,20 +247,30 @@ void read_slot(const Node& feature, const Frame& frame, Draft& draft, Context& c
   draft.ends[1] = slot_end(ends[1]);
 }
 
+/// The section of a step: the angle between its floor and its wall, and that between the wall and the surface above, which are the
+/// same where the floor is level.
+void read_step_wall(const Node& profile, Draft& draft, Context& context) {
+  constexpr double kSameAngles = 1e-3;  // radians
+  if (!profile.is("VEE_PROFILE"))
+    return profile.fail("the wall of a step needs a VEE_PROFILE; correct the reference");
+  const double angle = context.angle(profile.number(2).value_or(context.degrees ? 90 : kPi / 2));
+  const double tilt = context.angle(profile.number(3).value_or(context.degrees ? 90 : kPi / 2));
+  if (std::abs(angle - tilt) > kSameAngles)
+    profile.fail(
+        "its floor is not level (profile_angle and tilt_angle differ); machine it in a set-up in which it "
+        "is");
+  check_slope(profile, angle - kPi / 2 > -kSameAngles ? 0 : angle - kPi / 2);
+  if (angle - kPi / 2 > kSameAngles) draft.wall_slope = Radians::of(angle - kPi / 2);
+  if (!profile.unset(1)) draft.floor_fillet = toleranced(profile, 1);
+  if (draft.floor_fillet && draft.floor_fillet->size <= 0) draft.floor_fillet.reset();
+}
+
 void read_step(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
   draft.kind = FeatureKind::kStep;
   draft.wall = planar_map(frame).path(travel_path(feature.needed_ref(5, "open boundary"), context));
   draft.wall_is_step = true;
   if (draft.wall.empty()) feature.fail("the open boundary has no length; correct it");
-  if (const auto profile = feature.ref(6)) {
-    const auto square = [&](std::size_t i) {
-      const auto angle = profile->number(i);
-      return !angle || std::abs(context.angle(*angle) - kPi / 2) < 1e-3;
-    };
-    if (profile->is("VEE_PROFILE") && !(square(2) && square(3)))
-      profile->fail(
-          "a step whose wall is not upright cannot be machined yet; write it as an open pocket with a slope");
-  }
+  if (const auto profile = feature.ref(6)) read_step_wall(*profile, draft, context);
   read_bosses(feature, 7, frame, draft, context);
 }
 
@@ -379,6 +403,7 @@ void read_outside_profile(const Node& feature, const Frame& frame, std::size_t a
     read_boundary(profile, frame, draft, context);
     draft.bosses.push_back(draft.boundary);
     draft.boss_tops.push_back(0);
+    draft.boss_ids.push_back(feature.id());
     draft.boundary.clear();
     draft.unplaced_boundary.clear();
   } else {
@@ -386,6 +411,19 @@ void read_outside_profile(const Node& feature, const Frame& frame, std::size_t a
     if (draft.wall.empty()) profile.fail("the boundary has no length; give its curve");
   }
   context.note("everything of the stock outside the profile is removed", feature);
+}
+
+/// Its place follows from the features whose edge it is.
+void read_chamfer(const Node& feature, Draft& draft, Context& context) {
+  draft.kind = FeatureKind::kChamfer;
+  const double angle = context.angle(feature.needed_number(5, "angle"));
+  constexpr double kLeast = 0.01;  // radians
+  if (!(angle > kLeast && angle < kPi / 2 - kLeast))
+    feature.fail("its angle is not between the two faces of the edge; give one from 1 to 89 degrees");
+  const double offset = feature.needed_length(6, "offset");
+  if (offset <= 0) feature.fail("its offset is not above zero; correct it");
+  draft.edge = BrokenEdge{feature.needed_ref(3, "first feature"), feature.needed_ref(4, "second feature"),
+                          Radians::of(angle), offset};
 }
 
 [[noreturn]] void refuse(const Node& feature) {
@@ -396,6 +434,7 @@ void read_outside_profile(const Node& feature, const Frame& frame, std::size_t a
 }
 
 void read_kind(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
+  if (feature.is("CHAMFER")) return read_chamfer(feature, draft, context);
   if (feature.is("CLOSED_POCKET")) return read_closed_pocket(feature, frame, draft, context);
   if (feature.is("OPEN_POCKET")) return read_open_pocket(feature, frame, draft, context);
   if (feature.is("PLANAR_FACE")) return read_planar_face(feature, frame, draft, context);
@@ -421,7 +460,8 @@ Draft draft_feature(const Member& member, Context& context) {
   draft.placement = member.placement;
   draft.placement_z = member.placement.origin.z;
   const bool has_length = feature.is_any("CATALOGUE_THREAD", "DEFINED_THREAD") && feature.sound_ref(5);
-  draft.depth_z = has_length && feature.unset(4) ? 0 : depth_of(feature);
+  const bool has_no_depth = (has_length && feature.unset(4)) || feature.is("CHAMFER");
+  draft.depth_z = has_no_depth ? 0 : depth_of(feature);
   read_kind(feature, member.placement, draft, context);
   return draft;
 }

@@ -19,6 +19,25 @@ struct Toleranced {
   double above = 0;
 };
 
+/// What a shaped cutter makes along the course of a slot by its own form.
+struct Groove {
+  std::optional<Radians> sides;  ///< of a vee, between its sides; absent: half round, as wide as the slot
+};
+
+/// The undercut of a slot, by a disc. mm.
+struct Undercut {
+  double width = 0;
+  double height = 0;
+};
+
+/// The edge between two features that is to be broken.
+struct BrokenEdge {
+  Node first;  ///< the angle is against its face, and the offset lies on it
+  Node second;
+  Radians angle;      ///< between the first feature's face and the chamfer
+  double offset = 0;  ///< mm on the first feature's face
+};
+
 /// What ends a round hole.
 struct HoleEnd {
   HoleBottom bottom = HoleBottom::kFlat;
@@ -48,11 +67,15 @@ struct Draft {
   Loop boundary;           ///< closed outline; empty where there is none
   Loop unplaced_boundary;  ///< the same without the profile's own placement; empty if that is none
   std::vector<Loop> bosses;
+  std::vector<std::uint64_t> boss_ids;
   std::vector<double> boss_tops;  ///< of each of them: z of its top in the feature's frame, as written
   Path wall;                      ///< steps and open pockets: material on its left
   bool wall_is_step = false;
-  Path course;       ///< slots: middle line
-  double width = 0;  ///< slots
+  Path course;                       ///< slots: middle line
+  double width = 0;                  ///< slots; 0 for those of vees, whose depth says how wide they are
+  std::optional<Groove> groove;      ///< slots
+  std::optional<Undercut> undercut;  ///< slots
+  std::optional<BrokenEdge> edge;    ///< chamfers, which have no place of their own
   SlotEnd ends[2] = {SlotEnd::kFlat, SlotEnd::kFlat};
   bool ends_given = false;
 };

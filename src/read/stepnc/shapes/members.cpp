@@ -37,7 +37,8 @@ std::vector<Node> elements_of(const Node& compound) {
 
 /// In the workpiece; what is never cut needs no place.
 Frame placed(const Frame& space, const Node& feature) {
-  const bool has_place = is_simple_feature(feature) || is_compound(feature) || is_pattern(feature);
+  const bool has_place =
+      (is_simple_feature(feature) && !feature.is("CHAMFER")) || is_compound(feature) || is_pattern(feature);
   return has_place ? composed(space, frame_of(feature.ref(3))) : space;
 }
 
@@ -305,7 +306,7 @@ bool is_simple_feature(const Node& node) {
                      "GENERAL_OUTSIDE_PROFILE", "CIRCULAR_CLOSED_SHAPE_PROFILE",
                      "RECTANGULAR_CLOSED_SHAPE_PROFILE", "GENERAL_SHAPE_PROFILE",
                      "PARTIAL_CIRCULAR_SHAPE_PROFILE", "RECTANGULAR_OPEN_SHAPE_PROFILE", "CATALOGUE_THREAD",
-                     "DEFINED_THREAD");
+                     "DEFINED_THREAD", "CHAMFER");
 }
 
 Members::Members(Context& context, const Frame& turn) : context_(&context), turn_(turn) {

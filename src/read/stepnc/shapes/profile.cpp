@@ -13,6 +13,7 @@ namespace clearcut::read::stepnc {
 namespace {
 
 constexpr double kMostSides = 1000;
+constexpr double kSameLean = 1e-3;  // radians
 
 double positive_length(const Node& node, std::size_t argument, std::string_view what) {
   const double value = node.needed_length(argument, what);
@@ -139,6 +140,48 @@ Path open_profile(const Node& profile, Context& context) {
   profile.fail("not an open outline that can be read (general, linear, partial circular); use one of those");
 }
 
+namespace {
+
+/// Radians between the sides of an upright vee. The tilt is the angle between a side and the surface.
+double vee_angle(const Node& profile, Context& context) {
+  const double angle = context.angle(profile.needed_number(2, "profile angle"));
+  if (!(angle > 0 && angle < kPi))
+    profile.fail("the angle between its sides is not from 0 to 180 degrees; correct it");
+  const double tilt = context.angle(profile.number(3).value_or((kPi - angle) / 2));
+  if (std::abs(tilt - (kPi - angle) / 2) > kSameLean)
+    profile.fail(
+        "its sides do not lean alike (tilt_angle), and no upright cutter makes both at once; write each side "
+        "as a "
+        "drafted wall");
+  if (profile.length(1).value_or(0) > 0)
+    profile.fail(
+        "a vee with a rounded point (profile_radius) needs a cutter of that form, which is not planned with; "
+        "write it with a sharp one");
+  return angle;
+}
+
+/// A T: its undercut is a box about the neck, as discs make it.
+void read_tee(const Node& profile, CrossSection& section, Context& context) {
+  section.width = positive_length(profile, 6, "width");
+  section.undercut_width = positive_length(profile, 3, "cross bar width");
+  section.undercut_height = positive_length(profile, 4, "cross bar depth");
+  if (section.undercut_width <= section.width)
+    profile.fail("its cross bar is no wider than its neck; write it with SQUARE_U_PROFILE");
+  for (const std::size_t angle : {std::size_t{1}, std::size_t{2}}) {
+    const double lean = context.angle(profile.number(angle).value_or(0));
+    if (std::abs(lean) > kSameLean && std::abs(lean - kPi / 2) > kSameLean)
+      profile.fail("its undercut leans, and T-slot cutters leave it level; give angles of 0");
+  }
+  if (profile.length(5).value_or(0) > 0)
+    profile.fail("its undercut has rounded corners (radius), and T-slot cutters leave sharp ones; give none");
+  const double each = (section.undercut_width - section.width) / 2;
+  for (const std::size_t offset : {std::size_t{7}, std::size_t{8}})
+    if (const auto aside = profile.length(offset); aside && *aside > 0 && std::abs(*aside - each) > kSameLean)
+      profile.fail("its cross bar does not lie evenly about its neck; T-slot cutters make it so");
+}
+
+}  // namespace
+
 CrossSection cross_section(const Node& profile, Context& context) {
   CrossSection section;
   if (profile.is("LINEAR_PROFILE")) {
@@ -159,6 +202,10 @@ CrossSection cross_section(const Node& profile, Context& context) {
   } else if (profile.is("ROUNDED_U_PROFILE")) {
     section.width = positive_length(profile, 1, "width");
     section.rounded_below = section.width / 2;
+  } else if (profile.is("VEE_PROFILE")) {
+    section.vee = vee_angle(profile, context);
+  } else if (profile.is("TEE_PROFILE")) {
+    read_tee(profile, section, context);
   } else {
     refuse_listed(profile);
     profile.fail("not a cross-section of slots that can be read (square, rounded, linear); use one of those");

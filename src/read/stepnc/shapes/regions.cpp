@@ -118,6 +118,8 @@ class OpenSide {
     warn_of_inner_ends(context);
     const Loop standard = closed_around(reversed(draft_.wall));
     const Loop other = closed_around(draft_.wall);
+    if (draft_.kind == FeatureKind::kOutsideProfile)
+      return standard;  // what stays is on its left, however small
     if (!draft_.wall_is_step) return closed_pocket(standard, other, context);
     if (removed_area(standard) <= removed_area(other)) return standard;
     context.warn(
@@ -136,12 +138,27 @@ class OpenSide {
     double area = 0;
     for (const Edge& edge : chord) area += edge.signed_area();
     if (!(area > 0) || removed_area(standard) <= removed_area(other)) return standard;
-    context.diagnostics.doubt(
-        context.file.place(draft_.node.line()), kNotFollowed,
+    const std::string where = context.file.place(draft_.node.line());
+    const std::string what =
         draft_.node.label() +
-            ": read by the standard (material on the left of its open boundary) the pocket would take the "
-            "larger part of the stock, and its outline bulges to the other side; that side is taken");
+        ": read by the standard (material on the left of its open boundary) the pocket would take the "
+        "larger part of the stock, and its outline bulges to the other side; that side is taken";
+    if (ends_on_one_side())
+      context.diagnostics.warn(where, what);
+    else
+      context.diagnostics.doubt(where, kNotFollowed, what);
     return other;
+  }
+
+  /// Whether it leaves the stock by the side by which it comes in, so that one side of the stock closes it.
+  bool ends_on_one_side() const {
+    const Vec2 begin = draft_.wall.front().from, end = draft_.wall.back().to;
+    const auto both = [&](auto is_beyond) { return is_beyond(begin) && is_beyond(end); };
+    constexpr double kOnSide = 0.01;  // mm
+    return both([&](Vec2 p) { return p.x <= stock_.min.x + kOnSide; }) ||
+           both([&](Vec2 p) { return p.x >= stock_.max.x - kOnSide; }) ||
+           both([&](Vec2 p) { return p.y <= stock_.min.y + kOnSide; }) ||
+           both([&](Vec2 p) { return p.y >= stock_.max.y - kOnSide; });
   }
 
   void warn_of_inner_ends(Context& context) const {
@@ -408,6 +425,15 @@ FeatureRegions feature_regions(const Draft& draft_in, const std::optional<Stock>
   if (result.target.empty() || area(result.target) < 1e-6)
     draft.node.fail("nothing of the stock lies inside its boundary; check placement and profile");
   return result;
+}
+
+Path groove_course(const Draft& draft, const std::optional<Stock>& stock, Context& context) {
+  if (draft.ends_given && (draft.ends[0] == SlotEnd::kFlat || draft.ends[1] == SlotEnd::kFlat))
+    draft.node.fail(
+        "its end is flat, and the cutter that makes its section leaves a round one; write the end as round "
+        "or open");
+  if (stock) return prolonged_course(draft, stock->plan, context);
+  return draft.course;
 }
 
 }  // namespace clearcut::read::stepnc

@@ -19,4 +19,8 @@ struct FeatureRegions {
 };
 FeatureRegions feature_regions(const Draft& draft, const std::optional<Stock>& stock, Context& context);
 
+/// The course of a slot that a cutter makes by its own form, prolonged at open ends. Throws InputError for flat ends, which round cutters
+/// do not leave.
+Path groove_course(const Draft& draft, const std::optional<Stock>& stock, Context& context);
+
 }  // namespace clearcut::read::stepnc
