@@ -89,7 +89,7 @@ async function drives(page) {
   for (let k = 6; k <= outlines; ++k) await page.selectOption(`[aria-label="What outline ${k} is for"]`, 'ignore');
   await page.selectOption('#option-material', 'aluminium');
   await page.selectOption('#option-post', 'grbl');
-  await saysOptions(page, '--accept out-of-reach --accept tool-change --stepdown 2 --no-tool-change');
+  await saysOptions(page, '--accept out-of-reach --accept tool-by-hand --stepdown 2');
   const shown = await textOf(page, '#plan-command');
   check(
     ['--tools tools.toml', '--op ignore:3', '--op pocket_d4:4', '--material aluminium', '--post grbl'].every(word => shown.includes(word)),
