@@ -112,3 +112,10 @@ export async function saysOptions(page, options) {
     change('', {answers: said.length > 0 ? {...project.now.answers, ...answers} : {}, given, ...tools.length > 0 ? {tools, saysTools: true} : {}});
   }`);
 }
+
+/** Does something in the panel that "Show" opens over a report's picture, and closes it. @type {(page: Page | Frame, act: () => Promise<unknown>) => Promise<void>} */
+export async function inPanel(page, act) {
+  await page.evaluate('by("more-tools").open = true');
+  await act();
+  await page.evaluate('by("more-tools").open = false');
+}

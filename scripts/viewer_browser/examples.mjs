@@ -44,7 +44,7 @@ export const EXAMPLES = [
 ];
 
 /** What every example may have and nobody is asked: corners out of reach of its cutters, tools changed by hand. */
-const ACCEPTED = '--accept out-of-reach --accept tool-change';
+const ACCEPTED = '--accept out-of-reach --accept tool-by-hand';
 
 /** As on the command line. @type {(example: Example) => string} */
 export const optionsOf = example => [example.options, example.planOnly ?? '', ACCEPTED].filter(words => words).join(' ');

@@ -89,7 +89,7 @@ async function drives(page) {
   for (let k = 6; k <= outlines; ++k) await page.selectOption(`[aria-label="What outline ${k} is for"]`, 'ignore');
   await page.selectOption('#option-material', 'aluminium');
   await page.selectOption('#option-post', 'grbl');
-  await saysOptions(page, '--accept out-of-reach --accept tool-change --stepdown 2 --no-tool-change');
+  await saysOptions(page, '--accept out-of-reach --accept tool-by-hand --stepdown 2');
   const shown = await textOf(page, '#plan-command');
   check(
     ['--tools tools.toml', '--op ignore:3', '--op pocket_d4:4', '--material aluminium', '--post grbl'].every(word => shown.includes(word)),
@@ -301,7 +301,7 @@ async function cancelsCheck(page) {
 /** Elements that are written down, then a job of them: squares, tool impact, visit, points. @type {(page: Page) => Promise<void>} */
 async function activates(page) {
   await opensAnew(page, address);
-  await page.click('#research-go');
+  if (await page.isHidden('#tab-elements')) await page.click('#research-go');
   await page.click('#tab-elements');
   await page.fill('[aria-label="Numbers of element 1"]', '0,0,24,18');
   await page.click('#elements-add');
@@ -354,6 +354,7 @@ async function refusesElements(page) {
 /** A lattice, then points of a file whose best value falls while the page shows it, and a search that is cancelled. @type {(page: Page) => Promise<void>} */
 async function solves(page) {
   await opensAnew(page, address);
+  if (await page.isHidden('#tab-tour')) await page.click('#research-go');
   await page.click('#tab-tour');
   await page.waitForSelector('#tour-objective option', {state: 'attached'});
   await page.fill('#tour-lattice', '10 x 10');

@@ -1,7 +1,7 @@
 // node viewer_browser_test.mjs FOLDER BROWSER: what a person does with FOLDER/fishhead.html, and whether the page follows.
 import {readFileSync, statSync, writeFileSync} from 'node:fs';
 import {resolve} from 'node:path';
-import {axe, boxOf, check, conclude, holds, isAccessible, launch, numberOf, numbersOf, pointOf, textOf, watch} from './browser.mjs';
+import {axe, boxOf, check, conclude, holds, inPanel, isAccessible, launch, numberOf, numbersOf, pointOf, textOf, watch} from './browser.mjs';
 import {walksByTab} from './keyboard.mjs';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -36,7 +36,7 @@ async function plays(page) {
 
 /** @type {(page: Page) => Promise<void>} */
 async function clicks(page) {
-  await page.selectOption('#path', 'all');
+  await inPanel(page, () => page.selectOption('#path', 'all'));
   const i = await numberOf(page, 'moves.kind.findIndex((kind, i) => kind === 4 && moves.x1[i] - moves.x0[i] > 60)');
   const point = await pointOf(page,
     `(() => { const s = toScreen(pointAt(${
@@ -141,7 +141,7 @@ async function inSpace() {
   check(Math.abs(moved.x - place.x - 40) < 0.01 && Math.abs(moved.y - place.y - 30) < 0.01, 'Shift with dragging moves it');
   await page.click('[data-view=iso]');
   await sections(page);
-  await page.selectOption('#path', 'all');
+  await inPanel(page, () => page.selectOption('#path', 'all'));
   const i = await numberOf(page, 'moves.kind.findIndex((kind, i) => kind === 4 && moves.x1[i] - moves.x0[i] > 60)');
   const point =
     await pointOf(page, `(() => { const s = toScreen(pointAt(${i}, 0.4)); return { x: s.x + ${box.x}, y: s.y + ${box.y} }; })()`);
@@ -164,12 +164,12 @@ async function inSpace() {
 async function sections(page) {
   const whole = await stagePicture(page);
   for (const axis of ['x', 'y', 'z']) {
-    await page.selectOption('#section', axis);
+    await inPanel(page, () => page.selectOption('#section', axis));
     const cut = await stagePicture(page), apart = await pixelsApart(page, whole, cut);
     check(apart > 2000, `a section by ${axis} shows (${apart} pixels)`);
     await page.screenshot({path: `${folder}/pictures/section-${axis}.png`});
   }
-  await page.selectOption('#section', 'none');
+  await inPanel(page, () => page.selectOption('#section', 'none'));
   check(await pixelsApart(page, whole, await stagePicture(page)) === 0, 'and without it all is as before');
 }
 
@@ -216,15 +216,15 @@ async function zoomsIn() {
 /** Of a rest operation: each alone, by turns, and both at once under one camera. */
 async function beforeAndAfter() {
   const page = await open(1366, 768, 'light', '', browser, folder + '/rest.html');
-  await page.selectOption('#operation', {index: 2});
-  await page.selectOption('#path', 'none');
+  await inPanel(page, () => page.selectOption('#operation', {index: 2}));
+  await inPanel(page, () => page.selectOption('#path', 'none'));
   await page.evaluate('drawCutter = drawTool = () => {}');  // which stands elsewhere before than after
   for (const view of ['iso', 'above']) {
     await page.click(`[data-view=${view}]`);
     /** @type {Record<string, Buffer>} */
     const seen = {};
     for (const name of ['before', 'after', 'both']) {
-      await page.click(`[data-change=${name}]`);
+      await inPanel(page, () => page.click(`[data-change=${name}]`));
       seen[name] = await stagePicture(page);
       await page.screenshot({path: `${folder}/pictures/rest-${view}-${name}.png`});
     }
@@ -242,7 +242,7 @@ async function beforeAndAfter() {
   await page.keyboard.press('b');
   check(await holds(page, 'at.time === sectionTime(1)') && /^Before /.test(await textOf(page, '#change-note')),
     'and once more that before it: ' + await textOf(page, '#change-note'));
-  await page.click('[data-change=both]');
+  await inPanel(page, () => page.click('[data-change=both]'));
   await page.focus('#curtain');
   await page.keyboard.press('ArrowLeft');
   check(await holds(page, 'change.share === 0.499'), 'the line is moved by keys');
@@ -388,7 +388,7 @@ async function aMillionLines() {
   check(await holds(page, 'at.time === total') && await selectedLine(page) === 1e6, 'the last line is reached by a click');
   await page.keyboard.press('ArrowUp');
   check(await selectedLine(page) === 999999, 'and the one before it by an arrow');
-  await page.selectOption('#path', 'all');
+  await inPanel(page, () => page.selectOption('#path', 'all'));
   await stagePicture(page);
   check(await holds(page, 'pathLines.count > 1e5 && pathLines.count <= 3e5') && await page.isVisible('#path-note'),
     'the whole path is drawn in fewer lines, which is said: ' + await textOf(page, '#path-note'));

@@ -209,7 +209,7 @@ async function cancelsCheck(page) {
 
 /** @type {(page: Page) => Promise<void>} */
 async function activates(page) {
-  await page.click('#research-go');
+  if (await page.isHidden('#tab-elements')) await page.click('#research-go');
   await page.click('#tab-elements');
   await page.setInputFiles('#elements-files', join(examples, 'five_pockets.toml'));
   await page.click('#elements-go');
@@ -224,6 +224,7 @@ async function activates(page) {
 
 /** @type {(page: Page) => Promise<void>} */
 async function solves(page) {
+  if (await page.isHidden('#tab-tour')) await page.click('#research-go');
   await page.click('#tab-tour');
   await page.fill('#tour-lattice', '40x40');
   await page.selectOption('#tour-shape', '--closed');

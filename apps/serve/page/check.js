@@ -44,7 +44,7 @@ function showCheckCommand() {
   const program = check.files.of('program'), part = check.files.of('part');
   const words = ['clearcut', 'verify', program && quoted(program.name), part && `--part ${quoted(part.name)}`, checkOptions()];
   element('check-command').textContent = program ? words.filter(word => word).join(' ') : '';
-  element('check-go').disabled = !program || check.run.isOn;
+  element('check-go').disabled = !program;
   element('check-depth-box').hidden = !part;
   element('check-stock-box').hidden = Boolean(part);
   if (element('check-result').hidden && !check.run.isOn)
@@ -124,7 +124,7 @@ async function startCheck(event) {
   clearTimeout(check.due);
   check.program = check.files.of('program');
   if (!check.program) return;
-  await check.run.start(check.files.form(checkOptions()));
+  await check.run.start(check.files.form(checkOptions()), event === undefined);
 }
 
 function setUpCheck() {

@@ -227,11 +227,10 @@ async function startPlan(isAgain = false) {
     [asked.input, asked.options, await Promise.all(asked.files.map(file => file.text())), project.now.files.map(one => one.file.name)]);
   if (isAgain && question === plan.asked && (plan.run.isOn || plan.run.id)) return;
   plan.asked = question;
-  element('compare-result').open = false;  // what is planned now stands in sight
   plan.part = chosen.name;
   plan.job = isJobName(plan.part) ? null : jobOf(plan.part, options, moreOfJob(project.now));
   element('plan-result').classList.add('stale');
-  if (!isAgain || !plan.run.id) showMiddle('machining');
+  if (!isAgain || !plan.run.id && element('plan').dataset.middle === 'drawing') showMiddle('machining');
   await plan.run.start(formOfPlan(asked), isAgain);
 }
 
