@@ -315,6 +315,11 @@ bool same_place(const Target& a, const Target& b) {
   return true;
 }
 
+/// The tool's own length is that of the tool in the spindle, whichever was there when the word came.
+bool same_length(const ToolLength& a, const ToolLength& b) {
+  return a == b || (a.kind == LengthKind::kOfTool && b.kind == LengthKind::kOfTool);
+}
+
 bool same_shift(const std::array<double, 3>& a, const std::array<double, 3>& b) {
   return std::equal(a.begin(), a.end(), b.begin(),
                     [](double one, double other) { return std::abs(one - other) <= kSameHeldPlace; });
@@ -344,7 +349,7 @@ std::string difference(const HeldState& a, const HeldState& b) {
               {"coolant", m.coolant == n.coolant},
               {"work offset", m.system == n.system},
               {"zero", same_shift(a.shift, b.shift)},
-              {"tool length", m.length == n.length},
+              {"tool length", same_length(m.length, n.length)},
               {"path control", m.path == n.path},
               {"tool", a.tool == b.tool},
               {"next tool", a.next_tool == b.next_tool},
