@@ -61,7 +61,7 @@ ResumedProgram resumed_alone(const std::string& program, int line,
   ProgramQuestion question;
   question.stock = Stock{{{0, 0}, {60, 50}}, -10, 0};
   question.dialect = dialect;
-  return resume_program(question, {line, {}}, program, "pocket.nc", with({"endmill:6"}));
+  return resume_program(question, {line, {}}, program, "pocket.nc", with({"endmill:6", "endmill:6"}));
 }
 
 std::string refusal_of(const std::string& program, int line) {
@@ -122,6 +122,11 @@ TEST(Resume, NamesTheNearestLineThatServes) {
                         "is --line 31"));
   EXPECT_THAT(refusal_of(kPocket, 33), HasSubstr("nothing moves from here on"));
   EXPECT_THAT(refusal_of(kPocket, 99), HasSubstr("nothing is run from here on"));
+  std::string changed = kPocket;
+  changed.replace(changed.find("G91\n"), 4, "T2 M6\nM3\nG43 H2\nG91\n");
+  EXPECT_THAT(refusal_of(changed, 21),
+              HasSubstr("the word for the new length (G43); the nearest line that serves is "
+                        "--line 20"));
   std::string shifted = kPocket;
   shifted.replace(shifted.find("G91\n"), 4, "G92 Z5\nG91\n");
   EXPECT_THAT(refusal_of(shifted, 24), HasSubstr("(G92, G10); the nearest line that serves is --line 20"));
