@@ -17,6 +17,7 @@
 //           are the stages behind them and may change with every version.
 #pragma once
 
+#include "clearcut/copies.h"
 #include "clearcut/elements.h"
 #include "clearcut/error.h"
 #include "clearcut/file.h"

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "arguments/certificate_info.h"
+#include "arguments/copies_arguments.h"
 #include "arguments/plan_arguments.h"
 #include "arguments/suggest.h"
 #include "commands/commands.h"
@@ -22,6 +23,7 @@ namespace {
 
 struct VerifyCommand {
   PlanArguments arguments;
+  CopiesArguments copies;
   std::string program;
   std::optional<std::string> stock;
   std::string json;
@@ -61,6 +63,12 @@ CheckResult checked_alone(const VerifyCommand& command, const std::string& progr
   return check_program_alone(stock, program, command.program, options, command.arguments.dialect(), top);
 }
 
+/// The part, or the sheet of its copies.
+Part part_of(const VerifyCommand& command, const PlanOptions& options) {
+  Part part = command.arguments.read();
+  return command.copies.any() ? command.copies.sheet_of(part, options) : part;
+}
+
 Checked checked(const VerifyCommand& command) {
   PlanOptions options = command.arguments.options();
   std::optional<ProgressLine> line;
@@ -69,7 +77,7 @@ Checked checked(const VerifyCommand& command) {
   out.program = read_file(command.program);
   out.result = command.arguments.input().empty()
                    ? checked_alone(command, out.program, options)
-                   : check_program(command.arguments.read(), out.program, command.program, options,
+                   : check_program(part_of(command, options), out.program, command.program, options,
                                    command.arguments.dialect());
   if (asks_proof(command))
     out.witness = witness_of(
@@ -95,6 +103,9 @@ int run(const VerifyCommand& command) {
   check_setup_sheet_name(command.sheet);
   if (asks_proof(command) && command.arguments.input().empty())
     throw InputError("--witness", "is about a program and a part; name the part with --part");
+  if (asks_proof(command) && command.copies.any())
+    throw InputError("--copies",
+                     "have no witness: it is about the part as it was read; leave one of them out");
   const Checked found = checked(command);
   const CheckResult& result = found.result;
   std::vector<OutputFile> files;
@@ -132,6 +143,7 @@ std::shared_ptr<VerifyCommand> declare_question(CLI::App& command) {
   state->arguments.add_part_options(command, "--part");
   state->arguments.add_tool_options(command);
   state->arguments.add_steps_options(command);
+  state->copies.add_options(command);
   command.option_defaults()->group("Input");
   state->arguments.add_dialect_option(command);
   return state;
@@ -146,7 +158,8 @@ void let_part_be_absent(CLI::App& command, VerifyCommand& state) {
                          option->check_name("--layer") || option->check_name("--depth") ||
                          option->check_name("--allowance") || option->check_name("--allowance-floor") ||
                          option->check_name("--scallop") || option->get_name().starts_with("--margin") ||
-                         option->check_name("--rest") || option->get_name().starts_with("--finish");
+                         option->check_name("--rest") || option->get_group() == "Copies" ||
+                         option->get_name().starts_with("--finish");
     if (of_part) option->needs(part);
   }
   command.option_defaults()->group("Input");
@@ -218,12 +231,13 @@ void tell_of_header(const std::string& program) {
 }
 
 /// What the program is checked against; `part` keeps the part that the question points to.
-ProgramQuestion question_of(const VerifyCommand& command, std::optional<Part>& part) {
+ProgramQuestion question_of(const VerifyCommand& command, const PlanOptions& options,
+                            std::optional<Part>& part) {
   ProgramQuestion question;
   question.dialect = command.arguments.dialect();
   question.top = command.arguments.top();
   if (command.stock) question.stock = parse_stock(*command.stock, question.top.value_or(0));
-  if (!command.arguments.input().empty()) question.part = &part.emplace(command.arguments.read());
+  if (!command.arguments.input().empty()) question.part = &part.emplace(part_of(command, options));
   return question;
 }
 
@@ -233,7 +247,7 @@ int run_feeds(const VerifyCommand& command, const std::string& output) {
   if (!command.quiet) options.progress = line.emplace(kStops).callback();
   const std::string program = read_file(command.program);
   std::optional<Part> part;
-  const ProgramQuestion question = question_of(command, part);
+  const ProgramQuestion question = question_of(command, options, part);
   const ProgramFeeds feeds = feeds_of_program(question, program, command.program, options);
   std::vector<std::string> inputs = paths_of(command.arguments.input_files());
   inputs.push_back(command.program);
@@ -326,7 +340,7 @@ int run_resume(const VerifyCommand& command, const ResumeCommand& resume) {
   const std::string program = read_file(command.program);
   std::optional<Part> part;
   const ResumedProgram resumed =
-      resume_program(question_of(command, part), stop, program, command.program, options);
+      resume_program(question_of(command, options, part), stop, program, command.program, options);
   std::vector<std::string> inputs = paths_of(command.arguments.input_files());
   inputs.push_back(command.program);
   write_outputs({{resume.output, resumed.program}}, inputs);

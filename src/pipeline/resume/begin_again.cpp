@@ -19,8 +19,8 @@ using read::gcode::HeldWords;
 constexpr double kSameHeight = 1e-6;
 
 /// With a decimal point: "X10.", as every control takes it.
-std::string place_word(char letter, double value) {
-  std::string text = trimmed(value, 6);
+std::string place_word(char letter, double value, int digits = 6) {
+  std::string text = trimmed(value, digits);
   if (text.find('.') == std::string::npos) text += '.';
   return letter + text;
 }
@@ -39,6 +39,8 @@ class BeginWriter {
         write_way();
       else
         write_unplaced();
+    } else {
+      write_until_change();
     }
     write_modes_of_motion();
     return out_;
@@ -121,15 +123,35 @@ class BeginWriter {
     const double z = *held_.position[2];
     const bool stays_up = held_.at_home && !words_.home.empty();
     const bool crosses_first = !words_.home.empty();
-    if (crosses_first) add_words({"G0", at(0), at(1)});
+    if (crosses_first) add_words({"G0", over(0), over(1)});
     write_length(std::max(way_.safe_z, z), stays_up);
-    if (!crosses_first) add_words({"G0", at(0), at(1)});
+    if (!crosses_first) add_words({"G0", over(0), over(1)});
     for (const std::string& word : words_.coolant) add(word);
     if (stays_up) return;
     if (z >= way_.safe_z - kSameHeight) return;
     if (z >= way_.entry_z - kSameHeight || way_.plunge <= 0) return add_words({"G0", at(2)});
     if (way_.entry_z < way_.safe_z - kSameHeight) add_words({"G0", at(2, way_.entry_z)});
     add_words({"G1", at(2), feed_word(way_.plunge)});
+    if (way_.beside) add_words({"G1", at(0), at(1), feed_word(lead_feed())});
+  }
+  /// mm/min; into the place from beside it.
+  double lead_feed() const {
+    const bool is_held = held_.modes.feed_mode == FeedMode::kPerMinute && held_.modes.feed > 0;
+    return is_held ? held_.modes.feed : way_.plunge;
+  }
+  /// The place over which the cutter comes down. Beside the path it needs no more digits than any control takes.
+  std::string over(std::size_t axis) const {
+    if (!way_.beside) return at(axis);
+    const double place = axis == 0 ? way_.beside->x : way_.beside->y;
+    const int digits = held_.modes.unit == 1 ? 3 : 4;
+    return place_word("XYZ"[axis], (place - held_.shift[axis]) / held_.modes.unit, digits);
+  }
+
+  /// What holds until the next tool comes in, and behind it.
+  void write_until_change() {
+    if (held_.tool_said && held_.next_tool != held_.tool) add(fmt::format("T{}", held_.next_tool));
+    if (held_.modes.speed > 0) add("S" + trimmed(held_.modes.speed, 6));
+    write_unplaced();
   }
 
   /// Before the program has said where the cutter is nothing moves.
@@ -163,7 +185,8 @@ class BeginWriter {
   /// mm/min; that of the way down, 0 where there was none.
   double last_feed() const {
     const double z = *held_.position[2];
-    return z < std::min(way_.entry_z, way_.safe_z) - kSameHeight ? way_.plunge : 0;
+    if (z >= std::min(way_.entry_z, way_.safe_z) - kSameHeight) return 0;
+    return way_.beside ? lead_feed() : way_.plunge;
   }
 
   const HeldState& held_;

@@ -10,12 +10,13 @@ namespace clearcut::pipeline {
 
 /// Heights and feeds of the way in. mm, mm/min.
 struct WayIn {
-  double safe_z = 0;               ///< nothing stands above it; at it the cutter goes over the place
-  double entry_z = 0;              ///< down to here by a rapid, below it at `plunge`
-  double plunge = 0;               ///< 0: the program has fed nowhere with this tool
-  bool is_needed = true;           ///< false: the tool is changed before anything moves
-  bool semicolons = false;         ///< comments of the program begin with ';'
-  bool tools_by_comments = false;  ///< the control has no words for tools
+  double safe_z = 0;                ///< nothing stands above it; at it the cutter goes over the place
+  double entry_z = 0;               ///< down to here by a rapid, below it at `plunge`
+  double plunge = 0;                ///< 0: the program has fed nowhere with this tool
+  std::optional<Vec2> beside = {};  ///< down here, and from here straight to the place
+  bool is_needed = true;            ///< false: the tool is changed before anything moves
+  bool semicolons = false;          ///< comments of the program begin with ';'
+  bool tools_by_comments = false;   ///< the control has no words for tools
 };
 
 /// Lines, each with its end. Throws nothing: what they do is read back by the caller.

@@ -11,6 +11,8 @@
 #include "model/section_names.h"
 #include "pipeline/check_after.h"
 #include "pipeline/resume/begin_again.h"
+#include "pipeline/resume/lead_place.h"
+#include "pipeline/resume/resume_checked.h"
 #include "pipeline/steps/certify.h"
 #include "read/gcode/control/held_state.h"
 #include "read/gcode/words/lines.h"
@@ -62,7 +64,9 @@ read::gcode::ReadControllerOptions reading_of(const CheckResult& result, const s
 double distance_to(const Move& move, const std::array<double, 3>& place) {
   const auto at = [&](double t) {
     const Vec2 p = move.is_vertical() ? move.path.from : move.path.at(t);
-    return std::hypot(p.x - place[0], p.y - place[1], std::lerp(move.z_from, move.z_to, t) - place[2]);
+    const double dx = p.x - place[0], dy = p.y - place[1];
+    const double dz = std::lerp(move.z_from, move.z_to, t) - place[2];
+    return std::sqrt(dx * dx + dy * dy + dz * dz);
   };
   if (move.path.is_arc()) {
     double least = std::numeric_limits<double>::infinity();
@@ -336,6 +340,11 @@ void require_same_state(const StopScan& was, const std::string& name,
                                differs));
 }
 
+/// Whether the cutter has to come down by a feed.
+bool is_below(const read::gcode::HeldState& held, double height) {
+  return held.position[0] && held.position[1] && held.position[2] && *held.position[2] < height;
+}
+
 int count_lines(std::string_view text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
@@ -346,8 +355,15 @@ ResumedProgram resume_program(const ProgramQuestion& question, const Stop& stop,
                               const std::string& program_name, const resolve::PlanOptions& options) {
   if (options.earlier)
     throw InputError("--after", "what ran before a program that is resumed is not read; leave it out");
+  return resume_checked(checked_for_stop(question, program, program_name, options), question, stop, program,
+                        program_name, options);
+}
+
+ResumedProgram resume_checked(CheckResult checked, const ProgramQuestion& question, const Stop& stop,
+                              const std::string& program, const std::string& program_name,
+                              const resolve::PlanOptions& options) {
   ResumedProgram resumed;
-  resumed.before = checked_for_stop(question, program, program_name, options);
+  resumed.before = std::move(checked);
   const CheckResult& before = resumed.before;
   const read::gcode::DialectRules& rules = read::gcode::rules_of(before.dialect);
   if (rules.language != read::gcode::Language::kWordAddress)
@@ -374,6 +390,10 @@ ResumedProgram resume_program(const ProgramQuestion& question, const Stop& stop,
   way.safe_z = crossing_height(before.toolpath, reading.home_z, top);
   way.entry_z = std::min(way.safe_z, top + kEntryHeight);
   way.plunge = plunge_feed_of(before.toolpath, held.tool);
+  const FirstPart first = first_part(before, resumed.line);
+  const Tool* const tool = tool_numbered(before.part.tools, held.tool);
+  if (tool && is_below(held, way.entry_z))
+    way.beside = lead_place(before.part, first, *tool, resumed.begin.point, resumed.begin.z);
   way.is_needed = !changes_tool_first(scan, resumed.line);
   way.semicolons = uses_semicolons(program);
   way.tools_by_comments = rules.names_no_tools;
@@ -383,7 +403,6 @@ ResumedProgram resume_program(const ProgramQuestion& question, const Stop& stop,
   resumed.program = head + std::string(rest_from(program, resumed.line));
   require_same_state(scan, program_name, reading_of(before, resumed.program, options), resumed);
 
-  const FirstPart first = first_part(before, resumed.line);
   resumed.after = question.part ? check_rest(*question.part, first, resumed.program, program_name, options,
                                              before.dialect)
                                 : check_rest_alone(*before.part.stock, first, resumed.program, program_name,

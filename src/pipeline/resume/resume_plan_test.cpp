@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/random.h"
-#include "pipeline/resume/resume.h"
+#include "pipeline/resume/resume_checked.h"
 #include "pipeline/test_drawings.h"
 #include "read/gcode/gcode.h"
 
@@ -61,7 +61,7 @@ ResumedProgram resumed_alone(const std::string& program, int line,
   ProgramQuestion question;
   question.stock = Stock{{{0, 0}, {60, 50}}, -10, 0};
   question.dialect = dialect;
-  return resume_program(question, {line, {}}, program, "pocket.nc", with({"endmill:6"}));
+  return resume_program(question, {line, {}}, program, "pocket.nc", with({"endmill:6", "endmill:6"}));
 }
 
 std::string refusal_of(const std::string& program, int line) {
@@ -84,7 +84,21 @@ TEST(Resume, BringsTheControlIntoTheStateBeforeTheLine) {
   const ResumedProgram counting = resumed_alone(kPocket, 23);
   EXPECT_TRUE(counting.after.findings.faults.empty()) << faults_of(counting.after.findings);
   EXPECT_THAT(counting.program,
-              HasSubstr("G0 X22. Y22.\nM8\nG0 Z2.\nG1 Z-2. F100\nG1 Z-2. F200\nG91\nX16 F900\n"));
+              HasSubstr("G0 X20.939 Y20.939\nM8\nG0 Z2.\nG1 Z-2. F100\nG1 X22. Y22. F200\nG91\nX16 F900\n"));
+}
+
+/// Beside a wall the cutter comes down where it touches nothing, and goes straight to where the pass goes on.
+TEST(Resume, ComesDownBesideTheWallThatItGoesOnCutting) {
+  const std::string program =
+      "G17 G21 G90 G94\nG54\nT1 M6\nS9000 M3\nG0 X20 Y20\nZ5\nG1 Z-2 F200\nX40 F800\nY24\nX20\nY20\nG0 "
+      "Z25\nM30\n";
+  const ResumedProgram resumed = resumed_alone(program, 10);
+  EXPECT_TRUE(resumed.after.findings.faults.empty()) << faults_of(resumed.after.findings);
+  EXPECT_THAT(resumed.program,
+              HasSubstr("G0 X40. Y24.\nG0 Z2.\nG1 Z-2. F200\nG1 Z-2. F800\nX20\nY20\n"));  // in a slot
+  const ResumedProgram along = resumed_alone(program, 11);
+  EXPECT_THAT(along.program, HasSubstr("G0 Z2.\nG1 Z-2. F200\nG1 X20. Y24. F800\nY20\n"));
+  EXPECT_TRUE(along.after.findings.faults.empty()) << faults_of(along.after.findings);
 }
 
 /// What the lines above cut counts as cut, and only that: a rapid through it is none through material.
@@ -108,6 +122,11 @@ TEST(Resume, NamesTheNearestLineThatServes) {
                         "is --line 31"));
   EXPECT_THAT(refusal_of(kPocket, 33), HasSubstr("nothing moves from here on"));
   EXPECT_THAT(refusal_of(kPocket, 99), HasSubstr("nothing is run from here on"));
+  std::string changed = kPocket;
+  changed.replace(changed.find("G91\n"), 4, "T2 M6\nM3\nG43 H2\nG91\n");
+  EXPECT_THAT(refusal_of(changed, 21),
+              HasSubstr("the word for the new length (G43); the nearest line that serves is "
+                        "--line 20"));
   std::string shifted = kPocket;
   shifted.replace(shifted.find("G91\n"), 4, "G92 Z5\nG91\n");
   EXPECT_THAT(refusal_of(shifted, 24), HasSubstr("(G92, G10); the nearest line that serves is --line 20"));
@@ -190,12 +209,13 @@ void stop_at_random(const Part& part, const PlanResult& planned, const resolve::
   ProgramQuestion question;
   question.part = &part;
   question.dialect = read::gcode::dialect_named(options.post.dialect);
+  const CheckResult whole = check_program(part, planned.program, "plan.nc", options, question.dialect);
   const auto lines = static_cast<int>(std::count(planned.program.begin(), planned.program.end(), '\n'));
   for (int k = 0; k < stops; ++k) {
     const int line = 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(lines)));
     try {
       const ResumedProgram resumed =
-          resume_program(question, {line, {}}, planned.program, "plan.nc", options);
+          resume_checked(whole, question, {line, {}}, planned.program, "plan.nc", options);
       ++counted.served;
       const Findings &before = resumed.before.findings, &after = resumed.after.findings;
       ASSERT_EQ(kinds_of(after), kinds_of(before))
@@ -227,9 +247,9 @@ int random_stops() {
 }
 
 TEST(Resume, RandomStopsMakeTheSamePart) {
-  const Part part = drawn(box("STOCK_D12", 0, 0, 60, 40) + rounded_box("POCKET_D4", 5, 5, 32, 33, 4) +
-                          circle("DRILL_D12", {45, 12}, 2.5) + circle("DRILL_D12", {45, 28}, 2.5) +
-                          circle("DRILL_D12", {52, 20}, 2.5));
+  const Part part = drawn(box("STOCK_D12", 0, 0, 60, 36) + rounded_box("POCKET_D4", 5, 5, 22, 19, 4) +
+                          circle("DRILL_D12", {43.18, 12.7}, 2.5) + circle("DRILL_D12", {43.18, 25.4}, 2.5) +
+                          circle("DRILL_D12", {50.8, 20.32}, 2.5));
   Random random(49);
   Counted counted;
   for (const char* dialect :

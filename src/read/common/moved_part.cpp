@@ -9,7 +9,8 @@ namespace {
 
 class Mover {
  public:
-  explicit Mover(const std::array<double, 3>& zero) : by_{-zero[0], -zero[1]}, up_(-zero[2]) {}
+  explicit Mover(const std::array<double, 3>& zero) : in_plan_{false, {-zero[0], -zero[1]}}, up_(-zero[2]) {}
+  explicit Mover(const PlanPlacement& placement) : in_plan_(placement) {}
 
   void move(Feature& feature) const {
     move(feature.target);
@@ -19,12 +20,14 @@ class Mover {
     if (feature.profile) move(*feature.profile);
     if (feature.chamfer) move(*feature.chamfer);
     if (!feature.hole) return;
-    feature.hole->center = feature.hole->center + by_;
+    feature.hole->center = in_plan_.placed(feature.hole->center);
     feature.hole->full_z += up_;
   }
   void move(Box& plan, double& bottom, double& top) const {
-    plan.min = plan.min + by_;
-    plan.max = plan.max + by_;
+    const Vec2 low = in_plan_.placed(plan.min), high = in_plan_.placed(plan.max);
+    plan = {};
+    plan.add(low);
+    plan.add(high);
     bottom += up_;
     top += up_;
   }
@@ -37,15 +40,15 @@ class Mover {
       move.z_to += up_;
     }
   }
-  void move(PredrilledHole& hole) const { hole.center = hole.center + by_; }
+  void move(PredrilledHole& hole) const { hole.center = in_plan_.placed(hole.center); }
   double up() const { return up_; }
 
  private:
   void move(Path& path) const {
     for (Edge& edge : path) {
-      edge.from = edge.from + by_;
-      edge.to = edge.to + by_;
-      if (edge.is_arc()) edge.center = edge.center + by_;
+      edge.from = in_plan_.placed(edge.from);
+      edge.to = in_plan_.placed(edge.to);
+      if (edge.is_arc()) edge.center = in_plan_.placed(edge.center);
     }
   }
   void move(Regions& regions) const {
@@ -60,7 +63,7 @@ class Mover {
   void move(ProfileCut& profile) const {
     move(profile.line);
     for (Tab& tab : profile.tabs) {
-      tab.center = tab.center + by_;
+      tab.center = in_plan_.placed(tab.center);
       Path foot{tab.foot};
       move(foot);
       tab.foot = foot.front();
@@ -75,8 +78,8 @@ class Mover {
     chamfer.free_floor += up_;
   }
 
-  Vec2 by_;
-  double up_;
+  PlanPlacement in_plan_;
+  double up_ = 0;
 };
 
 }  // namespace
@@ -109,8 +112,9 @@ std::array<double, 3> zero_of(const Part& part, const ZeroPoint& zero) {
   return {at.x, at.y, part.top_z()};
 }
 
-Part with_zero_at(Part part, const std::array<double, 3>& zero) {
-  const Mover mover(zero);
+namespace {
+
+Part moved_by(const Mover& mover, Part part) {
   for (Feature& feature : part.features) mover.move(feature);
   if (part.stock) mover.move(part.stock->plan, part.stock->z_bottom, part.stock->z_top);
   for (KeepOut& clamp : part.keep_outs) mover.move(clamp.plan, clamp.bottom_z, clamp.top_z);
@@ -121,6 +125,16 @@ Part with_zero_at(Part part, const std::array<double, 3>& zero) {
   }
   if (part.clearance_z) *part.clearance_z += mover.up();
   return part;
+}
+
+}  // namespace
+
+Part with_zero_at(Part part, const std::array<double, 3>& zero) {
+  return moved_by(Mover(zero), std::move(part));
+}
+
+Part with_placement(Part part, const PlanPlacement& placement) {
+  return moved_by(Mover(placement), std::move(part));
 }
 
 }  // namespace clearcut::read

@@ -31,6 +31,7 @@ constexpr HindranceText kHindranceTexts[] = {
     {Hindrance::kMap, "while places are turned, mirrored or polar (G68, G51.1, G16)"},
     {Hindrance::kShift, "while the zero is where the cutter stood when it was set (G92, G10)"},
     {Hindrance::kSavedModes, "while modes are kept for later (M70)"},
+    {Hindrance::kOldLength, "between a change of tools and the word for the new length (G43)"},
     {Hindrance::kMacro, "after lines that compute or call subprograms"}};
 
 /// A word of coolant as it is written: "M8".
@@ -127,7 +128,8 @@ class Follower {
     if (compensates_) return Hindrance::kCompensation;
     if (control.plan_map.is_on || control.polar_mode) return Hindrance::kMap;
     if (zero_moved_) return Hindrance::kShift;
-    return keeps_modes_ ? Hindrance::kSavedModes : Hindrance::kNone;
+    if (keeps_modes_) return Hindrance::kSavedModes;
+    return old_length_ ? Hindrance::kOldLength : Hindrance::kNone;
   }
 
   /// What a place without a motion word of its own would need from the lines above.
@@ -156,7 +158,9 @@ class Follower {
   void execute() {
     Control& control = interpreter_.control();
     const Coolant coolant = control.modes.coolant;
+    const int tool = builder_.drive.tool;
     interpreter_.execute(block_);
+    if (builder_.drive.tool != tool) old_length_ = control.modes.length.kind == LengthKind::kNumbered;
     for (const int code : block_.g) keep(code);
     for (const int m : block_.m) keep_m(m);
     keep_coolant(coolant);
@@ -199,6 +203,7 @@ class Follower {
         if (code == 640) words.path = with_letters(block_, code, "PQ");
         if (code == 1870) words.path = with_letters(block_, code, "PE");
         if (code == 51) words.smoothing = with_letters(block_, code, "QPR");
+        if (code == 430 || code == 431 || code == 490) old_length_ = false;
         if (code == 800) words.cycle_end = g_word(code);
         if (code == 400) {
           compensates_ = false;
@@ -302,6 +307,7 @@ class Follower {
   Block block_;
   std::vector<Need> needs_;
   HeldWords words_;
+  bool old_length_ = false;
   bool compensates_ = false, zero_moved_ = false, keeps_modes_ = false;
 };
 
@@ -313,6 +319,11 @@ bool same_place(const Target& a, const Target& b) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (a[axis] && b[axis] && std::abs(*a[axis] - *b[axis]) > kSameHeldPlace) return false;
   return true;
+}
+
+/// The tool's own length is that of the tool in the spindle, whichever was there when the word came.
+bool same_length(const ToolLength& a, const ToolLength& b) {
+  return a == b || (a.kind == LengthKind::kOfTool && b.kind == LengthKind::kOfTool);
 }
 
 bool same_shift(const std::array<double, 3>& a, const std::array<double, 3>& b) {
@@ -344,7 +355,7 @@ std::string difference(const HeldState& a, const HeldState& b) {
               {"coolant", m.coolant == n.coolant},
               {"work offset", m.system == n.system},
               {"zero", same_shift(a.shift, b.shift)},
-              {"tool length", m.length == n.length},
+              {"tool length", same_length(m.length, n.length)},
               {"path control", m.path == n.path},
               {"tool", a.tool == b.tool},
               {"next tool", a.next_tool == b.next_tool},

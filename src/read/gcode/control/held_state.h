@@ -22,6 +22,7 @@ enum class Hindrance : unsigned char {
   kMap,           ///< the program's places are turned, mirrored or polar
   kShift,         ///< the zero was moved to where the cutter stood
   kSavedModes,    ///< modes were kept that a later word brings back
+  kOldLength,     ///< the length in force is that of the tool before
   kMacro          ///< the program computes or calls before it
 };
 /// "within a drilling or tapping cycle"
