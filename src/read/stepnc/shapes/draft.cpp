@@ -63,7 +63,7 @@ void read_bosses(const Node& feature, std::size_t argument, const Frame& frame, 
       context.note("no slope is stated; its walls lean as those of its pocket", boss);
     const double slope = boss.unset(6) ? draft.wall_slope.radians() : context.draft_angle(*boss.number(6));
     check_slope(boss, slope);
-    if (slope < draft.wall_slope.radians() - kFlatFloor)
+    if (slope < draft.wall_slope.radians() - kSameAngleRad)
       context.diagnostics.doubt(
           context.file.place(boss.line()), kNotFollowed,
           boss.label() + ": its walls lean by " + trimmed(Radians::of(slope).degrees(), 3) +
