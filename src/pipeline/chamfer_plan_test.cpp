@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "pipeline/run.h"
 #include "pipeline/test_drawings.h"
+#include "read/drawing/layer_rules.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -10,7 +10,7 @@
 #include "model/options/post_options.h"
 #include "model/part.h"
 #include "model/results/findings.h"
-#include "read/gcode/motion/values.h"
+#include "read/gcode/motion/compensation_values.h"
 #include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {

@@ -9,6 +9,7 @@
 
 #include "model/results/told_faults.h"
 #include "verify/test_program.h"
+#include "verify/verify.h"
 
 namespace clearcut::verify {
 namespace {

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "read/gcode/told_program.h"
+#include "read/gcode/test_told_program.h"
 
 namespace clearcut::read::gcode {
 namespace {
