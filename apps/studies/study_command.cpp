@@ -56,14 +56,17 @@ int run(StudyCommand& command) {
 
 void add_island_options(CLI::App& command, order::IslandOptions& options) {
   command
-      .add_option("--islands", options.islands,
-                  "Populations in each run, side by side in a ring; the best of each move to the next")
+      .add_option(
+          "--islands", options.islands,
+          "Populations in each run, side by side in a ring; the best individuals of each move to the next")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  command.add_option("--migrate-every", options.migrate_every, "Generations between two such moves")
+  command.add_option("--migrate-every", options.migrate_every, "Generations between two migrations")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  command.add_option("--migrants", options.migrants, "How many move, to the places of the worst")
+  command
+      .add_option("--migrants", options.migrants,
+                  "Number of individuals that migrate; they replace the worst")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
 }
@@ -99,14 +102,15 @@ void add_study_command(CLI::App& app, int& exit_code) {
       ->capture_default_str()
       ->check(one_of({"length", "turns", "angle"}));
   command->add_flag("--published", options.published_size,
-                    "Runs, generations and lattices of the text: days");
+                    "Runs, generations and lattices of the paper (takes days)");
   command->add_option("--seed", options.seed, "Seed of the first run")
       ->capture_default_str()
       ->check(is_seed());
   add_island_options(*command, options.islands);
   command
       ->add_option("--threads", state->threads,
-                   "Threads; 0: all cores (the default; with --mpi of each process, and 1 the default)")
+                   "Threads of the computer; 0: all cores (the default; with --mpi of each process, and 1 "
+                   "the default)")
       ->check(CLI::NonNegativeNumber);
   command->add_flag(
       "--mpi", state->is_mpi,
