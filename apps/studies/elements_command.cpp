@@ -140,7 +140,8 @@ void add_element_options(CLI::App& command, ElementsCommand& state) {
   command.add_option("--tool", state.tools, "KIND:DIAMETER[:T2]..., for elements given as options")
       ->allow_extra_args(false)
       ->group(group);
-  command.add_option("--depth", defaults.depth, "Depth of elements that say none, mm")->group(group);
+  command.add_option("--depth", defaults.depth, "Depth of elements without a depth of their own, mm")
+      ->group(group);
   command.add_option("--stepdown", defaults.stepdown, "Depth of one layer, mm")
       ->check(CLI::PositiveNumber)
       ->group(group);
@@ -189,7 +190,8 @@ void add_elements_command(CLI::App& app, int& exit_code, void (*print_reductions
   command->option_defaults()->group("Output");
   state->print_reductions = print_reductions;
   if (print_reductions != nullptr)
-    command->add_flag("--table", state->table, "Print the published table of reductions beside our figures");
+    command->add_flag("--table", state->table,
+                      "Print the published table of reductions beside Clearcut's figures");
   command->add_flag("--quiet", state->quiet, "Print nothing but errors");
   command->callback([state, command, &exit_code] {
     state->options.published.solver = state->solver.asked().plan.published.solver;

@@ -143,19 +143,19 @@ void add_reproduce_command(CLI::App& app, int& exit_code) {
   command->option_defaults()->group("Input");
   command->add_option("TABLE", state->names, "Tables by name, see --list; default all but the long ones")
       ->check(one_of(names));
-  command->add_flag("--list", state->list, "List the tables and what each costs, and run nothing");
-  command->add_flag("--all", state->all, "The long ones, too");
+  command->add_flag("--list", state->list, "List the tables with the time of each, and run none");
+  command->add_flag("--all", state->all, "Run the long tables, too");
   command->option_defaults()->group("Output");
-  command->add_option("--json", state->json, "Tables with every printed cell checked to write (JSON)")
+  command->add_option("--json", state->json, "Tables to write, with the check of every printed cell (JSON)")
       ->type_name("FILE");
-  command->add_option("--html", state->html, "The same as one page to write")->type_name("FILE");
+  command->add_option("--html", state->html, "The same tables as one page to write")->type_name("FILE");
   command->add_flag(
       "--resume", state->resume,
       "Keep the tables that the file of --json has already, and the finished runs of the table that was "
       "broken off; make the others");
   command->add_flag("--markdown", state->as_markdown,
                     "Print Markdown tables, as the pages of docs/ have them");
-  command->add_flag("--quiet", state->quiet, "No progress");
+  command->add_flag("--quiet", state->quiet, "Print no progress");
   command->callback([state, &exit_code] {
     reproduce_tables(*state);
     exit_code = kClean;

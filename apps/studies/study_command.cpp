@@ -56,14 +56,17 @@ int run(StudyCommand& command) {
 
 void add_island_options(CLI::App& command, order::IslandOptions& options) {
   command
-      .add_option("--islands", options.islands,
-                  "Populations in each run, side by side in a ring; the best of each move to the next")
+      .add_option(
+          "--islands", options.islands,
+          "Populations in each run, side by side in a ring; the best individuals of each move to the next")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  command.add_option("--migrate-every", options.migrate_every, "Generations between two such moves")
+  command.add_option("--migrate-every", options.migrate_every, "Generations between two migrations")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
-  command.add_option("--migrants", options.migrants, "How many move, to the places of the worst")
+  command
+      .add_option("--migrants", options.migrants,
+                  "Number of individuals that migrate; they replace the worst")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
 }
@@ -101,7 +104,9 @@ void add_study_command(CLI::App& app, int& exit_code) {
   auto* minutes =
       command->add_flag("--minutes", options.middle_size,
                         "Runs and generations that take minutes of a core; the findings show from there on");
-  command->add_flag("--published", options.published_size, "Runs, generations and lattices of the text: days")
+  command
+      ->add_flag("--published", options.published_size,
+                 "Runs, generations and lattices of the paper (takes days)")
       ->excludes(minutes);
   command->add_option("--seed", options.seed, "Seed of the first run")
       ->capture_default_str()
@@ -109,7 +114,8 @@ void add_study_command(CLI::App& app, int& exit_code) {
   add_island_options(*command, options.islands);
   command
       ->add_option("--threads", state->threads,
-                   "Threads; 0: all cores (the default; with --mpi of each process, and 1 the default)")
+                   "Threads of the computer; 0: all cores (the default; with --mpi of each process, and 1 "
+                   "the default)")
       ->check(CLI::NonNegativeNumber);
   command->add_flag(
       "--mpi", state->is_mpi,

@@ -48,20 +48,20 @@ void add_genetic_options(CLI::App& command, TourOptions& options) {
       ->capture_default_str()
       ->check(one_of({"distinct", "worst", "parent", "generation"}))
       ->group(group);
-  command.add_option("--crossover-rate", genetic.crossover_rate, "Chance of two parents")
+  command.add_option("--crossover-rate", genetic.crossover_rate, "Probability of crossover")
       ->capture_default_str()
       ->group(group);
-  command.add_option("--mutation-rate", genetic.mutation_rate, "Chance of a mutation")
+  command.add_option("--mutation-rate", genetic.mutation_rate, "Probability of mutation")
       ->capture_default_str()
       ->group(group);
-  command.add_option("--again-rate", genetic.again_rate, "Chance of one more mutation after each")
+  command.add_option("--again-rate", genetic.again_rate, "Probability of one more mutation after each")
       ->capture_default_str()
       ->group(group);
   command.add_option("--children", genetic.children, "New individuals in a generation (default 25)")
       ->group(group);
   command
       .add_option("--most-shared", genetic.most_shared,
-                  "Share of edges that makes two too similar (default 0.2)")
+                  "Share of common edges above which two individuals are too similar (default 0.2)")
       ->group(group);
   command
       .add_option("--neighbours", options.genetic_neighbours,
@@ -70,7 +70,8 @@ void add_genetic_options(CLI::App& command, TourOptions& options) {
   command
       .add_option("--patience", genetic.patience, "Generations without gain that end the run (default 1000)")
       ->group(group);
-  command.add_option("--generations", genetic.stop.rounds, "Most generations (default: no limit)")
+  command
+      .add_option("--generations", genetic.stop.rounds, "Greatest number of generations (default: no limit)")
       ->capture_default_str()
       ->group(group);
 }
@@ -111,13 +112,13 @@ void add_tour_command(CLI::App& app, int& exit_code) {
           {"length", "turns", "angle", "time", "engagement", "engagement-inverse", "engagement-exact"}));
   auto* open = command->add_flag("--open", state->open, "An open path with free ends (default for lattices)");
   command->add_flag("--closed", state->closed, "A closed tour (default for files)")->excludes(open);
-  command->add_option("--time", state->options.time_s, "Longest search, s")
+  command->add_option("--time", state->options.time_s, "Longest time of the search, s")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
   command->add_option("--seed", state->options.seed, "Seed of the search")
       ->capture_default_str()
       ->check(is_seed());
-  command->add_option("--threads", state->options.threads, "Threads; 0: all cores")
+  command->add_option("--threads", state->options.threads, "Threads of the computer; 0: all cores")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber);
   command->add_option("--feed", state->options.feed, "Feed for the objective time, mm/min")
@@ -125,7 +126,7 @@ void add_tour_command(CLI::App& app, int& exit_code) {
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--diameter", state->options.diameter,
-                   "Of the cutter for engagement, mm (default: two pitches of the points)")
+                   "Diameter of the cutter for engagement, mm (default: two pitches of the points)")
       ->check(CLI::PositiveNumber);
   command
       ->add_option("--engagement", state->options.engagement_percent,

@@ -148,7 +148,7 @@ LENGTH, CHOICE = "App::PropertyLength", "App::PropertyEnumeration"
 SHARED: tuple[Any, ...] = (
     ("Direction", CHOICE, "Which way the cutter goes along the walls", [AS_IT_IS, "climb", "conventional"]),
     ("Entry", CHOICE, "How it goes down", [AS_IT_IS, "helix", "ramp", "zigzag", "plunge"]),
-    ("EntryAngle", "App::PropertyAngle", "Steepest way down of a helix or ramp; 0: clearcut's own", 0.0),
+    ("EntryAngle", "App::PropertyAngle", "Steepest angle of a helix or ramp; 0: clearcut's own", 0.0),
     ("StockToLeave", LENGTH, "Left on walls for another operation", 0.0),
     ("Planned", "App::PropertyString", "The strategies that were kept", ""),
 )  # fmt: skip

@@ -68,7 +68,7 @@ void add_cutting(OptionsClass& options) {
       options, "entry", "helix, ramp, zigzag or plunge.", [](auto& o) -> auto& { return o.entry; },
       entry_named, [](EntryKind entry) { return resolve::name_of(entry); });
   add_angle(
-      options, "entry_angle", "Steepest way down of a helix or ramp, degrees.",
+      options, "entry_angle", "Steepest angle of a helix or ramp, degrees.",
       [](auto& o) -> auto& { return o.entry_angle; });
   add_length(
       options, "lead", doc("PlanOptions::lead"), [](auto& o) -> auto& { return o.lead; });
@@ -88,7 +88,7 @@ void add_cutting(OptionsClass& options) {
       options, "ramp_feed", "Feed on ramps and helices, mm/min.",
       [](auto& o) -> auto& { return o.cutting.ramp_feed; });
   add_feed(
-      options, "slot_feed", "Feed where the cutter is in the material all round, mm/min.",
+      options, "slot_feed", "Feed where the cutter cuts its full width (slotting), mm/min.",
       [](auto& o) -> auto& { return o.cutting.slot_feed; });
   add_plain<double>(
       options, "spindle", "Spindle speed, rpm.", [](auto& o) -> auto& { return o.cutting.spindle_rpm; });
@@ -136,10 +136,10 @@ void add_shop(OptionsClass& options) {
       options, "reference_engagement", "Engagement at which a feed is meant as stated, degrees.",
       [](auto& o) -> auto& { return o.shop.reference_engagement_deg; });
   add_feed(
-      options, "reference_feed", "Feed that is meant at the reference engagement, mm/min.",
+      options, "reference_feed", "Feed at the reference engagement, mm/min.",
       [](auto& o) -> auto& { return o.shop.reference_feed; });
   add_feed(
-      options, "feed_cap", "Highest feed where feeds follow the load, mm/min.",
+      options, "feed_cap", "Highest feed with feed_by, mm/min.",
       [](auto& o) -> auto& { return o.shop.feed_cap; });
   add_value(
       options, "margin", doc("ShopOptions::margin"), [](auto& o) -> auto& { return o.shop.margin; });
@@ -280,7 +280,7 @@ void add_search(OptionsClass& options) {
       [](AskedOptions& o, const std::string& order) {
         o.outside_in = order_named(order, "--order") == ContourOrder::kOutsideIn;
       },
-      "Contours inside-out or outside-in.");
+      "Order of contours: inside-out or outside-in.");
   options.def_property(
       "toolpaths",
       [](const AskedOptions& o) -> std::optional<std::string> {

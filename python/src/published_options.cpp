@@ -46,8 +46,8 @@ void add_published_options(OptionsClass& options) {
   add_choice(options, "reflex", "Contours at reflex corners: corner or round.", "corner", "round",
              &PublishedChoices::sharp_reflex, is_reflex_corner);
   add_choice(options, "grid",
-             "Of the strategy tour: ours, or published (Tour eq. 4.8; leaves what it leaves).", "published",
-             "ours", &PublishedChoices::published_grid, is_published_grid);
+             "Of the strategy tour: ours, or published (Tour eq. 4.8; some material may stay uncut).",
+             "published", "ours", &PublishedChoices::published_grid, is_published_grid);
   options.def_property(
       "solver",
       [](const AskedOptions& o) -> std::optional<std::string> {

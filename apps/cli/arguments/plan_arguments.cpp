@@ -54,7 +54,7 @@ void PlanArguments::add_part_options(CLI::App& command, const std::string& input
           input_name, input_,
           is_input
               ? "Part: .p21 .stp .step .stpnc .dxf .svg .json .edges .toml, or a project (.clearcut.json)"
-              : "Part the program is for")
+              : "Part that the program makes")
       ->required()
       ->type_name("FILE");
   values_.add(command, [](const Row& row) {
@@ -281,7 +281,7 @@ void PlanArguments::add_dialect_option(CLI::App& command) {
   reads_programs_ = true;
   command
       .add_option("--dialect", dialect_,
-                  "Control that runs it: " + controllers_text() + " (default: recognised)")
+                  "Control that runs the program: " + controllers_text() + " (default: recognised)")
       ->check(one_of(controller_names()));
 }
 

@@ -427,12 +427,12 @@ void add_batch_command(CLI::App& app, int& exit_code) {
           ->check(CLI::PositiveNumber),
       command->add_option(
           "--share", state->share,
-          "K/N: the K-th of N shares of the parts; run once more without it for the overview"),
+          "K/N: the K-th of N shares of the parts; run once more without --share for the overview"),
       command->add_flag("--mpi", state->is_mpi,
                         "Share the parts with the other processes of an MPI job (mpirun, srun); needs the "
                         "package clearcut-mpi"),
-      command->add_flag("--again", state->again, "Plan also what is done already"),
-      command->add_flag("--quiet", state->quiet, "Print the last line alone")};
+      command->add_flag("--again", state->again, "Plan parts again that are done already"),
+      command->add_flag("--quiet", state->quiet, "Print only the last line")};
   command->callback(
       [state, command, own, &exit_code] { exit_code = run(*state, typed_plan_options(*command, own)); });
 }

@@ -124,16 +124,15 @@ int run(const CheckCommand& command) {
 
 void add_check_command(CLI::App& app, int& exit_code) {
   auto* command =
-      app.add_subcommand("check", "Check a certificate: its form, its seal and the files it rests on");
+      app.add_subcommand("check", "Check a certificate: its form, its seal and the files named in it");
   command->group("Checking");
   auto state = std::make_shared<CheckCommand>();
   command->option_defaults()->group("Input");
-  command->add_option("CERTIFICATE", state->certificate, "Certificate that plan or verify has written")
+  command->add_option("CERTIFICATE", state->certificate, "Certificate written by plan or verify")
       ->required()
       ->type_name("FILE");
-  command->add_option("--program", state->program, "The program, where it lies elsewhere now")
-      ->type_name("FILE");
-  command->add_option("--part", state->parts, "An input file, where it lies elsewhere now (repeatable)")
+  command->add_option("--program", state->program, "Path of the program, if it has moved")->type_name("FILE");
+  command->add_option("--part", state->parts, "Path of an input file, if it has moved (repeatable)")
       ->type_name("FILE");
   command->add_flag("--again", state->again, "Compute the certificate again and compare every field");
   command->callback([state, &exit_code] { exit_code = run(*state); });

@@ -55,7 +55,8 @@ void compare_part(const CompareCommand& command) {
 }  // namespace
 
 void add_compare_command(CLI::App& app, int& exit_code, void (*at_random)(const RandomPockets&)) {
-  auto* command = app.add_subcommand("compare", "Plan a part by every strategy and rival, in one table");
+  auto* command =
+      app.add_subcommand("compare", "Plan a part with every strategy and published method, in one table");
   command->group("Choosing");
   auto state = std::make_shared<CompareCommand>();
   state->arguments.add_part_options(*command, "INPUT");
@@ -66,11 +67,11 @@ void add_compare_command(CLI::App& app, int& exit_code, void (*at_random)(const 
   command->option_defaults()->group("Study at random");
   command
       ->add_option("--random", state->random.count,
-                   "Compare the contour methods on so many random pockets instead")
+                   "Compare the contour methods on this number of random pockets instead")
       ->check(CLI::Range(1, 1'000'000));
   command
       ->add_option("--slower", state->random.slower,
-                   "Folder for outlines on which a published method is faster than ours")
+                   "Folder for outlines on which a published method is faster than Clearcut's")
       ->type_name("FOLDER");
   command->callback([state, at_random, &exit_code] {
     exit_code = kClean;
@@ -118,7 +119,7 @@ void add_tools_command(CLI::App& app, int& exit_code) {
   state->arguments.add_cutting_options(*command);
   command->option_defaults()->group("Feeds and speeds");
   command->add_option("--cutting-speed", state->speeds.cutting_speed,
-                      "At the circumference, m/min: gives the spindle (default 100)");
+                      "Cutting speed, m/min, from which the spindle speed follows (default 100)");
   command->add_option("--feed-per-tooth", state->speeds.feeds_per_tooth,
                       "mm, one for each tool or one for all: gives the feed");
   command->add_option("--tool-change", state->speeds.tool_change_s, "Time of a tool change in a sequence, s")

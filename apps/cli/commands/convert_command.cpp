@@ -111,7 +111,7 @@ void add_convert_command(CLI::App& app, int& exit_code) {
       ->required()
       ->type_name("FILE");
   command->add_flag("--with-toolpaths", state->with_toolpaths,
-                    "Plan the part and write the moves into the STEP-NC file, which then can be cut by them");
+                    "Plan the part and write its moves into the STEP-NC file as toolpaths");
   command->callback([state, command, &exit_code] {
     state->arguments.take_sources(*command);
     exit_code = state->with_toolpaths ? convert_with_toolpaths(*state) : convert(*state);

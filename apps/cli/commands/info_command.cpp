@@ -180,8 +180,7 @@ void print_infos(const std::vector<PartInfo>& infos, bool as_json) {
 }  // namespace
 
 void add_info_command(CLI::App& app, int& exit_code) {
-  auto* command =
-      app.add_subcommand("info", "Say what a part holds, which cutters fit, and what was found wrong");
+  auto* command = app.add_subcommand("info", "List features, cutters that fit, and problems of a part");
   command->group("Reading");
   auto state = std::make_shared<PlanArguments>();
   auto as_json = std::make_shared<bool>(false);

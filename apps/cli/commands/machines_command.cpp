@@ -37,7 +37,7 @@ void print_machines(bool as_markdown) {
     table.add({std::string(one.name), std::string(one.title), std::string(name_of(one.planner)),
                of_axes(one.speed), of_axes(one.acceleration), spindle_of(one), std::string(one.source)});
   table.notes = {
-      "Where the acceleration is not published, 500 mm/s2 is taken; --acceleration says another.",
+      "Where the acceleration is not published, 500 mm/s2 is taken; --acceleration states another.",
       "The settings of the machine itself are better: --machine takes Grbl's $$, LinuxCNC's .ini and "
       "Marlin's M503."};
   print_table(table, as_markdown);
@@ -65,7 +65,7 @@ void add_machines_command(CLI::App& app, int& exit_code) {
     bool as_json = false, as_markdown = false;
   };
   auto answer = std::make_shared<Answer>();
-  CLI::App* command = app.add_subcommand("machines", "The machines that --machine knows by name");
+  CLI::App* command = app.add_subcommand("machines", "List the machines that --machine knows by name");
   command->group("Choosing");
   command->option_defaults()->group("Output");
   auto* page = command->add_flag("--markdown", answer->as_markdown, "Print a Markdown table");

@@ -372,19 +372,19 @@ std::shared_ptr<PlanCommand> declare(CLI::App& command) {
                   "Witness to write: with it clearcut-check proves the program; of drawings and solids also "
                   "the outline, FILE.json")
       ->type_name("FILE");
-  command.add_flag("--explain", state->explain, "Print every value of the plan and where it comes from");
+  command.add_flag("--explain", state->explain, "Print every value of the plan with its origin");
   command
       .add_flag("--for-many", state->for_many,
-                "The options are for many parts: what means nothing to one is none the worse")
+                "The options are for many parts: an option without effect on this one is no error")
       ->group("");
-  command.add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
+  command.add_flag("--quiet", state->quiet, "Print only the verdict and its reasons, one on each line");
   return state;
 }
 
 }  // namespace
 
 void add_plan_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("plan", "Plan a part, write its program and certify it");
+  auto* command = app.add_subcommand("plan", "Plan a part, write its program and certify the program");
   command->group("Planning");
   auto state = declare(*command);
   command->callback([state, command, &exit_code] {

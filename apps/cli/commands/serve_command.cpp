@@ -53,17 +53,18 @@ void serve(const ServeCommand& command) {
 
 void add_limits(CLI::App& command, ServeCommand& state) {
   command.option_defaults()->group("Limits");
-  command.add_option("--jobs", state.jobs, "Plans and checks at once; others wait (default: all cores)")
+  command
+      .add_option("--jobs", state.jobs, "Plans and checks that run at once; others wait (default: all cores)")
       ->check(CLI::PositiveNumber);
-  command.add_option("--plan-time", state.seconds, "Longest time for one of them, s (default 600)")
+  command.add_option("--plan-time", state.seconds, "Longest time for one plan or check, s (default 600)")
       ->check(CLI::PositiveNumber);
   command
       .add_option("--plan-memory", state.megabytes,
-                  "Most memory for one of them, MB (default: the machine's by the number of jobs)")
+                  "Most memory for one plan or check, MB (default: the machine's by the number of jobs)")
       ->check(CLI::PositiveNumber);
   command.add_option("--upload", state.upload_megabytes, "Largest request, MB (default 32)")
       ->check(CLI::Range(0.001, 4096.0));
-  command.add_option("--keep", state.keep_minutes, "Minutes that results can be fetched (default 15)")
+  command.add_option("--keep", state.keep_minutes, "Minutes for which results are kept (default 15)")
       ->check(CLI::PositiveNumber);
 }
 
@@ -74,12 +75,13 @@ void add_serve_command(CLI::App& app, int& /*exit_code*/) {
   command->group("Planning");
   auto state = std::make_shared<ServeCommand>();
   command->option_defaults()->group("Network");
-  command->add_option("--port", state->port, "Port to listen on; 0: any that is free (default 8080)")
+  command->add_option("--port", state->port, "Port to listen on; 0: any free port (default 8080)")
       ->check(CLI::Range(0, 65535));
   command->add_option(
       "--listen", state->listen,
       "Address to listen on (default 127.0.0.1, which other machines cannot reach; 0.0.0.0: all)");
-  command->add_option("--host", state->hosts, "Further name that browsers may call it by (repeatable)");
+  command->add_option("--host", state->hosts,
+                      "Further host name under which browsers may call the server (repeatable)");
   add_limits(*command, *state);
   command->callback([state] { serve(*state); });
 }

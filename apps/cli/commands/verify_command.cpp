@@ -178,7 +178,7 @@ std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
   command.add_option("--json", state->json, "Certificate to write (- for standard output)")
       ->type_name("FILE");
   command.add_option("--svg", state->svg, "Picture to write")->type_name("FILE");
-  command.add_option("--report", state->html, "Page to write that plays the machining")->type_name("FILE");
+  command.add_option("--report", state->html, "Animated report to write (HTML)")->type_name("FILE");
   command
       .add_option("--setup-sheet", state->sheet,
                   "Set-up sheet to write, for one printed page: HTML, or PDF for FILE.pdf")
@@ -189,15 +189,15 @@ std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
                   "the outline, FILE.json")
       ->type_name("FILE");
   command.add_flag("--prove", state->prove,
-                   "Find a witness and have clearcut-check, a program of its own, check it");
-  command.add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
+                   "Find a witness and check it with the independent program clearcut-check");
+  command.add_flag("--quiet", state->quiet, "Print only the verdict and its reasons, one on each line");
   return state;
 }
 
 }  // namespace
 
 void add_verify_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("verify", "Check any program, against a part or alone");
+  auto* command = app.add_subcommand("verify", "Check any program, against a part or without one");
   command->group("Checking");
   auto state = declare(*command);
   command->callback([state, &exit_code] { exit_code = run(*state); });
@@ -266,7 +266,7 @@ int run_feeds(const VerifyCommand& command, const std::string& output) {
 }  // namespace
 
 void add_feeds_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("feeds", "Let the feeds of any program follow the load of its mills");
+  auto* command = app.add_subcommand("feeds", "Adapt the feeds of any program to the load of its mills");
   command->group("Planning");
   auto state = declare_question(*command);
   let_part_be_absent(*command, *state);
@@ -274,10 +274,10 @@ void add_feeds_command(CLI::App& app, int& exit_code) {
   command->option_defaults()->group("Output");
   command
       ->add_option("-o,--output", *output,
-                   "Program to write: the same with other F words (- for standard output)")
+                   "Program to write, with other F words only (- for standard output)")
       ->required()
       ->type_name("FILE");
-  command->add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
+  command->add_flag("--quiet", state->quiet, "Print only the verdict and its reasons, one on each line");
   command->callback([state, output, &exit_code] { exit_code = run_feeds(*state, *output); });
 }
 
@@ -386,8 +386,8 @@ void add_resume_command(CLI::App& app, int& exit_code) {
 }
 
 void add_setup_sheet_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("setup-sheet",
-                                     "Write the page for the machine: zero, stock, tools, operations, times");
+  auto* command =
+      app.add_subcommand("setup-sheet", "Write a set-up sheet: zero, stock, tools, operations, times");
   command->group("Planning");
   auto state = declare_question(*command);
   command->option_defaults()->group("Output");
@@ -396,7 +396,7 @@ void add_setup_sheet_command(CLI::App& app, int& exit_code) {
                    "Set-up sheet to write, for one printed page: HTML, or PDF for FILE.pdf")
       ->required()
       ->type_name("FILE");
-  command->add_flag("--quiet", state->quiet, "Print the verdict and its reasons alone, one on each line");
+  command->add_flag("--quiet", state->quiet, "Print only the verdict and its reasons, one on each line");
   command->callback([state, &exit_code] { exit_code = run(*state); });
 }
 
