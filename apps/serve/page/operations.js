@@ -185,7 +185,7 @@ function toolField(row, k, title) {
     ...numberedTools(project.now, library).map(({tool, number}) => ({number, title: titleOfTool(tool.kind, tool.diameter)}))
   ];
   select.append(
-    made('option', 'tool that fits', {value: ''}), ...tools.map(one => made('option', `T${one.number} ${one.title}`, {value: one.number})));
+    made('option', 'tool', {value: '', title: 'the tool that fits'}), ...tools.map(one => made('option', `T${one.number} ${one.title}`, {value: one.number})));
   select.value = said;
   select.addEventListener('change', () => changeOperation(row.key, {tool: select.value}, 'tool'));
   return select;
