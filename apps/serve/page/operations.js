@@ -184,8 +184,8 @@ function toolField(row, k, title) {
     ...library.map(one => ({number: one.number, title: titleOfTool(one.kind, one.diameter_mm)})),
     ...numberedTools(project.now, library).map(({tool, number}) => ({number, title: titleOfTool(tool.kind, tool.diameter)}))
   ];
-  select.append(
-    made('option', 'tool', {value: '', title: 'the tool that fits'}), ...tools.map(one => made('option', `T${one.number} ${one.title}`, {value: one.number})));
+  select.append(made('option', 'tool', {value: '', title: 'the tool that fits'}),
+    ...tools.map(one => made('option', `T${one.number} ${one.title}`, {value: one.number})));
   select.value = said;
   select.addEventListener('change', () => changeOperation(row.key, {tool: select.value}, 'tool'));
   return select;
