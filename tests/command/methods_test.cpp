@@ -167,7 +167,7 @@ TEST(Methods, ReproducedTablesAreWrittenForProgramsAndBrowsers) {
   const std::string json = read_file(folder.path("t.json")), page = read_file(folder.path("t.html"));
   EXPECT_THAT(json, HasSubstr("\"printed\": \"0.543\""));
   EXPECT_THAT(json, HasSubstr("\"agreement\": \"explained\""));
-  EXPECT_THAT(page, HasSubstr("<td class=\"agrees\" title=\"printed 0.543\">0.543</td>"));
+  EXPECT_THAT(page, HasSubstr("<td class=\"computed\" title=\"printed 0.543\">0.543</td>"));
   EXPECT_THAT(page, HasSubstr("class=\"explained\""));
   EXPECT_THAT(page, Not(HasSubstr("<script")));
 }
@@ -240,7 +240,7 @@ TEST(Methods, CertificatesHoldCoefficientsAndResiduals) {
   EXPECT_EQ(json.at("published_feed_mm_per_min"), (nlohmann::json{1000.0, 1000.0}));
   EXPECT_THAT(read_file(folder.path("a.txt")), HasSubstr("eq. 9 26.30 s: sum L 373.48"));
   const auto tools = nlohmann::json::parse(run_clearcut({"tools", input, "--tool", "endmill:10", "--strategy",
-                                                         "lom", "--stepover", "7.01mm", "--json", "-"})
+                                                         "lom", "--stepover", "7.01mm", "--json"})
                                                .out);
   EXPECT_NEAR(tools.at("tools").at(0).at("published_time_s").get<double>(), 26.3028, 1e-3);
   const auto schema = nlohmann::ordered_json::parse(report::certificate_schema());

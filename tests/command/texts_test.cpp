@@ -269,11 +269,11 @@ TEST(TextsPage, ReproducedTablesAreTakenUpAgain) {
   const std::string json = folder.path("t.json");
   ASSERT_EQ(run_clearcut({"reproduce", "captions", "--json", json}).exit_code, 0);
   std::string text = read_file(json);
-  text.replace(text.find("Coefficients and steps"), 12, "COEFFICIENTS");
+  text.replace(text.find("Coefficients printed"), 12, "COEFFICIENTS");
   folder.file("t.json", text);
   const auto resumed = run_clearcut({"reproduce", "captions", "triangle", "--json", json, "--resume"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-  EXPECT_THAT(resumed.out, ::testing::AllOf(::testing::HasSubstr("COEFFICIENTS and steps"),
+  EXPECT_THAT(resumed.out, ::testing::AllOf(::testing::HasSubstr("COEFFICIENTS printed"),
                                             ::testing::HasSubstr("CPO-kappa figure 10")));
   EXPECT_EQ(run_clearcut({"reproduce", "captions", "--resume"}).exit_code, 2);
 }
