@@ -717,7 +717,7 @@ std::vector<Row> entry_rows() {
        .group = Group::kEntry,
        .level = Level::kFirst,
        .kind = kNumber,
-       .sentence = "Steepest angle of a helix or ramp",
+       .sentence = "Steepest helix or ramp",
        .fallback = "3",
        .field = CLEARCUT_FIELD(plan.entry_angle),
        .range = above(0, 89),
