@@ -96,11 +96,13 @@ class Material {
   std::optional<CircleTouch> circle_touch(Vec2 center, double radius, double z) const;
 
   /// A point within `radius` mm of `path` with material above z; nothing if there is none. Finds every piece of
-  /// material that contains a square 0.02 mm wide, and most others.
+  /// material that contains a square 0.02 mm wide, and most others; slivers no thicker than `sliver` mm between
+  /// cleared areas do not count.
   ///
   /// Cost    O((sweeps near + length of their outlines / 0.02 mm) log); for long paths, or paths wider than the
   ///         announced cutters, O(all sweeps) for their boxes as well.
-  std::optional<Vec2> in_reach(const Edge& path, double radius, double z, int own = kCylinder) const;
+  std::optional<Vec2> in_reach(const Edge& path, double radius, double z, int own = kCylinder,
+                               double sliver = 0) const;
   /// The same for a cutter of any profile with its tip at z: a point with material inside the cutter. Finds every
   /// piece of material that contains a square 0.04 mm wide.
   std::optional<Vec2> in_reach(const Edge& path, const CutterProfile& cutter, double z) const;

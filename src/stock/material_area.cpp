@@ -20,8 +20,10 @@ struct Cover {
 
 class AreaSearch {
  public:
-  AreaSearch(const Edge& path, double radius, const std::optional<Box>& plan, std::vector<Cover> covers)
-      : path_(path), radius_(radius), plan_(plan), covers_(std::move(covers)) {
+  /// `near`: mm from a cleared area within which a place does not count as material.
+  AreaSearch(const Edge& path, double radius, const std::optional<Box>& plan, std::vector<Cover> covers,
+             double near)
+      : path_(path), radius_(radius), plan_(plan), covers_(std::move(covers)), beside_(near) {
     for (std::size_t i = 0; i < covers_.size(); ++i) near_.push_back(i);
   }
 
@@ -56,7 +58,7 @@ class AreaSearch {
         near_.resize(mark);
         return std::nullopt;
       }
-      middle_free = middle_free || apart <= 0;
+      middle_free = middle_free || apart <= beside_;
       if (apart - reach < 0) near_.push_back(near_[k]);
     }
     const auto found = search(center, half, mark, middle_free);
@@ -83,6 +85,7 @@ class AreaSearch {
   double radius_;
   const std::optional<Box>& plan_;
   std::vector<Cover> covers_;
+  double beside_;
   /// Stack of indices: the covers touching each of the cells from the whole down to the current one.
   std::vector<std::size_t> near_;
 };
@@ -114,7 +117,8 @@ Material::List Material::sweeps_about(const Edge& path, double radius) const {
   return found;
 }
 
-std::optional<Vec2> Material::in_reach(const Edge& path, double radius, double z, int own) const {
+std::optional<Vec2> Material::in_reach(const Edge& path, double radius, double z, int own,
+                                       double sliver) const {
   if (z >= z_top_ || radius <= 0) return std::nullopt;
   const Box box = (path.from == path.to ? Box{path.from, path.from} : path.box()).grown(radius);
   std::vector<Cover> covers;
@@ -132,7 +136,7 @@ std::optional<Vec2> Material::in_reach(const Edge& path, double radius, double z
       covers.push_back({part, shape.radius});
     });
   }
-  return AreaSearch(path, radius, plan_, std::move(covers)).run();
+  return AreaSearch(path, radius, plan_, std::move(covers), sliver / 2).run();
 }
 
 /// Searches for a place with material inside a cutter with a profile, in cells as above: both surfaces are bounded in

@@ -11,6 +11,8 @@
 namespace clearcut::plan::adaptive {
 namespace {
 
+/// Length of the pieces of arcs that are tested one by one, as a share of the cutter's radius.
+constexpr double kPieceOfArc = 0.02;
 /// Shares of the radius at which the machine keeps the feed: the circles that are tried at the ends of links.
 constexpr double kCircles[] = {1, 0.5, 0.25, 0.1, 0.04};
 /// Share of the tool radius, and the greatest: the wider ones are longer than what they save.
@@ -204,9 +206,19 @@ class LinkSmoother {
     return links;
   }
 
+  /// Arcs that leave cuts and come to them touch material between their ends first: they are tested in short pieces.
+  bool is_free(const Edge& edge) const {
+    const double piece = kPieceOfArc * stock_.tool_radius();
+    const int count = edge.is_arc() ? static_cast<int>(edge.length() / piece) + 1 : 1;
+    for (int i = 0; i < count; ++i) {
+      const double a = static_cast<double>(i) / count, b = (i + 1.0) / count;
+      if (!stock_.is_free(edge.part(a, b), RemainingStock::kFree)) return false;
+    }
+    return true;
+  }
+
   bool is_free(const Path& link) const {
-    return std::all_of(link.begin(), link.end(),
-                       [&](const Edge& edge) { return stock_.is_free(edge, RemainingStock::kFree); });
+    return std::all_of(link.begin(), link.end(), [&](const Edge& edge) { return is_free(edge); });
   }
 
   /// Seconds of a link with some moves before and after it.

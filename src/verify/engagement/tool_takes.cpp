@@ -12,6 +12,8 @@ namespace {
 
 /// mm. Thinner material at the edge of the permitted ring is due to rounding and to holes slightly off their axis.
 constexpr double kTakenSliver = 0.03;
+/// mm. Slivers that passes may leave between them: no more than the certificate lets stand.
+constexpr double kLeftByDesign = 0.01;
 /// mm. Material this far beside a tool's rim is the wall of its hole.
 constexpr double kHoleWall = 0.1;
 /// mm down for each mm of advance. Steeper moves go down.
@@ -118,8 +120,9 @@ std::optional<Place> within(const stock::Material& material, const Move& move, d
   const double inner = radius - kTakenSliver;
   const CutterProfile pointed = CutterProfile{0, 0, lead > 0 ? 1 / lead : 0, radius}.narrowed(kTakenSliver);
   const auto met = [&](const Edge& path, double z) {
-    return lead > 0 ? material.in_reach(path, pointed, z + kTakenSliver)
-                    : material.in_reach(path, inner, z + kTakenSliver);
+    return lead > 0
+               ? material.in_reach(path, pointed, z + kTakenSliver)
+               : material.in_reach(path, inner, z + kTakenSliver, stock::Material::kCylinder, kLeftByDesign);
   };
   if (move.is_vertical() || move.z_from == move.z_to) {
     const double z = std::min(move.z_from, move.z_to);
