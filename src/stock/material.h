@@ -166,7 +166,8 @@ class Material {
 
   List sweeps_about(const Edge& path, double radius) const;
   friend class ProfileSearch;
-  std::optional<Vec2> in_reach_of_profile(const Edge& path, const CutterProfile& cutter, double z) const;
+  std::optional<Vec2> in_reach_of_profile(const Edge& path, const CutterProfile& cutter, double z,
+                                          double sliver = 0) const;
   void add_pieces(const Move& move, double radius, int cutter);
   void add_piece(const Edge& path, double z_from, double z_to, double radius, int cutter);
   double radius_over(const Cutter& cutter, double above, bool is_own) const;

@@ -131,7 +131,7 @@ std::optional<Vec2> Material::in_reach(const Edge& path, double radius, double z
     if (!swept.overlaps(box)) continue;
     // The area removed by ramps with a profile at one height is no strip of constant width.
     if (sweep.cutter != kCylinder && sweep.cutter != own && sweep.z_low < sweep.z_high)
-      return in_reach_of_profile(path, CutterProfile::cylinder(radius), z);
+      return in_reach_of_profile(path, CutterProfile::cylinder(radius), z, sliver);
     for_parts_at(sweep, z, own, [&](const Edge& part, const Swept& shape) {
       covers.push_back({part, shape.radius});
     });
@@ -143,14 +143,16 @@ std::optional<Vec2> Material::in_reach(const Edge& path, double radius, double z
 /// each.
 class ProfileSearch {
  public:
+  /// `near`: mm, as of AreaSearch.
   ProfileSearch(const Material& material, const Edge& path, const CutterProfile& cutter, double z,
-                std::vector<const Material::Sweep*> sweeps)
+                std::vector<const Material::Sweep*> sweeps, double near)
       : material_(material),
         path_(path),
         cutter_(cutter),
         z_(z),
         radius_(cutter.radius_at(material.z_top_ - z)),
-        near_(std::move(sweeps)) {}
+        near_(std::move(sweeps)),
+        beside_(near) {}
 
   std::optional<Vec2> run() {
     const Box box = (path_.from == path_.to ? Box{path_.from, path_.from} : path_.box()).grown(radius_);
@@ -183,6 +185,18 @@ class ProfileSearch {
     return material_.surface_over(sweep, center, reach, std::min(above, material_.z_top_)) <= low;
   }
 
+  /// Whether a sweep has removed the material over `low` at the center, or at a place as near to it as slivers are thin.
+  bool frees_beside(const Material::Sweep& sweep, Vec2 center, double low) const {
+    if (frees(sweep, center, 0, low)) return true;
+    if (beside_ <= 0) return false;
+    constexpr double kSkew = kDiagonal / 2;
+    for (const Vec2 aside : {Vec2{1, 0}, Vec2{kSkew, kSkew}, Vec2{0, 1}, Vec2{-kSkew, kSkew}}) {
+      if (frees(sweep, center + aside * beside_, 0, low) || frees(sweep, center - aside * beside_, 0, low))
+        return true;
+    }
+    return false;
+  }
+
   std::optional<Vec2> visit(Vec2 center, double half, std::size_t begin, std::size_t end) {
     const double reach = half * kDiagonal, apart = distance(path_, center);
     if (apart - reach >= radius_) return std::nullopt;
@@ -200,7 +214,7 @@ class ProfileSearch {
         near_.resize(mark);
         return std::nullopt;
       }
-      middle_free = middle_free || frees(sweep, center, 0, here);
+      middle_free = middle_free || frees_beside(sweep, center, here);
       if (distance(sweep.path, center) - reach < sweep.shape.radius) near_.push_back(near_[k]);
     }
     const auto found = search(center, half, mark, middle_free);
@@ -230,6 +244,7 @@ class ProfileSearch {
   /// mm; radius of the cutter at the height of the material's top.
   const double radius_;
   std::vector<const Material::Sweep*> near_;  ///< stack as of AreaSearch
+  double beside_;
   /// The sweep that freed the last cell: the next cells are beside it.
   const Material::Sweep* last_ = nullptr;
 };
@@ -238,8 +253,8 @@ std::optional<Vec2> Material::in_reach(const Edge& path, const CutterProfile& cu
   return cutter.is_cylinder() ? in_reach(path, cutter.widest, z) : in_reach_of_profile(path, cutter, z);
 }
 
-std::optional<Vec2> Material::in_reach_of_profile(const Edge& path, const CutterProfile& cutter,
-                                                  double z) const {
+std::optional<Vec2> Material::in_reach_of_profile(const Edge& path, const CutterProfile& cutter, double z,
+                                                  double sliver) const {
   const double radius = cutter.radius_at(z_top_ - z);
   if (z >= z_top_ || radius <= 0) return std::nullopt;
   const Box box = (path.from == path.to ? Box{path.from, path.from} : path.box()).grown(radius);
@@ -251,7 +266,7 @@ std::optional<Vec2> Material::in_reach_of_profile(const Edge& path, const Cutter
             .grown(sweep.shape.radius);
     if (swept.overlaps(box)) near.push_back(&sweep);
   }
-  return ProfileSearch(*this, path, cutter, z, std::move(near)).run();
+  return ProfileSearch(*this, path, cutter, z, std::move(near), sliver / 2).run();
 }
 
 }  // namespace clearcut::stock

@@ -45,6 +45,33 @@ TEST(MaterialArea, FindsNothingWhereAllIsCut) {
   EXPECT_TRUE(material.in_reach(Edge::line({-5, 0}, {12, 0}), 3, -0.5).has_value()) << "beyond what was cut";
 }
 
+/// Two rings with a gap between them; `slope`: a cone goes down a ramp beside them, so that cutters with a profile are asked for.
+Material two_rings(double gap, bool slope) {
+  Material material(std::nullopt, 0, {4});
+  for (const double r : {2.0, 10 + gap}) {
+    add(material, Edge::arc({r, 0}, {-r, 0}, {0, 0}, Turn::kCounterClockwise), 4);
+    add(material, Edge::arc({-r, 0}, {r, 0}, {0, 0}, Turn::kCounterClockwise), 4);
+  }
+  if (slope) {
+    const int cone = material.add_cutter({0, 0, 1, 0.5}, 0.5);
+    material.add_sweep({Edge::line({0, 0}, {1, 0}), -0.1, -0.4, MoveKind::kRamp, MmPerMin::of(300), 0}, cone);
+  }
+  return material;
+}
+
+TEST(MaterialArea, SliversOfAStatedThicknessDoNotCount) {
+  for (const bool slope : {false, true}) {
+    const auto found = [&](double gap, double sliver) {
+      return two_rings(gap, slope)
+          .in_reach(disc({0.3, 0.1}), 13, -0.5, Material::kCylinder, sliver)
+          .has_value();
+    };
+    for (const double gap : {0.001, 0.004, 0.009}) EXPECT_FALSE(found(gap, 0.01)) << gap << " " << slope;
+    for (const double gap : {0.1, 1.0}) EXPECT_TRUE(found(gap, 0.01)) << gap << " " << slope;
+    EXPECT_TRUE(found(0.1, 0));
+  }
+}
+
 TEST(MaterialArea, FindsTheOnePostAmongManyMoves) {
   Material material(std::nullopt, 0, {3});
   const Vec2 post{60, 60};
