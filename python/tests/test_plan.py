@@ -65,6 +65,7 @@ class Plans(unittest.TestCase):
             "stock-from",  # after= for programs; solids as stock are the command's alone
             "output", "certificate", "svg", "report", "setup-sheet", "result", "witness",  # Plan.write() and others; a witness is the command's alone
             "explain",  # explain()
+            "copies", "count", "edge", "gap", "nest",  # copies of a part on a sheet are the command's alone
             "quiet", "help",
         }
         missing = {one for one in options - keywords - elsewhere if reading.get(one, one) not in readers}
