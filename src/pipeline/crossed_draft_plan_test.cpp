@@ -107,6 +107,25 @@ TEST(CrossedDraft, PlansAreNoGougesAndWrongOnesAre) {
   }
 }
 
+/// A move of 200 mm along a wall is looked at in pieces: only those beside the crossing need the test of every place.
+TEST(CrossedDraft, LongMovesAlongWallsBesideTheCrossingAreNoGouges) {
+  CrossedPockets pockets;
+  pockets.leaning = {0, 0, 20, 30};
+  pockets.upright = {-100, 8, 220, 14};
+  pockets.lean = 0.4;
+  pockets.leaning_depth = pockets.upright_depth = 4;
+  resolve::PlanOptions options = with({"endmill:6"});
+  options.strategy = "contour";
+  options.accept = {"out-of-reach"};
+  const PlanResult plan = plan_part(pockets.part(), options);
+  EXPECT_FALSE(has(plan.findings, FaultKind::kGouge)) << faults_of(plan.findings);
+  CrossedPockets less = pockets;
+  less.upright.height -= 0.1;
+  const auto checked =
+      check_program(less.part(), plan.program, "less", options, read::gcode::Dialect::kLinuxCnc);
+  EXPECT_TRUE(has(checked.findings, FaultKind::kGouge));
+}
+
 /// How far the rounded end comes below the part over p at most, mm; its corner is `round` wide.
 double gouge_over(Vec2 p, const CrossedPockets& pockets, const Toolpath& toolpath, double radius,
                   double round) {
