@@ -6,6 +6,7 @@
 #include "geometry/contours/boolean.h"
 #include "read/gcode/gcode.h"
 #include "resolve/left_over.h"
+#include "resolve/values/plan_options.h"
 
 namespace {
 
