@@ -12,11 +12,11 @@
 #include "features/round_hole.h"
 #include "model/results/not_machined.h"
 #include "model/section_names.h"
-#include "pipeline/check_after.h"
 #include "pipeline/margin.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/certify.h"
 #include "pipeline/steps/out_of_reach.h"
+#include "pipeline/steps/reading.h"
 #include "pipeline/steps/stock_taken.h"
 #include "pipeline/steps/wear.h"
 #include "read/gcode/gcode.h"
@@ -25,6 +25,7 @@
 #include "resolve/prepare.h"
 #include "resolve/resolve.h"
 #include "resolve/values/tool_cutting.h"
+#include "resolve/work_plan.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -292,13 +293,9 @@ HandTools as_worked(const Part& part) {
 read::gcode::Program read_program(const ProgramText& program, const resolve::PlanOptions& options,
                                   const std::vector<Tool>& tools, double safe_z, HandTools usual_by_hand,
                                   double wear = 0) {
-  read::gcode::ReadControllerOptions reading;
+  read::gcode::ReadControllerOptions reading = reading_of(options, tools, program.name);
   reading.dialect = program.dialect;
-  reading.home_z = home_z(options.machine);
   reading.safe_z = safe_z;
-  reading.places = options.machine.places;
-  reading.subprograms = read::gcode::files_beside(program.name);
-  reading.compensation = compensation_values(tools, options.shop);
   if (reading.compensation.wear) reading.compensation.wear = wear;
   const HandTools by_hand = hand_tools_of(program.text, std::move(usual_by_hand));
   reading.hand_tools = by_hand.numbers;
@@ -361,7 +358,7 @@ CheckResult check_text(const Part& part, const ProgramText& text, const resolve:
   SectionNames(result.part).settle(result.toolpath);
   result.findings =
       check(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan, stated);
-  if (options.shop.compensation == "wear")
+  if (resolve::writes_wear(options.shop))
     check_wear(result.findings, {wear_range_of(options.shop), plan.tol.uncut, read.compensated_tools, {}},
                [&](double wear) {
                  auto shifted = read_program(text, options, tools, part.top_z(), by_hand, wear);

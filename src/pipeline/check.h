@@ -8,6 +8,7 @@
 #include "model/control.h"
 #include "model/move.h"
 #include "model/part.h"
+#include "model/results/earlier_state.h"
 #include "model/results/findings.h"
 #include "model/results/margin.h"
 #include "read/gcode/program/dialect.h"
@@ -43,5 +44,20 @@ CheckResult check_program_alone(const std::optional<Stock>& stock, const std::st
                                 std::optional<read::gcode::Dialect> dialect = {},
                                 std::optional<double> top = {},
                                 const std::map<int, MmPerMin>& reference_feeds = {});
+
+/// The first part of the same program, as it ran.
+struct FirstPart {
+  Toolpath toolpath;
+  EarlierState state;
+};
+
+/// As check_program() and check_program_alone(), where `first` has run before. Unlike a program before (PlanOptions::earlier) it takes
+/// no tool from what is still to be done.
+CheckResult check_rest(const Part& part, const FirstPart& first, const std::string& program,
+                       const std::string& program_name, const resolve::PlanOptions& options,
+                       std::optional<read::gcode::Dialect> dialect);
+CheckResult check_rest_alone(const Stock& stock, const FirstPart& first, const std::string& program,
+                             const std::string& program_name, const resolve::PlanOptions& options,
+                             std::optional<read::gcode::Dialect> dialect);
 
 }  // namespace clearcut::pipeline

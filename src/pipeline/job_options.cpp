@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "base/files/file.h"
 #include "pipeline/selection/strategies.h"
-#include "pipeline/steps/wear.h"
+#include "pipeline/steps/reading.h"
 #include "read/gcode/gcode.h"
 #include "resolve/values/names.h"
 
@@ -26,11 +26,7 @@ void check_strategies(const read::JobFile& job) {
 /// As the control that is named; where that does not take it, as the one for which it was written.
 read::gcode::Program read_as_its_control(const std::string& file, const resolve::PlanOptions& options,
                                          std::optional<read::gcode::Dialect> dialect) {
-  read::gcode::ReadControllerOptions reading;
-  reading.home_z = home_z(options.machine);
-  reading.places = options.machine.places;
-  reading.compensation = compensation_values(options.tools, options.shop);
-  reading.subprograms = read::gcode::files_beside(file);
+  read::gcode::ReadControllerOptions reading = reading_of(options, options.tools, file);
   const std::string text = read_file(file);
   try {
     reading.dialect = dialect;

@@ -140,5 +140,19 @@ TEST(WearCompensation, VerifyAsksTheSameOfTheProgram) {
   EXPECT_THROW(pipeline::check_program(pocket(40, 30), result.program, "a.ngc", asked), InputError);
 }
 
+/// Tools that nobody numbers are T1, T2 and so on, as plans number them.
+TEST(Compensation, ToolsWithoutNumbersHaveThoseOfTheirOrder) {
+  const std::string program =
+      "G21 G90 G17 G94 G40 G49 G54\nT2 M6\nS5000 M3\nG0 X-20 Y-20 Z5\nG1 Z-2 F200\nG41 D2 X0 Y-10 F600\nY50\n"
+      "G40 X-30 Y60\nG0 Z5\nM30\n";
+  resolve::PlanOptions options = test_support::plan_options_with({"endmill:6", "endmill:4"});
+  const auto result = pipeline::check_program_alone(Stock{{{-50, -50}, {100, 100}}, -5, 0}, program, "two.nc",
+                                                    options, read::gcode::Dialect::kLinuxCnc);
+  double along = 0;
+  for (const Move& move : result.toolpath.sections.back().moves)
+    if (move.path.from.y < 0 && move.path.to.y > 40) along = move.path.to.x;
+  EXPECT_NEAR(along, -2, 1e-6) << "the radius of the second tool beside the line";
+}
+
 }  // namespace
 }  // namespace clearcut

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "model/part.h"
-#include "pipeline/check_after.h"
+#include "pipeline/check.h"
 
 namespace clearcut::pipeline {
 

@@ -9,13 +9,14 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "model/section_names.h"
-#include "pipeline/check_after.h"
 #include "pipeline/resume/begin_again.h"
 #include "pipeline/resume/lead_place.h"
 #include "pipeline/resume/resume_checked.h"
 #include "pipeline/steps/certify.h"
+#include "pipeline/steps/reading.h"
 #include "read/gcode/control/held_state.h"
 #include "read/gcode/words/lines.h"
+#include "resolve/work_plan.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -45,14 +46,13 @@ CheckResult checked_for_stop(const ProgramQuestion& question, const std::string&
              : check_program_alone(question.stock, program, name, options, question.dialect, question.top);
 }
 
-/// How check_program() reads it.
-read::gcode::ReadControllerOptions reading_of(const CheckResult& result, const std::string& program,
-                                              const resolve::PlanOptions& options) {
-  read::gcode::ReadControllerOptions reading;
+/// How check_program() reads the program.
+read::gcode::ReadControllerOptions reading_again(const CheckResult& result, const std::string& program,
+                                                 const std::string& name,
+                                                 const resolve::PlanOptions& options) {
+  read::gcode::ReadControllerOptions reading = reading_of(options, result.part.tools, name);
   reading.dialect = result.dialect;
-  reading.home_z = home_z(options.machine);
   reading.safe_z = result.part.top_z();
-  reading.places = options.machine.places;
   HandTools by_hand;
   if (read::gcode::rules_of(result.dialect).names_no_tools)
     for (const Section& section : result.toolpath.sections) by_hand.numbers.push_back(section.tool_number);
@@ -123,12 +123,22 @@ bool comes_straight_down(const Tool& tool) {
 /// Why the program cannot be begun anew at one of its blocks.
 class Refusals {
  public:
-  Refusals(const StopScan& scan, const Part& part) : scan_(scan), part_(part) {}
+  /// `wears`: the control compensates for wear, and how much that was in passes that it has run is not known.
+  Refusals(const StopScan& scan, const Part& part, bool wears) : scan_(scan), part_(part) {
+    const auto first = std::find_if(scan.blocks.begin(), scan.blocks.end(), [](const StopBlock& block) {
+      return block.hindrance == Hindrance::kCompensation;
+    });
+    if (wears && first != scan.blocks.end()) worn_from_ = first->line;
+  }
 
   /// "" where it can.
   std::string at(const StopBlock& block) const {
     if (scan_.macro_line > 0 && block.line > scan_.macro_line) return text_of(Hindrance::kMacro);
     if (block.hindrance != Hindrance::kNone) return text_of(block.hindrance);
+    if (block.line > worn_from_)
+      return fmt::format(
+          "behind line {}, from which on it compensates for wear: what D held there is not known",
+          worn_from_);
     const Tool* const tool = tool_numbered(part_.tools, block.tool);
     if (tool && !comes_straight_down(*tool) && block.is_placed && block.z < part_.top_z())
       return fmt::format(
@@ -152,10 +162,11 @@ class Refusals {
  private:
   const StopScan& scan_;
   const Part& part_;
+  int worn_from_ = std::numeric_limits<int>::max();
 };
 
-void refuse_stop(const StopScan& scan, const Part& part, int line, const std::string& name) {
-  const Refusals refusals(scan, part);
+void refuse_stop(const StopScan& scan, const Part& part, bool wears, int line, const std::string& name) {
+  const Refusals refusals(scan, part, wears);
   const auto block = std::find_if(scan.blocks.begin(), scan.blocks.end(),
                                   [&](const StopBlock& one) { return one.line >= line; });
   const bool is_behind_macros = block == scan.blocks.end() && scan.macro_line > 0;
@@ -371,10 +382,10 @@ ResumedProgram resume_checked(CheckResult checked, const ProgramQuestion& questi
                                                "from a block goes on with them",
                                                rules.title));
   if (stop.place) find_line_at(*stop.place, before.toolpath, program_name, resumed);
-  const auto reading = reading_of(before, program, options);
+  const auto reading = reading_again(before, program, program_name, options);
   const int asked = stop.line.value_or(resumed.line);
   const StopScan scan = read::gcode::scan_stops(program, program_name, reading, asked);
-  refuse_stop(scan, before.part, asked, program_name);
+  refuse_stop(scan, before.part, resolve::writes_wear(options.shop), asked, program_name);
   if (!scan.moving)
     throw InputError(fmt::format("{}:{}", program_name, asked),
                      "nothing moves from here on; name an earlier --line");
@@ -401,7 +412,8 @@ ResumedProgram resume_checked(CheckResult checked, const ProgramQuestion& questi
       head_of(program, program_name) + lines_that_begin_again(held, rules, way, resumed.line);
   resumed.new_lines = count_lines(head) + 1 - resumed.line;
   resumed.program = head + std::string(rest_from(program, resumed.line));
-  require_same_state(scan, program_name, reading_of(before, resumed.program, options), resumed);
+  require_same_state(scan, program_name, reading_again(before, resumed.program, program_name, options),
+                     resumed);
 
   resumed.after = question.part ? check_rest(*question.part, first, resumed.program, program_name, options,
                                              before.dialect)

@@ -138,6 +138,36 @@ TEST(Resume, NamesTheNearestLineThatServes) {
   EXPECT_EQ(refusal_of(computed, 16), "none");
 }
 
+/// The rest of a program is read with the radii that the whole is read with.
+TEST(Resume, ProgramsWithCompensatedPassesAreServedBeforeThem) {
+  resolve::PlanOptions options = with({"endmill:6"});
+  options.shop.finish = "walls";
+  options.shop.compensation = "wear";
+  options.shop.spring_passes = 1;
+  const Part part = read::read_part_text(
+      R"({"units": "mm", "pockets": [{"name": "P", "depth": 3, "outer": [[0, 0], [40, 0], [40, 30], [0, 30]]}]})",
+      "pocket.json", {});
+  const PlanResult plan = plan_part(part, options);
+  const auto line_of = [&](std::size_t at) {
+    return 1 + static_cast<int>(std::count(plan.program.begin(),
+                                           plan.program.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  };
+  const auto resumed_at = [&](int line) {
+    return resume_program({&part, std::nullopt, std::nullopt, std::nullopt}, {line, std::nullopt},
+                          plan.program, "p.ngc", options);
+  };
+  const int compensated = line_of(plan.program.find("G41"));
+  EXPECT_EQ(faults_of(resumed_at(compensated - 2).after.findings), "");
+  try {
+    resumed_at(line_of(plan.program.rfind("G41")));
+    FAIL() << "what D held in the pass before is not known";
+  } catch (const InputError& error) {
+    EXPECT_THAT(
+        std::string(error.what()),
+        HasSubstr(fmt::format("behind line {}, from which on it compensates for wear", compensated + 1)));
+  }
+}
+
 TEST(Resume, APlaceIsPassedByTheFirstMoveThatRunsThere) {
   ProgramQuestion question;
   question.stock = Stock{{{0, 0}, {60, 50}}, -10, 0};

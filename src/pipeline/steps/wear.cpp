@@ -25,15 +25,6 @@ bool counts(const Fault& fault, const WearQuestion& question) {
 
 }  // namespace
 
-read::gcode::CompensationValues compensation_values(const std::vector<Tool>& tools, const ShopOptions& shop) {
-  read::gcode::CompensationValues values;
-  for (const Tool& tool : tools) values.radii.try_emplace(tool.number, tool.radius());
-  if (tools.size() == 1) values.only_radius = tools.front().radius();
-  values.is_stated = shop.compensation.has_value();
-  if (shop.compensation == "wear") values.wear = 0;
-  return values;
-}
-
 Part worn(Part part, const std::vector<int>& numbers, double wear) {
   for (Tool& tool : part.tools)
     if (std::find(numbers.begin(), numbers.end(), tool.number) != numbers.end()) tool.diameter += 2 * wear;

@@ -8,15 +8,11 @@
 #include <vector>
 
 #include "model/options/post_options.h"
+#include "model/options/shop_options.h"
 #include "model/part.h"
 #include "model/results/findings.h"
-#include "read/gcode/motion/compensation_values.h"
-#include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {
-
-/// What the control holds for `tools`, as far as options say it.
-read::gcode::CompensationValues compensation_values(const std::vector<Tool>& tools, const ShopOptions& shop);
 
 /// The part with the cutters of `numbers` larger all round by `wear`, mm.
 Part worn(Part part, const std::vector<int>& numbers, double wear);
