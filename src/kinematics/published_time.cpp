@@ -3,21 +3,20 @@
 #include <cmath>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 
 namespace clearcut::kinematics {
 namespace {
 
 /// Degrees. Smaller changes of direction come from rounding.
 constexpr double kStraightOn = 0.1;
-/// mm: moves whose ends are no further apart meet.
-constexpr double kMeet = 1e-9;
 
 bool is_segment(const Move& move) {
   return !is_rapid(move.kind) && !move.is_vertical() && move.z_from == move.z_to;
 }
 
 bool turns_between(const Move& before, const Move& after) {
-  if (distance(before.path.to, after.path.from) > kMeet) return false;
+  if (distance(before.path.to, after.path.from) > kRoundingMm) return false;
   const Vec2 in = before.path.tangent_at(1), out = after.path.tangent_at(0);
   return std::abs(base::atan2(cross(in, out), dot(in, out))) * 180 / kPi > kStraightOn;
 }

@@ -7,17 +7,8 @@
 #include <utility>
 
 #include "base/progress_meter.h"
-#include "base/text/format.h"
-#include "base/work_budget.h"
-#include "features/fitting.h"
-#include "features/round_hole.h"
-#include "geometry/contours/boolean.h"
-#include "geometry/voronoi/clearance.h"
-#include "kinematics/planner.h"
-#include "link/sections/slot_feed.h"
 #include "model/results/findings.h"
 #include "model/results/not_machined.h"
-#include "model/section_names.h"
 #include "pipeline/contour_results.h"
 #include "pipeline/idle_options.h"
 #include "pipeline/margin.h"
@@ -92,14 +83,6 @@ std::size_t candidates_in(const std::vector<SelectionStep>& steps) {
   return count;
 }
 
-/// The plan with every value decided, without workingsteps impossible with the part's tools.
-ResolvedPlan resolved(const Part& part, const resolve::PlanOptions& options,
-                      const StrategyTable& strategies) {
-  ResolvedPlan plan = resolve::resolve(part, options, strategies);
-  const auto rest = resolve::without_impossible_steps(part, plan.part, options.tol);
-  return rest ? resolve::resolve(*rest, options, strategies) : std::move(plan);
-}
-
 /// Refuses impossible requests, and reports requests without effect.
 void look_at_what_is_asked(const ResolvedPlan& plan, const resolve::PlanOptions& options, Part& part) {
   resolve::refuse_what_cannot_be(part, options);
@@ -138,21 +121,18 @@ Toolpath certified_toolpath(Selection& selection, const ResolvedPlan& plan, Plan
   return toolpath;
 }
 
-/// Adds the parts of the verdict other than the faults of moves: conditions of the part, unmachined features,
-/// margins; then signs the program.
+}  // namespace
+
 void complete_verdict(const Toolpath& toolpath, const ResolvedPlan& plan, PlanResult& result) {
   add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
-  explain_rounded_places(result, plan);
   result.margin = margin_asked({result.part, result.toolpath, result.control}, plan, result.findings);
   sign(result, toolpath, plan);
 }
 
-}  // namespace
-
 PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   const StrategyTable& strategies = strategies_of(options);
-  const ResolvedPlan plan = resolved(part, options, strategies);
+  const ResolvedPlan plan = resolve::resolve_possible(part, options, strategies);
   PlanResult result;
   result.part = plan.part;
   result.values = plan.values;
@@ -164,6 +144,7 @@ PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   report_what_does_not_fit(result.part, selection, works, plan);
   Toolpath toolpath = certified_toolpath(selection, plan, result);
   complete_verdict(toolpath, plan, result);
+  explain_rounded_places(result, plan);
   report_notes(selection, works, plan, result.part);
   result.contours = contours_of(toolpath, plan);
   report_rho(result.contours, plan, result.part);

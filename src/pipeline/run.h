@@ -11,4 +11,8 @@ namespace clearcut::pipeline {
 /// be met or nothing at all can be cut, Cancelled if options.cancel requests a stop.
 PlanResult plan_part(const Part& part, const resolve::PlanOptions& options);
 
+/// Adds to the certified `result` the parts of the verdict other than the faults of moves (conditions of the part, unmachined
+/// features, margins) and signs the program of `toolpath`.
+void complete_verdict(const Toolpath& toolpath, const ResolvedPlan& plan, PlanResult& result);
+
 }  // namespace clearcut::pipeline

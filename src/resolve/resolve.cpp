@@ -5,6 +5,7 @@
 #include "base/elementary.h"
 #include "base/text/format.h"
 #include "resolve/prepare.h"
+#include "resolve/refusals.h"
 #include "resolve/values/names.h"
 #include "resolve/values/value_list.h"
 #include "resolve/work_plan.h"
@@ -315,6 +316,12 @@ ResolvedPlan resolve(const Part& part, const PlanOptions& options, const Strateg
   tell_of_style(plan, options);
   list_plan(plan, options);
   return plan;
+}
+
+ResolvedPlan resolve_possible(const Part& part, const PlanOptions& options, const StrategyTable& strategies) {
+  ResolvedPlan plan = resolve(part, options, strategies);
+  const auto rest = without_impossible_steps(part, plan.part, options.tol);
+  return rest ? resolve(*rest, options, strategies) : std::move(plan);
 }
 
 ResolvedPlan resolve_without_part(const PlanOptions& options) {

@@ -11,6 +11,9 @@ namespace clearcut::resolve {
 /// noted in the part's diagnostics, by workingstep; an unknown strategy of an option or a job is an InputError.
 ResolvedPlan resolve(const Part& part, const PlanOptions& options, const StrategyTable& strategies);
 
+/// As resolve(), without the workingsteps that the part's tools cannot make; see without_impossible_steps().
+ResolvedPlan resolve_possible(const Part& part, const PlanOptions& options, const StrategyTable& strategies);
+
 /// The options for a program without a part: limits, machine, material, tools. The result's part has no work, and
 /// Part::is_shape_stated is false. Throws InputError if there is no tool, or if two have one number.
 ResolvedPlan resolve_without_part(const PlanOptions& options);

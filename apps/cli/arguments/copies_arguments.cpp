@@ -48,15 +48,18 @@ bool CopiesArguments::any() const {
   return asked;
 }
 
-Copies CopiesArguments::copies() const {
+double CopiesArguments::gap() const {
   if (gap_.empty()) throw InputError(name(), "needs --gap, mm between two parts; give the kerf or more");
-  return parse_copies(copies_, distance_in(gap_, "--gap"));
+  return distance_in(gap_, "--gap");
+}
+
+Copies CopiesArguments::copies() const {
+  return parse_copies(copies_, gap());
 }
 
 Sheet CopiesArguments::sheet() const {
-  if (gap_.empty()) throw InputError(name(), "needs --gap, mm between two parts; give the kerf or more");
   Sheet sheet = parse_sheet(nest_);
-  sheet.gap = distance_in(gap_, "--gap");
+  sheet.gap = gap();
   if (!edge_.empty()) sheet.edge = distance_in(edge_, "--edge");
   sheet.count = count_;
   return sheet;

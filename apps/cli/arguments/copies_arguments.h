@@ -21,6 +21,7 @@ class CopiesArguments {
   Part sheet_of(const Part& part, const PlanOptions& options) const;
 
  private:
+  double gap() const;  ///< mm
   Copies copies() const;
   Sheet sheet() const;
 

@@ -73,7 +73,7 @@ function answer(name, values) {
   change(name, {answers});
 }
 
-// What the browser keeps: the part that is worked on and all that was said of it, the shop's tools among it.
+// State kept by the browser: the part, every answer given for it, and the tools of the shop.
 
 const database = 'clearcut', kept = 'kept';
 

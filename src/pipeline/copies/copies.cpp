@@ -10,15 +10,12 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "base/text/quantity.h"
-#include "model/results/not_machined.h"
+#include "base/tolerances.h"
 #include "model/section_names.h"
 #include "pipeline/copies/nest.h"
-#include "pipeline/margin.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/certify.h"
-#include "pipeline/steps/out_of_reach.h"
 #include "read/common/moved_part.h"
-#include "resolve/refusals.h"
 #include "resolve/resolve.h"
 
 namespace clearcut::pipeline {
@@ -26,8 +23,6 @@ namespace {
 
 /// More than that is no sheet of parts but a mistyped number.
 constexpr int kMostCopies = 10'000;
-/// mm; boxes that meet by less do not.
-constexpr double kBoxesMeet = 1e-6;
 
 std::optional<int> count_in(std::string_view text) {
   int value = 0;
@@ -57,7 +52,7 @@ Box swept_by(const Toolpath& toolpath, const Part& part) {
   for (const Section& section : toolpath.sections) {
     const Tool* const tool = tool_numbered(part.tools, section.tool_number);
     for (const Move& move : section.moves)
-      if (tool && std::min(move.z_from, move.z_to) < part.top_z() - kBoxesMeet)
+      if (tool && std::min(move.z_from, move.z_to) < part.top_z() - kSamePlaceMm)
         swept.add(move.path.box().grown(tool->radius()));
   }
   return swept;
@@ -73,8 +68,8 @@ double overhang_of(const Box& part, const Box& swept, bool in_x, bool in_y) {
 
 /// Throws InputError where one copy's cutter comes into the box of the next.
 void require_gap(double needed, double gap) {
-  if (needed <= gap + kBoxesMeet) return;
-  const double rounded = std::ceil(needed * 100 - kBoxesMeet) / 100;
+  if (needed <= gap + kSamePlaceMm) return;
+  const double rounded = std::ceil(needed * 100 - kSamePlaceMm) / 100;
   throw InputError("--gap",
                    fmt::format("{} mm between parts is less than the cutter needs beside one; give {} mm or "
                                "more, or entries and leads that stay in the kerf",
@@ -193,13 +188,8 @@ Toolpath placed_by_tool(const Toolpath& one, const Places& places, int steps) {
   return all;
 }
 
-/// As plan_part() resolves it.
 ResolvedPlan resolved_one(const Part& part, const resolve::PlanOptions& options) {
-  const StrategyTable& strategies = strategies_of(options);
-  ResolvedPlan plan = resolve::resolve(part, options, strategies);
-  if (const auto rest = resolve::without_impossible_steps(part, plan.part, options.tol))
-    plan = resolve::resolve(*rest, options, strategies);
-  return plan;
+  return resolve::resolve_possible(part, options, strategies_of(options));
 }
 
 /// What is said of places on one part.
@@ -280,10 +270,7 @@ PlannedCopies planned_at(PlanResult one, ResolvedPlan plan, const Places& places
   out.sheet = plan.part.stock ? plan.part.stock->plan : swept_by(toolpath, plan.part);
   result.part.diagnostics.note("copies", told);
   certify(result, toolpath, plan);
-  add_conditions_of_part(result.part, plan, result.findings);
-  add_not_machined(result.part.diagnostics, result.findings);
-  result.margin = margin_asked({result.part, result.toolpath, result.control}, plan, result.findings);
-  sign(result, toolpath, plan);
+  complete_verdict(toolpath, plan, result);
   out.clean_parts = clean_parts_of(result.findings, out.parts, steps);
   result.planned = std::move(toolpath);
   return out;

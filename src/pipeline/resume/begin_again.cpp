@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/text/format.h"
+#include "base/tolerances.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -14,9 +15,6 @@ namespace {
 using read::gcode::FeedMode;
 using read::gcode::HeldState;
 using read::gcode::HeldWords;
-
-/// mm; below this a difference of heights is none.
-constexpr double kSameHeight = 1e-6;
 
 /// With a decimal point: "X10.", as every control takes it.
 std::string place_word(char letter, double value, int digits = 6) {
@@ -128,9 +126,9 @@ class BeginWriter {
     if (!crosses_first) add_words({"G0", over(0), over(1)});
     for (const std::string& word : words_.coolant) add(word);
     if (stays_up) return;
-    if (z >= way_.safe_z - kSameHeight) return;
-    if (z >= way_.entry_z - kSameHeight || way_.plunge <= 0) return add_words({"G0", at(2)});
-    if (way_.entry_z < way_.safe_z - kSameHeight) add_words({"G0", at(2, way_.entry_z)});
+    if (z >= way_.safe_z - kSamePlaceMm) return;
+    if (z >= way_.entry_z - kSamePlaceMm || way_.plunge <= 0) return add_words({"G0", at(2)});
+    if (way_.entry_z < way_.safe_z - kSamePlaceMm) add_words({"G0", at(2, way_.entry_z)});
     add_words({"G1", at(2), feed_word(way_.plunge)});
     if (way_.beside) add_words({"G1", at(0), at(1), feed_word(lead_feed())});
   }
@@ -170,8 +168,8 @@ class BeginWriter {
     add_words({"G0", alone ? "" : length, at(2, up)});
   }
 
-  /// A feed comes with a height at which the cutter stands already, so that every control takes it; where the cutter stays up it comes
-  /// alone.
+  /// The feed word stands in a block with the height of the cutter, since some controls refuse a block of F alone; if the cutter stays
+  /// up, the feed word has a block of its own.
   void write_modes_of_motion() {
     const bool comes_down = way_.is_needed && is_placed() && !(held_.at_home && !words_.home.empty());
     const FeedMode mode = held_.modes.feed_mode;
@@ -185,7 +183,7 @@ class BeginWriter {
   /// mm/min; that of the way down, 0 where there was none.
   double last_feed() const {
     const double z = *held_.position[2];
-    if (z >= std::min(way_.entry_z, way_.safe_z) - kSameHeight) return 0;
+    if (z >= std::min(way_.entry_z, way_.safe_z) - kSamePlaceMm) return 0;
     return way_.beside ? lead_feed() : way_.plunge;
   }
 

@@ -21,7 +21,7 @@ struct LinkEnd {
 /// From `from` along its circle, straight to the circle of `to`, and along that; nothing if one circle holds the other.
 std::optional<Path> smooth_link(const LinkEnd& from, const LinkEnd& to);
 
-/// Two arcs that join each other, and both ends along those headings, tangentially; nothing where there is no such pair.
+/// Two arcs with a common tangent at their joint, and with the given headings at both ends; none if no such pair exists.
 std::optional<Path> biarc(Vec2 from, Vec2 heading, Vec2 to, Vec2 end_heading);
 
 /// Replaces links within passes by smooth ones where the machine gains time and nothing stands on them.

@@ -5,12 +5,6 @@
 #include "kinematics/planner.h"
 
 namespace clearcut::plan {
-namespace {
-
-/// Of the acceleration: what controls use across an arc.
-constexpr double kAcrossArcs = 0.866;
-
-}  // namespace
 
 double MachineClock::seconds(std::span<const Edge> edges, std::span<const MoveKind> kinds) const {
   std::vector<Move> moves;

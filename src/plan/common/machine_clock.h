@@ -14,6 +14,9 @@
 
 namespace clearcut::plan {
 
+/// Share of the acceleration that controls use across an arc.
+inline constexpr double kAcrossArcs = 0.866;
+
 /// Without a feed it does not run: nothing is known of the machine.
 struct MachineClock {
   Machine machine;

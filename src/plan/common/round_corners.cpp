@@ -8,6 +8,7 @@
 #include "base/units.h"
 #include "geometry/spatial/cell_grid.h"
 #include "plan/common/cover.h"
+#include "plan/common/machine_clock.h"
 
 namespace clearcut::plan {
 namespace {
@@ -34,8 +35,7 @@ constexpr double kRoundingMargin = 0.001;
 constexpr double kLeastDepth = 2e-4;
 /// Share of the cutter's radius: no edge is sought that clears a place by more than this.
 constexpr double kEnoughDepth = 0.1;
-/// Share of the acceleration used by controls across an arc; factor by which accelerating beside an arc takes longer.
-constexpr double kAcross = 0.866;
+/// Factor by which accelerating beside an arc takes longer.
 constexpr double kArcLoss = 1.5;
 /// mm, tolerance of the blends of programs; s, least time saved by a rounded corner, since every additional move
 /// costs some.
@@ -137,7 +137,7 @@ class Rounder {
   bool saves_time(double turn, double radius) const {
     const double v = job_.speed, a = job_.acceleration;
     if (v <= 0 || a <= 0) return true;
-    const double across = kAcross * a, through = std::min(v, std::sqrt(8 * across * kBlend) / turn),
+    const double across = kAcrossArcs * a, through = std::min(v, std::sqrt(8 * across * kBlend) / turn),
                  round = std::min(v, std::sqrt(across * radius));
     const auto lost = [&](double speed) { return (v - speed) * (v - speed) / (v * a); };
     const double on_arc = turn * radius * (1 / round - 1 / v) + kArcLoss * lost(round);

@@ -32,14 +32,14 @@ double neck_of(const Node& feature) {
 
 }  // namespace
 
-std::map<std::uint64_t, ToolUse> Reader::tool_uses() const {
-  std::map<std::uint64_t, ToolUse> uses;
+std::map<std::uint64_t, StatedUse> Reader::tool_uses() const {
+  std::map<std::uint64_t, StatedUse> uses;
   for (const OrderedStep& ordered : program_.steps) {
     const auto feature = ordered.node.sound_ref(2), operation = ordered.node.sound_ref(3);
     const auto tool = operation ? operation->sound_ref(5) : std::nullopt;
     if (!feature || !tool) continue;
     const bool is_chamfer = feature->is("CHAMFER");
-    const auto [use, is_new] = uses.emplace(tool->id(), ToolUse{false, 0, is_chamfer});
+    const auto [use, is_new] = uses.emplace(tool->id(), StatedUse{false, 0, is_chamfer});
     const double neck = neck_of(*feature);
     if (neck > 0) use->second.neck = use->second.neck > 0 ? std::min(use->second.neck, neck) : neck;
     use->second.mills = use->second.mills || operation->keyword().find("MILLING") != std::string::npos;
@@ -81,7 +81,7 @@ std::vector<WallEdge> Reader::edges_of(const Node& owner) {
   return edges;
 }
 
-/// What the program does not machine but an edge refers to, such as a face that is there before.
+/// Features without a workingstep that an edge refers to, such as a face finished before.
 std::vector<Draft> Reader::unmachined(const Node& owner) {
   std::vector<Draft> drafts;
   if (owner.is_any("BOSS", "CHAMFER")) return drafts;
@@ -206,7 +206,7 @@ int Reader::make_groove(std::size_t index) {
   feature.source = "#" + std::to_string(draft.node.id());
   feature.top_z = absolute_depths_ ? part_.stock->z_top : draft.placement_z;
   feature.floor_z = floor_of(draft) - draft.raised_floor;
-  if (feature.floor_z >= feature.top_z - 1e-9)
+  if (feature.floor_z >= feature.top_z - kRoundingMm)
     draft.node.fail("its depth plane (z " + trimmed(feature.floor_z, 3) + ") is not below its top (z " +
                     trimmed(feature.top_z, 3) + "); give a depth below zero");
   ProfileCut cut;

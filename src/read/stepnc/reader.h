@@ -65,7 +65,7 @@ class Reader {
   void check_form_cutter(std::size_t draft, const StatedOperation& stated, const Node& step) const;
   void check_rounded_bottoms();
   void check_undercuts();
-  std::map<std::uint64_t, ToolUse> tool_uses() const;
+  std::map<std::uint64_t, StatedUse> tool_uses() const;
   std::vector<double> zone_floors(const Draft& draft, double top, double floor);
   std::vector<FeatureRegions> zone_regions(const Draft& draft, double top, const std::vector<double>& floors);
   double boss_top(const Draft& draft, std::size_t boss) const {

@@ -52,7 +52,7 @@ std::optional<int> number_in(std::string& name) {
 double corner_radius_of(const Node& tool, const Tool& result, std::optional<double> edge_radius,
                         Context& context) {
   if (result.kind == ToolKind::kBallEndMill) {
-    if (edge_radius && std::abs(*edge_radius - result.radius()) > 1e-6)
+    if (edge_radius && std::abs(*edge_radius - result.radius()) > kSamePlaceMm)
       context.warn("not followed: an edge radius of " + trimmed(*edge_radius, 4) +
                        " mm; the end of a ball mill is as round as it is wide",
                    tool);
@@ -99,7 +99,7 @@ void read_taper(const Node& body, Tool& tool, Context& context) {
 constexpr double kBesideUnstatedNeck = 0.1;
 
 /// The height of its disc, and a neck that passes through the slots that it undercuts: the standard has no word for it.
-void read_disc(const Node& body, const ToolUse& use, Tool& tool, Context& context) {
+void read_disc(const Node& body, const StatedUse& use, Tool& tool, Context& context) {
   if (const auto height = body.length(5); height && *height > 0) tool.flute_length = height;
   if (!tool.flute_length) body.fail("the height of its disc is missing; give cutting_thickness");
   if (use.neck <= 0) return;
@@ -111,7 +111,7 @@ void read_disc(const Node& body, const ToolUse& use, Tool& tool, Context& contex
 }
 
 /// A countersink that runs along edges is a V-bit; a tapered end mill that breaks edges alone is a chamfer mill, with its own tip.
-void read_cone(const Node& body, const ToolUse& use, Tool& tool, Context& context) {
+void read_cone(const Node& body, const StatedUse& use, Tool& tool, Context& context) {
   if (tool.kind == ToolKind::kSpotDrill && use.mills) tool.kind = ToolKind::kVBit;
   if (tool.kind != ToolKind::kTapered || !use.breaks_edges) return;
   tool.kind = ToolKind::kChamferMill;
@@ -120,7 +120,7 @@ void read_cone(const Node& body, const ToolUse& use, Tool& tool, Context& contex
   context.note("it breaks edges alone and is taken as a chamfer mill, whose tip does not cut", body);
 }
 
-Tool read_tool(const Node& node, const ToolUse& use, Context& context) {
+Tool read_tool(const Node& node, const StatedUse& use, Context& context) {
   if (!node.is_any("MILLING_CUTTING_TOOL", "CUTTING_TOOL"))
     node.fail("a MILLING_CUTTING_TOOL is needed here; correct the reference");
   const Node body = node.needed_ref(1, "tool body");
@@ -153,7 +153,7 @@ bool same_tool(const Tool& a, const Tool& b) {
 
 }  // namespace
 
-Tools::Tools(Context& context, const std::map<std::uint64_t, ToolUse>& uses) : uses_(uses) {
+Tools::Tools(Context& context, const std::map<std::uint64_t, StatedUse>& uses) : uses_(uses) {
   for (const Node& node : nodes_called(context.file, "MILLING_CUTTING_TOOL")) {
     try {
       Tool tool = read_tool(node, uses_[node.id()], context);

@@ -79,7 +79,7 @@ class TSlotShaper {
   }
 
  private:
-  /// The step that mills the slot for the neck; nothing where one of those before it does.
+  /// The step for milling the slot of the neck; none if an earlier step mills this slot.
   std::optional<Workingstep> shape(const Workingstep& step, const std::vector<Workingstep>& before) {
     const Tool& cutter = cutter_of(step);
     Feature& feature = part_.features[static_cast<std::size_t>(step.feature)];

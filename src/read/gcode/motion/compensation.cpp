@@ -6,6 +6,7 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 #include "read/gcode/motion/arc.h"
 
@@ -13,14 +14,12 @@ namespace clearcut::read::gcode {
 
 namespace {
 
-/// mm; ends that are nearer to each other are one place.
-constexpr double kOnePlace = 1e-9;
 /// radians; an arc may sweep that much more than was programmed before it counts as running round the other way: a thousandth of a turn,
 /// as LinuxCNC's interpreter has it.
 constexpr double kSweepMore = 2e-3 * kPi;
 
 bool is_in_plan(const Move& move) {
-  return move.path.is_arc() || distance(move.path.from, move.path.to) > kOnePlace;
+  return move.path.is_arc() || distance(move.path.from, move.path.to) > kRoundingMm;
 }
 
 double swept_between(const Edge& arc, Vec2 from, Vec2 to) {
@@ -225,7 +224,7 @@ void Compensation::check(const Waiting& waiting, Vec2 end) const {
 
 void Compensation::give(const OffsetMove& offset) {
   const Edge& path = offset.move.path;
-  const bool moves = distance(path.from, path.to) > kOnePlace;
+  const bool moves = distance(path.from, path.to) > kRoundingMm;
   if (!moves && offset.move.z_from == offset.move.z_to) return;
   if (path.is_arc() && moves) {
     give_arc(offset);

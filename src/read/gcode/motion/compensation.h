@@ -66,7 +66,7 @@ class Compensation {
   int outside_corner_line() const { return outside_line_; }
 
  private:
-  /// One that waits for the corner behind it, or that stands in that corner.
+  /// A move held back until the next move in plan states the corner between them, or a move of Z within that corner.
   struct Waiting {
     OffsetMove offset;
     Vec2 direction;    ///< of lines, as programmed
