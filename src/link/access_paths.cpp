@@ -27,8 +27,10 @@ std::array<Vec2, 4> places_beside(const Box& stock, double apart, Vec2 p) {
 }  // namespace
 
 bool AccessPaths::is_clear(std::size_t item, Vec2 a, Vec2 b) const {
-  return layer(item).legal().holds_line(a, b) &&
-         progress_.clear_above(work_.items()[item].layer, Edge::line(a, b).box());
+  const std::size_t at = work_.items()[item].layer;
+  const Edge path = Edge::line(a, b);
+  return progress_.clear_above(at, path.box()) && cleared_.is_clear(at, path) &&
+         layer(item).legal().holds_line(a, b);
 }
 
 bool AccessPaths::in_air(Vec2 p) const {
@@ -118,7 +120,8 @@ std::optional<Path> AccessPaths::path_round(Vec2 from, Vec2 to, std::size_t item
   while (path->size() > 1 && in_air(path->front().to)) path->erase(path->begin());
   const auto is_free = [&](const Edge& edge) {
     return (edge.is_arc() || where.legal().holds_line(edge.from, edge.to)) &&
-           progress_.clear_above(work_.items()[item].layer, edge.box());
+           progress_.clear_above(work_.items()[item].layer, edge.box()) &&
+           cleared_.is_clear(work_.items()[item].layer, edge);
   };
   if (!std::all_of(path->begin(), path->end(), is_free)) return std::nullopt;
   return path;
@@ -135,11 +138,14 @@ std::optional<Path> AccessPaths::to(Vec2 p, std::size_t item) const {
   if (options_.stock && layer(item).open()) {
     for (const Vec2 out : places_beside(*options_.stock, beside_stock(), p)) outs.push_back(out);
   }
+  std::sort(outs.begin(), outs.end(), [&](Vec2 a, Vec2 b) { return distance(a, p) < distance(b, p); });
   std::optional<Path> best;
+  if (!cleared_.is_clear(work_.items()[item].layer, Edge::line(p, p))) return best;
   double longest = options_.may_plunge
                        ? kLongestAccess * options_.lead_feed.value_or(options_.feed).mm_per_s()
                        : std::numeric_limits<double>::infinity();
   for (const Vec2 out : outs) {
+    if (distance(out, p) >= longest) break;
     auto path = path_round(out, p, item);
     if (!path || length(*path) >= longest) continue;
     longest = length(*path);

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "link/cleared.h"
 #include "link/link.h"
 #include "link/pass_start.h"
 #include "link/work.h"
@@ -12,8 +13,8 @@ namespace clearcut::link {
 /// Finds access paths at one moment of the work. References are kept.
 class AccessPaths {
  public:
-  AccessPaths(const Work& work, const LinkOptions& options, const Progress& progress)
-      : work_(work), options_(options), progress_(progress) {}
+  AccessPaths(const Work& work, const LinkOptions& options, const Progress& progress, const Cleared& cleared)
+      : work_(work), options_(options), progress_(progress), cleared_(cleared) {}
 
   /// Whether a cutter with its centre over p is beside the stock or in a predrilled hole.
   bool in_air(Vec2 p) const;
@@ -46,6 +47,7 @@ class AccessPaths {
   const Work& work_;
   const LinkOptions& options_;
   const Progress& progress_;
+  const Cleared& cleared_;
 };
 
 }  // namespace clearcut::link

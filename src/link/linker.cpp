@@ -192,12 +192,13 @@ Linker::Candidate Linker::evaluate(std::size_t item, const PassStart& start) con
   candidate.start = start;
   if (!running()) return candidate;
   const Beginning to = beginning(item, start.point);
-  candidate.cost = retract_time(here(), to, retract_height(here(), start.point, item));
-  const double down = straight_time(here(), to);
-  if (down < candidate.cost && access_paths().is_clear(item, moves_.at(), start.point)) {
-    candidate.stay_down = true;
-    candidate.cost = down;
-  }
+  const double inside = inside_height(work_, options_, here(), item), down = straight_time(here(), to);
+  candidate.cost = retract_time(here(), to, options_.cross_z);
+  if (inside >= options_.cross_z && down >= candidate.cost) return candidate;
+  if (!access_paths().is_clear(item, moves_.at(), start.point)) return candidate;
+  if (inside < options_.cross_z) candidate.cost = retract_time(here(), to, inside);
+  candidate.stay_down = down < candidate.cost;
+  candidate.cost = std::min(candidate.cost, down);
   return candidate;
 }
 
@@ -240,6 +241,7 @@ void Linker::cut_pass(Candidate next) {
   if (lead) cut({lead->out}, {MoveKind::kLeadOut});
   cuts_.push_back({next.item, start, next.start.point, moves_.at(), next.stay_down});
   progress_.mark_done(next.item);
+  cleared_.add(moves_);
 }
 
 std::optional<Lead> Linker::lead_for_pass(const Path& path, const Candidate& next) {
@@ -301,6 +303,17 @@ void Linker::go_over(Vec2 p, std::size_t item) {
   moves_.vertical(approach_z(p, item), MoveKind::kRapid, {});
 }
 
+/// An entry where the layer above is cleared, beside open sides too. If none of the kind asked for fits there, anywhere
+/// in the legal area.
+Entry Linker::entry_into(const EntryPlace& place, std::size_t item) const {
+  const std::size_t at = work_.items()[item].layer;
+  if (at > 0 && layer(item).reaches_beside()) {
+    Entry entry = entry_at(place, work_.layer(at - 1).within_target(), options_);
+    if (entry.kind != EntryKind::kPlunge) return entry;
+  }
+  return entry_at(place, layer(item).layer().legal, options_);
+}
+
 /// Moves from slightly above the material into it by the requested entry, or from the cutter's position over the
 /// start after the layer above. Returns the same as go_to.
 double Linker::enter_material(Vec2 start, const Path& path, const Path* ring, std::size_t item) {
@@ -315,12 +328,12 @@ double Linker::enter_material(Vec2 start, const Path& path, const Path* ring, st
   std::optional<Entry> entry;
   if (stand_over(moves_, start, passes.z, z_above)) {
     place.z_above = moves_.z();
-    entry = entry_at(place, passes.legal, options_);
+    entry = entry_into(place, item);
     if (entry->moves.front().path.from != start) entry.reset();  // a helix begins beside the start
   }
   if (!entry) {
     place.z_above = z_above;
-    entry = entry_at(place, passes.legal, options_);
+    entry = entry_into(place, item);
     go_over(entry->moves.front().path.from, item);
     moves_.vertical(z_above, MoveKind::kPlunge, options_.plunge_feed);
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "link/access_paths.h"
+#include "link/entry.h"
 #include "link/lead.h"
 #include "link/link.h"
 #include "link/moves.h"
@@ -49,7 +50,7 @@ struct Beginning {
 class Linker {
  public:
   Linker(const Work& work, const LinkOptions& options, Progress::Layers layers)
-      : work_(work), options_(options), progress_(work, layers) {}
+      : work_(work), options_(options), progress_(work, layers), cleared_(work, options) {}
 
   /// Cuts all passes, always next the pass reached soonest.
   void cut_nearest_first();
@@ -77,7 +78,7 @@ class Linker {
 
   bool running() const { return !moves_.empty(); }
   const LayerWork& layer(std::size_t item) const { return work_.layer_of(item); }
-  AccessPaths access_paths() const { return {work_, options_, progress_}; }
+  AccessPaths access_paths() const { return {work_, options_, progress_, cleared_}; }
   CutterAt here() const { return {moves_.at(), moves_.z()}; }
 
   Candidate choose() const;
@@ -95,6 +96,7 @@ class Linker {
   double go_to(const Candidate& next, const Path& path, bool is_ring);
   void link_to(Vec2 p);
   void go_over(Vec2 p, std::size_t item);
+  Entry entry_into(const EntryPlace& place, std::size_t item) const;
   double enter_material(Vec2 start, const Path& path, const Path* ring, std::size_t item);
   void rise_and_cross(Vec2 to, double height);
   Path oriented(const Candidate& next) const;
@@ -103,6 +105,7 @@ class Linker {
   const Work& work_;
   const LinkOptions& options_;
   Progress progress_;
+  Cleared cleared_;
   MoveList moves_{{}, 0};
   std::vector<Cut> cuts_;
   std::array<int, 4> entries_{};  ///< number of entries into material, by kind

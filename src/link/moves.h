@@ -50,6 +50,7 @@ class MoveList {
     z_ = moves.back().z_to;
   }
 
+  const std::vector<Move>& all() const { return moves_; }
   bool empty() const { return moves_.empty(); }
   bool ends_upright() const { return !moves_.empty() && moves_.back().is_vertical(); }
   std::vector<Move> take() { return std::move(moves_); }

@@ -51,6 +51,33 @@ const LegalRoutes& LayerWork::routes() const {
   return *routes_;
 }
 
+const LegalArea& LayerWork::target_area() const {
+  if (!target_area_) target_area_.emplace(layer_->target);
+  return *target_area_;
+}
+
+const Regions& LayerWork::within_target() const {
+  if (!within_target_) within_target_ = inset(layer_->target, tool_radius_, Tolerances{});
+  return *within_target_;
+}
+
+bool LayerWork::reaches_beside() const {
+  if (reaches_beside_) return *reaches_beside_;
+  reaches_beside_ = open_;
+  // The legal area lies to the left of its edges.
+  const double reach = tool_radius_ - kSpare;
+  for (const Region& region : layer_->legal) {
+    for (const Edge& edge : region.edges()) {
+      if (*reaches_beside_) return true;
+      for (const double t : {0.0, 0.5, 1.0}) {
+        const Vec2 beyond = edge.at(t) - left_of(edge.tangent_at(t)) * reach;
+        *reaches_beside_ = *reaches_beside_ || !target_area().contains(beyond);
+      }
+    }
+  }
+  return *reaches_beside_;
+}
+
 const Regions& LayerWork::touching() const {
   if (!touching_) touching_ = dilate(layer_->target, tool_radius_ + kSpare, Tolerances{});
   return *touching_;

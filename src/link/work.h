@@ -29,6 +29,12 @@ class LayerWork {
   const Regions& touching() const;
   /// The places of that area's boundary nearest to p, one on each of the `most` nearest edges, the nearest first.
   std::vector<Vec2> nearest_on_rim(Vec2 p, std::size_t most) const;
+  /// The target as an area that is asked quickly. Made at the first call.
+  const LegalArea& target_area() const;
+  /// Positions of the cutter's centre in which the cutter is within the target. Made at the first call.
+  const Regions& within_target() const;
+  /// Whether a cutter in the legal area may reach places outside of the target. Made at the first call.
+  bool reaches_beside() const;
   /// Whether the cutter may leave the material sideways.
   bool open() const { return open_; }
   /// Whether a ring is cut in the opposite direction: outer rings of open layers are cut from the air
@@ -46,6 +52,9 @@ class LayerWork {
   double tool_radius_;
   mutable std::unique_ptr<LegalRoutes> routes_;
   mutable std::optional<Regions> touching_;
+  mutable std::optional<LegalArea> target_area_;
+  mutable std::optional<Regions> within_target_;
+  mutable std::optional<bool> reaches_beside_;
   struct Rim {
     std::vector<Edge> edges;
     BoxTree tree;
@@ -74,6 +83,7 @@ class Work {
   const std::vector<WorkItem>& items() const { return items_; }
   const LayerWork& layer_of(std::size_t item) const { return layers_[items_[item].layer]; }
   const LayerWork& layer(std::size_t index) const { return layers_[index]; }
+  std::size_t layer_count() const { return layers_.size(); }
   const Pass& pass(std::size_t item) const { return layer_of(item).layer().passes[items_[item].pass]; }
   const std::vector<std::size_t>& before(std::size_t item) const { return before_[item]; }
   const std::vector<std::size_t>& after(std::size_t item) const { return after_[item]; }

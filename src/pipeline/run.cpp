@@ -15,7 +15,6 @@
 #include "pipeline/planning/joined_sections.h"
 #include "pipeline/planning/planned_step.h"
 #include "pipeline/planning/said_of_plan.h"
-#include "pipeline/selection/rapids_over_rests.h"
 #include "pipeline/selection/selection.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/certify.h"
@@ -63,12 +62,12 @@ bool retry_unclean(Selection& selection, const ResolvedPlan& plan, PlanResult& r
   return retried;
 }
 
-/// Whether rapids touch material left by passes by design; the program is then linked again with rapids above this
-/// material, with a diagnostic. False if the rapids are already above.
-bool begin_to_go_over_rests(bool& over_rests, const Selection& selection, const ResolvedPlan& plan,
-                            PlanResult& result) {
+/// Whether rapids touch material that stands beside or above what is cut: left by passes by design, or by earlier
+/// layers outside of an open pocket. The same passes are then linked again with rapids above this material, with a
+/// diagnostic. False if the rapids are already above.
+bool begin_to_go_over_rests(bool& over_rests, PlanResult& result) {
   const int met = result.findings.all.rapid_in_material;
-  if (over_rests || met == 0 || !may_leave_material(selection, plan)) return false;
+  if (over_rests || met == 0) return false;
   over_rests = true;
   result.part.diagnostics.note(
       "plan", fmt::format("{} would meet what the passes before leave: rapids end above it, the rest is fed",
@@ -116,8 +115,7 @@ Toolpath certified_toolpath(Selection& selection, const ResolvedPlan& plan, Plan
     throw_if_cancelled(plan.cancel);
     toolpath = toolpath_of(selection, plan, over_rests);
     certify(result, toolpath, plan);
-  } while (retry_unclean(selection, plan, result) ||
-           begin_to_go_over_rests(over_rests, selection, plan, result));
+  } while (begin_to_go_over_rests(over_rests, result) || retry_unclean(selection, plan, result));
   return toolpath;
 }
 

@@ -1,7 +1,5 @@
 #include "pipeline/selection/rapids_over_rests.h"
 
-#include <algorithm>
-
 #include "link/link.h"
 #include "link/sections/high_rapids.h"
 #include "stock/cutter_sweep.h"
@@ -28,17 +26,6 @@ void remove_earlier(const ResolvedPlan& plan, stock::Material& material) {
 }
 
 }  // namespace
-
-bool may_leave_material(const Selection& selection, const ResolvedPlan& plan) {
-  const auto leaves_more = [](const Tool& tool) { return !inner_profile(tool).is_cylinder(); };
-  if (std::any_of(plan.part.tools.begin(), plan.part.tools.end(), leaves_more)) return true;
-  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-    const bool promises =
-        selection.candidate(i).strategy->in_auto != AutoUse::kNever && !plan.steps[i].published_grid;
-    if (!promises || selection.section(i).moves.empty()) return true;
-  }
-  return false;
-}
 
 void keep_rapids_high(Toolpath& toolpath, const ResolvedPlan& plan) {
   stock::Material material = block_of(plan.part);
