@@ -50,6 +50,28 @@ Layer square_layer(double side) {
   return layer;
 }
 
+/// A cut that comes to the wall of a round pocket may already stand where it would go on along the wall.
+TEST(Adaptive, RoundPocketsOfAnySizeHaveNoMoveWithoutHeading) {
+  for (int i = 0; i < 24; ++i) {
+    Layer layer;
+    layer.z = -1;
+    layer.tool_radius = 4;
+    const Vec2 center{43.7724, 21.2088}, across{9.0596 + 0.2137 * i, 0};
+    layer.allowed = layer.target = {Region::from_valid_loops(
+        {Edge::arc(center - across, center + across, center, Turn::kCounterClockwise),
+         Edge::arc(center + across, center - across, center, Turn::kCounterClockwise)},
+        {})};
+    AdaptiveOptions options;
+    options.engagement = Radians::of_degrees(90);
+    for (const Pass& pass : plan_adaptive(layer, options, {}).passes) {
+      for (const Edge& edge : pass.path) {
+        ASSERT_TRUE(std::isfinite(edge.to.x) && std::isfinite(edge.to.y)) << i;
+        ASSERT_GT(edge.length(), 0) << i;
+      }
+    }
+  }
+}
+
 TEST(Adaptive, PathIsJoinedAndEveryEdgeHasItsKind) {
   const auto passes = plan_adaptive(square_layer(50), {}, {}).passes;
   ASSERT_EQ(passes.size(), 1u);

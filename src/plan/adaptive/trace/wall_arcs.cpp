@@ -120,6 +120,8 @@ std::optional<Landing> WallArcs::landing_of(const CutterState& from, const Candi
   WallPlace met = walls_.nearest(end);
   if (!leads_along(met, heading)) return std::nullopt;
   met.s += kMeetSlope * distance(end, walls_.point(met));
+  // A cut that stands at that place already has no arc, and so no heading, to come there by.
+  if (distance(from.point, walls_.point(met)) < kShortestMove) return std::nullopt;
   return Landing{arc_to(from, candidate.kink, walls_.point(met)), met};
 }
 
