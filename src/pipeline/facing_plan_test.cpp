@@ -34,6 +34,16 @@ TEST(Facing, TheWidestCutterFacesAndStockThatEndsAtTheTopIsLeftAlone) {
   EXPECT_EQ(plan_part(with_stock_up_to(0), with({"endmill:5"})).part.workplan.size(), 2u);
 }
 
+/// The outline lies on a face that was cut before, the kerf beside the outline reaches beyond this face.
+TEST(Facing, ProfilesBeginAtTheHighestMaterialOverTheirKerfs) {
+  resolve::PlanOptions options = with({"endmill:6"});
+  options.stepdown = 1.5;
+  const std::string sheet =
+      box("STOCK_D12", 0, 0, 100, 70) + box("FACE_D1", 0, 0, 60, 70) + box("PROFILE_D4", 20, 20, 57, 50);
+  const PlanResult result = plan_part(drawn(sheet), options);
+  EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << faults_of(result.findings);
+}
+
 class FacesOfRandomOutlines : public ::testing::TestWithParam<int> {};
 
 /// A face on a random outline; dense samples of it know nothing of offsets, strategies or the certificate.

@@ -11,6 +11,7 @@
 #include "base/tolerances.h"
 #include "features/kerf.h"
 #include "features/round_hole.h"
+#include "features/stacking.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "model/cutter_profile.h"
@@ -212,6 +213,41 @@ void leave_nothing_beside_lines(const Feature& feature, Workingstep& step, StepS
   sources[step_key(step)].set("allowance", {Origin::kDerived, "the slot of a line is as wide as its cutter"});
 }
 
+/// The tops of all features if profiles were declared at the top of the part.
+std::vector<double> tops_from_above(Part part, const Tolerances& tol) {
+  for (Feature& feature : part.features) {
+    if (feature.profile) feature.top_z = part.top_z();
+  }
+  return features::stacked_tops(part, tol);
+}
+
+/// Heights of the material over profiles that earlier features have lowered: over their outlines (`before`), and over
+/// the kerfs of their cutters, which may reach beyond what the earlier features have cleared.
+class TopsOfKerfs {
+ public:
+  TopsOfKerfs(const Part& part, const Tolerances& tol) : tol_(tol) {
+    const bool any = std::any_of(part.features.begin(), part.features.end(), [&](const Feature& feature) {
+      return feature.profile && feature.top_z < part.top_z() - kSamePlaceMm;
+    });
+    if (any) before_ = tops_from_above(part, tol);
+  }
+
+  /// Raises the tops of lowered profiles to the highest material over their kerfs.
+  void raise(Part& part) const {
+    if (before_.empty()) return;
+    const std::vector<double> over_kerfs = tops_from_above(part, tol_);
+    for (std::size_t i = 0; i < before_.size(); ++i) {
+      Feature& feature = part.features[i];
+      if (feature.profile && std::abs(before_[i] - feature.top_z) < kSamePlaceMm)
+        feature.top_z = std::max(feature.top_z, over_kerfs[i]);
+    }
+  }
+
+ private:
+  const Tolerances& tol_;
+  std::vector<double> before_;
+};
+
 /// The layers above tabs end at their tops, without additional stock on them.
 void leave_tabs_as_high_as_asked(Workingstep& above, StepSources& sources) {
   if (above.operation.allowance_floor == 0) return;
@@ -225,6 +261,7 @@ void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources
   put_lines_among_cut_outs(part);
   measure_beyond(part);
   const Holds holds(part, options);
+  const TopsOfKerfs tops(part, options.tol);
   std::vector<Workingstep> workplan;
   for (const Workingstep& step : part.workplan) {
     workplan.push_back(step);
@@ -249,6 +286,7 @@ void shape_profiles(Part& part, const PlanOptions& options, StepSources& sources
     workplan.push_back(std::move(lower));
   }
   part.workplan = std::move(workplan);
+  tops.raise(part);
 }
 
 void put_what_frees_last(Part& part) {
