@@ -1,6 +1,7 @@
 #include "base/files/project_entry.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -19,7 +20,10 @@ struct ProjectEntry : testing::Test {
       {"name": "bad.bin", "base64": "A*=="}, {"name": "none"}]})";
   }
   ~ProjectEntry() override { std::filesystem::remove(path); }
-  const std::string path = (std::filesystem::temp_directory_path() / "entry_test.clearcut.json").string();
+  /// One for each process: tests run beside each other.
+  const std::string path = (std::filesystem::temp_directory_path() /
+                            ("entry_test_" + std::to_string(::getpid()) + ".clearcut.json"))
+                               .string();
 };
 
 TEST_F(ProjectEntry, PathsLeadIntoProjectFilesThatThereAre) {

@@ -1,6 +1,7 @@
 #include "read/job/project_file.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -32,7 +33,10 @@ struct Project : testing::Test {
     }
     return "";
   }
-  const std::string path = (std::filesystem::temp_directory_path() / "project_test.clearcut.json").string();
+  /// One for each process: tests run beside each other.
+  const std::string path = (std::filesystem::temp_directory_path() /
+                            ("project_test_" + std::to_string(::getpid()) + ".clearcut.json"))
+                               .string();
 };
 
 TEST_F(Project, SaysThePartAndItsOptions) {
