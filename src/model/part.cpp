@@ -6,7 +6,8 @@ namespace clearcut::inline model {
 
 namespace {
 
-constexpr double kSafeHeight = 10;  // mm above the part if the file gives no security plane
+constexpr double kSafeHeight = 10;   // mm above the part if the file gives no security plane
+constexpr double kOverKeepOuts = 2;  // mm above the highest clamp, likewise
 
 }  // namespace
 
@@ -52,7 +53,10 @@ double Part::top_z() const {
 }
 
 double Part::safe_z() const {
-  return clearance_z.value_or(top_z() + kSafeHeight);
+  if (clearance_z) return *clearance_z;
+  double safe = top_z() + kSafeHeight;
+  for (const KeepOut& block : keep_outs) safe = std::max(safe, block.top_z + kOverKeepOuts);
+  return safe;
 }
 
 const Tool& tool_of(const Part& part, const Workingstep& step) {

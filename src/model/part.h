@@ -219,7 +219,7 @@ struct Part {
   bool is_shape_stated = true;
   bool is_solid = false;              ///< read from a solid, so that the shapes of different set-ups agree
   std::optional<Stock> stock;         ///< absent: solid everywhere outside the features (outline files)
-  std::optional<double> clearance_z;  ///< security plane, absolute; absent: stock top + 10
+  std::optional<double> clearance_z;  ///< security plane, absolute; absent: see safe_z()
   std::vector<Tool> tools;
   std::vector<Feature> features;
   std::vector<Workingstep> workplan;       ///< in order of cutting
@@ -229,7 +229,7 @@ struct Part {
   Diagnostics diagnostics;
 
   double top_z() const;   ///< stock top, or the highest feature top
-  double safe_z() const;  ///< clearance_z or top + 10
+  double safe_z() const;  ///< clearance_z; else 10 mm above the top and at least 2 mm above all keep-outs
 };
 
 /// Tool, feature and operation of a step.

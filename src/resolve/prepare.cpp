@@ -18,6 +18,7 @@
 #include "geometry/voronoi/clearance.h"
 #include "resolve/carvings.h"
 #include "resolve/features/chamfers.h"
+#include "resolve/features/clamps.h"
 #include "resolve/features/corner_relief.h"
 #include "resolve/features/facing.h"
 #include "resolve/features/holes.h"
@@ -427,6 +428,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
     put_what_frees_last(part);
   }
   shape_chamfers(part, options.tol);
+  keep_out_of_clamps(part, options.tol);
   std::vector<std::string> noted;
   for (auto& step : part.workplan) {
     const auto& tool = tool_of(part, step);

@@ -12,6 +12,7 @@
 #include "features/round_hole.h"
 #include "features/stacking.h"
 #include "model/results/not_machined.h"
+#include "resolve/features/clamps.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -236,6 +237,7 @@ void refuse_step(const Part& part, const Workingstep& step) {
   refuse_below_stock(part, feature_of(part, step));
   refuse_wrong_kind(part, step);
   refuse_beyond_flutes(part, step);
+  refuse_under_clamps(part, step);
 }
 
 /// Entities of STEP-NC have numbers.

@@ -25,8 +25,13 @@ constexpr double kSlotAngle = 150;
 /// Degrees. At this engagement half of the cutter's width is cut; below it chips get thinner.
 constexpr double kReferenceEngagement = 90;
 
-/// Height of a step's crossing rapids: its retract plane, over all remaining material.
-double crossing_z(const Part& part, const Operation& operation) {
+/// Height of a step's crossing rapids: its retract plane, over all remaining material and the clamps near the feature.
+double crossing_z(const Part& part, const Workingstep& step) {
+  const Operation& operation = step.operation;
+  const Box reach = box(feature_of(part, step).allowed).grown(tool_of(part, step).radius());
+  for (const KeepOut& block : part.keep_outs) {
+    if (block.plan.overlaps(reach) && block.top_z > part.top_z()) return part.safe_z();
+  }
   const double top = part.top_z();
   const double asked = operation.retract_z.value_or(top + kCrossing);
   return std::min(part.safe_z(), std::max(asked, top + kLeastCrossing));
@@ -194,7 +199,7 @@ ResolvedStep resolve_step(const Part& part, const Workingstep& planned, const Pl
   step.allowance_floor = operation.allowance_floor;
   step.lead = operation.lead.value_or(0);
   step.lead_angle = operation.lead_angle;
-  step.cross_z = crossing_z(part, operation);
+  step.cross_z = crossing_z(part, planned);
   resolve_published(step, planned, options);
   return step;
 }
