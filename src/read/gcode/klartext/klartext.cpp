@@ -39,6 +39,7 @@ class Reader {
  private:
   bool flow(const std::vector<std::string>& words);
   void call_label(const std::vector<std::string>& words);
+  void tell_calls();
   void go_to_label(const std::string& label);
   void block(const Words& block);
   void path_block(const std::string& kind, const std::vector<std::string>& words);
@@ -81,6 +82,7 @@ class Reader {
   std::map<std::string, std::size_t> labels_;  ///< where they stand in lines_
   std::size_t next_ = 0;                       ///< in lines_
   std::vector<std::size_t> returns_;           ///< where LBL 0 goes back to
+  std::vector<std::string> calls_;             ///< "LBL 5 called in part.h:12", of each of those
   std::map<std::size_t, long long> repeats_;   ///< left of CALL LBL REP, by its place in lines_
   std::size_t executed_ = 0;
   QParameters parameters_;
@@ -134,6 +136,8 @@ bool Reader::flow(const std::vector<std::string>& words) {
     if (label_in(words, 1) == "0" && !returns_.empty()) {
       next_ = returns_.back();
       returns_.pop_back();
+      calls_.pop_back();
+      tell_calls();
     }
     return true;
   }
@@ -158,7 +162,9 @@ void Reader::call_label(const std::vector<std::string>& words) {
           "over 19 subprograms within each other, at which the control stops; one may call itself without "
           "end");
     returns_.push_back(next_);
-    return go_to_label(label_in(words, 2));
+    calls_.push_back("LBL " + label_in(words, 2) + " called in " + place());
+    go_to_label(label_in(words, 2));
+    return tell_calls();
   }
   std::string times = rep->substr(3);
   if (times.empty()) times = rep + 1 == words.end() ? "1" : *(rep + 1);
@@ -166,6 +172,15 @@ void Reader::call_label(const std::vector<std::string>& words) {
   const auto known = repeats_.emplace(here, static_cast<long long>(number(times))).first;
   if (known->second-- > 0) return go_to_label(label_in(words, 2));
   repeats_.erase(known);
+}
+
+/// The moves that follow come from subprograms: who called them, the last call first.
+void Reader::tell_calls() {
+  constexpr std::size_t kMostCallsTold = 3;
+  std::string text;
+  for (std::size_t k = calls_.size(); k-- > 0 && calls_.size() - k <= kMostCallsTold;)
+    text += (text.empty() ? "" : ", ") + calls_[k];
+  builder_.set_calls(text);
 }
 
 void Reader::go_to_label(const std::string& label) {

@@ -36,6 +36,19 @@ TEST(KlartextLabels, SubprogramsEndAtLabelZero) {
             "|5 0|5 3|4 3");
 }
 
+TEST(KlartextLabels, MovesOfSubprogramsKnowWhoCalledThem) {
+  const Program read = read_gcode(
+      program_of("CALL LBL 7\nL Y+3 F100\nL Z+50 FMAX M30\nLBL 7\nL IX+5 F100\nLBL 0"), "test.ngc");
+  std::string told;
+  std::size_t index = 0;
+  for (const Section& section : read.toolpath.sections)
+    for (const Move& move : section.moves) {
+      const std::string* const calls = read.control.calls_at(index++);
+      if (calls) told += std::to_string(move.line) + ": " + *calls;
+    }
+  EXPECT_EQ(told, "8: LBL 7 called in test.ngc:4");
+}
+
 TEST(KlartextLabels, ParametersAreComputed) {
   EXPECT_EQ(ends("FN 0: Q1 = +2\nFN 1: Q2 = +Q1 + +3\nFN 3: Q3 = +Q2 * -2\nFN 0: Q9 = +120\nL X+Q2 Y-Q3 "
                  "FQ9\nL X-Q1"),

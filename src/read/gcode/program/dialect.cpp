@@ -196,6 +196,7 @@ constexpr std::array kRules{
                  .name = "siemens",
                  .title = "Sinumerik",
                  .language = Language::kSinumerik,
+                 .macros = MacroLanguage::kSinumerik,
                  .unit_words = "neither G700 nor G710",
                  .no_path_word = "neither G60 nor a path tolerance (G642 with CTOL)",
                  .blends_freely = "G64 (or G641 without ADIS, G644)",
@@ -203,6 +204,7 @@ constexpr std::array kRules{
                  .needs_lengths = true,
                  .changer_alone = true,
                  .home_is_top = true,
+                 .most_calls = 11,
                  .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on",
                  .radius_of_edge = true},
     // EIA/ISO programs: the words of Fanuc, with synchronous tapping under words of their own.
