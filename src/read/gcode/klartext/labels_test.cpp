@@ -62,6 +62,56 @@ TEST(KlartextLabels, ParametersAreSetInTheirOwnBlocks) {
   EXPECT_THAT(refused("Q1 = +4 * 2"), HasSubstr("formulas of Q parameters are not read"));
 }
 
+TEST(KlartextDatum, IsShifted) {
+  EXPECT_EQ(ends("CYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y+5\nL X+1 Y+1 F100\nL "
+                 "IX+2\nCYCL DEF 7.0 "
+                 "DATUM SHIFT\nCYCL DEF 7.1 IX+10\nL X+1\nCYCL DEF 7.1 X+0\nCYCL DEF 7.2 Y+0\nL X+1 Y+1"),
+            "|11 6|13 6|21 6|1 1");
+  EXPECT_EQ(ends("TRANS DATUM AXIS X+10 Y+5\nL X+1 F100\nL Y+1\nTRANS DATUM RESET\nL X+1 Y+1"),
+            "|11 0|11 6|1 1");
+  EXPECT_EQ(ends("FN 0: Q1 = +0\nLBL 1\nTRANS DATUM AXIS X+Q1\nL X+1 Y+0 F100\nFN 1: Q1 = +Q1 + +10\nFN 12: "
+                 "IF +Q1 LT "
+                 "+30 GOTO LBL 1"),
+            "|1 0|11 0|21 0");
+}
+
+TEST(KlartextDatum, AxesAreTurned) {
+  EXPECT_EQ(
+      ends(
+          "CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+90\nL X+10 Y+0 F100\nL IX+5\nCC X+0 Y+0\nLP PR+10 PA+0\n"
+          "CYCL DEF 10.1 ROT+0\nL X+1 Y+1"),
+      "|0 10|0 15|0 10|1 1");
+  EXPECT_EQ(ends("TRANS DATUM AXIS X+10\nCYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+90\nL X+5 Y+0 F100\nCC "
+                 "X+0 Y+0\nC X+0 "
+                 "Y+5 DR+"),
+            "|10 5|5 0");
+}
+
+TEST(KlartextDatum, HolesFollowIt) {
+  const std::string hole =
+      "CYCL DEF 200 DRILLING ~ Q200=+2 ~ Q201=-5 ~ Q206=+100 ~ Q202=+5 ~ Q210=+0 ~ Q203=+0 ~ Q204=+10 ~ "
+      "Q211=+0\n";
+  const auto lowest = [&](const std::string& before) {
+    double z = 100;
+    for (const Section& section :
+         read_gcode(program_of(before + hole + "CYCL CALL"), "test.ngc").toolpath.sections)
+      for (const Move& move : section.moves) z = std::min(z, move.z_to);
+    return z;
+  };
+  EXPECT_EQ(lowest(""), -5);
+  EXPECT_EQ(lowest("TRANS DATUM AXIS Z-3\n"), -8);
+}
+
+TEST(KlartextDatum, WhatIsNotReadIsNamed) {
+  EXPECT_THAT(refused("CYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 #5"),
+              HasSubstr("'#5' shifts the datum by a table"));
+  EXPECT_THAT(refused("TRANS DATUM TABLE TABLINE1"),
+              HasSubstr("TRANS DATUM AXIS and TRANS DATUM RESET alone"));
+  EXPECT_THAT(refused("CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+30\nTRANS DATUM AXIS X+5"),
+              HasSubstr("while cycle 10 turns the axes"));
+  EXPECT_THAT(refused("CYCL DEF 8.0 MIRROR IMAGE\nCYCL DEF 8.1 X"), HasSubstr("cycle 8 is not read"));
+}
+
 TEST(KlartextLabels, WhatIsNotKnownIsRefused) {
   EXPECT_THAT(refused("L X+Q5 F100"), HasSubstr("test.ngc:4: Q5 is read before the program sets it"));
   EXPECT_THAT(refused("CALL LBL 4"), HasSubstr("test.ngc:4: there is no LBL 4"));
