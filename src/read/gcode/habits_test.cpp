@@ -178,6 +178,71 @@ constexpr Habit kHabits[] = {
      "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S2000\n2 M3\n3 CYCL DEF 32.0 TOLERANCE\n4 CYCL DEF 32.1 T0.01\n5 L "
      "X+10 Y+10 Z+5 R0 FMAX\n6 L Z-1 F100\n7 L Z+5 FMAX\n8 L Z-1 R0 FMAX M91\n9 M30\n10 END PGM A MM\n",
      "heidenhain", "m91"},
+    {"bCNC for Grbl",
+     "G21\nG90\nG17\nG94\nM3 S8000\nG0 Z5\nG0 X10 Y10\nG1 Z-1 F300\nG2 X20 Y10 I5 J0 F900\nG0 Z5\nM5\nM2\n",
+     "grbl", ""},
+    {"HSMWorks for Mach4",
+     "(1001)\nG90 G94 G91.1 G40 G49 G17\nG21\nG61\nG28 G91 Z0.\nG90\nT1 M6\nS8000 M3\nG54\nG0 X10. Y10.\nG43 "
+     "Z15. H1\nG1 Z-1. F300.\nG0 Z15.\nG28 G91 Z0.\nM30\n",
+     "mach4", "g28-home"},
+    {"BobCAD for Fanuc: G05.1 Q1",
+     "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54 G61\nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG05.1 Q1\nG1 "
+     "Z-1. F300.\nX20. F900.\nG0 Z5.\nM30\n%\n",
+     "fanuc", "blending"},
+    {"Esprit for Mazak",
+     "%\nO0002(PART)\nG21 G17 G90 G94 G40 G49 G80 G54 G61\nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG1 "
+     "Z-1. F300.\nX20. F900.\nG0 Z5.\nM30\n%\n",
+     "mazak", ""},
+    {"GibbsCAM for Haas: G103",
+     "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54\nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG187 E0.01\nG103 "
+     "P1\nG1 Z-1. F300.\nX20. F900.\nG0 Z5.\nM30\n%\n",
+     "haas", ""},
+    {"NX for Siemens",
+     "N10 G40 G17 G710 G94 G90 G60 G601 FNORM\nN20 TRAFOOF\nN30 SUPA G0 Z0 D0\nN40 T=\"1\" M6\nN50 "
+     "CYCLE832(0.01,_FINISH,1)\nN60 G54 D1\nN70 S8000 M3\nN80 G0 X10 Y10\nN90 Z5\nN100 G1 Z-1 F300\nN110 X20 "
+     "F900\nN120 G0 Z5\nN130 M30\n",
+     "siemens", ""},
+    {"hyperMILL for Siemens: G642 with CTOL",
+     "N1 G17 G710 G90 G94\nN2 T1 M6\nN3 D1 S8000 M3\nN4 G642 CTOL=0.005\nN5 COMPCAD\nN6 G54\nN7 G0 X10 Y10 "
+     "Z5\nN8 G1 Z-1 F300\nN9 G0 Z5\nN10 M30\n",
+     "siemens", ""},
+    {"PowerMill for Heidenhain",
+     "0 BEGIN PGM A MM\n1 BLK FORM 0.1 Z X+0 Y+0 Z-20\n2 BLK FORM 0.2 X+50 Y+50 Z+0\n3 TOOL CALL 1 Z S8000 "
+     "F900\n4 CYCL DEF 247 DATUM SETTING ~\nQ339=+1\n5 CYCL DEF 32.0 TOLERANCE\n6 CYCL DEF 32.1 T0.005\n7 "
+     "CYCL DEF 32.2 HSC-MODE:0 TA0.5\n8 M3\n9 L X+10 Y+10 Z+5 R0 FMAX\n10 L Z-1 F300\n11 L X+20 FAUTO\n12 L "
+     "Z+5 FMAX M30\n13 END PGM A MM\n",
+     "heidenhain", "datum-247"},
+    {"Fanuc: G10 L2 sets the offset",
+     "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54 G61\nG10 L2 P1 X0. Y0. Z0.\nT1 M6\nS8000 M3\nG0 X10. "
+     "Y10.\nG43 H1 Z5.\nG1 Z-1. F300.\nX20. F900.\nG0 Z5.\nM30\n%\n",
+     "fanuc", "g10"},
+    {"Fanuc: optional blocks",
+     "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54 G61\nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\n/M8\nG1 Z-1. "
+     "F300.\nX20. F900.\nG0 Z5.\nM30\n%\n",
+     "fanuc", "block-delete"},
+    {"Fanuc: high-speed look-ahead, AI contour off",
+     "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54\nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG64\nG1 Z-1. "
+     "F300.\nX20. F900.\nG0 Z5.\nM30\n%\n",
+     "fanuc", "blending"},
+    {"Haas: local subprogram",
+     "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54\nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG187 E0.01\nM97 "
+     "P100 L2\nM30\nN100 G1 Z-1. F300.\nG0 Z5.\nM99\n%\n",
+     "haas", ""},
+    {"LinuxCNC: a subroutine of the program",
+     "o100 sub\nG0 X#1 Y10\nG1 Z-1 F300\nG0 Z5\no100 endsub\nG21 G17 G90 G94 G54 G61\nT1 M6\nG43 H1\nM3 "
+     "S8000\nG0 X0 Y0 Z5\no100 call [10]\no100 call [20]\nM2\n",
+     "linuxcnc", ""},
+    {"Mach3: axes turned by G68",
+     "G21 G17 G90 G94 G54 G61 G91.1\nT1 M6\nG43 H1\nM3 S8000\nG0 X0 Y0 Z5\nG68 X0 Y0 R30\nG0 X10 Y0\nG1 Z-1 "
+     "F300\nG1 X20 F900\nG0 Z5\nG69\nM30\n",
+     "mach3", ""},
+    {"tools without M6 on a machine with a changer",
+     "G21 G17 G90 G94 G54 G61\nT1\nG43 H1\nM3 S8000\nG0 X10 Y10 Z5\nG1 Z-1 F300\nG0 Z5\nM2\n", "linuxcnc",
+     ""},
+    {"a pause for the tool",
+     "G21 G17 G90 G94 G54\nM3 S8000\nG0 X10 Y10 Z5\nG1 Z-1 F300\nG0 Z5\nM5\nM0\nM3 S8000\nG0 X20 Y10\nG1 Z-1 "
+     "F300\nG0 Z5\nM5\nM30\n",
+     "grbl", "tool-by-hand"},
 };
 
 /// Conditions by name, or what is refused.

@@ -97,11 +97,13 @@ class Reader {
   int line_ = 0;
   double unit_ = 1;
   double feed_ = 0;
+  double tool_feed_ = 0;  ///< mm/min, F of TOOL CALL
   double speed_ = 0;
   int spindle_ = 5;
   double wider_ = 0;               ///< DR, mm: the tool counts as that much larger
   std::array<double, 3> datum_{};  ///< mm, by cycle 7 and TRANS DATUM
   double turned_ = 0;              ///< degrees, by cycle 10
+  bool chooses_datum_ = false;     ///< cycle 247 was defined
   double longer_ = 0;              ///< DL, mm: every height is that much off
   std::optional<Vec2> pole_;
   std::optional<HoleCycle> hole_;  ///< as last defined; CYCL CALL and M99 make it
@@ -223,6 +225,8 @@ void Reader::block(const Words& found) {
     cycle(words);
   } else if (first == "TRANS") {
     transform(words);
+  } else if (first.rfind("Q339", 0) == 0 && chooses_datum_) {
+    // The number of the datum, behind cycle 247.
   } else if (first[0] == 'Q' && hole_) {
     define_hole(words, 0);
   } else if (first == "BLK" || first == "TOOL" || first == "STOP" || first == "FUNCTION") {
@@ -259,7 +263,7 @@ void Reader::tool_call(const std::vector<std::string>& words) {
     } else if (word.rfind("DL", 0) == 0) {
       longer = number(word.substr(2)) * unit_;
     } else if (word[0] == 'F') {
-      feed_ = number(word.substr(1)) * feed_unit(unit_);
+      feed_ = tool_feed_ = number(word.substr(1)) * feed_unit(unit_);
     }
   }
   if (changed || longer != 0) set_length(longer);
@@ -411,6 +415,7 @@ void Reader::cycle(const std::vector<std::string>& words) {
     const double tolerance = number(words[3].substr(1)) * unit_;
     builder_.path_control = {PathMode::kTolerance, tolerance, std::nullopt};
   } else if (cycle == "247") {
+    chooses_datum_ = true;
     builder_.condition("datum-247", line_, "the datum that cycle 247 chooses lies where the work's zero is");
   }
 }
@@ -454,6 +459,10 @@ void Reader::set_drive() {
 void Reader::path_block(const std::string& kind, const std::vector<std::string>& block_words) {
   const PathWords words = placed(path_words(block_words, {unit_, longer_}, builder_, line_));
   if (words.feed) feed_ = *words.feed;
+  if (words.feed_of_tool) {
+    if (!(tool_feed_ > 0)) refuse("FAUTO takes the feed of TOOL CALL, which states none; add F to it");
+    feed_ = tool_feed_;
+  }
   for (const int m : words.m) {
     if (m != 2 && m != 30 && m != 99) m_word(m);
   }

@@ -87,6 +87,18 @@ TEST(KlartextDatum, AxesAreTurned) {
             "|10 5|5 0");
 }
 
+TEST(KlartextFeeds, FautoIsTheFeedOfTheToolsCall) {
+  const auto feeds = [](const std::string& blocks) {
+    std::string told;
+    for (const Section& section : read_gcode(program_of(blocks), "test.ngc").toolpath.sections)
+      for (const Move& move : section.moves)
+        if (!is_rapid(move.kind)) told += "|" + trimmed(move.feed.mm_per_min(), 3);
+    return told;
+  };
+  EXPECT_EQ(feeds("TOOL CALL 1 Z S1000 F700\nL X+1 F100\nL X+2\nL X+3 FAUTO"), "|100|100|700");
+  EXPECT_THAT(refused("L X+1 FAUTO"), HasSubstr("FAUTO takes the feed of TOOL CALL"));
+}
+
 TEST(KlartextDatum, HolesFollowIt) {
   const std::string hole =
       "CYCL DEF 200 DRILLING ~ Q200=+2 ~ Q201=-5 ~ Q206=+100 ~ Q202=+5 ~ Q210=+0 ~ Q203=+0 ~ Q204=+10 ~ "

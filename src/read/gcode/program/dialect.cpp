@@ -265,16 +265,32 @@ struct SpecialWords {
   int first, last;
   GWordSet set;
 };
-constexpr SpecialWords kSpecialWords[] = {
-    {730, 730, kDrillCycles},       {740, 799, kDrillCycles},   {801, 890, kDrillCycles},
-    {430, 430, kToolLengths},       {431, 431, kStatedLengths}, {1540, 1540, kHaasWords},
-    {1870, 1870, kHaasWords},       {1100, 1290, kHaasWords},   {541, 541, kOffsetsByNumber},
-    {591, 593, kFractionalOffsets}, {922, 923, kKeptShifts},    {611, 611, kExactStopBesidePath},
-    {281, 281, kStoredPlaces},      {301, 301, kStoredPlaces},  {901, 901, kAbsoluteCenters},
-    {160, 160, kPlanMaps},          {680, 680, kPlanMaps},      {501, 501, kPlanMaps},
-    {511, 511, kPlanMaps},          {310, 310, kSkipMoves},     {382, 385, kProbing},
-    {410, 410, kCompensation},      {420, 420, kCompensation},  {411, 411, kStatedRadii},
-    {421, 421, kStatedRadii}};
+constexpr SpecialWords kSpecialWords[] = {{730, 730, kDrillCycles},
+                                          {740, 799, kDrillCycles},
+                                          {801, 890, kDrillCycles},
+                                          {430, 430, kToolLengths},
+                                          {431, 431, kStatedLengths},
+                                          {1540, 1540, kHaasWords},
+                                          {1870, 1870, kHaasWords},
+                                          {1030, 1030, kHaasWords},
+                                          {1100, 1290, kHaasWords},
+                                          {541, 541, kOffsetsByNumber},
+                                          {591, 593, kFractionalOffsets},
+                                          {922, 923, kKeptShifts},
+                                          {611, 611, kExactStopBesidePath},
+                                          {281, 281, kStoredPlaces},
+                                          {301, 301, kStoredPlaces},
+                                          {901, 901, kAbsoluteCenters},
+                                          {160, 160, kPlanMaps},
+                                          {680, 680, kPlanMaps},
+                                          {501, 501, kPlanMaps},
+                                          {511, 511, kPlanMaps},
+                                          {310, 310, kSkipMoves},
+                                          {382, 385, kProbing},
+                                          {410, 410, kCompensation},
+                                          {420, 420, kCompensation},
+                                          {411, 411, kStatedRadii},
+                                          {421, 421, kStatedRadii}};
 
 bool among(std::span<const int> list, int code) {
   return std::find(list.begin(), list.end(), code) != list.end();
