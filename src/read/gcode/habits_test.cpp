@@ -232,6 +232,10 @@ constexpr Habit kHabits[] = {
      "o100 sub\nG0 X#1 Y10\nG1 Z-1 F300\nG0 Z5\no100 endsub\nG21 G17 G90 G94 G54 G61\nT1 M6\nG43 H1\nM3 "
      "S8000\nG0 X0 Y0 Z5\no100 call [10]\no100 call [20]\nM2\n",
      "linuxcnc", ""},
+    {"PathPilot: a subroutine of the program",
+     "o100 sub\nG0 X#1 Y10\nG1 Z-1 F300\nG0 Z5\no100 endsub\nG21 G17 G90 G94 G54 G61\nT1 M6 G43 H1\nM3 "
+     "S8000\nG0 X0 Y0 Z5\no100 call [10]\nM2\n",
+     "tormach", ""},
     {"Mach3: axes turned by G68",
      "G21 G17 G90 G94 G54 G61 G91.1\nT1 M6\nG43 H1\nM3 S8000\nG0 X0 Y0 Z5\nG68 X0 Y0 R30\nG0 X10 Y0\nG1 Z-1 "
      "F300\nG1 X20 F900\nG0 Z5\nG69\nM30\n",

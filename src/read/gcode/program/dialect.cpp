@@ -233,6 +233,7 @@ constexpr std::array kRules{
         .name = "tormach",
         .title = "Tormach PathPilot",
         .planner = MotionPlanner::kLinuxCnc,
+        .macros = MacroLanguage::kLinuxCnc,
         .g = {kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets | kKeptShifts |
               kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters | kCompensation | kStatedRadii},
         .m = {.only = kLinuxCncMiscellaneous,
