@@ -1,17 +1,15 @@
-// One part several times on one sheet, in one program.
+// One part several times on one sheet, in one program: PlanOptions::copies asks plan_part() and check_program() for it.
 #pragma once
 
 #include "clearcut/plan.h"
+#include "model/results/copies_made.h"
 #include "pipeline/copies/copies.h"
 
 namespace clearcut {
 
-using pipeline::Copies;
-using pipeline::parse_copies;
-using pipeline::parse_sheet;
-using pipeline::plan_copies;
-using pipeline::PlannedCopies;
-using pipeline::Sheet;
+using model::CopiesMade;
+using options::CopiesOptions;
 using pipeline::sheet_of_copies;
+using pipeline::SheetOfCopies;
 
 }  // namespace clearcut

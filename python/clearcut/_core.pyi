@@ -92,6 +92,12 @@ class Settings(TypedDict, total=False):
     spring_passes: float | None
     compensation: str | None
     wear_range: Length | None
+    copies: str | None
+    nest: str | None
+    gap: Length | None
+    edge: Length | None
+    count: int | None
+    subprograms: bool
     dogbones: str | None
     style: str | None
     material: str | None
@@ -325,6 +331,12 @@ class PlanOptions:
     spring_passes: float | None
     compensation: str | None
     wear_range: Length | None
+    copies: str | None
+    nest: str | None
+    gap: Length | None
+    edge: Length | None
+    count: int | None
+    subprograms: bool
     dogbones: str | None
     style: str | None
     material: str | None
@@ -645,6 +657,8 @@ class _Checked:
     def part(self) -> Part: ...
     @property
     def program(self) -> str: ...
+    @property
+    def copies(self) -> dict[str, Any] | None: ...
     @property
     def inputs(self) -> list[str]: ...
     @property

@@ -212,6 +212,22 @@ void add_tabs(OptionsClass& options) {
           doc("TabOptions::at"));
 }
 
+void add_copies(OptionsClass& options) {
+  add_plain<std::string>(
+      options, "copies", doc("CopiesOptions::grid"), [](auto& o) -> auto& { return o.copies.grid; });
+  add_plain<std::string>(
+      options, "nest", doc("CopiesOptions::sheet"), [](auto& o) -> auto& { return o.copies.sheet; });
+  add_length(
+      options, "gap", doc("CopiesOptions::gap"), [](auto& o) -> auto& { return o.copies.gap; });
+  add_length(
+      options, "edge", doc("CopiesOptions::edge"), [](auto& o) -> auto& { return o.copies.edge; });
+  add_plain<int>(
+      options, "count", doc("CopiesOptions::count"), [](auto& o) -> auto& { return o.copies.count; });
+  add_value(
+      options, "subprograms", doc("CopiesOptions::subprograms"),
+      [](auto& o) -> auto& { return o.copies.subprograms; });
+}
+
 void add_machine(OptionsClass& options) {
   options
       .def_property(
@@ -369,6 +385,7 @@ void add_options(py::module_& module) {
   add_cutting(options);
   add_shop(options);
   add_tabs(options);
+  add_copies(options);
   add_post_options(options);
   add_published_options(options);
   add_machine(options);

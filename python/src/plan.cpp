@@ -183,6 +183,21 @@ void add_checked(py::class_<Class>& checked) {
           "The files that it rests on; write() replaces none of them.")
       .def_readonly("program", &Class::program, "The text for the controller.")
       .def_property_readonly(
+          "copies",
+          [](const Class& self) -> py::object {
+            if (!self.result->copies) return py::none();
+            const CopiesMade& made = *self.result->copies;
+            py::dict out;
+            out["parts"] = made.parts;
+            out["clean_parts"] = made.clean_parts;
+            out["turned"] = made.turned;
+            out["gap_mm"] = made.gap;
+            out["wanted"] = made.wanted;
+            out["at_most"] = made.at_most;
+            return out;
+          },
+          "Copies of the part in one program: how many there are, how many are clean; None for one part.")
+      .def_property_readonly(
           "findings", [](const Class& self) { return self.result->findings; },
           "Figures and faults of the program, with places.")
       .def_property_readonly(

@@ -470,6 +470,15 @@ class Own(unittest.TestCase):
         plan = clearcut.plan(pocket(), tools="endmill:6", strategy="own", strategies=[clearcut.Strategy("own", outside)])
         self.assertEqual(plan.verdict, "FAULTY")
 
+    def test_copies_are_of_one_program(self):
+        plan = clearcut.plan(pocket(), tools="endmill:6", copies="2x1", gap=10)
+        self.assertEqual((plan.copies["parts"], plan.copies["clean_parts"]), (2, 2))
+        check = clearcut.verify(pocket(), plan.program, tools="endmill:6", dialect="linuxcnc", copies="2x1", gap=10)
+        self.assertEqual(check.copies["clean_parts"], 2)
+        self.assertIsNone(clearcut.plan(pocket(), tools="endmill:6").copies)
+        with self.assertRaisesRegex(clearcut.InputError, "--gap: lies between copies"):
+            clearcut.plan(pocket(), tools="endmill:6", gap=10)
+
     def test_names_are_not_taken_twice(self):
         with self.assertRaisesRegex(clearcut.InputError, "'contour' is taken"):
             clearcut.plan(pocket(), strategies=[clearcut.Strategy("contour", self.rings)])

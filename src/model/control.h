@@ -106,11 +106,20 @@ struct ArcDoubt {
   double apart_mm = 0;  ///< the tool may be anywhere within this of the move
 };
 
+/// The moves from this number until the next span come from one line of a subprogram.
+struct CallSpan {
+  std::size_t first_move = 0;
+  int calls = -1;  ///< index into ControlTable::call_texts; -1: a line of the program itself
+};
+
 /// Statements of a read program other than its motion; all lists ascending.
 struct ControlTable {
   std::vector<ControlSpan> spans;
   std::vector<ControlEvent> events;
   std::vector<ArcDoubt> arcs;
+  std::vector<CallSpan> calls;
+  /// Lines of subprograms, each with the calls that led there: "O1000.nc:4, O1000 called in part.nc:12".
+  std::vector<std::string> call_texts;
   std::optional<MotionPlanner> planner;  ///< planner of the control in whose dialect the program was read
   /// The program contains a word that turns a spindle (M3, M4, M13, M14, M19), known to the control or not.
   bool spindle_said = true;
@@ -120,6 +129,8 @@ struct ControlTable {
 
   /// State at move number `index`, counted over all sections; nothing before the first span.
   const ControlState* at(std::size_t index) const;
+  /// The line of the subprogram that move number `index` comes from; null: it is none.
+  const std::string* calls_at(std::size_t index) const;
   /// Greatest deviation of move number `index` from the read coordinates, mm.
   double doubt_at(std::size_t index) const;
 };

@@ -330,6 +330,14 @@ std::string without_leaning_walls(const Situation& at) {
                 "no wall leans");
 }
 
+std::string makes_no_copies(const Situation& at) {
+  return at.asked.copies.any() ? "" : "it lies between copies; add --copies or --nest";
+}
+
+std::string fills_no_sheet(const Situation& at) {
+  return at.asked.copies.sheet ? "" : "no sheet is filled; add --nest";
+}
+
 std::string states_no_toolpaths(const Situation& at) {
   return unless(
       any_step(at, [](const Workingstep& step, const ResolvedStep&) { return step.stated_path.has_value(); }),

@@ -58,6 +58,8 @@ std::string plans_corners_otherwise(const Situation& at);
 std::string bears_on_no_feeds(const Situation& at);
 std::string changes_no_feeds(const Situation& at);
 std::string without_leaning_walls(const Situation& at);
+std::string makes_no_copies(const Situation& at);
+std::string fills_no_sheet(const Situation& at);
 std::string states_no_toolpaths(const Situation& at);
 
 }  // namespace clearcut::inline options

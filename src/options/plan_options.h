@@ -21,6 +21,7 @@
 #include "model/part.h"
 #include "model/results/earlier_state.h"
 #include "model/tab_options.h"
+#include "options/copies_options.h"
 
 namespace clearcut::inline options {
 
@@ -52,6 +53,7 @@ struct PlanOptions {
   std::optional<double> scallop;      ///< mm; greatest step between layers on drafted walls
   ShopOptions shop;
   TabOptions tabs;
+  CopiesOptions copies;
   std::vector<PredrilledHole> predrilled;  ///< besides the part's own
   std::vector<KeepOut> keep_outs;          ///< besides the part's own
   std::optional<Toolpath> earlier;         ///< an earlier program already run on this stock

@@ -102,8 +102,8 @@ const char* name_of(Group group) {
   static constexpr const char* kNames[] = {
       "Input",           "Solids",           "Drawings",           "Tools",
       "Machine",         "Limits",           "Strategy",           "Entry",
-      "Leads and links", "Feeds and speeds", "Rest and finishing", "Controller",
-      "Search",          "Published solver"};
+      "Leads and links", "Feeds and speeds", "Rest and finishing", "Copies",
+      "Controller",      "Search",           "Published solver"};
   return kNames[static_cast<std::size_t>(group)];
 }
 

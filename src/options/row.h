@@ -30,6 +30,7 @@ enum class Group : unsigned char {
   kLeads,
   kFeeds,
   kStages,
+  kCopies,
   kController,
   kSearch,
   kPublishedSolver

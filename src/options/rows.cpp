@@ -8,6 +8,7 @@
 #include "model/options/controllers.h"
 #include "model/results/condition_kinds.h"
 #include "model/work_material.h"
+#include "options/copies_options.h"
 #include "options/field.h"
 #include "options/idle.h"
 #include "options/row.h"
@@ -1033,6 +1034,79 @@ std::vector<Row> stage_rows() {
   };
 }
 
+bool is_two_counts(const std::string& text) {
+  return counts_of_copies(text).has_value();
+}
+
+bool is_sheet(const std::string& text) {
+  return size_of_sheet(text).has_value();
+}
+
+std::vector<Row> copies_rows() {
+  return {
+      {.name = "copies",
+       .group = Group::kCopies,
+       .kind = kText,
+       .sentence = "Columns and rows of the part on one sheet, in one program: each tool does its work on "
+                   "all parts before the next",
+       .fallback = "one part",
+       .field = CLEARCUT_FIELD(plan.copies.grid),
+       .type = "CxR",
+       .table = JobTable::kPlan,
+       .example = "3x2",
+       .is_known = is_two_counts,
+       .known = "columns and rows, for example 3x2"},
+      {.name = "nest",
+       .group = Group::kCopies,
+       .kind = kText,
+       .sentence = "Sheet to fill with the part, turned by 90 degrees where that makes more of them; its "
+                   "lower left corner is the zero; width and height in mm",
+       .field = CLEARCUT_FIELD(plan.copies.sheet),
+       .type = "WxH",
+       .table = JobTable::kPlan,
+       .example = "600x400",
+       .is_known = is_sheet,
+       .known = "the width and height of a sheet, for example 600x400"},
+      {.name = "gap",
+       .group = Group::kCopies,
+       .kind = kLength,
+       .sentence = "Between the boxes of two copies: the kerf, or more",
+       .fallback = "what the cutter needs beside a part",
+       .field = CLEARCUT_FIELD(plan.copies.gap),
+       .range = between(0, kLongestLength),
+       .table = JobTable::kPlan,
+       .example = "8",
+       .effect = {kAllInputs, makes_no_copies}},
+      {.name = "edge",
+       .group = Group::kCopies,
+       .kind = kLength,
+       .sentence = "Of the sheet, that stays free on all sides",
+       .fallback = "0",
+       .field = CLEARCUT_FIELD(plan.copies.edge),
+       .range = between(0, kLongestLength),
+       .table = JobTable::kPlan,
+       .example = "5",
+       .effect = {kAllInputs, fills_no_sheet}},
+      {.name = "count",
+       .group = Group::kCopies,
+       .kind = kWhole,
+       .sentence = "Parts that are wanted of the sheet",
+       .fallback = "as many as fit",
+       .field = CLEARCUT_FIELD(plan.copies.count),
+       .range = between(1, kMostCopies),
+       .table = JobTable::kPlan,
+       .example = "8",
+       .effect = {kAllInputs, fills_no_sheet}},
+      {.name = "subprograms",
+       .group = Group::kCopies,
+       .kind = kFlag,
+       .sentence = "Write what copies have in common once, as subprograms in the program that it calls "
+                   "for each of them",
+       .field = CLEARCUT_FIELD(plan.copies.subprograms),
+       .table = JobTable::kPlan,
+       .effect = {kAllInputs, makes_no_copies}}};
+}
+
 std::vector<Row> controller_rows() {
   return {
       {.name = "post",
@@ -1236,8 +1310,9 @@ std::vector<Row> solver_rows() {
 
 std::vector<Row> all_rows() {
   std::vector<Row> all;
-  for (auto part : {input_rows, drawing_rows, tool_rows, machine_rows, limit_rows, strategy_rows, entry_rows,
-                    lead_rows, feed_rows, stage_rows, controller_rows, search_rows, solver_rows}) {
+  for (auto part :
+       {input_rows, drawing_rows, tool_rows, machine_rows, limit_rows, strategy_rows, entry_rows, lead_rows,
+        feed_rows, stage_rows, copies_rows, controller_rows, search_rows, solver_rows}) {
     for (Row& row : part()) all.push_back(std::move(row));
   }
   return all;

@@ -12,6 +12,7 @@
 #include "features/round_hole.h"
 #include "model/results/not_machined.h"
 #include "model/section_names.h"
+#include "pipeline/copies/copies.h"
 #include "pipeline/margin.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/certify.h"
@@ -331,9 +332,14 @@ void take_first(ResolvedPlan& plan, const FirstPart* first) {
   plan.earlier_state = first->state;
 }
 
+CheckResult check_sheet(const Part& part, const ProgramText& text, const resolve::PlanOptions& options,
+                        const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first);
+
 /// `reference_feeds`: as check_program(). `first`: null where nothing of the same program has run before.
 CheckResult check_text(const Part& part, const ProgramText& text, const resolve::PlanOptions& options,
                        const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first) {
+  require_copies(options.copies);
+  if (options.copies.any()) return check_sheet(part, text, options, reference_feeds, first);
   const StrategyTable& strategies = strategies_of(options);
   std::optional<ResolvedPlan> resolved;
   if (text.names_no_tools()) resolved = resolve::resolve(part, options, strategies);
@@ -374,10 +380,26 @@ CheckResult check_text(const Part& part, const ProgramText& text, const resolve:
   return result;
 }
 
+/// The sheet of copies that the options ask for.
+CheckResult check_sheet(const Part& part, const ProgramText& text, const resolve::PlanOptions& options,
+                        const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first) {
+  SheetOfCopies sheet = sheet_of_copies(part, options);
+  resolve::PlanOptions of_sheet = options;
+  of_sheet.copies = {};
+  CheckResult result = check_text(sheet.part, text, of_sheet, reference_feeds, first);
+  sheet.made.sheet = result.part.stock ? result.part.stock->plan : Box{};
+  count_clean_parts(result.findings, sheet.made);
+  result.copies = sheet.made;
+  return result;
+}
+
 CheckResult check_text_alone(const std::optional<Stock>& stock, const ProgramText& text,
                              const resolve::PlanOptions& options, std::optional<double> top,
                              const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first) {
   const std::string& program_name = text.name;
+  require_copies(options.copies);
+  if (options.copies.any())
+    throw InputError(options.copies.grid ? "--copies" : "--nest", "needs --part: copies are of a part");
   auto read = read_program(text, options, options.tools, stock ? stock->z_top : top.value_or(0),
                            text.names_no_tools() ? as_given(options.tools) : HandTools{});
   require_moves(read.toolpath, program_name);

@@ -8,6 +8,7 @@
 #include "model/control.h"
 #include "model/move.h"
 #include "model/part.h"
+#include "model/results/copies_made.h"
 #include "model/results/earlier_state.h"
 #include "model/results/findings.h"
 #include "model/results/margin.h"
@@ -25,6 +26,7 @@ struct CheckResult {
   ControlTable control;             ///< state of the control at each move of `toolpath`
   std::optional<Toolpath> earlier;  ///< earlier cuts
   std::optional<Margin> margin;     ///< absent: not asked
+  std::optional<CopiesMade> copies; ///< absent: one part
 };
 /// `dialect`: the control that will run the program; absent: recognised. `reference_feeds`: feeds at the reference by
 /// tool number, used if feeds follow the load and no option states one.

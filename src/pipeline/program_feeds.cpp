@@ -8,6 +8,7 @@
 #include "link/sections/load_feeds.h"
 #include "pipeline/steps/load_feeds.h"
 #include "read/gcode/macros/computes.h"
+#include "read/gcode/sinumerik/words.h"
 #include "read/gcode/words/feed_word.h"
 #include "read/gcode/words/lines.h"
 #include "resolve/resolve.h"
@@ -197,7 +198,10 @@ ProgramFeeds feeds_of_program(const ProgramQuestion& question, const std::string
   feeds.before = checked(question, program, program_name, plain, {});
   if (feeds.before.dialect == read::gcode::Dialect::kHeidenhain)
     throw InputError(program_name, "feeds of Klartext are not rewritten; give a program in G-code");
-  if (const int line = read::gcode::first_macro_line(program))
+  const bool is_siemens = feeds.before.dialect == read::gcode::Dialect::kSiemens;
+  const int line_of_call = feeds.before.control.calls.empty() ? 0 : 1;
+  if (const int line = is_siemens ? std::max(read::gcode::first_language_line(program), line_of_call)
+                                  : read::gcode::first_macro_line(program))
     throw InputError(
         program_name + ":" + std::to_string(line),
         "feeds of a program that computes or calls are not rewritten; post it with plain blocks");

@@ -128,7 +128,7 @@ void complete_verdict(const Toolpath& toolpath, const ResolvedPlan& plan, PlanRe
   sign(result, toolpath, plan);
 }
 
-PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
+PlanResult plan_one_part(const Part& part, const resolve::PlanOptions& options) {
   const StrategyTable& strategies = strategies_of(options);
   const ResolvedPlan plan = resolve::resolve_possible(part, options, strategies);
   PlanResult result;

@@ -52,5 +52,23 @@ TEST(WhatPlansSay, RestStepsComeBeforeWhatFreesThePart) {
   EXPECT_FALSE(has(result.findings, FaultKind::kLoosePart)) << faults_of(result.findings);
 }
 
+/// A rapid in the material stands in a subprogram: which line of it, and who called it.
+TEST(WhatChecksSay, FaultsWithinSubprogramsTellTheCalls) {
+  const std::string program =
+      "%\nO0001\nG21 G17 G90 G94 G40 G80 G61\nT1 M6\nG54\nS6000 M3\nG0 G43 H1 Z10.\nG0 X10. Y10.\nM98 "
+      "P2000\nM30\n"
+      "O2000\nG0 Z-3.\nG1 X20. F200.\nG0 Z10.\nM99\n%\n";
+  const CheckResult checked =
+      check_program_alone(resolve::parse_stock("0:40,0:30,-10:0"), program, "called.nc", with({"endmill:6"}),
+                          read::gcode::Dialect::kFanuc);
+  const auto found =
+      std::find_if(checked.findings.faults.begin(), checked.findings.faults.end(),
+                   [](const Fault& fault) { return fault.kind == FaultKind::kRapidInMaterial; });
+  ASSERT_NE(found, checked.findings.faults.end()) << faults_of(checked.findings);
+  EXPECT_EQ(found->at.line, 12);
+  EXPECT_NE(found->text.find("(called.nc:12, O2000 called in called.nc:9)"), std::string::npos)
+      << found->text;
+}
+
 }  // namespace
 }  // namespace clearcut::pipeline

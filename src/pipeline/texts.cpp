@@ -78,6 +78,7 @@ std::string write_certificate(const PlanResult& result, const resolve::PlanOptio
                               const CertificateBasis& basis) {
   report::CertificateInfo info = certificate_info(options, basis, result.control);
   info.margin = result.margin;
+  info.copies = result.copies;
   info.program = result.program;
   info.selections = result.selections;
   info.values = result.values;
@@ -90,6 +91,7 @@ std::string write_certificate(const CheckResult& result, const resolve::PlanOpti
                               const CertificateBasis& basis, const std::string& program) {
   report::CertificateInfo info = certificate_info(options, basis, result.control);
   info.margin = result.margin;
+  info.copies = result.copies;
   info.program = program;
   info.dialect = name_of(result.dialect);
   info.dialect_stated = basis.dialect_stated;

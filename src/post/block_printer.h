@@ -3,6 +3,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "post/words/iso_dialect.h"
 #include "post/words/print_grid.h"
@@ -32,7 +33,8 @@ class BlockPrinter {
   /// One comment, on as many lines as its length needs.
   void comment(std::string_view text);
 
-  std::string take() { return std::move(out_); }
+  /// The lines so far; others follow from then on.
+  std::string take() { return std::exchange(out_, {}); }
 
  private:
   int next_number();

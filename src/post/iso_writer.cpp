@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/error.h"
 #include "base/inch.h"
@@ -46,6 +50,16 @@ struct Held {
   bool length_due = false;  ///< the tool's length comes with the next approach
 };
 
+/// Numbers of subprograms begin here, below those from 8000 on that controls protect; in the other thousand where the program itself has
+/// such a number.
+constexpr int kFirstSubprogram = 7001, kOtherFirstSubprogram = 6001, kThousand = 1000;
+
+/// A subprogram, and where it ends: x and y from its start, z as it is.
+struct Body {
+  std::string lines;
+  Ticks end;
+};
+
 class IsoWriter {
  public:
   IsoWriter(const Part& part, const PostOptions& options, const IsoDialect& dialect, double safe_z)
@@ -64,9 +78,14 @@ class IsoWriter {
   static StepRules rules_for(const PostOptions& options, const IsoDialect& dialect);
 
   void begin_program();
+  void find_shared(const Toolpath& toolpath);
+  int first_subprogram() const;
+  void write_body(const Section& section, int number);
+  void call_body(const Section& section, int number);
+  std::string with_bodies(const std::string& head);
   void set_path_control(bool first);
   void set_level(const Section& section);
-  void write_section(const Section& section);
+  void write_section(const Section& section, int subprogram);
   bool repeats_cycle(const Section& section, bool new_tool);
   void end_cycle();
   void write_moves(std::span<const Move> run, const Section& section, const Tool* tap);
@@ -82,7 +101,9 @@ class IsoWriter {
   void set_coolant(Coolant wanted);
 
   void approach(const Move& first);
+  void approach_above(const Move& first);
   void descend_with_length(const Ticks& start);
+  void take_length_above(const Ticks& start);
   void retract();
   void rapid_to_plan(const Ticks& to);
   void rapid_to_height(long long z);
@@ -101,7 +122,13 @@ class IsoWriter {
   void write_feed(const Step& step, MmPerMin feed);
   void motion_word(int code);
   void feed_word(MmPerMin feed);
-  void axis_word(char letter, long long ticks) { out_.word(letter, ticks, rules_.grid); }
+  /// Within a subprogram X, Y and Z count from where the tool stands.
+  void axis_word(char letter, long long ticks) {
+    if (in_body_ && letter == 'X') ticks -= held_.at.x;
+    if (in_body_ && letter == 'Y') ticks -= held_.at.y;
+    if (in_body_ && letter == 'Z') ticks -= held_.at.z;
+    out_.word(letter, ticks, rules_.grid);
+  }
 
   bool changes_tools() const { return dialect_.changer && options_.tool_changer; }
   LengthOffset length_offset() const {
@@ -122,8 +149,12 @@ class IsoWriter {
   bool compensates_ = false;
   std::optional<OpenCycle> open_;
   CutLevel level_ = CutLevel::kMedium;
-  std::vector<int> changes_;  ///< tools in the order of their changes
-  std::size_t changed_ = 0;   ///< number of tool changes so far
+  std::vector<int> changes_;    ///< tools in the order of their changes
+  std::size_t changed_ = 0;     ///< number of tool changes so far
+  std::vector<int> called_;     ///< of each section the number of its subprogram; 0: none
+  std::map<int, Body> bodies_;  ///< by number
+  std::string written_;         ///< of the program before the lines that out_ holds
+  bool in_body_ = false;
 };
 
 StepRules IsoWriter::rules_for(const PostOptions& options, const IsoDialect& dialect) {
@@ -137,11 +168,100 @@ std::string IsoWriter::program(const Toolpath& toolpath) {
                                   [](const Section& section) { return !section.moves.empty(); });
   if (first != toolpath.sections.end()) level_ = level_of(*first, part_);
   begin_program();
-  for (const Section& section : toolpath.sections) {
-    if (!section.moves.empty()) write_section(section);
+  find_shared(toolpath);
+  const std::string head = out_.take();
+  for (std::size_t i = 0; i < toolpath.sections.size(); ++i) {
+    const Section& section = toolpath.sections[i];
+    if (!section.moves.empty()) write_section(section, called_.empty() ? 0 : called_[i]);
   }
   end_program();
-  return out_.take();
+  return with_bodies(head);
+}
+
+int IsoWriter::first_subprogram() const {
+  if (dialect_.program_digits == 0) return kFirstSubprogram;
+  const int own =
+      options_.program_number.value_or(program_number(options_.program_name)) + options_.programs_before;
+  return own / kThousand == kFirstSubprogram / kThousand ? kOtherFirstSubprogram : kFirstSubprogram;
+}
+
+/// Sections that are called: two or more make the same moves, which are no holes by cycles, taps or compensated passes.
+void IsoWriter::find_shared(const Toolpath& toolpath) {
+  const auto& sections = toolpath.sections;
+  if (dialect_.subprograms == SubprogramForm::kNone || options_.subprograms.size() != sections.size()) return;
+  std::map<int, int> uses, numbers;
+  std::vector<bool> may_be(sections.size());
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const Section& section = sections[i];
+    const std::vector<Move> joined = with_lines_joined(section.moves, rules_.grid);
+    may_be[i] = !section.moves.empty() && options_.subprograms[i] > 0 && !tap_of(section, part_) &&
+                !is_compensated(section);
+    for (std::size_t k = 0; may_be[i] && k < joined.size(); ++k)
+      may_be[i] = !hole_at(std::span<const Move>(joined).subspan(k), dwell_of(section, part_));
+    if (may_be[i]) ++uses[options_.subprograms[i]];
+  }
+  called_.assign(sections.size(), 0);
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    if (!may_be[i] || uses[options_.subprograms[i]] < 2) continue;
+    const int next = first_subprogram() + static_cast<int>(numbers.size());
+    called_[i] = numbers.try_emplace(options_.subprograms[i], next).first->second;
+  }
+}
+
+/// The moves of the section from the safe height above their start and back to it, counted from there: G91.
+void IsoWriter::write_body(const Section& section, int number) {
+  written_ += out_.take();
+  const Held before = held_;
+  const Move& first = section.moves.front();
+  const Ticks start = rules_.grid.ticks(first.path.from, first.z_from);
+  out_.line("G91");
+  in_body_ = true;
+  held_.at = {start.x, start.y, safe_z_};
+  held_.motion = -1;
+  held_.feed = -1;
+  rapid_to_height(start.z);
+  for (const MoveRun& run : runs_of(section)) {
+    write_moves(run.moves, section, nullptr);
+    if (run.dwell_s > 0) dwell(run.dwell_s);
+  }
+  retract();
+  in_body_ = false;
+  out_.line("G90");
+  bodies_[number] = {out_.take(), {held_.at.x - start.x, held_.at.y - start.y, held_.at.z}};
+  held_ = before;
+}
+
+void IsoWriter::call_body(const Section& section, int number) {
+  approach_above(section.moves.front());
+  if (!bodies_.contains(number)) write_body(section, number);
+  if (dialect_.subprograms == SubprogramForm::kOWords)
+    out_.line(fmt::format("o{} call", number));
+  else
+    out_.line(fmt::format("{} P{}", dialect_.subprograms == SubprogramForm::kBlocks ? "M97" : "M98", number));
+  const Ticks& end = bodies_.at(number).end;
+  held_.at = {held_.at.x + end.x, held_.at.y + end.y, end.z};
+  held_.motion = -1;
+  held_.feed = -1;
+}
+
+/// The whole program: what O words define stands before its calls, programs and blocks stand behind the end.
+std::string IsoWriter::with_bodies(const std::string& head) {
+  const bool before = dialect_.subprograms == SubprogramForm::kOWords;
+  std::string definitions;
+  for (const auto& [number, body] : bodies_) {
+    if (before)
+      definitions += fmt::format("o{} sub\n{}o{} endsub\n", number, body.lines, number);
+    else
+      definitions += fmt::format("{}{}\n{}M99\n", dialect_.subprograms == SubprogramForm::kBlocks ? 'N' : 'O',
+                                 number, body.lines);
+  }
+  std::string rest = written_ + out_.take();
+  if (before || bodies_.empty()) return head + definitions + rest;
+  // The last line of a tape is its end.
+  constexpr std::string_view kTapeEnd = "%\n";
+  const bool ends_tape = dialect_.tape && rest.ends_with(kTapeEnd);
+  if (ends_tape) rest.resize(rest.size() - kTapeEnd.size());
+  return head + rest + definitions + (ends_tape ? std::string(kTapeEnd) : "");
 }
 
 void IsoWriter::begin_program() {
@@ -226,7 +346,7 @@ void IsoWriter::end_cycle() {
   out_.line("G80");
 }
 
-void IsoWriter::write_section(const Section& section) {
+void IsoWriter::write_section(const Section& section, int subprogram) {
   const std::vector<ProgramStop> stops = stops_.before(section);
   const bool new_tool = section.tool_number > 0 && section.tool_number != held_.tool;
   if (stops.empty() && repeats_cycle(section, new_tool)) return;
@@ -243,6 +363,7 @@ void IsoWriter::write_section(const Section& section) {
   set_level(section);
   set_spindle(section);
   set_coolant(section.coolant);
+  if (subprogram > 0) return call_body(section, subprogram);
   approach(section.moves.front());
   const Tool* tap = tap_of(section, part_);
   if (tap) refuse_tap(*tap, dialect_.tapping, dialect_.name);
@@ -469,6 +590,11 @@ void IsoWriter::approach(const Move& first) {
 /// The spindle is at its upper end after a tool change: first the move in plan, then the tool's length during the
 /// descent.
 void IsoWriter::descend_with_length(const Ticks& start) {
+  take_length_above(start);
+  rapid_to_height(start.z);
+}
+
+void IsoWriter::take_length_above(const Ticks& start) {
   rapid_to_plan(start);
   out_.word(dialect_.length_offset == LengthOffset::kEdge ? "D1" : fmt::format("G43 H{}", held_.tool));
   axis_word('Z', safe_z_);
@@ -476,7 +602,17 @@ void IsoWriter::descend_with_length(const Ticks& start) {
   held_.at.z = safe_z_;
   held_.height = true;
   held_.length_due = false;
-  rapid_to_height(start.z);
+}
+
+/// To the safe height above the first move's start.
+void IsoWriter::approach_above(const Move& first) {
+  const Ticks start = rules_.grid.ticks(first.path.from, first.z_from);
+  if (held_.length_due) return take_length_above(start);
+  if (!held_.plan || !held_.at.same_plan(start)) {
+    retract();
+    rapid_to_plan(start);
+  }
+  rapid_to_height(safe_z_);
 }
 
 void IsoWriter::retract() {

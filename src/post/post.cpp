@@ -130,6 +130,11 @@ bool repeats_cycles(const std::string& dialect) {
   return iso != nullptr && iso->modal_cycles;
 }
 
+bool has_subprograms(const std::string& dialect) {
+  const IsoDialect* const iso = iso_dialect_named(dialect);
+  return iso != nullptr && iso->subprograms != SubprogramForm::kNone;
+}
+
 clearcut::PathControl path_control_of(const PostOptions& options) {
   const double within = options.tol.gouge / 2;
   const IsoDialect* const dialect = iso_dialect_named(options.dialect);

@@ -24,6 +24,9 @@ std::optional<int> program_number_of(const std::string& dialect, const std::stri
 /// Whether programs of the control say the places of holes alike behind one cycle.
 bool repeats_cycles(const std::string& dialect);
 
+/// Whether PostOptions::subprograms are written for the control: it has subprograms that stand in the program itself.
+bool has_subprograms(const std::string& dialect);
+
 /// Digits after the decimal point of lengths: those requested, else the controller's resolution.
 int decimals_of(const PostOptions& options);
 /// Largest distance in plan between a toolpath and the program written for it, mm: rounding to the printed

@@ -93,9 +93,8 @@ TEST(JobStrategy, ThatIsNoneIsRefusedInOneLine) {
   }
 }
 
-/// Arguments of the command, not of a plan: also the copies of a part on a sheet, which are made of its plan.
-const std::set<std::string> kNotOfJobs{"--copies", "--count", "--earlier-setup", "--edge",  "--explain",
-                                       "--gap",    "--help",  "--nest",          "--quiet", "--setup"};
+/// Arguments of the command, not of a plan.
+const std::set<std::string> kNotOfJobs{"--earlier-setup", "--explain", "--help", "--quiet", "--setup"};
 
 TEST(JobKeys, AreThereForEveryOptionOfPlan) {
   const ScratchFolder folder;

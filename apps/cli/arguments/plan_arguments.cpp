@@ -89,6 +89,10 @@ void PlanArguments::add_steps_options(CLI::App& command) {
   });
 }
 
+void PlanArguments::add_copies_options(CLI::App& command) {
+  values_.add(command, [](const Row& row) { return row.group == Group::kCopies; });
+}
+
 void PlanArguments::add_cutting_options(CLI::App& command) {
   values_.add(command, [](const Row& row) { return row.group >= Group::kStrategy && !is_of_question(row); });
 }

@@ -46,6 +46,8 @@ class PlanArguments {
   void add_cutting_options(CLI::App& command);
   /// Options for the steps of the work: earlier work, narrower mills, finishing.
   void add_steps_options(CLI::App& command);
+  /// Options for several copies of the part; add_cutting_options adds these, too.
+  void add_copies_options(CLI::App& command);
 
   /// Must be called before options(); only then do these contain the sources of a job's values.
   Part read(Block block = Block::kAsLeft) const;

@@ -1,4 +1,3 @@
-#include <clearcut/copies.h>
 #include <clearcut/error.h>
 #include <clearcut/file.h>
 #include <clearcut/plan.h>
@@ -11,7 +10,6 @@
 #include <memory>
 
 #include "arguments/certificate_info.h"
-#include "arguments/copies_arguments.h"
 #include "arguments/plan_arguments.h"
 #include "commands/commands.h"
 #include "commands/setup_sheet_file.h"
@@ -32,7 +30,6 @@ struct PlanCommand {
   std::string sheet;
   std::string result;
   std::string witness;
-  CopiesArguments copies;
   bool quiet = false;
   bool explain = false;
   bool for_many = false;
@@ -132,36 +129,27 @@ std::string advice_of(const Part& part, const PlanOptions& options) {
                      fewer);
 }
 
-/// The parts of one program: one, or copies on a sheet.
-struct PlannedParts {
-  PlanResult result;
-  std::string told;     ///< of several: how many there are and how many are clean
-  bool misses = false;  ///< fewer than were wanted
-};
-
-PlannedParts plan_parts(const PlanCommand& command, const Part& part, const PlanOptions& options) {
-  if (!command.copies.any()) return {plan_part(part, options), "", false};
-  PlannedCopies sheet = command.copies.plan(part, options);
+/// Of several parts how many there are and how many are clean.
+std::string parts_line(const CopiesMade& made) {
   std::string told =
-      fmt::format("{} parts on {} by {} mm, {} clean", sheet.parts, trimmed(sheet.sheet.width(), 3),
-                  trimmed(sheet.sheet.height(), 3), sheet.clean_parts);
-  if (sheet.turned > 0) told += fmt::format("; {} are turned by 90 degrees", sheet.turned);
-  const bool misses = sheet.wanted && *sheet.wanted > sheet.parts;
-  if (misses) told += fmt::format("; {} of {} do not fit", *sheet.wanted - sheet.parts, *sheet.wanted);
-  if (sheet.at_most && *sheet.at_most > sheet.parts && (misses || !sheet.wanted))
-    told += fmt::format("; no layout has more than {}", *sheet.at_most);
-  return {std::move(sheet.result), std::move(told), misses};
+      fmt::format("{} parts on {} by {} mm, {} clean", made.parts, trimmed(made.sheet.width(), 3),
+                  trimmed(made.sheet.height(), 3), made.clean_parts);
+  if (made.turned > 0) told += fmt::format("; {} are turned by 90 degrees", made.turned);
+  if (made.misses()) told += fmt::format("; {} of {} do not fit", *made.wanted - made.parts, *made.wanted);
+  if (made.at_most && *made.at_most > made.parts && (made.misses() || !made.wanted))
+    told += fmt::format("; no layout has more than {}", *made.at_most);
+  return told;
 }
 
 /// Plans while a line says how far it is; warnings of reading do not vanish behind an error.
-PlannedParts planned(const PlanCommand& command, const Part& part, PlanOptions options) {
+PlanResult planned(const PlanCommand& command, const Part& part, PlanOptions options) {
   try {
     std::optional<ProgressLine> line;
     if (!command.quiet) {
       line.emplace(hint_of(part, options), advice_of(part, options));
       options.progress = line->callback();
     }
-    return plan_parts(command, part, options);
+    return plan_part(part, options);
   } catch (const InputError&) {
     print_warnings(part.diagnostics);
     throw;
@@ -214,7 +202,10 @@ std::vector<PlannedSetup> planned_setups(const PlanCommand& command, int count) 
     number_outputs(one.command, number);
     const Part part = arguments.read();
     one.options = arguments.options();
-    one.result = planned(one.command, part, one.options).result;
+    if (one.options.copies.any())
+      throw InputError(one.options.copies.grid ? "--copies" : "--nest",
+                       "is for a part in one set-up; take one set-up with --setup");
+    one.result = planned(one.command, part, one.options);
     setups.push_back(std::move(one));
   }
   return setups;
@@ -277,8 +268,6 @@ void refuse_for_setups(const PlanCommand& command, int count) {
     throw InputError("--setup", "the set-ups of a job are planned together; leave it out");
   if (!command.witness.empty())
     throw InputError("--witness", "is about one program; verify each program with --witness");
-  if (command.copies.any())
-    throw InputError(command.copies.name(), "is for a part in one set-up; take one set-up with --setup");
   if (command.output.empty() && !command.explain)
     throw InputError("--output", "is missing; name the program to write");
   if (command.output == "-")
@@ -306,8 +295,8 @@ int run_setups(const PlanCommand& command, int count) {
   return worst == Verdict::kClean ? kClean : kFault;
 }
 
-void refuse_for_witness(const PlanCommand& command) {
-  if (command.copies.any())
+void refuse_for_witness(const PlanCommand& command, const PlanOptions& options) {
+  if (options.copies.any())
     throw InputError("--witness",
                      "is about the part as it was read, not about copies; leave one of them out");
   if (command.output == "-") throw InputError("--witness", "is about a program file; name it with --output");
@@ -330,9 +319,8 @@ int run(PlanCommand command) {
   if (command.output.empty()) throw InputError("--output", "is missing; name the program to write");
   const std::vector<std::string> inputs = paths_of(command.arguments.input_files());
   check_outputs(output_names(command), inputs);
-  if (!command.witness.empty()) refuse_for_witness(command);
-  const PlannedParts parts = planned(command, part, options);
-  const PlanResult& result = parts.result;
+  if (!command.witness.empty()) refuse_for_witness(command, options);
+  const PlanResult result = planned(command, part, options);
   const Proven proven{result.part, result.toolpath, result.program, command.output,
                       command.arguments.input()};
   WitnessFile witness;
@@ -344,10 +332,10 @@ int run(PlanCommand command) {
   for (OutputFile& file : witness_files(witness, command.witness)) files.push_back(std::move(file));
   write_outputs(files, inputs);
   tell(command, result, options);
-  if (!parts.told.empty() && command.output != "-") print_line(parts.told);
+  if (result.copies && command.output != "-") print_line(parts_line(*result.copies));
   if (without || (!command.witness.empty() && !command.quiet))
     print_line(witness_lines(witness, command.witness, proven));
-  return without || parts.misses ? kFault : exit_code_of(result.findings);
+  return without || (result.copies && result.copies->misses()) ? kFault : exit_code_of(result.findings);
 }
 
 std::shared_ptr<PlanCommand> declare(CLI::App& command) {
@@ -355,7 +343,6 @@ std::shared_ptr<PlanCommand> declare(CLI::App& command) {
   state->arguments.add_part_options(command, "INPUT");
   state->arguments.add_tool_options(command);
   state->arguments.add_cutting_options(command);
-  state->copies.add_options(command);
   command.option_defaults()->group("Output");
   command.add_option("-o,--output", state->output, "Program to write (- for standard output)")
       ->type_name("FILE");
@@ -405,7 +392,7 @@ std::string plan_certificate(const std::vector<std::string>& arguments, const st
     return certificate_of_setup(command, count, program);
   const Part part = command.arguments.read();
   const PlanOptions options = command.arguments.options();
-  return write_certificate(plan_parts(command, part, options).result, options, basis_of(command));
+  return write_certificate(plan_part(part, options), options, basis_of(command));
 }
 
 }  // namespace clearcut::cli

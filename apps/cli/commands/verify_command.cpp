@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "arguments/certificate_info.h"
-#include "arguments/copies_arguments.h"
 #include "arguments/plan_arguments.h"
 #include "arguments/suggest.h"
 #include "commands/commands.h"
@@ -23,7 +22,6 @@ namespace {
 
 struct VerifyCommand {
   PlanArguments arguments;
-  CopiesArguments copies;
   std::string program;
   std::optional<std::string> stock;
   std::string json;
@@ -63,21 +61,18 @@ CheckResult checked_alone(const VerifyCommand& command, const std::string& progr
   return check_program_alone(stock, program, command.program, options, command.arguments.dialect(), top);
 }
 
-/// The part, or the sheet of its copies.
-Part part_of(const VerifyCommand& command, const PlanOptions& options) {
-  Part part = command.arguments.read();
-  return command.copies.any() ? command.copies.sheet_of(part, options) : part;
-}
-
 Checked checked(const VerifyCommand& command) {
   PlanOptions options = command.arguments.options();
   std::optional<ProgressLine> line;
   if (!command.quiet) options.progress = line.emplace(kStops).callback();
+  if (asks_proof(command) && options.copies.any())
+    throw InputError("--copies",
+                     "have no witness: it is about the part as it was read; leave one of them out");
   Checked out;
   out.program = read_file(command.program);
   out.result = command.arguments.input().empty()
                    ? checked_alone(command, out.program, options)
-                   : check_program(part_of(command, options), out.program, command.program, options,
+                   : check_program(command.arguments.read(), out.program, command.program, options,
                                    command.arguments.dialect());
   if (asks_proof(command))
     out.witness = witness_of(
@@ -103,9 +98,6 @@ int run(const VerifyCommand& command) {
   check_setup_sheet_name(command.sheet);
   if (asks_proof(command) && command.arguments.input().empty())
     throw InputError("--witness", "is about a program and a part; name the part with --part");
-  if (asks_proof(command) && command.copies.any())
-    throw InputError("--copies",
-                     "have no witness: it is about the part as it was read; leave one of them out");
   const Checked found = checked(command);
   const CheckResult& result = found.result;
   std::vector<OutputFile> files;
@@ -143,7 +135,7 @@ std::shared_ptr<VerifyCommand> declare_question(CLI::App& command) {
   state->arguments.add_part_options(command, "--part");
   state->arguments.add_tool_options(command);
   state->arguments.add_steps_options(command);
-  state->copies.add_options(command);
+  state->arguments.add_copies_options(command);
   command.option_defaults()->group("Input");
   state->arguments.add_dialect_option(command);
   return state;
@@ -237,7 +229,7 @@ ProgramQuestion question_of(const VerifyCommand& command, const PlanOptions& opt
   question.dialect = command.arguments.dialect();
   question.top = command.arguments.top();
   if (command.stock) question.stock = parse_stock(*command.stock, question.top.value_or(0));
-  if (!command.arguments.input().empty()) question.part = &part.emplace(part_of(command, options));
+  if (!command.arguments.input().empty()) question.part = &part.emplace(command.arguments.read());
   return question;
 }
 

@@ -15,6 +15,7 @@ const placeOfGroup = {
   'Leads and links': 'cutting',
   'Feeds and speeds': 'cutting',
   'Rest and finishing': 'cutting',
+  'Copies': 'stock',
   'Search': 'research',
   'Published solver': 'research'
 };

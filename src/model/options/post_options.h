@@ -35,6 +35,9 @@ struct PostOptions {
   WorkOffset work_offset;             ///< work offset of the part's zero
   EndPosition end;
   std::optional<WearCompensation> wear;
+  /// Of each section of the toolpath: sections of one number above 0 make the same moves at other places, which are written once, as a
+  /// subprogram; 0: the section is written where it stands. Empty: all are.
+  std::vector<int> subprograms;
   bool block_numbers = false;           ///< N words, in tens
   bool optional_stop = false;           ///< M1 before every tool but the first
   std::optional<Seconds> spindle_wait;  ///< wait after the spindle starts; default per dialect

@@ -6,30 +6,25 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
 
 #include "base/error.h"
 #include "base/text/format.h"
-#include "base/text/quantity.h"
 #include "base/tolerances.h"
 #include "model/section_names.h"
+#include "options/copies_options.h"
 #include "pipeline/copies/nest.h"
+#include "pipeline/run.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/certify.h"
+#include "post/post.h"
 #include "read/common/moved_part.h"
 #include "resolve/resolve.h"
 
 namespace clearcut::pipeline {
 namespace {
-
-/// More than that is no sheet of parts but a mistyped number.
-constexpr int kMostCopies = 10'000;
-
-std::optional<int> count_in(std::string_view text) {
-  int value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || value < 1) return std::nullopt;
-  return value;
-}
 
 bool is_cut_out(const Feature& feature) {
   return feature.profile && feature.profile->closed && feature.profile->side == ProfileSide::kOutside;
@@ -66,14 +61,16 @@ double overhang_of(const Box& part, const Box& swept, bool in_x, bool in_y) {
   return most;
 }
 
-/// Throws InputError where one copy's cutter comes into the box of the next.
-void require_gap(double needed, double gap) {
-  if (needed <= gap + kSamePlaceMm) return;
-  const double rounded = std::ceil(needed * 100 - kSamePlaceMm) / 100;
-  throw InputError("--gap",
-                   fmt::format("{} mm between parts is less than the cutter needs beside one; give {} mm or "
-                               "more, or entries and leads that stay in the kerf",
-                               trimmed(gap, 3), trimmed(rounded, 2)));
+/// mm between two parts: as stated, else `needed`. Throws InputError where one copy's cutter comes into the box of the next.
+double gap_of(const CopiesOptions& copies, double needed) {
+  const double enough = std::ceil(needed * 100 - kSamePlaceMm) / 100;
+  const double gap = copies.gap.value_or(enough);
+  if (needed > gap + kSamePlaceMm)
+    throw InputError("--gap",
+                     fmt::format("{} mm between parts is less than the cutter needs beside one; give {} mm "
+                                 "or more, or entries and leads that stay in the kerf",
+                                 trimmed(gap, 3), trimmed(enough, 2)));
+  return gap;
 }
 
 Section placed(Section section, const read::PlanPlacement& place, int first_step) {
@@ -118,32 +115,77 @@ Part sheet_of(const Part& one, const Places& places) {
   return sheet;
 }
 
+/// What is asked, in numbers. mm.
+struct CopiesQuestion {
+  int across = 1, up = 1;  ///< of copies in columns and rows
+  bool fills_sheet = false;
+  double width = 0, height = 0;  ///< of the sheet to fill
+  double edge = 0;
+  double gap = 0;
+  std::optional<int> count;
+  std::vector<KeepOut> clamps;  ///< on the sheet to fill
+};
+
+CopiesQuestion question_of(const CopiesOptions& copies) {
+  CopiesQuestion question;
+  if (copies.grid) {
+    const auto counts = counts_of_copies(*copies.grid);
+    if (!counts) throw InputError("--copies " + *copies.grid, "needs columns and rows, for example 3x2");
+    std::tie(question.across, question.up) = *counts;
+  }
+  if (copies.sheet) {
+    const auto size = size_of_sheet(*copies.sheet);
+    if (!size)
+      throw InputError("--nest " + *copies.sheet,
+                       "needs the width and height of the sheet, for example 600x400");
+    std::tie(question.width, question.height) = *size;
+    question.fills_sheet = true;
+  }
+  question.edge = copies.edge.value_or(0);
+  question.count = copies.count;
+  return question;
+}
+
 /// Row by row there and back.
-Places places_of(const Copies& copies, const Box& own) {
-  const Vec2 pitch{own.width() + copies.gap, own.height() + copies.gap};
+Places places_in_grid(const CopiesQuestion& question, const Box& own) {
+  const Vec2 pitch{own.width() + question.gap, own.height() + question.gap};
   Places places;
-  for (int row = 0; row < copies.up; ++row)
-    for (int k = 0; k < copies.across; ++k) {
-      const int column = row % 2 == 0 ? k : copies.across - 1 - k;
+  for (int row = 0; row < question.up; ++row)
+    for (int k = 0; k < question.across; ++k) {
+      const int column = row % 2 == 0 ? k : question.across - 1 - k;
       places.push_back({false, {column * pitch.x, row * pitch.y}});
     }
   return places;
 }
 
-NestQuestion question_of(const Sheet& sheet, const Box& own) {
-  return {sheet.width, sheet.height, sheet.edge, sheet.gap, own.width(), own.height()};
+NestQuestion nest_question_of(const CopiesQuestion& question, const Box& own) {
+  return {question.width, question.height, question.edge, question.gap, own.width(), own.height()};
 }
 
-Places places_of(const Sheet& sheet, const Box& own) {
-  std::vector<NestPlace> found = nest(question_of(sheet, own));
+/// Whether a part there is no nearer to a clamp than the gap.
+bool is_beside_clamps(const NestPlace& place, const CopiesQuestion& question, const Box& own) {
+  Box taken;
+  taken.add(place.at);
+  taken.add(place.at + (place.turned ? Vec2{own.height(), own.width()} : Vec2{own.width(), own.height()}));
+  const Box kept = taken.grown(question.gap);
+  return std::none_of(question.clamps.begin(), question.clamps.end(), [&](const KeepOut& clamp) {
+    return clamp.plan.min.x < kept.max.x && kept.min.x < clamp.plan.max.x && clamp.plan.min.y < kept.max.y &&
+           kept.min.y < clamp.plan.max.y;
+  });
+}
+
+Places places_on_sheet(const CopiesQuestion& question, const Box& own) {
+  std::vector<NestPlace> found = nest(nest_question_of(question, own));
+  std::erase_if(found, [&](const NestPlace& one) { return !is_beside_clamps(one, question, own); });
   if (found.empty())
     throw InputError(
-        "--nest", fmt::format("not one part of {} by {} mm fits on {} by {} mm with {} mm of its edge left "
-                              "free",
-                              trimmed(own.width(), 3), trimmed(own.height(), 3), trimmed(sheet.width, 3),
-                              trimmed(sheet.height, 3), trimmed(sheet.edge, 3)));
-  if (sheet.count && *sheet.count < static_cast<int>(found.size()))
-    found.resize(static_cast<std::size_t>(*sheet.count));
+        "--nest",
+        fmt::format("not one part of {} by {} mm fits on {} by {} mm with {} mm of its edge left free{}",
+                    trimmed(own.width(), 3), trimmed(own.height(), 3), trimmed(question.width, 3),
+                    trimmed(question.height, 3), trimmed(question.edge, 3),
+                    question.clamps.empty() ? "" : ", beside the clamps"));
+  if (question.count && *question.count < static_cast<int>(found.size()))
+    found.resize(static_cast<std::size_t>(*question.count));
   Places places;
   for (const NestPlace& one : found) {
     // The corner of the box that is the lower left one after the turn.
@@ -153,8 +195,12 @@ Places places_of(const Sheet& sheet, const Box& own) {
   return places;
 }
 
+Places places_of(const CopiesQuestion& question, const Box& own) {
+  return question.fills_sheet ? places_on_sheet(question, own) : places_in_grid(question, own);
+}
+
 /// The block is the sheet, as thick as the part's own; where that is not stated, as deep as is cut.
-void take_block(const Sheet& sheet, Part& part) {
+void take_block(const CopiesQuestion& sheet, Part& part) {
   Stock block;
   block.plan.add(Vec2{0, 0});
   block.plan.add(Vec2{sheet.width, sheet.height});
@@ -169,9 +215,15 @@ void take_block(const Sheet& sheet, Part& part) {
   part.stock = block;
 }
 
+/// The path of all parts, and of each of its sections which ones make the same moves elsewhere (PostOptions::subprograms).
+struct PlacedPath {
+  Toolpath toolpath;
+  std::vector<int> same_moves;
+};
+
 /// Each tool does its work on all parts before the next comes in; every other tool begins where the one before ended.
-Toolpath placed_by_tool(const Toolpath& one, const Places& places, int steps) {
-  Toolpath all;
+PlacedPath placed_by_tool(const Toolpath& one, const Places& places, int steps) {
+  PlacedPath all;
   bool back = false;
   const auto& sections = one.sections;
   for (std::size_t begin = 0; begin < sections.size();) {
@@ -179,8 +231,10 @@ Toolpath placed_by_tool(const Toolpath& one, const Places& places, int steps) {
     while (end < sections.size() && sections[end].tool_number == sections[begin].tool_number) ++end;
     for (std::size_t n = 0; n < places.size(); ++n) {
       const std::size_t k = back ? places.size() - 1 - n : n;
-      for (std::size_t i = begin; i < end; ++i)
-        all.sections.push_back(placed(sections[i], places[k], static_cast<int>(k) * steps));
+      for (std::size_t i = begin; i < end; ++i) {
+        all.toolpath.sections.push_back(placed(sections[i], places[k], static_cast<int>(k) * steps));
+        all.same_moves.push_back(2 * static_cast<int>(i) + (places[k].turned ? 2 : 1));
+      }
     }
     back = !back;
     begin = end;
@@ -206,117 +260,160 @@ void refuse_for_checks(const resolve::PlanOptions& options) {
   if (options.tabs.any())
     throw InputError("--tabs",
                      "of copies are placed by their plan; a program of copies is checked without them");
+  if (!options.copies.gap)
+    throw InputError("--gap",
+                     "is missing; a program of copies is checked with the gap that it was made with");
 }
 
-/// Parts on which no fault was found.
-int clean_parts_of(const Findings& findings, int parts, int steps) {
-  std::vector<bool> clean(static_cast<std::size_t>(parts), true);
-  for (const FeatureFindings& feature : findings.features)
-    if (feature.workingstep >= 0 && !feature.figures.clean)
-      clean[static_cast<std::size_t>(feature.workingstep / steps)] = false;
-  const bool any_of_none = std::any_of(findings.faults.begin(), findings.faults.end(),
-                                       [](const Fault& fault) { return fault.feature.empty(); });
-  return any_of_none ? 0 : static_cast<int>(std::count(clean.begin(), clean.end(), true));
+/// Clamps on a sheet to fill are in its coordinates, not in those of the part that is planned.
+std::vector<KeepOut> take_clamps(Part& part, resolve::PlanOptions& options) {
+  std::vector<KeepOut> clamps = std::move(part.keep_outs);
+  clamps.insert(clamps.end(), options.keep_outs.begin(), options.keep_outs.end());
+  part.keep_outs.clear();
+  options.keep_outs.clear();
+  return clamps;
+}
+
+CopiesMade made_of(const CopiesQuestion& question, const Places& places, const Box& own) {
+  CopiesMade made;
+  made.parts = static_cast<int>(places.size());
+  made.turned = static_cast<int>(
+      std::count_if(places.begin(), places.end(), [](const auto& place) { return place.turned; }));
+  made.gap = question.gap;
+  made.wanted = question.count;
+  if (question.fills_sheet) made.at_most = most_by_area(nest_question_of(question, own));
+  return made;
+}
+
+/// The copy that a feature of the sheet belongs to, from 0: "POCKET.2" and "POCKET.2_walls" are of the second.
+std::optional<std::size_t> part_of_name(const std::string& name) {
+  const std::size_t dot = name.rfind('.');
+  std::size_t number = 0;
+  if (dot == std::string::npos) return std::nullopt;
+  const auto [end, error] = std::from_chars(name.data() + dot + 1, name.data() + name.size(), number);
+  if (error != std::errc{} || number == 0) return std::nullopt;
+  return number - 1;
+}
+
+std::string told_of(const CopiesQuestion& question, std::size_t parts) {
+  const std::string where = question.fills_sheet ? fmt::format("on {} by {} mm", trimmed(question.width, 3),
+                                                               trimmed(question.height, 3))
+                                                 : fmt::format("{}x{}", question.across, question.up);
+  return fmt::format("{} parts, {}, {} mm apart; planned once and placed", parts, where,
+                     trimmed(question.gap, 3));
+}
+
+/// Throws InputError where the program is the same without subprograms.
+void refuse_idle_subprograms(const resolve::PlanOptions& options, const ResolvedPlan& plan,
+                             const Toolpath& toolpath, const PlanResult& result) {
+  if (!options.copies.subprograms || !options.refuse_idle) return;
+  PostOptions plain = plan.post;
+  plain.subprograms.clear();
+  if (post::write_program(toolpath, result.part, plan.post) ==
+      post::write_program(toolpath, result.part, plain))
+    throw InputError(
+        "--subprograms",
+        "has no effect: there is one part, or all that is cut are holes by cycles; leave it out");
+}
+
+/// The path of the one part and its plan at all places; the plan becomes that of the sheet.
+PlacedPath take_places(const Toolpath& one, ResolvedPlan& plan, const Places& places,
+                       const CopiesQuestion& question) {
+  const auto steps = static_cast<int>(plan.steps.size());
+  const std::vector<ResolvedStep> of_one = plan.steps;
+  for (std::size_t k = 1; k < places.size(); ++k)
+    plan.steps.insert(plan.steps.end(), of_one.begin(), of_one.end());
+  plan.part = sheet_of(plan.part, places);
+  if (question.fills_sheet) {
+    take_block(question, plan.part);
+    plan.part.keep_outs = question.clamps;
+  }
+  PlacedPath path = placed_by_tool(one, places, steps);
+  const SectionNames names(plan.part);
+  for (Section& section : path.toolpath.sections) section.label = names.of(section.workingstep);
+  return path;
 }
 
 }  // namespace
 
-Copies parse_copies(const std::string& text, double gap) {
-  const auto x = text.find_first_of("xX");
-  const auto across = count_in(std::string_view(text).substr(0, x));
-  const auto up = x == std::string::npos ? std::nullopt : count_in(std::string_view(text).substr(x + 1));
-  if (!across || !up || *across > kMostCopies / *up)
-    throw InputError("--copies " + text, "needs columns and rows, for example 3x2");
-  if (!(gap >= 0)) throw InputError("--gap", "must be 0 mm or more");
-  return {*across, *up, gap};
+void require_copies(const CopiesOptions& copies) {
+  if (copies.grid && copies.sheet)
+    throw InputError("--nest", "fills a sheet, and --copies makes columns and rows; leave one of them out");
+  if (!copies.any() && copies.subprograms)
+    throw InputError("--subprograms", "are of copies; add --copies or --nest");
+  if (!copies.any() && copies.gap) throw InputError("--gap", "lies between copies; add --copies or --nest");
+  if (copies.sheet) return;
+  if (copies.edge) throw InputError("--edge", "is of a sheet that is filled; add --nest");
+  if (copies.count) throw InputError("--count", "is of a sheet that is filled; add --nest");
 }
 
-Sheet parse_sheet(const std::string& text) {
-  const auto x = text.find_first_of("xX");
-  const auto length = [](std::string_view word) { return length_in_mm(word); };
-  const auto width = length(std::string_view(text).substr(0, x));
-  const auto height = x == std::string::npos ? std::nullopt : length(std::string_view(text).substr(x + 1));
-  if (!width || !height || !(*width > 0) || !(*height > 0))
-    throw InputError("--nest " + text, "needs the width and height of the sheet, for example 600x400");
-  Sheet sheet;
-  sheet.width = *width;
-  sheet.height = *height;
+void count_clean_parts(const Findings& findings, CopiesMade& made) {
+  std::vector<bool> clean(static_cast<std::size_t>(made.parts), true);
+  for (const FeatureFindings& feature : findings.features) {
+    const std::optional<std::size_t> part = part_of_name(feature.name);
+    if (part && *part < clean.size() && !feature.figures.clean) clean[*part] = false;
+  }
+  const bool any_of_none = std::any_of(findings.faults.begin(), findings.faults.end(),
+                                       [](const Fault& fault) { return fault.feature.empty(); });
+  made.clean_parts = any_of_none ? 0 : static_cast<int>(std::count(clean.begin(), clean.end(), true));
+}
+
+SheetOfCopies sheet_of_copies(const Part& part, const resolve::PlanOptions& options) {
+  require_copies(options.copies);
+  refuse_for_checks(options);
+  CopiesQuestion question = question_of(options.copies);
+  question.gap = *options.copies.gap;
+  Part bare = part;
+  resolve::PlanOptions own = options;
+  if (question.fills_sheet) question.clamps = take_clamps(bare, own);
+  const Box box = box_of_part(resolved_one(bare, own).part);
+  const Places places = places_of(question, box);
+  SheetOfCopies sheet{sheet_of(bare, places), made_of(question, places, box)};
+  if (question.fills_sheet) {
+    take_block(question, sheet.part);
+    sheet.part.keep_outs = part.keep_outs;
+  }
   return sheet;
 }
 
-namespace {
-
-/// Plans the part once and places it.
-PlannedCopies planned_at(PlanResult one, ResolvedPlan plan, const Places& places,
-                         const std::optional<Sheet>& sheet, const std::string& told) {
-  PlannedCopies out;
-  out.parts = static_cast<int>(places.size());
-  out.turned = static_cast<int>(
-      std::count_if(places.begin(), places.end(), [](const auto& place) { return place.turned; }));
-  const auto steps = static_cast<int>(plan.steps.size());
-  const std::vector<ResolvedStep> of_one = plan.steps;
-  for (int k = 1; k < out.parts; ++k) plan.steps.insert(plan.steps.end(), of_one.begin(), of_one.end());
-  plan.part = sheet_of(plan.part, places);
-  if (sheet) take_block(*sheet, plan.part);
-  Toolpath toolpath = placed_by_tool(one.planned, places, steps);
-  const SectionNames names(plan.part);
-  for (Section& section : toolpath.sections) section.label = names.of(section.workingstep);
-
-  PlanResult& result = out.result;
-  result = std::move(one);
-  const Diagnostics said = result.part.diagnostics;
+PlanResult plan_copies(const Part& part, const resolve::PlanOptions& options) {
+  require_copies(options.copies);
+  refuse_for_copies(options);
+  if (options.copies.subprograms && !post::has_subprograms(options.post.dialect))
+    throw InputError("--subprograms", options.post.dialect +
+                                          " has none that stand in the program itself; leave it out, or name "
+                                          "another control");
+  CopiesQuestion question = question_of(options.copies);
+  Part bare = part;
+  resolve::PlanOptions own = options;
+  if (question.fills_sheet) question.clamps = take_clamps(bare, own);
+  PlanResult result = plan_one_part(bare, own);
+  ResolvedPlan plan = resolved_one(bare, own);
+  const Box box = box_of_part(plan.part);
+  const bool in_x = question.fills_sheet || question.across > 1,
+             in_y = question.fills_sheet || question.up > 1;
+  question.gap = gap_of(options.copies, overhang_of(box, swept_by(result.planned, plan.part), in_x, in_y));
+  const Places places = places_of(question, box);
+  const PlacedPath path = take_places(result.planned, plan, places, question);
+  const Toolpath& toolpath = path.toolpath;
+  if (options.copies.subprograms) plan.post.subprograms = path.same_moves;
+  Diagnostics said = std::move(result.part.diagnostics);
+  said.note("copies", told_of(question, places.size()));
   result.part = plan.part;
-  result.part.diagnostics = said;
-  out.sheet = plan.part.stock ? plan.part.stock->plan : swept_by(toolpath, plan.part);
-  result.part.diagnostics.note("copies", told);
+  result.part.diagnostics = std::move(said);
   certify(result, toolpath, plan);
   complete_verdict(toolpath, plan, result);
-  out.clean_parts = clean_parts_of(result.findings, out.parts, steps);
-  result.planned = std::move(toolpath);
-  return out;
+  refuse_idle_subprograms(options, plan, toolpath, result);
+  CopiesMade& made = result.copies.emplace(made_of(question, places, box));
+  made.sheet = plan.part.stock ? plan.part.stock->plan : swept_by(toolpath, plan.part);
+  count_clean_parts(result.findings, made);
+  result.planned = toolpath;
+  return result;
 }
 
-}  // namespace
-
-Part sheet_of_copies(const Part& part, const resolve::PlanOptions& options, const Copies& copies) {
-  refuse_for_checks(options);
-  return sheet_of(part, places_of(copies, box_of_part(resolved_one(part, options).part)));
-}
-
-Part sheet_of_copies(const Part& part, const resolve::PlanOptions& options, const Sheet& sheet) {
-  refuse_for_checks(options);
-  Part all = sheet_of(part, places_of(sheet, box_of_part(resolved_one(part, options).part)));
-  take_block(sheet, all);
-  return all;
-}
-
-PlannedCopies plan_copies(const Part& part, const resolve::PlanOptions& options, const Copies& copies) {
-  refuse_for_copies(options);
-  PlanResult one = plan_part(part, options);
-  ResolvedPlan plan = resolved_one(part, options);
-  const Box own = box_of_part(plan.part);
-  require_gap(overhang_of(own, swept_by(one.planned, plan.part), copies.across > 1, copies.up > 1),
-              copies.gap);
-  return planned_at(std::move(one), std::move(plan), places_of(copies, own), std::nullopt,
-                    fmt::format("{} parts, {}x{}, {} mm apart; planned once and placed", copies.count(),
-                                copies.across, copies.up, trimmed(copies.gap, 3)));
-}
-
-PlannedCopies plan_copies(const Part& part, const resolve::PlanOptions& options, const Sheet& sheet) {
-  refuse_for_copies(options);
-  PlanResult one = plan_part(part, options);
-  ResolvedPlan plan = resolved_one(part, options);
-  const Box own = box_of_part(plan.part);
-  const Places places = places_of(sheet, own);
-  if (places.size() > 1)
-    require_gap(overhang_of(own, swept_by(one.planned, plan.part), true, true), sheet.gap);
-  PlannedCopies out =
-      planned_at(std::move(one), std::move(plan), places, sheet,
-                 fmt::format("{} parts on {} by {} mm, {} mm apart; planned once and placed", places.size(),
-                             trimmed(sheet.width, 3), trimmed(sheet.height, 3), trimmed(sheet.gap, 3)));
-  out.wanted = sheet.count;
-  out.at_most = most_by_area(question_of(sheet, own));
-  return out;
+PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
+  require_copies(options.copies);
+  return options.copies.any() ? plan_copies(part, options) : plan_one_part(part, options);
 }
 
 }  // namespace clearcut::pipeline

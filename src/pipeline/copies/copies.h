@@ -1,60 +1,39 @@
 // One part several times on one sheet: planned once, its path placed, and all of it certified from the text of one program.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <vector>
-
-#include "pipeline/run.h"
+#include "model/part.h"
+#include "model/results/copies_made.h"
+#include "model/results/findings.h"
+#include "pipeline/steps/plan_result.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {
 
-/// Copies in rows and columns. The first is where the part is; the others lie to its right and above.
-struct Copies {
-  int across = 1;  ///< in x
-  int up = 1;      ///< in y
-  double gap = 0;  ///< mm between two parts' boxes
-
-  int count() const { return across * up; }
+/// The copies as one part.
+struct SheetOfCopies {
+  Part part;
+  CopiesMade made;  ///< none of its parts is counted as clean yet
 };
 
-/// "3x2": three in x, two in y. Throws InputError.
-Copies parse_copies(const std::string& text, double gap);
+/// The sheet of the copies that options.copies asks for as a part, for checking programs of it: each feature and step as often as there
+/// are parts. On a sheet that is filled, clamps are in its coordinates; no part comes nearer to one than the gap.
+///
+/// Throws  InputError where the gap is not stated, and where a sheet holds no part.
+SheetOfCopies sheet_of_copies(const Part& part, const resolve::PlanOptions& options);
 
-/// A sheet that is filled with one part, turned by 90 degrees where that makes more of them. mm; its lower left corner is the zero.
-struct Sheet {
-  double width = 0, height = 0;
-  double edge = 0;           ///< that stays free
-  double gap = 0;            ///< between two parts' boxes
-  std::optional<int> count;  ///< parts that are wanted; absent: as many as fit
-};
-
-/// "600x400", mm or with units. Throws InputError.
-Sheet parse_sheet(const std::string& text);
-
-struct PlannedCopies {
-  PlanResult result;    ///< of the whole sheet; features are named "NAME.1" and so on
-  int parts = 0;        ///< on the sheet
-  int clean_parts = 0;  ///< without a fault of their own
-  int turned = 0;       ///< of those on the sheet
-  std::optional<int>
-      wanted;  ///< of a sheet that was to be filled: where more than there are, the others do not fit
-  std::optional<int> at_most;  ///< of such a sheet: no layout has more parts
-  Box sheet;                   ///< mm; all blocks together, or all that is cut where no stock is stated
-};
-
-/// The sheet of copies as a part, for checking programs of it: each feature and step as often as there are parts.
-Part sheet_of_copies(const Part& part, const resolve::PlanOptions& options, const Copies& copies);
-
-/// Plans the part as plan_part() does and places its path once for each copy, in the order of tools, and of places for each tool.
+/// Plans the part once and places its path for each copy, in the order of tools, and of places for each tool. Features are named "NAME.1"
+/// and so on.
 ///
 /// Shape   The box of a part is that of its outer profiles; without such that of its block, else of what is cut. Blocks of copies are one
-///         block.
+///         block; that of a sheet to fill is the sheet.
+/// Gap     Where none is stated, what the cutter needs beside a part.
 /// Throws  InputError where the cutter would come into the next part's box: the gap that suffices is named.
-PlannedCopies plan_copies(const Part& part, const resolve::PlanOptions& options, const Copies& copies);
+PlanResult plan_copies(const Part& part, const resolve::PlanOptions& options);
 
-/// The same for a sheet; see nest(). Throws InputError where not even one part fits, too.
-Part sheet_of_copies(const Part& part, const resolve::PlanOptions& options, const Sheet& sheet);
-PlannedCopies plan_copies(const Part& part, const resolve::PlanOptions& options, const Sheet& sheet);
+/// Throws InputError where options of copies are there without copies, or contradict each other.
+void require_copies(const CopiesOptions& copies);
+
+/// How many of the `made.parts` parts are clean.
+void count_clean_parts(const Findings& findings, CopiesMade& made);
 
 }  // namespace clearcut::pipeline

@@ -355,6 +355,36 @@ void name_blending_bound(Findings& findings, const ResolvedPlan& plan) {
   }
 }
 
+/// Of the moves of that line the one that comes nearest to the place, counted over all sections; none where no move has that line.
+std::optional<std::size_t> move_at(const Place& place, const Toolpath& toolpath) {
+  std::optional<std::size_t> found;
+  double least = 0;
+  std::size_t index = 0;
+  for (const Section& section : toolpath.sections)
+    for (const Move& move : section.moves) {
+      const std::size_t own = index++;
+      if (move.line != place.line) continue;
+      const double low = std::min(move.z_from, move.z_to), high = std::max(move.z_from, move.z_to);
+      const Vec2 near = move.is_vertical() ? move.path.from : nearest_point(move.path, place.point);
+      const double beside = distance(near, place.point) + std::abs(place.z - std::clamp(place.z, low, high));
+      if (found && beside >= least) continue;
+      found = own;
+      least = beside;
+    }
+  return found;
+}
+
+/// Faults of moves within subprograms say which line of which file makes them, and who called it.
+void tell_calls(Findings& findings, const Toolpath& toolpath, const ControlTable& control) {
+  if (control.calls.empty()) return;
+  for (Fault& fault : findings.faults) {
+    if (fault.at.line <= 0) continue;
+    const std::optional<std::size_t> move = move_at(fault.at, toolpath);
+    const std::string* const calls = move ? control.calls_at(*move) : nullptr;
+    if (calls) fault.text += " (" + *calls + ")";
+  }
+}
+
 }  // namespace
 
 Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& control,
@@ -376,6 +406,7 @@ Findings check(const Part& part, const Toolpath& toolpath, const ControlTable& c
   if (has_wrong_units(findings)) drop_what_follows_from_units(findings);
   drop_what_lengths_say(findings, plan.accept);
   name_blending_bound(findings, plan);
+  tell_calls(findings, toolpath, control);
   add_earlier(findings, plan);
   accept_conditions(findings, plan.accept);
   return findings;

@@ -8,6 +8,7 @@
 #include "model/control.h"
 #include "model/move.h"
 #include "model/options/resolved_plan.h"
+#include "model/results/copies_made.h"
 #include "model/results/findings.h"
 #include "model/results/margin.h"
 #include "model/results/strategy_selection.h"
@@ -28,6 +29,7 @@ struct PlanResult {
   std::vector<StrategySelection> selections;    ///< strategies of each workingstep
   std::optional<Toolpath> earlier;              ///< earlier cuts
   std::optional<Margin> margin;                 ///< absent: not asked
+  std::optional<CopiesMade> copies;             ///< absent: one part
 };
 
 }  // namespace clearcut::pipeline

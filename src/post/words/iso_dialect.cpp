@@ -15,6 +15,7 @@ constexpr std::array kDialects{
                .length_offset = LengthOffset::kPlain,
                .tapping = Tapping::kRigidByG33_1,
                .cycles = CycleForm::kWords,
+               .subprograms = SubprogramForm::kOWords,
                .end = "M2"},
     // 32-bit numbers; M6 and G43 are errors, M1 does nothing; no wait of its own for the spindle.
     IsoDialect{.name = "grbl",
@@ -46,7 +47,8 @@ constexpr std::array kDialects{
                .numbers_tools = true,
                .preselects = true,
                .table_forward = true,
-               .dogleg_rapids = true},
+               .dogleg_rapids = true,
+               .subprograms = SubprogramForm::kPrograms},
     IsoDialect{.name = "haas",
                .mm_decimals = 3,
                .inch_decimals = 4,
@@ -67,7 +69,8 @@ constexpr std::array kDialects{
                .numbers_tools = true,
                .preselects = true,
                .table_forward = true,
-               .dogleg_rapids = true},
+               .dogleg_rapids = true,
+               .subprograms = SubprogramForm::kBlocks},
     IsoDialect{.name = "mach3",
                .extension = ".tap",
                .numbered_offsets = {{{590, 7, 254}}},
@@ -75,7 +78,8 @@ constexpr std::array kDialects{
                .length_offset = LengthOffset::kNumbered,
                .spindle_wait = 2,
                .tapping = Tapping::kFloating,
-               .cycles = CycleForm::kWords},
+               .cycles = CycleForm::kWords,
+               .subprograms = SubprogramForm::kPrograms},
     IsoDialect{.name = "mach4",
                .extension = ".tap",
                .numbered_offsets = {{{541, 1, 248}}},
@@ -83,7 +87,8 @@ constexpr std::array kDialects{
                .length_offset = LengthOffset::kNumbered,
                .spindle_wait = 2,
                .tapping = Tapping::kFloating,
-               .cycles = CycleForm::kWords},
+               .cycles = CycleForm::kWords,
+               .subprograms = SubprogramForm::kPrograms},
     // G21 and G17 only exist in some builds; M1 stops like M0; N words need checksums; M30 would delete a file on the
     // card.
     IsoDialect{.name = "marlin",
@@ -156,7 +161,8 @@ constexpr std::array kDialects{
                .length_offset = LengthOffset::kNumbered,
                .tapping = Tapping::kFloating,
                .cycles = CycleForm::kWords,
-               .modal_cycles = true},
+               .modal_cycles = true,
+               .subprograms = SubprogramForm::kOWords},
 };
 
 }  // namespace

@@ -53,6 +53,14 @@ enum class CycleForm {
   kCalls   ///< MCALL CYCLE81(...), ended by MCALL
 };
 
+/// How a program calls subprograms that stand in it.
+enum class SubprogramForm {
+  kNone,
+  kOWords,    ///< o101 sub ... o101 endsub before the calls, o101 call
+  kPrograms,  ///< O7001 ... M99 behind the end, M98 P7001
+  kBlocks     ///< N7001 ... M99 behind the end, M97 P7001
+};
+
 /// Flood is M8 and off by M9 on all of them.
 struct MistWords {
   std::string_view on = "M7";
@@ -109,6 +117,7 @@ struct IsoDialect {
   bool optional_stop = true;      ///< M1, which stops if enabled by the operator
   bool block_numbers = true;      ///< N words contain only numbers
   bool dogleg_rapids = false;     ///< G0 need not be straight: z and plan move one after the other
+  SubprogramForm subprograms = SubprogramForm::kNone;
   std::string_view end = "M30";   ///< last word; empty: replaced by a comment
   double largest_radius = 10000;  ///< mm
 };

@@ -108,7 +108,9 @@ Reading read_to_depth(Dialect dialect, std::string_view text, const std::string&
       program.ended = read::gcode::read_klartext(text, options.compensation, builder);
       break;
     case Language::kSinumerik:
-      program.ended = read_sinumerik(text, rules, options, builder);
+      program.ended = read_sinumerik(
+          text, file_name, depth == Depth::kPlain ? SinumerikDepth::kPlain : SinumerikDepth::kLanguage, rules,
+          options, builder);
       break;
     case Language::kWordAddress: {
       read::gcode::Interpreter interpreter(builder, rules, options);

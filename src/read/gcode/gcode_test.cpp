@@ -355,7 +355,7 @@ TEST(Klartext, WhatItCannotReadItRefuses) {
               HasSubstr("test.ngc:5: Q1 is read before the program sets it"));
   EXPECT_THAT(message_of(klartext("4 L X+1 RL")),
               HasSubstr("cutter compensation by the radius of the tool table, and no tool"));
-  EXPECT_THAT(message_of(klartext("4 CYCL DEF 7.0 DATUM SHIFT")), HasSubstr("cycle 7 is not read"));
+  EXPECT_THAT(message_of(klartext("4 CYCL DEF 8.0 MIRROR IMAGE")), HasSubstr("cycle 8 is not read"));
   EXPECT_THAT(message_of(klartext("4 RND R5")), HasSubstr("block 'RND' is not read"));
   EXPECT_THAT(message_of(klartext("4 CALL LBL 1")), HasSubstr("there is no LBL 1"));
   EXPECT_THAT(message_of(klartext("4 C X+1 DR+")), HasSubstr("arc without its centre"));

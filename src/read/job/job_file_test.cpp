@@ -321,6 +321,36 @@ TEST(MachineFile, TravelIsOfTheMachineWhereTheWorkLiesInIt) {
   EXPECT_THROW(read_machine_text(text + "\"g59.2\" = [1, 2, 3]\n", "mill.toml"), InputError);
 }
 
+/// Offsets that the machine file does not state are those of LinuxCNC's file of parameters.
+TEST_F(Job, PlacesComeFromTheFileOfParameters) {
+  std::string values;
+  for (const int first : {5161, 5181, 5221, 5241, 5261, 5281, 5301, 5321})
+    for (int axis = 0; axis < 3; ++axis)
+      values += std::to_string(first + axis) + "\t" + std::to_string(first - 5000 + axis) + ".500000\n";
+  write("linuxcnc.var", "5210\t0\n" + values);
+  const std::string machine = (folder_ / "mill.toml").string();
+  const std::string text = "[places]\nstart = [0, 0, 0]\ng55 = [1, 2, 3]\nparameters = \"linuxcnc.var\"\n";
+  const Machine read = read_machine_text(text, machine);
+  ASSERT_TRUE(read.places);
+  EXPECT_EQ(read.places->reference[0], 161.5);
+  EXPECT_EQ(read.places->origins[0][2], 223.5);
+  EXPECT_EQ(read.places->origins[1][1], 2) << "what is stated comes first";
+  EXPECT_EQ(read.places->stated_origins, 6);
+  write("linuxcnc.var", "5210\t1\n" + values);
+  EXPECT_THROW(read_machine_text(text, machine), InputError) << "a shift by G92";
+  write("linuxcnc.var", "5221\n");
+  EXPECT_THROW(read_machine_text(text, machine), InputError);
+}
+
+TEST_F(Job, CopiesAreKeysOfThePlan) {
+  const JobFile read = job(kPart + "[plan]\ncopies = \"3x2\"\ngap = 4\n");
+  EXPECT_EQ(read.whole.copies.grid, "3x2");
+  EXPECT_EQ(read.whole.copies.gap, 4);
+  EXPECT_FALSE(read.whole.copies.sheet);
+  EXPECT_THAT(refusal(kPart + "[plan]\ncopies = \"3\"\n"), HasSubstr("columns and rows"));
+  EXPECT_THAT(refusal(kPart + "[plan]\nnest = \"600\"\n"), HasSubstr("the width and height of a sheet"));
+}
+
 TEST(MachineFile, UnknownKeysAreRefused) {
   EXPECT_THROW(read_machine_text("accelaration = 3\n", "mill.toml"), InputError);
   EXPECT_THROW(read_machine_text("travel = {x = [0, 1]}\n", "mill.toml"), InputError);

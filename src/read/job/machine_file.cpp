@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <map>
+#include <sstream>
 
 #include "base/error.h"
 #include "base/files/file.h"
 #include "base/files/project_entry.h"
+#include "base/text/quantity.h"
 #include "read/job/machine_library.h"
 #include "read/job/machine_settings.h"
 
@@ -34,10 +38,75 @@ std::optional<std::array<double, 3>> place_of(DataSection& section, const std::s
   return std::array<double, 3>{numbers[0], numbers[1], numbers[2]};
 }
 
-/// In the machine's own coordinates. Without all of them no condition is met, so each is required.
+/// Values of a control by their numbers.
+using ParameterValues = std::map<int, double>;
+
+/// LinuxCNC's file of parameters: a number and its value on each line. Throws InputError("file:line", ...) for other lines.
+ParameterValues parameters_in(const std::string& file) {
+  ParameterValues values;
+  std::istringstream text(read_file(file, kLargestMachineFile));
+  int number = 0;
+  for (std::string line; std::getline(text, line);) {
+    ++number;
+    std::istringstream words(line);
+    std::string key, value, more;
+    if (!(words >> key)) continue;
+    words >> value >> more;
+    const auto index = plain_number(key), amount = plain_number(value);
+    if (!index || !amount || !more.empty() || *index != std::floor(*index) || std::abs(*index) > 1e5)
+      throw InputError(file + ":" + std::to_string(number),
+                       "is no parameter: its number and its value, as LinuxCNC writes them");
+    values[static_cast<int>(*index)] = *amount;
+  }
+  return values;
+}
+
+/// The parameters from `first` on that hold X, Y and Z, in the file's unit of mm.
+std::optional<std::array<double, 3>> place_in(const ParameterValues& values, int first) {
+  std::array<double, 3> place{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto found = values.find(first + axis);
+    if (found == values.end()) return std::nullopt;
+    place[static_cast<std::size_t>(axis)] = found->second;
+  }
+  return place;
+}
+
+/// First of the parameters in which LinuxCNC keeps a place that [places] names; 0: it keeps none.
+int first_parameter_of(const std::string& key) {
+  constexpr std::pair<std::string_view, int> kFirst[] = {
+      {"g28", 5161}, {"g30", 5181}, {"g54", 5221},   {"g55", 5241},   {"g56", 5261},  {"g57", 5281},
+      {"g58", 5301}, {"g59", 5321}, {"g59.1", 5341}, {"g59.2", 5361}, {"g59.3", 5381}};
+  for (const auto& [name, first] : kFirst)
+    if (name == key) return first;
+  return 0;
+}
+
+/// The file that parameters = "linuxcnc.var" names, beside the file that names it.
+ParameterValues stated_parameters(DataSection& section) {
+  const auto name = section.text("parameters");
+  if (!name) return {};
+  const std::string place = section.place_of("parameters");
+  const std::filesystem::path named_in(place.substr(0, place.rfind(':')));
+  ParameterValues values = parameters_in((named_in.parent_path() / *name).string());
+  const auto shifted = values.find(5210);
+  if (shifted != values.end() && shifted->second != 0)
+    section.fail_at(
+        "parameters",
+        "a shift by G92 was in force when the file was written (5210 is not 0); clear it by G92.1");
+  return values;
+}
+
+/// In the machine's own coordinates. Without all of them no condition is met, so each is required. What is not stated here is taken from the
+/// file of parameters that the section names.
 MachinePlaces places_of(DataSection section) {
-  const auto needed = [&](const std::string& key) {
+  const ParameterValues parameters = stated_parameters(section);
+  const auto known = [&](const std::string& key) {
     const auto place = place_of(section, key);
+    return place ? place : place_in(parameters, first_parameter_of(key));
+  };
+  const auto needed = [&](const std::string& key) {
+    const auto place = known(key);
     if (!place) section.fail(key + " is missing; add " + key + " = [x, y, z]");
     return *place;
   };
@@ -49,7 +118,7 @@ MachinePlaces places_of(DataSection section) {
   constexpr std::size_t kNeeded = 6;
   std::size_t stated = kNeeded;
   for (std::size_t i = 0; i < places.origins.size(); ++i) {
-    const auto place = i < kNeeded ? needed(systems[i]) : place_of(section, systems[i]);
+    const auto place = i < kNeeded ? needed(systems[i]) : known(systems[i]);
     if (place && stated < i)
       needed(systems[stated]);  // they are stated in order, so that a count identifies them
     if (place && i >= kNeeded) stated = i + 1;

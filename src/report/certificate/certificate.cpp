@@ -268,6 +268,18 @@ void add_margin(Json& json, const CertificateInfo& info) {
   out["not_asked"] = margin.not_asked;
 }
 
+void add_copies(Json& json, const CertificateInfo& info) {
+  if (!info.copies) return;
+  const CopiesMade& copies = *info.copies;
+  Json& out = json["copies"];
+  out["parts"] = copies.parts;
+  out["clean_parts"] = copies.clean_parts;
+  out["turned"] = copies.turned;
+  out["gap_mm"] = number(copies.gap);
+  if (copies.wanted) out["wanted"] = *copies.wanted;
+  if (copies.at_most) out["at_most"] = *copies.at_most;
+}
+
 void add_contours(Json& json, const CertificateInfo& info) {
   for (const ContourLevels& one : info.contours)
     if (!one.coefficients.empty()) json["contours"].push_back(contours(one));
@@ -304,6 +316,7 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
   add_contours(json, info);
   add_proof(json, info);
   add_margin(json, info);
+  add_copies(json, info);
   add_wear(json, findings);
   if (!info.values.empty()) json["values"] = Json::array();
   for (const ResolvedValue& one : info.values) json["values"].push_back(resolved(one));

@@ -10,6 +10,7 @@
 #include "model/machine.h"
 #include "model/options/resolved_plan.h"
 #include "model/part.h"
+#include "model/results/copies_made.h"
 #include "model/results/findings.h"
 #include "model/results/margin.h"
 #include "model/results/strategy_selection.h"
@@ -53,6 +54,7 @@ struct CertificateInfo {
   std::optional<kinematics::PublishedTime> published = {};  ///< CPO-rho eq. 9; absent: not asked
   std::optional<CertificateProof> proof = {};
   std::optional<Margin> margin = {};  ///< absent: not asked
+  std::optional<CopiesMade> copies = {};  ///< absent: one part
   /// Values of the plan; empty if a program of unknown origin was checked.
   std::vector<ResolvedValue> values = {};
 };

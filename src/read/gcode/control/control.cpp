@@ -86,7 +86,8 @@ Target Control::target(const Block& block) {
 
 /// X and Y of a block under G16, G68 or G51.1.
 void Control::map_plan(const Block& block, Target& target) {
-  if (modes.plane != Plane::kXY) refuse("G16, G68 and G51.1 outside the XY plane are not read; use G17");
+  if (modes.plane != Plane::kXY)
+    refuse(std::string(plan_map.words) + " outside the XY plane are not read; use G17");
   const Vec2 shift{frame.shift(0), frame.shift(1)};
   const Vec2 stands{builder.known(0, line), builder.known(1, line)};
   Vec2 place = plan_map.placed_back(stands - shift);

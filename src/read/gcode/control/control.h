@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "read/gcode/motion/builder.h"
 #include "read/gcode/motion/cycle.h"
@@ -44,10 +45,15 @@ struct PlanMap {
   bool is_on = false;
   bool flips = false;  ///< arcs turn the other way
   double xx = 1, xy = 0, yx = 0, yy = 1;
-  Vec2 fixed;  ///< mm, as the program counts
+  double scale = 1;                               ///< of lengths in plan
+  Vec2 fixed;                                     ///< mm, as the program counts
+  std::string_view words = "G16, G68 and G51.1";  ///< that make it, for messages
 
   Vec2 turned(Vec2 v) const { return {xx * v.x + xy * v.y, yx * v.x + yy * v.y}; }
-  Vec2 turned_back(Vec2 v) const { return {xx * v.x + yx * v.y, xy * v.x + yy * v.y}; }
+  Vec2 turned_back(Vec2 v) const {
+    const double square = scale * scale;
+    return {(xx * v.x + yx * v.y) / square, (xy * v.x + yy * v.y) / square};
+  }
   Vec2 placed(Vec2 p) const { return fixed + turned(p - fixed); }
   Vec2 placed_back(Vec2 p) const { return fixed + turned_back(p - fixed); }
 };

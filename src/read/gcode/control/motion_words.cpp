@@ -154,7 +154,7 @@ ArcShape MotionWords::arc_shape(const Block& block, Vec2 from, Vec2 to) {
   const Turn turn = clockwise ? Turn::kClockwise : Turn::kCounterClockwise;
   const PlaneAxes axes = axes_of(control_.modes.plane);
   if ((map.is_on || control_.polar_mode) && control_.modes.plane != Plane::kXY)
-    control_.refuse("arcs outside the XY plane under G16, G68 or G51.1 are not read; use G17");
+    control_.refuse("arcs outside the XY plane under " + std::string(map.words) + " are not read; use G17");
   const RadiusRule rule =
       control_.modes.unit == 1 ? RadiusRule{} : RadiusRule{0.0005 * kMmPerInch, 0.05 * kMmPerInch};
   const char first = "IJK"[axes.first], second = "IJK"[axes.second];
@@ -165,7 +165,7 @@ ArcShape MotionWords::arc_shape(const Block& block, Vec2 from, Vec2 to) {
       control_.refuse("arc with R and with its centre; give one of them");
   }
   if (block.has('R'))
-    return arc_of_radius(from, to, control_.mm(block.value('R')), turn, rule,
+    return arc_of_radius(from, to, control_.mm(block.value('R')) * map.scale, turn, rule,
                          control_.builder.place(control_.line));
   if (!center)
     control_.refuse(std::string("arc without ") + first + ", " + second + " or R; give its centre");

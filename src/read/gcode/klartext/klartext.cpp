@@ -1,9 +1,12 @@
 #include "read/gcode/klartext/klartext.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/error.h"
@@ -28,6 +31,7 @@ constexpr std::size_t kMostCallsOfLabels = 19;
 /// Lines of loops and subprograms that may be executed again.
 constexpr std::size_t kMostRepeated = 500'000;
 constexpr int kFirstOfCycles = 200;  // Q parameters below it are the programmer's own
+constexpr int kSurface = 203;        // height of the surface in cycles for holes
 
 class Reader {
  public:
@@ -39,6 +43,7 @@ class Reader {
  private:
   bool flow(const std::vector<std::string>& words);
   void call_label(const std::vector<std::string>& words);
+  void tell_calls();
   void go_to_label(const std::string& label);
   void block(const Words& block);
   void path_block(const std::string& kind, const std::vector<std::string>& words);
@@ -57,6 +62,10 @@ class Reader {
 
   void compensate(PathWords::Radius wanted);
   void line(const PathWords& words, bool polar);
+  void shift_datum(const std::vector<std::string>& words, std::size_t first);
+  void turn_about_datum(const std::vector<std::string>& words);
+  void transform(const std::vector<std::string>& words);
+  PathWords placed(PathWords words);
   void circle_center(const PathWords& words);
   void circle(const PathWords& words);
   void circle_by_radius(const PathWords& words);
@@ -81,16 +90,21 @@ class Reader {
   std::map<std::string, std::size_t> labels_;  ///< where they stand in lines_
   std::size_t next_ = 0;                       ///< in lines_
   std::vector<std::size_t> returns_;           ///< where LBL 0 goes back to
+  std::vector<std::string> calls_;             ///< "LBL 5 called in part.h:12", of each of those
   std::map<std::size_t, long long> repeats_;   ///< left of CALL LBL REP, by its place in lines_
   std::size_t executed_ = 0;
   QParameters parameters_;
   int line_ = 0;
   double unit_ = 1;
   double feed_ = 0;
+  double tool_feed_ = 0;  ///< mm/min, F of TOOL CALL
   double speed_ = 0;
   int spindle_ = 5;
-  double wider_ = 0;   ///< DR, mm: the tool counts as that much larger
-  double longer_ = 0;  ///< DL, mm: every height is that much off
+  double wider_ = 0;               ///< DR, mm: the tool counts as that much larger
+  std::array<double, 3> datum_{};  ///< mm, by cycle 7 and TRANS DATUM
+  double turned_ = 0;              ///< degrees, by cycle 10
+  bool chooses_datum_ = false;     ///< cycle 247 was defined
+  double longer_ = 0;              ///< DL, mm: every height is that much off
   std::optional<Vec2> pole_;
   std::optional<HoleCycle> hole_;  ///< as last defined; CYCL CALL and M99 make it
   bool ended_ = false;
@@ -105,7 +119,7 @@ std::string label_in(const std::vector<std::string>& words, std::size_t first) {
 
 /// Whether values of Q parameters may stand in the words of the block.
 bool takes_values(const std::vector<std::string>& words) {
-  constexpr std::string_view kFirst[] = {"L", "LP", "C", "CC", "CR", "CP", "CYCL"};
+  constexpr std::string_view kFirst[] = {"L", "LP", "C", "CC", "CR", "CP", "CYCL", "TRANS"};
   return std::find(std::begin(kFirst), std::end(kFirst), words[0]) != std::end(kFirst) ||
          words[0][0] == 'Q' || (words[0] == "TOOL" && words.size() > 1 && words[1] == "CALL");
 }
@@ -134,6 +148,8 @@ bool Reader::flow(const std::vector<std::string>& words) {
     if (label_in(words, 1) == "0" && !returns_.empty()) {
       next_ = returns_.back();
       returns_.pop_back();
+      calls_.pop_back();
+      tell_calls();
     }
     return true;
   }
@@ -158,7 +174,9 @@ void Reader::call_label(const std::vector<std::string>& words) {
           "over 19 subprograms within each other, at which the control stops; one may call itself without "
           "end");
     returns_.push_back(next_);
-    return go_to_label(label_in(words, 2));
+    calls_.push_back("LBL " + label_in(words, 2) + " called in " + place());
+    go_to_label(label_in(words, 2));
+    return tell_calls();
   }
   std::string times = rep->substr(3);
   if (times.empty()) times = rep + 1 == words.end() ? "1" : *(rep + 1);
@@ -166,6 +184,15 @@ void Reader::call_label(const std::vector<std::string>& words) {
   const auto known = repeats_.emplace(here, static_cast<long long>(number(times))).first;
   if (known->second-- > 0) return go_to_label(label_in(words, 2));
   repeats_.erase(known);
+}
+
+/// The moves that follow come from subprograms: who called them, the last call first.
+void Reader::tell_calls() {
+  constexpr std::size_t kMostCallsTold = 3;
+  std::string text;
+  for (std::size_t k = calls_.size(); k-- > 0 && calls_.size() - k <= kMostCallsTold;)
+    text += (text.empty() ? "" : ", ") + calls_[k];
+  builder_.set_calls(text);
 }
 
 void Reader::go_to_label(const std::string& label) {
@@ -196,6 +223,10 @@ void Reader::block(const Words& found) {
     call_hole();
   } else if (first == "CYCL") {
     cycle(words);
+  } else if (first == "TRANS") {
+    transform(words);
+  } else if (first.rfind("Q339", 0) == 0 && chooses_datum_) {
+    // The number of the datum, behind cycle 247.
   } else if (first[0] == 'Q' && hole_) {
     define_hole(words, 0);
   } else if (first == "BLK" || first == "TOOL" || first == "STOP" || first == "FUNCTION") {
@@ -232,7 +263,7 @@ void Reader::tool_call(const std::vector<std::string>& words) {
     } else if (word.rfind("DL", 0) == 0) {
       longer = number(word.substr(2)) * unit_;
     } else if (word[0] == 'F') {
-      feed_ = number(word.substr(1)) * feed_unit(unit_);
+      feed_ = tool_feed_ = number(word.substr(1)) * feed_unit(unit_);
     }
   }
   if (changed || longer != 0) set_length(longer);
@@ -275,8 +306,86 @@ void Reader::call_hole() {
   check_blending();
   const int turns = turning_of(*hole_);
   if (turns != 0) m_word(turns);
-  make_hole(*hole_, unit_, builder_, line_);
+  HoleCycle hole = *hole_;
+  if (const auto surface = hole.parameters.find(kSurface); surface != hole.parameters.end())
+    surface->second += datum_[2] / unit_;
+  make_hole(hole, unit_, builder_, line_);
   if (turns != 0) m_word(5);
+}
+
+/// Cycle 7 and TRANS DATUM AXIS: X+10 is where the datum lies from now on, IX+10 shifts it further.
+void Reader::shift_datum(const std::vector<std::string>& words, std::size_t first) {
+  if (builder_.compensates())
+    refuse("the datum is shifted while radius compensation is on; end it by R0 before");
+  for (std::size_t k = first; k < words.size(); ++k) {
+    const std::string& word = words[k];
+    const bool adds = word[0] == 'I';
+    const char axis = word.size() > (adds ? 2U : 1U) ? word[adds ? 1 : 0] : '\0';
+    if (axis < 'X' || axis > 'Z') {
+      if (words[2].find(".0") != std::string::npos) return;  // the cycle's name
+      refuse("'" + word.substr(0, 20) +
+             "' shifts the datum by a table or another axis, which is not read; post X, Y and Z");
+    }
+    if (turned_ != 0)
+      refuse("the datum is shifted while cycle 10 turns the axes, which is not read; shift it before");
+    double& place = datum_[static_cast<std::size_t>(axis - 'X')];
+    const double value = number(std::string_view(word).substr(adds ? 2 : 1)) * unit_;
+    place = value + (adds ? place : 0);
+    pole_.reset();
+  }
+}
+
+/// Cycle 10: the axes in plan are turned about the datum by so many degrees.
+void Reader::turn_about_datum(const std::vector<std::string>& words) {
+  if (builder_.compensates())
+    refuse("the axes are turned while radius compensation is on; end it by R0 before");
+  for (std::size_t k = 3; k < words.size(); ++k) {
+    const bool adds = words[k].rfind("IROT", 0) == 0;
+    if (!adds && words[k].rfind("ROT", 0) != 0) continue;
+    const std::string_view angle = std::string_view(words[k]).substr(adds ? 4 : 3);
+    if (angle.empty() || (!is_digit(angle.back()) && angle.back() != '.'))
+      continue;  // ROTATION, the cycle's name
+    turned_ = number(angle) + (adds ? turned_ : 0);
+    pole_.reset();
+  }
+}
+
+/// TRANS DATUM AXIS X+10 Y+5, TRANS DATUM RESET.
+void Reader::transform(const std::vector<std::string>& words) {
+  const std::string kind = words.size() > 2 && words[1] == "DATUM" ? words[2] : "";
+  if (kind == "AXIS") return shift_datum(words, 3);
+  if (kind != "RESET")
+    refuse("TRANS is read as TRANS DATUM AXIS and TRANS DATUM RESET alone; post the program with these");
+  if (builder_.compensates())
+    refuse("the datum is shifted while radius compensation is on; end it by R0 before");
+  if (turned_ != 0)
+    refuse("the datum is shifted while cycle 10 turns the axes, which is not read; shift it before");
+  datum_ = {};
+  pole_.reset();
+}
+
+/// The words of a block, counted from the datum in axes that are turned, as places and angles of the work.
+PathWords Reader::placed(PathWords words) {
+  if (words.machine_frame) return words;
+  if (words.absolute[2]) *words.absolute[2] += datum_[2];
+  if (turned_ == 0) {
+    for (const std::size_t axis : {0U, 1U})
+      if (words.absolute[axis]) *words.absolute[axis] += datum_[axis];
+    return words;
+  }
+  const double angle = Radians::of_degrees(turned_).radians();
+  if (words.polar_angle) *words.polar_angle += turned_;
+  if (!words.absolute[0] && !words.absolute[1] && !words.incremental[0] && !words.incremental[1])
+    return words;
+  const Vec2 zero{datum_[0], datum_[1]}, now = rotated(here() - zero, -angle);
+  const auto along = [&](std::size_t axis, double is_at) {
+    return words.incremental[axis] ? is_at + *words.incremental[axis] : words.absolute[axis].value_or(is_at);
+  };
+  const Vec2 to = zero + rotated(Vec2{along(0, now.x), along(1, now.y)}, angle);
+  words.absolute[0] = to.x;
+  words.absolute[1] = to.y;
+  words.incremental[0] = words.incremental[1] = std::nullopt;
+  return words;
 }
 
 /// Dwell, tolerance and the choice of a datum; cycle 247 takes the work's zero from the preset table.
@@ -290,6 +399,8 @@ void Reader::cycle(const std::vector<std::string>& words) {
     hole_ = HoleCycle{hole, {}};
     return define_hole(words, 3);
   }
+  if (words.size() >= 3 && words[1] == "DEF" && cycle == "7") return shift_datum(words, 3);
+  if (words.size() >= 3 && words[1] == "DEF" && cycle == "10") return turn_about_datum(words);
   if (words.size() < 3 || words[1] != "DEF" || (cycle != "9" && cycle != "32" && cycle != "247")) {
     refuse("cycle " + cycle.substr(0, 20) + " is not read; post its moves one by one");
   }
@@ -304,6 +415,7 @@ void Reader::cycle(const std::vector<std::string>& words) {
     const double tolerance = number(words[3].substr(1)) * unit_;
     builder_.path_control = {PathMode::kTolerance, tolerance, std::nullopt};
   } else if (cycle == "247") {
+    chooses_datum_ = true;
     builder_.condition("datum-247", line_, "the datum that cycle 247 chooses lies where the work's zero is");
   }
 }
@@ -345,8 +457,12 @@ void Reader::set_drive() {
 
 /// M words of a block act before its motion, except the stops and the call of a cycle.
 void Reader::path_block(const std::string& kind, const std::vector<std::string>& block_words) {
-  const PathWords words = path_words(block_words, {unit_, longer_}, builder_, line_);
+  const PathWords words = placed(path_words(block_words, {unit_, longer_}, builder_, line_));
   if (words.feed) feed_ = *words.feed;
+  if (words.feed_of_tool) {
+    if (!(tool_feed_ > 0)) refuse("FAUTO takes the feed of TOOL CALL, which states none; add F to it");
+    feed_ = tool_feed_;
+  }
   for (const int m : words.m) {
     if (m != 2 && m != 30 && m != 99) m_word(m);
   }

@@ -36,6 +36,19 @@ TEST(KlartextLabels, SubprogramsEndAtLabelZero) {
             "|5 0|5 3|4 3");
 }
 
+TEST(KlartextLabels, MovesOfSubprogramsKnowWhoCalledThem) {
+  const Program read = read_gcode(
+      program_of("CALL LBL 7\nL Y+3 F100\nL Z+50 FMAX M30\nLBL 7\nL IX+5 F100\nLBL 0"), "test.ngc");
+  std::string told;
+  std::size_t index = 0;
+  for (const Section& section : read.toolpath.sections)
+    for (const Move& move : section.moves) {
+      const std::string* const calls = read.control.calls_at(index++);
+      if (calls) told += std::to_string(move.line) + ": " + *calls;
+    }
+  EXPECT_EQ(told, "8: LBL 7 called in test.ngc:4");
+}
+
 TEST(KlartextLabels, ParametersAreComputed) {
   EXPECT_EQ(ends("FN 0: Q1 = +2\nFN 1: Q2 = +Q1 + +3\nFN 3: Q3 = +Q2 * -2\nFN 0: Q9 = +120\nL X+Q2 Y-Q3 "
                  "FQ9\nL X-Q1"),
@@ -47,6 +60,68 @@ TEST(KlartextLabels, ParametersAreComputed) {
 TEST(KlartextLabels, ParametersAreSetInTheirOwnBlocks) {
   EXPECT_EQ(ends("Q1 = +4\nQ2=-Q1\nL X+Q1 Y+Q2 F100"), "|4 -4");
   EXPECT_THAT(refused("Q1 = +4 * 2"), HasSubstr("formulas of Q parameters are not read"));
+}
+
+TEST(KlartextDatum, IsShifted) {
+  EXPECT_EQ(ends("CYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y+5\nL X+1 Y+1 F100\nL "
+                 "IX+2\nCYCL DEF 7.0 "
+                 "DATUM SHIFT\nCYCL DEF 7.1 IX+10\nL X+1\nCYCL DEF 7.1 X+0\nCYCL DEF 7.2 Y+0\nL X+1 Y+1"),
+            "|11 6|13 6|21 6|1 1");
+  EXPECT_EQ(ends("TRANS DATUM AXIS X+10 Y+5\nL X+1 F100\nL Y+1\nTRANS DATUM RESET\nL X+1 Y+1"),
+            "|11 0|11 6|1 1");
+  EXPECT_EQ(ends("FN 0: Q1 = +0\nLBL 1\nTRANS DATUM AXIS X+Q1\nL X+1 Y+0 F100\nFN 1: Q1 = +Q1 + +10\nFN 12: "
+                 "IF +Q1 LT "
+                 "+30 GOTO LBL 1"),
+            "|1 0|11 0|21 0");
+}
+
+TEST(KlartextDatum, AxesAreTurned) {
+  EXPECT_EQ(
+      ends(
+          "CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+90\nL X+10 Y+0 F100\nL IX+5\nCC X+0 Y+0\nLP PR+10 PA+0\n"
+          "CYCL DEF 10.1 ROT+0\nL X+1 Y+1"),
+      "|0 10|0 15|0 10|1 1");
+  EXPECT_EQ(ends("TRANS DATUM AXIS X+10\nCYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+90\nL X+5 Y+0 F100\nCC "
+                 "X+0 Y+0\nC X+0 "
+                 "Y+5 DR+"),
+            "|10 5|5 0");
+}
+
+TEST(KlartextFeeds, FautoIsTheFeedOfTheToolsCall) {
+  const auto feeds = [](const std::string& blocks) {
+    std::string told;
+    for (const Section& section : read_gcode(program_of(blocks), "test.ngc").toolpath.sections)
+      for (const Move& move : section.moves)
+        if (!is_rapid(move.kind)) told += "|" + trimmed(move.feed.mm_per_min(), 3);
+    return told;
+  };
+  EXPECT_EQ(feeds("TOOL CALL 1 Z S1000 F700\nL X+1 F100\nL X+2\nL X+3 FAUTO"), "|100|100|700");
+  EXPECT_THAT(refused("L X+1 FAUTO"), HasSubstr("FAUTO takes the feed of TOOL CALL"));
+}
+
+TEST(KlartextDatum, HolesFollowIt) {
+  const std::string hole =
+      "CYCL DEF 200 DRILLING ~ Q200=+2 ~ Q201=-5 ~ Q206=+100 ~ Q202=+5 ~ Q210=+0 ~ Q203=+0 ~ Q204=+10 ~ "
+      "Q211=+0\n";
+  const auto lowest = [&](const std::string& before) {
+    double z = 100;
+    for (const Section& section :
+         read_gcode(program_of(before + hole + "CYCL CALL"), "test.ngc").toolpath.sections)
+      for (const Move& move : section.moves) z = std::min(z, move.z_to);
+    return z;
+  };
+  EXPECT_EQ(lowest(""), -5);
+  EXPECT_EQ(lowest("TRANS DATUM AXIS Z-3\n"), -8);
+}
+
+TEST(KlartextDatum, WhatIsNotReadIsNamed) {
+  EXPECT_THAT(refused("CYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 #5"),
+              HasSubstr("'#5' shifts the datum by a table"));
+  EXPECT_THAT(refused("TRANS DATUM TABLE TABLINE1"),
+              HasSubstr("TRANS DATUM AXIS and TRANS DATUM RESET alone"));
+  EXPECT_THAT(refused("CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+30\nTRANS DATUM AXIS X+5"),
+              HasSubstr("while cycle 10 turns the axes"));
+  EXPECT_THAT(refused("CYCL DEF 8.0 MIRROR IMAGE\nCYCL DEF 8.1 X"), HasSubstr("cycle 8 is not read"));
 }
 
 TEST(KlartextLabels, WhatIsNotKnownIsRefused) {

@@ -28,6 +28,8 @@ class Collector {
     }
     if (word == "FMAX") {
       found_.rapid = true;
+    } else if (word == "FAUTO") {
+      found_.feed_of_tool = true;
     } else if (word == "DR+" || word == "DR-") {
       found_.turn = word == "DR+" ? Turn::kCounterClockwise : Turn::kClockwise;
     } else if (word.rfind("IPA", 0) == 0) {

@@ -21,6 +21,7 @@ struct PathWords {
   enum class Radius : unsigned char { kNone, kLeft, kRight };
   std::optional<Radius> compensation;
   bool rapid = false;
+  bool feed_of_tool = false;  ///< FAUTO: the feed that TOOL CALL states
   bool machine_frame = false;
   std::optional<double> retract;  ///< M140: mm up along the tool; infinite: to the end of the travel
   std::vector<int> m;

@@ -34,12 +34,46 @@ struct MacroFrame {
   bool has_own_variables = false;  ///< else those of who called
 };
 
-/// Counts what is executed and tells where things go wrong.
-class MacroRun {
+/// A program that computes, loops and calls: counts what is executed, knows who called whom, and tells where things go wrong.
+class ProgramRun {
+ protected:
+  ProgramRun(ToolpathBuilder& builder, const ReadControllerOptions& options)
+      : builder_(builder), options_(options) {}
+
+  /// Throws InputError where more is executed than any program needs.
+  void count_step(std::size_t length);
+  std::string place() const;
+  [[noreturn]] void refuse(const std::string& what) const;
+  /// The message of an error at the line that is executed, with the calls that led there.
+  [[noreturn]] void rethrow(const std::string& message) const;
+  /// Lines of other files are counted at the call in the program.
+  int shown_line() const;
+  /// The moves that follow come from the line that is executed.
+  void tell_calls();
+  /// Under the condition that the control has the same file.
+  const MacroSource* other_file(const std::string& name);
+  const MacroFrame& frame() const { return frames_.back(); }
+  MacroFrame& frame() { return frames_.back(); }
+
+  ToolpathBuilder& builder_;
+  const ReadControllerOptions& options_;
+  std::vector<MacroFrame> frames_;
+  std::vector<std::unique_ptr<MacroSource>> sources_;
+
+ private:
+  /// "O1 called in part.nc:7, O2 called in part.nc:3"; at most a few.
+  std::string calls() const;
+
+  long long steps_ = 0;
+  bool told_calls_ = false;
+};
+
+/// A run of a word-address program.
+class MacroRun : protected ProgramRun {
  public:
   MacroRun(Interpreter& interpreter, ToolpathBuilder& builder, const DialectRules& rules,
            const ReadControllerOptions& options)
-      : interpreter_(interpreter), builder_(builder), rules_(rules), options_(options) {}
+      : ProgramRun(builder, options), interpreter_(interpreter), rules_(rules) {}
 
  protected:
   /// Executes lines by `step`, which says whether the program goes on, until its end. Whether that was reached. Errors tell the calls.
@@ -53,31 +87,12 @@ class MacroRun {
     }
     return interpreter_.ended() || tape_ended_;
   }
-  /// Throws InputError where more is executed than any program needs.
-  void count_step(std::size_t length);
-  std::string place() const;
-  [[noreturn]] void refuse(const std::string& what) const;
-  /// The message of an error at the line that is executed, with the calls that led there.
-  [[noreturn]] void rethrow(const std::string& message) const;
-  /// Lines of other files are counted at the call in the program.
-  int shown_line() const;
   /// Executes the words of a block at the place where the program is.
   void execute(Block& block);
-  /// Under the condition that the control has the same file.
-  const MacroSource* other_file(const std::string& name);
-  const MacroFrame& frame() const { return frames_.back(); }
-  MacroFrame& frame() { return frames_.back(); }
 
   Interpreter& interpreter_;
-  ToolpathBuilder& builder_;
   const DialectRules& rules_;
-  const ReadControllerOptions& options_;
-  std::vector<MacroFrame> frames_;
-  std::vector<std::unique_ptr<MacroSource>> sources_;
   bool tape_ended_ = false;  ///< by the % that ends a tape
-
- private:
-  long long steps_ = 0;
 };
 
 }  // namespace clearcut::read::gcode

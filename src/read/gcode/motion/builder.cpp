@@ -264,6 +264,7 @@ void ToolpathBuilder::use(const State& state) {
   speed = state.speed;
   length = state.length;
   path_control = state.path;
+  calls_ = state.calls;
 }
 
 void ToolpathBuilder::begin_compensation(const CompensationRules& rules, CompensationSide side,
@@ -313,7 +314,20 @@ void ToolpathBuilder::append(const Move& move) {
   ++moves_;
 }
 
+void ToolpathBuilder::set_calls(const std::string& text) {
+  if (text.empty()) {
+    calls_ = -1;
+    return;
+  }
+  const auto [found, is_new] = calls_known_.try_emplace(text, static_cast<int>(control_.call_texts.size()));
+  if (is_new) control_.call_texts.push_back(text);
+  calls_ = found->second;
+}
+
 void ToolpathBuilder::keep_control(int line) {
+  auto& calls = control_.calls;
+  if (calls.empty() ? calls_ >= 0 : calls.back().calls != calls_)
+    calls.push_back({static_cast<std::size_t>(moves_), calls_});
   const SpindleState turning = drive.clockwise ? SpindleState::kClockwise : SpindleState::kCounterClockwise;
   const ControlState state{
       drive.tool, drive_turns_ ? turning : SpindleState::kOff, speed, drive.coolant, length, path_control};

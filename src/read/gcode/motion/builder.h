@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -59,6 +60,8 @@ class ToolpathBuilder {
   void say_spindle() { control_.spindle_said = true; }
   void say_speed() { control_.speed_said = true; }
   void say_units(bool inch, int line);
+  /// The line of a subprogram that the moves which follow come from, with the calls that led there; "": none.
+  void set_calls(const std::string& text);
 
   void rapid(const Target& target, int line);
   void feed(const Target& target, MmPerMin feed, int line);
@@ -120,6 +123,7 @@ class ToolpathBuilder {
     double speed = 0;
     ToolLength length;
     PathControl path;
+    int calls = -1;
   };
   struct SectionStart {
     std::string label;
@@ -142,7 +146,7 @@ class ToolpathBuilder {
   bool defers() const { return compensated_ && compensated_->moves; }
   void give(const std::vector<OffsetMove>& moves);
   void bring(const Deferred& what);
-  State state() const { return {drive, drive_turns_, speed, length, path_control}; }
+  State state() const { return {drive, drive_turns_, speed, length, path_control, calls_}; }
   void use(const State& state);
   void note_outside_corner();
   void check_return(const Target& target, bool rapid, int line);
@@ -173,6 +177,8 @@ class ToolpathBuilder {
   bool section_cuts_ = false;
   bool drive_turns_ = false;
   long long moves_ = 0;
+  int calls_ = -1;  ///< into ControlTable::call_texts
+  std::map<std::string, int> calls_known_;
 };
 
 }  // namespace clearcut::read::gcode

@@ -196,6 +196,7 @@ constexpr std::array kRules{
                  .name = "siemens",
                  .title = "Sinumerik",
                  .language = Language::kSinumerik,
+                 .macros = MacroLanguage::kSinumerik,
                  .unit_words = "neither G700 nor G710",
                  .no_path_word = "neither G60 nor a path tolerance (G642 with CTOL)",
                  .blends_freely = "G64 (or G641 without ADIS, G644)",
@@ -203,6 +204,7 @@ constexpr std::array kRules{
                  .needs_lengths = true,
                  .changer_alone = true,
                  .home_is_top = true,
+                 .most_calls = 11,
                  .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on",
                  .radius_of_edge = true},
     // EIA/ISO programs: the words of Fanuc, with synchronous tapping under words of their own.
@@ -231,6 +233,7 @@ constexpr std::array kRules{
         .name = "tormach",
         .title = "Tormach PathPilot",
         .planner = MotionPlanner::kLinuxCnc,
+        .macros = MacroLanguage::kLinuxCnc,
         .g = {kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets | kKeptShifts |
               kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters | kCompensation | kStatedRadii},
         .m = {.only = kLinuxCncMiscellaneous,
@@ -263,16 +266,32 @@ struct SpecialWords {
   int first, last;
   GWordSet set;
 };
-constexpr SpecialWords kSpecialWords[] = {
-    {730, 730, kDrillCycles},       {740, 799, kDrillCycles},   {801, 890, kDrillCycles},
-    {430, 430, kToolLengths},       {431, 431, kStatedLengths}, {1540, 1540, kHaasWords},
-    {1870, 1870, kHaasWords},       {1100, 1290, kHaasWords},   {541, 541, kOffsetsByNumber},
-    {591, 593, kFractionalOffsets}, {922, 923, kKeptShifts},    {611, 611, kExactStopBesidePath},
-    {281, 281, kStoredPlaces},      {301, 301, kStoredPlaces},  {901, 901, kAbsoluteCenters},
-    {160, 160, kPlanMaps},          {680, 680, kPlanMaps},      {501, 501, kPlanMaps},
-    {511, 511, kPlanMaps},          {310, 310, kSkipMoves},     {382, 385, kProbing},
-    {410, 410, kCompensation},      {420, 420, kCompensation},  {411, 411, kStatedRadii},
-    {421, 421, kStatedRadii}};
+constexpr SpecialWords kSpecialWords[] = {{730, 730, kDrillCycles},
+                                          {740, 799, kDrillCycles},
+                                          {801, 890, kDrillCycles},
+                                          {430, 430, kToolLengths},
+                                          {431, 431, kStatedLengths},
+                                          {1540, 1540, kHaasWords},
+                                          {1870, 1870, kHaasWords},
+                                          {1030, 1030, kHaasWords},
+                                          {1100, 1290, kHaasWords},
+                                          {541, 541, kOffsetsByNumber},
+                                          {591, 593, kFractionalOffsets},
+                                          {922, 923, kKeptShifts},
+                                          {611, 611, kExactStopBesidePath},
+                                          {281, 281, kStoredPlaces},
+                                          {301, 301, kStoredPlaces},
+                                          {901, 901, kAbsoluteCenters},
+                                          {160, 160, kPlanMaps},
+                                          {680, 680, kPlanMaps},
+                                          {501, 501, kPlanMaps},
+                                          {511, 511, kPlanMaps},
+                                          {310, 310, kSkipMoves},
+                                          {382, 385, kProbing},
+                                          {410, 410, kCompensation},
+                                          {420, 420, kCompensation},
+                                          {411, 411, kStatedRadii},
+                                          {421, 421, kStatedRadii}};
 
 bool among(std::span<const int> list, int code) {
   return std::find(list.begin(), list.end(), code) != list.end();

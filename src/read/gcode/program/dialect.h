@@ -41,7 +41,8 @@ enum class MacroLanguage : unsigned char {
   kNone,
   kLinuxCnc,  ///< parameters with names, O words
   kFanuc,     ///< Custom Macro: IF, GOTO, WHILE, G65, M98
-  kMach       ///< parameters, M98
+  kMach,      ///< parameters, M98
+  kSinumerik  ///< R parameters, GOTOF, WHILE, subprograms by name
 };
 
 /// How a program of the control ends.

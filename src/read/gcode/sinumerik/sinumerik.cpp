@@ -10,8 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/text/format.h"
+#include "base/units.h"
 #include "model/options/work_offset.h"
 #include "read/gcode/control/control.h"
 #include "read/gcode/control/mode_words.h"
@@ -20,6 +22,7 @@
 #include "read/gcode/motion/dwell.h"
 #include "read/gcode/program/marker.h"
 #include "read/gcode/sinumerik/cycles.h"
+#include "read/gcode/sinumerik/language.h"
 #include "read/gcode/sinumerik/words.h"
 #include "read/gcode/words/g_words.h"
 #include "read/gcode/words/lines.h"
@@ -129,17 +132,37 @@ class SinumerikReader {
 
   bool read(std::string_view text) {
     Lines lines(text);
-    for (std::string_view line; !control_.ended && lines.next(line);) {
-      control_.line = lines.number();
-      const SinumerikBlock block = sinumerik_block(line, refuse_);
-      read_marker(block.comment, control_.builder);
-      if (!block.words.empty()) execute(block);
-    }
+    for (std::string_view line; !control_.ended && lines.next(line);) execute_line(line, lines.number());
     if (control_.ended) warn_of_blocks_behind(lines);
     return control_.ended;
   }
 
+  /// Programs that compute, loop and call.
+  bool run(std::string_view text, const std::string& file_name) {
+    const SinumerikBlocks blocks{[this](std::string_view block, int line) { execute_line(block, line); },
+                                 [this] { return control_.ended; }, [this] { control_.ended = false; },
+                                 [](const std::string& name) { return is_own_word(name); }};
+    return run_sinumerik(text, file_name, blocks, control_.rules, control_.options, control_.builder);
+  }
+
  private:
+  /// Whether the name is a word or a cycle of the control's, read or refused.
+  static bool is_own_word(const std::string& name) {
+    constexpr std::string_view kOthers[] = {
+        "AC",      "IC",      "CR",    "RPL",   "TURN",   "CTOL",   "ADIS",    "SPOS",    "RND",
+        "RNDM",    "CHF",     "CHR",   "CIP",   "CT",     "ANG",    "TRAORI",  "POCKET1", "POCKET2",
+        "POCKET3", "POCKET4", "SLOT1", "SLOT2", "HOLES1", "HOLES2", "LONGHOLE"};
+    return use_of(name).has_value() || name.starts_with("CYCLE") ||
+           std::find(std::begin(kOthers), std::end(kOthers), name) != std::end(kOthers);
+  }
+
+  void execute_line(std::string_view line, int number) {
+    control_.line = number;
+    const SinumerikBlock block = sinumerik_block(line, refuse_, computes_);
+    read_marker(block.comment, control_.builder);
+    if (!block.words.empty()) execute(block);
+  }
+
   /// How corners are rounded.
   enum class Rounding : unsigned char { kUnstated, kExactStop, kFree, kDistance, kContour };
 
@@ -151,6 +174,7 @@ class SinumerikReader {
     std::optional<NamedUse> frame;
     bool suppressed = false, modal = false, dwells = false, changes_path = false;
     std::optional<double> dwell_s, dwell_turns;
+    std::optional<double> turn_deg;  ///< RPL
     std::optional<int> edge;
   };
 
@@ -167,6 +191,7 @@ class SinumerikReader {
     modes_.set_feed_and_drive(found.block, feed_unit());
     follow_tool(found);
     if (found.dwells) return dwell(found);
+    if (found.turn_deg && !found.frame) control_.refuse("RPL belongs to ROT and AROT; correct it");
     if (found.frame) return change_frame(found);
     if (found.modal) return set_modal(found);
     if (found.call) return run_call(*found.call);
@@ -223,8 +248,7 @@ class SinumerikReader {
                            "rapids need not be straight after RTLIOF; nothing stands beside their way");
         return;
       case NamedUse::kProgram:
-        control_.refuse("jumps, loops, variables and calls of programs (" + word.name +
-                        ") are not read; post the program as plain blocks");
+        control_.macro(word.name + " does not stand where it is read; post the program without it");
     }
   }
 
@@ -312,6 +336,11 @@ class SinumerikReader {
   }
 
   bool gather_path(const SinumerikWord& word, Gathered& found) {
+    if (word.name == "RPL") {
+      if (word.kind != SinumerikValue::kNumber) control_.refuse("RPL without a number; correct it");
+      found.turn_deg = word.number;
+      return true;
+    }
     if (word.name != "CTOL" && word.name != "ADIS") return false;
     if (word.kind != SinumerikValue::kNumber) control_.refuse(word.name + " without a number; correct it");
     // Counted once the units of the block are known.
@@ -400,13 +429,12 @@ class SinumerikReader {
 
   [[noreturn]] void refuse_word(const SinumerikWord& word) const {
     const std::string& name = word.name;
-    if (name.size() > 1 && name[0] == 'R' && name[1] >= '0' && name[1] <= '9')
-      control_.refuse("R parameters and expressions are not read; post the program with plain numbers");
+    if (name == "R") control_.macro("an R parameter stands alone; '=' and its value are missing");
     if (name == "L" || name == "P")
-      control_.refuse("subprogram calls are not read; post the program without them");
+      control_.macro("a call of a subprogram stands in a block of its own; split the block");
     if (word.kind == SinumerikValue::kArguments)
-      control_.refuse(name + " is a cycle that is not read; post its moves one by one");
-    control_.refuse(name + " is not read; post the program without it");
+      control_.macro(name + " is a cycle that is not read; post its moves one by one");
+    control_.macro(name + " is not read; post the program without it");
   }
 
   // --- executing
@@ -468,24 +496,122 @@ class SinumerikReader {
     add_dwell(control_.builder, control_.line, 60 * *found.dwell_turns / control_.modes.speed, false);
   }
 
-  /// TRANS replaces what was programmed, ATRANS adds to it; any of the words alone takes all of it away.
+  /// TRANS, ROT, SCALE and MIRROR replace all that was programmed, ATRANS and its like add to it; any of the words alone takes all of it
+  /// away.
   void change_frame(const Gathered& found) {
-    if (found.places.empty()) {
+    const FrameRow& row = frame_row(frame_word_);
+    if (row.replaces || (found.places.empty() && !found.turn_deg)) {
+      control_.plan_map = {};
       for (std::size_t axis = 0; axis < 3; ++axis) shift_axis(axis, 0);
-      return;
     }
-    if (*found.frame == NamedUse::kFrame)
-      control_.refuse(frame_word_ +
-                      " turns, scales or mirrors what follows, which is not read; post without it");
-    if (*found.frame == NamedUse::kShift)
-      for (std::size_t axis = 0; axis < 3; ++axis) shift_axis(axis, 0);
+    if (found.places.empty() && !found.turn_deg) return;
+    if (found.turn_deg && row.change != FrameChange::kTurn)
+      control_.refuse("RPL belongs to ROT and AROT; correct it");
+    if (control_.builder.compensates() || control_.builder.compensation_leaves())
+      control_.refuse(frame_word_ + " while cutter compensation is on; end it by G40 before");
+    switch (row.change) {
+      case FrameChange::kShift:
+        return shift_frame(found);
+      case FrameChange::kTurn:
+        return turn_frame(found);
+      case FrameChange::kMirror:
+        return mirror_frame(found);
+      case FrameChange::kScale:
+        return scale_frame(found);
+      case FrameChange::kNone:
+        control_.refuse(frame_word_ + " turns in space, which is not read; post without it");
+    }
+  }
+
+  enum class FrameChange : unsigned char { kNone, kShift, kTurn, kMirror, kScale };
+  struct FrameRow {
+    std::string_view word;
+    FrameChange change;
+    bool replaces;
+  };
+  static const FrameRow& frame_row(const std::string& word) {
+    static constexpr FrameRow kRows[] = {
+        {"TRANS", FrameChange::kShift, true},   {"ATRANS", FrameChange::kShift, false},
+        {"ROT", FrameChange::kTurn, true},      {"AROT", FrameChange::kTurn, false},
+        {"MIRROR", FrameChange::kMirror, true}, {"AMIRROR", FrameChange::kMirror, false},
+        {"SCALE", FrameChange::kScale, true},   {"ASCALE", FrameChange::kScale, false},
+        {"", FrameChange::kNone, true}};
+    for (const FrameRow& row : kRows)
+      if (row.word == word) return row;
+    return kRows[std::size(kRows) - 1];
+  }
+
+  /// The number of an axis word of a frame.
+  std::pair<std::size_t, double> frame_value(const SinumerikWord& word) const {
+    const std::size_t axis = kAxes.find(word.name[0]);
+    if (axis == std::string_view::npos || word.kind != SinumerikValue::kNumber)
+      control_.refuse(frame_word_ + " takes X, Y and Z alone; correct it");
+    return {axis, word.number};
+  }
+
+  /// Counted in the axes that are turned already.
+  void shift_frame(const Gathered& found) {
+    std::array<double, 3> by{};
     for (const SinumerikWord* word : found.places) {
-      const std::size_t axis = kAxes.find(word->name[0]);
-      if (axis == std::string_view::npos || word->kind != SinumerikValue::kNumber)
-        control_.refuse(frame_word_ + " takes X, Y and Z alone; correct it");
-      const double before = *found.frame == NamedUse::kShiftMore ? shifts_[axis] : 0;
-      shift_axis(axis, before + control_.mm(word->number));
+      const auto [axis, value] = frame_value(*word);
+      by[axis] = control_.mm(value);
     }
+    const Vec2 plan = control_.plan_map.is_on ? control_.plan_map.turned({by[0], by[1]}) : Vec2{by[0], by[1]};
+    shift_axis(0, shifts_[0] + plan.x);
+    shift_axis(1, shifts_[1] + plan.y);
+    shift_axis(2, shifts_[2] + by[2]);
+  }
+
+  void turn_frame(const Gathered& found) {
+    double degrees = found.turn_deg.value_or(0);
+    for (const SinumerikWord* word : found.places) {
+      const auto [axis, value] = frame_value(*word);
+      if (axis != 2 && value != 0)
+        control_.refuse(frame_word_ +
+                        " about X or Y tilts the plane, which is not read; only turns about Z are");
+      if (axis == 2) degrees += value;
+    }
+    const double angle = degrees * kPi / 180, c = base::cos(angle), s = base::sin(angle);
+    map_frame({c, -s, s, c}, 1);
+  }
+
+  void mirror_frame(const Gathered& found) {
+    std::array<double, 2> sign{1, 1};
+    for (const SinumerikWord* word : found.places) {
+      const std::size_t axis = frame_value(*word).first;
+      if (axis == 2) control_.refuse("a mirrored Z is not read; post the program without it");
+      sign[axis] = -1;
+    }
+    map_frame({sign[0], 0, 0, sign[1]}, 1);
+  }
+
+  void scale_frame(const Gathered& found) {
+    std::array<double, 3> by{1, 1, 1};
+    for (const SinumerikWord* word : found.places) {
+      const auto [axis, value] = frame_value(*word);
+      by[axis] = value;
+    }
+    if (by[2] != 1 || by[0] != by[1] || !(by[0] > 0))
+      control_.refuse(frame_word_ +
+                      " is read with one factor above 0 for X and Y, and none for Z; post without it");
+    map_frame({by[0], 0, 0, by[1]}, by[0]);
+  }
+
+  /// Puts a change of the axes in plan (xx, xy, yx, yy) behind those in force.
+  void map_frame(const std::array<double, 4>& change, double scale) {
+    if (control_.modes.plane != Plane::kXY)
+      control_.refuse(frame_word_ + " outside the XY plane is not read; use G17");
+    PlanMap& map = control_.plan_map;
+    const PlanMap before = map;
+    map.xx = before.xx * change[0] + before.xy * change[2];
+    map.xy = before.xx * change[1] + before.xy * change[3];
+    map.yx = before.yx * change[0] + before.yy * change[2];
+    map.yy = before.yx * change[1] + before.yy * change[3];
+    map.scale = before.scale * scale;
+    map.flips = map.xx * map.yy - map.xy * map.yx < 0;
+    map.fixed = {};
+    map.words = "ROT, MIRROR and SCALE";
+    map.is_on = true;
   }
 
   void shift_axis(std::size_t axis, double value) {
@@ -517,7 +643,7 @@ class SinumerikReader {
     const bool is_off = mode.empty() || mode.back() == '0' || mode == "_OFF";
     double tolerance = 0;
     if (!argument(0).empty()) {
-      SinumerikBlock parsed = sinumerik_block("CTOL=" + argument(0), refuse_);
+      SinumerikBlock parsed = sinumerik_block("CTOL=" + argument(0), refuse_, computes_);
       tolerance = parsed.words.front().number;
     }
     rounding_ = is_off ? Rounding::kUnstated : Rounding::kContour;
@@ -589,15 +715,29 @@ class SinumerikReader {
     }
     if (absolute > 0 && absolute < centers)
       control_.refuse("one centre word with AC() beside one without; give both alike");
-    return absolute > 0;
+    if (absolute == 0 || !control_.plan_map.is_on) return absolute > 0;
+    // In turned axes centres count from the arc's start.
+    for (const std::size_t axis : {0U, 1U})
+      if (const char letter = kCenters[axis]; found.block.has(letter))
+        found.block.set(letter, found.block.value(letter) - program_place(axis) / control_.modes.unit);
+    return false;
+  }
+
+  /// Where the tool stands, as the program counts, mm.
+  double program_place(std::size_t axis) {
+    if (axis == 2 || !control_.plan_map.is_on)
+      return control_.builder.known(axis, control_.line) - control_.frame.shift(axis);
+    const Vec2 at{control_.builder.known(0, control_.line) - control_.frame.shift(0),
+                  control_.builder.known(1, control_.line) - control_.frame.shift(1)};
+    const Vec2 place = control_.plan_map.placed_back(at);
+    return axis == 0 ? place.x : place.y;
   }
 
   double in_mode_of_block(const SinumerikWord& word, std::size_t axis, bool suppressed) {
     const bool is_absolute = word.kind == SinumerikValue::kAbsolute, absolute = control_.modes.absolute;
     if (word.kind == SinumerikValue::kNumber || is_absolute == absolute) return word.number;
     if (suppressed) control_.refuse("AC() and IC() in the machine's frame are not read; post plain numbers");
-    const double unit = control_.modes.unit;
-    const double here = (control_.builder.known(axis, control_.line) - control_.frame.shift(axis)) / unit;
+    const double here = program_place(axis) / control_.modes.unit;
     return is_absolute ? word.number - here : word.number + here;
   }
 
@@ -606,7 +746,7 @@ class SinumerikReader {
     const int end = control_.line;
     try {
       for (std::string_view line; lines.next(line);) {
-        if (sinumerik_block(line, refuse_).words.empty()) continue;
+        if (sinumerik_block(line, refuse_, computes_).words.empty()) continue;
         control_.builder.warn(lines.number(),
                               "what follows the end word in line " + std::to_string(end) + " is not run");
         return;
@@ -619,6 +759,7 @@ class SinumerikReader {
   Control control_;
   ModeWords modes_;
   RefuseBlock refuse_ = [this](const std::string& why) { control_.refuse(why); };
+  RefuseBlock computes_ = [this](const std::string& why) { control_.macro(why); };
   std::optional<SinumerikWord> modal_;
   std::map<std::string, int> tool_numbers_;
   Rounding rounding_ = Rounding::kUnstated;
@@ -632,9 +773,11 @@ class SinumerikReader {
 
 }  // namespace
 
-bool read_sinumerik(std::string_view text, const DialectRules& rules, const ReadControllerOptions& options,
+bool read_sinumerik(std::string_view text, const std::string& file_name, SinumerikDepth depth,
+                    const DialectRules& rules, const ReadControllerOptions& options,
                     ToolpathBuilder& builder) {
-  return SinumerikReader(rules, options, builder).read(text);
+  SinumerikReader reader(rules, options, builder);
+  return depth == SinumerikDepth::kPlain ? reader.read(text) : reader.run(text, file_name);
 }
 
 }  // namespace clearcut::read::gcode

@@ -1,6 +1,7 @@
 // Programs of Siemens Sinumerik 840D and its like, in their own language (G290).
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "read/gcode/motion/builder.h"
@@ -9,9 +10,13 @@
 
 namespace clearcut::read::gcode {
 
+/// How far a program is understood: as plain blocks, or with all that the language computes.
+enum class SinumerikDepth : unsigned char { kPlain, kLanguage };
+
 /// Returns whether an end word (M2, M17, M30, RET) was seen. Throws InputError for blocks that would move the tool in ways that are not
-/// understood.
-bool read_sinumerik(std::string_view text, const DialectRules& rules, const ReadControllerOptions& options,
+/// understood, and MacroError for what only kLanguage understands.
+bool read_sinumerik(std::string_view text, const std::string& file_name, SinumerikDepth depth,
+                    const DialectRules& rules, const ReadControllerOptions& options,
                     ToolpathBuilder& builder);
 
 }  // namespace clearcut::read::gcode

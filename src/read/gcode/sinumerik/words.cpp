@@ -15,7 +15,7 @@ namespace {
 constexpr double kLargestNumber = 1e9;
 constexpr std::size_t kMostDigits = 40;
 constexpr const char* kComputes =
-    "R parameters and expressions are not read; post the program with plain numbers";
+    "R parameters or an expression where none is read; post plain numbers there";
 
 char upper(char c) {
   return static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -32,7 +32,8 @@ bool begins_value(char c) {
 
 class LineWords {
  public:
-  LineWords(std::string_view line, const RefuseBlock& refuse) : line_(line), refuse_(refuse) {}
+  LineWords(std::string_view line, const RefuseBlock& refuse, const RefuseBlock& computes)
+      : line_(line), refuse_(refuse), computes_(computes) {}
 
   SinumerikBlock read() {
     SinumerikBlock block;
@@ -43,6 +44,7 @@ class LineWords {
       if (is_decimal(peek())) ++at_;  // which of ten skip levels
     }
     skip_number_and_label();
+    if (begins_language_block()) computes_(kComputes);
     while (skip_blanks(), at_ < line_.size()) {
       if (take(';')) {
         block.comment = line_.substr(at_);
@@ -80,8 +82,20 @@ class LineWords {
     if (end > at_ + 1 && end < line_.size() && line_[end] == ':' && begins_name(peek())) at_ = end + 1;
   }
 
+  /// Whether the first word is one whose block is no row of words.
+  bool begins_language_block() {
+    constexpr std::string_view kWords[] = {
+        "DEF",   "PROC",    "IF",     "ELSE",  "ENDIF",   "WHILE",   "ENDWHILE", "FOR",   "ENDFOR",
+        "LOOP",  "ENDLOOP", "CASE",   "CALL",  "EXTCALL", "GOTO",    "GOTOF",    "GOTOB", "GOTOC",
+        "GOTOS", "SETAL",   "EXTERN", "UNTIL", "REPEAT",  "REPEATB", "DEFINE",   "PCALL"};
+    skip_blanks();
+    std::string name;
+    for (std::size_t k = 0; begins_name(peek(k)); ++k) name += upper(peek(k));
+    return std::find(std::begin(kWords), std::end(kWords), name) != std::end(kWords);
+  }
+
   SinumerikWord word() {
-    if (peek() == '$' || peek() == '=') refuse_(kComputes);
+    if (peek() == '$' || peek() == '=') computes_(kComputes);
     if (peek() == '(') refuse_("text in parentheses is no comment on a Sinumerik; put it behind ';'");
     if (!begins_name(peek())) {
       const auto byte = static_cast<unsigned char>(peek());
@@ -95,10 +109,15 @@ class LineWords {
     if (is_letter) return letter_word(std::move(found));
     while (begins_name(peek()) || is_decimal(peek())) found.name += upper(line_[at_++]);
     skip_blanks();
-    if (peek() == '[') refuse_(kComputes);
+    if (peek() == '[') computes_(kComputes);
     if (take('(')) {
       found.kind = SinumerikValue::kArguments;
       found.arguments = arguments();
+      if (found.name.starts_with("CYCLE"))
+        for (const std::string& one : found.arguments)
+          if (!one.empty() && one[0] != '"' && one[0] != '_' &&
+              !std::all_of(one.begin(), one.end(), begins_value))
+            computes_(kComputes);
     } else if (take('=')) {
       assign(found);
     }
@@ -117,14 +136,14 @@ class LineWords {
       assign(found);
       return found;
     }
-    if (peek() == '[' || peek() == '(') refuse_(kComputes);
+    if (peek() == '[' || peek() == '(') computes_(kComputes);
     found.kind = SinumerikValue::kNumber;
     found.number = number(found.name);
     return found;
   }
 
   void assign(SinumerikWord& found) {
-    if (found.name.size() > 1 && found.name[0] == 'R' && is_decimal(found.name[1])) refuse_(kComputes);
+    if (found.name.size() > 1 && found.name[0] == 'R' && is_decimal(found.name[1])) computes_(kComputes);
     skip_blanks();
     if (take('"')) {
       const std::size_t end = line_.find('"', at_);
@@ -142,23 +161,23 @@ class LineWords {
       found.kind = kind;
     }
     skip_blanks();
-    if (begins_name(peek()) || peek() == '$' || peek() == '(') refuse_(kComputes);
+    if (begins_name(peek()) || peek() == '$' || peek() == '(') computes_(kComputes);
     found.number = number(found.name);
     skip_blanks();
-    if (found.kind != SinumerikValue::kNumber && !take(')')) refuse_(kComputes);
+    if (found.kind != SinumerikValue::kNumber && !take(')')) computes_(kComputes);
   }
 
   double number(const std::string& name) {
     std::string digits;
     skip_blanks();
     while (begins_value(peek()) && digits.size() < kMostDigits) {
-      if ((peek() == '+' || peek() == '-') && !digits.empty()) refuse_(kComputes);
+      if ((peek() == '+' || peek() == '-') && !digits.empty()) computes_(kComputes);
       digits += line_[at_++];
     }
     if (digits.empty()) refuse_(name + " without a number; correct it");
     if (upper(peek()) == 'E' && upper(peek(1)) == 'X')
       refuse_(name + " with an exponent; post plain decimals");
-    if (peek() == '*' || peek() == '/') refuse_(kComputes);
+    if (peek() == '*' || peek() == '/') computes_(kComputes);
     const std::string_view plain = std::string_view(digits).substr(digits[0] == '+' ? 1 : 0);
     double value = 0;
     const auto [end, error] =
@@ -181,7 +200,7 @@ class LineWords {
         if (found.size() == 1 && found[0].empty()) found.clear();
         return found;
       }
-      if (!in_text && (c == '(' || c == '[')) refuse_(kComputes);
+      if (!in_text && (c == '(' || c == '[')) computes_(kComputes);
       if (!in_text && c == ',') {
         found.emplace_back();
       } else if (in_text || !is_blank(c)) {
@@ -194,6 +213,7 @@ class LineWords {
 
   std::string_view line_;
   const RefuseBlock& refuse_;
+  const RefuseBlock& computes_;
   std::size_t at_ = 0;
 };
 
@@ -225,15 +245,35 @@ bool has_word(const std::string& code, std::string_view word) {
   return false;
 }
 
-constexpr std::array<std::string_view, 21> kOwnWords{
+constexpr std::array<std::string_view, 27> kOwnWords{
     "MCALL",    "SUPA",     "CR=",      "CTOL=",    "TURN=",     "T=\"",       "G700",
     "G710",     "G641",     "G642",     "G645",     "MSG(",      "WORKPIECE(", "CYCLE81(",
-    "CYCLE82(", "CYCLE83(", "CYCLE84(", "CYCLE85(", "CYCLE800(", "CYCLE832(",  "CYCLE840("};
+    "CYCLE82(", "CYCLE83(", "CYCLE84(", "CYCLE85(", "CYCLE800(", "CYCLE832(",  "CYCLE840(",
+    "GOTOF",    "GOTOB",    "DEF REAL", "DEF INT",  "ATRANS",    "RPL="};
 
 }  // namespace
 
-SinumerikBlock sinumerik_block(std::string_view line, const RefuseBlock& refuse) {
-  return LineWords(line, refuse).read();
+SinumerikBlock sinumerik_block(std::string_view line, const RefuseBlock& refuse,
+                               const RefuseBlock& computes) {
+  return LineWords(line, refuse, computes).read();
+}
+
+int first_language_line(std::string_view text) {
+  bool computes = false;
+  const RefuseBlock stop = [](const std::string& why) { throw InputError("", why); };
+  const RefuseBlock found = [&](const std::string& why) {
+    computes = true;
+    throw InputError("", why);
+  };
+  Lines lines(text);
+  for (std::string_view line; lines.next(line);) {
+    try {
+      sinumerik_block(line, stop, found);
+    } catch (const InputError&) {
+      return computes ? lines.number() : 0;
+    }
+  }
+  return 0;
 }
 
 bool is_sinumerik(std::string_view text) {

@@ -35,8 +35,11 @@ struct SinumerikBlock {
 /// Refuses the block for that reason; does not return.
 using RefuseBlock = std::function<void(const std::string& why)>;
 
-/// Takes one line apart. What computes (R parameters, expressions) is refused.
-SinumerikBlock sinumerik_block(std::string_view line, const RefuseBlock& refuse);
+/// Takes one line apart. At what computes (R parameters, expressions) `computes` is called, which does not return either.
+SinumerikBlock sinumerik_block(std::string_view line, const RefuseBlock& refuse, const RefuseBlock& computes);
+
+/// First line of a Sinumerik program that computes, jumps or loops; 0: none does.
+int first_language_line(std::string_view text);
 
 /// Whether a program has words that no other control reads: calls of cycles, G700 and G710, words of several letters with '='.
 bool is_sinumerik(std::string_view text);

@@ -24,9 +24,9 @@ constexpr int kOffsetWords[] = {540,  541,  1540, 550,  560,  570,  580,  590,  
 constexpr int kOnceWords[] = {100, 120, 130, 280, 281, 300, 301, 310, 501, 511, 520, 680, 920, 921, 922, 923};
 constexpr int kCompensationWords[] = {410, 411, 420, 421};
 // Dwell, look-ahead, exact stop, polar and scaling and rotation off, lengths, machine frame (G53, see
-// go_home), path control, cycle end, rpm, smoothness.
-constexpr int kSilentWords[] = {40,  80,  90,  150, 160, 400, 430, 431, 490,
-                                500, 530, 610, 611, 640, 690, 800, 970, 1870};
+// go_home), path control, cycle end, rpm, limit of look-ahead, smoothness.
+constexpr int kSilentWords[] = {40,  80,  90,  150, 160, 400, 430, 431,  490, 500,
+                                530, 610, 611, 640, 690, 800, 970, 1030, 1870};
 
 template <std::size_t n>
 constexpr void enter(std::array<Group, kCodes>& table, const int (&codes)[n], Group group) {
