@@ -264,7 +264,7 @@ def rim_question(r):
     angles = [math.radians((start + size * k / 12) / 10) for k in range(13)]
     # How far the pass lies aside, and which of the limits of the sector bounds it.
     side = max((-along[1] * math.cos(x) + along[0] * math.sin(x)) for x in angles) * (radius - 1000)
-    aside = min(0, radius - side + r.choice([-60, -30, -20, -10, -1, 0, 10, 30]))
+    aside = min(0, side - radius + r.choice([-10, -1, 0, 1, 10, 20, 30, 60, 400, 5000]))
     shift = (round(along[1] * -aside), round(-along[0] * -aside))
     long = 3 * radius
     before = tuple((round(k * long * along[0]) + shift[0], round(k * long * along[1]) + shift[1]) for k in (-1, 1))
