@@ -259,8 +259,8 @@ pipeline::WitnessQuestion question_of(const Case& one) {
 
 constexpr const char* kStrategies[] = {"contour", "zigzag", "spiral", "adaptive"};
 
-/// Nothing where the part cannot be cut by the cutter, or the plan has no witness.
-std::optional<Case> planned(std::uint64_t seed) {
+/// Nothing where the part cannot be cut by the cutter.
+std::optional<Case> without_witness(std::uint64_t seed) {
   Random random(seed);
   Case one;
   one.diameter = 0.5 * static_cast<double>(4 + random.below(14));
@@ -270,15 +270,31 @@ std::optional<Case> planned(std::uint64_t seed) {
   options.strategy = kStrategies[seed % 4];
   options.stepdown = random.below(3) == 0 ? 2.0 : 1.0;  // two layers, with rapids between, in most
   try {
-    one.program = pipeline::plan_part(one.part, options).program;
+    const pipeline::PlanResult result = pipeline::plan_part(one.part, options);
+    if (result.findings.all.feed_mm == 0) return std::nullopt;
+    one.program = result.program;
   } catch (const InputError&) {
     return std::nullopt;
   }
   one.outline = post::write_outline_json(one.part);
+  return one;
+}
+
+/// Why there is no witness; "" where one is found, which `one` then has.
+std::string prove(Case& one, double uncut, bool engagement) {
+  pipeline::WitnessQuestion question = question_of(one);
+  question.uncut = uncut;
+  question.engagement = engagement;
   const pipeline::FoundWitness found =
-      pipeline::find_witness(one.program, "program", one.outline, "part", question_of(one));
+      pipeline::find_witness(one.program, "program", one.outline, "part", question);
   one.witness = found.bytes;
-  if (one.witness.empty() || !found.missing.empty()) return std::nullopt;
+  return found.bytes.empty() ? found.why_not : found.missing.empty() ? "" : found.missing[0];
+}
+
+/// Nothing where the part cannot be cut by the cutter, or the plan has no witness.
+std::optional<Case> planned(std::uint64_t seed) {
+  std::optional<Case> one = without_witness(seed);
+  if (!one || !prove(*one, 0.01, true).empty()) return std::nullopt;
   return one;
 }
 
@@ -330,6 +346,24 @@ void attack(const Case& one, Random& random, Counts& counts, const std::string& 
       std::ofstream(folder + std::to_string(counts.falsely_refused) + ".json") << one.outline;
     }
   }
+}
+
+TEST(Coverage, OfRandomPartsByAllStrategies) {
+  const int count = random_count(4);
+  int programs = 0, proven = 0, finer = 0;
+  for (std::uint64_t seed = 1; programs < count; ++seed) {
+    std::optional<Case> one = without_witness(seed);
+    if (!one) continue;
+    ++programs;
+    const std::string why = prove(*one, 0.01, false), why_finer = prove(*one, 0.005, false);
+    proven += why.empty(), finer += why_finer.empty();
+    if (!why.empty()) std::cout << "part " << seed << " at 0.01 mm: " << why << "\n";
+    if (why.empty() && !why_finer.empty())
+      std::cout << "part " << seed << " at 0.005 mm: " << why_finer << "\n";
+  }
+  std::cout << programs << " programs, " << proven << " proven at 0.01 mm, " << finer << " at 0.005 mm\n";
+  EXPECT_GE(proven, count - count / 50);
+  EXPECT_GE(finer, count - 1 - count / 10);
 }
 
 TEST(Attacks, NoWrongProgramIsAcceptedWithAnyWitness) {
