@@ -828,7 +828,7 @@ class IsoReader : Track {
   void block(const Text& line) {
     ++line_;
     words_.clear(), gs_.clear(), ms_.clear();
-    const bool last = split(line);
+    const bool last = !calls(line) && split(line);
     if (!words_.empty() || !gs_.empty() || !ms_.empty()) {
       if (ended_) fail("something follows the end of the program");
       codes();
@@ -840,6 +840,29 @@ class IsoReader : Track {
   }
 
  private:
+  /// "MCALL CYCLE81(10,1,0,-6)" of Sinumerik: a cycle at each place from here on; its first four numbers are the height after it, the
+  /// reference plane, the distance above that where feeding begins, and the bottom. "MCALL" alone ends it. False for other lines.
+  bool calls(const Text& line) {
+    if (!sinumerik_ || line.compare(0, 5, "MCALL") != 0) return false;
+    const Text call = line.substr(5, line.find_first_of(";\r", 5) - 5);
+    motion_ = -1;
+    if (call.find_first_not_of(' ') == Text::npos) return true;
+    if (call.compare(0, 6, " CYCLE") != 0 ||
+        !std::set<Text>{"81(", "82(", "83(", "85("}.count(call.substr(6, 3)))
+      fail("'" + line + "' is not claimed");
+    std::array<Int, 4> numbers{};
+    std::size_t at = 9;
+    for (Int& number : numbers) {
+      number = within_range(scaled(number_at(call, at, false, where()), unit_, true, where()), where());
+      if (call[at] != ',' && call[at] != ')') fail("a cycle without its heights");
+      at += call[at] == ',';
+    }
+    if (call[at] != ',' && call[at] != ')') fail("a cycle with a relative depth");
+    motion_ = kCalled, to_start_ = true, begins_ = false;
+    start_ = numbers[0], clear_ = numbers[1] + numbers[2], bottom_ = numbers[3];
+    return true;
+  }
+  static constexpr Int kCalled = 999;
   /// Fills words_, gs_, ms_. True where a second % ends the program.
   bool split(const Text& line) {
     bool comment = false;
@@ -1000,6 +1023,7 @@ class IsoReader : Track {
   void cycle(std::optional<Int> x, std::optional<Int> y, std::optional<Int> z) {
     if (begins_ && (!z || !has('R') || !at_[2])) fail("a cycle without Z and R");
     if (std::exchange(begins_, false)) start_ = *at_[2];
+    if (motion_ == kCalled && (z || has('R'))) fail("a height between the calls of a cycle");
     if (z) bottom_ = *z;
     if (has('R')) clear_ = length('R');
     for (const char c : {'P', 'Q'}) words_.erase(c);

@@ -137,7 +137,7 @@ TEST_P(WitnessOfHoles, CountsCyclesAsDiscs) {
 
 INSTANTIATE_TEST_SUITE_P(Controllers, WitnessOfHoles,
                          ::testing::Values("linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3",
-                                           "mach4", "marlin"));
+                                           "mach4", "marlin", "siemens"));
 
 TEST(Witness, NamesTheHoleThatIsNotDrilledToItsDepth) {
   const ScratchFolder folder;

@@ -316,7 +316,11 @@ void attack(const Case& one, Random& random, Counts& counts, const std::string& 
   }
   ++counts.attacks;
   const bool faulty = faults.uncut > 0.0105 || faults.gouge > 0.002 || faults.rapid > 0.0205;
-  const bool right = faults.uncut < 0.006 && faults.gouge < 0.0005 && faults.rapid < 0;
+  const bool round = std::all_of(after->moves.begin(), after->moves.end(), [](const ccw::Move& move) {
+    return !move.path.arc ||
+           move.path.high - move.path.low < 700;  // nm; others go anywhere between their radii
+  });
+  const bool right = round && faults.uncut < 0.006 && faults.gouge < 0.0005 && faults.rapid < 0;
   counts.wrong += faulty;
   counts.right += right;
   pipeline::WitnessQuestion question = question_of(one);

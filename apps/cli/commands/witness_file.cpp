@@ -173,8 +173,8 @@ std::string witness_lines(const WitnessFile& witness, const std::string& path, c
                                   witness.found.bytes.size(), command_of(witness, what, path));
   const std::size_t engagement = witness.found.claims.find("C4 engagement");
   if (engagement != std::string::npos)
-    lines += "\nproved: " +
-             witness.found.claims.substr(engagement, witness.found.claims.find('\n', engagement) - engagement);
+    lines += "\nproved: " + witness.found.claims.substr(
+                                engagement, witness.found.claims.find('\n', engagement) - engagement);
   for (const std::string& one : witness.found.missing) lines += "\nNOT PROVED: " + one;
   return lines;
 }

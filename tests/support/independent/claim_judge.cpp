@@ -217,10 +217,10 @@ class Judge {
         }
       const int count = 1 + static_cast<int>(norm(b - a) / (radius_ / 5));
       for (int t = 0; t <= count; ++t)
-        for (int k = 0; k < 40; ++k)  // on the rim: how far in from there material reaches
-          for (const double in : {0.03, 0.1, 0.5}) {
+        for (int k = 0; k < 120; ++k)  // on the rim: how far in from there material reaches
+          for (const double in : {0.01, 0.03, 0.1, 0.5}) {
             const Vec2 q = a + (static_cast<double>(t) / count) * (b - a) +
-                           std::max(0.0, radius_ - in) * turned(k * 0.15708);
+                           std::max(0.0, radius_ - in) * turned(k * 0.0523599);
             if (part_.stock && !part_.stock->plan.contains(q)) continue;
             double near = std::numeric_limits<double>::infinity();
             for (const Stretch& s : before) near = std::min(near, distance_to(q, s));
