@@ -5,7 +5,7 @@ OUT := out
 configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=ON $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
             rm -f build-configure.log
 
-.PHONY: all setup build demo test web web-checker test-web python packages reproduce-packages docs pictures format lint-viewer test-browser test-freecad clean
+.PHONY: all setup build prove demo test web web-checker test-web python packages reproduce-packages docs pictures format lint-viewer test-browser test-freecad clean
 all: build
 
 setup:
@@ -32,6 +32,11 @@ web:
 	@scripts/web/sources.sh build/web-sources
 	@cmake --preset web > build-configure.log 2>&1 || (cat build-configure.log; exit 1); rm -f build-configure.log
 	@cmake --build --preset web --target site
+
+# Has Coq check the proof of lemma L1 of docs/claim.md, and say what it assumes: nothing.
+prove:
+	@command -v coqc > /dev/null || { echo "make prove needs Coq: apt install coq"; exit 1; }
+	@mkdir -p $(BUILD)/prove && cp checker/cover.v $(BUILD)/prove && cd $(BUILD)/prove && coqc cover.v
 
 # The independent checker of witnesses as WebAssembly, one source: build/web-checker/clearcut-check.wasm, and .js that runs it.
 web-checker:

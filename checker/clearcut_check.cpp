@@ -30,6 +30,7 @@ constexpr Int kChord = 150;             // nm; how far chords may leave their ar
 constexpr Int kWidestPiece = 100'000;   // nm; how far a tiling's boundary may be from its wall
 constexpr Int kRadiiDiffer = 20'000;    // nm; between an arc's start and end
 constexpr Int kShortestArc = 2'000;     // nm; shorter ones may be full circles to some controls
+constexpr Int kStep = 20'000;  // nm; between places of a line at which its engagement may be looked at
 constexpr Int kMillimetre = 1'000'000, kInch = 25'400'000;
 
 /// Why something is not accepted: 1 the proof does not hold, 2 a file cannot be understood.
@@ -827,7 +828,7 @@ class IsoReader : Track {
   void block(const Text& line) {
     ++line_;
     words_.clear(), gs_.clear(), ms_.clear();
-    const bool last = split(line);
+    const bool last = !calls(line) && split(line);
     if (!words_.empty() || !gs_.empty() || !ms_.empty()) {
       if (ended_) fail("something follows the end of the program");
       codes();
@@ -839,6 +840,29 @@ class IsoReader : Track {
   }
 
  private:
+  /// "MCALL CYCLE81(10,1,0,-6)" of Sinumerik: a cycle at each place from here on; its first four numbers are the height after it, the
+  /// reference plane, the distance above that where feeding begins, and the bottom. "MCALL" alone ends it. False for other lines.
+  bool calls(const Text& line) {
+    if (!sinumerik_ || line.compare(0, 5, "MCALL") != 0) return false;
+    const Text call = line.substr(5, line.find_first_of(";\r", 5) - 5);
+    motion_ = -1;
+    if (call.find_first_not_of(' ') == Text::npos) return true;
+    if (call.compare(0, 6, " CYCLE") != 0 ||
+        !std::set<Text>{"81(", "82(", "83(", "85("}.count(call.substr(6, 3)))
+      fail("'" + line + "' is not claimed");
+    std::array<Int, 4> numbers{};
+    std::size_t at = 9;
+    for (Int& number : numbers) {
+      number = within_range(scaled(number_at(call, at, false, where()), unit_, true, where()), where());
+      if (call[at] != ',' && call[at] != ')') fail("a cycle without its heights");
+      at += call[at] == ',';
+    }
+    if (call[at] != ',' && call[at] != ')') fail("a cycle with a relative depth");
+    motion_ = kCalled, to_start_ = true, begins_ = false;
+    start_ = numbers[0], clear_ = numbers[1] + numbers[2], bottom_ = numbers[3];
+    return true;
+  }
+  static constexpr Int kCalled = 999;
   /// Fills words_, gs_, ms_. True where a second % ends the program.
   bool split(const Text& line) {
     bool comment = false;
@@ -999,6 +1023,7 @@ class IsoReader : Track {
   void cycle(std::optional<Int> x, std::optional<Int> y, std::optional<Int> z) {
     if (begins_ && (!z || !has('R') || !at_[2])) fail("a cycle without Z and R");
     if (std::exchange(begins_, false)) start_ = *at_[2];
+    if (motion_ == kCalled && (z || has('R'))) fail("a height between the calls of a cycle");
     if (z) bottom_ = *z;
     if (has('R')) clear_ = length('R');
     for (const char c : {'P', 'Q'}) words_.erase(c);
@@ -1165,7 +1190,9 @@ struct Question {
   Int rapid = 20'000;     // r: how far from the cutter's rim rapids may touch material
   Int level = 2'000;      // f: how far above the floor a move may be that cuts it
   Int diameter = 0;       // 0: as the witness says
+  Int engagement = 0;     // greatest permitted engagement in millionths of a degree, 0: any
   bool straight = false;  // whether rapids are straight on every control
+  bool each = false;      // whether the engagement of each move is printed
 };
 /// A cylinder that begins `point` above the tip; number 0 is the tool that is in before any is called.
 struct Tool {
@@ -1189,19 +1216,34 @@ struct RapidTiles {
   std::size_t move = 0;
   Tiles tiles;
 };
+/// Directions, in tenths of a degree, in which an earlier move cut all that the rim of the cutter meets; the move's own number: where
+/// there is no stock.
+struct FreeSector {
+  Int from = 0, size = 0;
+  std::size_t by = 0;
+};
+struct RimPiece {
+  Int steps = 0;
+  std::vector<FreeSector> sectors;
+};
+struct RimMove {
+  std::size_t move = 0;
+  std::vector<RimPiece> pieces;
+};
 struct Witness {
   Text program_hash, part_hash;
   std::vector<Tool> tools;
   Points vertices;
   std::vector<Claim> claims;
   std::vector<RapidTiles> rapids;
+  std::vector<RimMove> rims;
 };
 
 class WitnessReader {
  public:
   explicit WitnessReader(const Text& bytes) : bytes_(bytes) {}
   Witness whole() {
-    if (take(4) != "CCW2") refuse("this is no witness of version 2");
+    if (take(4) != "CCW3") refuse("this is no witness of version 3");
     out_.program_hash = take(32), out_.part_hash = take(32);
     out_.tools.resize(count());
     for (Tool& tool : out_.tools) tool = {length(), length(), length()};
@@ -1219,6 +1261,15 @@ class WitnessReader {
       claim = {std::size_t(length()), length(), length(), length(), tiles(), tiles()};
     out_.rapids.resize(count());
     for (RapidTiles& rapid : out_.rapids) rapid = {std::size_t(length()), tiles()};
+    out_.rims.resize(count());
+    for (RimMove& rim : out_.rims) {
+      rim = {std::size_t(length()), std::vector<RimPiece>(count())};
+      for (RimPiece& piece : rim.pieces) {
+        piece = {length(), std::vector<FreeSector>(count())};
+        for (FreeSector& sector : piece.sectors)
+          sector = {length(), length(), rim.move - std::size_t(length())};
+      }
+    }
     if (at_ != bytes_.size()) refuse("the witness has bytes after its end");
     return out_;
   }
@@ -1364,6 +1415,107 @@ bool cut_by(const Move& move, Int point, const Points& hull, Wide t, Int level) 
   return move.lowest() + point <= level && near_curve(low_part(move, point, level), hull, t - 1);
 }
 
+const Tool* tool_numbered(const std::vector<Tool>& tools, Int number) {
+  for (const Tool& tool : tools)
+    if (tool.number == number) return &tool;
+  return nullptr;
+}
+/// Places along a move: its chords', or no more than 0.02 mm apart.
+Points steps_of(const Curve& path) {
+  Points points = chords_of(path).points;
+  if (path.clockwise) std::reverse(points.begin(), points.end());
+  if (path.arc) return points;
+  const Point d = path.b - path.a;
+  const Int count = Int(root_up(square(d))) / kStep + 1;
+  points = {path.a};
+  for (Int k = 1; k <= count; ++k)
+    points.push_back(path.a + Point{Int(nearest_quotient(Wide(d.x) * k, count)),
+                                    Int(nearest_quotient(Wide(d.y) * k, count))});
+  return points;
+}
+
+/// Engagement (C4): directions are whole tenths of a degree, counter-clockwise from x.
+class Rim {
+ public:
+  Rim(const Part& part, const Program& program, const std::vector<Tool>& tools)
+      : part_(part), program_(program), tools_(tools) {}
+  /// Level feeds below the top, by tools of the witness.
+  bool concerns(const Move& move) const {
+    return !move.rapid && move.z0 == move.z1 && move.z0 < part_.top && tool_numbered(tools_, move.tool);
+  }
+  /// L7: whether the rim in these directions is in what was cut before, on all of move i from place p to q.
+  bool is_free(std::size_t i, Point p, Point q, const FreeSector& sector) const {
+    const Move& move = program_.moves[i];
+    const Wide radius = tool_numbered(tools_, move.tool)->radius - kRim - 2 * Wide(program_.blending);
+    if (radius <= 0 || sector.size < 1 || sector.size > kQuarter || sector.from >= 4 * kQuarter) return false;
+    const Point a = ray(Int(radius), sector.from), b = ray(Int(radius), sector.from + sector.size),
+                sum = a + b;
+    const auto out = [&](Int along) {
+      return Int(nearest_quotient(Wide(along) * radius * radius, radius * radius + dot(a, b)));
+    };
+    const Point tip{out(sum.x), out(sum.y)};
+    const Points hull = hull_of({p + a, q + a, p + tip, q + tip, p + b, q + b});
+    const Wide off = bend(move.path, p, q) + kRays + 2 * Wide(program_.blending);
+    if (sector.by == i) return part_.stock && !part_.stock->meets(box_of(hull).grown(off));
+    if (sector.by > i || program_.moves[sector.by].rapid) return false;
+    const Move& before = program_.moves[sector.by];
+    const Tool* tool = tool_numbered(tools_, before.tool);
+    return tool && cut_by(before, tool->point, hull, tool->radius - off, move.z0);
+  }
+  /// Tenths of a degree in front of the cutter that may be in material on move i from steps[from] to steps[to]; all sectors must be
+  /// free.
+  Int engaged(std::size_t i, const Points& steps, std::size_t from, std::size_t to,
+              const std::vector<FreeSector>& sectors) const {
+    const Curve& path = program_.moves[i].path;
+    const Point p = steps[from], q = steps[to], u = (p - path.center).left(), v = (q - path.center).left();
+    Int first = path.arc ? tick_of(path.clockwise ? Point{} - v : u) : tick_of(path.b - path.a), last = first;
+    if (path.arc) last = tick_of(path.clockwise ? Point{} - u : v);
+    for (std::size_t k = from + 1; k <= to && path.arc;
+         ++k) {  // an arc's piece turns by less than 90 degrees
+      const Point w = (steps[k] - path.center).left();
+      if (dot(u, w) <= 0 || (cross(u, w) > 0) == path.clockwise)
+        refuse(program_.moves[i].name() + "has a piece of its rim that turns too far");
+    }
+    std::vector<bool> free(4 * kQuarter);
+    for (const FreeSector& sector : sectors) {
+      if (!is_free(i, p, q, sector))
+        refuse(program_.moves[i].name() + "may meet material from " + p.place() + " to " + q.place());
+      for (Int k = 0; k < sector.size; ++k) free[std::size_t((sector.from + k) % (4 * kQuarter))] = true;
+    }
+    Int engaged = 1;  // for the rounding of rays
+    for (Int k = -kQuarter; k <= kQuarter + (last - first + 4 * kQuarter) % (4 * kQuarter); ++k)
+      engaged += !free[std::size_t((first + k + 4 * kQuarter) % (4 * kQuarter))];
+    return std::min(engaged, 4 * kQuarter);
+  }
+  /// The last whole direction that v has reached.
+  Int tick_of(Point v) const {
+    Int quarters = 0, low = 0;
+    for (; v.x <= 0 || v.y < 0; v = Point{v.y, -v.x}) ++quarters;
+    for (Int bit = 512; bit > 0; bit /= 2)
+      if (low + bit < kQuarter && cross(ray(kLargest, low + bit), v) >= 0) low += bit;
+    return quarters * kQuarter + low;
+  }
+  static constexpr Int kQuarter = 900;
+
+ private:
+  static constexpr Int kRim =
+      1'000;  // nm; how far within the cutter's rim engagement is measured, besides blending
+  static constexpr Int kRays = 10;  // nm; rounding of rays and of their tangents' crossing
+  /// How far any curve of the path may be from the chord pq.
+  static Wide bend(const Curve& path, Point p, Point q) {
+    return path.arc ? chord_error(path, p - path.center, q - path.center) : 1;
+  }
+  Point ray(Int length, Int tick) const {
+    const auto [at, is_new] = rays_.try_emplace({length, tick % (4 * kQuarter)});
+    if (is_new) at->second = turned({length, 0}, tick * 1'000);
+    return at->second;
+  }
+  const Part& part_;
+  const Program& program_;
+  const std::vector<Tool>& tools_;
+  mutable std::map<std::pair<Int, Int>, Point> rays_;
+};
+
 class Checker {
  public:
   Checker(const Question& asked, const Part& part, const Program& program, Witness& witness)
@@ -1461,13 +1613,47 @@ class Checker {
     }
     if (next != witness_.rapids.size()) refuse("the witness has tiles for a move that needs none");
   }
+  /// C4, in words; with the engagement of each move where `each`.
+  Text check_engagement(bool each) const {
+    const Rim rim(part_, program_, witness_.tools);
+    Int most = 0, widest = 0, count = 0, others = 0, first = 0;
+    std::size_t next = 0;
+    Text list;
+    for (std::size_t i = 0; i < program_.moves.size(); ++i) {
+      const Move& move = program_.moves[i];
+      if (!rim.concerns(move)) continue;
+      if (next >= witness_.rims.size() || witness_.rims[next].move != i) {
+        first = others++ ? first : move.line;
+        continue;
+      }
+      const Points steps = steps_of(move.path);
+      std::size_t at = 0;
+      Int engaged = 0;
+      for (const RimPiece& piece : witness_.rims[next++].pieces) {
+        if (piece.steps < 1 || piece.steps >= Int(steps.size() - at))
+          refuse(move.name() + "has too long a rim");
+        const std::size_t to = at + std::size_t(piece.steps);
+        engaged = std::max(engaged, rim.engaged(i, steps, at, to, piece.sectors));
+        at = to;
+      }
+      if (at + 1 != steps.size()) refuse(move.name() + "has a rim that ends before it");
+      if (asked_.engagement > 0 && engaged * (kMillimetre / 10) > asked_.engagement)
+        refuse(move.name() + "has an engagement of up to " + mm(engaged * (kMillimetre / 10)) + " degrees");
+      ++count;
+      if (engaged > most) most = engaged, widest = move.line;
+      if (each) list += "  line " + text(move.line) + " " + mm(engaged * (kMillimetre / 10)) + "\n";
+    }
+    if (next != witness_.rims.size()) refuse("the witness has rims for a move that needs none");
+    if (count == 0) return "";
+    return "C4 engagement: at most " + mm(most * (kMillimetre / 10)) + " degrees (line " + text(widest) +
+           ") on " + text(count) + " level feeds; " +
+           (others ? "not claimed on " + text(others) + " more, the first in line " + text(first) + "\n"
+                   : "no others\n") +
+           list;
+  }
 
  private:
-  const Tool* tool_of(Int number) const {
-    for (const Tool& tool : witness_.tools)
-      if (tool.number == number) return &tool;
-    return nullptr;
-  }
+  const Tool* tool_of(Int number) const { return tool_numbered(witness_.tools, number); }
   Text move_name(std::size_t k) const {
     return k < program_.moves.size() ? program_.moves[k].name() : "a move that the program does not have";
   }
@@ -1580,6 +1766,7 @@ Text check(const Question& asked, const Text& program_text, const Text& program_
         (claim.floor_stock ? ", " + mm(claim.floor_stock) + " mm of stock left on the floor" : "") + "\n";
   }
   checker.check_rapids();
+  const Text engagement = checker.check_engagement(asked.each);
   for (std::size_t i = 0; i < part.features.size(); ++i)
     if (!has.count(i))
       others += "not proven to be cut: feature " + text(Int(i)) + " (" + part.features[i].name + ") " +
@@ -1595,8 +1782,8 @@ Text check(const Question& asked, const Text& program_text, const Text& program_
          " mm above the floor, centers at least " + mm(asked.beyond) + " mm off the walls:\n" + claimed +
          "C2 nothing gouged: below the top each cutter stays in a feature, at most " + mm(asked.gouge) +
          " mm in walls and floor\n" + "C3 no rapid in material: all but a rim of " + mm(asked.rapid) +
-         " mm of the cutter runs in what was cut before\n" + others + "program " + hex(program_hash) +
-         "\npart " + hex(part_hash) + "\n" +
+         " mm of the cutter runs in what was cut before\n" + engagement + others + "program " +
+         hex(program_hash) + "\npart " + hex(part_hash) + "\n" +
          (program.stated
               ? "path followed within " + mm(program.blending) + " mm, as the program says\n"
               : "taken as true: the control follows the path exactly; the program says nothing of it\n") +
@@ -1608,8 +1795,10 @@ int run(int count, char** arguments) {
   Question asked;
   std::vector<Text> files;
   const std::map<Text, Int Question::*> options{
-      {"--uncut", &Question::uncut}, {"--beyond", &Question::beyond}, {"--gouge", &Question::gouge},
-      {"--rapid", &Question::rapid}, {"--level", &Question::level},   {"--diameter", &Question::diameter}};
+      {"--uncut", &Question::uncut},          {"--beyond", &Question::beyond},
+      {"--gouge", &Question::gouge},          {"--rapid", &Question::rapid},
+      {"--level", &Question::level},          {"--diameter", &Question::diameter},
+      {"--engagement", &Question::engagement}};
   for (int i = 1; i < count; ++i) {
     const Text word = arguments[i], value = i + 1 < count ? arguments[i + 1] : "";
     const auto option = options.find(word);
@@ -1617,16 +1806,18 @@ int run(int count, char** arguments) {
       files.push_back(word);
       continue;
     }
-    if (word == "--straight") {
-      asked.straight = true;
+    if (word == "--straight" || word == "--each") {
+      (word == "--each" ? asked.each : asked.straight) = true;
       continue;
     }
     std::size_t end = 0;
     if (option == options.end())
       reject(word +
-             " is no option; they are --uncut --beyond --gouge --rapid --level --diameter, each with mm");
+             " is no option; they are --uncut --beyond --gouge --rapid --level --diameter, each with mm, "
+             "--engagement with degrees, --straight and --each");
     const Int nm = scaled(number_at(value, end, false, word), kMillimetre, true, word);
-    if (end != value.size() || nm < 0 || nm >= kLargest || (nm == 0 && word == "--diameter"))
+    if (end != value.size() || nm < 0 || nm >= kLargest ||
+        (nm == 0 && (word == "--diameter" || word == "--engagement")))
       reject(word + ": '" + value + "' is no length in mm");
     asked.*(option->second) = nm;
     ++i;

@@ -485,7 +485,7 @@ class Own(unittest.TestCase):
 
     def test_a_witness_that_is_none_is_refused(self):
         outline = '{"outer": [[0, 0], [9, 0], [9, 9], [0, 9]], "depth": 1}'
-        with self.assertRaisesRegex(clearcut.InputError, "no witness of version 2"):
+        with self.assertRaisesRegex(clearcut.InputError, "no witness of version 3"):
             clearcut.check_witness("G21\n", outline, b"CCW1 and more")
 
 

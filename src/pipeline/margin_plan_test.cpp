@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pipeline/test_drawings.h"
+#include "pipeline/texts.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -43,6 +44,17 @@ TEST_P(MarginOf, APlanIsAsWideAsAsked) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Strategies, MarginOf, ::testing::Values("contour", "zigzag", "spiral", "adaptive"));
+
+TEST(MarginPlan, IsInThePicture) {
+  resolve::PlanOptions options = asking("contour", 0.0025);
+  options.shop.margin_uncut = 0.02;
+  const PlanResult result = plan_part(pocket(), options);
+  const std::string picture = write_picture(result);
+  EXPECT_THAT(picture, HasSubstr("Holds for 0.0"));
+  EXPECT_THAT(picture, HasSubstr(">holds for 0.0"));
+  EXPECT_THAT(write_picture(plan_part(pocket(), with({"endmill:6"}))),
+              ::testing::Not(HasSubstr("machine error")));
+}
 
 TEST(MarginPlan, IsRefusedWhereTheBoundsCannotHoldIt) {
   std::string said;

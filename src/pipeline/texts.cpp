@@ -23,6 +23,7 @@ template <typename Result>
 std::string picture_of(const Result& result) {
   report::SvgOptions options;
   if (result.earlier) options.earlier = &*result.earlier;
+  if (result.margin) options.margin = &*result.margin;
   return report::svg(result.part, result.toolpath, result.findings, options);
 }
 

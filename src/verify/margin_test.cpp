@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <iostream>
 #include <random>
 
 #include "verify/test_program.h"
@@ -137,6 +139,61 @@ TEST(Margin, DoesNotHoldAFifthBeyondItInTheWorstDirection) {
     EXPECT_FALSE(holds_at({{off, 0}, 0}) && holds_at({{aslant, aslant}, 0}) && holds_at({{0, 0}, off}))
         << wall;
   }
+}
+
+/// Of 24 directions in space.
+Shift direction_number(int i) {
+  const double angle = 0.7853981633974483 * (i % 8),
+               up = i < 8    ? 0
+                    : i < 16 ? 1
+                             : -1,
+               level = up == 0 ? 1 : 0.5;
+  const double size = std::sqrt(level * level + up * up);
+  return {{level * std::cos(angle) / size, level * std::sin(angle) / size}, up / size};
+}
+
+TEST(Margin, OfRandomProgramsHoldsAndIsNoSmallerThanItMustBe) {
+  // CLEARCUT_RANDOM_PARTS: how many programs, else a few.
+  const char* const set = std::getenv("CLEARCUT_RANDOM_PARTS");
+  const int count = set ? std::atoi(set) : 3;
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> share(0, 1), both(-1, 1);
+  int broken = 0, programs = 0, beyond = 0;
+  while (programs < count) {
+    const MarginBounds bounds{0.012 + 0.02 * share(random), 0.001 + 0.02 * share(random)};
+    const double floor = 0.008 * share(random), wall = 0.008 * share(random);
+    Writer writer;
+    cut_square_rings(writer, {0, 0}, {0.5 + share(random), 5 + share(random), 10 + share(random), 16 - wall},
+                     0, kFloor + floor);
+    const Toolpath program = writer.done();
+    const double off = margin(program, bounds).least()->mm;
+    if (off < 0.001) continue;
+    ++programs;
+    const auto within = [&] {
+      Shift shift;
+      do {
+        shift = {{both(random), both(random)}, both(random)};
+      } while (norm_squared(shift.xy) + shift.z * shift.z > 1);
+      return Shift{off * shift.xy, off * shift.z};
+    };
+    broken += holds(moved(program, within), bounds) ? 0 : 1;
+    const Shift once = within();
+    broken += holds(moved(program, [&] { return once; }), bounds) ? 0 : 1;
+    bool holds_beyond = true;
+    for (const int i : {1, 3, 5, 7, 8, 16, 0, 2, 4, 6, 9, 11, 13, 15, 17, 19, 21, 23}) {
+      const Shift shift = direction_number(i);
+      holds_beyond = holds_beyond && holds(moved(program,
+                                                 [&] {
+                                                   return Shift{1.2 * off * shift.xy, 1.2 * off * shift.z};
+                                                 }),
+                                           bounds);
+    }
+    beyond += holds_beyond ? 0 : 1;
+  }
+  std::cout << programs << " programs, " << broken << " of " << 2 * programs << " broken at the margin, "
+            << beyond << " broken at 1.2 of it in its worst direction\n";
+  EXPECT_EQ(broken, 0);
+  EXPECT_GE(beyond * 10, programs * 9);
 }
 
 TEST(Margin, IsNotSaidOfLeaningWalls) {

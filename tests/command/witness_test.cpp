@@ -137,7 +137,7 @@ TEST_P(WitnessOfHoles, CountsCyclesAsDiscs) {
 
 INSTANTIATE_TEST_SUITE_P(Controllers, WitnessOfHoles,
                          ::testing::Values("linuxcnc", "grbl", "fanuc", "haas", "heidenhain", "mach3",
-                                           "mach4", "marlin"));
+                                           "mach4", "marlin", "siemens"));
 
 TEST(Witness, NamesTheHoleThatIsNotDrilledToItsDepth) {
   const ScratchFolder folder;
@@ -229,7 +229,20 @@ TEST(Witness, WrongOnesAreRefused) {
       shell(folder, "python3 " + kWrong + "/wrong.py " + kChecker + " " + folder.path("b.nc") + " " +
                         kBracket + " " + folder.path("b.ccw") + " 300");
   EXPECT_EQ(said.exit_code, 0) << said.out;
-  EXPECT_THAT(said.out, HasSubstr("300 wrong witnesses of 37 kinds, 0 not refused"));
+  EXPECT_THAT(said.out, HasSubstr("300 wrong witnesses of 46 kinds, 0 not refused"));
+}
+
+TEST(Checker, StatesTheEngagementOfEachLevelFeed) {
+  const ScratchFolder folder;
+  plan_bracket(folder, {"--strategy", "adaptive"});
+  const CommandResult checked = check_bracket(folder, "--each");
+  EXPECT_THAT(checked.out, HasSubstr("C4 engagement: at most "));
+  EXPECT_TRUE(std::regex_search(checked.out, std::regex("\n  line [0-9]+ [0-9.]+\n")));
+  EXPECT_EQ(check_bracket(folder, "--engagement 179.9").exit_code, 0);
+  const CommandResult less = check_bracket(folder, "--engagement 3");
+  EXPECT_EQ(less.exit_code, 1);
+  EXPECT_TRUE(
+      std::regex_search(less.out, std::regex("line [0-9]+ of the program has an engagement of up to")));
 }
 
 TEST(Checker, DecidesAtItsBoundsAsRationalsDo) {

@@ -226,6 +226,62 @@ def turned_question(r):
     return ["turned"] + flat(v, angle), complex(*v) * complex(math.cos(math.radians(angle / 1e4)), math.sin(math.radians(angle / 1e4)))
 
 
+def chords_faults(arc, answer):
+    """Chords of an arc: from end to end, each a turn of its own to the left, and as near to any curve of the arc as they say."""
+    center, first, last, low, high = arc
+    numbers = list(map(int, answer.split()))
+    error, points = numbers[0], [minus((x, y), center) for x, y in zip(numbers[2::2], numbers[3::2])]
+    faults = [] if points[0] == first and points[-1] == last else ["its ends"]
+    turn = 0.0
+    for u, v in zip(points, points[1:]):
+        turn += math.atan2(cross(u, v), u[0] * v[0] + u[1] * v[1])
+        exact = max(high - root(to_segment((0, 0), u, v)), root(max(square(u), square(v))) - low)
+        if cross(u, v) <= 0 or exact > error + Fraction(1, 10**6):
+            faults.append(f"chord at {u}, {float(exact)}")
+    whole = math.atan2(cross(first, last), first[0] * last[0] + first[1] * last[1]) % (2 * math.pi) or 2 * math.pi
+    return faults + ([] if abs(turn - whole) < 1e-6 else [f"turns by {turn}, not {whole}"])
+
+
+def low_question(r):
+    """The place of a line that slopes at which it is at a level, at the bound, give or take 10 nm."""
+    size = r.choice(SIZES[1:])
+    a, b, z0, z1 = near(r, size), near(r, size), r.randint(-10**6, 0), r.randint(1, 10**6)
+    z0, z1 = r.choice([(z0, z1), (z1, z0)])
+    level = min(max(r.choice([z0, z1]) + r.choice([-10, -1, 0, 1, 10]), min(z0, z1)), max(z0, z1) - 1)
+    foot, head = ((a, z0), (b, z1)) if z0 < z1 else ((b, z1), (a, z0))
+    share = Fraction(level - foot[1], head[1] - foot[1])
+    return ["low"] + flat(a, b, z0, z1, level), tuple(foot[0][k] + share * (head[0][k] - foot[0][k]) for k in (0, 1))
+
+
+def rim_question(r):
+    """A sector of the rim beside an earlier parallel pass, such that its farthest place is near the bound."""
+    radius = r.choice([100_000, 3 * 10**6, 40 * 10**6])
+    start, size = r.randrange(3600), r.choice([1, 5, 50, 300, 900])
+    way = r.uniform(0, 2 * math.pi)
+    along = (math.cos(way), math.sin(way))
+    length = r.choice([1000, radius])
+    a, b = (0, 0), (round(length * along[0]), round(length * along[1]))
+    angles = [math.radians((start + size * k / 12) / 10) for k in range(13)]
+    # How far the pass lies aside, and which of the limits of the sector bounds it.
+    side = max((-along[1] * math.cos(x) + along[0] * math.sin(x)) for x in angles) * (radius - 1000)
+    aside = min(0, side - radius + r.choice([-10, -1, 0, 1, 10, 20, 30, 60, 400, 5000]))
+    shift = (round(along[1] * -aside), round(-along[0] * -aside))
+    long = 3 * radius
+    before = tuple((round(k * long * along[0]) + shift[0], round(k * long * along[1]) + shift[1]) for k in (-1, 1))
+    return ["rim"] + flat(radius, before[0], before[1], a, b, start, size), (radius, before, (a, b), angles)
+
+
+def rim_excess(radius, before, ends, angles):
+    """How far beyond the earlier cut the sector reaches at most, nm; by numbers of 53 bits, good to 1e-6 nm here."""
+    d = minus(before[1], before[0])
+    out = -radius
+    for p in ends:
+        for x in angles:
+            q = (p[0] + (radius - 1000) * math.cos(x) - before[0][0], p[1] + (radius - 1000) * math.sin(x) - before[0][1])
+            out = max(out, abs(cross(q, d)) / math.hypot(*d) - radius)
+    return out
+
+
 def ask(program, questions):
     text = "\n".join(" ".join(q) for q in questions) + "\n"
     return subprocess.run([program], input=text, capture_output=True, text=True, check=True).stdout.splitlines()
@@ -269,7 +325,32 @@ def main():
         if abs(x - right.real) > 0.501 or abs(y - right.imag) > 0.501:
             faults += 1
             print("wrong:", " ".join(question), "is", right, "not", answer)
-    print(f"{7 * count} questions, {faults} faults")
+    asked = [an_arc(r)[0] for _ in range(count // 4)]
+    for arc, answer in zip(asked, ask(program, [["chords"] + flat(arc) for arc in asked])):
+        for what in chords_faults(arc, answer):
+            faults += 1
+            print("wrong:", arc, what)
+    asked = [low_question(r) for _ in range(count)]
+    for (question, right), answer in zip(asked, ask(program, [q for q, _ in asked])):
+        if any(abs(place - exact) > Fraction(1, 2) for place, exact in zip(map(int, answer.split()), right)):
+            faults += 1
+            print("wrong:", " ".join(question), "is", answer)
+    asked = [r.choice([near(r, 2**30), on_circle(r, 10**9, math.radians(r.randint(0, 3600) / 10))]) for _ in range(count)]
+    for v, answer in zip(asked, ask(program, [["tick"] + flat(v) for v in asked])):
+        if not -1e-6 < (math.degrees(math.atan2(v[1], v[0])) % 360 * 10 - int(answer) + 1800) % 3600 - 1800 < 1 + 1e-6:
+            faults += 1
+            print("wrong: tick", v, "is", answer)
+    asked = [rim_question(r) for _ in range(count)]
+    answers = ask(program, [q for q, _ in asked])
+    for (question, what), answer in zip(asked, answers):
+        excess = rim_excess(*what)
+        if (answer == "1" and excess > 0) or (answer == "0" and len(what[3]) and excess < -80 and question[-1] in ("1", "5")):
+            faults += 1
+            print("wrong:", " ".join(question), "is", answer, "with", excess)
+    if not 0.1 < sum(a == "1" for a in answers) / count < 0.95:
+        faults += 1
+        print("rim_question asks nothing:", sum(a == "1" for a in answers))
+    print(f"{10 * count + count // 4} questions, {faults} faults")
     return 1 if faults else 0
 
 

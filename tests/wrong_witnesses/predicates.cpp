@@ -62,6 +62,29 @@ int main() {
       const Point v = point();
       const Point p = turned(v, length());
       std::cout << p.x << ' ' << p.y;
+    } else if (what == "tick") {  // v
+      const Part part;
+      const Program program;
+      const std::vector<Tool> tools;
+      std::cout << Rim(part, program, tools).tick_of(point());
+    } else if (what == "low") {  // a b z0 z1 level
+      Move move;
+      move.path = Curve{point(), point()};
+      move.z0 = length(), move.z1 = length();
+      const Curve low = low_part(move, 0, length());
+      std::cout << low.b.x << ' ' << low.b.y;
+    } else if (what == "rim") {  // radius, the earlier move's a b, the move's a b, from, size
+      Part part;
+      part.top = 1;
+      Program program;
+      const std::vector<Tool> tools{{0, length(), 0}};
+      for (int i = 0; i < 2; ++i) {
+        program.moves.emplace_back();
+        program.moves.back().path = Curve{point(), point()};
+      }
+      const Curve& path = program.moves[1].path;
+      const Int from = length(), size = length();
+      std::cout << Rim(part, program, tools).is_free(1, path.a, path.b, {from, size, 0});
     } else if (what == "chords") {  // arc
       const Chords all = chords_of(arc());
       std::cout << Int(all.error) << ' ' << all.points.size();

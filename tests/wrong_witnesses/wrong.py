@@ -45,6 +45,8 @@ class Witness:
         self.claims = [[[self.take() for _ in range(4)], self.take_tiles(), self.take_tiles()] for _ in range(self.take())]
         self.stated, self.cover, self.centre = max(self.claims, key=lambda claim: (len(claim[2]), len(claim[1])))
         self.rapids = [(self.take(), self.take_tiles()) for _ in range(self.take())]
+        self.rims = [[self.take(), [[self.take(), [[self.take() for _ in range(3)] for _ in range(self.take())]] for _ in range(self.take())]]
+                     for _ in range(self.take())]
         assert self.at == len(data)
 
     def take(self):
@@ -87,6 +89,11 @@ class Witness:
         out += number(len(self.rapids))
         for move, tiles in self.rapids:
             out += number(move) + tiles_bytes(tiles)
+        out += number(len(self.rims))
+        for move, pieces in self.rims:
+            out += number(move) + number(len(pieces))
+            for steps, sectors in pieces:
+                out += number(steps) + number(len(sectors)) + b"".join(number(n) for sector in sectors for n in sector)
         return out
 
 
@@ -276,9 +283,56 @@ def rapid_for_a_feed(w, r):
     w.rapids.append((10**6, []))
 
 
+def some_piece(w, r):
+    return r.choice(r.choice(w.rims)[1])
+
+
+def rim_dropped(w, r):
+    """A piece of a rim is missing: it ends before its move."""
+    rim = r.choice(w.rims)
+    del rim[1][r.randrange(len(rim[1]))]
+
+
+def rim_too_long(w, r):
+    some_piece(w, r)[0] += r.choice([1, 2**20])
+
+
+def rim_without_steps(w, r):
+    r.choice(w.rims)[1].append([0, []])
+
+
+def rim_of_no_move(w, r):
+    r.choice(w.rims)[0] += r.choice([2**20, 2**29])
+
+
+def rims_exchanged(w, r):
+    if len(w.rims) < 2:
+        return True
+    i = r.randrange(len(w.rims) - 1)
+    w.rims[i], w.rims[i + 1] = w.rims[i + 1], w.rims[i]
+
+
+def rim_free_all_around(w, r):
+    """A slot's sides are never free all around."""
+    some_piece(w, r)[1].extend([900 * k, 900, 1] for k in range(4))
+
+
+def rim_free_by_a_later_move(w, r):
+    some_piece(w, r)[1].append([0, 10, 2**29])
+
+
+def rim_sector_too_wide(w, r):
+    some_piece(w, r)[1].append([r.randrange(3600), r.choice([0, 901, 3600, 2**29]), 1])
+
+
+def rim_direction_beyond_a_turn(w, r):
+    some_piece(w, r)[1].append([3600 + r.randrange(3600), 1, 1])
+
+
 KINDS = [dropped, twice, reversed_tile, collapsed, corner_dropped, cancelled, all_cancelled, far_label, called_out, all_out, called_illegal,
          unknown_label, no_such_move, no_such_vertex, vertex_far_away, vertices_swapped, corner_of_wall_moved, wider_cutter, strange_cutter, cutter_dropped, cutter_twice,
          no_such_feature, feature_twice, stock_stated, centre_dropped, rapid_in_air,
+         rim_dropped, rim_too_long, rim_without_steps, rim_of_no_move, rims_exchanged, rim_free_all_around, rim_free_by_a_later_move, rim_sector_too_wide, rim_direction_beyond_a_turn,
          rapid_dropped, rapid_tile_dropped, rapid_later_move, rapid_for_a_feed]
 
 
@@ -291,7 +345,7 @@ def other_part(data, r):
 
 
 def other_version(data, r):
-    return b"CCW" + bytes([r.choice([0, 48, 49, 51, 255])]) + data[4:]
+    return b"CCW" + bytes([r.choice([0, 48, 49, 50, 255])]) + data[4:]
 
 
 def cut_off(data, r):

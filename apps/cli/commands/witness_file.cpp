@@ -171,6 +171,10 @@ std::string witness_lines(const WitnessFile& witness, const std::string& path, c
   if (witness.found.bytes.empty()) return "NO WITNESS: " + witness.found.why_not;
   std::string lines = fmt::format("witness: {} tiles, {} bytes; to check it: {}", witness.found.tiles,
                                   witness.found.bytes.size(), command_of(witness, what, path));
+  const std::size_t engagement = witness.found.claims.find("C4 engagement");
+  if (engagement != std::string::npos)
+    lines += "\nproved: " + witness.found.claims.substr(
+                                engagement, witness.found.claims.find('\n', engagement) - engagement);
   for (const std::string& one : witness.found.missing) lines += "\nNOT PROVED: " + one;
   return lines;
 }

@@ -379,6 +379,16 @@ struct Swath {
   ccw::Box box;
 };
 
+Swath swath_of(std::size_t move, const Curve& curve, const ccw::Tool& tool) {
+  Swath one{move, curve, static_cast<double>(tool.radius), tool.point, ccw::box_of({curve.a, curve.b})};
+  if (curve.arc) {
+    one.box.add({curve.center.x - curve.high, curve.center.y - curve.high});
+    one.box.add({curve.center.x + curve.high, curve.center.y + curve.high});
+  }
+  one.box = one.box.grown(tool.radius);
+  return one;
+}
+
 struct Piece {
   Polygon polygon;
   int level = 0;        // nearness of cuts to the bound
@@ -494,13 +504,8 @@ std::vector<Swath> Tiling::swaths(std::size_t before, ccw::Int level) const {
     const ccw::Int point = tool && is_rapid_ ? tool->point : 0;
     if (move.rapid || !tool || move.lowest() + point > level) continue;
     const Curve curve = ccw::low_part(move, point, level);
-    Swath one{i, curve, static_cast<double>(tool->radius), point, ccw::box_of({curve.a, curve.b})};
-    if (curve.arc) {
-      one.box.add({curve.center.x - curve.high, curve.center.y - curve.high});
-      one.box.add({curve.center.x + curve.high, curve.center.y + curve.high});
-    }
-    one.box = one.box.grown(tool->radius);
-    out.push_back(one);
+    out.push_back(swath_of(i, curve, *tool));
+    out.back().point = point;
   }
   return out;
 }
@@ -830,6 +835,198 @@ std::vector<Tiling::Tile> Tiling::centre() const {
   return written(centre_, all);
 }
 
+/// Divides level feeds into pieces, and finds directions in which their rims are in earlier cuts. Directions are tenths of a degree.
+class RimFinder {
+ public:
+  explicit RimFinder(const Setting& setting)
+      : setting_(setting), rim_(setting.part, setting.program, setting.tools) {
+    for (int k = 0; k < 3600; ++k) {
+      const double angle = 2 * kPi * k / 3600;
+      directions_.push_back({base::cos(angle), base::sin(angle)});
+    }
+  }
+  /// Moves that are engaged in full, or nearly, have none.
+  std::vector<ccw::RimMove> all() {
+    std::vector<ccw::RimMove> out;
+    for (std::size_t i = 0; i < setting_.program.moves.size() && work_ < kMostRims; ++i) {
+      if (!rim_.concerns(setting_.program.moves[i])) continue;
+      ccw::RimMove one{i, pieces(i)};
+      if (!one.pieces.empty()) out.push_back(std::move(one));
+    }
+    return out;
+  }
+
+ private:
+  static constexpr int kMostRims = 200'000;  // rims looked at, in all
+  static constexpr int kSlot = 1750;         // engagement above which nothing is claimed
+  static constexpr int kSpareTicks =
+      8;                              // by how much a piece may exceed the engagement at places of its move
+  static constexpr int kCoarse = 20;  // between directions looked at first
+  struct Cuts {
+    std::vector<Swath> swaths;
+    ccw::Grid grid;
+  };
+  struct Interval {
+    int from, to;
+    std::size_t by;
+  };
+  struct Move {
+    std::size_t index = 0;
+    const Cuts* cuts = nullptr;
+    Points steps;
+    int least = 0;  // the greatest engagement at places of it
+    std::vector<ccw::RimPiece> pieces;
+  };
+
+  const Cuts& cuts_at(ccw::Int z) {
+    const auto [at, is_new] = cuts_.try_emplace(z);
+    if (!is_new) return at->second;
+    std::vector<ccw::Box> boxes;
+    for (std::size_t k = 0; k < setting_.program.moves.size(); ++k) {
+      const ccw::Move& move = setting_.program.moves[k];
+      const ccw::Tool* tool = setting_.tool_of(move);
+      if (move.rapid || !tool || move.lowest() + tool->point > z) continue;
+      Swath one = swath_of(k, ccw::low_part(move, tool->point, z), *tool);
+      boxes.push_back(one.box);
+      at->second.swaths.push_back(std::move(one));
+    }
+    at->second.grid = ccw::Grid(std::move(boxes));
+    return at->second;
+  }
+  std::vector<ccw::RimPiece> pieces(std::size_t index) {
+    const ccw::Move& move = setting_.program.moves[index];
+    Move one{index, &cuts_at(move.z0), ccw::steps_of(move.path), 0, {}};
+    const std::size_t last = one.steps.size() - 1;
+    for (const std::size_t at : {std::size_t{0}, last / 2, last}) look(one, at);
+    if (one.least >= kSlot) return {};
+    divide(one, 0, last);
+    return one.least >= kSlot ? std::vector<ccw::RimPiece>{} : one.pieces;
+  }
+  void look(Move& one, std::size_t at) {
+    const auto [first, size] = window(one, at, at);
+    int covered = 0, end = first;
+    for (const Interval& free : intervals(one, at, at, first, size)) {
+      covered += std::max(0, free.to - std::max(end, free.from));
+      end = std::max(end, free.to);
+    }
+    one.least = std::max(one.least, size - covered);
+  }
+  void divide(Move& one, std::size_t a, std::size_t b) {
+    if (turns_far(one, a, b)) return halves(one, a, b);
+    const auto [first, size] = window(one, a, b);
+    std::vector<ccw::FreeSector> sectors;
+    int covered = 0, at = first;
+    const std::vector<Interval> found = intervals(one, a, b, first, size);
+    for (std::size_t k = 0; k < found.size();) {  // of those that begin before, the one that ends last
+      std::size_t best = k;
+      for (at = std::max(at, found[k].from); k < found.size() && found[k].from <= at; ++k)
+        if (found[k].to > found[best].to) best = k;
+      if (found[best].to <= at) continue;
+      covered += add(one, a, b, {at, found[best].to, found[best].by}, sectors);
+      at = found[best].to;
+    }
+    if (size - covered > one.least + kSpareTicks && b > a + 1) {
+      look(one, (a + b) / 2);
+      if (one.least >= kSlot) return;
+      if (size - covered > one.least + kSpareTicks) return halves(one, a, b);
+    }
+    one.pieces.push_back({static_cast<ccw::Int>(b - a), std::move(sectors)});
+  }
+  void halves(Move& one, std::size_t a, std::size_t b) {
+    divide(one, a, (a + b) / 2);
+    divide(one, (a + b) / 2, b);
+  }
+  /// Adds the interval as sectors that the checker accepts; their size.
+  int add(const Move& one, std::size_t a, std::size_t b, Interval free,
+          std::vector<ccw::FreeSector>& sectors) {
+    const int size = free.to - free.from;
+    const ccw::FreeSector sector{(free.from + 7200) % 3600, size, free.by};
+    if (rim_.is_free(one.index, one.steps[a], one.steps[b], sector)) return sectors.push_back(sector), size;
+    if (size < 2) return 0;
+    const int middle = free.from + size / 2;
+    const int before = add(one, a, b, {free.from, middle, free.by}, sectors);
+    return before + add(one, a, b, {middle, free.to, free.by}, sectors);
+  }
+  const Curve& path_of(const Move& one) const { return setting_.program.moves[one.index].path; }
+  bool turns_far(const Move& one, std::size_t a, std::size_t b) const {
+    const Curve& path = path_of(one);
+    for (std::size_t k = a + 1; k <= b && path.arc; ++k) {
+      const Point u = one.steps[a] - path.center, v = one.steps[k] - path.center;
+      if (dot(u, v) <= 0 || (cross(u, v) > 0) == path.clockwise) return true;
+    }
+    return false;
+  }
+  /// First direction in front of the cutter between two places, and how many.
+  std::pair<int, int> window(const Move& one, std::size_t a, std::size_t b) const {
+    const Curve& path = path_of(one);
+    Point u = path.b - path.a, v = u;
+    if (path.arc) {
+      u = (one.steps[a] - path.center).left(), v = (one.steps[b] - path.center).left();
+      if (path.clockwise) u = Point{} - u, v = Point{} - v, std::swap(u, v);
+    }
+    const int first = static_cast<int>(rim_.tick_of(u)), last = static_cast<int>(rim_.tick_of(v));
+    return {first - 900, 1801 + (last - first + 3600) % 3600};
+  }
+  /// Directions in which the rim is free from place a to b, one move each, by their beginnings.
+  std::vector<Interval> intervals(const Move& one, std::size_t a, std::size_t b, int first, int size) {
+    ++work_;
+    const ccw::Tool& tool = *setting_.tool_of(setting_.program.moves[one.index]);
+    const double blend = setting_.blend(), radius = static_cast<double>(tool.radius) - 1000 - 2 * blend;
+    const Points ends = a == b ? Points{one.steps[a]} : Points{one.steps[a], one.steps[b]};
+    const Curve& path = path_of(one);
+    const double bend = path.arc ? static_cast<double>(ccw::chord_error(path, one.steps[a] - path.center,
+                                                                        one.steps[b] - path.center))
+                                 : 1;
+    const double off = bend + 2 * blend + 13;
+    std::vector<Interval> out;
+    const auto offer = [&](std::size_t by, const auto& is_free) {
+      const auto every = [&](int k) {
+        const Spot v = radius * directions_[static_cast<std::size_t>((k + 7200) % 3600)];
+        return std::all_of(ends.begin(), ends.end(), [&](Point p) { return is_free(spot(p) + v); });
+      };
+      bool was = false;
+      for (int k = first, last = first;; last = k, k = std::min(k + kCoarse, first + size)) {
+        const bool is = every(k);
+        int low = last, high = k;  // the change lies between them
+        while (is != was && high - low > 1) {
+          const int middle = (low + high) / 2;
+          (every(middle) == is ? high : low) = middle;
+        }
+        if (is && !was) out.push_back({high, high, by});
+        if (was) out.back().to = is ? k : low;
+        was = is;
+        if (k == first + size) break;
+      }
+    };
+    const ccw::Box box = ccw::box_of(ends).grown(tool.radius);
+    std::set<std::size_t> near;
+    one.cuts->grid.visit_all(box, [&](std::size_t k) {
+      if (one.cuts->swaths[k].move < one.index) near.insert(k);
+      return true;
+    });
+    for (const std::size_t k : near) {
+      const Swath& swath = one.cuts->swaths[k];
+      const double bound = swath.radius - off;
+      offer(swath.move, [&](Spot p) { return distance_to(swath.curve, p) <= bound; });
+    }
+    if (const auto& stock = setting_.part.stock;
+        stock && !(stock->x0 <= box.x0 && box.x1 <= stock->x1 && stock->y0 <= box.y0 && box.y1 <= stock->y1))
+      offer(one.index, [&](Spot p) {
+        return p.x + off < static_cast<double>(stock->x0) || p.x - off > static_cast<double>(stock->x1) ||
+               p.y + off < static_cast<double>(stock->y0) || p.y - off > static_cast<double>(stock->y1);
+      });
+    std::erase_if(out, [](const Interval& i) { return i.to <= i.from; });
+    std::sort(out.begin(), out.end(), [](const Interval& i, const Interval& k) { return i.from < k.from; });
+    return out;
+  }
+
+  const Setting& setting_;
+  ccw::Rim rim_;
+  std::vector<Spot> directions_;
+  std::map<ccw::Int, Cuts> cuts_;
+  int work_ = 0;
+};
+
 void put_number(Text& out, std::uint64_t value) {
   for (; value >= 128; value >>= 7) out += static_cast<char>(value | 128);
   out += static_cast<char>(value);
@@ -856,7 +1053,7 @@ struct Travelled {
 class WitnessWriter {
  public:
   WitnessWriter(const std::vector<ccw::Tool>& tools, const std::vector<Claimed>& claims,
-                const std::vector<Travelled>& rapids) {
+                const std::vector<Travelled>& rapids, const std::vector<ccw::RimMove>& rims) {
     for (const Claimed& one : claims) collect(one.cover), collect(one.centre);
     for (const Travelled& one : rapids) collect(one.tiles);
     put_number(out_, tools.size());
@@ -875,6 +1072,19 @@ class WitnessWriter {
     for (const Travelled& one : rapids) {
       put_number(out_, one.move);
       put_tiles(one.tiles);
+    }
+    put_number(out_, rims.size());
+    for (const ccw::RimMove& rim : rims) {
+      put_number(out_, rim.move);
+      put_number(out_, rim.pieces.size());
+      for (const ccw::RimPiece& piece : rim.pieces) {
+        put_number(out_, piece.steps);
+        put_number(out_, piece.sectors.size());
+        for (const ccw::FreeSector& sector : piece.sectors) {
+          put_number(out_, sector.from), put_number(out_, sector.size);
+          put_number(out_, rim.move - sector.by);
+        }
+      }
     }
   }
   const Text& bytes() const { return out_; }
@@ -999,8 +1209,10 @@ FoundWitness find_witness(const std::string& program_text, const std::string& pr
     find(setting, question, claims, rapids, found.missing);
     if (claims.empty())
       throw NotFound{found.missing.empty() ? "no feature can be claimed" : found.missing.front()};
-    Text bytes = "CCW2" + ccw::sha256(program_text) + ccw::sha256(part_text) +
-                 WitnessWriter(setting.tools, claims, rapids).bytes();
+    const std::vector<ccw::RimMove> rims =
+        question.engagement ? RimFinder(setting).all() : std::vector<ccw::RimMove>{};
+    Text bytes = "CCW3" + ccw::sha256(program_text) + ccw::sha256(part_text) +
+                 WitnessWriter(setting.tools, claims, rapids, rims).bytes();
     found.claims = ccw::check(asked, program_text, program_name, part_text, part_name, bytes);
     found.bytes = std::move(bytes);
     for (const Claimed& one : claims) {

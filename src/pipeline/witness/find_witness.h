@@ -29,8 +29,9 @@ struct WitnessQuestion {
   int first_tool = 0;  ///< in before the program calls any
   /// In the order of the file, if equally many; else matched by their names.
   std::vector<WitnessFeature> features;
-  bool straight = false;  ///< rapids are straight, also on controls that move their axes one by one
-  double uncut = 0.01;    ///< permitted excess of the floor beyond the cutters' reach in the program
+  bool straight = false;   ///< rapids are straight, also on controls that move their axes one by one
+  bool engagement = true;  ///< whether the engagement of level feeds is to be proven, too
+  double uncut = 0.01;     ///< permitted excess of the floor beyond the cutters' reach in the program
 };
 
 struct FoundWitness {

@@ -78,6 +78,14 @@ void draw_scale_bar(SvgWriter& svg, const PlanView& view) {
             "middle");
 }
 
+void draw_margin(SvgWriter& svg, const PlanView& view, const Margin& margin, const Feature* feature) {
+  const FeatureMargin* shown = feature ? nullptr : margin.least();
+  for (const FeatureMargin& one : margin.features)
+    if (feature && one.feature == feature->name) shown = &one;
+  if (shown && shown->at)
+    draw_place(svg, view, *shown->at, "holds for " + trimmed(shown->mm, 4) + " mm", report::palette::kInk);
+}
+
 void draw_worst_places(SvgWriter& svg, const PlanView& view,
                        const std::vector<const FeatureFindings*>& findings) {
   for (const FeatureFindings* one : findings) {

@@ -14,6 +14,9 @@ void draw_scale_bar(SvgWriter& svg, const PlanView& view);
 void draw_worst_places(SvgWriter& svg, const PlanView& view,
                        const std::vector<const FeatureFindings*>& findings);
 
+/// The place that limits the margin of `feature` (the smallest of all features if null), with the margin.
+void draw_margin(SvgWriter& svg, const PlanView& view, const Margin& margin, const Feature* feature);
+
 /// A cross at each fault of `feature` (of all features if null) in the view.
 void draw_faults(SvgWriter& svg, const PlanView& view, const Findings& findings, const Feature* feature);
 

@@ -358,6 +358,7 @@ void draw_overview(SvgWriter& svg, const PlanView& view, const Job& job,
     if (p && !text.empty()) wanted.push_back({view.page(*p), text});
   }
   draw_badges(svg, placed_apart(wanted, {view.corner, view.corner + Vec2{view.width, view.height}}));
+  if (job.margin) draw_margin(svg, view, *job.margin, nullptr);
   draw_faults(svg, view, job.findings, nullptr);
   draw_scale_bar(svg, view);
 }
@@ -375,6 +376,7 @@ void draw_feature(SvgWriter& svg, const PlanView& view, const Job& job, int feat
   draw_feature_lines(svg, view, job, feature);
   close_world(svg, view);
   draw_worst_places(svg, view, findings_of(job.part, job.findings, feature));
+  if (job.margin) draw_margin(svg, view, *job.margin, &f);
   draw_faults(svg, view, job.findings, &f);
   draw_scale_bar(svg, view);
 }

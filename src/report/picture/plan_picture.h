@@ -7,6 +7,7 @@
 #include "model/move.h"
 #include "model/part.h"
 #include "model/results/findings.h"
+#include "model/results/margin.h"
 #include "report/picture/svg_writer.h"
 
 namespace clearcut::report {
@@ -32,6 +33,7 @@ struct Job {
   const Findings& findings;
   bool all_layers = false;
   const Toolpath* earlier = nullptr;  ///< earlier cuts
+  const Margin* margin = nullptr;     ///< allowed machine error, if it was asked for
 };
 
 /// The area of a picture of the whole part: the stock, else the targets, else the feed moves.

@@ -96,6 +96,7 @@ double draw_main(SvgWriter& svg, const Job& job) {
   double y = view.corner.y + 16;
   if (!single && job.part.is_shape_stated) y = draw_feature_list(svg, job, {left, y}, width);
   y = draw_legend(svg, job, {left, y});
+  if (job.margin) y = draw_margin_list(svg, *job.margin, {left, y}, width);
   y = draw_condition_list(svg, job.findings, {left, y}, width);
   y = draw_fault_list(svg, job.findings, {left, y}, width);
   return std::max(view.corner.y + view.height, y) + kGap;
@@ -135,7 +136,7 @@ double draw_panels(SvgWriter& svg, const Job& job, double top) {
 
 std::string svg(const Part& part, const Toolpath& toolpath, const Findings& findings,
                 const SvgOptions& options) {
-  const Job job{part, toolpath, findings, options.all_layers, options.earlier};
+  const Job job{part, toolpath, findings, options.all_layers, options.earlier, options.margin};
   const std::string title = !options.title.empty() ? options.title : part.name.empty() ? "part" : part.name;
   SvgWriter body;
   draw_header(body, job, title);

@@ -6,6 +6,7 @@
 #include "model/move.h"
 #include "model/part.h"
 #include "model/results/findings.h"
+#include "model/results/margin.h"
 
 namespace clearcut::report {
 
@@ -13,6 +14,7 @@ struct SvgOptions {
   std::string title;                  ///< default: the name of the part
   bool all_layers = false;            ///< false: each feature shows its last layer
   const Toolpath* earlier = nullptr;  ///< earlier cuts, already removed
+  const Margin* margin = nullptr;     ///< allowed machine error, if it was asked for
 };
 
 /// Shape   one SVG document: verdict and figures, the whole part from above (floors in shades of depth), a

@@ -300,6 +300,26 @@ double draw_legend(SvgWriter& svg, const Job& job, Vec2 at) {
   return y + 20;
 }
 
+double draw_margin_list(SvgWriter& svg, const Margin& margin, Vec2 at, double width) {
+  const std::size_t letters = static_cast<std::size_t>(width / 7.2);
+  const FeatureMargin* const least = margin.least();
+  svg.text(at,
+           least ? "Holds for " + trimmed(least->mm, 4) + " mm of machine error"
+                 : "Machine error: no margin found",
+           text_style(16, report::palette::kInk, "bold"));
+  double y = at.y + kLineHeight;
+  for (std::size_t i = 0; i < std::min(kFeaturesListed, margin.features.size()); ++i, y += 18) {
+    const FeatureMargin& one = margin.features[i];
+    const std::string limit = one.limit == MarginLimit::kUncut
+                                  ? trimmed(margin.bounds.uncut, 4) + " mm left beyond it"
+                                  : trimmed(margin.bounds.gouge, 4) + " mm too deep beyond it";
+    svg.text({at.x, y},
+             shortened(fmt::format("{}: {} mm, {}", one.feature, trimmed(one.mm, 4), limit), letters),
+             text_style(13, report::palette::kInk));
+  }
+  return y + 16;
+}
+
 double draw_condition_list(SvgWriter& svg, const Findings& findings, Vec2 at, double width) {
   const std::vector<Condition> open = open_conditions(findings);
   if (open.empty()) return at.y;

@@ -25,6 +25,8 @@ void draw_header(SvgWriter& svg, const Job& job, const std::string& title);
 double draw_feature_list(SvgWriter& svg, const Job& job, Vec2 at, double width);
 /// Legend of lines, dots and areas.
 double draw_legend(SvgWriter& svg, const Job& job, Vec2 at);
+/// "holds for 0.004 mm of machine error", and the bound that limits it, for each feature.
+double draw_margin_list(SvgWriter& svg, const Margin& margin, Vec2 at, double width);
 /// What has to hold for the program to be right, and what of the part it leaves; nothing when there are none.
 double draw_condition_list(SvgWriter& svg, const Findings& findings, Vec2 at, double width);
 /// The worst faults; nothing when there are none.

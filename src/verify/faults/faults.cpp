@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "base/text/format.h"
@@ -88,10 +89,11 @@ class FaultFinder {
                  "A rapid passes through material");
   }
 
-  std::optional<Fault> holder(const CheckedMove& checked) const {
+  std::optional<Fault> holder(const CheckedMove& checked, double lowest) const {
     if (!checked.load.holder_contact) return std::nullopt;
     return fault(FaultKind::kHolder, checked, *checked.load.holder_contact, checked.move->length(),
-                 !checked.load.is_shank                   ? "The holder runs into material"
+                 !checked.load.is_shank
+                     ? "The holder runs into material" + stickout_that_clears(part_.top_z(), lowest)
                  : checked.tool->kind == ToolKind::kTSlot ? "The neck above the disc runs into material"
                                                           : "The shank above the flutes runs into material");
   }
@@ -300,11 +302,16 @@ Fault fault_of(const Part& part, FaultKind kind, const CheckedMove& checked, con
 std::vector<Fault> faults_of_moves(const Part& part, const CheckedProgram& program,
                                    const VerifyOptions& options) {
   const FaultFinder finder(part, options);
+  std::map<const Tool*, double> lowest;  // heights of tips
+  for (const CheckedMove& m : program.moves) {
+    const auto [at, is_first] = lowest.try_emplace(m.tool, m.low_z());
+    if (!is_first) at->second = std::min(at->second, m.low_z());
+  }
   std::vector<MoveCheck> checks{[&](const CheckedMove& m) { return finder.rapid(m); },
-                                [&](const CheckedMove& m) { return finder.holder(m); },
+                                [&](const CheckedMove& m) { return finder.holder(m, lowest[m.tool]); },
                                 [&](const CheckedMove& m) { return finder.stock_to_leave(m); },
                                 [&](const CheckedMove& m) { return finder.overcut(m); },
-                                [&](const CheckedMove& m) { return keep_out_fault(part, m); },
+                                [&](const CheckedMove& m) { return keep_out_fault(part, m, lowest[m.tool]); },
                                 [&](const CheckedMove& m) { return finder.depth(m); },
                                 [&](const CheckedMove& m) { return finder.above_reference(m); },
                                 [&](const CheckedMove& m) { return finder.travel(m); },

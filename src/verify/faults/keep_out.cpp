@@ -56,7 +56,22 @@ double depth_in(const KeepOut& block, const CheckedMove& checked, double radius,
 
 }  // namespace
 
-std::optional<Fault> keep_out_fault(const Part& part, const CheckedMove& checked) {
+namespace {
+
+/// mm; top of the highest clamp.
+double highest_of(const Part& part) {
+  double top = -std::numeric_limits<double>::infinity();
+  for (const KeepOut& block : part.keep_outs) top = std::max(top, block.top_z);
+  return top;
+}
+
+}  // namespace
+
+std::string stickout_that_clears(double top, double lowest) {
+  return ", which a stickout of " + trimmed(std::ceil(10 * (top - lowest + kTouch)) / 10, 1) + " mm clears";
+}
+
+std::optional<Fault> keep_out_fault(const Part& part, const CheckedMove& checked, double lowest) {
   for (const KeepOut& block : part.keep_outs) {
     double most = 0;
     const char* what = "";
@@ -71,7 +86,8 @@ std::optional<Fault> keep_out_fault(const Part& part, const CheckedMove& checked
     return fault_of(part, FaultKind::kKeepOut, checked, place, most,
                     std::string(what) + " comes " + trimmed(most, 3) + " mm into the clamp at x " +
                         trimmed(block.plan.min.x, 3) + " to " + trimmed(block.plan.max.x, 3) + ", y " +
-                        trimmed(block.plan.min.y, 3) + " to " + trimmed(block.plan.max.y, 3));
+                        trimmed(block.plan.min.y, 3) + " to " + trimmed(block.plan.max.y, 3) +
+                        (what == kNames[2] ? stickout_that_clears(highest_of(part), lowest) : ""));
   }
   return std::nullopt;
 }

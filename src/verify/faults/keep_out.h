@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "model/part.h"
 #include "model/results/findings.h"
@@ -9,8 +10,12 @@
 
 namespace clearcut::verify {
 
+/// ", which a stickout of 12.5 mm clears": of a holder whose tool goes down to `lowest`, mm, over something that ends at `top`.
+std::string stickout_that_clears(double top, double lowest);
+
 /// The first of the part's keep-outs entered by the cutter, its shank or its holder, feeding or at the rapid; the
 /// fault's size is the depth of intrusion, seen from above, mm.
-std::optional<Fault> keep_out_fault(const Part& part, const CheckedMove& checked);
+/// `lowest`: lowest height of the tip of this tool in the whole program, mm.
+std::optional<Fault> keep_out_fault(const Part& part, const CheckedMove& checked, double lowest);
 
 }  // namespace clearcut::verify

@@ -51,6 +51,7 @@ class Way {
   explicit Way(double sagitta) : sagitta_(sagitta) {}
 
   void take(const Block& block, const std::string& line) {
+    ++at_.line;
     // Exact path, offsets, cancelled states and the plane: nothing of them moves the tip.
     static const std::set<int> kStill{170, 210, 400, 430, 490, 540, 610, 640, 800, 900, 911, 940, 40};
     if (block.words.count('T') > 0) at_.tool = static_cast<int>(block.words.at('T'));
@@ -106,7 +107,7 @@ class Way {
   }
 
   double sagitta_;
-  TipWay at_{0, true, 0, 0, 100, 0, 0, 100};  ///< its end: where the tip is
+  TipWay at_{0, true, 0, 0, 0, 100, 0, 0, 100};  ///< its end: where the tip is
   int motion_ = 0;
 };
 

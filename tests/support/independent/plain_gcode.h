@@ -11,6 +11,7 @@ namespace clearcut::test_support {
 struct TipWay {
   int tool = 0;
   bool rapid = false;
+  int line = 0;  ///< of the program, from 1
   double x0 = 0, y0 = 0, z0 = 0, x1 = 0, y1 = 0, z1 = 0;
 };
 
