@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
+#include "base/error.h"
 #include "base/progress_meter.h"
+#include "base/text/format.h"
 #include "model/results/findings.h"
 #include "model/results/not_machined.h"
 #include "pipeline/contour_results.h"
@@ -82,9 +85,36 @@ std::size_t candidates_in(const std::vector<SelectionStep>& steps) {
   return count;
 }
 
+/// Share by which a stated speed may exceed a limit of the machine: programs are rounded to whole rpm.
+constexpr double kLimitRounding = 1e-3;
+
+/// Refuses stated spindle speeds that the machine, or the tool, does not have.
+void refuse_beyond_machine(const ResolvedPlan& plan) {
+  const Machine& machine = plan.machine;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const ResolvedStep& step = plan.steps[i];
+    const Workingstep& working = plan.part.workplan[i];
+    const Tool& tool = tool_of(plan.part, working);
+    const auto refuse = [&](const char* what, double asked, const std::string& limit, double allowed) {
+      throw InputError(feature_of(plan.part, working).name,
+                       fmt::format("{} of {} with T{} where {} {}; state another or leave it out", what,
+                                   trimmed(asked, 1), tool.number, limit, trimmed(allowed, 1)));
+    };
+    const double rpm = step.spindle_rpm;
+    const auto is_above = [](double value, double most) { return value > most * (1 + kLimitRounding); };
+    if (machine.max_spindle_rpm && is_above(rpm, *machine.max_spindle_rpm))
+      refuse("a spindle speed", rpm, "the machine has no more than", *machine.max_spindle_rpm);
+    if (tool.max_spindle_rpm && is_above(rpm, *tool.max_spindle_rpm))
+      refuse("a spindle speed", rpm, "the tool may have no more than", *tool.max_spindle_rpm);
+    if (machine.min_spindle_rpm && rpm > 0 && is_above(*machine.min_spindle_rpm, rpm))
+      refuse("a spindle speed", rpm, "the machine turns no slower than", *machine.min_spindle_rpm);
+  }
+}
+
 /// Refuses impossible requests, and reports requests without effect.
 void look_at_what_is_asked(const ResolvedPlan& plan, const resolve::PlanOptions& options, Part& part) {
   resolve::refuse_what_cannot_be(part, options);
+  refuse_beyond_machine(plan);
   resolve::tell_of_shallow(part, options.tol);
   refuse_what_means_nothing(plan, part.diagnostics);
   warn_of_both_ways(plan, part.diagnostics);
@@ -119,6 +149,93 @@ Toolpath certified_toolpath(Selection& selection, const ResolvedPlan& plan, Plan
   return toolpath;
 }
 
+/// Every workingstep planned, and the program of the chosen plans certified.
+class CertifiedPlan {
+ public:
+  /// `known`: what is said of the part before planning.
+  CertifiedPlan(const ResolvedPlan& plan, double reserve_share, const StrategyTable& strategies,
+                ProgressMeter& meter, const PlanResult& known)
+      : works(step_works(plan, reserve_share)),
+        selection(planned_selection(works, plan, strategies, meter)),
+        result(known) {
+    report_what_does_not_fit(result.part, selection, works, plan);
+    toolpath = certified_toolpath(selection, plan, result);
+  }
+  CertifiedPlan(const CertifiedPlan&) = delete;
+  CertifiedPlan& operator=(const CertifiedPlan&) = delete;
+
+  const std::vector<StepWork> works;
+  Selection selection;
+  PlanResult result;
+  Toolpath toolpath;
+};
+
+/// Shares of the stock kept for the rounding of digits with which a plan is tried: the more is kept, the wider a strip stays in places
+/// that narrow down to the width of the cutter. The certificate decides which plan is right.
+constexpr double kReserveShares[] = {1, 0.5, 0.2};
+/// mm of a strip in a narrowing place by 1 mm of stock kept on both of its walls, where these meet at 10 degrees.
+constexpr double kStripByReserve = 12;
+
+/// Whether stock kept for the rounding of digits may be what leaves material uncut.
+bool may_be_left_by_reserve(const Findings& findings, const ResolvedPlan& plan) {
+  const double widest = 2 * plan.tol.uncut + kStripByReserve * reserve_for_digits(plan);
+  return reserve_for_digits(plan) > 0 &&
+         std::any_of(findings.faults.begin(), findings.faults.end(), [&](const Fault& fault) {
+           return fault.kind == FaultKind::kUncut && fault.size <= widest;
+         });
+}
+
+/// The plan with all of that stock; where this leaves material uncut, the first of those with less stock and fewer faults.
+std::unique_ptr<CertifiedPlan> certified_plan(const ResolvedPlan& plan, const StrategyTable& strategies,
+                                              ProgressMeter& meter, const PlanResult& known) {
+  std::unique_ptr<CertifiedPlan> best;
+  for (const double share : kReserveShares) {
+    auto next = std::make_unique<CertifiedPlan>(plan, share, strategies, meter, known);
+    const auto faults = [](const CertifiedPlan& one) { return one.result.findings.faults.size(); };
+    if (!best || faults(*next) < faults(*best)) best = std::move(next);
+    if (!may_be_left_by_reserve(best->result.findings, plan)) break;
+  }
+  return best;
+}
+
+/// "--engagement", or the line of the job that states it.
+std::string place_of_engagement(const resolve::PlanOptions& options) {
+  const Source* source = options.sources.find("engagement");
+  const bool is_job = source && source->origin == Origin::kJobFile;
+  return is_job ? source->text + ": engagement" : "--engagement";
+}
+
+/// Throws InputError for a limit on the engagement that the program exceeds since nothing could hold it: profiles are cut at the full
+/// width of the cutter, and a stated strategy may begin with such cuts. A program that holds the limit nevertheless is right.
+void refuse_exceeded_engagement(const PlanResult& result, const ResolvedPlan& plan,
+                                const resolve::PlanOptions& options) {
+  const auto exceeds = [&](const FeatureFindings& step) {
+    const auto& faults = result.findings.faults;
+    return step.figures.engagement.max_deg > plan.engagement_deg.value_or(0) + kFaultlessExcess &&
+           std::any_of(faults.begin(), faults.end(), [&](const Fault& fault) {
+             return fault.kind == FaultKind::kOverEngagement && fault.feature == step.name;
+           });
+  };
+  for (const FeatureFindings& step : result.findings.features) {
+    if (step.workingstep < 0 || !exceeds(step)) continue;
+    const auto index = static_cast<std::size_t>(step.workingstep);
+    const std::string what =
+        fmt::format("{} would engage the cutter by {} degrees where {} are the limit", step.name,
+                    trimmed(step.figures.engagement.max_deg, 1), trimmed(*plan.engagement_deg, 1));
+    if (feature_of(result.part, result.part.workplan[index]).profile)
+      throw InputError(place_of_engagement(options),
+                       what +
+                           ": a cut along an outline has the full width of the cutter; plan it in a "
+                           "program of its own, without the limit");
+    const StrategyEntry* strategy = plan.steps[index].strategy;
+    if (strategy && !strategy->limits_engagement)
+      throw InputError(place_of_engagement(options),
+                       fmt::format("{}: the strategy {} begins with cuts of full width; leave out "
+                                   "--strategy, or use adaptive, which holds the limit",
+                                   what, strategy->name));
+  }
+}
+
 }  // namespace
 
 void complete_verdict(const Toolpath& toolpath, const ResolvedPlan& plan, PlanResult& result) {
@@ -137,13 +254,14 @@ PlanResult plan_one_part(const Part& part, const resolve::PlanOptions& options) 
   result.earlier = plan.earlier;
   look_at_what_is_asked(plan, options, result.part);
   ProgressMeter meter(options.progress, options.cancel);
-  const auto works = step_works(plan);
-  Selection selection = planned_selection(works, plan, strategies, meter);
-  report_what_does_not_fit(result.part, selection, works, plan);
-  Toolpath toolpath = certified_toolpath(selection, plan, result);
+  const auto certified = certified_plan(plan, strategies, meter, result);
+  const Selection& selection = certified->selection;
+  Toolpath toolpath = std::move(certified->toolpath);
+  result = std::move(certified->result);
+  refuse_exceeded_engagement(result, plan, options);
   complete_verdict(toolpath, plan, result);
   explain_rounded_places(result, plan);
-  report_notes(selection, works, plan, result.part);
+  report_notes(selection, certified->works, plan, result.part);
   result.contours = contours_of(toolpath, plan);
   report_rho(result.contours, plan, result.part);
   result.selections = selection.selections();

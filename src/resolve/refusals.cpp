@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "base/error.h"
@@ -11,6 +12,7 @@
 #include "features/fitting.h"
 #include "features/round_hole.h"
 #include "features/stacking.h"
+#include "geometry/contours/boolean.h"
 #include "model/results/not_machined.h"
 #include "resolve/features/clamps.h"
 
@@ -198,12 +200,37 @@ void refuse_places_outside(const Part& part, const PlanOptions& options) {
   }
 }
 
-/// Whether another feature as deep may open the walls of this one.
-bool may_be_opened(const Part& part, const Feature& feature) {
+/// Whether another feature as deep opens the walls of this one.
+bool is_opened(const Part& part, const Feature& feature, const Tolerances& tol) {
   return std::any_of(part.features.begin(), part.features.end(), [&](const Feature& other) {
-    return &other != &feature && other.floor_z <= feature.floor_z &&
-           box(other.allowed).overlaps(box(feature.allowed));
+    if (&other == &feature || other.floor_z > feature.floor_z) return false;
+    if (!box(other.target).grown(kLevel).overlaps(box(feature.target))) return false;
+    return !intersect(dilate(other.target, kLevel, tol), feature.target, tol).empty();
   });
+}
+
+/// What is left on the floor of a feature by the step that leaves least; features made by the shape of their tool leave nothing.
+double least_left_on_floor(const Part& part, int feature) {
+  double least = HUGE_VAL;
+  for (const Workingstep& step : part.workplan)
+    if (step.feature == feature) least = std::min(least, step.operation.allowance_floor);
+  return least;
+}
+
+/// Features no deeper than the stock to leave on their floors.
+void refuse_allowance_as_deep(const Part& part, const Tolerances& tol) {
+  for (const Workingstep& step : part.workplan) {
+    const Feature& feature = feature_of(part, step);
+    const double depth = feature.top_z - feature.floor_z, left = least_left_on_floor(part, step.feature);
+    if (left <= 0 || depth <= tol.uncut || depth - left > tol.uncut || feature.hole || feature.through ||
+        makes_holes(tool_of(part, step)))
+      continue;
+    throw InputError(
+        name_and_place(feature),
+        fmt::format("it is {} mm deep and {} mm are to be left on its floor (--allowance-floor), so that "
+                    "nothing would be cut; leave less, or leave the feature out",
+                    trimmed(depth, 3), trimmed(left, 3)));
+  }
 }
 
 /// A cutter that may not plunge where it can go no other way. One that does not fit at all is told of elsewhere.
@@ -212,8 +239,8 @@ void refuse_plunges(const Part& part, const PlanOptions& options) {
     const Workingstep& step = part.workplan[i];
     const Feature& feature = feature_of(part, step);
     const Tool& tool = tool_of(part, step);
-    if (step.stated_path || step.operation.rest || may_be_opened(part, feature) ||
-        features::has_room_to_enter(feature, tool, options.tol))
+    if (step.stated_path || step.operation.rest || features::has_room_to_enter(feature, tool, options.tol) ||
+        is_opened(part, feature, options.tol))
       continue;
     const double widest = features::largest_fitting_diameter(feature, options.tol);
     if (tool.diameter > widest + options.tol.fit) continue;
@@ -324,6 +351,7 @@ void refuse_what_cannot_be(const Part& part, const PlanOptions& options) {
     refuse_step(part, step);
   }
   refuse_plunges(part, options);
+  refuse_allowance_as_deep(part, options.tol);
   refuse_endless(part);
   refuse_places_outside(part, options);
 }

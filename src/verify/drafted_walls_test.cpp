@@ -165,6 +165,60 @@ TEST(Verify, EveryLayerCountsOnLeaningWalls) {
   EXPECT_NEAR(fault_of(coarse, FaultKind::kUncut).size, 1, 1e-9);
 }
 
+/// Two mills at heights of their own: what the wider one leaves in the corners is left to the layers of the narrower one.
+TEST(Verify, CornersOfLeaningWallsCountAtTheHeightsOfTheCutterThatReachesThem) {
+  Part part = square_part();
+  part.features[0].wall_slope = Radians::of_degrees(30);
+  part.features[0].floor_z = -4;
+  part.workplan[0].operation.scallop = 0.55;
+  part.tools.push_back(part.tools[0]);
+  part.tools[1].diameter = 3;
+  part.tools[1].number = 2;
+  part.tools[0].number = 1;
+  part.workplan.push_back(part.workplan[0]);
+  part.workplan[1].operation.tool = 1;
+  part.workplan[1].operation.rest = true;
+  const auto program = [](const std::vector<double>& narrow) {
+    Writer writer;
+    double top = 0;
+    for (const double z : {-0.7, -1.6, -2.5, -3.3, -4.0}) {
+      cut_square_rings(writer, {25, 25}, {2, 6.5, 11, 15, 18, 22 + z * std::tan(kPi / 6)}, top, z);
+      top = z;
+    }
+    writer.leave().tool_change(2);
+    top = 0;
+    for (const double z : narrow) {
+      cut_square_rings(writer, {25, 25}, {23.5 + z * std::tan(kPi / 6)}, top, z);
+      top = z;
+    }
+    Toolpath done = writer.done();
+    for (int i = 0; i < 2; ++i) done.sections[static_cast<std::size_t>(i)].workingstep = i;
+    return done;
+  };
+  const Findings right = verify_program(part, program({-1, -2, -3, -4}), {});
+  EXPECT_FALSE(has(right, FaultKind::kUncut)) << report_of(right);
+  // A layer of the narrow one is missing: the corners then have steps of 2 sin 30.
+  const Findings coarse = verify_program(part, program({-1, -3, -4}), {});
+  EXPECT_TRUE(has(coarse, FaultKind::kUncut)) << report_of(coarse);
+}
+
+/// The level turn at the end of a helix, and a level block of a ramp by rounding, are no layers.
+TEST(Verify, ALevelMoveOfAnEntryIsNoLayerOfALeaningWall) {
+  Part part = square_part();
+  part.features[0].wall_slope = Radians::of_degrees(30);
+  part.features[0].floor_z = -2;
+  part.workplan[0].operation.scallop = 0.55;
+  Writer writer;
+  double top = 0;
+  for (const double z : {-1.0, -2.0}) {
+    if (z == -2) writer.enter({20, 20}, -1, -1.4).feed({24, 20}).leave();
+    cut_square_rings(writer, {25, 25}, {2, 6.5, 11, 15, 18, 22 + z * std::tan(kPi / 6)}, top, z);
+    top = z;
+  }
+  const Findings found = verify_program(part, writer.done(), {});
+  EXPECT_FALSE(has(found, FaultKind::kUncut)) << report_of(found);
+}
+
 TEST(Verify, LayersThatLeaveStockMakeNoStepsInLeaningWalls) {
   Part part = square_part();
   part.features[0].wall_slope = Radians::of_degrees(30);

@@ -22,6 +22,17 @@ Figures figures_not_asked(Figures figures) {
   return figures;
 }
 
+/// The tip of a cone that cuts with its flank alone is in no material: its depth is that of the flank at most.
+Figures figures_with_flanks(const std::vector<const CheckedMove*>& moves, double top_z) {
+  Figures figures = figures_of(moves, top_z);
+  for (const CheckedMove* checked : moves) {
+    if (!checked->load.by_flank) continue;
+    const double deep = std::min(flank_height(*checked->tool), top_z - checked->low_z());
+    figures.max_axial_mm = std::max(figures.max_axial_mm, deep);
+  }
+  return figures;
+}
+
 /// Heights of a tool's level moves through material, the highest first.
 std::vector<LayerFindings> layers_of(const std::vector<const CheckedMove*>& moves, double top_z) {
   std::map<long long, std::vector<const CheckedMove*>, std::greater<>> by_height;
@@ -41,7 +52,7 @@ FeatureFindings row_of(const std::vector<const CheckedMove*>& own, double top) {
   row.tool_number = own.front()->tool_number;
   row.name = "T" + std::to_string(row.tool_number);
   if (own.front()->tool) row.tool_diameter = own.front()->tool->diameter;
-  row.figures = figures_not_asked(figures_of(own, top));
+  row.figures = figures_not_asked(figures_with_flanks(own, top));
   row.layers = layers_of(own, top);
   return row;
 }
@@ -68,7 +79,7 @@ Findings findings_without_part(const Part& part, const CheckedProgram& program,
   findings.faults = faults_of_moves(part, program, options);
   fold_causes(part, program, options, findings.faults);
   sort_worst_first(findings.faults);
-  findings.all = figures_not_asked(figures_of(all, part.top_z()));
+  findings.all = figures_not_asked(figures_with_flanks(all, part.top_z()));
   findings.all.clean = findings.faults.empty();
   for (const int number : order) findings.features.push_back(row_of(by_tool[number], part.top_z()));
   return findings;

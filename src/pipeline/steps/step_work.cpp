@@ -82,12 +82,12 @@ bool is_free_above(const Part& part, const Feature& feature, const plan::RoundOn
 
 /// The layers of one workingstep over which something still stands. Open features cut only that, and pockets of which
 /// nothing but stock of earlier work is left; in others the walls bound every pass, so the whole layer is cut.
-std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan) {
+std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan, double reserve_share) {
   const Part& part = plan.part;
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
   const auto& feature = feature_of(part, step);
   Operation operation = step.operation;
-  const double reserve = printing_reserve(post::rounding_of(plan.post), plan);
+  const double reserve = reserve_share * reserve_for_digits(plan);
   // A cutter that may be off its path certainly clears the area of a narrower one, with a correspondingly greater
   // distance from the walls.
   const double off = plan.margin ? plan.margin->at_least : 0, spared = plan.margin ? plan.margin->stock() : 0;
@@ -160,12 +160,13 @@ bool is_wall_finishing(const Workingstep& step, const Feature& feature, const Re
 /// layers of a step with a wider cutter may all be below.
 class RoomOfEarlierSteps {
  public:
-  explicit RoomOfEarlierSteps(const ResolvedPlan& plan) : plan_(plan) {}
+  RoomOfEarlierSteps(const ResolvedPlan& plan, double reserve_share)
+      : plan_(plan), reserve_share_(reserve_share) {}
 
   /// The boundary of the highest layer of `step` at z or below.
   std::optional<Regions> operator()(int step, double z) {
     const auto [known, added] = layers_.try_emplace(step);
-    if (added) known->second = standing_layers(step, plan_);
+    if (added) known->second = standing_layers(step, plan_, reserve_share_);
     for (const Layer& layer : known->second)
       if (layer.z <= z + plan_.tol.coincident) return layer.allowed;
     return std::nullopt;
@@ -173,19 +174,21 @@ class RoomOfEarlierSteps {
 
  private:
   const ResolvedPlan& plan_;
+  const double reserve_share_;
   std::map<int, std::vector<Layer>> layers_;  ///< from the top down
 };
 
 /// The layers with the material left by earlier steps of the feature or an earlier program, if the step cuts only
 /// this: rest machining and finishing.
-std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, const ResolvedPlan& plan) {
+std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, const ResolvedPlan& plan,
+                                   double reserve_share) {
   const Part& part = plan.part;
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
   const bool finishing = finishes(step.operation) && resolve::follows_milling(part, index);
   const bool met = resolve::meets_earlier(part, index, plan.earlier);
   const std::optional<Toolpath> earlier = met ? plan.earlier : std::nullopt;
   std::vector<LayerLeft> out;
-  RoomOfEarlierSteps rooms(plan);
+  RoomOfEarlierSteps rooms(plan, reserve_share);
   const bool runs_into_others = !MeetingPockets(part, index, plan.tol).empty();
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const bool last = i + 1 == layers.size();
@@ -240,7 +243,7 @@ bool is_carried_alone(const Toolpath& earlier) {
                      [](const Section& section) { return section.carried_below.has_value(); });
 }
 
-StepWork step_work(int index, const ResolvedPlan& plan) {
+StepWork step_work(int index, const ResolvedPlan& plan, double reserve_share) {
   const Part& part = plan.part;
   StepWork work;
   work.workingstep = index;
@@ -252,9 +255,9 @@ StepWork step_work(int index, const ResolvedPlan& plan) {
   if (!work.hole) work.hole = formed_hole_step(index, plan);
   if (!work.hole) work.hole = t_slot_step(index, plan);
   if (work.hole) return work;
-  const auto standing = standing_layers(index, plan);
+  const auto standing = standing_layers(index, plan, reserve_share);
   work.hole = hole_step(standing, index, plan);
-  work.layers = layers_left(standing, index, plan);
+  work.layers = layers_left(standing, index, plan, reserve_share);
   work.done_before = plan.earlier && !standing.empty() && work.layers.empty();
   // A hole drilled in an earlier set-up is not drilled again.
   if (work.done_before && is_carried_alone(*plan.earlier)) work.hole.reset();
@@ -263,12 +266,16 @@ StepWork step_work(int index, const ResolvedPlan& plan) {
 
 }  // namespace
 
-std::vector<StepWork> step_works(const ResolvedPlan& plan) {
+double reserve_for_digits(const ResolvedPlan& plan) {
+  return printing_reserve(post::rounding_of(plan.post), plan);
+}
+
+std::vector<StepWork> step_works(const ResolvedPlan& plan, double reserve_share) {
   std::vector<StepWork> works(plan.part.workplan.size());
   on_threads(plan.threads, [&] {
     parallel_in_order(works.size(), [&](std::size_t i) {
       throw_if_cancelled(plan.cancel);
-      works[i] = step_work(static_cast<int>(i), plan);
+      works[i] = step_work(static_cast<int>(i), plan, reserve_share);
     });
   });
   return works;

@@ -30,7 +30,11 @@ struct StepWork {
   bool done_before = false;  ///< an earlier program has left no material worth a cut
 };
 
-/// The work of every workingstep, in the order of the workplan. Cost O(layers) booleans a step.
-std::vector<StepWork> step_works(const ResolvedPlan& plan);
+/// mm; stock that is kept on walls so that the rounding of a control's digits puts no path into them; 0 for fine digits.
+double reserve_for_digits(const ResolvedPlan& plan);
+
+/// The work of every workingstep, in the order of the workplan, with a share of reserve_for_digits() kept on walls. Cost O(layers)
+/// booleans a step.
+std::vector<StepWork> step_works(const ResolvedPlan& plan, double reserve_share = 1);
 
 }  // namespace clearcut::pipeline

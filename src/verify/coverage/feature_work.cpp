@@ -495,6 +495,23 @@ FloorCheck floor_check(const Part& part, const FinishedParts& finished, const Ch
   };
 }
 
+namespace {
+
+/// Leaves out the layers that are not cleared if the others by themselves leave no more than the permitted scallop: a layer clears all
+/// above it within its own outline, so that no more stands on the walls than the steps between the cleared layers. Level moves of entries,
+/// and layers of a wider cutter in corners that a narrower one clears at its own heights, are such layers.
+void leave_out_uncleared_layers(const Feature& feature, FeatureWork& work, const Tolerances& tol) {
+  FeatureWork cleared = work;
+  std::erase_if(cleared.layers,
+                [&](const LevelCoverage& layer) { return layer.coverage.thickness_mm > widest_left(tol); });
+  if (cleared.layers.size() == work.layers.size()) return;
+  const auto scallop = scallop_of(feature, cleared, tol);
+  if (scallop && scallop->height_mm <= *scallop->asked_mm + tol.uncut)
+    work.layers = std::move(cleared.layers);
+}
+
+}  // namespace
+
 void check_works(const Part& part, const FinishedParts& finished, const CheckedProgram& program,
                  const VerifyOptions& options, std::vector<FeatureWork>& works, Tasks beside) {
   const WorkCheck check(part, finished, program, options);
@@ -511,6 +528,10 @@ void check_works(const Part& part, const FinishedParts& finished, const CheckedP
   }
   run_all(first, options.threads, options.cancel);
 
+  for (FeatureWork& work : works) {
+    if (check.leans(work))
+      leave_out_uncleared_layers(part.features[static_cast<std::size_t>(work.feature)], work, options.tol);
+  }
   Tasks second;
   for (FeatureWork& work : works) {
     const bool left = work.floor.any_cut && work.floor.coverage.thickness_mm > options.tol.uncut;

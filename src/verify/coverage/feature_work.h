@@ -39,7 +39,7 @@ struct FeatureWork {
   std::optional<Place> deepest;
   /// Coverage down to each layer above the floor, for the steps with the least stock on walls. Filled for walls with
   /// draft, where each layer has its own outline, and otherwise only if material is left on the floor: a cutter
-  /// reaching the floor has cleared the material above.
+  /// reaching the floor has cleared the material above. With draft, without uncleared layers that the permitted scallop does not need.
   std::vector<LevelCoverage> layers;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "geometry/contours/boolean.h"
+#include "verify/faults/crossed_draft.h"
 
 namespace clearcut::verify {
 namespace {
@@ -43,6 +44,28 @@ Part with_raised_floors(const Part& part, const std::vector<double>& by) {
     if (!feature.through) feature.floor_z = std::min(feature.top_z, feature.floor_z + by[i]);
   }
   return raised;
+}
+
+/// The pieces of a move that are looked at one by one.
+constexpr int kMostPiecesOverFloors = 200;
+
+/// Whether a flat end of this radius goes into nothing along the move. An inclined wall counts as standing where another feature cuts
+/// into it: each place is tested instead.
+bool is_clear_beside_crossed_walls(const FinishedPart& raised, const Move& move, double radius,
+                                   double slack) {
+  const CutterProfile end = CutterProfile::cylinder(radius);
+  if (move.is_vertical()) return is_clear_of_crossed_draft(raised, move, end, slack);
+  const int count = std::clamp(static_cast<int>(std::ceil(move.path.length() / std::max(radius, kLeftStep))),
+                               1, kMostPiecesOverFloors);
+  for (int i = 0; i < count; ++i) {
+    const double a = static_cast<double>(i) / count, b = (i + 1.0) / count;
+    Move piece = move;
+    piece.path = move.path.part(a, b);
+    piece.z_from = std::lerp(move.z_from, move.z_to, a);
+    piece.z_to = std::lerp(move.z_from, move.z_to, b);
+    if (!is_clear_of_crossed_draft(raised, piece, end, slack)) return false;
+  }
+  return true;
 }
 
 /// Whether two features overlap and each also has a part outside the other: their walls then do not determine the
@@ -225,6 +248,10 @@ void StockToLeave::against_floors(const CheckedMove& checked, std::optional<Goug
     if (!found || depth > found->depth) found = Gouge{depth, p, z, true, -1};
   }
   if (!found || found->depth <= tol_.uncut || (worst && found->depth <= worst->depth)) return;
+  const double tested = is_flat ? flat_end(tool) : FinishedPart::kProbe;
+  if (raised_->greatest_draft_offset() > 0 &&
+      is_clear_beside_crossed_walls(*raised_, move, tested, tol_.uncut))
+    return;
   found->feature = feature_at(found->point);
   found->floor = true;
   worst = found;

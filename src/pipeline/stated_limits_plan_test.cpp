@@ -1,0 +1,143 @@
+// Plans within what is stated: limits of the engagement, of the machine, of the digits of its control; and refusals where nothing is.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "pipeline/test_drawings.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string refused(const Part& part, const resolve::PlanOptions& options) {
+  try {
+    return std::string("not refused: ") + name_of(verdict_of(plan_part(part, options).findings));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+resolve::PlanOptions under_limit(const std::string& tool, const std::string& strategy, double degrees) {
+  resolve::PlanOptions options = with({tool});
+  options.strategy = strategy;
+  options.engagement_deg = degrees;
+  return options;
+}
+
+TEST(StatedLimits, AStrategyThatCannotHoldTheEngagementIsRefused) {
+  const Part pocket = drawn(box("POCKET_D2", 0, 0, 24, 18));
+  for (const char* strategy : {"contour", "zigzag", "spiral"}) {
+    const std::string said = refused(pocket, under_limit("endmill:6", strategy, 90));
+    EXPECT_THAT(said, HasSubstr("--engagement: POCKET_D2 would engage the cutter by 180 degrees where 90"));
+    EXPECT_THAT(said, HasSubstr(std::string("the strategy ") + strategy));
+    EXPECT_THAT(said, HasSubstr("use adaptive"));
+  }
+  EXPECT_THAT(refused(pocket, under_limit("endmill:6", "adaptive", 90)), HasSubstr("not refused"));
+  EXPECT_THAT(refused(pocket, under_limit("endmill:6", "contour", 180)), HasSubstr("not refused"));
+}
+
+TEST(StatedLimits, AProfileIsCutAtFullWidthAndRefusedUnderALimit) {
+  const Part part = drawn(box("PROFILE_D2", 0, 0, 24, 18));
+  EXPECT_THAT(
+      refused(part, under_limit("endmill:6", "auto", 90)),
+      HasSubstr("a cut along an outline has the full width of the cutter; plan it in a program of its own"));
+}
+
+TEST(StatedLimits, SpindleSpeedsBeyondTheMachineAreRefused) {
+  const Part part = drawn(box("POCKET_D2", 0, 0, 24, 18));
+  resolve::PlanOptions options = with({"endmill:6"});
+  options.machine.max_spindle_rpm = 6000;
+  options.cutting.spindle_rpm = 9000;
+  EXPECT_THAT(refused(part, options),
+              HasSubstr("a spindle speed of 9000 with T1 where the machine has no more than 6000"));
+  options.cutting.spindle_rpm = 6000;
+  EXPECT_THAT(refused(part, options), HasSubstr("not refused"));
+}
+
+TEST(StatedLimits, AFeatureNoDeeperThanTheStockToLeaveIsRefused) {
+  const Part part = drawn(box("POCKET_D0.3", 0, 0, 24, 18));
+  resolve::PlanOptions options = with({"endmill:6"});
+  options.allowance_floor = 0.3;
+  EXPECT_THAT(refused(part, options),
+              HasSubstr("POCKET_D0.3: it is 0.3 mm deep and 0.3 mm are to be left on its floor"));
+  options.allowance_floor = 0.1;
+  EXPECT_THAT(refused(part, options), HasSubstr("not refused"));
+}
+
+/// The hole lies within the box of the profile, whose kerf is far from it.
+TEST(StatedLimits, AHoleWithinAProfileIsNoWayInForAMillThatMayNotPlunge) {
+  const Part part = drawn(box("PROFILE_D2", 0, 0, 40, 30) + circle("DRILL_D2", {20, 15}, 2));
+  EXPECT_THAT(refused(part, with({"endmill:4:noplunge"})), HasSubstr("may not plunge and has no room"));
+}
+
+/// Two walls that meet at a small angle: stock kept for the digits of inches on both of them is a wide strip at the end.
+TEST(StatedLimits, StockForCoarseDigitsLeavesNothingUncutWherePlacesNarrowDown) {
+  const char* const text =
+      R"({"units": "mm", "pockets": [{"name": "A", "top": 0, "depth": 1.51, "outer": [[0, 6.83, 1], [13.66, 6.83, 1]],
+      "islands": [[[4.098, 2.604], [6.147, 2.604], [6.147, 5.208], [4.098, 5.208]]]}]})";
+  resolve::PlanOptions options = with({"bullnose:4:corner=0.5"});
+  options.strategy = "contour";
+  options.post.dialect = "haas";
+  options.post.inch = true;
+  options.accept = {"out-of-reach"};
+  const PlanResult plan = plan_part(read::read_part_text(text, "part.json", {}), options);
+  EXPECT_TRUE(plan.findings.faults.empty()) << faults_of(plan.findings);
+}
+
+TEST(StatedLimits, AHoleInInchesIsAtItsPlaceAsFarAsDigitsPutIt) {
+  const Part part = drawn(circle("DRILL_D5", {23.4, 9.93}, 1.5) + circle("DRILL_D5", {29.1, 6.39}, 1.5));
+  resolve::PlanOptions options = with({"drill:3"});
+  options.post.dialect = "haas";
+  options.post.inch = true;
+  const PlanResult plan = plan_part(part, options);
+  EXPECT_TRUE(plan.findings.faults.empty()) << faults_of(plan.findings);
+}
+
+TEST(StatedLimits, AnEngravedLineInInchesIsItsGroove) {
+  const Part part = drawn("0\nLINE\n8\nENGRAVE_D0.3\n10\n-10.05\n20\n2.94\n11\n0.787\n21\n8.395\n");
+  resolve::PlanOptions options = with({"vbit:6:60deg"});
+  options.post.dialect = "heidenhain";
+  options.post.inch = true;
+  const PlanResult plan = plan_part(part, options);
+  EXPECT_TRUE(plan.findings.faults.empty()) << faults_of(plan.findings);
+}
+
+/// The leaning wall of L stands nowhere in U, which cuts it away: no stock to leave on a floor is met there.
+TEST(StatedLimits, StockToLeaveOnAFloorIsNotMetByAWallThatAnotherPocketCutsAway) {
+  const char* const text =
+      R"({"units": "mm", "pockets": [
+      {"name": "L", "top": 0, "depth": 3, "slope_rad": 0.035, "outer": [[0, 0], [18, 0], [18, 12], [0, 12]]},
+      {"name": "U", "top": 0, "depth": 3.4, "outer": [[16, 0], [29, 0], [29, 15], [16, 15]]},
+      {"name": "C", "top": 0, "depth": 2, "outer": [[40, 0], [54, 0], [54, 14], [40, 14]]}]})";
+  resolve::PlanOptions options = with({"endmill:4"});
+  options.strategy = "contour";
+  options.allowance_floor = 0.3;
+  options.accept = {"out-of-reach"};
+  const PlanResult plan = plan_part(read::read_part_text(text, "part.json", {}), options);
+  EXPECT_FALSE(has(plan.findings, FaultKind::kStockToLeave)) << faults_of(plan.findings);
+}
+
+/// The tip of the cone runs beside the block, whose edge its flank breaks.
+TEST(StatedLimits, AConeThatCutsWithItsFlankAloneCutsSomething) {
+  const std::string program =
+      "G21 G90 G17 G40 G49 G54 G80 G94 G64 P0.001\nT1 M6\nG43 H1\nM3 S9000\nG0 X-2 Y-8\nG0 Z5\nG1 Z-3 "
+      "F300\nG1 "
+      "Y38\nG0 Z5\nM5\nM2\n";
+  const Stock stock{{{0, 0}, {30, 30}}, -10, 0};
+  const auto open = [&](const std::string& text) {
+    const CheckResult result =
+        check_program_alone(stock, text, "flank.ngc", with({"chamfer:10:90deg:tip=1"}));
+    return std::any_of(result.findings.conditions.begin(), result.findings.conditions.end(),
+                       [](const Condition& one) { return one.name == "cuts-nothing"; });
+  };
+  EXPECT_FALSE(open(program));
+  std::string beside = program;
+  beside.replace(beside.find("X-2"), 3, "X-9");
+  EXPECT_TRUE(open(beside));
+}
+
+}  // namespace
+}  // namespace clearcut::pipeline
