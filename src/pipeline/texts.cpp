@@ -15,6 +15,7 @@
 #include "report/table.h"
 #include "report/viewer/html.h"
 #include "report/words/value_table.h"
+#include "verify/length_bounds.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -78,6 +79,7 @@ std::string write_certificate(const PlanResult& result, const resolve::PlanOptio
                               const CertificateBasis& basis) {
   report::CertificateInfo info = certificate_info(options, basis, result.control);
   info.margin = result.margin;
+  info.length_bounds = verify::length_bounds_of(result.part, result.findings);
   info.program = result.program;
   info.selections = result.selections;
   info.values = result.values;
@@ -90,6 +92,7 @@ std::string write_certificate(const CheckResult& result, const resolve::PlanOpti
                               const CertificateBasis& basis, const std::string& program) {
   report::CertificateInfo info = certificate_info(options, basis, result.control);
   info.margin = result.margin;
+  info.length_bounds = verify::length_bounds_of(result.part, result.findings);
   info.program = program;
   info.dialect = name_of(result.dialect);
   info.dialect_stated = basis.dialect_stated;

@@ -11,6 +11,7 @@
 #include "model/options/resolved_plan.h"
 #include "model/part.h"
 #include "model/results/findings.h"
+#include "model/results/length_bound.h"
 #include "model/results/margin.h"
 #include "model/results/strategy_selection.h"
 #include "report/result.h"
@@ -53,6 +54,8 @@ struct CertificateInfo {
   std::optional<kinematics::PublishedTime> published = {};  ///< CPO-rho eq. 9; absent: not asked
   std::optional<CertificateProof> proof = {};
   std::optional<Margin> margin = {};  ///< absent: not asked
+  /// What the lower bounds of the workingsteps are added up from.
+  std::vector<StepLengthBound> length_bounds = {};
   /// Values of the plan; empty if a program of unknown origin was checked.
   std::vector<ResolvedValue> values = {};
 };
