@@ -34,7 +34,7 @@ std::vector<std::string> cells(const StrategyRun& row, const StrategyRun* fixed,
   return {row.strategy + (fastest ? " *" : ""),
           fmt::format("{:.1f}", f.feed_mm),
           added(row, fixed),
-          fmt::format("{:.2f}", f.feed_mm / std::max(f.lower_bound_mm, 1e-9)),
+          f.lower_bound_mm > 0 ? fmt::format("{:.2f}", f.feed_mm / f.lower_bound_mm) : "-",
           std::to_string(f.retracts),
           fmt::format("{:.2f}", f.time_s),
           fmt::format("{:.2f}", row.published.seconds()),
@@ -94,6 +94,7 @@ report::TextTable strategy_table(const Part& part, const resolve::PlanOptions& o
   for (const auto& row : rows) table.add(cells(row, fixed == rows.end() ? nullptr : &*fixed, &row == best));
   table.notes.push_back(
       "* fastest that is certified clean; vs fixed: mm longer than contours at a fixed step alone");
+  table.notes.push_back("x bound: feed mm over the lower bound of the length of any program's feed");
   table.notes.push_back(
       "time: all moves, with the machine's acceleration and cornering; eq. 9: level feed moves, length / "
       "feed + 2 (1 + nd) 0.177 s");

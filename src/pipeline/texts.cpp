@@ -15,6 +15,7 @@
 #include "report/table.h"
 #include "report/viewer/html.h"
 #include "report/words/value_table.h"
+#include "verify/length_bounds.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -80,6 +81,7 @@ std::string write_certificate(const PlanResult& result, const resolve::PlanOptio
   report::CertificateInfo info = certificate_info(options, basis, result.control);
   info.margin = result.margin;
   info.copies = result.copies;
+  info.length_bounds = verify::length_bounds_of(result.part, result.findings);
   info.program = result.program;
   info.selections = result.selections;
   info.values = result.values;
@@ -93,6 +95,7 @@ std::string write_certificate(const CheckResult& result, const resolve::PlanOpti
   report::CertificateInfo info = certificate_info(options, basis, result.control);
   info.margin = result.margin;
   info.copies = result.copies;
+  info.length_bounds = verify::length_bounds_of(result.part, result.findings);
   info.program = program;
   info.dialect = name_of(result.dialect);
   info.dialect_stated = basis.dialect_stated;

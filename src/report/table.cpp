@@ -128,6 +128,14 @@ std::string load_lines(const Figures& all) {
   return text;
 }
 
+/// How near the feed length of the levels that clear areas is to the least possible.
+std::string bound_line(const Findings& findings) {
+  const BoundedFeed feed = bounded_feed(findings);
+  if (feed.bound_mm <= 0) return "";
+  return fmt::format("clearing: {} mm of feed, at most {} % above the least possible\n",
+                     fixed(feed.feed_mm, 1), fixed(feed.percent_above(), 1));
+}
+
 /// Scallops left by layers on drafted walls.
 std::string scallop_lines(const Findings& findings) {
   std::string text;
@@ -176,6 +184,18 @@ std::string stock_line(const Part& part) {
 
 }  // namespace
 
+BoundedFeed bounded_feed(const Findings& findings) {
+  BoundedFeed sum;
+  for (const FeatureFindings& feature : findings.features) {
+    for (const LayerFindings& layer : feature.layers) {
+      if (!(layer.figures.lower_bound_mm > 0)) continue;
+      sum.feed_mm += layer.figures.feed_mm;
+      sum.bound_mm += layer.figures.lower_bound_mm;
+    }
+  }
+  return sum;
+}
+
 std::string table(const Part& part, const Findings& findings, std::size_t width) {
   if (findings.without_part)
     return fitted(table_of_tools(part, findings), width) + stock_line(part) + load_lines(findings.all) +
@@ -204,8 +224,8 @@ std::string table(const Part& part, const Findings& findings, std::size_t width)
   text.add_rule();
   text.add(row("total", "", std::to_string(layers), findings.all));
   fit_names(text);
-  return fitted(text, width) + load_lines(findings.all) + scallop_lines(findings) + verdict_line(findings) +
-         faults_of(findings) + conditions_of(findings);
+  return fitted(text, width) + load_lines(findings.all) + bound_line(findings) + scallop_lines(findings) +
+         verdict_line(findings) + faults_of(findings) + conditions_of(findings);
 }
 
 }  // namespace clearcut::report

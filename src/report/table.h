@@ -15,4 +15,14 @@ namespace clearcut::report {
 /// Text    ASCII, no line of the table wider than `width` columns; a figure that is not a number is "?".
 std::string table(const Part& part, const Findings& findings, std::size_t width = 120);
 
+/// Feed length of all levels with a lower bound, and the sum of the bounds, mm. Levels without one, as of profiles and
+/// holes, do not count.
+struct BoundedFeed {
+  double feed_mm = 0;
+  double bound_mm = 0;
+  /// Per cent by which the feed exceeds the least possible at most; 0 without a bound.
+  double percent_above() const { return bound_mm > 0 ? 100 * (feed_mm / bound_mm - 1) : 0; }
+};
+BoundedFeed bounded_feed(const Findings& findings);
+
 }  // namespace clearcut::report

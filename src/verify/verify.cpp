@@ -9,6 +9,7 @@
 #include "verify/coverage/carving.h"
 #include "verify/coverage/coverage.h"
 #include "verify/coverage/feature_work.h"
+#include "verify/coverage/length_bound.h"
 #include "verify/engagement/forces.h"
 #include "verify/engagement/load.h"
 #include "verify/faults/causes.h"
@@ -103,17 +104,24 @@ void check_liberties(const FinishedParts& finished, const std::vector<CheckedMov
   }
 }
 
-/// mm; lower bound of the feed length for cutting the reachable area in one level: area / (2 R), the disc at the
-/// beginning taken off.
-double lower_bound_of(const FeatureWork& work, const Feature& feature) {
+/// Share of an area that rounding may seem to leave out of it.
+constexpr double kRoundingShare = 1e-12;
+
+/// mm; lower bound of the feed length for clearing the reachable area in one level, begun by one entry for each region.
+double bound_of(const FeatureWork& work, const Feature& feature) {
   double perimeter = 0;
   for (const Region& region : feature.target) perimeter += length(region.edges());
   const double draft = base::tan(feature.wall_slope.radians()) * (feature.top_z - feature.floor_z);
-  const double left = (work.allowance_side + draft) * perimeter;
+  LengthBoundQuestion question;
+  question.area = feature.target;
+  question.radius = work.greatest_radius;
+  question.paths = static_cast<int>(feature.target.size());
+  const double whole = area(feature.target);
   const Coverage& floor = work.floor.coverage;
-  const double area = floor.target_mm2 - floor.unreachable_mm2 - left;
-  const double r = work.greatest_radius;
-  return r > 0 ? std::max(0.0, (area - kPi * r * r) / (2 * r)) : 0;
+  question.left_out_mm2 =
+      whole - floor.target_mm2 + floor.unreachable_mm2 + (work.allowance_side + draft) * perimeter;
+  if (question.left_out_mm2 <= kRoundingShare * whole) question.left_out_mm2 = 0;
+  return length_bound(question).mm;
 }
 
 bool is_clean(const Figures& figures, const Tolerances& tol) {
@@ -212,7 +220,7 @@ class FindingsBuilder {
     }
     for (Fault& fault : faults_of_work(feature, work, options_.tol))
       findings_.faults.push_back(std::move(fault));
-    const double bound = lower_bound_of(work, feature);
+    const double bound = bound_of(work, feature);
     for (FeatureFindings& step : findings_.features) {
       if (part_.workplan[step.workingstep].feature != work.feature) continue;
       for (LayerFindings& layer : step.layers) {

@@ -1,12 +1,15 @@
 // The certificate says all it promises, and the scallop of drafted walls is what was asked for.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "pipeline/run.h"
+#include "pipeline/texts.h"
 #include "read/read_part.h"
 #include "report/certificate/certificate.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut {
 namespace {
@@ -43,6 +46,53 @@ TEST(CertificateFields, AreAllThereInAllAndPerFeatureAndLayer) {
     ASSERT_FALSE(feature.at("layers").empty()) << feature.at("name");
     for (const auto& layer : feature.at("layers")) expect_figures(layer, "layer");
   }
+}
+
+/// The bound of a level from the certificate alone; docs/report.md, `length_bound`.
+double bound_from(const nlohmann::json& bound) {
+  const double radius = bound.at("cutter_radius_mm").get<double>(), disc = std::acos(-1.0) * radius * radius;
+  double area = bound.at("area_mm2").get<double>(), crossings = 0;
+  std::vector<double> widths{0, 0};
+  for (const auto& point : bound.at("points")) area += point.at("mm2").get<double>();
+  for (const auto& ring : bound.at("rings")) {
+    area -= ring.at("mm2").get<double>();
+    widths.push_back(ring.at("radius_mm").get<double>() - radius);
+    crossings += 2 * widths.back();
+  }
+  if (bound.at("rings").empty()) return (area - bound.at("paths").get<double>() * disc) / (2 * radius);
+  std::sort(widths.rbegin(), widths.rend());
+  area = std::max(area, 0.0);
+  return crossings - widths[0] +
+         (area - std::max(2 * radius * widths[1], std::min(area, disc))) / (2 * radius);
+}
+
+TEST(LengthBound, IsTheSumOfWhatTheCertificateLists) {
+  // An open block with an arm half as wide as the cutter, in two levels.
+  const auto part =
+      read::read_part_text(R"({"name": "BLOCK", "units": "mm", "kind": "open_pocket", "top": 0, "depth": 4,
+      "outer": [[0, 0], [60, 0], [60, 20], [120, 20], [120, 24], [60, 24], [60, 40], [0, 40]], "islands": [],
+      "allowed": [{"outer": [[-20, -20], [140, -20], [140, 60], [-20, 60]], "islands": []}]})",
+                           "block.json", {});
+  resolve::PlanOptions options;
+  options.strategy = "zigzag";
+  options.tools = {resolve::parse_tool("endmill:6")};
+  options.stepdown = 2;
+  const auto result = pipeline::plan_part(part, options);
+  const auto json = nlohmann::json::parse(pipeline::write_certificate(result, options, std::string()));
+  double sum = 0;
+  std::size_t points = 0;
+  for (const auto& feature : json.at("features")) {
+    const auto& bound = feature.at("length_bound");
+    EXPECT_NEAR(bound_from(bound), bound.at("mm").get<double>(), 1e-3) << feature.at("name");
+    for (const auto& layer : feature.at("layers")) {
+      EXPECT_EQ(layer.at("lower_bound_mm"), bound.at("mm"));
+      sum += bound.at("mm").get<double>();
+    }
+    points += bound.at("points").size();
+  }
+  EXPECT_NEAR(json.at("lower_bound_mm").get<double>(), sum, 1e-3);
+  EXPECT_GE(points, 4u);
+  EXPECT_LT(json.at("lower_bound_mm").get<double>(), json.at("feed_mm").get<double>());
 }
 
 TEST(DraftedWalls, StandNoMoreThanTheScallopAskedForOffTheWall) {

@@ -131,6 +131,25 @@ void add_figures(Json& json, const Figures& f) {
   if (f.thin_wall) json["thin_wall"] = thin_wall(*f.thin_wall);
 }
 
+Json length_bound(const LengthBound& bound) {
+  Json json;
+  json["mm"] = number(bound.mm);
+  json["cutter_radius_mm"] = number(bound.cutter_radius_mm);
+  json["area_mm2"] = number(bound.area_mm2);
+  json["paths"] = bound.paths;
+  json["closed"] = bound.closed;
+  json["points"] = Json::array();
+  for (const LengthBoundPoint& one : bound.points)
+    json["points"].push_back({{"x", number(one.at.x)}, {"y", number(one.at.y)}, {"mm2", number(one.mm2)}});
+  json["rings"] = Json::array();
+  for (const LengthBoundRing& one : bound.rings)
+    json["rings"].push_back({{"x", number(one.at.x)},
+                             {"y", number(one.at.y)},
+                             {"radius_mm", number(one.radius_mm)},
+                             {"mm2", number(one.mm2)}});
+  return json;
+}
+
 Json layer(const LayerFindings& findings) {
   Json json;
   json["z"] = number(findings.z);
@@ -160,18 +179,20 @@ void add_selections(Json& json, const std::vector<StrategySelection>& selections
   }
 }
 
-Json feature(const FeatureFindings& findings, const std::vector<StrategySelection>& selections) {
+Json feature(const FeatureFindings& findings, const CertificateInfo& info) {
   Json json;
   json["name"] = findings.name;
   json["workingstep"] = findings.workingstep;
   json["tool_number"] = findings.tool_number;
   json["tool_diameter"] = number(findings.tool_diameter);
-  add_selections(json, selections, findings.workingstep);
+  add_selections(json, info.selections, findings.workingstep);
   add_figures(json, findings.figures);
   if (findings.scallop) {
     json["scallop_mm"] = number(findings.scallop->height_mm);
     json["scallop_asked_mm"] = findings.scallop->asked_mm ? number(*findings.scallop->asked_mm) : Json();
   }
+  for (const StepLengthBound& one : info.length_bounds)
+    if (one.workingstep == findings.workingstep) json["length_bound"] = length_bound(one.bound);
   json["layers"] = Json::array();
   for (const LayerFindings& one : findings.layers) json["layers"].push_back(layer(one));
   return json;
@@ -309,8 +330,7 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
   add_figures(json, findings.all);
   json["clean"] = all_finite(findings.all) && verdict_of(findings) == Verdict::kClean;
   json["features"] = Json::array();
-  for (const FeatureFindings& one : findings.features)
-    json["features"].push_back(feature(one, info.selections));
+  for (const FeatureFindings& one : findings.features) json["features"].push_back(feature(one, info));
   json["faults"] = Json::array();
   for (const Fault& one : findings.faults) json["faults"].push_back(fault(one));
   add_contours(json, info);

@@ -12,6 +12,7 @@
 #include "model/part.h"
 #include "model/results/copies_made.h"
 #include "model/results/findings.h"
+#include "model/results/length_bound.h"
 #include "model/results/margin.h"
 #include "model/results/strategy_selection.h"
 #include "report/result.h"
@@ -55,6 +56,8 @@ struct CertificateInfo {
   std::optional<CertificateProof> proof = {};
   std::optional<Margin> margin = {};  ///< absent: not asked
   std::optional<CopiesMade> copies = {};  ///< absent: one part
+  /// What the lower bounds of the workingsteps are added up from.
+  std::vector<StepLengthBound> length_bounds = {};
   /// Values of the plan; empty if a program of unknown origin was checked.
   std::vector<ResolvedValue> values = {};
 };

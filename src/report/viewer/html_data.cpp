@@ -14,6 +14,7 @@
 #include "report/picture/plan_picture.h"
 #include "report/picture/reach.h"
 #include "report/picture/svg_writer.h"
+#include "report/table.h"
 
 namespace clearcut::report {
 
@@ -270,10 +271,13 @@ Json fault_json(const Fault& fault) {
   return json;
 }
 
-Json figures_json(const Figures& f) {
+Json figures_json(const Findings& findings) {
+  const Figures& f = findings.all;
+  const BoundedFeed feed = bounded_feed(findings);
   Json json;
   json["time_s"] = number(f.time_s);
   json["feed_mm"] = number(f.feed_mm);
+  json["percent_above_bound"] = feed.bound_mm > 0 ? number(feed.percent_above()) : Json(nullptr);
   json["rapid_mm"] = number(f.rapid_mm);
   json["retracts"] = f.retracts;
   json["uncut_thickness_mm"] = number(f.uncut_thickness_mm);
@@ -349,7 +353,7 @@ std::string html_data(const Part& part, const Toolpath& toolpath, const Findings
   for (const Fault& fault : told_faults(findings)) json["faults"].push_back(fault_json(fault));
   json["conditions"] = Json::array();
   for (const Condition& one : findings.conditions) json["conditions"].push_back(condition_json(one));
-  json["figures"] = figures_json(findings.all);
+  json["figures"] = figures_json(findings);
   write_moves(job, options, json);
   json["earlier"] = earlier_json(part, options.earlier);
   json["program"] = lines_of(options.program);

@@ -10,6 +10,8 @@ function writeHeader() {
     [job.asked ? lengthText(f.gouge_mm, 4) : 'not asked', 'deepest gouge', has('gouge')],
     [f.rapid_in_material, 'rapids in material', f.rapid_in_material > 0], [fixed(f.max_deg, 0) + '\u00b0', 'largest engagement']
   ];
+  if (f.percent_above_bound !== null)
+    figures.push([fixed(f.percent_above_bound, 1) + ' %', 'longer than the shortest clearing possible, at most']);
   for (const [figure, words, bad] of figures) {
     const tile = element('div', undefined, by('tiles'), bad ? 'bad' : '');
     element('dt', words, tile);

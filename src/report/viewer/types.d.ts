@@ -90,6 +90,8 @@ interface JobFault {
 /** Of the whole program; null: no finite number. */
 interface JobFigures {
   time_s: number | null; feed_mm: number | null; rapid_mm: number | null; retracts: number;
+  /** Per cent by which the feed of levels that clear areas exceeds the least possible at most; null: no level has a bound. */
+  percent_above_bound: number | null;
   uncut_thickness_mm: number | null; gouge_mm: number | null; rapid_in_material: number; max_deg: number | null;
 }
 
