@@ -26,6 +26,7 @@
 #include "clearcut/part.h"
 #include "clearcut/plan.h"
 #include "clearcut/report.h"
+#include "clearcut/setups.h"
 #include "clearcut/strategy.h"
 #include "clearcut/text.h"
 #include "clearcut/verify.h"

@@ -3,11 +3,13 @@
 
 #include <cstdlib>
 
+#include "base/error.h"
 #include "base/random.h"
 #include "pipeline/run.h"
 #include "pipeline/test_drawings.h"
-#include "post/part/stepnc_writer.h"
+#include "post/part/stepnc_setups.h"
 #include "read/read_part.h"
+#include "read/stepnc/stepnc.h"
 #include "report/motion_text.h"
 
 namespace clearcut::pipeline {
@@ -31,12 +33,14 @@ Feature closed(const std::string& name, Regions target, double top, double floor
   return feature;
 }
 
+const Box kPlateBox{{0, 0}, {120, 80}};
+
 /// On a block 120 x 80 x 20 with its top at z 0.
 Part part_of(const std::vector<Feature>& features, const std::vector<int>& tools) {
   Part part;
   part.name = "written";
   part.source_file = "written.p21";
-  part.stock = Stock{Box{{0, 0}, {120, 80}}, -20, 0};
+  part.stock = Stock{kPlateBox, -20, 0};
   for (const char* tool : {"endmill:8:T1", "drill:5:T2", "bullnose:6:corner=0.5:T3"})
     part.tools.push_back(resolve::parse_tool(tool));
   part.features = features;
@@ -112,6 +116,10 @@ TEST(StatedToolpathPlans, EdgesGroovesThreadsAndProfilesComeBackAsTheyWere) {
       {"groove of a ball", stock + circle("ENGRAVE_D1.5", {30, 22}, 9), {"ball:4"}},
       {"engraving", stock + circle("ENGRAVE_D1", {30, 22}, 9), {"endmill:2"}},
       {"profile", rounded_box("PROFILE_D6", 0, 0, 50, 30, 5), {"endmill:5"}},
+      {"countersink",
+       box("STOCK_D20", 0, 0, 60, 44) + circle("DRILL_D8", {30, 22}, 2.5) +
+           circle("COUNTERSINK_D2", {30, 22}, 4),
+       {"drill:5", "chamfer:90deg:10"}},
       {"tapped thread",
        box("STOCK_D20", 0, 0, 60, 44) + circle("TAP_M6_D8", {30, 22}, 2.5),
        {"drill:5", "tap:M6"}},
@@ -134,27 +142,30 @@ TEST(StatedToolpathPlans, OthersThanTheFilesArePlannedWhereAsked) {
   EXPECT_EQ(verdict_of(again.findings), Verdict::kClean) << verdict_and_reasons(again.findings);
 }
 
-/// Random pockets with islands, and holes, beside each other.
-Part random_part(Random& random) {
+/// Random pockets with islands, and holes, beside each other, on the block with its lower left corner and its top there.
+Part random_part(Random& random, Vec2 corner = {}, double top = 0) {
   std::vector<Feature> features;
   std::vector<int> tools;
   for (int i = 0; i < 3; ++i) {
-    const Vec2 low{5.0 + 38 * i, 5 + 10 * random.unit()};
+    const Vec2 low = corner + Vec2{5.0 + 38 * i, 5 + 10 * random.unit()};
     const Vec2 size{24 + 10 * random.unit(), 24 + 30 * random.unit()};
-    const double floor = -1 - 8 * random.unit();
+    const double floor = top - 1 - 8 * random.unit();
     const std::string name = "F" + std::to_string(i);
     if (random.unit() < 0.25) {
       features.push_back(drilled(name, low + Vec2{10, 10} * (1 + random.unit()), floor));
+      features.back().top_z = top;
       tools.push_back(1);
       continue;
     }
     std::vector<Loop> islands;
     if (random.unit() < 0.3) islands.push_back(reversed(circle_at(low + size * 0.5, 1 + 2 * random.unit())));
     const Loop outline = random.unit() < 0.3 ? circle_at(low + size * 0.5, size.x / 2) : box_at(low, size);
-    features.push_back(closed(name, {Region::from_valid_loops(outline, islands)}, 0, floor));
+    features.push_back(closed(name, {Region::from_valid_loops(outline, islands)}, top, floor));
     tools.push_back(random.unit() < 0.5 ? 0 : 2);
   }
-  return part_of(features, tools);
+  Part part = part_of(features, tools);
+  part.stock = Stock{{kPlateBox.min + corner, kPlateBox.max + corner}, top - 20, top};
+  return part;
 }
 
 TEST(StatedToolpathPlans, RandomPartsComeBackToTheDigit) {
@@ -168,6 +179,40 @@ TEST(StatedToolpathPlans, RandomPartsComeBackToTheDigit) {
     if (random.unit() < 0.3) options.post.inch = true;
     expect_same_program(random_part(random), options, "part " + std::to_string(i));
   }
+}
+
+/// The block about the origin, so that it lies as before when it is turned over.
+post::WrittenSetup random_setup(Random& random, const SetupPlace& place) {
+  const PlanResult result = plan_part(random_part(random, kPlateBox.max * -0.5, 10), {});
+  return {result.part, result.planned, place};
+}
+
+TEST(StatedToolpathPlans, SeveralSetupsComeBackToTheDigit) {
+  const char* count = std::getenv("CLEARCUT_ROUND_TRIPS");
+  const int parts = count != nullptr ? std::atoi(count) : 1;
+  Random random(11);
+  for (int i = 0; i < parts; ++i) {
+    const SetupPlace over = *place_with_up("-Z", random.unit() < 0.5 ? 0 : 180);
+    const std::vector<post::WrittenSetup> setups{random_setup(random, {}), random_setup(random, over)};
+    const std::string text = post::write_stepnc(setups);
+    for (int number = 1; number <= 2; ++number) {
+      SetupPlace place;
+      const Part read = read::stepnc::read_setup(text, "again.p21", {}, number, place);
+      const post::WrittenSetup& written = setups[static_cast<std::size_t>(number - 1)];
+      EXPECT_EQ(place.turn, written.place.turn);
+      const PlanResult first = plan_part(written.part, {}), again = plan_part(read, {});
+      EXPECT_EQ(report::motion_text(again.program), report::motion_text(first.program))
+          << "part " << i << ", set-up " << number;
+      EXPECT_EQ(verdict_of(again.findings), verdict_of(first.findings));
+    }
+  }
+}
+
+TEST(StatedToolpathPlans, SetupsWithZerosOfTheirOwnAreRefused) {
+  Random random(3);
+  std::vector<post::WrittenSetup> setups{random_setup(random, {}), random_setup(random, {})};
+  setups.back().place.shift = {5, 0, 0};
+  EXPECT_THROW(post::write_stepnc(setups), InputError);
 }
 
 /// One trajectory on the floor of a pocket 20 x 8 by a cutter of 8: nothing else is needed but the way down.

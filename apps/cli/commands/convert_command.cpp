@@ -3,9 +3,12 @@
 #include <clearcut/part.h>
 #include <clearcut/plan.h>
 #include <clearcut/report.h>
+#include <clearcut/setups.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "arguments/plan_arguments.h"
 #include "commands/commands.h"
@@ -28,10 +31,9 @@ void refuse_shaped(const Part& part, const std::string& output) {
   }
 }
 
-/// What its entity and the moves that are written with a hole say of it. Cones about holes are not written yet, and threads of mills have no
-/// word in the standard.
+/// What its entity and the moves that are written with a hole say of it. Threads of mills have no word in the standard.
 bool is_said_by_moves(const HoleForm& hole) {
-  return hole.kind != HoleKind::kCountersunk && hole.kind != HoleKind::kThreadMilled;
+  return hole.kind != HoleKind::kThreadMilled;
 }
 
 void refuse_shaped_with_toolpaths(Part part, const std::string& output) {
@@ -73,12 +75,33 @@ int convert(const ConvertCommand& command) {
   return kClean;
 }
 
-void refuse_several_setups(const PlanArguments& arguments) {
-  const int setups = setup_count_of(arguments.input());
-  if (setups < 2 || arguments.setup().number > 0) return;
-  throw InputError("--with-toolpaths",
-                   "the part is cut in " + std::to_string(setups) +
-                       " set-ups, each with toolpaths of its own; choose one with --setup");
+/// All set-ups, each on the stock left by earlier ones.
+int convert_setups(const ConvertCommand& command, int count) {
+  std::vector<WrittenSetup> setups;
+  std::vector<MachinedSetup> machined;
+  std::vector<Findings> findings;
+  std::vector<std::string> inputs;
+  for (int number = 1; number <= count; ++number) {
+    PlanArguments arguments = command.arguments;
+    arguments.setup().number = number;
+    arguments.setup().machined = machined;
+    const Part part = arguments.read();
+    for (const std::string& path : paths_of(arguments.input_files())) inputs.push_back(path);
+    PlanResult result = plan_part(part, arguments.options());
+    const SetupPlace place = arguments.setup().place;
+    machined.push_back({result.part, result.toolpath, place});
+    refuse_shaped_with_toolpaths(result.part, command.output);
+    print(result.part.diagnostics, true);
+    setups.push_back({std::move(result.part), std::move(result.planned), place});
+    findings.push_back(std::move(result.findings));
+  }
+  write_outputs({{command.output, write_stepnc(setups)}}, inputs);
+  int exit_code = kClean;
+  for (std::size_t i = 0; i < setups.size(); ++i) {
+    print_line(setups[i].part.name + ": " + with_colours(verdict_and_reasons(findings[i])));
+    exit_code = std::max(exit_code, static_cast<int>(exit_code_of(findings[i])));
+  }
+  return exit_code;
 }
 
 /// The planned part, with the moves of its program.
@@ -86,7 +109,9 @@ int convert_with_toolpaths(const ConvertCommand& command) {
   if (!is_stepnc(command.output))
     throw InputError(command.output,
                      "holds no toolpaths; name it .p21 (STEP-NC), or leave --with-toolpaths out");
-  refuse_several_setups(command.arguments);
+  if (command.arguments.setup().number == 0)
+    if (const int setups = setup_count_of(command.arguments.input()); setups > 1)
+      return convert_setups(command, setups);
   const Part part = command.arguments.read();
   const PlanResult result = plan_part(part, command.arguments.options());
   refuse_shaped_with_toolpaths(result.part, command.output);

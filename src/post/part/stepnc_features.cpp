@@ -169,7 +169,8 @@ class FeatureWriter {
         name_(piece.name),
         operations_(operations),
         stock_(stock),
-        tool_(piece.tool) {}
+        tool_(piece.tool),
+        is_element_(piece.is_element) {}
 
   std::string write() {
     if (feature_.chamfer) return chamfer();
@@ -204,9 +205,14 @@ class FeatureWriter {
   /// The five arguments of every feature, then `rest`.
   std::string entity(const std::string& keyword, const std::vector<std::string>& rest, Vec2 origin = {}) {
     std::vector<std::string> arguments = {p21_string(name_), common_.workpiece, p21_list(operations_),
-                                          p21_placement(out_, common_, origin, feature_.top_z), depth()};
+                                          placement(origin), depth()};
     arguments.insert(arguments.end(), rest.begin(), rest.end());
     return out_.add(keyword, arguments);
+  }
+
+  std::string placement(Vec2 origin) {
+    return is_element_ ? p21_placement(out_, common_, origin, feature_.top_z)
+                       : p21_place_in_workpiece(out_, common_, origin, feature_.top_z);
   }
 
   std::string depth() { return p21_plane(out_, common_, "depth", feature_.floor_z - feature_.top_z); }
@@ -263,7 +269,7 @@ class FeatureWriter {
   std::string chamfer() {
     const Chamfer& edge = *feature_.chamfer;
     const std::string level = p21_plane(out_, common_, "face", 0);
-    const std::string at = p21_placement(out_, common_, {}, feature_.top_z);
+    const std::string at = p21_place_in_workpiece(out_, common_, {}, feature_.top_z);
     const std::string face = out_.add("PLANAR_FACE", {p21_string(name_ + " FACE"), common_.workpiece, "()",
                                                       at, level, kUnset, kUnset, kUnset, "()"});
     const std::string line = closed_profile(out_, common_, edge.line), down = depth();
@@ -330,14 +336,28 @@ class FeatureWriter {
   /// At the middle of the hole, and as deep as said.
   std::string placed_hole(const std::string& keyword, double down, const std::vector<std::string>& rest) {
     std::vector<std::string> arguments = {p21_string(name_), common_.workpiece, p21_list(operations_),
-                                          p21_placement(out_, common_, feature_.hole->center, feature_.top_z),
+                                          placement(feature_.hole->center),
                                           p21_plane(out_, common_, "depth", down)};
     arguments.insert(arguments.end(), rest.begin(), rest.end());
     return out_.add(keyword, arguments);
   }
 
+  /// A hole that narrows by the angle of its cone, down to where the cone ends.
+  std::string countersink() {
+    constexpr double kLeastFloor = 0.01;  // mm; wider than nothing, as holes are
+    const HoleForm& form = *feature_.hole;
+    const double lean = flank_slope(*tool_);
+    const double down = (form.diameter - tool_->tip_diameter) / (2 * lean);
+    const std::string taper = out_.add(
+        "DIAMETER_TAPER",
+        {length_measure(out_, std::max(tool_->tip_diameter, std::min(kLeastFloor, form.diameter / 2)))});
+    return placed_hole("ROUND_HOLE", -down,
+                       {length_measure(out_, form.diameter), taper, out_.add("FLAT_HOLE_BOTTOM", {})});
+  }
+
   std::string round_hole() {
     if (is_tapped(feature_)) return thread();
+    if (is_countersunk(feature_)) return countersink();
     const auto center = circle_center(region_.outer());
     if (!center) return closed_pocket();
     const std::string condition =
@@ -376,6 +396,7 @@ class FeatureWriter {
   const std::vector<std::string>& operations_;
   StockEdge stock_;
   const Tool* tool_;
+  bool is_element_;
 };
 
 }  // namespace
@@ -388,14 +409,45 @@ bool is_tapped(const Feature& feature) {
   return feature.hole && feature.hole->kind == HoleKind::kTapped && feature.hole->thread;
 }
 
+bool is_countersunk(const Feature& feature) {
+  return feature.hole && feature.hole->kind == HoleKind::kCountersunk;
+}
+
 Vec2 placement_of(const FeaturePiece& piece) {
-  if (is_tapped(*piece.feature)) return piece.feature->hole->center;
+  if (is_tapped(*piece.feature) || is_countersunk(*piece.feature)) return piece.feature->hole->center;
   if (piece.feature->kind != FeatureKind::kRoundHole) return {};
   return circle_center(piece.region->outer()).value_or(Vec2{});
 }
 
 std::string p21_placement(P21Writer& out, const P21Common& common, Vec2 at, double z) {
   return out.add("AXIS2_PLACEMENT_3D", {"''", point(out, at, z), common.z_axis, common.x_axis});
+}
+
+SetupPlace::Row turned_back(const P21Common& common, const SetupPlace::Row& v) {
+  SetupPlace::Row back{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k) back[i] += common.place.turn[k][i] * v[k];
+  return back;
+}
+
+namespace {
+
+std::string triple(P21Writer& out, const char* keyword, const SetupPlace::Row& v) {
+  return out.add(keyword, {"''", p21_list({p21_real(v[0]), p21_real(v[1]), p21_real(v[2])})});
+}
+
+}  // namespace
+
+bool is_turned(const P21Common& common) {
+  return common.place.turn != SetupPlace{}.turn;
+}
+
+std::string p21_place_in_workpiece(P21Writer& out, const P21Common& common, Vec2 at, double z) {
+  if (!is_turned(common)) return p21_placement(out, common, at, z);
+  const std::string origin = triple(out, "CARTESIAN_POINT", turned_back(common, {at.x, at.y, z}));
+  const std::string up = triple(out, "DIRECTION", turned_back(common, {0, 0, 1}));
+  return out.add("AXIS2_PLACEMENT_3D",
+                 {"''", origin, up, triple(out, "DIRECTION", turned_back(common, {1, 0, 0}))});
 }
 
 std::string p21_plane(P21Writer& out, const P21Common& common, const std::string& name, double z) {

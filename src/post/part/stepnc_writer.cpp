@@ -1,10 +1,11 @@
-#include "post/part/stepnc_writer.h"
-
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.h"
+#include "base/tolerances.h"
 #include "post/part/p21_text.h"
 #include "post/part/stepnc_features.h"
+#include "post/part/stepnc_setups.h"
 #include "post/part/stepnc_toolpaths.h"
 
 namespace clearcut::post {
@@ -109,8 +110,6 @@ const char* operation_keyword(OperationKind kind) {
   return "BOTTOM_AND_SIDE_ROUGH_MILLING";
 }
 
-/// Writes the program in the order: project, workplan, workpiece, set-up, tools, then each feature with its
-/// operations.
 /// Of a drill with a stated point: the angle of its edges against the plane square to its axis.
 /// Of cones from 90 degrees on that between their flanks.
 std::string top_angle_of(const Tool& tool) {
@@ -128,85 +127,59 @@ std::string edge_length_of(const Tool& tool) {
   return has_blunt_tip(tool) ? p21_real(flank_height(tool)) : optional_real(tool.flute_length);
 }
 
-class Writer {
+bool is_point(const KeepOut& clamp) {
+  return clamp.plan.min == clamp.plan.max && clamp.bottom_z == clamp.top_z;
+}
+
+/// One set-up: SETUP, tools, features, operations and workingsteps.
+class SetupWriter {
  public:
   /// `toolpath`: null if none is written.
-  explicit Writer(const Part& part, const Toolpath* toolpath = nullptr)
-      : part_(part), toolpath_(toolpath), paths_(out_, common_, part.safe_z()) {}
+  SetupWriter(P21Writer& out, const P21Common& common, const Part& part, const Toolpath* toolpath)
+      : part_(part), toolpath_(toolpath), out_(out), common_(common), paths_(out_, common_, part.safe_z()) {}
 
-  std::string write() {
-    project_ = out_.reserve();
-    workplan_ = out_.reserve();
-    workpiece_ = out_.reserve();
-    common_.z_axis = out_.add("DIRECTION", {"'z'", "(0.0,0.0,1.0)"});
-    common_.x_axis = out_.add("DIRECTION", {"'x'", "(1.0,0.0,0.0)"});
-    common_.workpiece = p21_reference(workpiece_);
-    write_workpiece();
-    const std::string setup = write_setup();
+  /// The reference of the SETUP.
+  std::string write(const std::string& name) {
+    const std::string setup = write_setup(name);
     write_tools();
     write_workingsteps();
-    const std::string name = p21_string(part_.name);
-    out_.put(project_, "PROJECT",
-             {name, p21_reference(workplan_), p21_list({common_.workpiece}), kUnset, kUnset, kUnset});
-    out_.put(workplan_, "WORKPLAN", {"'main workplan'", p21_list(steps_), kUnset, setup, kUnset});
-    return header() + out_.text() + "ENDSEC;\nEND-ISO-10303-21;\n";
+    return setup;
   }
+  const std::vector<std::string>& steps() const { return steps_; }
 
  private:
-  std::string header() const {
-    return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('ISO 14649 program; lengths mm, angles "
-           "radian'),'2;1');\n"
-           "FILE_NAME(" +
-           p21_string(part_.name) +
-           ",'',(''),(''),'clearcut','clearcut','');\n"
-           "FILE_SCHEMA(('MACHINING_SCHEMA','MILLING_SCHEMA'));\nENDSEC;\nDATA;\n";
-  }
-
-  void write_workpiece() {
-    std::string block = kUnset;
-    if (part_.stock) {
-      const Stock& s = *part_.stock;
-      block = out_.add(
-          "BLOCK", {"'stock'", p21_placement(out_, common_, s.plan.min, s.z_bottom), p21_real(s.plan.width()),
-                    p21_real(s.plan.height()), p21_real(s.z_top - s.z_bottom)});
-    }
-    out_.put(workpiece_, "WORKPIECE",
-             {"'workpiece'", kUnset, kUnset, kUnset, kUnset, block, p21_list(clamping_positions())});
-  }
-
-  static bool is_point(const KeepOut& clamp) {
-    return clamp.plan.min == clamp.plan.max && clamp.bottom_z == clamp.top_z;
-  }
-
-  std::vector<std::string> clamping_positions() {
-    std::vector<std::string> points;
-    for (const KeepOut& clamp : part_.keep_outs)
-      if (is_point(clamp))
-        points.push_back(out_.add(
-            "CARTESIAN_POINT", {"'clamp'", p21_list({p21_real(clamp.plan.min.x), p21_real(clamp.plan.min.y),
-                                                     p21_real(clamp.bottom_z)})}));
-    return points;
-  }
-
   /// Blocks; several of them as a list.
   std::string restricted_area() {
     std::vector<std::string> blocks;
     for (const KeepOut& clamp : part_.keep_outs)
       if (!is_point(clamp))
         blocks.push_back(out_.add(
-            "BLOCK", {"'restricted area'", p21_placement(out_, common_, clamp.plan.min, clamp.bottom_z),
-                      p21_real(clamp.plan.width()), p21_real(clamp.plan.height()),
-                      p21_real(clamp.top_z - clamp.bottom_z)}));
+            "BLOCK",
+            {"'restricted area'", p21_place_in_workpiece(out_, common_, clamp.plan.min, clamp.bottom_z),
+             p21_real(clamp.plan.width()), p21_real(clamp.plan.height()),
+             p21_real(clamp.top_z - clamp.bottom_z)}));
     if (blocks.empty()) return kUnset;
     return blocks.size() == 1 ? blocks.front() : p21_list(blocks);
   }
 
-  std::string write_setup() {
+  /// The axes of the workpiece in the set-up.
+  std::string mounted_axes() {
+    const auto& [x, y, z] = common_.place.turn;
+    const auto column = [&](std::size_t i) {
+      return out_.add("DIRECTION", {"''", p21_list({p21_real(x[i]), p21_real(y[i]), p21_real(z[i])})});
+    };
+    const std::string zero = out_.add("CARTESIAN_POINT", {"''", "(0.0,0.0,0.0)"});
+    const std::string up = column(2);
+    return out_.add("AXIS2_PLACEMENT_3D", {"''", zero, up, column(0)});
+  }
+
+  std::string write_setup(const std::string& name) {
     security_ = p21_plane(out_, common_, "security plane", part_.safe_z());
     const std::string origin = p21_placement(out_, common_, {}, 0);
-    const std::string mounted =
-        out_.add("WORKPIECE_SETUP", {common_.workpiece, origin, kUnset, restricted_area(), "()"});
-    return out_.add("SETUP", {"'setup'", origin, security_, p21_list({mounted})});
+    const std::string mounted = out_.add(
+        "WORKPIECE_SETUP",
+        {common_.workpiece, is_turned(common_) ? mounted_axes() : origin, kUnset, restricted_area(), "()"});
+    return out_.add("SETUP", {p21_string(name), origin, security_, p21_list({mounted})});
   }
 
   bool counter_clockwise(int tool) const {
@@ -303,16 +276,24 @@ class Writer {
     }
     std::vector<std::string> pieces;
     const Tool* tool = tool_on(index);
+    // A chamfer has no frame for its toolpaths; in a turned set-up that of a compound serves.
+    const bool is_compound =
+        toolpath_ != nullptr &&
+        (feature.chamfer ? is_turned(common_) : feature.target.size() > 1 && !is_grooved_by(feature, tool));
     for (const Region& region : feature.target) {
-      pieces.push_back(write_feature(out_, common_,
-                                     {&feature, &region, piece_name(feature.name, pieces.size()), tool},
-                                     part_.stock, its_operations));
-      if (feature.chamfer || (tool != nullptr && is_grooved(feature, *tool))) break;  // the line is all of it
+      pieces.push_back(write_feature(
+          out_, common_, {&feature, &region, piece_name(feature.name, pieces.size()), tool, is_compound},
+          part_.stock, its_operations));
+      if (feature.chamfer || is_grooved_by(feature, tool)) break;  // the line is all of it
     }
-    if (toolpath_ == nullptr || pieces.size() < 2) return pieces;
+    if (!is_compound) return pieces;
     return {
         out_.add("COMPOUND_FEATURE", {p21_string(feature.name), common_.workpiece, p21_list(its_operations),
-                                      p21_placement(out_, common_, {}, 0), p21_list(pieces)})};
+                                      p21_place_in_workpiece(out_, common_, {}, 0), p21_list(pieces)})};
+  }
+
+  static bool is_grooved_by(const Feature& feature, const Tool* tool) {
+    return tool != nullptr && is_grooved(feature, *tool);
   }
 
   /// What the first workingstep on a feature works with.
@@ -356,10 +337,11 @@ class Writer {
     const bool bores = operation.kind == OperationKind::kReaming &&
                        part_.tools[static_cast<std::size_t>(operation.tool)].kind == ToolKind::kBoringBar;
     const bool spots = feature.hole && feature.hole->kind == HoleKind::kSpotted;
-    const char* keyword = bores                ? "BORING"
-                          : spots              ? "CENTER_DRILLING"
-                          : is_tapped(feature) ? "TAPPING"
-                                               : operation_keyword(operation.kind);
+    const char* keyword = bores                     ? "BORING"
+                          : spots                   ? "CENTER_DRILLING"
+                          : is_tapped(feature)      ? "TAPPING"
+                          : is_countersunk(feature) ? "COUNTER_SINKING"
+                                                    : operation_keyword(operation.kind);
     return out_.add(keyword, arguments);
   }
 
@@ -493,18 +475,117 @@ class Writer {
 
   const Part& part_;
   const Toolpath* toolpath_;
-  P21Writer out_;
+  P21Writer& out_;
   P21Common common_;
   ToolpathWriter paths_;
   bool is_explicit_ = false;  // the operation being written has a toolpath
-  int project_ = 0;
-  int workplan_ = 0;
-  int workpiece_ = 0;
   std::string security_;
   std::vector<std::string> tools_;
   std::vector<std::string> operations_;  // operation of each workingstep
   std::vector<std::string> steps_;
 };
+
+/// A set-up to be written.
+struct AskedSetup {
+  const Part* part = nullptr;
+  const Toolpath* toolpath = nullptr;  ///< null if none is written
+  SetupPlace place = {};
+};
+
+/// A file of one or several set-ups in the order: project, workplan, workpiece, then each set-up with its tools, features and operations.
+class ProgramWriter {
+ public:
+  ProgramWriter(std::string name, const std::vector<AskedSetup>& setups)
+      : name_(std::move(name)), setups_(setups) {}
+
+  std::string write() {
+    const int project = out_.reserve(), workplan = out_.reserve(), workpiece = out_.reserve();
+    common_.z_axis = out_.add("DIRECTION", {"'z'", "(0.0,0.0,1.0)"});
+    common_.x_axis = out_.add("DIRECTION", {"'x'", "(1.0,0.0,0.0)"});
+    common_.workpiece = p21_reference(workpiece);
+    write_workpiece(workpiece);
+    const std::string name = p21_string(name_);
+    write_workplan(workplan);
+    out_.put(project, "PROJECT",
+             {name, p21_reference(workplan), p21_list({common_.workpiece}), kUnset, kUnset, kUnset});
+    return header() + out_.text() + "ENDSEC;\nEND-ISO-10303-21;\n";
+  }
+
+ private:
+  std::string header() const {
+    return "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('ISO 14649 program; lengths mm, angles "
+           "radian'),'2;1');\n"
+           "FILE_NAME(" +
+           p21_string(name_) +
+           ",'',(''),(''),'clearcut','clearcut','');\n"
+           "FILE_SCHEMA(('MACHINING_SCHEMA','MILLING_SCHEMA'));\nENDSEC;\nDATA;\n";
+  }
+
+  P21Common common_of(const AskedSetup& setup) const {
+    P21Common common = common_;
+    common.place = setup.place;
+    return common;
+  }
+
+  void write_workpiece(int id) {
+    std::string block = kUnset;
+    const AskedSetup& first = setups_.front();
+    if (first.part->stock) {
+      const Stock s = is_turned(common_of(first)) ? moved(*first.part->stock, between(first.place, {}))
+                                                  : *first.part->stock;
+      block = out_.add(
+          "BLOCK", {"'stock'", p21_placement(out_, common_, s.plan.min, s.z_bottom), p21_real(s.plan.width()),
+                    p21_real(s.plan.height()), p21_real(s.z_top - s.z_bottom)});
+    }
+    out_.put(id, "WORKPIECE",
+             {"'workpiece'", kUnset, kUnset, kUnset, kUnset, block, p21_list(clamping_positions())});
+  }
+
+  /// Of all set-ups, in the coordinates of the workpiece.
+  std::vector<std::string> clamping_positions() {
+    std::vector<SetupPlace::Row> points;
+    std::vector<std::string> written;
+    for (const AskedSetup& setup : setups_) {
+      for (const KeepOut& clamp : setup.part->keep_outs) {
+        if (!is_point(clamp)) continue;
+        const SetupPlace::Row at =
+            turned_back(common_of(setup), {clamp.plan.min.x, clamp.plan.min.y, clamp.bottom_z});
+        if (std::find(points.begin(), points.end(), at) != points.end()) continue;
+        points.push_back(at);
+        written.push_back(out_.add(
+            "CARTESIAN_POINT", {"'clamp'", p21_list({p21_real(at[0]), p21_real(at[1]), p21_real(at[2])})}));
+      }
+    }
+    return written;
+  }
+
+  void write_workplan(int id) {
+    if (setups_.size() == 1) {
+      SetupWriter writer(out_, common_of(setups_.front()), *setups_.front().part, setups_.front().toolpath);
+      const std::string setup = writer.write("setup");
+      out_.put(id, "WORKPLAN", {"'main workplan'", p21_list(writer.steps()), kUnset, setup, kUnset});
+      return;
+    }
+    std::vector<std::string> plans;
+    for (std::size_t i = 0; i < setups_.size(); ++i) {
+      const std::string name = "set-up " + std::to_string(i + 1);
+      SetupWriter writer(out_, common_of(setups_[i]), *setups_[i].part, setups_[i].toolpath);
+      const std::string setup = writer.write(name);
+      plans.push_back(
+          out_.add("WORKPLAN", {p21_string(name), p21_list(writer.steps()), kUnset, setup, kUnset}));
+    }
+    out_.put(id, "WORKPLAN", {"'main workplan'", p21_list(plans), kUnset, kUnset, kUnset});
+  }
+
+  std::string name_;
+  const std::vector<AskedSetup>& setups_;
+  P21Writer out_;
+  P21Common common_;
+};
+
+std::string program_text(const std::string& name, const std::vector<AskedSetup>& setups) {
+  return ProgramWriter(name, setups).write();
+}
 
 /// Why a line to follow cannot be written; "" where it can. With its moves a profile is the kerf that it clears.
 std::string not_written(const Feature& feature, const Tool& tool, bool has_moves) {
@@ -528,6 +609,24 @@ void refuse_profiles(const Part& part, bool has_moves) {
   }
 }
 
+/// Countersinks are written as holes by a pointed cone that is as wide as they are.
+void refuse_wide_cones(const Part& part) {
+  for (const Workingstep& step : part.workplan) {
+    const Feature& feature = feature_of(part, step);
+    const Tool& tool = tool_of(part, step);
+    if (!is_countersunk(feature)) continue;
+    const bool is_plain = is_conical(tool) && !has_blunt_tip(tool) &&
+                          feature.hole->diameter <= tool.diameter + Tolerances{}.fit &&
+                          step.operation.kind == OperationKind::kDrilling;
+    if (!is_plain)
+      throw InputError(part.source_file,
+                       feature.name +
+                           " is a countersink that its cutter goes round in, and STEP-NC has "
+                           "COUNTER_SINKING by a cone as wide; leave it out with --op ignore:" +
+                           feature.source);
+  }
+}
+
 void refuse_without_tools(const Part& part) {
   for (const auto& step : part.workplan) {
     if (step.operation.tool >= 0 && step.operation.tool < static_cast<int>(part.tools.size())) continue;
@@ -540,13 +639,51 @@ void refuse_without_tools(const Part& part) {
 std::string write_stepnc(const Part& part) {
   refuse_without_tools(part);
   refuse_profiles(part, false);
-  return Writer(part).write();
+  return program_text(part.name, {{&part}});
 }
 
 std::string write_stepnc(const Part& part, const Toolpath& toolpath) {
   refuse_without_tools(part);
   refuse_profiles(part, true);
-  return Writer(part, &toolpath).write();
+  refuse_wide_cones(part);
+  return program_text(part.name, {{&part, &toolpath}});
+}
+
+namespace {
+
+/// By right angles, without what rounding leaves of them.
+SetupPlace exactly_turned(const WrittenSetup& setup, std::size_t number) {
+  const auto refuse = [&](const char* why) {
+    throw InputError(setup.part.source_file, "set-up " + std::to_string(number) + " " + why +
+                                                 "; write each set-up by itself (--setup)");
+  };
+  if (!keeps_boxes(setup.place)) refuse("is not turned by right angles");
+  if (setup.place.shift != SetupPlace{}.shift)
+    refuse("has a zero of its own, and STEP-NC programs are read with that of the workpiece");
+  SetupPlace place = setup.place;
+  for (SetupPlace::Row& row : place.turn)
+    for (double& value : row) value = std::round(value) + 0.0;
+  return place;
+}
+
+/// Without the number of the set-up.
+std::string name_of_project(const std::string& name, std::size_t count) {
+  const std::string end = ", set-up 1 of " + std::to_string(count);
+  const bool has_end = name.size() > end.size() && name.substr(name.size() - end.size()) == end;
+  return has_end ? name.substr(0, name.size() - end.size()) : name;
+}
+
+}  // namespace
+
+std::string write_stepnc(const std::vector<WrittenSetup>& setups) {
+  std::vector<AskedSetup> asked;
+  for (const WrittenSetup& setup : setups) {
+    refuse_without_tools(setup.part);
+    refuse_profiles(setup.part, true);
+    refuse_wide_cones(setup.part);
+    asked.push_back({&setup.part, &setup.toolpath, exactly_turned(setup, asked.size() + 1)});
+  }
+  return program_text(name_of_project(setups.front().part.name, setups.size()), asked);
 }
 
 }  // namespace clearcut::post

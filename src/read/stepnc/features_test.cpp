@@ -100,6 +100,20 @@ Program slot(const std::string& profile, const std::string& ends) {
   return p.with(9, "WORKPIECE_SETUP(#3,$,$,$,())");
 }
 
+TEST(StepNc, PathsThatLeanAreReadLevelAndSaid) {
+  Program p = slot("SQUARE_U_PROFILE($,#74,$,$,$,$)", "(#75,#75)");
+  p.with(81, "CARTESIAN_POINT('',(0.,0.,0.))").with(70, "LINEAR_PATH(#80,#72,#73)");
+  const auto said = [&](const std::string& axis) {
+    p.with(82, axis).with(80, "AXIS2_PLACEMENT_3D('',#81,#82,$)");
+    return all_diagnostics(p.read());
+  };
+  EXPECT_THAT(said("DIRECTION('',(0.,0.,1.))"), ::testing::Not(HasSubstr("not level")));
+  EXPECT_THAT(said("DIRECTION('',(0.75,0.,1.))"), HasSubstr("#70 LINEAR_PATH: its placement is not level"));
+  p.with(70, "LINEAR_PATH($,#72,#73)").with(73, "DIRECTION('',(1.,0.,0.75))");
+  const Part leaning = p.read();
+  EXPECT_THAT(all_diagnostics(leaning), HasSubstr("#70 LINEAR_PATH: its direction leaves the plane"));
+}
+
 TEST(StepNc, SlotOpenAtBothEnds) {
   const Feature f = slot("SQUARE_U_PROFILE($,#74,$,$,$,$)", "(#75,#75)").read().features[0];
   EXPECT_EQ(f.kind, FeatureKind::kSlot);

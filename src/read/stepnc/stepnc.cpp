@@ -390,6 +390,47 @@ void Reader::tell_what_is_read() {
   for (const auto& [over, of] : planes) text += (text.empty() ? "" : "; ") + over + " (" + of + ")";
   if (!text.empty())
     context_.diagnostics.note(context_.file.name, "retract planes as read, mm over the features: " + text);
+  tell_material();
+}
+
+namespace {
+
+/// Words of a file for a material of the planner's own table.
+struct MaterialWord {
+  std::string_view word;
+  const char* material;
+};
+constexpr MaterialWord kMaterialWords[] = {
+    {"ALUMIN", "aluminium"},    {"STAINLESS", "stainless"}, {"ALLOY STEEL", "alloy-steel"},
+    {"CAST IRON", "cast-iron"}, {"STEEL", "steel"},         {"BRASS", "brass"},
+    {"TITAN", "titanium"},      {"PLYWOOD", "plywood"},     {"MDF", "mdf"},
+    {"HARDWOOD", "hardwood"},   {"SOFTWOOD", "softwood"},   {"PLASTIC", "plastic"}};
+
+const char* material_of(std::string text) {
+  for (char& c : text)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  for (const MaterialWord& row : kMaterialWords)
+    if (text.find(row.word) != std::string::npos) return row.material;
+  return nullptr;
+}
+
+}  // namespace
+
+/// Where an operation states no feed or no speed, and the file the material: how those of the material are had.
+void Reader::tell_material() {
+  const char* material = program_.workpiece ? material_of(program_.workpiece->shown(1)) : nullptr;
+  if (material == nullptr) return;
+  std::string of;
+  for (const Workingstep& step : part_.workplan) {
+    const CuttingData& cutting = step.operation.cutting;
+    if ((cutting.feed && cutting.spindle_rpm) || of.find(step.operation.source) != std::string::npos)
+      continue;
+    of += (of.empty() ? "" : ", ") + step.operation.source;
+  }
+  if (!of.empty())
+    context_.note("no feed or no speed is stated for " + of + "; --material " + material +
+                      " has those of the workpiece's material",
+                  *program_.workpiece);
 }
 
 /// Of a pattern or compound: what could be made of it.

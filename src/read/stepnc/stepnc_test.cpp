@@ -328,6 +328,15 @@ TEST(StepNc, MissingNonEssentialsGetDefaultsAndOneNoteForAll) {
   EXPECT_LE(part.diagnostics.items().size(), 6U) << notes;
 }
 
+TEST(StepNc, WhereFeedsAreMissingTheMaterialIsNamedThatHasThem) {
+  Program p;
+  p.with(3, "WORKPIECE('WP',#91,$,$,$,#5,())").with(91, "MATERIAL('6061','Aluminium',())");
+  EXPECT_THAT(all_diagnostics(p.read()), ::testing::Not(HasSubstr("--material")));
+  p.with(30, "BOTTOM_AND_SIDE_MILLING($,$,'OP',$,$,#31,$,$,$,$,$,$,$,$,$,$)");
+  EXPECT_THAT(all_diagnostics(p.read()),
+              HasSubstr("no feed or no speed is stated for #30; --material aluminium"));
+}
+
 TEST(StepNc, OtherSchemasAreRefusedByName) {
   EXPECT_THAT(Program().schema("INTEGRATED_CNC_SCHEMA").error(), HasSubstr("AP238"));
   EXPECT_THAT(Program().schema("AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }").error(),

@@ -45,7 +45,7 @@ constexpr ListedEntity kListed[] = {
     {"RIGHT_CIRCULAR_CYLINDER"},
     {"OFFSET_VECTOR", kSaid, "where the workpiece lies on the machine is told"},
     {"SETUP_INSTRUCTION", kSaid, "a warning with its text"},
-    {"MATERIAL", kSaid, "an annotation: name the material with --material"},
+    {"MATERIAL", kSaid, "an annotation; where feeds are missing, the --material that has them is told"},
     // Features.
     {"PLANAR_FACE"},
     {"CLOSED_POCKET"},

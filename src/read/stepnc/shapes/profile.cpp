@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/elementary.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 #include "model/part.h"
 #include "read/stepnc/file/entity_list.h"
@@ -93,11 +94,13 @@ double sweep_of(const Node& node, std::size_t argument, Context& context) {
 }
 
 Path linear_path(const Node& path, Context& context) {
-  (void)context;
   const double distance = positive_length(path, 1, "distance");
   const Vec3 axis = path.unset(2) ? Vec3{1, 0, 0} : axis_of(path.needed_ref(2, "direction"));
   const Vec2 direction{axis.x, axis.y};
   if (norm(direction) == 0) path.fail("its direction is not in the plane; correct it");
+  if (std::abs(axis.z) > kSameAngleRad * norm(direction))
+    context.diagnostics.doubt(context.file.place(path.line()), kNotFollowed,
+                              path.label() + ": its direction leaves the plane; the path is read level");
   return {Edge::line({}, unit(direction) * distance)};
 }
 
@@ -213,14 +216,28 @@ CrossSection cross_section(const Node& profile, Context& context) {
   return section;
 }
 
+namespace {
+
+/// Some writers turn the path's frame so that the cross-section lies in its XY plane: the directions are then still given in the
+/// feature's frame, so only the place counts. A frame that leans otherwise is not followed.
+PlanarMap map_of_path(const Node& path, Context& context) {
+  const Frame frame = frame_of(path.ref(0));
+  if (is_planar(frame)) return planar_map(frame);
+  const bool stands_upright = std::abs(frame.z.z) < kSameAngleRad;
+  const std::string what =
+      path.label() + ": its placement is not level; the path is read level, in the directions of its feature";
+  if (stands_upright)
+    context.diagnostics.warn(context.file.place(path.line()), what);
+  else
+    context.diagnostics.doubt(context.file.place(path.line()), kNotFollowed, what);
+  return PlanarMap{{frame.origin.x, frame.origin.y}};
+}
+
+}  // namespace
+
 Path travel_path(const Node& path, Context& context) {
   context.spend(1, path);
-  const PlanarMap map = [&] {
-    const Frame frame = frame_of(path.ref(0));
-    // Some writers turn the path's frame so that the cross-section lies in its XY plane: the directions are
-    // then still given in the feature's frame, so only the place counts.
-    return is_planar(frame) ? planar_map(frame) : PlanarMap{{frame.origin.x, frame.origin.y}};
-  }();
+  const PlanarMap map = map_of_path(path, context);
   if (path.is("LINEAR_PATH")) return map.path(linear_path(path, context));
   if (path.is("GENERAL_PATH")) return map.path(curve_path(path.needed_ref(1, "swept path"), context));
   if (path.is("PARTIAL_CIRCULAR_PATH"))

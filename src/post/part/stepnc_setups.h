@@ -1,0 +1,25 @@
+// Writes the set-ups of one workpiece as one STEP-NC program.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/setup_place.h"
+#include "post/part/stepnc_writer.h"
+
+namespace clearcut::post {
+
+/// One of several set-ups of a workpiece, with what is planned for it.
+struct WrittenSetup {
+  Part part;  ///< in the coordinates of the set-up
+  Toolpath toolpath;
+  SetupPlace place;  ///< of the set-up
+};
+
+/// The same as write_stepnc() of a part with its toolpath, for several set-ups: a WORKPLAN and a SETUP for each, features in the
+/// coordinates of the workpiece.
+///
+/// Throws  besides: InputError where a set-up is not turned by right angles, or its zero is not that of the workpiece.
+std::string write_stepnc(const std::vector<WrittenSetup>& setups);
+
+}  // namespace clearcut::post
