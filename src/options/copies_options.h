@@ -9,13 +9,13 @@ namespace clearcut::inline options {
 
 /// One part several times: in columns and rows, or as many as a sheet holds. Lengths in mm.
 struct CopiesOptions {
-  std::optional<std::string> grid;  ///< "3x2": columns and rows
+  std::optional<std::string> grid{};  ///< "3x2": columns and rows
   std::optional<std::string>
-      sheet;  ///< "600x400": width and height of a sheet to fill; its lower left corner is the zero
-  std::optional<double> gap;   ///< between the boxes of two parts; absent: what the cutter needs beside one
-  std::optional<double> edge;  ///< of the sheet, that stays free; absent: 0
-  bool subprograms = false;    ///< what the copies have in common is written once, and called
-  std::optional<int> count;    ///< parts that are wanted of the sheet; absent: as many as fit
+      sheet{};  ///< "600x400": width and height of a sheet to fill; its lower left corner is the zero
+  std::optional<double> gap{};   ///< between the boxes of two parts; absent: what the cutter needs beside one
+  std::optional<double> edge{};  ///< of the sheet, that stays free; absent: 0
+  bool subprograms = false;      ///< what the copies have in common is written once, and called
+  std::optional<int> count{};    ///< parts that are wanted of the sheet; absent: as many as fit
 
   /// Whether copies are asked for.
   bool any() const { return grid.has_value() || sheet.has_value(); }

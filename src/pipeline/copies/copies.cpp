@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "base/inch.h"
 #include "base/text/format.h"
 #include "base/tolerances.h"
 #include "model/section_names.h"
@@ -122,6 +123,8 @@ struct CopiesQuestion {
   double width = 0, height = 0;  ///< of the sheet to fill
   double edge = 0;
   double gap = 0;
+  double step =
+      0;  ///< places are whole multiples of it, so that subprograms are rounded alike at each; 0: any
   std::optional<int> count;
   std::vector<KeepOut> clamps;  ///< on the sheet to fill
 };
@@ -196,7 +199,17 @@ Places places_on_sheet(const CopiesQuestion& question, const Box& own) {
 }
 
 Places places_of(const CopiesQuestion& question, const Box& own) {
-  return question.fills_sheet ? places_on_sheet(question, own) : places_in_grid(question, own);
+  Places places = question.fills_sheet ? places_on_sheet(question, own) : places_in_grid(question, own);
+  if (question.step == 0) return places;
+  for (read::PlanPlacement& place : places)
+    place.by = {std::round(place.by.x / question.step) * question.step,
+                std::round(place.by.y / question.step) * question.step};
+  return places;
+}
+
+/// mm; the last decimal of a program's coordinates.
+double printed_step(const PostOptions& post) {
+  return std::pow(10.0, -post::decimals_of(post)) * (post.inch ? kMmPerInch : 1);
 }
 
 /// The block is the sheet, as thick as the part's own; where that is not stated, as deep as is cut.
@@ -362,6 +375,7 @@ SheetOfCopies sheet_of_copies(const Part& part, const resolve::PlanOptions& opti
   require_copies(options.copies);
   refuse_for_checks(options);
   CopiesQuestion question = question_of(options.copies);
+  if (options.copies.subprograms) question.step = printed_step(options.post);
   question.gap = *options.copies.gap;
   Part bare = part;
   resolve::PlanOptions own = options;
@@ -384,6 +398,7 @@ PlanResult plan_copies(const Part& part, const resolve::PlanOptions& options) {
                                           " has none that stand in the program itself; leave it out, or name "
                                           "another control");
   CopiesQuestion question = question_of(options.copies);
+  if (options.copies.subprograms) question.step = printed_step(options.post);
   Part bare = part;
   resolve::PlanOptions own = options;
   if (question.fills_sheet) question.clamps = take_clamps(bare, own);

@@ -17,7 +17,7 @@ namespace {
 constexpr int kDeepest = 60;
 constexpr double kLargestValue = 1e15;
 /// Smaller results are what rounding leaves of 0.
-constexpr double kNothing = 1e-12;
+constexpr double kLeftOfNothing = 1e-12;
 /// R parameters that a control can have.
 constexpr int kMostParameters = 32000;
 /// Comparisons take numbers as equal that differ by this share.
@@ -134,7 +134,7 @@ SinumerikResult as_type(SinumerikType type, SinumerikResult value, const RefuseB
 }
 
 std::string sinumerik_number(double value) {
-  if (std::abs(value) < kNothing) return "0";
+  if (std::abs(value) < kLeftOfNothing) return "0";
   char text[64];
   const auto [end, error] = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed);
   return error == std::errc{} ? std::string(text, end) : "0";

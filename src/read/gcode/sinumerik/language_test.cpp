@@ -112,7 +112,7 @@ TEST(SinumerikLanguage, SubprogramsInTheFileAndBesideIt) {
   const std::size_t cut = program.control.calls[0].first_move;
   ASSERT_NE(program.control.calls_at(cut), nullptr);
   EXPECT_EQ(*program.control.calls_at(cut), "L10.SPF:1, L10 called in test.mpf:4");
-  if (cut > 0) EXPECT_EQ(program.control.calls_at(cut - 1), nullptr);
+  EXPECT_EQ(cut == 0 ? nullptr : program.control.calls_at(cut - 1), nullptr);
 }
 
 TEST(SinumerikLanguage, CyclesTakeValues) {
