@@ -281,7 +281,7 @@ function setUpStock() {
 /** Fields of the options' table; null: the table has not come yet. @type {OptionFields | null} */
 let planFields = null;
 /** Options that the page has places of its own for. */
-const ownPlaces = ['--op', '--tool', '--tools', '--setup', '--earlier-setup'];
+const ownPlaces = ['--op', '--tool', '--tools'];
 
 /** @type {(options: CommandOption[]) => void} */
 function setUpPlanFields(options) {
