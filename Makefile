@@ -5,7 +5,7 @@ OUT := out
 configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=ON $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
             rm -f build-configure.log
 
-.PHONY: all setup build prove demo test web web-checker test-web python packages reproduce-packages docs pictures format lint-viewer test-browser test-freecad clean
+.PHONY: all setup build prove demo test web web-checker test-web python dist packages reproduce-packages docs pictures format lint-viewer test-browser test-freecad clean
 all: build
 
 setup:
@@ -53,6 +53,13 @@ python:
 	@$(call configure,-DCLEARCUT_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3)
 	@cmake --build --preset release --target _core commands
 	@scripts/python_tests.sh $(BUILD)/apps/cli/clearcut $(BUILD)
+
+# A wheel for /usr/bin/python3 and a source archive, in build/dist; `make python` tries them in a fresh virtual environment.
+dist:
+	@scripts/setup.sh build python
+	@mkdir -p build/dist
+	@cd python/backend && for one in sdist wheel; do \
+	  /usr/bin/python3 -B -c "import clearcut_build; print('build/dist/' + clearcut_build.build_$$one('../../build/dist'))" || exit 1; done
 
 # Debian packages, a tarball and what they consist of, in build/packages/out; then they are tried in a fresh root.
 packages:

@@ -14,6 +14,7 @@ namespace clearcut {
 
 using pipeline::CertificateBasis;
 using pipeline::setup_sheet_of;
+using pipeline::write_animation;
 using pipeline::write_certificate;
 using pipeline::write_page;
 using pipeline::write_picture;

@@ -5,7 +5,9 @@ Environment  CLEARCUT_BUILD_DIR  where to compile (default build/release, as `ma
              SOURCE_DATE_EPOCH   time of the files in the wheel (default 1980): the same sources give the same bytes
 """
 import base64
+import gzip
 import hashlib
+import io
 import os
 import re
 import shlex
@@ -37,6 +39,7 @@ def metadata():
         "Metadata-Version: 2.1\nName: clearcut\n"
         f"Version: {version()}\n"
         "Summary: Plans 2.5-D pocket-milling toolpaths and proves them\n"
+        "License: MIT\nClassifier: License :: OSI Approved :: MIT License\n"
         "Requires-Python: >=3.9\nRequires-Dist: numpy\n"
     )
 
@@ -64,12 +67,26 @@ def _record_line(name, content):
     return f"{name},sha256={digest},{len(content)}\n"
 
 
+def described():
+    """The files of a wheel that say what it is."""
+    info = f"clearcut-{version()}.dist-info"
+    wheel = f"Wheel-Version: 1.0\nGenerator: clearcut\nRoot-Is-Purelib: false\nTag: {tag()}\n"
+    return {f"{info}/METADATA": metadata().encode(), f"{info}/WHEEL": wheel.encode()}
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """So that pip knows name and version before anything is compiled."""
+    for name, content in described().items():
+        file = Path(metadata_directory) / name
+        file.parent.mkdir(exist_ok=True)
+        file.write_bytes(content)
+    return f"clearcut-{version()}.dist-info"
+
+
 def write_wheel(folder, files):
     """A wheel of (name, bytes): sorted, with one time for all of them."""
     info = f"clearcut-{version()}.dist-info"
-    files = dict(files)
-    files[f"{info}/METADATA"] = metadata().encode()
-    files[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: clearcut\nRoot-Is-Purelib: false\nTag: {tag()}\n".encode()
+    files = {**files, **described()}
     record = "".join(_record_line(name, files[name]) for name in sorted(files)) + f"{info}/RECORD,,\n"
     stamp = time.gmtime(max(EARLIEST, int(os.environ.get("SOURCE_DATE_EPOCH", EARLIEST))))[:6]
     name = f"clearcut-{version()}-{tag()}.whl"
@@ -96,13 +113,29 @@ def build_editable(wheel_directory, config_settings=None, metadata_directory=Non
     return write_wheel(wheel_directory, {"clearcut.pth": f"{compiled().parent}\n".encode()})
 
 
+def _sources():
+    """What git knows of the tree; of an unpacked source archive all of its files."""
+    if (ROOT / "PKG-INFO").exists():
+        files = [file.relative_to(ROOT) for file in ROOT.rglob("*") if file.is_file()]
+        return sorted(str(file) for file in files if file.parts[0] != "build" and file.name != "PKG-INFO" and file.suffix != ".pyc")
+    return sorted(subprocess.run(["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True).stdout.splitlines())
+
+
 def build_sdist(sdist_directory, config_settings=None):
-    """What git knows of the tree."""
+    """The sources with PKG-INFO, which says what they are; the same sources give the same bytes."""
     name = f"clearcut-{version()}"
-    listed = subprocess.run(["git", "ls-files"], cwd=ROOT, check=True, capture_output=True, text=True).stdout
-    with tarfile.open(Path(sdist_directory) / f"{name}.tar.gz", "w:gz") as archive:
-        for file in listed.splitlines():
-            archive.add(ROOT / file, f"{name}/{file}")
+    stamp = max(EARLIEST, int(os.environ.get("SOURCE_DATE_EPOCH", EARLIEST)))
+    with open(Path(sdist_directory) / f"{name}.tar.gz", "wb") as file, \
+            gzip.GzipFile("", "wb", fileobj=file, mtime=stamp) as packed, tarfile.open(fileobj=packed, mode="w") as archive:
+        def add(entry, content):
+            entry.size, entry.mtime, entry.uid, entry.gid, entry.uname, entry.gname = len(content), stamp, 0, 0, "", ""
+            archive.addfile(entry, io.BytesIO(content))
+
+        add(tarfile.TarInfo(f"{name}/PKG-INFO"), metadata().encode())
+        for listed in _sources():
+            entry = tarfile.TarInfo(f"{name}/{listed}")
+            entry.mode = 0o755 if os.access(ROOT / listed, os.X_OK) else 0o644
+            add(entry, (ROOT / listed).read_bytes())
     return f"{name}.tar.gz"
 
 

@@ -3,6 +3,7 @@ import hashlib
 import os
 import subprocess
 import sys
+import tarfile
 import unittest
 from pathlib import Path
 
@@ -34,7 +35,7 @@ class Wheel(unittest.TestCase):
             digests.add(hashlib.sha256(wheel.read_bytes()).hexdigest())
         self.assertEqual(len(digests), 1)
         major, minor = sys.version_info[:2]
-        self.assertIn(f"-cp{major}{minor}-cp{major}{minor}-linux_", wheel.name)
+        self.assertRegex(wheel.name, rf"^clearcut-\d+\.\d+\.\d+-cp{major}{minor}-cp{major}{minor}-linux_")
         self.run_well(python, "-m", "pip", "install", "--no-index", wheel)
         clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
         said = self.run_well(python, "-c", SMOKE, cwd=here, env=clean)
@@ -42,6 +43,25 @@ class Wheel(unittest.TestCase):
         self.assertIn("CLEAN", said)
         self.run_well(python, "-m", "pip", "uninstall", "-y", "clearcut")
         self.assertFalse(list((here / "venv").rglob("clearcut*")))
+
+    def test_source_archive_says_what_it_is_and_holds_what_a_wheel_is_built_from(self):
+        here = folder(self)
+        build = "import sys; sys.path.insert(0, 'python/backend'); import clearcut_build as b; print(b.build_sdist(sys.argv[1]))"
+        (here / "1").mkdir()
+        name = self.run_well(sys.executable, "-c", build, here / "1", cwd=ROOT).strip()
+        self.assertRegex(name, r"^clearcut-\d+\.\d+\.\d+\.tar\.gz$")
+        # pip asks the archive's own backend for name and version; nothing is compiled or installed.
+        said = self.run_well(sys.executable, "-m", "pip", "install", "--dry-run", "--break-system-packages", "--no-index", "--no-deps",
+                             here / "1" / name, cwd=here)
+        self.assertIn(f"Would install {name.removesuffix('.tar.gz')}", said)
+        # Unpacked, without git, it gives itself again.
+        with tarfile.open(here / "1" / name) as archive:
+            archive.extractall(here / "unpacked")
+        root = here / "unpacked" / name.removesuffix(".tar.gz")
+        (here / "3").mkdir()
+        self.run_well(sys.executable, "-c", build, here / "3", cwd=root, env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"})
+        packed = [hashlib.sha256((here / number / name).read_bytes()).hexdigest() for number in ("1", "3")]
+        self.assertEqual(packed[0], packed[1])
 
 
 if __name__ == "__main__":

@@ -7,6 +7,7 @@
 #include "pipeline/compare.h"
 #include "pipeline/move_figures.h"
 #include "report/certificate/certificate.h"
+#include "report/picture/animation.h"
 #include "report/picture/svg.h"
 #include "report/result.h"
 #include "report/selection_table.h"
@@ -26,6 +27,12 @@ std::string picture_of(const Result& result) {
   if (result.earlier) options.earlier = &*result.earlier;
   if (result.margin) options.margin = &*result.margin;
   return report::svg(result.part, result.toolpath, result.findings, options);
+}
+
+template <typename Result>
+std::string animation_of(const Result& result, const resolve::PlanOptions& options) {
+  return report::animated_svg(result.part, result.toolpath, result.findings,
+                              times_of_moves(result.part, result.toolpath, result.control, options));
 }
 
 template <typename Result>
@@ -126,6 +133,14 @@ std::string write_table(const CheckResult& result, std::size_t width) {
 
 std::string write_selection_table(const PlanResult& result, std::size_t width) {
   return report::fitted(report::selection_table(result.selections), width);
+}
+
+std::string write_animation(const PlanResult& result, const resolve::PlanOptions& options) {
+  return animation_of(result, options);
+}
+
+std::string write_animation(const CheckResult& result, const resolve::PlanOptions& options) {
+  return animation_of(result, options);
 }
 
 std::string write_picture(const PlanResult& result) {

@@ -48,6 +48,10 @@ std::string write_selection_table(const PlanResult& result, std::size_t width = 
 std::string write_picture(const PlanResult& result);
 std::string write_picture(const CheckResult& result);
 
+/// One SVG document that plays the machining from above, in two minutes at most.
+std::string write_animation(const PlanResult& result, const resolve::PlanOptions& options);
+std::string write_animation(const CheckResult& result, const resolve::PlanOptions& options);
+
 /// One HTML page that animates the machining and needs no other file.
 std::string write_page(const PlanResult& result, const resolve::PlanOptions& options);
 /// The same for a checked program with the text `program`.

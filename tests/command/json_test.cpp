@@ -64,6 +64,8 @@ TEST(Json, SaysWhatAPartHolds) {
   EXPECT_FALSE(json.at("features").empty());
   EXPECT_TRUE(json["features"][0].at("largest_cutter_mm").is_null()) << "the face is open: any cutter fits";
   EXPECT_NEAR(json["features"][3].at("largest_cutter_mm").get<double>(), 35, 0.01);
+  const auto path = json["features"][0].at("path").get<std::string>();
+  EXPECT_TRUE(path.starts_with("M") && path.ends_with("Z")) << path;
   EXPECT_EQ(json.at("features").size(), json.at("workingsteps").size());
   EXPECT_TRUE(json.at("asks").empty());
 }

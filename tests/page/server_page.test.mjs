@@ -232,6 +232,16 @@ describe('texts', () => {
   });
 });
 
+describe('a part that no drawing shows', () => {
+  test('of a part without outlines the floors are drawn, deep ones over shallow ones and darker', () => {
+    const features = `[{ name: 'deep', path: 'M1 1Z', top_z: 0, floor_z: -8 }, { name: 'none', path: '', top_z: 0, floor_z: -9 },
+          { name: 'shallow', path: 'M0 0Z', top_z: 0, floor_z: -2 }]`;
+    assert.deepEqual(ask(`floorsOf(${features}, null)`),
+      [{path: 'M0 0Z', opacity: 0.24, title: 'shallow, z 0 to -2'}, {path: 'M1 1Z', opacity: 0.6, title: 'deep, z 0 to -8'}]);
+    assert.deepEqual(ask('floorsOf([], null)'), []);
+  });
+});
+
 describe('readings of a drawing', () => {
   test('a question is asked without its options, and its answers are said in words', () => {
     assert.deepEqual(

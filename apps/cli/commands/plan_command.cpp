@@ -26,6 +26,7 @@ struct PlanCommand {
   std::string output;
   std::string certificate;
   std::string svg;
+  std::string animation;
   std::string html;
   std::string sheet;
   std::string result;
@@ -52,6 +53,7 @@ std::vector<OutputFile> output_files(const PlanCommand& command, const PlanOptio
     return write_certificate(result, options, basis);
   });
   add(command.svg, [&] { return write_picture(result); });
+  add(command.animation, [&] { return write_animation(result, options); });
   add(command.html, [&] { return write_page(result, options); });
   add(command.sheet, [&] {
     return setup_sheet_file(command.sheet, setup_sheet_of(result, options, file_name(command.output)));
@@ -90,8 +92,8 @@ int explain(const Part& part, const PlanOptions& options) {
 
 std::vector<std::string> output_names(const PlanCommand& command) {
   std::vector<std::string> names;
-  for (const auto* name : {&command.output, &command.certificate, &command.svg, &command.html, &command.sheet,
-                           &command.result, &command.witness}) {
+  for (const auto* name : {&command.output, &command.certificate, &command.svg, &command.animation,
+                           &command.html, &command.sheet, &command.result, &command.witness}) {
     if (!name->empty()) names.push_back(*name);
   }
   return names;
@@ -181,7 +183,8 @@ struct PlannedSetup {
 
 /// "part.ngc" of the second set-up is "part-2.ngc".
 void number_outputs(PlanCommand& command, int setup) {
-  for (auto* path : {&command.output, &command.certificate, &command.svg, &command.html, &command.result}) {
+  for (auto* path : {&command.output, &command.certificate, &command.svg, &command.animation, &command.html,
+                     &command.result}) {
     if (path->empty()) continue;
     const std::filesystem::path file(*path);
     const std::string name = file.stem().string() + "-" + std::to_string(setup) + file.extension().string();
@@ -348,6 +351,10 @@ std::shared_ptr<PlanCommand> declare(CLI::App& command) {
       ->type_name("FILE");
   command.add_option("--certificate", state->certificate, "Certificate to write (JSON)")->type_name("FILE");
   command.add_option("--svg", state->svg, "Picture to write")->type_name("FILE");
+  command
+      .add_option("--animation", state->animation,
+                  "Picture to write in which the cutter moves, two minutes at most (SVG)")
+      ->type_name("FILE");
   command.add_option("--report", state->html, "Animated report to write (HTML)")->type_name("FILE");
   command
       .add_option("--setup-sheet", state->sheet,

@@ -26,6 +26,7 @@ struct VerifyCommand {
   std::optional<std::string> stock;
   std::string json;
   std::string svg;
+  std::string animation;
   std::string html;
   std::string sheet;
   std::string witness;
@@ -103,6 +104,8 @@ int run(const VerifyCommand& command) {
   std::vector<OutputFile> files;
   if (!command.json.empty()) files.push_back({command.json, found.certificate});
   if (!command.svg.empty()) files.push_back({command.svg, write_picture(result)});
+  if (!command.animation.empty())
+    files.push_back({command.animation, write_animation(result, command.arguments.options())});
   if (!command.html.empty())
     files.push_back({command.html, write_page(result, command.arguments.options(), found.program)});
   if (!command.sheet.empty())
@@ -170,6 +173,10 @@ std::shared_ptr<VerifyCommand> declare(CLI::App& command) {
   command.add_option("--json", state->json, "Certificate to write (- for standard output)")
       ->type_name("FILE");
   command.add_option("--svg", state->svg, "Picture to write")->type_name("FILE");
+  command
+      .add_option("--animation", state->animation,
+                  "Picture to write in which the cutter moves, two minutes at most (SVG)")
+      ->type_name("FILE");
   command.add_option("--report", state->html, "Animated report to write (HTML)")->type_name("FILE");
   command
       .add_option("--setup-sheet", state->sheet,

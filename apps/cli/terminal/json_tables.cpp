@@ -88,6 +88,16 @@ Json cutter_json(double diameter) {
   return diameter > kOpenReach / 2 ? Json() : number(diameter);
 }
 
+/// The loops of all regions, to be filled by the even-odd rule.
+std::string path_of_regions(const Regions& regions) {
+  std::string path;
+  for (const Region& region : regions) {
+    path += svg_path(region.outer());
+    for (const Loop& island : region.islands()) path += svg_path(island);
+  }
+  return path;
+}
+
 Json feature_json(const Feature& feature, double largest_cutter) {
   std::size_t islands = 0;
   for (const auto& region : feature.target) islands += region.islands().size();
@@ -98,6 +108,7 @@ Json feature_json(const Feature& feature, double largest_cutter) {
           {"floor_z", number(feature.floor_z)},
           {"extent_mm", box_json(box(feature.target))},
           {"area_mm2", number(area(feature.target))},
+          {"path", path_of_regions(feature.target)},
           {"regions", feature.target.size()},
           {"islands", islands},
           {"largest_cutter_mm", cutter_json(largest_cutter)}};

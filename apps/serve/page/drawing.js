@@ -59,9 +59,52 @@ function sizeNumbers() {
   if (scale > 0) element('drawing-numbers').setAttribute('font-size', String(numberSize / scale));
 }
 
-/** Draws the outlines that were read. */
+const faintest = 0.12, strongest = 0.6;  // opacity of the shallowest and of the deepest floor
+
+/**
+ * What is cut of a part that no drawing shows, a solid or STEP-NC, deeper over shallower and darker.
+ * @type {(features: FeatureInfo[], stock: StockInfo | null) => FloorDrawn[]}
+ */
+function floorsOf(features, stock) {
+  const cut = features.filter(one => one.path).sort((a, b) => b.floor_z - a.floor_z), deepest = cut.at(-1)?.floor_z ?? 0;
+  const top = Math.max(stock?.z_top ?? -Infinity, ...cut.map(one => one.top_z)), range = Math.max(top - deepest, 1e-9);
+  return cut.map(one => ({
+    path: one.path,
+    opacity: round(faintest + (strongest - faintest) * (top - one.floor_z) / range, 3),
+    title: `${one.name}, z ${round(one.top_z, 3)} to ${round(one.floor_z, 3)}`
+  }));
+}
+
+/** @type {(floor: FloorDrawn) => SVGPathElement} */
+function floorDrawn({path, opacity, title}) {
+  const floor = madeSvg('path', {'class': 'floor', 'd': path, 'fill-rule': 'evenodd'});
+  floor.style.fillOpacity = String(opacity);
+  floor.append(madeSvg('title', {}, title));
+  return floor;
+}
+
+/** The block that is milled. @type {(stock: StockInfo) => SVGPathElement} */
+function stockDrawn({extent_mm: {x, y}}) { return madeSvg('path', {'class': 'stock', 'd': `M${x[0]} ${y[0]}H${x[1]}V${y[1]}H${x[0]}Z`}); }
+
+/** The part as it is read, where no drawing shows it; of a job of several set-ups the parts lie differently. @type {() => Extent | null} */
+function showFloors() {
+  const isShown = part.outlines.length === 0 && !part.isOfSetups && part.features.some(one => one.path);
+  element('drawing-floors')
+    .replaceChildren(
+      ...isShown ? [...part.stock ? [stockDrawn(part.stock)] : [], ...floorsOf(part.features, part.stock).map(floorDrawn)] : []);
+  element('drawing-caption').hidden = isShown;
+  element('floors-caption').hidden = !isShown;
+  if (!isShown) return null;
+  const extents = [...part.features, ...part.stock ? [part.stock] : []].flatMap(one => one.extent_mm ? [one.extent_mm] : []);
+  const around = (/** @type {'x' | 'y'} */ axis) =>
+    /** @type {[number, number]} */ ([0, 1].map(end => (end ? Math.max : Math.min)(...extents.map(one => one[axis][end]))));
+  return {x: around('x'), y: around('y')};
+}
+
+/** Draws the outlines that were read, or else what is cut of the part. */
 function showDrawing() {
-  const outlines = part.outlines, extent = extentOfDrawing(outlines);
+  const outlines = part.outlines, extent = extentOfDrawing(outlines) ?? showFloors();
+  if (outlines.length > 0) showFloors();
   element('drawing-box').hidden = !extent;
   element('drawing-curves').replaceChildren();
   element('drawing-numbers').replaceChildren();

@@ -49,7 +49,9 @@ const labelOfOption = {
   '--tab-at': 'Tabs at X,Y',
   '--accept': 'Holds at the machine',
   '--inch': 'Program in inches',
-  '--op': 'What it is for'
+  '--op': 'What it is for',
+  '--setup': 'Set-up to plan alone',
+  '--earlier-setup': 'Programs of the set-ups before it'
 };
 /** @type {(option: CommandOption) => string} */
 const nameOfOption = option => option.names.at(-1) ?? '';

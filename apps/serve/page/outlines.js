@@ -5,6 +5,7 @@ const part = {
   asked: 0,
   outlines: [],
   features: [],
+  stock: null,
   isAsked: false,
   isOfSetups: false,
   isReady: false,
@@ -132,6 +133,7 @@ function joinedSetups(setups) {
     asks: named.flatMap(({one, setup}) => one.asks.map(ask => setup + ask)),
     found: named.flatMap(({one, setup}) => one.found.map(item => ({...item, what: setup + item.what}))),
     features: named.flatMap(({one, setup}) => one.features.map(feature => ({...feature, name: setup + feature.name}))),
+    stock: null,
     outlines: []
   };
 }
@@ -174,6 +176,7 @@ function showFound(info, texts, isAgain) {
 function takePart(answer, info) {
   part.isOfSetups = Boolean(answer.info && 'setups' in answer.info);
   part.features = info?.features ?? [];
+  part.stock = info?.stock ?? null;
   part.isReady = info?.asks.length === 0;
   readTools.library = info?.tools ?? [];
   if (info) part.isAsked = info.answers.length > 0;
@@ -212,6 +215,7 @@ function readOptions() {
 async function readNewPart() {
   part.isAsked = part.isReady = false;
   part.features = [];
+  part.stock = null;
   readTools.library = [];
   showOperations();
   element('found-box').hidden = element('outlines-box').hidden = element('readings').hidden = element('given').hidden = true;

@@ -1,6 +1,6 @@
 // The tab that plans: what the command is asked, by everything that was said, again after each change.
 
-/** @type {{ files: ChosenFiles, run: Run, read?: File, part: string, job: JobText | null, jobAddress: string, due: number, asked: string, isFilling: boolean }} */
+/** `isAwaited`: the machining is shown once it is there. @type {{ files: ChosenFiles, run: Run, read?: File, part: string, job: JobText | null, jobAddress: string, due: number, asked: string, isAwaited: boolean, isFilling: boolean }} */
 const plan = {
   files: listOfFiles('plan', ['part', 'tools', 'machine', 'file'], () => planFilesChanged()),
   run: new Run('plan', {done: state => showPlan(state), ended: () => showPlanCommand()}),
@@ -9,6 +9,7 @@ const plan = {
   jobAddress: '',
   due: 0,
   asked: '',
+  isAwaited: false,
   isFilling: false
 };
 
@@ -216,6 +217,8 @@ function showPlan(state) {
   const stem = stemOf(plan.part);
   element('plan-downloads').replaceChildren(...downloadLines(state.results, stem), ...jobDownload(stem));
   showReports(state.results);
+  if (plan.isAwaited && element('plan').dataset.middle === 'drawing') showMiddle('machining');
+  plan.isAwaited = false;
 }
 
 /** `isAgain`: after a change, and only where it is another question. @type {(isAgain?: boolean) => Promise<void>} */
@@ -230,8 +233,14 @@ async function startPlan(isAgain = false) {
   plan.part = chosen.name;
   plan.job = isJobName(plan.part) ? null : jobOf(plan.part, options, moreOfJob(project.now));
   element('plan-result').classList.add('stale');
-  if (!isAgain || !plan.run.id && element('plan').dataset.middle === 'drawing') showMiddle('machining');
+  if (!isAgain || !plan.run.id && element('plan').dataset.middle === 'drawing') showMachining();
   await plan.run.start(formOfPlan(asked), isAgain);
+}
+
+/** The machining, or, while there is none yet, the part as it was read until then. */
+function showMachining() {
+  plan.isAwaited = !plan.run.id && !element('drawing-box').hidden;
+  showMiddle(plan.isAwaited ? 'drawing' : 'machining');
 }
 
 /** What is seen in the middle: the drawing, the machining once there is one, or strategies that are compared. @type {(which: MiddleName) => void} */
@@ -281,7 +290,7 @@ function setUpStock() {
 /** Fields of the options' table; null: the table has not come yet. @type {OptionFields | null} */
 let planFields = null;
 /** Options that the page has places of its own for. */
-const ownPlaces = ['--op', '--tool', '--tools', '--setup', '--earlier-setup'];
+const ownPlaces = ['--op', '--tool', '--tools'];
 
 /** @type {(options: CommandOption[]) => void} */
 function setUpPlanFields(options) {
@@ -333,7 +342,10 @@ function setUpPlan() {
   element('project-new').addEventListener('click', () => replaceProject(emptyProject(project.now.tools)));
   element('project-save').addEventListener('click', saveProject);
   element('example-go').addEventListener('click', takeExample);
-  element('show-drawing').addEventListener('click', () => showMiddle('drawing'));
+  element('show-drawing').addEventListener('click', () => {
+    plan.isAwaited = false;
+    showMiddle('drawing');
+  });
   element('show-compare').addEventListener('click', () => showMiddle('compare'));
   element('show-machining').addEventListener('click', () => showMiddle('machining'));
   element('plan-again').addEventListener('change', planSoon);

@@ -96,14 +96,18 @@ interface InfoAnswer { state?: string; message?: string; info?: PartInfo | Setup
 interface Extent { x: [number, number]; y: [number, number] }
 /** An option of the command that answers what is asked of a drawing. */
 interface DrawingAnswer { option: string; value: string }
-interface PartInfo { asks: string[]; answers: DrawingAnswer[]; found: Found[]; features: FeatureInfo[]; outlines: OutlineInfo[]; tools: ToolInfo[] }
+/** null: not stated. */
+interface StockInfo { extent_mm: Extent; z_bottom: number; z_top: number }
+interface PartInfo { stock: StockInfo | null; asks: string[]; answers: DrawingAnswer[]; found: Found[]; features: FeatureInfo[]; outlines: OutlineInfo[]; tools: ToolInfo[] }
 /** Of a tool library or the part's file. */
 interface ToolInfo { number: number; kind: string; diameter_mm: number; teeth: number; name: string }
 /** Of a job with several set-ups. */
 interface SetupInfos { setups: PartInfo[] }
 /** What was mended, left out or is worth a word. */
 interface Found { kind: 'note' | 'repair' | 'warning' | 'skipped'; where: string; what: string }
-interface FeatureInfo { name: string; kind: string; source?: string; top_z: number; floor_z: number; extent_mm: Extent | null }
+interface FeatureInfo { name: string; kind: string; source?: string; top_z: number; floor_z: number; extent_mm: Extent | null; /** Data of an SVG path, y up, filled by the even-odd rule. */ path: string }
+/** A floor of the part in the picture from above. */
+interface FloorDrawn { path: string; opacity: number; title: string }
 /** Where the numbers of outlines stand in the drawing, y down, and whether in a circle. */
 interface NumberPlace { x: number; y: number; isCircle: boolean; text: string }
 interface OutlineInfo {
@@ -219,7 +223,7 @@ interface Project {
 /** Features that are one row of the list of operations. */
 interface OperationRow { key: string; kind: string; source: string; features: FeatureInfo[] }
 /** What the part holds, as it was read last by the options `readBy`. */
-interface PartRead { asked: number; outlines: OutlineInfo[]; features: FeatureInfo[]; isAsked: boolean; isOfSetups: boolean; isReady: boolean; readBy: string }
+interface PartRead { asked: number; outlines: OutlineInfo[]; features: FeatureInfo[]; stock: StockInfo | null; isAsked: boolean; isOfSetups: boolean; isReady: boolean; readBy: string }
 /** What the command is asked: the name of its input, options, and files that were made for it. */
 interface PlanAsked { input: string; options: string; files: File[] }
 /** What a job says that options cannot. */
@@ -349,10 +353,13 @@ interface PageElements {
   'plan-report': HTMLIFrameElement;
   'drawing-box': HTMLElement;
   'drawing': SVGSVGElement;
+  'drawing-floors': SVGGElement;
   'drawing-curves': SVGGElement;
   'drawing-marks': SVGGElement;
   'drawing-numbers': SVGGElement;
   'outline-menu': HTMLDivElement;
+  'floors-caption': HTMLElement;
+  'drawing-caption': HTMLElement;
   'drawing-size': HTMLSpanElement;
   'drawing-unsaid': HTMLSpanElement;
   'check': HTMLElement;

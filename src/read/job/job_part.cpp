@@ -11,6 +11,7 @@
 #include "features/tool_choice.h"
 #include "read/common/text.h"
 #include "read/drawing/drawing.h"
+#include "read/drawing/not_as_drawn.h"
 #include "read/drawing/stock_edge.h"
 #include "read/formats/part_file.h"
 #include "read/job/job_file.h"
@@ -288,8 +289,9 @@ class Dresser {
     }
     if (rule.skip) {
       std::erase_if(steps_, hit);
-      part_.diagnostics.skip(place,
-                             "the operations of '" + printable(rule.feature) + "' are skipped by the job");
+      part_.diagnostics.doubt(
+          place, kLeftOut,
+          "the operations of '" + printable(rule.feature) + "' are skipped by the job: their material stays");
     } else if (is_finishing(rule.settings)) {
       add_finishing(rule, place);
     } else {
