@@ -1,6 +1,11 @@
 #include "plan/cover/entry.h"
 
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
 #include "base/error.h"
+#include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "plan/cover/plan_cover.h"
 
@@ -12,6 +17,20 @@ namespace {
 constexpr std::uint64_t kUsualSteps = 8'000'000;
 constexpr std::uint64_t kBriefSteps = 1'000'000;
 constexpr double kStepsPerSecond = 5'000'000;
+
+/// Square diameters, of all different outlines of a workingstep, up to which "auto" tries the strategy: planning then takes
+/// two seconds of one core at most.
+constexpr std::uint64_t kMostBriefSquares = 1000;
+
+/// Refuses layers for which "auto" does not try the strategy. `squares`: square diameters of the layers so far.
+void check_brief(const Layer& layer, std::atomic<std::uint64_t>& squares) {
+  if (closed_all_round(layer))
+    throw InputError("cover", "is tried by auto only where the cutter may leave the area");
+  const double square = 4 * layer.tool_radius * layer.tool_radius;
+  const auto more = static_cast<std::uint64_t>(geometry::area(layer.target) / square) + 1;
+  if (squares.fetch_add(more) + more > kMostBriefSquares)
+    throw InputError("cover", "is tried by auto only for smaller areas");
+}
 
 /// Cost of a usual corner as a share of stopping and starting again: most corners are blunt.
 constexpr double kShareOfStop = 0.25;
@@ -40,11 +59,16 @@ Strategy make_cover(const StrategyRequest& request) {
     effort.steps = static_cast<std::uint64_t>(*request.plan.search_s * kStepsPerSecond);
     effort.seconds = *request.plan.search_s;
   }
+  effort.brief = request.briefly;
   effort.seed = request.plan.seed;
   effort.cancel = request.plan.cancel;
-  return once_per_outline(
-      [effort, price = shortest ? 0.0 : corner_price(request.plan.machine, request.step.feed),
-       tol = request.plan.tol](const Layer& layer) { return plan_cover(layer, price, effort, tol); });
+  return once_per_outline([effort,
+                           price = shortest ? 0.0 : corner_price(request.plan.machine, request.step.feed),
+                           tol = request.plan.tol,
+                           squares = std::make_shared<std::atomic<std::uint64_t>>(0)](const Layer& layer) {
+    if (effort.brief) check_brief(layer, *squares);
+    return plan_cover(layer, price, effort, tol);
+  });
 }
 
 }  // namespace
@@ -56,7 +80,8 @@ StrategyEntry entry() {
   entry.make = make_cover;
   entry.keeps_direction = false;
   entry.takes_stepover = false;
-  entry.in_auto = AutoUse::kNever;
+  entry.in_auto = AutoUse::kBriefly;
+  entry.tried_when_open = true;
   return entry;
 }
 

@@ -8,6 +8,7 @@
 
 #include "base/progress.h"
 #include "base/units.h"
+#include "geometry/box.h"
 #include "geometry/route/legal_area.h"
 #include "order/search/solve.h"
 
@@ -192,7 +193,135 @@ std::vector<Vec2> ordered(const std::vector<Vec2>& points, const LatticeStartOpt
   return path;
 }
 
+/// Lines across each strip at which its extent is searched.
+constexpr int kLinesOfStrip = 9;
+/// Curves count as chords no farther from them than this share of the radius.
+constexpr double kStripChord = 1e-3;
+/// Share of a strip by which its width may exceed the disc's diameter by rounding.
+constexpr double kStripRounding = 1e-9;
+
+/// Stretches of the line y = `at` within polygons, joined where they touch.
+std::vector<std::pair<double, double>> stretches_at(const std::vector<std::vector<Vec2>>& polygons,
+                                                    double at) {
+  std::vector<double> crossings;
+  for (const auto& polygon : polygons) {
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const Vec2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+      if ((a.y > at) != (b.y > at)) crossings.push_back(a.x + (b.x - a.x) * (at - a.y) / (b.y - a.y));
+    }
+  }
+  std::sort(crossings.begin(), crossings.end());
+  std::vector<std::pair<double, double>> stretches;
+  for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+    stretches.emplace_back(crossings[i], crossings[i + 1]);
+  return stretches;
+}
+
+/// Joins stretches that overlap or are no farther than `gap` apart.
+std::vector<std::pair<double, double>> joined(std::vector<std::pair<double, double>> stretches, double gap) {
+  std::sort(stretches.begin(), stretches.end());
+  std::vector<std::pair<double, double>> result;
+  for (const auto& [first, last] : stretches) {
+    if (!result.empty() && first <= result.back().second + gap)
+      result.back().second = std::max(result.back().second, last);
+    else
+      result.emplace_back(first, last);
+  }
+  return result;
+}
+
+/// Middle lines of the strips in direction `direction`, from below.
+std::vector<std::pair<Vec2, Vec2>> strips(const Regions& area, double direction, double radius) {
+  std::vector<std::vector<Vec2>> polygons;
+  Box box;
+  const auto add = [&](const Loop& loop) {
+    std::vector<Vec2> polygon = flattened(loop, kStripChord * radius);
+    for (Vec2& p : polygon) {
+      p = rotated(p, -direction);
+      box.add(p);
+    }
+    polygons.push_back(std::move(polygon));
+  };
+  for (const Region& region : area) {
+    add(region.outer());
+    for (const Loop& island : region.islands()) add(island);
+  }
+  const int count = std::max(1, static_cast<int>(std::ceil(box.height() / (2 * radius) - kStripRounding)));
+  const double width = box.height() / count;
+  std::vector<std::pair<Vec2, Vec2>> lines;
+  for (int i = 0; i < count; ++i) {
+    std::vector<std::pair<double, double>> stretches;
+    for (int k = 0; k < kLinesOfStrip; ++k) {
+      const auto more = stretches_at(polygons, box.min.y + (i + (k + 0.5) / kLinesOfStrip) * width);
+      stretches.insert(stretches.end(), more.begin(), more.end());
+    }
+    const double middle = box.min.y + (i + 0.5) * width;
+    for (const auto& [first, last] : joined(std::move(stretches), 2 * radius))
+      lines.emplace_back(rotated({first, middle}, direction), rotated({last, middle}, direction));
+  }
+  return lines;
+}
+
+/// Path along all lines: from the first, always on to the nearest end.
+std::vector<Vec2> along_lines(std::vector<std::pair<Vec2, Vec2>> lines) {
+  std::vector<Vec2> path;
+  while (!lines.empty()) {
+    std::size_t next = 0;
+    bool turned = false;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; !path.empty() && i < lines.size(); ++i) {
+      for (const bool from_end : {false, true}) {
+        const double away = distance(path.back(), from_end ? lines[i].second : lines[i].first);
+        if (away < nearest) {
+          nearest = away;
+          next = i;
+          turned = from_end;
+        }
+      }
+    }
+    path.push_back(turned ? lines[next].second : lines[next].first);
+    path.push_back(turned ? lines[next].first : lines[next].second);
+    lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(next));
+  }
+  return path;
+}
+
+/// Whether the center may be at all points; with the bends of moves that would be illegal.
+bool make_legal(std::vector<Vec2>& path, const LatticeStartOptions& options) {
+  if (options.may_stand && !std::all_of(path.begin(), path.end(), options.may_stand)) return false;
+  if (!options.bends) return true;
+  std::vector<Vec2> legal;
+  for (const Vec2 p : path) {
+    if (!legal.empty()) {
+      const std::vector<Vec2> bends = options.bends(legal.back(), p);
+      legal.insert(legal.end(), bends.begin(), bends.end());
+    }
+    legal.push_back(p);
+  }
+  path = std::move(legal);
+  return true;
+}
+
 }  // namespace
+
+std::vector<std::vector<Vec2>> strip_starts(const Regions& area, const LatticeStartOptions& options) {
+  std::vector<std::pair<double, std::vector<Vec2>>> rated;
+  for (const double direction : wall_directions(straight_edges(area))) {
+    for (const double turn : {0.0, kPi / 2}) {
+      std::vector<Vec2> path = along_lines(strips(area, direction + turn, options.radius));
+      if (path.empty() || !make_legal(path, options)) continue;
+      double cost = kTurnPrice * options.radius * static_cast<double>(path.size());
+      for (std::size_t i = 1; i < path.size(); ++i) cost += distance(path[i - 1], path[i]);
+      rated.emplace_back(cost, std::move(path));
+    }
+  }
+  std::stable_sort(rated.begin(), rated.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<std::vector<Vec2>> paths;
+  for (auto& [cost, path] : rated)
+    if (paths.size() < std::min<std::size_t>(2, options.most)) paths.push_back(std::move(path));
+  return paths;
+}
 
 std::vector<std::vector<Vec2>> lattice_starts(const Regions& area, const LatticeStartOptions& options) {
   const Lattices lattices(area, options);

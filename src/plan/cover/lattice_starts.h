@@ -1,4 +1,4 @@
-// First paths of a cover: tours over square lattices, one diameter wide, in phase with the area's boundary.
+// First paths of a cover: tours over square lattices, one diameter wide, in phase with the area's boundary; strips.
 #pragma once
 
 #include <cstdint>
@@ -24,5 +24,9 @@ struct LatticeStartOptions {
 
 /// Paths clearing most of the area; the first ones leave or repeat least. At least one path if the area is not empty.
 std::vector<std::vector<Vec2>> lattice_starts(const Regions& area, const LatticeStartOptions& options);
+
+/// Paths to and fro along strips no wider than the disc, all of the same width, along and across the longest walls; the
+/// shortest first, at most two. They clear everything, except where a strip ends at a wall that bends within it.
+std::vector<std::vector<Vec2>> strip_starts(const Regions& area, const LatticeStartOptions& options);
 
 }  // namespace clearcut::plan::cover

@@ -106,7 +106,6 @@ Shortening::Insertion Shortening::cheapest(Vec2 bare) {
 }
 
 bool Shortening::clear(std::vector<Vec2> bare) {
-  const double r2 = witnesses_.radius() * witnesses_.radius();
   std::vector<Vec2> uncovered;
   std::size_t left = kInsertionsAtLeast + kInsertionsPerPoint * bare.size();
   while (!bare.empty()) {
@@ -131,19 +130,44 @@ bool Shortening::clear(std::vector<Vec2> bare) {
     }
     if (around) continue;
     uncovered.clear();
-    const Corner c = path_.insert_after(chosen.after, chosen.at, uncovered);
-    const Corner a = path_.previous(c), b = path_.next(c);
-    bare.insert(bare.end(), uncovered.begin(), uncovered.end());
-    work_ += bare.size() / 8;
+    const Corner next = path_.next(chosen.after);
+    insert_detour(chosen.after, chosen.at, uncovered);
     const std::size_t before = bare.size();
-    std::erase_if(bare, [&](Vec2 p) {
-      return (!path_.is_nowhere(a) && clears(path_.at(a), path_.at(c), p, r2)) ||
-             (!path_.is_nowhere(b) && clears(path_.at(c), path_.at(b), p, r2));
-    });
+    work_ += (before + uncovered.size()) / 8;
+    remove_cleared(chosen.after, next, bare);
     // Rounding: the requested point is on the rim.
     if (bare.size() >= before && uncovered.empty()) bare.erase(bare.begin());
+    bare.insert(bare.end(), uncovered.begin(), uncovered.end());
   }
   return true;
+}
+
+/// Removes the points that the moves from one corner to a later one clear.
+void Shortening::remove_cleared(Corner from, Corner to, std::vector<Vec2>& points) const {
+  const double r2 = witnesses_.radius() * witnesses_.radius();
+  for (Corner c = from; c != to; c = path_.next(c)) {
+    const Corner next = path_.next(c);
+    if (path_.is_nowhere(c) || path_.is_nowhere(next)) continue;
+    std::erase_if(points, [&](Vec2 p) { return clears(path_.at(c), path_.at(next), p, r2); });
+  }
+}
+
+/// Inserts a corner at p into the move after a corner; `uncovered` are then the points that no move clears any more. If
+/// there are any and detours go to and fro, the move stays, and the detour goes from its nearest place to p and back.
+void Shortening::insert_detour(Corner after, Vec2 p, std::vector<Vec2>& uncovered) {
+  const Corner next = path_.next(after);
+  const std::size_t mark = path_.mark();
+  path_.insert_after(after, p, uncovered);
+  remove_cleared(after, next, uncovered);
+  if (!to_and_fro_ || uncovered.empty() || path_.is_nowhere(after) || path_.is_nowhere(next)) return;
+  const Vec2 from = path_.at(after), to = path_.at(next);
+  const Vec2 foot = from == to ? from : nearest_point(Edge::line(from, to), p);
+  if (!may_move(foot, p) || !may_move(p, foot)) return;
+  path_.undo(mark);
+  uncovered.clear();
+  const Corner first = path_.insert_after(after, foot, uncovered);
+  path_.insert_after(path_.insert_after(first, p, uncovered), foot, uncovered);
+  remove_cleared(after, next, uncovered);
 }
 
 /// Adds a detour to p and back around obstacles, from the nearest corner with a path to p. Removes the points thus

@@ -45,6 +45,10 @@ class Shortening {
   /// From now on detours go at least this share of the radius farther than they must.
   void set_margin(double margin) { margin_ = margin; }
 
+  /// From now on detours go to and fro where moving the path aside would uncover points, as between strips as wide as the
+  /// disc.
+  void set_to_and_fro(bool to_and_fro) { to_and_fro_ = to_and_fro; }
+
   std::uint64_t work() const { return witnesses_.work() + work_; }
 
  private:
@@ -69,6 +73,8 @@ class Shortening {
   bool take_out_disc(std::vector<Vec2>& bare);
   bool join_otherwise(std::vector<Vec2>& bare);
   bool move_stretch(std::vector<Vec2>& bare);
+  void remove_cleared(Corner from, Corner to, std::vector<Vec2>& points) const;
+  void insert_detour(Corner after, Vec2 p, std::vector<Vec2>& uncovered);
   bool visit_around(Vec2 p, std::vector<Vec2>& bare);
   void pull_some(std::vector<Corner> corners, double finest, std::size_t most);
 
@@ -78,6 +84,7 @@ class Shortening {
   Random random_;
   std::vector<Vec2> needed_;  ///< points that the current moves must clear
   double margin_ = 0;
+  bool to_and_fro_ = false;
   std::uint64_t moves_share_ = 4;  ///< quarters of the corners whose moves are shifted as a whole, too
   std::uint64_t work_ = 0;
 };

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <span>
 
 #include "base/progress.h"
 #include "plan/common/cover.h"
@@ -34,6 +35,12 @@ struct Phase {
 constexpr Phase kPhases[] = {{0.12, 0.02, 0.4, 0.4, 0.06, 0.02, false},
                              {0.07, 0.006, 0.35, 0.6, 0.02, 0.004, true},
                              {0.05, kReserve, 0.25, 1, 0.004, 0.001, true}};
+/// Of brief searches: uncleared slivers between strips as thin as these reserves escape the witnesses.
+constexpr Phase kBriefPhases[] = {{0.12, 1e-3, 0.5, 0.5, 0.02, 0.004, false},
+                                  {0.07, 5e-4, 0.5, 1, 0.004, 0.001, true}};
+std::span<const Phase> phases_of(bool brief) {
+  return brief ? std::span<const Phase>(kBriefPhases) : std::span<const Phase>(kPhases);
+}
 /// Share of the time after which no further initial path is tried.
 constexpr double kBeginning = 0.2;
 /// Share of the time reserved for the end.
@@ -58,12 +65,13 @@ class Search {
   Search(const CoverTask& task, const CoverEffort& effort)
       : task_(task), effort_(effort), began_(std::chrono::steady_clock::now()), inside_(task.area) {
     least_pitch_ = std::sqrt(area(task.area) / kMostWitnesses);
-    pitch_ = std::max(kPhases[0].pitch * task.radius, least_pitch_);
+    pitch_ = std::max(phases_[0].pitch * task.radius, least_pitch_);
+    reserve_ = phases_[0].reserve;
   }
 
   CoverResult run() {
     LatticeStartOptions options;
-    options.radius = task_.radius;
+    options.radius = effort_.brief ? task_.radius * (1 - reserve_) : task_.radius;
     options.closed = task_.closed;
     options.seed = effort_.seed;
     options.cancel = effort_.cancel;
@@ -73,7 +81,9 @@ class Search {
       };
       options.may_stand = [this](Vec2 p) { return task_.legal->area().holds(p); };
     }
-    const auto starts = lattice_starts(task_.area, options);
+    std::vector<std::vector<Vec2>> starts;
+    if (effort_.brief) starts = strip_starts(task_.area, options);
+    if (starts.empty()) starts = lattice_starts(task_.area, options);
     std::size_t best = 0;
     for (std::size_t i = 0; i < starts.size(); ++i) {
       if (!candidates_.empty() && seconds() > kBeginning * effort_.seconds) break;
@@ -81,7 +91,7 @@ class Search {
       if (!candidate.path) continue;
       tell("begun", candidate);
       candidates_.push_back(std::move(candidate));
-      if (candidates_.back().path->length() < candidates_[best].path->length()) best = candidates_.size() - 1;
+      if (cost_of(candidates_.back()) < cost_of(candidates_[best])) best = candidates_.size() - 1;
     }
     CoverResult result;
     if (candidates_.empty()) return result;
@@ -99,6 +109,11 @@ class Search {
     std::unique_ptr<CoverPath> path;
     std::unique_ptr<Shortening> shortening;
   };
+
+  double corner_price() const { return std::max(task_.corner_price, kLeastCornerPrice * task_.radius); }
+  double cost_of(const Candidate& candidate) const {
+    return candidate.path->length() + corner_price() * candidate.path->corners();
+  }
 
   double length_of(const std::vector<Vec2>& points) const {
     double length = 0;
@@ -121,9 +136,10 @@ class Search {
       limits.may_move = [legal = task_.legal](Vec2 a, Vec2 b) { return legal->area().holds_line(a, b); };
       limits.bends = [legal = task_.legal](Vec2 a, Vec2 b) { return legal->bends(a, b); };
     }
-    limits.corner_price = std::max(task_.corner_price, kLeastCornerPrice * task_.radius);
+    limits.corner_price = corner_price();
     candidate.shortening =
         std::make_unique<Shortening>(*candidate.path, *candidate.witnesses, std::move(limits), effort_.seed);
+    candidate.shortening->set_to_and_fro(effort_.brief);
     return candidate;
   }
 
@@ -152,15 +168,15 @@ class Search {
 
   /// Searches through all phases.
   void anneal(Candidate& candidate) {
-    for (std::size_t i = 0; i < std::size(kPhases); ++i) {
+    for (std::size_t i = 0; i < phases_.size(); ++i) {
       if (i > 0) {
-        pitch_ = std::max(kPhases[i].pitch * task_.radius, least_pitch_);
-        reserve_ = kPhases[i].reserve;
+        pitch_ = std::max(phases_[i].pitch * task_.radius, least_pitch_);
+        reserve_ = phases_[i].reserve;
         rebuild(candidate, candidate.path->points());
         candidate.shortening->pull_all(kCoarse * task_.radius, 3);
         candidate.path->forget();
       }
-      anneal(candidate, kPhases[i]);
+      anneal(candidate, phases_[i]);
     }
   }
 
@@ -172,13 +188,13 @@ class Search {
     std::uint64_t first = candidate.shortening->work();
     double spent = 0, done = 0, learned = 0;
     std::vector<Vec2> best = candidate.path->points();
-    double best_length = candidate.path->length();
+    double best_cost = cost_of(candidate);
     for (long long i = 0; done < 1; ++i) {
       if (phase.learns && done >= learned) {
         candidate.shortening->set_brief(false);
         learn(candidate, kCoarse * radius);
         best = candidate.path->points();
-        best_length = candidate.path->length();
+        best_cost = cost_of(candidate);
         learned += kLearning;
         tell("completed", candidate);
       }
@@ -186,9 +202,9 @@ class Search {
       const double tolerance = radius * phase.first_tolerance *
                                base::pow(phase.last_tolerance / phase.first_tolerance, std::min(1.0, done));
       candidate.shortening->change(tolerance, kCoarse * radius);
-      if (candidate.path->length() < best_length - 1e-3 * radius) {
+      if (cost_of(candidate) < best_cost - 1e-3 * radius) {
         best = candidate.path->points();
-        best_length = candidate.path->length();
+        best_cost = cost_of(candidate);
       }
       spent = static_cast<double>(candidate.shortening->work() - first);
       done = spent / steps;
@@ -202,7 +218,7 @@ class Search {
     }
     tell("searched", candidate);
     candidate.shortening->set_brief(false);
-    if (candidate.path->length() > best_length) rebuild(candidate, best);
+    if (cost_of(candidate) > best_cost) rebuild(candidate, best);
   }
 
   void rebuild(Candidate& candidate, const std::vector<Vec2>& points) {
@@ -222,7 +238,7 @@ class Search {
     std::vector<Vec2> left = cover.holes([&](Vec2 p) { return inside_.contains(p); });
     add_inner_places(cover, left);
     // If the rim of the cleared area leaves the area to be covered, the rim's own corners are outside.
-    for (const Edge& edge : edges_of(task_.area)) add_left_on(edge, cover, left);
+    for (const Edge& edge : edges_of(task_.area)) add_left_on(edge, cover, path, left);
     return left;
   }
 
@@ -253,9 +269,44 @@ class Search {
     }
   }
 
-  /// Adds places of each uncleared stretch. The boundary is searched in steps so short that an uncleared area between
-  /// two of them is thinner than the reserve.
-  void add_left_on(const Edge& edge, const Cover& cover, std::vector<Vec2>& left) const {
+  /// Adds places of each uncleared stretch of the boundary; exactly on lines.
+  void add_left_on(const Edge& edge, const Cover& cover, const Path& path, std::vector<Vec2>& left) const {
+    if (edge.is_arc())
+      add_left_on_arc(edge, cover, left);
+    else
+      add_left_on_line(edge, path, left);
+  }
+
+  void add_left_on_line(const Edge& edge, const Path& path, std::vector<Vec2>& left) const {
+    const double length = edge.length(), reach = task_.radius * (1 + kRounding);
+    if (length == 0) return;
+    const Vec2 along = unit(edge.to - edge.from);
+    const auto turned = [&](Vec2 p) { return Vec2{dot(p - edge.from, along), cross(along, p - edge.from)}; };
+    std::vector<std::pair<double, double>> cleared;
+    for (const Edge& move : path) {
+      const ClearedBand::Run run = ClearedBand(turned(move.from), turned(move.to), reach).at(0);
+      if (run.first <= run.last && run.last >= 0 && run.first <= length)
+        cleared.emplace_back(run.first, run.last);
+    }
+    cleared.emplace_back(length, length);
+    std::sort(cleared.begin(), cleared.end());
+    double up_to = 0;
+    for (const auto& [first, last] : cleared) {
+      if (first > up_to + kRounding * task_.radius) add_stretch(edge, up_to, first, left);
+      up_to = std::max(up_to, last);
+    }
+  }
+
+  void add_stretch(const Edge& edge, double first, double last, std::vector<Vec2>& left) const {
+    const double length = edge.length();
+    for (int k = -1; k <= kPlacesOfStretch + 1; ++k) {
+      const double at = first + (last - first) * k / kPlacesOfStretch;
+      if (at >= 0 && at <= length) left.push_back(edge.at(at / length));
+    }
+  }
+
+  /// An arc is searched in steps so short that an uncleared area between two of them is thinner than the reserve.
+  void add_left_on_arc(const Edge& edge, const Cover& cover, std::vector<Vec2>& left) const {
     const double step = kBoundaryStep * task_.radius;
     const double length = edge.length();
     double begun = -1;
@@ -264,10 +315,7 @@ class Search {
           along < length ? cover.distance_to(edge.at(along / length)) - task_.radius * (1 + kRounding) : 0;
       if (away > 0 && begun < 0) begun = along;
       if (away <= 0 && begun >= 0) {
-        for (int k = -1; k <= kPlacesOfStretch + 1; ++k) {
-          const double at = begun + (std::min(along, length) - begun) * k / kPlacesOfStretch;
-          if (at >= 0 && at <= length) left.push_back(edge.at(at / length));
-        }
+        add_stretch(edge, begun, std::min(along, length), left);
         begun = -1;
       }
       if (along >= length) break;
@@ -293,10 +341,11 @@ class Search {
   }
 
   std::vector<Vec2> finish(Candidate& candidate, bool& proven) {
-    if (seconds() < effort_.seconds) candidate.shortening->pull_all(kFine * task_.radius, 4);
+    if (!effort_.brief && seconds() < effort_.seconds)
+      candidate.shortening->pull_all(kFine * task_.radius, 4);
     for (int repair = 0; repair < kMostRepairs && !proven; ++repair) {
       // The path is pulled taut again while there is time; then only completed, which ends soon.
-      const bool pulls = repair < kPulledRepairs && seconds() < effort_.seconds;
+      const bool pulls = !effort_.brief && repair < kPulledRepairs && seconds() < effort_.seconds;
       candidate.shortening->set_margin(pulls ? kTightMargin : kWideMargin);
       proven = !learn(candidate, pulls ? kFine * task_.radius : 0);
     }
@@ -308,7 +357,8 @@ class Search {
   std::chrono::steady_clock::time_point began_;
   LegalArea inside_;
   double pitch_ = 0, least_pitch_ = 0;
-  double reserve_ = kPhases[0].reserve;
+  double reserve_ = 0;
+  std::span<const Phase> phases_ = phases_of(effort_.brief);
   std::uint64_t spent_ = 0;
   std::vector<Candidate> candidates_;
   std::vector<Vec2> extra_;

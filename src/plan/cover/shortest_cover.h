@@ -35,6 +35,8 @@ struct CoverEffort {
   /// Steps of the search, counted; a million take about a fifth of a second.
   std::uint64_t steps = 20'000'000;
   double seconds = std::numeric_limits<double>::infinity();  ///< wall clock
+  /// A quick search for paths with few corners: it begins with strips, and ends with the first path that clears all.
+  bool brief = false;
   std::uint64_t seed = 1;
   std::stop_token cancel;
   std::function<void(const CoverProgress&)> progress;  ///< called at each stage; may be empty

@@ -96,6 +96,36 @@ TEST(ShortestCover, ClearsRandomAreas) {
   }
 }
 
+TEST(ShortestCover, BriefSearchesClearAllToo) {
+  Random random(23);
+  for (int round = 0; round < 3; ++round) {
+    CoverTask task;
+    task.area = random_area(random);
+    task.radius = 0.5;
+    task.corner_price = 0.1;
+    CoverEffort effort = brief();
+    effort.brief = true;
+    const CoverResult result = shortest_cover(task, effort);
+    EXPECT_TRUE(result.proven) << round;
+    const std::vector<Edge> moves = moves_of(result.points, false);
+    EXPECT_LT(farthest(task.area, moves, 0.05), task.radius + 1e-6) << round;
+    EXPECT_LT(area_left(task.area, moves, task.radius), 1e-3) << round;
+  }
+}
+
+TEST(ShortestCover, BriefSearchesOfRectanglesKeepToStrips) {
+  CoverTask task;
+  task.area = {box_region(0, 0, 20, 9.7)};
+  task.radius = 0.5;
+  task.corner_price = 0.1;
+  CoverEffort effort = brief();
+  effort.brief = true;
+  const CoverResult result = shortest_cover(task, effort);
+  EXPECT_TRUE(result.proven);
+  // Ten strips along the longer side.
+  EXPECT_LT(result.length, 10 * 20 + 9);
+}
+
 TEST(ShortestCover, StripAsWideAsTheDiscTakesOneLine) {
   CoverTask task;
   task.area = {box_region(0, 0, 10, 1)};
