@@ -37,10 +37,12 @@ constexpr std::size_t kChunk = 2000;
 /// in inches cannot be put nearer to its place.
 constexpr double kNearestPlaceOfInches = 0.0018;
 
-/// Whether the gouge of a cutter that just fits into a hole is no more than the digits of inches put it beside its place.
-bool is_of_digits(const CheckedMove& checked, bool is_inch) {
-  return is_inch && checked.gouge && checked.move->is_vertical() && !checked.gouge->floor &&
-         checked.gouge->depth <= kNearestPlaceOfInches;
+/// Takes the gouge of a cutter that just fits into a hole, no deeper than the digits of inches put it beside its place, as the deepest
+/// that is no fault.
+void forgive_digits(CheckedMove& checked, const Tolerances& tol) {
+  if (!checked.gouge || !checked.move->is_vertical() || checked.gouge->floor) return;
+  if (checked.gouge->depth <= kNearestPlaceOfInches)
+    checked.gouge->depth = std::min(checked.gouge->depth, tol.gouge);
 }
 
 void check_gouges(const FinishedParts& finished, std::span<CheckedMove> moves, const Tolerances& tol,
@@ -59,7 +61,7 @@ void check_gouges(const FinishedParts& finished, std::span<CheckedMove> moves, c
     const bool joined = before && before->move->path.to == checked.move->path.from &&
                         before->move->z_to == checked.move->z_from && before->radius() == checked.radius();
     checked.gouge = gouge_of_move(finished, checked, *checked.move, 0, tol.gouge, joined);
-    if (is_of_digits(checked, is_inch)) checked.gouge.reset();
+    if (is_inch) forgive_digits(checked, tol);
     const bool spared = !checked.gouge || checked.gouge->depth < checked.radius() / 2;
     before = spared && !checked.gouge.value_or(Gouge{}).floor ? &checked : nullptr;
   }
