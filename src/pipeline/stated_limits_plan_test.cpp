@@ -87,21 +87,16 @@ TEST(StatedLimits, StockForCoarseDigitsLeavesNothingUncutWherePlacesNarrowDown) 
   EXPECT_TRUE(plan.findings.faults.empty()) << faults_of(plan.findings);
 }
 
-TEST(StatedLimits, AHoleInInchesIsAtItsPlaceAsFarAsDigitsPutIt) {
-  const Part part = drawn(circle("DRILL_D5", {23.4, 9.93}, 1.5) + circle("DRILL_D5", {29.1, 6.39}, 1.5));
-  resolve::PlanOptions options = with({"drill:3"});
-  options.post.dialect = "haas";
-  options.post.inch = true;
-  const PlanResult plan = plan_part(part, options);
-  EXPECT_TRUE(plan.findings.faults.empty()) << faults_of(plan.findings);
-}
-
-TEST(StatedLimits, AnEngravedLineInInchesIsItsGroove) {
-  const Part part = drawn("0\nLINE\n8\nENGRAVE_D0.3\n10\n-10.05\n20\n2.94\n11\n0.787\n21\n8.395\n");
-  resolve::PlanOptions options = with({"vbit:6:60deg"});
-  options.post.dialect = "heidenhain";
-  options.post.inch = true;
-  const PlanResult plan = plan_part(part, options);
+/// Flanks that keep the leaning walls of A would cut into the upright ones of B.
+TEST(StatedLimits, ATaperedMillIsNotChosenWhereSteeperWallsMeetLeaningOnes) {
+  const char* const text =
+      R"({"units": "mm", "pockets": [
+      {"name": "A", "top": 0, "depth": 1.5, "slope_rad": 0.18, "outer": [[0, 0], [18.87, 0], [18.87, 6.5], [0, 6.5]]},
+      {"name": "B", "top": 0, "depth": 2.4, "outer": [[16.87, 0], [25.5, 0], [25.5, 17.8], [16.87, 17.8]]}]})";
+  resolve::PlanOptions options = with({"endmill:1.5", "tapered:2:taper=5deg:length=12"});
+  options.strategy = "contour";
+  options.accept = {"out-of-reach"};
+  const PlanResult plan = plan_part(read::read_part_text(text, "part.json", {}), options);
   EXPECT_TRUE(plan.findings.faults.empty()) << faults_of(plan.findings);
 }
 

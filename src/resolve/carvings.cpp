@@ -17,9 +17,8 @@
 namespace clearcut::resolve {
 namespace {
 
-/// mm. Permitted deviation of the flanks in an engraved line from its groove, which has no other walls than those that the bit makes: half
-/// the diagonal of a step of 0.0001 inch, the coarsest digits of controls.
-constexpr double kBesideGroove = 0.0018;
+/// mm. Permitted deviation of the flanks in an engraved line from its groove.
+constexpr double kBesideGroove = 0.0005;
 /// mm. Floors narrower than this beyond the mill's diameter are left to the bit.
 constexpr double kRoom = 0.01;
 

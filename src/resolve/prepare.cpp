@@ -69,6 +69,16 @@ std::vector<char> used_before(const std::vector<Tool>& tools, const PlanOptions&
   return used;
 }
 
+/// `passed_over`, and tapered mills whose flanks would cut into the walls of others, while there are other tools.
+std::vector<char> without_tapers_among_steeper_walls(const Part& part, const Feature& feature,
+                                                     std::vector<char> passed_over, const Tolerances& tol) {
+  const std::vector<char> before = passed_over;
+  for (std::size_t i = 0; i < part.tools.size(); ++i)
+    if (meets_steeper_walls(part, feature, part.tools[i], tol)) passed_over[i] = 1;
+  const bool any = std::any_of(passed_over.begin(), passed_over.end(), [](char over) { return !over; });
+  return any ? passed_over : before;
+}
+
 void choose_tools(Part& part, const PlanOptions& options, StepSources& sources) {
   if (!options.tools.empty()) {
     part.tools = options.tools;
@@ -76,7 +86,10 @@ void choose_tools(Part& part, const PlanOptions& options, StepSources& sources) 
     const auto used = used_before(part.tools, options);
     const auto through = features::profiles_through(part);
     for (auto& step : part.workplan) {
-      step.operation.tool = features::tool_for(feature_of(part, step), part.tools, used, options.tol);
+      const Feature& feature = feature_of(part, step);
+      step.operation.tool = features::tool_for(
+          feature, part.tools, without_tapers_among_steeper_walls(part, feature, used, options.tol),
+          options.tol);
       if (options.tabs.any() && through.contains(step.feature))
         step.operation.tool =
             features::tool_for_tabs(feature_of(part, step), step.operation.tool, part.tools);

@@ -14,6 +14,7 @@
 #include "features/tool_choice.h"
 #include "geometry/contours/boolean.h"
 #include "model/cutter_profile.h"
+#include "resolve/features/tapered_walls.h"
 #include "resolve/prepare.h"
 #include "resolve/values/tool_cutting.h"
 
@@ -241,18 +242,6 @@ void warn_of_corners(const Workingstep& walls, const PlanOptions& options, Part&
           trimmed(*options.engagement_deg, 1), trimmed(std::ceil(most), 0)));
 }
 
-/// Whether the tool's flanks would cut into walls of other features where these cut into the walls of the step's own: between steeper
-/// walls there is no room for them, however much its own lean.
-bool meets_steeper_walls(const Part& part, const Workingstep& step, const Tool& tool, const Tolerances& tol) {
-  if (tool.kind != ToolKind::kTapered) return false;
-  const Feature& own = feature_of(part, step);
-  return std::any_of(part.features.begin(), part.features.end(), [&](const Feature& other) {
-    return &other != &own && other.floor_z < own.top_z && !features::keeps_walls(tool, other) &&
-           clearcut::box(other.target).overlaps(clearcut::box(own.target)) &&
-           !intersect(other.target, own.target, tol).empty();
-  });
-}
-
 }  // namespace
 
 Finish finish_of(const ShopOptions& shop) {
@@ -280,7 +269,8 @@ void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources
     for (std::size_t i = 0; i < mills.size(); ++i) {
       const Tool& tool = part.tools[static_cast<std::size_t>(mills[i])];
       if (tool.diameter > fits || !features::keeps_walls(tool, feature_of(part, step)) ||
-          meets_steeper_walls(part, step, tool, options.tol) || !reaches_more_than_before(part, step, tool))
+          meets_steeper_walls(part, feature_of(part, step), tool, options.tol) ||
+          !reaches_more_than_before(part, step, tool))
         continue;
       if (under) {
         before[*under].push_back(rest_step(step, mills[i], part, options, sources));

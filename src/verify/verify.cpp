@@ -34,18 +34,7 @@ namespace {
 /// Number of moves checked in one task.
 constexpr std::size_t kChunk = 2000;
 
-/// mm; half the diagonal of a step of 0.0001 inch, the coarsest digits of controls, with the rounding of conversion: a hole in a program
-/// in inches cannot be put nearer to its place.
-constexpr double kNearestPlaceOfInches = 0.0018;
-
-/// Whether the gouge of a cutter that just fits into a hole is no more than the digits of inches put it beside its place.
-bool is_of_digits(const CheckedMove& checked, bool is_inch) {
-  return is_inch && checked.gouge && checked.move->is_vertical() && !checked.gouge->floor &&
-         checked.gouge->depth <= kNearestPlaceOfInches;
-}
-
-void check_gouges(const FinishedParts& finished, std::span<CheckedMove> moves, const Tolerances& tol,
-                  bool is_inch) {
+void check_gouges(const FinishedParts& finished, std::span<CheckedMove> moves, const Tolerances& tol) {
   const CheckedMove* before = nullptr;  // the last move, if known to end outside the part
   for (CheckedMove& checked : moves) {
     if (checked.radius() <= 0) {
@@ -60,7 +49,6 @@ void check_gouges(const FinishedParts& finished, std::span<CheckedMove> moves, c
     const bool joined = before && before->move->path.to == checked.move->path.from &&
                         before->move->z_to == checked.move->z_from && before->radius() == checked.radius();
     checked.gouge = gouge_of_move(finished, checked, *checked.move, 0, tol.gouge, joined);
-    if (is_of_digits(checked, is_inch)) checked.gouge.reset();
     const bool spared = !checked.gouge || checked.gouge->depth < checked.radius() / 2;
     before = spared && !checked.gouge.value_or(Gouge{}).floor ? &checked : nullptr;
   }
@@ -293,7 +281,7 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   for (std::size_t i = 0; i < gouging; i += kChunk) {
     const std::span<CheckedMove> chunk(program.moves.data() + i, std::min(kChunk, program.moves.size() - i));
     tasks.push_back([&finished, &left, &options, &program, &meter, chunk, i] {
-      check_gouges(finished, chunk, options.tol, options.control && options.control->inch_line > 0);
+      check_gouges(finished, chunk, options.tol);
       check_liberties(finished, program.moves, chunk, options.tol);
       check_stock_to_leave(left, program.moves, i, i + chunk.size());
       meter.add(chunk.size());

@@ -24,9 +24,6 @@ constexpr double kTouching = 0.005;
 /// mm. Material between two outlines no thicker than the permitted depth of a gouge is no wall: one line, drawn
 /// twice. The verifier treats it the same way.
 constexpr double kGap = 0.001;
-/// mm. Likewise beside walls with draft, whose outlines shift with depth: a union over a greater gap would add as much beside the place at
-/// which two of them cross at a small angle.
-constexpr double kGapBesideDraft = 0.0002;
 /// mm. Shorter edges are remnants of unions of nearly coincident outlines.
 constexpr double kShortEdge = 0.0004;
 
@@ -124,10 +121,7 @@ void MeetingPockets::widen(Layer& layer) {
 std::optional<Regions> MeetingPockets::added_to(const Layer& layer,
                                                 const std::vector<const Feature*>& open) const {
   Regions wide = layer.allowed;
-  for (const Feature* other : open) {
-    const double gap = leans_ || other->wall_slope.radians() != 0 ? kGapBesideDraft : kGap;
-    wide = unite_over_gaps(wide, room_of(*other, layer.z), gap, tol_);
-  }
+  for (const Feature* other : open) wide = unite_over_gaps(wide, room_of(*other, layer.z), kGap, tol_);
   const double around = 2 * (layer.tool_radius + layer.wall_stock);
   const Regions near = dilate(layer.allowed, around, tol_);
   const auto reached = [&](const Regions& allowed, double more) {

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/text/format.h"
 #include "features/tool_choice.h"
+#include "geometry/contours/boolean.h"
 
 namespace clearcut::resolve {
 namespace {
@@ -44,6 +45,14 @@ void refuse_among_upright_mills(const Part& part, const Workingstep& step) {
 }
 
 }  // namespace
+
+bool meets_steeper_walls(const Part& part, const Feature& own, const Tool& tool, const Tolerances& tol) {
+  if (tool.kind != ToolKind::kTapered) return false;
+  return std::any_of(part.features.begin(), part.features.end(), [&](const Feature& other) {
+    return &other != &own && other.floor_z < own.top_z && !features::keeps_walls(tool, other) &&
+           box(other.target).overlaps(box(own.target)) && !intersect(other.target, own.target, tol).empty();
+  });
+}
 
 void lean_walls(Part& part) {
   for (const Workingstep& step : part.workplan) {

@@ -1,6 +1,7 @@
 // Walls as tapered end mills leave them.
 #pragma once
 
+#include "base/tolerances.h"
 #include "model/part.h"
 
 namespace clearcut::resolve {
@@ -10,5 +11,9 @@ namespace clearcut::resolve {
 /// draft keep their own. Throws InputError if other mills work on the same vertical walls, and for profiles, holes
 /// and isolation bands around copper.
 void lean_walls(Part& part);
+
+/// Whether the flanks of a tapered mill would cut into walls of other features where these cut into the walls of `own`: between steeper
+/// walls there is no room for them, however much the walls of `own` lean. False for other tools.
+bool meets_steeper_walls(const Part& part, const Feature& own, const Tool& tool, const Tolerances& tol);
 
 }  // namespace clearcut::resolve
