@@ -50,6 +50,18 @@ TEST(StepNcChamfers, LieWhereTheWallsOfOneFeatureEndInTheFloorOfTheOther) {
   }
 }
 
+TEST(StepNcChamfers, LieThereWhereTheWorkpieceIsTurnedOver) {
+  Program p = with_chamfer("CHAMFER('CHAMFER',#3,(#91),#70,#20,0.785398163397,#92)");
+  p.with(9, "WORKPIECE_SETUP(#3,#93,$,$,())").with(93, "AXIS2_PLACEMENT_3D('',$,#94,#95)");
+  p.with(94, "DIRECTION('',(0.,0.,-1.))").with(95, "DIRECTION('',(1.,0.,0.))");
+  p.with(72, "AXIS2_PLACEMENT_3D('',#73,#94,#95)").with(73, "CARTESIAN_POINT('',(0.,80.,-20.))");
+  p.with(21, "AXIS2_PLACEMENT_3D('',#22,#94,#95)").with(22, "CARTESIAN_POINT('',(0.,80.,-19.))");
+  const Part part = p.read();
+  ASSERT_EQ(part.features.size(), 3U) << all_diagnostics(part);
+  EXPECT_EQ(part.features[2].top_z, 19);
+  EXPECT_NEAR(length(part.features[2].chamfer->line), 160, 1e-9);
+}
+
 TEST(StepNcChamfers, AreMeasuredOnTheFirstFeature) {
   const std::string angle = std::to_string(kPi / 6);
   // 30 degrees against the face, 0.8 mm wide: its cone has 120 degrees.

@@ -49,8 +49,10 @@ std::optional<int> number_in(std::string& name) {
   return number;
 }
 
-double corner_radius_of(const Node& tool, const Tool& result, std::optional<double> edge_radius,
-                        Context& context) {
+/// Of drills the radius is not read: the ledger of what is not used names it.
+double corner_radius_of(const Node& tool, const Tool& result, Context& context) {
+  if (is_driven_down(result)) return 0;
+  const std::optional<double> edge_radius = tool.length(4);
   if (result.kind == ToolKind::kBallEndMill) {
     if (edge_radius && std::abs(*edge_radius - result.radius()) > kSamePlaceMm)
       context.warn("not followed: an edge radius of " + trimmed(*edge_radius, 4) +
@@ -58,7 +60,6 @@ double corner_radius_of(const Node& tool, const Tool& result, std::optional<doub
                    tool);
     return result.radius();
   }
-  if (is_driven_down(result)) return 0;
   if (!edge_radius) context.note("no edge radius; the cutter is taken as flat-ended", tool);
   if (edge_radius && *edge_radius > result.radius() + 1e-9)
     tool.fail("its edge radius is larger than half its diameter; correct it");
@@ -130,7 +131,7 @@ Tool read_tool(const Node& node, const StatedUse& use, Context& context) {
   tool.kind = kind_of(body);
   tool.diameter = size.needed_length(0, "diameter");
   if (tool.diameter <= 0) size.fail("the tool's diameter is not above zero; correct it");
-  tool.corner_radius = corner_radius_of(size, tool, size.length(4), context);
+  tool.corner_radius = corner_radius_of(size, tool, context);
   tool.flute_length = size.length(3);
   if (tool.flute_length && *tool.flute_length <= 0) tool.flute_length.reset();
   const double teeth = body.number(1).value_or(2);

@@ -456,7 +456,8 @@ Draft draft_feature(const Member& member, Context& context) {
   Draft draft(feature);
   draft.name = member.name;
   if (!is_simple_feature(feature)) refuse(feature);
-  check_upright(member);
+  if (!feature.is("CHAMFER"))
+    check_upright(member);  // its place is that of the edge, whatever way the workpiece lies
   draft.placement = member.placement;
   draft.placement_z = member.placement.origin.z;
   const bool has_length = feature.is_any("CATALOGUE_THREAD", "DEFINED_THREAD") && feature.sound_ref(5);

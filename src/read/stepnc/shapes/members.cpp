@@ -196,6 +196,8 @@ double spacing_of(const Node& pattern, std::size_t argument, const char* what) {
 std::vector<Frame> rectangular_members(const Node& pattern, const Frame& frame, const Frame& base,
                                        Context& context) {
   const int rows = pattern.unset(7) ? 1 : count_of(pattern, 7, "number of rows");
+  if (!pattern.unset(3) && distance(in_plan(frame.origin), in_plan(base.origin)) > kSamePlaceMm)
+    context.note("its placement is not that of its base feature, which is the first member", pattern);
   const int columns = count_of(pattern, 8, "number of columns");
   if (static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns) > kMostMembers)
     pattern.fail("more than 10000 members; split the pattern");
