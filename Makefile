@@ -35,7 +35,7 @@ web:
 
 # Has Coq check the proof of lemma L1 of docs/claim.md, and say what it assumes: nothing.
 prove:
-	@command -v coqc > /dev/null || { echo "make prove needs Coq: apt install coq"; exit 1; }
+	@scripts/setup.sh prove
 	@mkdir -p $(BUILD)/prove && cp checker/cover.v $(BUILD)/prove && cd $(BUILD)/prove && coqc cover.v
 
 # The independent checker of witnesses as WebAssembly, one source: build/web-checker/clearcut-check.wasm, and .js that runs it.
