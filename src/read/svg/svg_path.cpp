@@ -200,7 +200,7 @@ class PathReader {
     if (rx == 0 || ry == 0) return line_to(to);
     const CenterArc arc = center_arc(at_, to, {rx, ry, n[2] * kPi / 180, n[3] != 0, n[4] != 0});
     Path piece;
-    append_elliptical(map_(arc.center), map_.linear(arc.u), map_.linear(arc.v), arc.start, arc.sweep,
+    append_elliptical({map_(arc.center), map_.linear(arc.u), map_.linear(arc.v), arc.start, arc.sweep},
                       kCurveTolerance, piece);
     if (!piece.empty()) {
       // The ends as written, not as computed from the center.
