@@ -166,9 +166,17 @@ struct Blend {
 /// ([TRAJ]ARC_BLEND_GAP_CYCLES).
 constexpr double kGapCycles = 4;
 
+/// Two legs that follow each other, and their segments.
+struct LegPair {
+  const Leg& before;
+  const Leg& after;
+  const Segment& a;
+  const Segment& b;
+};
+
 /// The blend arc; of length 0 if there is none.
-Blend blend_arc(const Leg& before, const Leg& after, const Segment& a, const Segment& b, const Corner& corner,
-                const AxisLimits& limits) {
+Blend blend_arc(const LegPair& pair, const Corner& corner, const AxisLimits& limits) {
+  const auto& [before, after, a, b] = pair;
   Blend blend;
   Segment& arc = blend.arc;
   arc.blend = true;
@@ -300,7 +308,7 @@ void Trajectory::join() {
   corner.bent = corner.turn + chord_turn(before, after, corner.turn);
   corner.tolerance = blend_tolerance(before, a, b);
   corner.goal = goal;
-  Blend rounded = blend_arc(before, after, a, b, corner, limits_);
+  Blend rounded = blend_arc({before, after, a, b}, corner, limits_);
   Segment& arc = rounded.arc;
   const double slowed = goal * kKinkShare / kink;
   const Parabola blend = parabola(before, after, a, b, corner.tolerance);

@@ -126,16 +126,23 @@ long long search_by_populations(const LengthModel& model, const Plan& plan,
   return round;
 }
 
-/// The points at positions [first, first + count) of the tour as a path with fixed ends; improved by kicks.
-std::vector<int> improve_window(const Problem& problem, std::span<const int> tour, int first, int count,
-                                long long kicks, std::uint64_t seed, const StopWatch& watch) {
-  const int n = static_cast<int>(tour.size());
+/// A stretch of a tour: the positions [first, first + count).
+struct TourWindow {
+  int first = 0, count = 0;
+  long long kicks = 0;     ///< number of kicks by which it is improved
+  std::uint64_t seed = 0;  ///< of the random numbers for them
+};
+
+/// The points of the window as a path with fixed ends; improved by kicks.
+std::vector<int> improve_window(const Problem& problem, std::span<const int> tour, const TourWindow& window,
+                                const StopWatch& watch) {
+  const int n = static_cast<int>(tour.size()), count = window.count;
   std::vector<int> members;
   Problem part;
   part.metric = problem.metric;
   part.shape = Shape::kOpenPath;
   for (int i = 0; i < count; ++i) {
-    members.push_back(tour[(first + i) % n]);
+    members.push_back(tour[(window.first + i) % n]);
     part.points.push_back(problem.points[members.back()]);
   }
   part.start = 0;
@@ -146,9 +153,9 @@ std::vector<int> improve_window(const Problem& problem, std::span<const int> tou
   const LengthModel model(part, kCandidates);
   Tour in_place(static_cast<std::size_t>(count));
   std::iota(in_place.begin(), in_place.end(), 0);
-  ChainedSearch search(model, model.from_problem(in_place), default_breadth(), seed);
+  ChainedSearch search(model, model.from_problem(in_place), default_breadth(), window.seed);
   search.descend(watch);
-  search.run(kicks, watch);
+  search.run(window.kicks, watch);
   std::vector<int> result;
   for (const int i : model.to_problem(search.nodes())) result.push_back(members[i]);
   return result;
@@ -183,7 +190,7 @@ void improve_all_windows(const Problem& problem, Tour& tour, bool kicked, Random
       if (watch.over() || count < 8) return;
       const int first = (offset + begins[i]) % n;
       const std::vector<int> part =
-          improve_window(problem, tour, first, count, kicked ? count : 0, seeds[i], watch);
+          improve_window(problem, tour, {first, count, kicked ? count : 0, seeds[i]}, watch);
       for (int j = 0; j < count; ++j) tour[(first + j) % n] = part[j];
     });
     told(tour);

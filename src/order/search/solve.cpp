@@ -143,34 +143,51 @@ StopRule remaining(const StopRule& stop, const StopWatch& watch, double share) {
   return rest;
 }
 
+/// What all steps of one search work with. References are kept.
+struct SolveRun {
+  const Problem& problem;
+  const Objective& objective;
+  const SolveOptions& options;
+  const StopWatch& watch;
+  const Moves& moves;
+  Evaluator& value_of;  ///< the objective's value of a tour
+  Bounds& bounds;
+  Keeper& keeper;
+
+  /// The value at which the search may stop, by the bound below the best tour so far.
+  double enough() const { return enough_value(bounds.below(keeper.value()), options.stop); }
+};
+
+/// Tours with their values.
+using ValuedTours = std::vector<std::pair<double, Tour>>;
+
 /// Offers the lattice's sweeps, in both directions; true when one of them is proven good enough.
-bool sweep(const Problem& problem, Evaluator& value_of, const SolveOptions& options, const Bounds& bounds,
-           Keeper& keeper, std::vector<std::pair<double, Tour>>& valued) {
-  if (!bounds.lattice()) return false;
-  for (Tour tour : sweeps(*bounds.lattice(), problem.closed())) {
+bool sweep(const SolveRun& run, ValuedTours& valued) {
+  if (!run.bounds.lattice()) return false;
+  for (Tour tour : sweeps(*run.bounds.lattice(), run.problem.closed())) {
     for (int direction = 0; direction < 2; ++direction) {
-      if (is_valid(problem, tour)) {
-        valued.push_back({value_of(tour), tour});
-        keeper.offer(tour, valued.back().first);
+      if (is_valid(run.problem, tour)) {
+        valued.push_back({run.value_of(tour), tour});
+        run.keeper.offer(tour, valued.back().first);
       }
       std::reverse(tour.begin(), tour.end());
     }
   }
-  return !keeper.tour().empty() && keeper.value() <= enough_value(bounds.below(keeper.value()), options.stop);
+  return !run.keeper.tour().empty() && run.keeper.value() <= run.enough();
 }
 
-void solve_length(const Problem& problem, const SolveOptions& options, const StopWatch& watch, Bounds& bounds,
-                  Keeper& keeper, Solution& solution) {
-  const LengthModel model(problem, kCandidates);
-  const std::vector<int> first = first_tour(model, watch);
-  keeper.offer(model.to_problem(first), model.length(model.tour_cost(first)));
-  bounds.find_length(model, first, StopWatch(remaining(options.stop, watch, 0.2)));
+void solve_length(const SolveRun& run, Solution& solution) {
+  const StopRule& stop = run.options.stop;
+  const LengthModel model(run.problem, kCandidates);
+  const std::vector<int> first = first_tour(model, run.watch);
+  run.keeper.offer(model.to_problem(first), model.length(model.tour_cost(first)));
+  run.bounds.find_length(model, first, StopWatch(remaining(stop, run.watch, 0.2)));
   LengthSearchOptions search;
-  search.stop = remaining(options.stop, watch, 1);
-  search.seed = options.seed;
-  search.enough = enough_value(bounds.below(keeper.value()), options.stop);
-  search.improved = [&](const Tour& tour, double length) { keeper.offer(tour, length); };
-  const LengthSearchResult result = search_length(problem, model, first, search);
+  search.stop = remaining(stop, run.watch, 1);
+  search.seed = run.options.seed;
+  search.enough = run.enough();
+  search.improved = [&](const Tour& tour, double length) { run.keeper.offer(tour, length); };
+  const LengthSearchResult result = search_length(run.problem, model, first, search);
   solution.rounds = result.rounds;
   solution.method = result.method;
 }
@@ -201,21 +218,21 @@ Tour nearest_allowed(const Problem& problem, const Moves& moves) {
   return tour;
 }
 
-void sort_best_first(std::vector<std::pair<double, Tour>>& valued) {
+void sort_best_first(ValuedTours& valued) {
   std::stable_sort(valued.begin(), valued.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
 }
 
 /// Adds a short tour, or one obeying precedence, and sorts: best first.
-void add_starts(const Problem& problem, Evaluator& value_of, const Moves& moves, const SolveOptions& options,
-                const StopWatch& watch, Bounds& bounds, std::vector<std::pair<double, Tour>>& valued) {
+void add_starts(const SolveRun& run, ValuedTours& valued) {
+  const Problem& problem = run.problem;
   const LengthModel model(problem, kCandidates);
-  const std::vector<int> first = first_tour(model, watch);
-  bounds.find_length(model, first, StopWatch(remaining(options.stop, watch, 0.2)));
+  const std::vector<int> first = first_tour(model, run.watch);
+  run.bounds.find_length(model, first, StopWatch(remaining(run.options.stop, run.watch, 0.2)));
   std::vector<Tour> tours{model.to_problem(first)};
-  if (!problem.precedence.empty()) tours = {nearest_allowed(problem, moves), topological_order(problem)};
+  if (!problem.precedence.empty()) tours = {nearest_allowed(problem, run.moves), topological_order(problem)};
   for (Tour& tour : tours) {
-    if (is_valid(problem, tour)) valued.push_back({value_of(tour), std::move(tour)});
+    if (is_valid(problem, tour)) valued.push_back({run.value_of(tour), std::move(tour)});
   }
   sort_best_first(valued);
 }
@@ -234,7 +251,7 @@ class Islands {
  public:
   /// Each search begins at one of the first of `seeds`; objective and neighbours must outlive it.
   Islands(const Moves& moves, const Objective& objective, const Neighbours& neighbours,
-          const std::vector<std::pair<double, Tour>>& seeds, const SolveOptions& options) {
+          const ValuedTours& seeds, const SolveOptions& options) {
     Random random(options.seed);
     for (int i = 0; i < kIslands; ++i) {
       const Tour& start = seeds[static_cast<std::size_t>(i) % seeds.size()].second;
@@ -284,22 +301,21 @@ class LocalPart final : public Objective {
 };
 
 /// Evaluating the whole path is costly: if edges and corners count as well, tours good in these are found first.
-void add_local_starts(const Objective& objective, Evaluator& value_of, const Moves& moves,
-                      const Neighbours& neighbours, const SolveOptions& options, const StopWatch& watch,
-                      const Bounds& bounds, std::vector<std::pair<double, Tour>>& valued) {
+void add_local_starts(const SolveRun& run, const Neighbours& neighbours, ValuedTours& valued) {
   constexpr int kRounds = 25, kPatience = 10;
-  const Objective::Linear linear = objective.linear();
+  const StopRule& stop = run.options.stop;
+  const Objective::Linear linear = run.objective.linear();
   const bool has_local = linear.length > 0 || linear.turns > 0 || linear.angle > 0;
-  if (!objective.path_dependent() || !has_local) return;
-  const LocalPart local(objective);
-  std::vector<std::pair<double, Tour>> seeds;
-  for (const auto& [value, tour] : valued) seeds.push_back({evaluate(local, moves, tour), tour});
+  if (!run.objective.path_dependent() || !has_local) return;
+  const LocalPart local(run.objective);
+  ValuedTours seeds;
+  for (const auto& [value, tour] : valued) seeds.push_back({evaluate(local, run.moves, tour), tour});
   sort_best_first(seeds);
-  const double enough = enough_value(bounds.below(seeds.front().first), options.stop);
-  Islands islands(moves, local, neighbours, seeds, options);
-  const StopWatch share(remaining(options.stop, watch, 0.3));
+  const double enough = enough_value(run.bounds.below(seeds.front().first), stop);
+  Islands islands(run.moves, local, neighbours, seeds, run.options);
+  const StopWatch share(remaining(stop, run.watch, 0.3));
   const auto offer = [&](Tour tour) {
-    if (is_valid(moves.problem(), tour)) valued.push_back({value_of(tour), std::move(tour)});
+    if (is_valid(run.problem, tour)) valued.push_back({run.value_of(tour), std::move(tour)});
   };
   double least = seeds.front().first;
   for (int round = 0, idle = 0; round < kRounds && idle < kPatience && least > enough && !share.over();
@@ -330,44 +346,51 @@ ObjectivePtr guide(const Objective& objective, const Moves& moves, double length
   return weighted_sum({{1.0, borrowed}, {turn / (kStepsOfTurn * step), length_objective()}});
 }
 
-/// Islands, compared after each round; the rounds made. A round ends early at a value of `enough` of the islands'
-/// own objective, the search ends when the kept tour is proven optimal.
-long long run_islands(Islands& islands, Evaluator& value_of, Keeper& keeper, double enough, double proven,
-                      long long most_rounds, const StopWatch& watch) {
+/// Ends of a search by islands.
+struct IslandLimits {
+  double enough = 0;          ///< value of the islands' own objective at which a round ends early
+  double proven = 0;          ///< value of the kept tour at which the search ends
+  long long most_rounds = 0;  ///< greatest number of rounds
+  const StopWatch& watch;
+};
+
+/// Islands, compared after each round; the rounds made.
+long long run_islands(const SolveRun& run, Islands& islands, const IslandLimits& limits) {
   constexpr int kPatience = 25;
+  Keeper& keeper = run.keeper;
   long long rounds = 0;
-  for (int idle = 0; rounds < most_rounds && idle < kPatience && !watch.over() && keeper.value() > proven;
+  for (int idle = 0; rounds < limits.most_rounds && idle < kPatience && !limits.watch.over() &&
+                     keeper.value() > limits.proven;
        ++rounds) {
     const double before = keeper.value(), least = islands.least();
-    islands.run_round(enough, watch);
-    for (const Tour& tour : islands.tours()) keeper.offer(tour, value_of(tour));
+    islands.run_round(limits.enough, limits.watch);
+    for (const Tour& tour : islands.tours()) keeper.offer(tour, run.value_of(tour));
     idle = keeper.value() < before || islands.least() < least ? 0 : idle + 1;
   }
   return rounds;
 }
 
-void solve_general(const Problem& problem, const Objective& objective, Evaluator& value_of,
-                   const Moves& moves, const SolveOptions& options, const StopWatch& watch, Bounds& bounds,
-                   std::vector<std::pair<double, Tour>> seeds, Keeper& keeper, Solution& solution) {
+void solve_general(const SolveRun& run, ValuedTours seeds, Solution& solution) {
+  const Problem& problem = run.problem;
+  const StopRule& stop = run.options.stop;
   const Neighbours neighbours = nearest_neighbours(problem.points, std::min(problem.neighbour_count, 12));
-  add_starts(problem, value_of, moves, options, watch, bounds, seeds);
-  for (const auto& [value, tour] : seeds) keeper.offer(tour, value);
-  add_local_starts(objective, value_of, moves, neighbours, options, watch, bounds, seeds);
-  for (const auto& [value, tour] : seeds) keeper.offer(tour, value);
-  const double proven = enough_value(bounds.below(keeper.value()), options.stop);
-  if (const ObjectivePtr guiding = guide(objective, moves, figures(moves, keeper.tour()).length)) {
+  add_starts(run, seeds);
+  for (const auto& [value, tour] : seeds) run.keeper.offer(tour, value);
+  add_local_starts(run, neighbours, seeds);
+  for (const auto& [value, tour] : seeds) run.keeper.offer(tour, value);
+  const double proven = run.enough();
+  const auto kept_figures = [&] { return figures(run.moves, run.keeper.tour()); };
+  if (const ObjectivePtr guiding = guide(run.objective, run.moves, kept_figures().length)) {
     constexpr double kNever = -std::numeric_limits<double>::infinity();
-    Islands islands(moves, *guiding, neighbours, seeds, options);
-    const StopWatch share(remaining(options.stop, watch, 0.5));
-    solution.rounds =
-        run_islands(islands, value_of, keeper, kNever, proven, (options.stop.rounds + 1) / 2, share);
-    for (Tour& tour : islands.tours()) seeds.push_back({value_of(tour), std::move(tour)});
+    Islands islands(run.moves, *guiding, neighbours, seeds, run.options);
+    const StopWatch share(remaining(stop, run.watch, 0.5));
+    solution.rounds = run_islands(run, islands, {kNever, proven, (stop.rounds + 1) / 2, share});
+    for (Tour& tour : islands.tours()) seeds.push_back({run.value_of(tour), std::move(tour)});
     sort_best_first(seeds);
   }
-  const ObjectivePtr sharpened = with_tie_break(objective, figures(moves, keeper.tour()));
-  Islands islands(moves, *sharpened, neighbours, seeds, options);
-  solution.rounds +=
-      run_islands(islands, value_of, keeper, proven, proven, options.stop.rounds - solution.rounds, watch);
+  const ObjectivePtr sharpened = with_tie_break(run.objective, kept_figures());
+  Islands islands(run.moves, *sharpened, neighbours, seeds, run.options);
+  solution.rounds += run_islands(run, islands, {proven, proven, stop.rounds - solution.rounds, run.watch});
   solution.method = "exchanges, " + std::to_string(kIslands) + " islands";
 }
 
@@ -406,15 +429,15 @@ Solution solve(const Problem& problem, const Objective& objective, const SolveOp
       return;
     }
     Bounds bounds(problem, objective);
-    std::vector<std::pair<double, Tour>> seeds;
+    ValuedTours seeds;
     Evaluator value_of(objective, moves);
-    if (sweep(problem, value_of, options, bounds, keeper, seeds)) {
+    const SolveRun run{problem, objective, options, watch, moves, value_of, bounds, keeper};
+    if (sweep(run, seeds)) {
       solution.method = "sweep";
     } else if (objective.is_length() && problem.precedence.empty()) {
-      solve_length(problem, options, watch, bounds, keeper, solution);
+      solve_length(run, solution);
     } else {
-      solve_general(problem, objective, value_of, moves, options, watch, bounds, std::move(seeds), keeper,
-                    solution);
+      solve_general(run, std::move(seeds), solution);
     }
     bound = bounds.below(keeper.value());
   });

@@ -47,31 +47,38 @@ struct Spirals {
   double time = std::numeric_limits<double>::infinity();
 };
 
-/// Plans the spirals in one connected region. `from_wall`: its boundary is itself cut. Everything farther
-/// than a radius from the rim of `around` has to be cleared.
+/// An area for spirals. Everything farther than a radius from the rim of `around` has to be cleared.
+struct SpiralArea {
+  const Region& region;   ///< connected
+  bool from_wall = true;  ///< the region's boundary is itself cut
+  const Regions& around;
+  const Region& legal;  ///< legal area of the tool's centre
+};
+
+/// Plans the spirals in one area.
 class SpiralPlanner {
  public:
-  SpiralPlanner(const Region& region, bool from_wall, const Regions& around, const Region& legal,
-                const Layer& layer, const SpiralOptions& options, const Tolerances& tol)
-      : region_(region),
-        from_wall_(from_wall),
+  SpiralPlanner(const SpiralArea& area, const Layer& layer, const SpiralOptions& options,
+                const Tolerances& tol)
+      : region_(area.region),
+        from_wall_(area.from_wall),
         layer_(layer),
         options_(options),
         tol_(tol),
-        clearance_(region, tol),
-        around_(around),
-        legal_({legal}),
-        routes_({legal}, legal_),
+        clearance_(area.region, tol),
+        around_(area.around),
+        legal_({area.legal}),
+        routes_({area.legal}, legal_),
         retract_(options.machine, options.feed, retract_heights(layer)) {
     job_.radius = layer.tool_radius;
-    for (const auto& loops : around) {
+    for (const auto& loops : area.around) {
       const auto edges = loops.edges();
       rim_.insert(rim_.end(), edges.begin(), edges.end());
     }
     job_.fixed = rim_;
-    if (layer.bare || !from_wall) job_.residual = -kBareMargin / 2;
+    if (layer.bare || !from_wall_) job_.residual = -kBareMargin / 2;
     job_.matters = [this](Vec2 p) { return around_.contains(p); };
-    if (!from_wall) first_level_ = level_at_edge();
+    if (!from_wall_) first_level_ = level_at_edge();
     job_.legal = [this](Vec2 a, Vec2 b) { return legal_.holds_line(a, b); };
   }
   SpiralPlanner(const SpiralPlanner&) = delete;
@@ -375,14 +382,14 @@ LayerPasses plan_spiral(const Layer& layer, const SpiralOptions& options, const 
       result.passes.push_back(pass);
     }
     if (spiral_to_wall) {
-      const SpiralPlanner planner(legal, true, {legal}, legal, layer, options, tol);
+      const SpiralPlanner planner({legal, true, {legal}, legal}, layer, options, tol);
       add_passes(result, Joiner(planner.plan(), legal, layer, options).join(), static_cast<int>(i), -1,
                  first);
       continue;
     }
     for (const auto& region : rest) {
-      const SpiralPlanner planner(region, false, dilate({region}, layer.tool_radius, tol), legal, layer,
-                                  options, tol);
+      const Regions around = dilate({region}, layer.tool_radius, tol);
+      const SpiralPlanner planner({region, false, around, legal}, layer, options, tol);
       add_passes(result, Joiner(planner.plan(), legal, layer, options).join(), static_cast<int>(i), outermost,
                  first + layer.tool_radius);
     }

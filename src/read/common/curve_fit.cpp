@@ -117,7 +117,9 @@ void append_fitted(const ParametricCurve& curve, double tolerance, Path& out) {
   Fitter(curve, tolerance, out).fit(0, 1, 0);
 }
 
-void append_elliptical(Vec2 center, Vec2 u, Vec2 v, double start, double sweep, double tolerance, Path& out) {
+void append_elliptical(const EllipticArc& arc, double tolerance, Path& out) {
+  const Vec2 center = arc.center, u = arc.u, v = arc.v;
+  const double start = arc.start, sweep = arc.sweep;
   const auto at = [&](double angle) { return center + u * base::cos(angle) + v * base::sin(angle); };
   const double size = norm(u) + norm(v);
   const bool circular =
@@ -156,7 +158,8 @@ void append_mapped(const Edge& edge, const Affine& map, double tolerance, Path& 
     return;
   }
   const Vec2 u = edge.from - edge.center;
-  append_elliptical(map(edge.center), map.linear(u), map.linear(left_of(u)), 0, edge.sweep(), tolerance, out);
+  append_elliptical({map(edge.center), map.linear(u), map.linear(left_of(u)), 0, edge.sweep()}, tolerance,
+                    out);
 }
 
 }  // namespace clearcut::read

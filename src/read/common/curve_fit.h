@@ -24,9 +24,16 @@ void append_fitted(const ParametricCurve& curve, double tolerance, Path& out);
 /// Appends `edge` under `map`: exactly for lines and under similarities, else (ellipses) fitted.
 void append_mapped(const Edge& edge, const Affine& map, double tolerance, Path& out);
 
-/// Appends the elliptical arc center + cos(t) u + sin(t) v for t from `start` through `sweep` (signed,
-/// radians). If u and v are perpendicular and equally long: an exact circular arc. A full turn gives a
+/// The elliptical arc center + cos(t) u + sin(t) v for t from `start` through `sweep`.
+struct EllipticArc {
+  Vec2 center;
+  Vec2 u, v;         ///< conjugate radii
+  double start = 0;  ///< radians
+  double sweep = 0;  ///< radians, signed
+};
+
+/// Appends the arc. If u and v are perpendicular and equally long: an exact circular arc. A full turn gives a
 /// closed run.
-void append_elliptical(Vec2 center, Vec2 u, Vec2 v, double start, double sweep, double tolerance, Path& out);
+void append_elliptical(const EllipticArc& arc, double tolerance, Path& out);
 
 }  // namespace clearcut::read

@@ -57,7 +57,7 @@ TEST(CurveFit, RandomCubicsAreFollowedBothWays) {
 
 TEST(CurveFit, FullEllipseClosesAndHasItsArea) {
   Path path;
-  append_elliptical({5, 6}, {30, 0}, {0, 10}, 0, 2 * kPi, kTol, path);
+  append_elliptical({{5, 6}, {30, 0}, {0, 10}, 0, 2 * kPi}, kTol, path);
   expect_joined(path);
   EXPECT_EQ(path.back().to, path.front().from);
   EXPECT_NEAR(signed_area(path), kPi * 300, 0.002 * 140);
@@ -66,7 +66,7 @@ TEST(CurveFit, FullEllipseClosesAndHasItsArea) {
 
 TEST(CurveFit, CircleStaysExact) {
   Path path;
-  append_elliptical({1, 2}, {0, 3}, {-3, 0}, 0.3, -1.2, kTol, path);
+  append_elliptical({{1, 2}, {0, 3}, {-3, 0}, 0.3, -1.2}, kTol, path);
   ASSERT_EQ(path.size(), 1u);
   EXPECT_TRUE(path[0].is_arc());
   EXPECT_NEAR(path[0].sweep(), -1.2, 1e-12);

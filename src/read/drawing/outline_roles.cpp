@@ -26,6 +26,14 @@ struct Outline {
   std::optional<CrossingOutline> crossing = {};
 };
 
+/// What rules sort: outlines into groups. References are kept.
+struct Sorting {
+  std::vector<Outline>& outlines;
+  std::vector<ShapedGroup>& groups;
+  const ReadOptions& options;
+  Diagnostics& diagnostics;
+};
+
 std::vector<Outline> outlines_of(const std::vector<ShapedGroup>& groups) {
   std::vector<Outline> outlines;
   for (std::size_t i = 0; i < groups.size(); ++i) {
@@ -150,8 +158,8 @@ Regions regions_of(const std::vector<const Outline*>& outlines, const std::strin
 }
 
 /// Outlines of one rule leave their groups for a new one.
-void move_out(const LayerRule& rule, const std::set<std::size_t>& chosen, std::vector<Outline>& outlines,
-              std::vector<ShapedGroup>& groups, const ReadOptions& options, Diagnostics& diagnostics) {
+void move_out(const LayerRule& rule, const std::set<std::size_t>& chosen, const Sorting& sorting) {
+  auto& [outlines, groups, options, diagnostics] = sorting;
   ShapedGroup moved;
   const DrawnGroup& first = groups[outlines[*chosen.begin()].group].group;
   moved.group.name = name_of(*rule.role);
@@ -228,9 +236,8 @@ std::set<std::size_t> with_islands(std::size_t outer, const std::vector<Outline>
 }
 
 /// The outermost outlines are pockets and outlines in them are islands, also on other layers.
-void make_outer_pockets(const LayerRule& rule, const std::set<std::size_t>& outer,
-                        std::vector<Outline>& outlines, std::vector<ShapedGroup>& groups,
-                        const ReadOptions& options, Diagnostics& diagnostics) {
+void make_outer_pockets(const LayerRule& rule, const std::set<std::size_t>& outer, const Sorting& sorting) {
+  auto& [outlines, groups, options, diagnostics] = sorting;
   std::set<std::size_t> touched;
   for (const std::size_t one : outer) {
     const std::set<std::size_t> pocket = with_islands(one, outlines, groups, options);
@@ -238,7 +245,7 @@ void make_outer_pockets(const LayerRule& rule, const std::set<std::size_t>& oute
     std::set<std::size_t> from;
     for (const std::size_t i : pocket) from.insert(outlines[i].group);
     if (rule.depth || rule.top) {
-      move_out(rule, pocket, outlines, groups, options, diagnostics);
+      move_out(rule, pocket, sorting);
     } else if (from.size() > 1) {
       for (const std::size_t i : pocket) outlines[i].group = own;
     } else {
@@ -325,13 +332,13 @@ bool apply_outline_rules(std::vector<ShapedGroup>& groups, std::vector<Outline>&
     any = true;
     if (chosen->empty()) continue;
     if (names_outer(rule) && *rule.role == LayerRole::kPocket) {
-      make_outer_pockets(rule, *chosen, outlines, groups, options, diagnostics);
+      make_outer_pockets(rule, *chosen, {outlines, groups, options, diagnostics});
       continue;
     }
     std::set<std::size_t> touched;
     for (const std::size_t i : *chosen) touched.insert(outlines[i].group);
     for (const std::set<std::size_t>& alike : of_one_depth(rule, *chosen, outlines, groups))
-      move_out(rule, alike, outlines, groups, options, diagnostics);
+      move_out(rule, alike, {outlines, groups, options, diagnostics});
     for (const std::size_t group : touched) renest(outlines, group, groups[group], options, diagnostics);
   }
   return any;

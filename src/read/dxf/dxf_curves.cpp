@@ -45,8 +45,9 @@ Path ellipse_path(const DxfDocument& document, const DxfEntity& entity, const Af
   double sweep = std::fmod(end - start, 2 * kPi);
   if (sweep <= 1e-9) sweep += 2 * kPi;
   Path path;
-  append_elliptical(map(document.point(entity, 10)), map.linear(major),
-                    map.linear(left_of(major) * (side * ratio)), start, sweep, kCurveTolerance, path);
+  append_elliptical({map(document.point(entity, 10)), map.linear(major),
+                     map.linear(left_of(major) * (side * ratio)), start, sweep},
+                    kCurveTolerance, path);
   return path;
 }
 

@@ -160,8 +160,9 @@ class HatchReader {
     const double start = parameter(from, ratio);
     const double sweep = turn >= 360 - 1e-9 ? 2 * kPi : positive(parameter(from + turn, ratio) - start);
     Path path;
-    append_elliptical(map_(document_.point(edge, 10)), map_.linear(major),
-                      map_.linear(left_of(major) * (ratio * side)), start, sweep, kCurveTolerance, path);
+    append_elliptical({map_(document_.point(edge, 10)), map_.linear(major),
+                       map_.linear(left_of(major) * (ratio * side)), start, sweep},
+                      kCurveTolerance, path);
     return path;
   }
 

@@ -46,7 +46,17 @@ struct CenterArc {
   double start = 0, sweep = 0;
 };
 
-CenterArc center_arc(Vec2 from, Vec2 to, double rx, double ry, double tilt, bool large, bool positive) {
+/// What path data says of an elliptical arc besides its ends.
+struct ArcWords {
+  double rx = 0, ry = 0;  ///< radii, > 0
+  double tilt = 0;        ///< radians from the x axis to the first radius
+  bool large = false;     ///< the longer one of the two arcs with these radii
+  bool positive = false;  ///< angles grow along the arc
+};
+
+CenterArc center_arc(Vec2 from, Vec2 to, const ArcWords& words) {
+  double rx = words.rx, ry = words.ry;
+  const double tilt = words.tilt;
   const Vec2 half = rotated((from - to) / 2.0, -tilt);
   const double excess = (half.x / rx) * (half.x / rx) + (half.y / ry) * (half.y / ry);
   if (excess > 1) {
@@ -56,7 +66,7 @@ CenterArc center_arc(Vec2 from, Vec2 to, double rx, double ry, double tilt, bool
   // On the unit circle: half of the chord and the center's distance from the chord.
   const Vec2 h{half.x / rx, half.y / ry};
   const double h2 = std::min(norm_squared(h), 1.0);
-  const double away = (large == positive ? -1 : 1) * std::sqrt((1 - h2) / h2);
+  const double away = (words.large == words.positive ? -1 : 1) * std::sqrt((1 - h2) / h2);
   const Vec2 c = Vec2{h.y, -h.x} * away;
   const Vec2 first = h - c, last = -h - c;
   CenterArc arc;
@@ -65,8 +75,8 @@ CenterArc center_arc(Vec2 from, Vec2 to, double rx, double ry, double tilt, bool
   arc.v = left_of(direction_of(tilt)) * ry;
   arc.start = angle_of(first);
   arc.sweep = base::atan2(cross(first, last), dot(first, last));
-  if (positive && arc.sweep < 0) arc.sweep += 2 * kPi;
-  if (!positive && arc.sweep > 0) arc.sweep -= 2 * kPi;
+  if (words.positive && arc.sweep < 0) arc.sweep += 2 * kPi;
+  if (!words.positive && arc.sweep > 0) arc.sweep -= 2 * kPi;
   return arc;
 }
 
@@ -188,9 +198,9 @@ class PathReader {
     const double rx = std::abs(n[0]), ry = std::abs(n[1]);
     if (to == at_) return;
     if (rx == 0 || ry == 0) return line_to(to);
-    const CenterArc arc = center_arc(at_, to, rx, ry, n[2] * kPi / 180, n[3] != 0, n[4] != 0);
+    const CenterArc arc = center_arc(at_, to, {rx, ry, n[2] * kPi / 180, n[3] != 0, n[4] != 0});
     Path piece;
-    append_elliptical(map_(arc.center), map_.linear(arc.u), map_.linear(arc.v), arc.start, arc.sweep,
+    append_elliptical({map_(arc.center), map_.linear(arc.u), map_.linear(arc.v), arc.start, arc.sweep},
                       kCurveTolerance, piece);
     if (!piece.empty()) {
       // The ends as written, not as computed from the center.

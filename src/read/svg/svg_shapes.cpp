@@ -26,7 +26,7 @@ SvgPathData single(Path path, bool closed) {
 SvgPathData ellipse(Vec2 center, double rx, double ry, const Affine& map) {
   Path path;
   if (rx > 0 && ry > 0) {
-    append_elliptical(map(center), map.linear({rx, 0}), map.linear({0, ry}), 0, 2 * kPi, kCurveTolerance,
+    append_elliptical({map(center), map.linear({rx, 0}), map.linear({0, ry}), 0, 2 * kPi}, kCurveTolerance,
                       path);
   }
   return single(std::move(path), true);
@@ -80,8 +80,8 @@ SvgPathData rectangle(const pugi::xml_node& node, const SvgViewSize& view, const
     if (from != to) path.push_back(Edge::line(map(from), map(to)));
   };
   const auto corner = [&](Vec2 center, double start) {
-    append_elliptical(map(center), map.linear({rx, 0}), map.linear({0, ry}), start, kPi / 2, kCurveTolerance,
-                      path);
+    append_elliptical({map(center), map.linear({rx, 0}), map.linear({0, ry}), start, kPi / 2},
+                      kCurveTolerance, path);
   };
   side({x + rx, y}, {x + w - rx, y});
   corner({x + w - rx, y + ry}, -kPi / 2);

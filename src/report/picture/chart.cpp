@@ -74,31 +74,31 @@ class Panel {
 
  private:
   static std::string n(double value) { return svg_number(value); }
-  void line(double x1, double y1, double x2, double y2, const char* color, double width = 1) {
-    svg_.leaf("line", {{"x1", n(x1)},
-                       {"y1", n(y1)},
-                       {"x2", n(x2)},
-                       {"y2", n(y2)},
+  void line(Vec2 from, Vec2 to, const char* color, double width = 1) {
+    svg_.leaf("line", {{"x1", n(from.x)},
+                       {"y1", n(from.y)},
+                       {"x2", n(to.x)},
+                       {"y2", n(to.y)},
                        {"stroke", color},
                        {"stroke-width", n(width)}});
   }
-  void words(double x, double y, const std::string& text, const char* anchor, const char* color,
+  void words(Vec2 at, const std::string& text, const char* anchor, const char* color,
              const std::string& size = "12") {
-    svg_.text({x, y}, text, {{"text-anchor", anchor}, {"fill", color}, {"font-size", size}});
+    svg_.text(at, text, {{"text-anchor", anchor}, {"fill", color}, {"font-size", size}});
   }
   void frame(const std::vector<double>& x_ticks) {
-    words(kLeft, y_.to - 22, panel_.title, "start", report::palette::kInk, "15");
-    words(kLeft, y_.to - 6, panel_.y_label, "start", report::palette::kFaint);
-    words((x_.from + x_.to) / 2, y_.from + 40, panel_.x_label, "middle", report::palette::kFaint);
+    words({kLeft, y_.to - 22}, panel_.title, "start", report::palette::kInk, "15");
+    words({kLeft, y_.to - 6}, panel_.y_label, "start", report::palette::kFaint);
+    words({(x_.from + x_.to) / 2, y_.from + 40}, panel_.x_label, "middle", report::palette::kFaint);
     for (const double tick : round_ticks(y_.low, y_.high, 6)) {
-      line(x_.from, y_(tick), x_.to, y_(tick), report::palette::kRule);
-      words(x_.from - 8, y_(tick) + 4, trimmed(tick, 6), "end", report::palette::kFaint);
+      line({x_.from, y_(tick)}, {x_.to, y_(tick)}, report::palette::kRule);
+      words({x_.from - 8, y_(tick) + 4}, trimmed(tick, 6), "end", report::palette::kFaint);
     }
     for (const double tick : x_ticks) {
-      line(x_(tick), y_.from, x_(tick), y_.from + 5, report::palette::kRule);
-      words(x_(tick), y_.from + 19, trimmed(tick, 6), "middle", report::palette::kFaint);
+      line({x_(tick), y_.from}, {x_(tick), y_.from + 5}, report::palette::kRule);
+      words({x_(tick), y_.from + 19}, trimmed(tick, 6), "middle", report::palette::kFaint);
     }
-    line(x_.from, y_.from, x_.to, y_.from, report::palette::kInk);
+    line({x_.from, y_.from}, {x_.to, y_.from}, report::palette::kInk);
   }
   void set_y(const Range& range) {
     const Range wide = range.widened();
@@ -117,21 +117,22 @@ class Panel {
   }
   void draw_box(const ChartBox& box, double x, double half) {
     const auto at = [&](double q) { return y_(quantile(box.values, q)); };
-    line(x, at(0), x, at(0.25), report::palette::kCut);
-    line(x, at(0.75), x, at(1), report::palette::kCut);
-    for (const double q : {0.0, 1.0}) line(x - half / 2, at(q), x + half / 2, at(q), report::palette::kCut);
+    line({x, at(0)}, {x, at(0.25)}, report::palette::kCut);
+    line({x, at(0.75)}, {x, at(1)}, report::palette::kCut);
+    for (const double q : {0.0, 1.0})
+      line({x - half / 2, at(q)}, {x + half / 2, at(q)}, report::palette::kCut);
     svg_.leaf("rect", {{"x", n(x - half)},
                        {"y", n(at(0.75))},
                        {"width", n(2 * half)},
                        {"height", n(at(0.25) - at(0.75))},
                        {"fill", report::palette::kFloor},
                        {"stroke", report::palette::kCut}});
-    line(x - half, at(0.5), x + half, at(0.5), report::palette::kCut, 2);
+    line({x - half, at(0.5)}, {x + half, at(0.5)}, report::palette::kCut, 2);
     double mean = 0;
     for (const double value : box.values) mean += value / static_cast<double>(box.values.size());
-    line(x, y_(mean - box.error), x, y_(mean + box.error), report::palette::kBad, 2);
+    line({x, y_(mean - box.error)}, {x, y_(mean + box.error)}, report::palette::kBad, 2);
     svg_.leaf("circle", {{"cx", n(x)}, {"cy", n(y_(mean))}, {"r", "3"}, {"fill", report::palette::kBad}});
-    words(x, y_.from + 19, box.name, "middle", report::palette::kInk);
+    words({x, y_.from + 19}, box.name, "middle", report::palette::kInk);
   }
 
   void draw_curves() {
@@ -173,7 +174,7 @@ class Panel {
     svg_.leaf(
         "polyline",
         {{"points", points(curve.y, false)}, {"fill", "none"}, {"stroke", color}, {"stroke-width", "1.6"}});
-    words(x_.to + kNameGap, y_.to + 12 + 16 * place, curve.name, "start", color.c_str());
+    words({x_.to + kNameGap, y_.to + 12 + 16 * place}, curve.name, "start", color.c_str());
   }
 
   void draw_histogram() {

@@ -128,16 +128,22 @@ namespace {
 
 using ByDiameter = std::map<double, PathData>;
 
-/// Adds the areas cleared at `height` by moves with tips down to `z`.
-void add_sweeps(const Job& job, const Section& section, double z, double height, const Box& seen,
-                ByDiameter& by_diameter) {
+/// Where cleared areas are asked for.
+struct SweptPlace {
+  double z = 0;       ///< height of the lowest tips that count
+  double height = 0;  ///< height at which the areas are cleared
+  Box seen;
+};
+
+/// Adds the areas cleared by the moves of a section.
+void add_sweeps(const Job& job, const Section& section, const SweptPlace& place, ByDiameter& by_diameter) {
   const Tool* tool = tool_of(job.part, section);
   if (tool == nullptr || !(tool->diameter > 0)) return;
-  const Box reach = seen.grown(widest_radius(*tool));
+  const Box reach = place.seen.grown(widest_radius(*tool));
   for (const Move& move : section.moves) {
-    const bool counts = !is_rapid(move.kind) && height_cut(move) <= z + kSamePlaceMm;
+    const bool counts = !is_rapid(move.kind) && height_cut(move) <= place.z + kSamePlaceMm;
     if (!counts || !drawable(move.path) || !move.path.box().overlaps(reach)) continue;
-    const double width = width_at(job, section, *tool, move, height);
+    const double width = width_at(job, section, *tool, move, place.height);
     if (width <= 0) continue;
     if (move.is_vertical()) {
       by_diameter[width].add(move.path.from);
@@ -160,7 +166,7 @@ std::vector<Sweep> sweeps_at(const Job& job, double z, const Box& seen, std::opt
   ByDiameter by_diameter;
   for (const Section& section : job.toolpath.sections)
     if (!feature || feature_of(job.part, section) == *feature)
-      add_sweeps(job, section, z, height.value_or(z), seen, by_diameter);
+      add_sweeps(job, section, {z, height.value_or(z), seen}, by_diameter);
   return sweeps_of(by_diameter);
 }
 
@@ -168,7 +174,7 @@ std::vector<Sweep> earlier_sweeps_at(const Job& job, double z, const Box& seen, 
   ByDiameter by_diameter;
   if (!job.earlier) return {};
   for (const Section& section : job.earlier->sections)
-    if (section.counts_below(top)) add_sweeps(job, section, z, z, seen, by_diameter);
+    if (section.counts_below(top)) add_sweeps(job, section, {z, z, seen}, by_diameter);
   return sweeps_of(by_diameter);
 }
 

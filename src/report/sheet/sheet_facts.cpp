@@ -13,15 +13,25 @@
 namespace clearcut::report {
 namespace {
 
-/// Position of zero between two sides.
-std::string between(double low, double high, const std::string& low_side, const std::string& high_side,
-                    const std::string& middle, const std::string& beyond, double unit_mm,
+/// Words for places along one axis of the stock.
+struct AxisWords {
+  const char* low_side;
+  const char* high_side;
+  const char* middle;
+  const char* beyond;  ///< on the stock's side of the low side: "right of"
+};
+constexpr AxisWords kAlongX{"left side", "right side", "middle of the width", "right of"};
+constexpr AxisWords kAlongY{"front side", "back side", "middle of the depth", "behind"};
+constexpr AxisWords kAlongZ{"underside", "top", "middle of the height", "above"};
+
+/// Position of zero between two sides at `low` and `high`, mm; lengths are written in `unit`, of `unit_mm` mm.
+std::string between(double low, double high, const AxisWords& words, double unit_mm,
                     const std::string& unit) {
-  if (std::abs(low) <= kSamePlaceMm) return low_side;
-  if (std::abs(high) <= kSamePlaceMm) return high_side;
-  if (std::abs(low + high) <= kSamePlaceMm) return middle;
+  if (std::abs(low) <= kSamePlaceMm) return words.low_side;
+  if (std::abs(high) <= kSamePlaceMm) return words.high_side;
+  if (std::abs(low + high) <= kSamePlaceMm) return words.middle;
   const std::string away = trimmed(std::abs(low) / unit_mm, unit_mm == 1 ? 3 : 4) + " " + unit + " ";
-  return away + (low < 0 ? beyond : "before") + " the " + low_side;
+  return away + (low < 0 ? words.beyond : "before") + " the " + words.low_side;
 }
 
 DrivenFeeds feeds_of_moves(const Toolpath& toolpath, int workingstep,
@@ -143,15 +153,9 @@ std::string angle_of(const Tool& tool) {
 
 std::string zero_on(const Stock& stock, double unit_mm, const std::string& unit) {
   const Box& plan = stock.plan;
-  return "X: " +
-         between(plan.min.x, plan.max.x, "left side", "right side", "middle of the width", "right of",
-                 unit_mm, unit) +
-         "; Y: " +
-         between(plan.min.y, plan.max.y, "front side", "back side", "middle of the depth", "behind", unit_mm,
-                 unit) +
-         "; Z: " +
-         between(stock.z_bottom, stock.z_top, "underside", "top", "middle of the height", "above", unit_mm,
-                 unit);
+  return "X: " + between(plan.min.x, plan.max.x, kAlongX, unit_mm, unit) +
+         "; Y: " + between(plan.min.y, plan.max.y, kAlongY, unit_mm, unit) +
+         "; Z: " + between(stock.z_bottom, stock.z_top, kAlongZ, unit_mm, unit);
 }
 
 }  // namespace clearcut::report

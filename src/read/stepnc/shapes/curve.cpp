@@ -134,7 +134,7 @@ Path ellipse_path(const Node& curve, Context& context) {
   const PlanarMap map = planar_map(frame);
   const Vec2 center = in_plan(frame.origin);
   Path path;
-  append_elliptical(center, map.point({a, 0}) - center, map.point({0, b}) - center, 0, 2 * kPi,
+  append_elliptical({center, map.point({a, 0}) - center, map.point({0, b}) - center, 0, 2 * kPi},
                     kCurveTolerance, path);
   context.note("an ellipse or a spline; lines and arcs within 2 um stand for it", curve);
   return path;
