@@ -230,8 +230,7 @@ void tell_of_header(const std::string& program) {
 }
 
 /// What the program is checked against; `part` keeps the part that the question points to.
-ProgramQuestion question_of(const VerifyCommand& command, const PlanOptions& options,
-                            std::optional<Part>& part) {
+ProgramQuestion question_of(const VerifyCommand& command, std::optional<Part>& part) {
   ProgramQuestion question;
   question.dialect = command.arguments.dialect();
   question.top = command.arguments.top();
@@ -246,7 +245,7 @@ int run_feeds(const VerifyCommand& command, const std::string& output) {
   if (!command.quiet) options.progress = line.emplace(kStops).callback();
   const std::string program = read_file(command.program);
   std::optional<Part> part;
-  const ProgramQuestion question = question_of(command, options, part);
+  const ProgramQuestion question = question_of(command, part);
   const ProgramFeeds feeds = feeds_of_program(question, program, command.program, options);
   std::vector<std::string> inputs = paths_of(command.arguments.input_files());
   inputs.push_back(command.program);
@@ -339,7 +338,7 @@ int run_resume(const VerifyCommand& command, const ResumeCommand& resume) {
   const std::string program = read_file(command.program);
   std::optional<Part> part;
   const ResumedProgram resumed =
-      resume_program(question_of(command, options, part), stop, program, command.program, options);
+      resume_program(question_of(command, part), stop, program, command.program, options);
   std::vector<std::string> inputs = paths_of(command.arguments.input_files());
   inputs.push_back(command.program);
   write_outputs({{resume.output, resumed.program}}, inputs);
