@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "plan/adaptive/adaptive.h"
 #include "plan/common/layers.h"
 #include "read/outline/outline_reader.h"

@@ -14,7 +14,7 @@
 #include <limits>
 #include <string>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "geometry/route/legal_area.h"
 #include "plan/cover/shortest_cover.h"
 #include "read/common/data_value.h"

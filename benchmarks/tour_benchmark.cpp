@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "base/random.h"
 #include "order/lattice.h"
 #include "order/search/solve.h"

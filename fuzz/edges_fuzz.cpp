@@ -4,8 +4,7 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "post/part/outline_writer.h"
-#include "read/outline/edges_reader.h"
+#include "post/part/part_writers.h"
 #include "read/outline/outline_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

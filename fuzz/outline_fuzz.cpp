@@ -3,7 +3,7 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "post/part/outline_writer.h"
+#include "post/part/part_writers.h"
 #include "read/outline/outline_reader.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "post/part/stepnc_writer.h"
+#include "post/part/part_writers.h"
 #include "read/stepnc/stepnc.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -14,17 +14,17 @@ SOURCES = [
     "src/plan/contour/formulas.cpp",
     "src/plan/contour/side_offsets.cpp",
     "src/plan/contour/step_rule.cpp",
-    "src/kinematics/published_time.h",
-    "src/kinematics/published_time.cpp",
+    "src/kinematics/kinematics.h",
+    "src/kinematics/kinematics.cpp",
     "src/order/objective.h",
-    "src/order/objective/machining_time.cpp",
+    "src/order/objective.cpp",
     "src/order/genetic/genetic.h",
-    "src/order/genetic/initial.cpp",
+    "src/order/genetic/pool.cpp",
     "src/order/genetic/selection.cpp",
     "src/pipeline/tour/engagement_model.cpp",
     "src/pipeline/tool_sets.cpp",
     "src/plan/grid/interpolate.cpp",
-    "src/plan/grid/reduce.cpp",
+    "src/plan/grid/visit.cpp",
 ]
 NUMBER = re.compile(r"(?<![\w.\"{%:])(\d+\.?\d*(?:e-?\d+)?)(?![\w\"}])")
 STRUCTURE = {"0", "1", "0.0", "1.0"}

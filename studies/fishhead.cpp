@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "features/stacking.h"
-#include "geometry/rectangle.h"
+#include "features/standing.h"
+#include "geometry/region.h"
 
 namespace clearcut::studies {
 

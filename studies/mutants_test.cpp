@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "base/files/file.h"
+#include "base/file.h"
 
 namespace clearcut::studies {
 namespace {

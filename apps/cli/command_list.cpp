@@ -1,6 +1,6 @@
 // The commands of `clearcut`: the product's own, and those handed over to clearcut-studies.
 #include "commands/commands.h"
-#include "commands/hand_over.h"
+#include "commands/research.h"
 
 namespace clearcut::cli {
 

@@ -13,12 +13,11 @@
 #include <vector>
 
 #include "arguments/certificate_info.h"
-#include "arguments/suggest.h"
+#include "arguments/option_values.h"
 #include "commands/commands.h"
 #include "memory/memory_limit.h"
-#include "terminal/help_text.h"
+#include "terminal/option_table.h"
 #include "terminal/output.h"
-#include "terminal/terminal.h"
 
 namespace {
 

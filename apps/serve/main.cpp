@@ -12,7 +12,7 @@
 
 #include "process/child_process.h"
 #include "serve/server.h"
-#include "serve/works/session_folder.h"
+#include "serve/works/result_files.h"
 
 namespace {
 

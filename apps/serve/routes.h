@@ -1,4 +1,5 @@
-// Routes of the server as a table, also the source of the description for programs.
+// Routes of the server as a table, also the source of the description for programs, with JSON Schemas of the server's
+// answers.
 #pragma once
 
 #include <httplib.h>
@@ -12,6 +13,9 @@
 #include "serve/works/work_list.h"
 
 namespace clearcut::serve {
+
+/// Schemas by name, referenced by routes: Route::schema.
+Json schemas();
 
 /// Data common to all routes.
 struct Service {

@@ -1,4 +1,5 @@
-// Pages of A4 in a PDF, with text, lines and pictures at places of theirs. Points (1/72 inch), y down.
+// Pages of A4 in a PDF, with text, lines and pictures at places of theirs, pictures being SVG drawn as vectors.
+// Points (1/72 inch), y down.
 #pragma once
 
 #include <cairo.h>
@@ -8,9 +9,25 @@
 #include <memory>
 #include <string>
 
-#include "picture.h"
-
 namespace clearcut::sheet {
+
+class Picture {
+ public:
+  /// Throws std::runtime_error for anything other than SVG.
+  explicit Picture(const std::string& svg);
+  ~Picture();
+  Picture(const Picture&) = delete;
+  Picture& operator=(const Picture&) = delete;
+
+  /// Width by height.
+  double aspect() const;
+  /// Fills the rectangle as far as the aspect ratio allows.
+  void draw(cairo_t* cairo, double x, double y, double width, double height) const;
+
+ private:
+  struct Loaded;
+  std::unique_ptr<Loaded> loaded_;
+};
 
 inline constexpr double kPaperWidth = 210 / 25.4 * 72, kPaperHeight = 297 / 25.4 * 72;
 

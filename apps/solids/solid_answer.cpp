@@ -26,12 +26,9 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "bodies.h"
-#include "boxes.h"
-#include "placed.h"
-#include "planes.h"
+#include "faces.h"
 #include "read/common/curve_fit.h"
-#include "read/step_solid/model_bytes.h"
-#include "shadow.h"
+#include "read/step_solid/solid_model.h"
 
 namespace clearcut {
 namespace {

@@ -10,15 +10,13 @@
 #include <utility>
 
 #include "arguments/certificate_info.h"
+#include "arguments/option_values.h"
 #include "arguments/plan_arguments.h"
-#include "arguments/quantities.h"
-#include "arguments/suggest.h"
 #include "commands/commands.h"
 #include "commands/research.h"
 #include "research_commands.h"
 #include "terminal/output.h"
 #include "terminal/progress.h"
-#include "terminal/terminal.h"
 
 namespace clearcut::cli {
 namespace {

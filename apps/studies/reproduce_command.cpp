@@ -11,7 +11,7 @@
 #include <memory>
 #include <optional>
 
-#include "arguments/suggest.h"
+#include "arguments/option_values.h"
 #include "commands/commands.h"
 #include "commands/research.h"
 #include "research_commands.h"

@@ -4,13 +4,11 @@
 #include <memory>
 #include <optional>
 
-#include "arguments/quantities.h"
-#include "arguments/suggest.h"
+#include "arguments/option_values.h"
 #include "commands/commands.h"
 #include "commands/research.h"
 #include "research_commands.h"
 #include "study_files.h"
-#include "study_ranks.h"
 #include "terminal/output.h"
 
 namespace clearcut::cli {

@@ -3,10 +3,15 @@
 #include <clearcut/error.h>
 #include <clearcut/file.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <sstream>
+#include <thread>
+#include <utility>
 
+#include "ranks/distribute.h"
 #include "terminal/output.h"
 
 namespace clearcut::cli {
@@ -69,6 +74,116 @@ void StateFolder::erase(const std::string& name) {
   std::error_code ignored;
   fs::remove(folder_ / name, ignored);
   fs::remove(folder_, ignored);  // if this was the last one
+}
+
+namespace {
+
+std::string task_of(const studies::StudyRun& run) {
+  return fmt::format("{} {}", run.level, run.run);
+}
+
+studies::StudyRun run_of(const std::string& task) {
+  studies::StudyRun run;
+  std::istringstream(task) >> run.level >> run.run;
+  return run;
+}
+
+/// One of the processes.
+class StudyRank {
+ public:
+  StudyRank(StudyCommand& command, const studies::GeneticStudy& study)
+      : command_(command), study_(study), file_(command, study), states_(command.csv) {
+    command.options.finished = [this](const std::vector<studies::StudyRow>& rows) {
+      finish_run(studies::study_lines(study_, command_.options, rows));
+    };
+  }
+  StudyRank(const StudyRank&) = delete;
+  StudyRank& operator=(const StudyRank&) = delete;
+  ~StudyRank() { command_.options.finished = nullptr; }
+
+  ranks::Outcome run(ranks::Ranks& all) {
+    ranks::Work work = command_.options.islands.islands > 1 ? islands() : whole_runs();
+    work.say = complain;
+    work.threads = command_.threads.value_or(1);
+    work.ahead = work.threads;
+    const ranks::Outcome outcome = ranks::distribute(all, work);
+    progress_.reset();
+    return outcome;
+  }
+
+  std::vector<studies::StudyRow> rows() const {
+    return studies::study_rows(study_, command_.options, file_.begin());
+  }
+
+ private:
+  ranks::Work whole_runs() {
+    ranks::Work work;
+    work.tasks = [this] {
+      std::vector<std::string> tasks;
+      for (const auto& run : studies::missing_study_runs(study_, command_.options, file_.begin()))
+        tasks.push_back(task_of(run));
+      begin_counting(static_cast<int>(tasks.size()));
+      return tasks;
+    };
+    work.perform = [this](const std::string& task, const std::string&, const std::atomic<bool>& stop) {
+      return studies::study_lines(study_, command_.options,
+                                  studies::run_study_once(study_, command_.options, run_of(task), stop));
+    };
+    work.finished = [this](const std::string&, const std::string& lines) { finish_run(lines); };
+    return work;
+  }
+
+  /// For runs with islands, an epoch of one island is a task.
+  ranks::Work islands() {
+    ranks::Work work;
+    work.tasks = [this] {
+      runs_.emplace(study_, command_.options, file_.begin(), states_);
+      begin_counting(runs_->missing_runs());
+      return runs_->tasks();
+    };
+    work.input = [this](const std::string& task) { return runs_->input(task); };
+    work.perform = [this](const std::string& task, const std::string& input, const std::atomic<bool>& stop) {
+      return studies::run_island_task(study_, command_.options, task, input, stop);
+    };
+    work.finished = [this](const std::string& task, const std::string& state) {
+      next_ = runs_->finish(task, state);
+    };
+    work.next = [this](const std::string&) { return std::exchange(next_, {}); };
+    return work;
+  }
+
+  void begin_counting(int missing) {
+    total_ = static_cast<int>(study_.levels.size()) * study_.runs;
+    done_ = total_ - missing;
+    progress_.emplace(command_, done_, total_);
+  }
+
+  void finish_run(const std::string& lines) {
+    file_.append(lines);
+    progress_->show(++done_, total_);
+  }
+
+  StudyCommand& command_;
+  const studies::GeneticStudy& study_;
+  RowFile file_;
+  StateFolder states_;
+  std::optional<studies::IslandRuns> runs_;  ///< on the distributing process
+  std::vector<std::string> next_;            ///< tasks possible after a finished task
+  int done_ = 0, total_ = 0;
+  std::optional<StudyProgress> progress_;  ///< likewise
+};
+
+}  // namespace
+
+int run_study_on_ranks(StudyCommand& command, const studies::GeneticStudy& study,
+                       const std::function<int(const std::vector<studies::StudyRow>& rows)>& write) {
+  if (command.csv.empty() || command.csv == "-")
+    throw InputError("--mpi", "appends finished runs to a file; add --output FILE");
+  if (command.threads == 0)
+    command.threads = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  StudyRank rank(command, study);
+  return ranks::on_mpi_ranks([&](ranks::Ranks& all) { return rank.run(all); },
+                             [&] { return write(rank.rows()); });
 }
 
 }  // namespace clearcut::cli

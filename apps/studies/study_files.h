@@ -1,9 +1,10 @@
-// Options of `clearcut study`, and its files.
+// Options of `clearcut study`, its files, and its run on the processes of an MPI job.
 #pragma once
 
 #include <clearcut/studies.h>
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -65,5 +66,10 @@ class StateFolder : public studies::StateStore {
  private:
   std::filesystem::path folder_;
 };
+
+/// Runs all rows missing in the file, and calls `write`, which returns the exit code, with all rows on the process
+/// with the file; returns the exit code of this process. Throws InputError if there is no file or no MPI.
+int run_study_on_ranks(StudyCommand& command, const studies::GeneticStudy& study,
+                       const std::function<int(const std::vector<studies::StudyRow>& rows)>& write);
 
 }  // namespace clearcut::cli

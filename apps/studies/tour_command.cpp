@@ -3,8 +3,7 @@
 
 #include <memory>
 
-#include "arguments/quantities.h"
-#include "arguments/suggest.h"
+#include "arguments/option_values.h"
 #include "commands/commands.h"
 #include "commands/research.h"
 #include "research_commands.h"

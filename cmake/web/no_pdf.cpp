@@ -1,6 +1,6 @@
 // Stands in for src/report/sheet/sheet_pdf.cpp: a page runs no other program.
 #include "base/error.h"
-#include "report/sheet/sheet_pdf.h"
+#include "report/sheet/sheet_writers.h"
 
 namespace clearcut::report {
 

@@ -1,5 +1,5 @@
-// Stands in for src/base/programs/apart.cpp: a page runs no other program.
-#include "base/programs/apart.h"
+// Stands in for src/base/apart.cpp: a page runs no other program.
+#include "base/apart.h"
 
 namespace clearcut::inline base {
 

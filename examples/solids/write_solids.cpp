@@ -31,7 +31,7 @@
 #include <iostream>
 
 #include "base/units.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 
 namespace {
 

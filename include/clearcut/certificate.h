@@ -1,7 +1,7 @@
 // Certificates that were read back: their schema, their seal, and where two of them differ.
 #pragma once
 
-#include "base/files/digest.h"
+#include "base/file.h"
 #include "report/certificate/certificate_check.h"
 
 namespace clearcut {

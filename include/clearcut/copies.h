@@ -3,7 +3,7 @@
 
 #include "clearcut/plan.h"
 #include "model/results/copies_made.h"
-#include "pipeline/copies/copies.h"
+#include "pipeline/copies.h"
 
 namespace clearcut {
 

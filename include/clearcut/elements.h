@@ -3,7 +3,6 @@
 
 #include "model/design_element.h"
 #include "pipeline/elements.h"
-#include "read/outline/element_options.h"
 #include "read/outline/read_elements.h"
 #include "report/picture/grid_picture.h"
 

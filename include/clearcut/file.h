@@ -2,7 +2,4 @@
 // read for them (check_outputs()).
 #pragma once
 
-#include "base/files/digest.h"
-#include "base/files/file.h"
-#include "base/files/output_names.h"
-#include "base/files/project_entry.h"
+#include "base/file.h"

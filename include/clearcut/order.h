@@ -1,8 +1,7 @@
 // Tours over points under any cost: solve_tour() for files and lattices by name, solve_order() for problems of one's own.
 #pragma once
 
-#include "order/genetic/crossover.h"
-#include "order/genetic/mutation.h"
+#include "order/genetic/operators.h"
 #include "order/search/solve.h"
 #include "pipeline/tour/tour.h"
 

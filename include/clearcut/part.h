@@ -6,8 +6,7 @@
 #include "model/part.h"
 #include "model/setup_place.h"
 #include "model/tool.h"
-#include "post/part/outline_writer.h"
-#include "post/part/stepnc_writer.h"
+#include "post/part/part_writers.h"
 #include "post/post.h"
 #include "read/drawing/layer_rules.h"
 #include "read/job/job_file.h"
@@ -15,8 +14,8 @@
 #include "read/job/machine_file.h"
 #include "read/job/machine_library.h"
 #include "read/job/project_file.h"
-#include "read/read_part.h"
-#include "read/stepnc/ap238.h"
+#include "read/job/read_part.h"
+#include "read/stepnc/executables.h"
 #include "read/tools/tool_library.h"
 
 namespace clearcut {

@@ -10,8 +10,8 @@
 
 #include "base/progress.h"
 #include "clearcut/part.h"
-#include "features/fitting.h"
-#include "kinematics/published_time.h"
+#include "features/tool_choice.h"
+#include "kinematics/kinematics.h"
 #include "pipeline/compare.h"
 #include "pipeline/job_options.h"
 #include "pipeline/run.h"
@@ -19,7 +19,6 @@
 #include "pipeline/setups/carried_stock.h"
 #include "pipeline/setups/solid_stock.h"
 #include "pipeline/tool_sets.h"
-#include "resolve/prepare.h"
 #include "resolve/resolve.h"
 #include "resolve/values/names.h"
 #include "resolve/values/plan_options.h"

@@ -4,11 +4,10 @@
 #include "clearcut/plan.h"
 #include "clearcut/text.h"
 #include "clearcut/verify.h"
-#include "model/results/not_machined.h"
+#include "model/results/findings.h"
 #include "pipeline/texts.h"
-#include "report/picture/svg_path.h"
-#include "report/sheet/sheet_html.h"
-#include "report/sheet/sheet_pdf.h"
+#include "report/picture/svg_writer.h"
+#include "report/sheet/sheet_writers.h"
 
 namespace clearcut {
 

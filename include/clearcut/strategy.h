@@ -8,7 +8,6 @@
 
 #include "model/layer.h"
 #include "model/options/strategy_entry.h"
-#include "model/pass.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 

@@ -1,8 +1,7 @@
 // Numbers and tables as text, without locale.
 #pragma once
 
-#include "base/text/format.h"
-#include "base/text/quantity.h"
+#include "base/text.h"
 #include "report/words/text_table.h"
 
 namespace clearcut {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "pipeline/witness/find_witness.h"
-#include "pipeline/witness/run_checker.h"
 
 namespace clearcut {
 

@@ -1,5 +1,6 @@
-// Quantities that must not be mixed: feed, angle, time. Lengths are mm everywhere inside and stay plain
-// double (inches exist only in read/ and post/), so that formulas stay formulas.
+// Quantities that must not be mixed: feed, angle, time. Lengths are mm everywhere inside and stay plain double
+// (inches exist only in read/ and post/), so that formulas stay formulas. The inch. Lengths are mm everywhere inside;
+// inches exist only in reading and writing files.
 #pragma once
 
 #include <compare>
@@ -56,5 +57,8 @@ class Seconds {
   explicit constexpr Seconds(double value) : value_(value) {}
   double value_ = 0;
 };
+
+/// By definition (ISO 80000-3).
+inline constexpr double kMmPerInch = 25.4;
 
 }  // namespace clearcut::inline base

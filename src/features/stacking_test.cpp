@@ -1,6 +1,4 @@
 // Tops by stacking: the height that earlier features leave over a later one's target.
-#include "features/stacking.h"
-
 #include <gtest/gtest.h>
 
 #include "base/random.h"

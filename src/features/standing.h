@@ -1,19 +1,45 @@
-// Material remaining over the target of a workingstep when the step begins.
+// Material remaining over the target of a workingstep when the step begins: areas that earlier work has cleared, and
+// the height of the top of each feature's material.
 #pragma once
 
 #include <vector>
 
-#include "features/cleared.h"
+#include "base/tolerances.h"
+#include "geometry/box.h"
+#include "geometry/region.h"
 #include "model/part.h"
 
 namespace clearcut::features {
+
+/// An area from which everything above `floor_z`, mm, has been removed.
+struct Cleared {
+  Cleared(double floor, Regions cleared);
+
+  double floor_z = 0;
+  Regions area;
+  Box extent;  ///< box of `area`
+};
+
+/// mm. Mean thickness below which a remainder of `target` after subtractions counts as a sliver along nominally
+/// coincident outlines: 0.05 mm; for targets hardly wider than that, half of their own width.
+double sliver_width(const Regions& target);
+bool is_sliver(const Region& region, double width);
+
+/// The regions `standing` minus the cleared area.
+Regions without(const Regions& standing, const Cleared& cleared, const Tolerances& tol);
+
+/// mm; height of the highest material over `target`: `start` if some part of the target was not cleared.
+/// Subtracts the areas one after the other until nothing of the target is left; the floor of the last one is
+/// the height. Cost O(areas) booleans.
+double top_over(const Regions& target, const std::vector<Cleared>& deepest_first, double start,
+                const Tolerances& tol);
 
 /// The material left over the target of a workingstep by earlier steps.
 ///
 /// An earlier feature has cleared its target, less the least stock that its steps so far have left on walls,
 /// down to its floor and the least stock left there. The part of the step's target within its own stock to leave is
 /// left out. Earlier steps of the same feature do not count, because the material left by them depends on the cutter
-/// (resolve/left_over.h). The features' tops must have been set (stack_tops). Slivers, see features/cleared.h, are
+/// (resolve/left_over.h). The features' tops must have been set (stack_tops). Slivers, see features/standing.h, are
 /// left out.
 class Standing {
  public:
@@ -41,5 +67,13 @@ class Standing {
   double start_;                  ///< mm; height of material in uncleared areas
   bool stock_left_ = false;       ///< whether the two lists differ
 };
+
+/// Sets top_z of every feature, in workplan order, to the height of the material left over its target by earlier
+/// features. Reports tops that differ from the declared ones by more than tol.join_gap.
+void stack_tops(Part& part, const Tolerances& tol);
+/// The same heights, mm, one for each feature, without setting or reporting anything. Features outside the
+/// workplan keep their declared top. Slivers thinner than 0.05 mm in the mean do not count. Cost O(features)
+/// booleans for each feature at worst.
+std::vector<double> stacked_tops(const Part& part, const Tolerances& tol);
 
 }  // namespace clearcut::features

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "features/stacking.h"
-
 namespace clearcut::features {
 namespace {
 

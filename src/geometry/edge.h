@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "geometry/box.h"
@@ -74,5 +75,9 @@ Path reversed(const Path& path);
 /// The first `mm` of a path, or the whole path if it is no longer.
 Path beginning(const Path& path, double mm);
 Box box(const Path& path);
+
+/// Lines through the points, without points that are on the line between their neighbours (within 0.001 degree)
+/// or repeat the one before. Empty for fewer than two different points. Cost O(points).
+Path line_path(std::span<const Vec2> points);
 
 }  // namespace clearcut::inline geometry

@@ -1,9 +1,11 @@
-// Closed loops and the regions they bound.
+// Closed loops, the regions they bound, and what every region guarantees.
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
+#include "geometry/box.h"
 #include "geometry/edge.h"
 
 namespace clearcut::inline geometry {
@@ -63,5 +65,20 @@ std::vector<Edge> edges_of(const Regions& regions);
 std::size_t edge_count(const Regions& regions);
 Box box(const Regions& regions);
 bool contains(const Regions& regions, Vec2 p);
+
+/// The outline of a box that is not empty, counter-clockwise from its lowest corner.
+Loop rectangle(const Box& box);
+
+/// All of a box whose sides are longer than 0.
+Region rectangular_region(const Box& box);
+
+/// The frame around a box, `width` (mm, > 0) wide on all sides.
+Region frame_around(const Box& box, double width);
+
+/// "" if the loops, in either direction, make a valid region: closed, the outer one around an area, without
+/// crossings, islands inside the outer loop and beside each other. An island may be a wall of no thickness: a line
+/// and back. Else a text with the fault and its place. Loops that cross by less than 1 um touch. Cost O(n log n) for
+/// edges that are short against the whole.
+std::string broken_promise(const Loop& outer, const std::vector<Loop>& islands);
 
 }  // namespace clearcut::inline geometry

@@ -1,9 +1,8 @@
-#include "geometry/region_promise.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "geometry/region.h"
 
 namespace clearcut::inline geometry {
 namespace {

@@ -1,5 +1,5 @@
-// Time of a program on a machine: one planner for each family of controllers, each by its controller's own
-// rules.
+// Time of a program on a machine: one planner for each family of controllers, each by its controller's own rules,
+// over the moves of a program in one row.
 #pragma once
 
 #include <span>
@@ -8,7 +8,6 @@
 #include "base/units.h"
 #include "model/control.h"
 #include "model/machine.h"
-#include "model/motion_planner.h"
 #include "model/move.h"
 
 namespace clearcut::kinematics {
@@ -36,5 +35,9 @@ Seconds planned_time(std::span<const Move> moves, const PathControl& path, const
 
 /// The planner used by planned_times.
 MotionPlanner planner_in_force(const Machine& machine, std::optional<MotionPlanner> of_control);
+
+/// All moves of all sections. With `control`, its states decide the standstills and the permitted deviation from the
+/// path; without, every section begins at rest and no bound of the deviation is known.
+std::vector<PlannedMove> planned_moves(const Toolpath& toolpath, const ControlTable* control);
 
 }  // namespace clearcut::kinematics

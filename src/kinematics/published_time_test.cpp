@@ -1,9 +1,9 @@
-#include "kinematics/published_time.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+
+#include "kinematics/kinematics.h"
 
 namespace clearcut::kinematics {
 namespace {

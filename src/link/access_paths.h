@@ -5,7 +5,6 @@
 
 #include "link/cleared.h"
 #include "link/link.h"
-#include "link/pass_start.h"
 #include "link/work.h"
 
 namespace clearcut::link {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/elementary.h"
-#include "link/sinking_feed.h"
+#include "link/moves.h"
 
 namespace clearcut::link {
 namespace {

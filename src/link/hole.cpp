@@ -5,7 +5,6 @@
 
 #include "base/elementary.h"
 #include "link/moves.h"
-#include "link/sinking_feed.h"
 
 namespace clearcut::link {
 namespace {

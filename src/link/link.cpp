@@ -5,7 +5,6 @@
 
 #include "kinematics/kinematics.h"
 #include "link/linker.h"
-#include "link/short_order.h"
 #include "link/work.h"
 
 namespace clearcut::link {

@@ -6,9 +6,9 @@
 
 #include "base/tolerances.h"
 #include "link/lead.h"
+#include "model/layer.h"
 #include "model/machine.h"
 #include "model/part.h"
-#include "model/pass.h"
 
 namespace clearcut::link {
 
@@ -52,7 +52,7 @@ struct LinkOptions {
 ///           listed in section.notes.
 /// Order     Rings before the ring around them, higher layers before the layers below. These orders are compared:
 ///           layer by layer, always the pass that is reached soonest; the same over all layers, clearing one area
-///           after the other down to the bottom; and both improved (link/short_order.h). The fastest is taken, the
+///           after the other down to the bottom; and both improved (link/linker.h). The fastest is taken, the
 ///           first if they are equal.
 /// Links     At depth if the straight path is legal and quicker than a retract link. Else by rapids just
 ///           above the layer, if that path is legal and free of material, else at cross_z. A rapid never

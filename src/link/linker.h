@@ -1,5 +1,5 @@
-// Cuts passes in a given order, or always next the pass reached soonest, and writes the moves with their
-// links.
+// Cuts passes in a given order, or always next the pass reached soonest, or in a quicker order found from it, and
+// writes the moves with their links.
 #pragma once
 
 #include <array>
@@ -13,7 +13,6 @@
 #include "link/lead.h"
 #include "link/link.h"
 #include "link/moves.h"
-#include "link/pass_start.h"
 #include "link/work.h"
 
 namespace clearcut::link {
@@ -111,5 +110,16 @@ class Linker {
   std::array<int, 4> entries_{};  ///< number of entries into material, by kind
   int without_lead_ = 0;
 };
+
+/// Groups of passes kept together while orders are compared.
+enum class Together {
+  kAreas,  ///< passes cut one after the other in the same area, through all layers
+  kRuns    ///< passes that follow each other with links at depth
+};
+
+/// The passes in an order with a shorter estimated time of links; found from the order in which `linker` has cut them
+/// all. Precedence is respected; a ring without neighbours may begin elsewhere. Empty if there is nothing to choose.
+/// Cost: see order/search/visit_order.h.
+std::vector<Task> short_order(const Work& work, const Linker& linker, Together together);
 
 }  // namespace clearcut::link

@@ -1,8 +1,11 @@
-// A list of moves, each beginning at the end of the previous one.
+// A list of moves, each beginning at the end of the previous one, and the feed of descending moves.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
+#include "base/elementary.h"
+#include "base/units.h"
 #include "model/move.h"
 
 namespace clearcut::link {
@@ -60,5 +63,16 @@ class MoveList {
   Vec2 at_;
   double z_;
 };
+
+/// The feed, reduced so that the tip descends no faster than at `plunge_feed` on a move `along` mm long in plan and
+/// `down` mm deep. A written coordinate is rounded by at most half of 0.0001 inch; this may make a short piece
+/// steeper.
+inline MmPerMin sinking_feed(MmPerMin feed, MmPerMin plunge_feed, double along, double down) {
+  constexpr double kRounded = 0.0013;  // mm
+  if (down <= 0) return feed;
+  const double deeper = down + 2 * kRounded, shorter = std::max(0.0, along - 3 * kRounded);
+  const double share = deeper / base::hypot(shorter, deeper);
+  return std::min(feed, plunge_feed * (1 / share));
+}
 
 }  // namespace clearcut::link

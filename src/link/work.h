@@ -1,4 +1,5 @@
-// The passes of all layers of one feature as items of work, and their precedence.
+// The passes of all layers of one feature as items of work, their precedence, and the place on a pass at which
+// cutting begins.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +10,25 @@
 #include <vector>
 
 #include "geometry/route/legal_area.h"
-#include "geometry/route/legal_route.h"
+#include "geometry/route/legal_paths.h"
 #include "geometry/spatial/box_tree.h"
-#include "model/pass.h"
+#include "model/layer.h"
 
 namespace clearcut::link {
+
+struct PassStart {
+  Vec2 point;
+  std::size_t edge = 0;  ///< for closed passes: the edge of the place
+  double t = 0;
+  bool backwards = false;  ///< for open passes: run from the last point to the first
+};
+
+/// The closed path, begun at `start`.
+Path rotated_to(const Path& path, const PassStart& start);
+
+/// The start nearest to p: anywhere on a closed pass, at an end of a reversible one, else at its beginning.
+/// Cost O(edges).
+PassStart nearest_start(const Pass& pass, Vec2 p);
 
 /// One layer: its passes, and the legal area of the cutter's centre.
 class LayerWork {

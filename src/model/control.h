@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "model/coolant.h"
-#include "model/motion_planner.h"
+#include "model/machine.h"
+#include "model/move.h"
 
 namespace clearcut::inline model {
 

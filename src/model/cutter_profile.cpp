@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/elementary.h"
-#include "model/tool_kinds.h"
+#include "model/tool.h"
 
 namespace clearcut::inline model {
 namespace {

@@ -1,4 +1,4 @@
-// One motion of the machine.
+// One motion of the machine, and the coolant during it.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,30 @@
 
 #include "base/units.h"
 #include "geometry/edge.h"
-#include "model/coolant.h"
 
 namespace clearcut::inline model {
+
+enum class Coolant : unsigned char {
+  kOff,
+  kFlood,  ///< M8; through the tool likewise
+  kMist,   ///< M7
+  kBoth    ///< flood and mist at once
+};
+
+constexpr bool has_flood(Coolant coolant) {
+  return coolant == Coolant::kFlood || coolant == Coolant::kBoth;
+}
+constexpr bool has_mist(Coolant coolant) {
+  return coolant == Coolant::kMist || coolant == Coolant::kBoth;
+}
+constexpr Coolant coolant_of(bool flood, bool mist) {
+  return flood ? (mist ? Coolant::kBoth : Coolant::kFlood) : (mist ? Coolant::kMist : Coolant::kOff);
+}
+
+/// "off", "flood", "mist", "both": as on the command line and in jobs.
+const std::vector<std::string>& coolant_names();
+const std::string& name_of(Coolant coolant);
+std::optional<Coolant> coolant_named(const std::string& name);
 
 enum class MoveKind : unsigned char { kRapid, kPlunge, kRamp, kLeadIn, kCut, kLeadOut, kLink, kRetract };
 const char* name_of(MoveKind kind);

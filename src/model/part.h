@@ -1,4 +1,5 @@
-// The part to be made: stock, features, tools, and the order of work.
+// The part to be made: stock, features with their tabs, tools, and the order of work with the paths that the input
+// states move by move.
 #pragma once
 
 #include <optional>
@@ -8,12 +9,50 @@
 #include "base/diagnostics.h"
 #include "base/tolerances.h"
 #include "geometry/region.h"
+#include "geometry/vec2.h"
 #include "model/hole.h"
-#include "model/stated_path.h"
-#include "model/tab_options.h"
+#include "model/move.h"
 #include "model/tool.h"
 
 namespace clearcut::inline model {
+
+/// Seen along the kerf: with upright sides, or rising evenly to a ridge in the middle.
+enum class TabShape : unsigned char { kSquare, kTriangular };
+
+/// Tabs holding the pieces that profiles cut free. Only one of `count`, `spacing` and `at` may be given.
+struct TabOptions {
+  int count = 0;                  ///< number of tabs of every profile; 0: none
+  std::optional<double> spacing;  ///< mm along every profile from one tab to the next, at most
+  std::vector<Vec2> at;           ///< mm; requested places of tabs, on or beside outlines
+  TabShape shape = TabShape::kSquare;
+  /// mm; width along the outline, for triangular tabs at the material's underside.
+  double width = 4;
+  std::optional<double> height;  ///< mm above the material's underside; absent: half the depth, 2 mm at most
+  std::optional<double> skin;    ///< mm of material left below profiles instead of tabs
+
+  bool any() const { return count > 0 || spacing || !at.empty(); }
+};
+
+/// Source of a workingstep's toolpath if the input states one.
+enum class ToolpathSource { kFile, kOurs };
+
+struct StatedMove {
+  Edge path;  ///< in plan; z changes linearly. Vertical moves as those of Move
+  double z_from = 0;
+  double z_to = 0;
+  MoveKind kind = MoveKind::kCut;
+  std::optional<MmPerMin> feed = {};  ///< absent: the feed of the operation
+  double dwell_s = 0;                 ///< dwell after the move
+};
+
+/// If a move does not begin at the end of the previous one, the cutter is retracted between them.
+struct StatedPath {
+  /// Empty: the path of an earlier workingstep makes this one, too.
+  std::vector<StatedMove> moves;
+  /// The input requests this path by its strategy: it is used unless the user decides otherwise.
+  bool is_explicit = false;
+  bool is_used = false;  ///< decided by resolve()
+};
 
 /// Raw block. z in workpiece coordinates, mm.
 struct Stock {

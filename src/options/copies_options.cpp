@@ -3,7 +3,7 @@
 #include <charconv>
 #include <string_view>
 
-#include "base/text/quantity.h"
+#include "base/text.h"
 
 namespace clearcut::inline options {
 namespace {

@@ -1,5 +1,5 @@
-// Options of a plan that a user can give. Absent values are taken from the part's operations, else from the
-// documented defaults of resolve().
+// Options of a plan that a user can give, those on the part's input file among them. Absent values are taken from the
+// file and the part's operations, else from the documented defaults of resolve().
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,39 @@
 #include "model/move.h"
 #include "model/options/origin.h"
 #include "model/options/post_options.h"
-#include "model/options/published_solver.h"
 #include "model/options/shop_options.h"
 #include "model/options/strategy_entry.h"
+#include "model/options/tour_options.h"
 #include "model/part.h"
-#include "model/results/earlier_state.h"
-#include "model/tab_options.h"
+#include "model/results/findings.h"
 #include "options/copies_options.h"
 
 namespace clearcut::inline options {
+
+/// Lengths in mm. Texts are as given by the user; the readers interpret them.
+struct InputOptions {
+  std::optional<std::string> origin;  ///< "corner", "centre" or "X,Y,Z"
+  std::optional<int> setup;           ///< number of the set-up of a job, from 1
+  std::vector<std::string> earlier_setups;
+  std::optional<std::string> unit;
+  std::vector<std::string> layers;
+  std::vector<std::string> operations;  ///< "KIND:SELECTION"
+  std::optional<double> top, depth;
+  std::optional<std::string> stock_from;
+  bool mirror = false;
+  std::optional<double> scale, join_gap;
+  std::optional<std::string> strokes, text, open_curves;
+  std::optional<bool> find_arcs;
+  std::optional<std::string> up, body;
+  std::optional<double> turn_deg;
+  std::optional<double> breakthrough;
+  std::optional<double> clearance_z;
+  std::vector<std::string> tools;  ///< "endmill:6"
+  std::optional<std::string> tool_library;
+  std::optional<std::string> machine_file, machine_kind;
+  std::vector<std::string> predrilled, keep_outs;
+  std::optional<std::string> after;
+};
 
 /// Cutting data of one tool from its library or job. Absent values are left to the operation.
 struct ToolCutting {

@@ -10,8 +10,7 @@
 #include <map>
 
 #include "base/error.h"
-#include "base/text/format.h"
-#include "base/text/quantity.h"
+#include "base/text.h"
 
 namespace clearcut::inline options {
 namespace {

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "options/input_options.h"
 #include "options/plan_options.h"
 #include "options/value.h"
 

@@ -4,9 +4,9 @@
 #include <fmt/ranges.h>
 
 #include "base/error.h"
-#include "model/coolant.h"
-#include "model/options/controllers.h"
-#include "model/results/condition_kinds.h"
+#include "model/move.h"
+#include "model/options/post_options.h"
+#include "model/results/findings.h"
 #include "model/work_material.h"
 #include "options/copies_options.h"
 #include "options/field.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text/format.h"
+#include "base/text.h"
 
 namespace clearcut::inline options {
 namespace {

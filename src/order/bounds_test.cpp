@@ -1,15 +1,12 @@
 // Lower bounds of orders never exceed what any order reaches.
+#include "order/bounds/bounds.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "order/bounds/lattice_bounds.h"
-#include "order/bounds/line_cover.h"
-#include "order/bounds/run_cover.h"
 #include "order/lattice.h"
-#include "order/search/exact.h"
 #include "order/search/solve.h"
-#include "order/test_problems.h"
 #include "order/test_support.h"
 
 namespace clearcut::order {

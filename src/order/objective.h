@@ -1,5 +1,4 @@
-// Objectives by which orders are judged. A new objective is one small file in objective/: a class with some of the
-// three parts.
+// Objectives by which orders are judged. A new objective is a class in objective.cpp with some of the three parts.
 #pragma once
 
 #include <memory>

@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/text/line_end.h"
-#include "base/text/stripped.h"
+#include "base/text.h"
 
 namespace clearcut::order {
 

@@ -8,25 +8,22 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "features/round_hole.h"
-#include "model/results/not_machined.h"
+#include "model/results/findings.h"
 #include "model/section_names.h"
-#include "pipeline/copies/copies.h"
-#include "pipeline/margin.h"
+#include "pipeline/copies.h"
+#include "pipeline/program_feeds.h"
+#include "pipeline/result_figures.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/certify.h"
 #include "pipeline/steps/out_of_reach.h"
-#include "pipeline/steps/reading.h"
-#include "pipeline/steps/stock_taken.h"
-#include "pipeline/steps/wear.h"
+#include "pipeline/steps/program_conditions.h"
 #include "read/gcode/gcode.h"
-#include "read/gcode/tool_comments.h"
+#include "read/gcode/recognise.h"
 #include "report/sheet/sheet_facts.h"
-#include "resolve/prepare.h"
 #include "resolve/resolve.h"
-#include "resolve/values/tool_cutting.h"
-#include "resolve/work_plan.h"
+#include "resolve/values/cutting_values.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -9,7 +9,6 @@
 #include "model/move.h"
 #include "model/part.h"
 #include "model/results/copies_made.h"
-#include "model/results/earlier_state.h"
 #include "model/results/findings.h"
 #include "model/results/margin.h"
 #include "read/gcode/program/dialect.h"
@@ -23,10 +22,10 @@ struct CheckResult {
   Toolpath toolpath;
   Findings findings;
   read::gcode::Dialect dialect = read::gcode::Dialect::kLinuxCnc;  ///< dialect in which the program was read
-  ControlTable control;             ///< state of the control at each move of `toolpath`
-  std::optional<Toolpath> earlier;  ///< earlier cuts
-  std::optional<Margin> margin;     ///< absent: not asked
-  std::optional<CopiesMade> copies; ///< absent: one part
+  ControlTable control;              ///< state of the control at each move of `toolpath`
+  std::optional<Toolpath> earlier;   ///< earlier cuts
+  std::optional<Margin> margin;      ///< absent: not asked
+  std::optional<CopiesMade> copies;  ///< absent: one part
 };
 /// `dialect`: the control that will run the program; absent: recognised. `reference_feeds`: feeds at the reference by
 /// tool number, used if feeds follow the load and no option states one.

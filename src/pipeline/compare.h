@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "kinematics/published_time.h"
+#include "kinematics/kinematics.h"
 #include "model/results/findings.h"
 #include "report/words/text_table.h"
 #include "resolve/values/plan_options.h"

@@ -11,7 +11,7 @@
 #include "pipeline/check.h"
 #include "pipeline/run.h"
 #include "pipeline/test_drawings.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 
 namespace clearcut::pipeline {
 namespace {

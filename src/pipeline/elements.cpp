@@ -4,17 +4,16 @@
 
 #include <functional>
 
-#include "base/progress_meter.h"
-#include "base/text/format.h"
-#include "features/stacking.h"
+#include "base/progress.h"
+#include "base/text.h"
+#include "features/standing.h"
 #include "geometry/voronoi/clearance.h"
-#include "model/results/not_machined.h"
+#include "model/results/findings.h"
 #include "order/search/solve.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/certify.h"
 #include "pipeline/tour/tour_solver.h"
 #include "plan/common/layers.h"
-#include "plan/grid/check.h"
 #include "plan/grid/shape.h"
 #include "plan/grid/visit.h"
 #include "resolve/resolve.h"

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "model/design_element.h"
-#include "pipeline/steps/plan_result.h"
-#include "report/picture/grid_page.h"
+#include "pipeline/steps/certify.h"
+#include "report/picture/grid_picture.h"
 #include "report/words/text_table.h"
 #include "resolve/values/plan_options.h"
 

@@ -1,10 +1,11 @@
-// Options of a job file for a plan, in addition to its part.
+// Options of a job file for a plan, in addition to its part, and the refusal of requested options without effect.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "pipeline/steps/certify.h"
 #include "read/gcode/program/dialect.h"
 #include "read/job/job_file.h"
 #include "resolve/values/plan_options.h"
@@ -29,5 +30,10 @@ std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::Libra
 /// program: recognised. Throws InputError.
 void read_earlier_program(resolve::PlanOptions& options, const std::string& file,
                           std::optional<read::gcode::Dialect> dialect = {});
+
+/// Throws InputError for the first option of the user or of a job (by `asked.sources`) without effect in this plan,
+/// naming its purpose. `planned` is the toolpath before posting.
+void refuse_idle_options(const PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan,
+                         const PlanOptions& asked);
 
 }  // namespace clearcut::pipeline

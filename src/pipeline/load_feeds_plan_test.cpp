@@ -8,7 +8,7 @@
 
 #include "pipeline/program_feeds.h"
 #include "pipeline/test_drawings.h"
-#include "read/gcode/words/feed_word.h"
+#include "read/gcode/words/lines.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "pipeline/test_drawings.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 
 namespace clearcut::pipeline {
 namespace {

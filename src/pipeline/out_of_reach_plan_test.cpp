@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "geometry/rectangle.h"
+#include "geometry/region.h"
 #include "pipeline/test_drawings.h"
 
 namespace clearcut::pipeline {

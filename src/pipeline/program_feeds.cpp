@@ -6,15 +6,39 @@
 
 #include "base/error.h"
 #include "link/sections/load_feeds.h"
-#include "pipeline/steps/load_feeds.h"
-#include "read/gcode/macros/computes.h"
+#include "pipeline/steps/section_order.h"
+#include "read/gcode/gcode.h"
+#include "read/gcode/macros/macro_line.h"
 #include "read/gcode/sinumerik/words.h"
-#include "read/gcode/words/feed_word.h"
 #include "read/gcode/words/lines.h"
 #include "resolve/resolve.h"
-#include "verify/program/load_reference.h"
+#include "verify/program/verify_options.h"
 
 namespace clearcut::pipeline {
+namespace {
+
+read::gcode::CompensationValues compensation_values(std::vector<Tool> tools, const ShopOptions& shop) {
+  resolve::number_tools(tools);
+  read::gcode::CompensationValues values;
+  for (const Tool& tool : tools) values.radii.try_emplace(tool.number, tool.radius());
+  if (tools.size() == 1) values.only_radius = tools.front().radius();
+  values.is_stated = shop.compensation.has_value();
+  if (resolve::writes_wear(shop)) values.wear = 0;
+  return values;
+}
+
+}  // namespace
+
+read::gcode::ReadControllerOptions reading_of(const resolve::PlanOptions& options,
+                                              const std::vector<Tool>& tools, const std::string& file) {
+  read::gcode::ReadControllerOptions reading;
+  reading.home_z = home_z(options.machine);
+  reading.places = options.machine.places;
+  reading.subprograms = read::gcode::files_beside(file);
+  reading.compensation = compensation_values(tools, options.shop);
+  return reading;
+}
+
 namespace {
 
 /// Greatest relative difference of two feeds that are the same rounded word.

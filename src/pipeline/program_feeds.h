@@ -1,13 +1,22 @@
-// Adapts the feeds of a program of other origin to the load: only its F words change, and no other text.
+// Programs that exist: how they are read, by what options say of the machine and of the tools, and their feeds
+// adapted to the load: only their F words change, and no other text.
 #pragma once
 
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "pipeline/check.h"
+#include "read/gcode/program/program.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {
+
+/// The machine's places, the subprograms beside the file, and the radii of `tools` for programs with cutter compensation; tools
+/// without a number have the number that a plan gives them. Dialect, safe height and tools by hand are the caller's.
+read::gcode::ReadControllerOptions reading_of(const resolve::PlanOptions& options,
+                                              const std::vector<Tool>& tools, const std::string& file);
 
 /// Basis of a program's check: a part, or only a stock.
 struct ProgramQuestion {

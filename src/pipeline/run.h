@@ -1,7 +1,7 @@
 // Runs the stages in order: read -> plan -> order -> link -> post -> read back -> verify.
 #pragma once
 
-#include "pipeline/steps/plan_result.h"
+#include "pipeline/steps/certify.h"
 #include "resolve/values/plan_options.h"
 
 namespace clearcut::pipeline {

@@ -8,9 +8,9 @@
 #include "pipeline/run.h"
 #include "pipeline/test_drawings.h"
 #include "post/part/stepnc_setups.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 #include "read/stepnc/stepnc.h"
-#include "report/motion_text.h"
+#include "report/result.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "pipeline/check.h"
 #include "pipeline/run.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 
 namespace clearcut::pipeline {
 

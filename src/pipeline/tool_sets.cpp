@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "pipeline/compare.h"
 #include "pipeline/run.h"
-#include "resolve/prepare.h"
+#include "resolve/resolve.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -11,15 +11,13 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/inch.h"
-#include "base/text/format.h"
-#include "post/block_printer.h"
-#include "post/cycle_call.h"
+#include "base/text.h"
+#include "base/units.h"
+#include "post/blocks.h"
 #include "post/words/between_steps.h"
 #include "post/words/comment.h"
-#include "post/words/control_words.h"
 #include "post/words/drill_cycle.h"
-#include "post/words/heights.h"
+#include "post/words/iso_dialect.h"
 #include "post/words/steps.h"
 
 namespace clearcut::post {

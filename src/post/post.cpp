@@ -4,10 +4,10 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "post/iso_writer.h"
-#include "post/klartext/klartext_writer.h"
-#include "post/words/control_words.h"
+#include "post/klartext_writer.h"
+#include "post/words/iso_dialect.h"
 #include "post/words/print_grid.h"
 #include "post/words/steps.h"
 

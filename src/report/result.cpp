@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <functional>
 
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/units.h"
-#include "report/words/text.h"
+#include "report/words/text_table.h"
 
 namespace clearcut::report {
 
@@ -92,6 +92,39 @@ std::string result_file(const Toolpath& toolpath, const ResultInfo& info) {
   double total = 0;
   for (const Section& section : toolpath.sections) total += append_section(section, text);
   return text + "# total length " + fixed(total, kDecimals) + "\n";
+}
+
+namespace {
+
+std::string without_comments(std::string_view line) {
+  std::string text;
+  bool inside = false;
+  for (const char c : line) {
+    if (!inside && c == ';') break;
+    inside = inside || c == '(';
+    if (!inside) text += c;
+    if (c == ')') inside = false;
+  }
+  return text;
+}
+
+std::string_view without_number(std::string_view line) {
+  const std::size_t digits = line.find_first_not_of("0123456789");
+  return digits == 0 ? line : line.substr(std::min(digits, line.size()));
+}
+
+}  // namespace
+
+std::string motion_text(std::string_view program) {
+  std::string text;
+  while (!program.empty()) {
+    const std::size_t end = std::min(program.find('\n'), program.size());
+    const std::string line = without_comments(program.substr(0, end));
+    const std::string_view words = stripped(without_number(stripped(line)));
+    if (!words.empty()) text.append(words).append("\n");
+    program.remove_prefix(std::min(end + 1, program.size()));
+  }
+  return text;
 }
 
 }  // namespace clearcut::report

@@ -1,11 +1,13 @@
-// The result file: the segments of a toolpath as plain numbers.
+// The result file, the segments of a toolpath as plain numbers, and the parts of a program's text that a control
+// executes.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "kinematics/published_time.h"
+#include "kinematics/kinematics.h"
 #include "model/move.h"
 
 namespace clearcut::report {
@@ -38,5 +40,9 @@ struct ResultInfo {
 /// Units   mm, four decimals. Feed moves in plan only: rapids and vertical moves have no segment.
 /// Source  [cpo_kappa] fig. 10: the total is contours plus the passages between them.
 std::string result_file(const Toolpath& toolpath, const ResultInfo& info);
+
+/// `program` without comments, block numbers of Klartext, white space at the ends of lines, and empty lines: two
+/// programs with the same motion text move a machine alike.
+std::string motion_text(std::string_view program);
 
 }  // namespace clearcut::report

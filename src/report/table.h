@@ -1,11 +1,15 @@
-// The final table of the command: one line per feature, the total, and the faults.
+// The final table of the command, one line per feature, the total, and the faults, and the results of the strategies,
+// feature by feature.
 #pragma once
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "model/part.h"
 #include "model/results/findings.h"
+#include "model/results/strategy_selection.h"
+#include "report/words/text_table.h"
 
 namespace clearcut::report {
 
@@ -24,5 +28,9 @@ struct BoundedFeed {
   double percent_above() const { return bound_mm > 0 ? 100 * (feed_mm / bound_mm - 1) : 0; }
 };
 BoundedFeed bounded_feed(const Findings& findings);
+
+/// One row for each feature and strategy: time, feed length, outcome. Times with ">" are lower bounds of strategies
+/// not planned because they cannot win.
+TextTable selection_table(const std::vector<StrategySelection>& selections);
 
 }  // namespace clearcut::report

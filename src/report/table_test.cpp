@@ -6,7 +6,6 @@
 #include <limits>
 #include <sstream>
 
-#include "report/words/text.h"
 #include "report/words/text_table.h"
 
 namespace clearcut::report {

@@ -1,5 +1,3 @@
-#include "resolve/prepare.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,29 +6,18 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/text/format.h"
-#include "features/at_depth.h"
-#include "features/fitting.h"
-#include "features/kerf.h"
+#include "base/text.h"
+#include "features/derived_outlines.h"
 #include "features/round_hole.h"
 #include "features/tool_choice.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
-#include "resolve/carvings.h"
-#include "resolve/features/chamfers.h"
 #include "resolve/features/clamps.h"
-#include "resolve/features/corner_relief.h"
-#include "resolve/features/facing.h"
-#include "resolve/features/holes.h"
-#include "resolve/features/near_drills.h"
-#include "resolve/features/t_slots.h"
-#include "resolve/features/tapered_walls.h"
+#include "resolve/features/shaping.h"
 #include "resolve/left_over.h"
-#include "resolve/profiles.h"
-#include "resolve/refusals.h"
+#include "resolve/resolve.h"
+#include "resolve/shaped_features.h"
 #include "resolve/values/cutting_values.h"
-#include "resolve/values/tool_cutting.h"
-#include "resolve/work_plan.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -1,5 +1,3 @@
-#include "resolve/refusals.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,14 +5,15 @@
 #include <map>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/tolerances.h"
-#include "features/fitting.h"
 #include "features/round_hole.h"
-#include "features/stacking.h"
+#include "features/standing.h"
+#include "features/tool_choice.h"
 #include "geometry/contours/boolean.h"
-#include "model/results/not_machined.h"
+#include "model/results/findings.h"
 #include "resolve/features/clamps.h"
+#include "resolve/resolve.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -3,12 +3,8 @@
 #include <algorithm>
 
 #include "base/elementary.h"
-#include "base/text/format.h"
-#include "resolve/prepare.h"
-#include "resolve/refusals.h"
+#include "base/text.h"
 #include "resolve/values/names.h"
-#include "resolve/values/value_list.h"
-#include "resolve/work_plan.h"
 
 namespace clearcut::resolve {
 namespace {

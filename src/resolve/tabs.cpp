@@ -7,7 +7,7 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/tolerances.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"

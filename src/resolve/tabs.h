@@ -51,7 +51,7 @@ struct TabWish {
 /// Places      Straight stretches and wide arcs, away from corners, from the kerfs of other sides and of other
 ///             profiles, and from crossing lines: spread evenly, or at the requested places.
 /// Square      The cutter has no room in the tab: passes end beside it.
-/// Triangular  The kerf continues below them, since passes rise over the tabs (link/sections/over_tabs.h).
+/// Triangular  The kerf continues below them, since passes rise over the tabs (link/sections/high_rapids.h).
 ///
 /// Throws InputError if no place is left for a tab of a profile that frees the part, or for a tab requested by its
 /// place; reports other missing tabs in part.diagnostics.

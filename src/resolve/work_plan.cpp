@@ -1,5 +1,3 @@
-#include "resolve/work_plan.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,16 +5,15 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/units.h"
-#include "features/fitting.h"
 #include "features/round_hole.h"
 #include "features/tool_choice.h"
 #include "geometry/contours/boolean.h"
 #include "model/cutter_profile.h"
-#include "resolve/features/tapered_walls.h"
-#include "resolve/prepare.h"
-#include "resolve/values/tool_cutting.h"
+#include "resolve/features/shaping.h"
+#include "resolve/resolve.h"
+#include "resolve/values/cutting_values.h"
 
 namespace clearcut::resolve {
 namespace {

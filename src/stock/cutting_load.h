@@ -1,10 +1,28 @@
-// The load of a cutter for each mm of advance, from its engagement: thickness of chips and area removed.
+// The volume a tool removes for certain, in the form used by the remaining stock, and the load of a cutter for each
+// mm of advance: thickness of chips and area removed.
 #pragma once
 
-#include "model/options/feed_rule.h"
+#include "model/cutter_profile.h"
+#include "model/move.h"
+#include "model/options/shop_options.h"
+#include "model/tool.h"
 #include "stock/material.h"
 
 namespace clearcut::stock {
+
+/// The volume removed by a cutter, and the circle for its engagement, mm; 0: no engagement, as for cones and T-slot
+/// cutters.
+struct Removal {
+  CutterProfile profile;
+  double circle = 0;
+};
+Removal removal_by(const Tool& tool);
+
+/// Makes the tool known to the material; returns the number of its cutter.
+int add_tool(Material& material, const Tool& tool);
+
+/// Removes the volume swept by the tool along `move`.
+void remove_cut(Material& material, const Move& move, const Tool& tool);
 
 /// The load of a contact at a feed of 1, in units of the feed (chips) or of the feed times the cutter's radius
 /// (removal).

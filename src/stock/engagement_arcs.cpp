@@ -3,10 +3,31 @@
 #include <algorithm>
 
 #include "base/elementary.h"
+#include "base/error.h"
 #include "base/tolerances.h"
 #include "base/units.h"
 
 namespace clearcut::stock {
+
+AngleSet::AngleSet(std::span<const AngleInterval> items) {
+  CLEARCUT_ASSERT(items.size() <= kCapacity);
+  for (const AngleInterval& item : items) {
+    if (item.to > item.from) items_[count_++] = item;
+  }
+}
+
+AngleSet& AngleSet::operator=(const AngleSet& other) {
+  count_ = other.count_;
+  std::copy(other.items_, other.items_ + other.count_, items_);
+  return *this;
+}
+
+double AngleSet::measure() const {
+  double sum = 0;
+  for (const AngleInterval& item : intervals()) sum += item.width();
+  return sum;
+}
+
 namespace {
 
 /// Sine. A circle crossing a line or circle at a smaller angle is treated as crossing at this angle: at a

@@ -1,14 +1,45 @@
-// Engagement arcs: the directions around a cutter's centre with material at its circle. Computed without
-// trigonometric functions, because planning and checking spend most of their time here.
+// Engagement arcs: the directions around a cutter's centre with material at its circle, and sets of directions as
+// intervals of angles. Computed without trigonometric functions, because planning and checking spend most of their
+// time here.
 #pragma once
 
 #include <cmath>
 #include <span>
 
+#include "base/units.h"
 #include "geometry/vec2.h"
-#include "stock/angle_set.h"
 
 namespace clearcut::stock {
+
+/// Angles from `from` up to `to`, in radians, from <= to.
+struct AngleInterval {
+  double from = 0;
+  double to = 0;
+  double width() const { return to - from; }
+};
+
+/// A union of a few disjoint intervals in ascending order.
+class AngleSet {
+ public:
+  /// The greatest number of intervals in a set.
+  static constexpr int kCapacity = 48;
+
+  AngleSet(double from, double to) : count_(1) { items_[0] = {from, to}; }
+  /// `items`: disjoint, ascending, at most kCapacity; intervals of width 0 are left out.
+  explicit AngleSet(std::span<const AngleInterval> items);
+  AngleSet(const AngleSet& other) { *this = other; }
+  /// Copies only the intervals in use, because sets are copied often and mostly hold one or two.
+  AngleSet& operator=(const AngleSet& other);
+
+  bool empty() const { return count_ == 0; }
+  /// Sum of the widths, radians.
+  double measure() const;
+  std::span<const AngleInterval> intervals() const { return {items_, static_cast<std::size_t>(count_)}; }
+
+ private:
+  int count_ = 0;
+  AngleInterval items_[kCapacity];
+};
 
 /// The area that a cutter swept along a point, a line, or an arc of less than half a turn: all points within `radius`
 /// of its path. mm.

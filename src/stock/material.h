@@ -10,7 +10,6 @@
 #include "geometry/box.h"
 #include "model/cutter_profile.h"
 #include "model/move.h"
-#include "stock/angle_set.h"
 #include "stock/engagement_arcs.h"
 
 namespace clearcut::stock {

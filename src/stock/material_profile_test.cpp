@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/random.h"
-#include "stock/cutter_sweep.h"
+#include "stock/cutting_load.h"
 
 namespace clearcut::stock {
 namespace {

@@ -7,7 +7,7 @@
 #include "base/random.h"
 #include "verify/coverage/coverage.h"
 #include "verify/part/legal_centers.h"
-#include "verify/program/gouge.h"
+#include "verify/program/shaped_cutter.h"
 #include "verify/test_program.h"
 
 namespace clearcut::verify {

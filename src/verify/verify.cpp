@@ -1,34 +1,143 @@
 #include "verify/verify.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
 
 #include "base/elementary.h"
 #include "base/parallel.h"
-#include "base/progress_meter.h"
+#include "base/progress.h"
 #include "model/cutter_profile.h"
 #include "verify/coverage/carving.h"
 #include "verify/coverage/coverage.h"
 #include "verify/coverage/feature_work.h"
 #include "verify/coverage/length_bound.h"
-#include "verify/engagement/forces.h"
 #include "verify/engagement/load.h"
-#include "verify/faults/causes.h"
-#include "verify/faults/cutting_data.h"
 #include "verify/faults/faults.h"
-#include "verify/faults/holes.h"
-#include "verify/faults/loose_parts.h"
 #include "verify/faults/move_gouge.h"
 #include "verify/faults/stock_to_leave.h"
 #include "verify/faults/tabs.h"
-#include "verify/faults/tapping.h"
-#include "verify/figures.h"
+#include "verify/faults/threads.h"
 #include "verify/part/finished_parts.h"
-#include "verify/program/blend.h"
 #include "verify/program/checked_move.h"
-#include "verify/program/gouge.h"
-#include "verify/without_part.h"
+#include "verify/program/shaped_cutter.h"
 
 namespace clearcut::verify {
+namespace {
+
+/// Degrees. Smaller changes of direction are due to rounding and are no turns.
+constexpr double kTurn = 0.1;
+
+double degrees_between(Vec2 a, Vec2 b) {
+  return std::abs(base::atan2(cross(a, b), dot(a, b))) * 180 / kPi;
+}
+
+void add_lengths(Figures& figures, const CheckedMove& checked) {
+  const Move& move = *checked.move;
+  const double length = move.length();
+  (checked.feeds() ? figures.feed_mm : figures.rapid_mm) += length;
+  if (checked.feeds() && move.is_vertical() && move.z_to < move.z_from) figures.plunge_mm += length;
+  figures.time_s += checked.time_s;
+  figures.waits_s += checked.waits_s;
+  figures.time_naive_s += checked.time_naive_s;
+}
+
+void add_turns(Figures& figures, std::span<const CheckedMove* const> moves) {
+  const Move* before = nullptr;
+  for (const CheckedMove* checked : moves) {
+    const Move& move = *checked->move;
+    if (!checked->feeds() || move.is_vertical()) {
+      before = nullptr;
+      continue;
+    }
+    if (before && distance(before->path.to, move.path.from) < 1e-9) {
+      const double turn = degrees_between(before->path.tangent_at(1), move.path.tangent_at(0));
+      if (turn > kTurn) {
+        ++figures.turns;
+        figures.turn_angle_deg += turn;
+      }
+    }
+    before = &move;
+  }
+}
+
+void add_retracts(Figures& figures, std::span<const CheckedMove* const> moves, double top_z) {
+  bool cutting = false, risen = false;
+  for (const CheckedMove* checked : moves) {
+    const Move& move = *checked->move;
+    if (cutting && std::max(move.z_from, move.z_to) >= top_z) risen = true;
+    if (checked->feeds() && checked->low_z() < top_z) {
+      if (risen) ++figures.retracts;
+      risen = false;
+      cutting = true;
+    }
+  }
+}
+
+void add_forces(Figures& figures, const CuttingLoad& forces) {
+  if (!figures.load) figures.load = CuttingLoad{};
+  CuttingLoad& sum = *figures.load;
+  sum.energy_j += forces.energy_j;
+  sum.removed_mm3 += forces.removed_mm3;
+  sum.wear += forces.wear;
+  sum.max_power_w = std::max(sum.max_power_w, forces.max_power_w);
+  if (forces.max_force_n <= sum.max_force_n) return;
+  sum.max_force_n = forces.max_force_n;
+  sum.max_force_at = forces.max_force_at;
+}
+
+void add_entry(Entries& entries, const EntryLoad& load) {
+  if (load.begins) ++entries.count;
+  entries.length_mm += load.length_mm;
+  entries.max_axial_mm = std::max(entries.max_axial_mm, load.max_axial_mm);
+  if (load.max_deg <= entries.max_deg) return;
+  entries.max_deg = load.max_deg;
+  entries.max_at = load.max_at;
+}
+
+void add_load(Figures& figures, const MoveLoad& load) {
+  if (load.entry) add_entry(figures.entries, *load.entry);
+  Engagement& engagement = figures.engagement;
+  if (load.max_deg > engagement.max_deg) {
+    engagement.max_deg = load.max_deg;
+    engagement.max_at = load.max_at;
+  }
+  engagement.over_limit_mm += load.over_limit_mm;
+  engagement.climb_mm += load.climb_mm;
+  engagement.conventional_mm += load.conventional_mm;
+  load.classes.add_to(engagement.histogram_mm);
+  if (load.forces) add_forces(figures, *load.forces);
+  figures.air_cut_mm += load.air_mm;
+  figures.max_axial_mm = std::max(figures.max_axial_mm, load.axial_mm);
+  if (load.reference && (!figures.reference_load || load.reference->share > figures.reference_load->share))
+    figures.reference_load = *load.reference;
+  if (load.rapid_contact) ++figures.rapid_in_material;
+}
+
+}  // namespace
+
+Figures figures_of(std::span<const CheckedMove* const> moves, double top_z) {
+  Figures figures;
+  double cutting_mm = 0, angle_mm_deg = 0, force_mm_n = 0;
+  for (const CheckedMove* checked : moves) {
+    add_lengths(figures, *checked);
+    add_load(figures, checked->load);
+    cutting_mm += checked->load.cutting_mm;
+    angle_mm_deg += checked->load.angle_mm_deg;
+    force_mm_n += checked->load.force_mm_n;
+    if (checked->gouge && checked->gouge->depth > figures.gouge_mm) {
+      figures.gouge_mm = checked->gouge->depth;
+      figures.gouge_at = Place{checked->gouge->point, checked->gouge->z, checked->move->line};
+    }
+  }
+  if (cutting_mm > 0) figures.engagement.mean_deg = angle_mm_deg / cutting_mm;
+  if (cutting_mm > 0 && figures.load) figures.load->mean_force_n = force_mm_n / cutting_mm;
+  add_turns(figures, moves);
+  add_retracts(figures, moves, top_z);
+  return figures;
+}
+
 namespace {
 
 /// Number of moves checked in one task.
@@ -297,6 +406,81 @@ Findings verify_program(const Part& part, const Toolpath& toolpath, const Verify
   if (findings.all.load)
     findings.all.thin_wall =
         thinnest_wall(finished.plain(), findings.all.load->max_force_n, *options.material);
+  return findings;
+}
+
+namespace {
+
+/// mm. Heights differing by less belong to one layer.
+constexpr double kSameHeight = 1e-3;
+
+Figures figures_not_asked(Figures figures) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  figures.uncut_mm2 = figures.uncut_thickness_mm = figures.unreachable_mm2 = none;
+  figures.gouge_mm = figures.lower_bound_mm = none;
+  return figures;
+}
+
+/// The tip of a cone that cuts with its flank alone is in no material: its depth is that of the flank at most.
+Figures figures_with_flanks(const std::vector<const CheckedMove*>& moves, double top_z) {
+  Figures figures = figures_of(moves, top_z);
+  for (const CheckedMove* checked : moves) {
+    if (!checked->load.by_flank) continue;
+    const double deep = std::min(flank_height(*checked->tool), top_z - checked->low_z());
+    figures.max_axial_mm = std::max(figures.max_axial_mm, deep);
+  }
+  return figures;
+}
+
+/// Heights of a tool's level moves through material, the highest first.
+std::vector<LayerFindings> layers_of(const std::vector<const CheckedMove*>& moves, double top_z) {
+  std::map<long long, std::vector<const CheckedMove*>, std::greater<>> by_height;
+  for (const CheckedMove* checked : moves) {
+    if (checked->cuts() && checked->is_flat() && !checked->move->is_vertical())
+      by_height[std::llround(checked->low_z() / kSameHeight)].push_back(checked);
+  }
+  std::vector<LayerFindings> layers;
+  for (const auto& [height, own] : by_height)
+    layers.push_back({own.front()->low_z(), figures_not_asked(figures_of(own, top_z))});
+  return layers;
+}
+
+/// Figures of the moves of one tool.
+FeatureFindings row_of(const std::vector<const CheckedMove*>& own, double top) {
+  FeatureFindings row;
+  row.tool_number = own.front()->tool_number;
+  row.name = "T" + std::to_string(row.tool_number);
+  if (own.front()->tool) row.tool_diameter = own.front()->tool->diameter;
+  row.figures = figures_not_asked(figures_with_flanks(own, top));
+  row.layers = layers_of(own, top);
+  return row;
+}
+
+}  // namespace
+
+Findings findings_without_part(const Part& part, const CheckedProgram& program,
+                               const VerifyOptions& options) {
+  Findings findings;
+  findings.without_part = true;
+  std::vector<const CheckedMove*> all;
+  std::vector<int> order;  // order of the tools' first moves
+  std::map<int, std::vector<const CheckedMove*>> by_tool;
+  for (const CheckedMove& checked : program.moves) {
+    if (checked.earlier) continue;
+    all.push_back(&checked);
+    findings.move_engagement_deg.push_back(static_cast<float>(checked.load.max_deg));
+    if (options.material) findings.move_force_n.push_back(force_of(checked));
+    auto& own = by_tool[checked.tool_number];
+    if (own.empty()) order.push_back(checked.tool_number);
+    own.push_back(&checked);
+  }
+  findings.conditions = conditions_of_moves(program, options);
+  findings.faults = faults_of_moves(part, program, options);
+  fold_causes(part, program, options, findings.faults);
+  sort_worst_first(findings.faults);
+  findings.all = figures_not_asked(figures_with_flanks(all, part.top_z()));
+  findings.all.clean = findings.faults.empty();
+  for (const int number : order) findings.features.push_back(row_of(by_tool[number], part.top_z()));
   return findings;
 }
 

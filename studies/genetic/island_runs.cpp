@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "order/genetic/state_text.h"
+#include "order/genetic/islands.h"
 #include "studies/genetic/study_rows.h"
 #include "studies/genetic/study_run.h"
 

@@ -3,8 +3,7 @@
 #include <fmt/format.h>
 
 #include "base/error.h"
-#include "order/genetic/crossover.h"
-#include "order/genetic/mutation.h"
+#include "order/genetic/operators.h"
 #include "order/genetic/selection.h"
 
 namespace clearcut::studies {

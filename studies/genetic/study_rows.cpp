@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 
 namespace clearcut::studies {
 namespace {

@@ -12,7 +12,7 @@
 #include "base/units.h"
 #include "geometry/side_list.h"
 #include "geometry/voronoi/clearance.h"
-#include "kinematics/published_time.h"
+#include "kinematics/kinematics.h"
 #include "pipeline/compare.h"
 #include "pipeline/run.h"
 #include "pipeline/tool_sets.h"

@@ -1,8 +1,8 @@
-#include "studies/reproduce/published_grids.h"
-
 #include <algorithm>
 #include <limits>
 #include <numeric>
+
+#include "studies/reproduce/published_comparisons.h"
 
 namespace clearcut::studies {
 

@@ -5,14 +5,7 @@
 
 #include "base/error.h"
 #include "studies/reproduce/published_comparisons.h"
-#include "studies/reproduce/reproduce_coefficients.h"
-#include "studies/reproduce/reproduce_grid.h"
-#include "studies/reproduce/reproduce_objectives.h"
-#include "studies/reproduce/reproduce_operators.h"
-#include "studies/reproduce/reproduce_orders.h"
-#include "studies/reproduce/reproduce_published.h"
-#include "studies/reproduce/reproduce_scallop.h"
-#include "studies/reproduce/reproduce_tour.h"
+#include "studies/reproduce/reproduce_parts.h"
 
 namespace clearcut::studies {
 

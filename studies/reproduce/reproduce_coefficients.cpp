@@ -1,5 +1,3 @@
-#include "studies/reproduce/reproduce_coefficients.h"
-
 #include <fmt/format.h>
 
 #include <array>
@@ -9,13 +7,13 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "geometry/side_list.h"
-#include "kinematics/published_time.h"
+#include "kinematics/kinematics.h"
 #include "model/layer.h"
-#include "model/pass.h"
 #include "plan/contour/contour.h"
 #include "plan/contour/side_offsets.h"
 #include "studies/reproduce/page/reproduction_figures.h"
 #include "studies/reproduce/planned_outline.h"
+#include "studies/reproduce/reproduce_parts.h"
 
 namespace clearcut::studies {
 namespace {

@@ -1,17 +1,16 @@
-#include "studies/reproduce/reproduce_grid.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
 
-#include "base/text/format.h"
+#include "base/text.h"
 #include "model/design_element.h"
 #include "order/search/solve.h"
 #include "pipeline/tour/tour_solver.h"
 #include "plan/grid/visit.h"
-#include "studies/reproduce/published_grids.h"
+#include "studies/reproduce/published_comparisons.h"
+#include "studies/reproduce/reproduce_parts.h"
 
 namespace clearcut::studies {
 namespace {

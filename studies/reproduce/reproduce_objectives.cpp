@@ -1,5 +1,3 @@
-#include "studies/reproduce/reproduce_objectives.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,10 +13,11 @@
 #include "pipeline/tour/engagement_model.h"
 #include "pipeline/tour/tour_solver.h"
 #include "plan/common/layers.h"
-#include "resolve/prepare.h"
+#include "resolve/resolve.h"
 #include "studies/fishhead.h"
 #include "studies/reproduce/page/reproduction_figures.h"
-#include "studies/reproduce/published_grids.h"
+#include "studies/reproduce/published_comparisons.h"
+#include "studies/reproduce/reproduce_parts.h"
 #include "studies/reproduce/table_runs.h"
 
 namespace clearcut::studies {

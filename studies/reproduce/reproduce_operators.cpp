@@ -1,11 +1,10 @@
-#include "studies/reproduce/reproduce_operators.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <array>
 
-#include "order/genetic/crossover.h"
+#include "order/genetic/operators.h"
+#include "studies/reproduce/reproduce_parts.h"
 
 namespace clearcut::studies {
 namespace {

@@ -1,5 +1,3 @@
-#include "studies/reproduce/reproduce_orders.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,9 +10,10 @@
 #include "pipeline/tour/tour_solver.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
-#include "resolve/prepare.h"
+#include "resolve/resolve.h"
 #include "studies/fishhead.h"
-#include "studies/reproduce/published_grids.h"
+#include "studies/reproduce/published_comparisons.h"
+#include "studies/reproduce/reproduce_parts.h"
 
 namespace clearcut::studies {
 namespace {

@@ -1,5 +1,3 @@
-#include "studies/reproduce/reproduce_published.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 
 #include "pipeline/run.h"
 #include "studies/fishhead.h"
+#include "studies/reproduce/reproduce_parts.h"
 
 namespace clearcut::studies {
 namespace {

@@ -1,5 +1,3 @@
-#include "studies/reproduce/reproduce_scallop.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
@@ -7,6 +5,7 @@
 #include "base/error.h"
 #include "pipeline/run.h"
 #include "studies/fishhead.h"
+#include "studies/reproduce/reproduce_parts.h"
 
 namespace clearcut::studies {
 namespace {

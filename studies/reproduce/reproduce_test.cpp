@@ -8,9 +8,9 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "base/files/file.h"
+#include "base/file.h"
 #include "studies/reproduce/page/reproduction_page.h"
-#include "studies/reproduce/reproduce_published.h"
+#include "studies/reproduce/reproduce_parts.h"
 
 namespace clearcut::studies {
 namespace {

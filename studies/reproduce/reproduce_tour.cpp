@@ -1,5 +1,3 @@
-#include "studies/reproduce/reproduce_tour.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,13 +8,14 @@
 #include <numeric>
 #include <optional>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "base/parallel.h"
 #include "order/genetic/genetic.h"
 #include "order/lattice.h"
 #include "order/search/solve.h"
 #include "order/tsplib.h"
 #include "pipeline/tour/tour.h"
+#include "studies/reproduce/reproduce_parts.h"
 
 namespace clearcut::studies {
 namespace {

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
-#include "base/files/file.h"
-#include "post/part/outline_writer.h"
+#include "base/file.h"
+#include "post/part/part_writers.h"
 #include "support/command.h"
 #include "support/random/random_parts.h"
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "support/command.h"
 
 namespace clearcut {

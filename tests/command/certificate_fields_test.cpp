@@ -7,7 +7,7 @@
 
 #include "pipeline/run.h"
 #include "pipeline/texts.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 #include "report/certificate/certificate.h"
 #include "resolve/values/plan_options.h"
 

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/files/file.h"
-#include "report/certificate/certificate_question.h"
+#include "base/file.h"
+#include "report/certificate/certificate_json.h"
 #include "support/command.h"
 
 namespace clearcut {

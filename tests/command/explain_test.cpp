@@ -8,7 +8,7 @@
 #include <regex>
 #include <set>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "support/command.h"
 
 namespace clearcut {

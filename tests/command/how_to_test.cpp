@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <regex>
 
-#include "base/files/file.h"
-#include "base/text/format.h"
+#include "base/file.h"
+#include "base/text.h"
 #include "read/step_solid/solid_model.h"
 #include "support/command.h"
 

@@ -7,12 +7,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "geometry/contours/boolean.h"
 #include "pipeline/run.h"
 #include "pipeline/tool_sets.h"
-#include "read/read_part.h"
-#include "report/certificate/certificate_schema.h"
+#include "read/job/read_part.h"
+#include "report/certificate/certificate_json.h"
 #include "studies/method_study.h"
 #include "support/command.h"
 

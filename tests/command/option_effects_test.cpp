@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "options/row.h"
 #include "support/command.h"
 

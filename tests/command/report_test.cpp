@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "base/units.h"
 #include "kinematics/kinematics.h"
 #include "pipeline/run.h"

@@ -8,8 +8,8 @@
 #include <regex>
 
 #include "base/error.h"
-#include "base/files/file.h"
-#include "report/sheet/sheet_pdf.h"
+#include "base/file.h"
+#include "report/sheet/sheet_writers.h"
 #include "support/command.h"
 
 namespace clearcut {

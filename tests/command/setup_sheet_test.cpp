@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "support/command.h"
 
 namespace clearcut {

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "post/post.h"
 #include "read/step_solid/solid_model.h"
 #include "support/command.h"

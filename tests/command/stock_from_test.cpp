@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "read/step_solid/solid_model.h"
 #include "support/command.h"
 

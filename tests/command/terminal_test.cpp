@@ -16,7 +16,7 @@
 #include <sstream>
 #include <thread>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "support/command.h"
 #include "support/solids.h"
 #include "support/stepped_solid.h"

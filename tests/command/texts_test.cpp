@@ -8,8 +8,8 @@
 #include <set>
 #include <sstream>
 
-#include "base/files/file.h"
-#include "base/text/format.h"
+#include "base/file.h"
+#include "base/text.h"
 #include "support/command.h"
 
 namespace clearcut::test_support {

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <regex>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "support/command.h"
 
 namespace clearcut::test_support {

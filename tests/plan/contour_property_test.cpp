@@ -11,7 +11,7 @@
 
 #include "geometry/voronoi/clearance.h"
 #include "pipeline/run.h"
-#include "post/part/outline_writer.h"
+#include "post/part/part_writers.h"
 #include "support/random/random_regions.h"
 
 namespace clearcut {

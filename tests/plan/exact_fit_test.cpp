@@ -7,9 +7,9 @@
 
 #include "base/error.h"
 #include "base/random.h"
-#include "features/fitting.h"
+#include "features/tool_choice.h"
 #include "pipeline/run.h"
-#include "resolve/prepare.h"
+#include "resolve/resolve.h"
 
 namespace clearcut {
 namespace {

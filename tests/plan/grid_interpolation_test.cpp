@@ -8,14 +8,13 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/files/file.h"
+#include "base/file.h"
 #include "base/random.h"
 #include "pipeline/elements.h"
 #include "plan/grid/interpolate.h"
-#include "plan/grid/reduce.h"
 #include "plan/grid/visit.h"
 #include "read/outline/read_elements.h"
-#include "studies/reproduce/reproduce_grid.h"
+#include "studies/reproduce/reproduce_parts.h"
 #include "support/element_jobs.h"
 
 namespace clearcut {

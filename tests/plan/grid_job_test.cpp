@@ -7,9 +7,9 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/files/file.h"
+#include "base/file.h"
 #include "pipeline/elements.h"
-#include "plan/grid/check.h"
+#include "plan/grid/shape.h"
 #include "read/outline/read_elements.h"
 #include "support/command.h"
 #include "support/element_jobs.h"

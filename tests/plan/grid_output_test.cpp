@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "base/files/file.h"
+#include "base/file.h"
 #include "pipeline/elements.h"
 #include "read/outline/read_elements.h"
 #include "report/picture/grid_picture.h"

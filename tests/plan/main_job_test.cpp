@@ -6,11 +6,11 @@
 #include <filesystem>
 
 #include "base/error.h"
-#include "base/files/file.h"
-#include "features/fitting.h"
+#include "base/file.h"
+#include "features/tool_choice.h"
 #include "pipeline/run.h"
-#include "read/read_part.h"
-#include "resolve/prepare.h"
+#include "read/job/read_part.h"
+#include "resolve/resolve.h"
 #include "support/command.h"
 #include "support/data.h"
 #include "support/independent/rs274.h"

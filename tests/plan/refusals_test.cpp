@@ -1,11 +1,10 @@
 // What no plan can help is refused with an answer that does.
-#include "resolve/refusals.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "geometry/rectangle.h"
+#include "geometry/region.h"
+#include "resolve/resolve.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -12,7 +12,7 @@
 #include "pipeline/check.h"
 #include "pipeline/run.h"
 #include "read/gcode/gcode.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 #include "support/plans.h"
 #include "support/random/random_parts.h"
 

@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 #include "pipeline/run.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 #include "read/repair/clean.h"
 #include "support/random/random_parts.h"
 #include "support/shapes.h"

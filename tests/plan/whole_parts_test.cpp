@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "base/error.h"
-#include "features/stacking.h"
+#include "features/standing.h"
 #include "pipeline/run.h"
 #include "support/independent/height_field.h"
 #include "support/random/random_parts.h"

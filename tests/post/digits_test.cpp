@@ -8,7 +8,7 @@
 
 #include "model/part.h"
 #include "pipeline/run.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 #include "resolve/values/plan_options.h"
 
 namespace clearcut {

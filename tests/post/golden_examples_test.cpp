@@ -9,7 +9,7 @@
 #include <set>
 #include <sstream>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "base/tolerances.h"
 #include "pipeline/check.h"
 #include "pipeline/elements.h"
@@ -18,8 +18,8 @@
 #include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "read/job/job_file.h"
+#include "read/job/read_part.h"
 #include "read/outline/read_elements.h"
-#include "read/read_part.h"
 #include "read/step_solid/solid_model.h"
 #include "support/golden.h"
 #include "support/independent/grbl.h"

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "support/golden.h"

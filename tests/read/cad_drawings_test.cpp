@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "read/drawing/layer_rules.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 #include "support/cad/writers.h"
 #include "support/random/random_parts.h"
 

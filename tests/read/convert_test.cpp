@@ -1,13 +1,12 @@
 // A part keeps its program on the way through another format.
 #include <gtest/gtest.h>
 
-#include "base/files/file.h"
-#include "features/kerf.h"
+#include "base/file.h"
+#include "features/derived_outlines.h"
 #include "pipeline/run.h"
-#include "post/part/outline_writer.h"
-#include "post/part/stepnc_writer.h"
-#include "read/read_part.h"
-#include "resolve/prepare.h"
+#include "post/part/part_writers.h"
+#include "read/job/read_part.h"
+#include "resolve/resolve.h"
 #include "support/data.h"
 #include "support/drawings.h"
 #include "support/programs.h"

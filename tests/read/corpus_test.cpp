@@ -6,13 +6,13 @@
 #include <filesystem>
 
 #include "base/error.h"
-#include "base/files/file.h"
+#include "base/file.h"
 #include "base/units.h"
 #include "order/tsplib.h"
 #include "read/gcode/gcode.h"
 #include "read/job/job_file.h"
 #include "read/job/machine_file.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 #include "support/command.h"
 #include "support/data.h"
 #include "support/read_parts.h"

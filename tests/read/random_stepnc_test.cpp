@@ -14,8 +14,8 @@
 
 #include "base/error.h"
 #include "pipeline/run.h"
-#include "post/part/stepnc_writer.h"
-#include "read/read_part.h"
+#include "post/part/part_writers.h"
+#include "read/job/read_part.h"
 #include "read/stepnc/stepnc.h"
 #include "support/independent/plain_gcode.h"
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "pipeline/run.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 #include "support/data.h"
 #include "support/drawings.h"
 

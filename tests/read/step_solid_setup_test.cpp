@@ -8,7 +8,7 @@
 #include "base/random.h"
 #include "base/units.h"
 #include "pipeline/run.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 #include "read/step_solid/orientation.h"
 #include "read/step_solid/solid_model.h"
 #include "support/plans.h"

@@ -11,10 +11,9 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/files/file.h"
+#include "base/file.h"
 #include "pipeline/run.h"
 #include "read/stepnc/file/entity_list.h"
-#include "read/stepnc/not_used.h"
 #include "read/stepnc/stepnc.h"
 
 namespace clearcut {

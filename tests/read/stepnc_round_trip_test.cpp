@@ -2,12 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "base/files/file.h"
+#include "base/file.h"
 #include "base/random.h"
 #include "base/units.h"
-#include "features/stacking.h"
+#include "features/standing.h"
 #include "geometry/contours/boolean.h"
-#include "post/part/stepnc_writer.h"
+#include "post/part/part_writers.h"
 #include "read/stepnc/stepnc.h"
 #include "studies/fishhead.h"
 #include "support/data.h"

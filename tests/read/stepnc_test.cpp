@@ -7,9 +7,9 @@
 #include <cstdlib>
 
 #include "base/error.h"
-#include "base/files/file.h"
+#include "base/file.h"
 #include "base/random.h"
-#include "post/part/stepnc_writer.h"
+#include "post/part/part_writers.h"
 #include "read/outline/outline_reader.h"
 #include "studies/fishhead.h"
 #include "support/data.h"

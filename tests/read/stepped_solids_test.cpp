@@ -13,7 +13,7 @@
 #include "base/elementary.h"
 #include "base/units.h"
 #include "pipeline/run.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 #include "support/plans.h"
 #include "support/solids.h"
 #include "support/stepped_solid.h"

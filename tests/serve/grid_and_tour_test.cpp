@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "serve/server_process.h"
 
 namespace clearcut {

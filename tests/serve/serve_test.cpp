@@ -11,7 +11,7 @@
 #include <regex>
 #include <thread>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "serve/server_process.h"
 
 namespace clearcut {

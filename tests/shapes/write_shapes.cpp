@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "support/shapes.h"
 
 int main(int argc, char** argv) {

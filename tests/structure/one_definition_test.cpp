@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "support/sources/definitions.h"
 
 namespace clearcut {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <set>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "support/sources/tokens.h"
 
 namespace clearcut {

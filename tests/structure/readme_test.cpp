@@ -6,7 +6,7 @@
 #include <regex>
 #include <sstream>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "support/command.h"
 
 namespace clearcut {

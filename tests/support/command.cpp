@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "base/files/file.h"
+#include "base/file.h"
 
 namespace clearcut::test_support {
 namespace {

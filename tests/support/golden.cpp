@@ -5,8 +5,7 @@
 #include <fstream>
 #include <map>
 
-#include "base/files/digest.h"
-#include "base/files/file.h"
+#include "base/file.h"
 #include "post/post.h"
 #include "support/programs.h"
 

@@ -3,7 +3,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "features/stacking.h"
+#include "features/standing.h"
 #include "geometry/contours/boolean.h"
 
 namespace clearcut::test_support {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/region.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 
 namespace clearcut::test_support {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cctype>
 
-#include "base/files/file.h"
-#include "geometry/line_path.h"
-#include "post/part/outline_writer.h"
+#include "base/file.h"
+#include "geometry/edge.h"
+#include "post/part/part_writers.h"
 #include "read/outline/outline_reader.h"
 #include "studies/fishhead.h"
 #include "support/data.h"

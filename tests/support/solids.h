@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 #include "read/step_solid/solid_model.h"
 
 #define SKIP_WITHOUT_OPEN_CASCADE() \

@@ -12,7 +12,7 @@
 #include "pipeline/check.h"
 #include "pipeline/run.h"
 #include "read/gcode/program/dialect.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 #include "resolve/values/plan_options.h"
 #include "support/random/first_seed.h"
 

@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "pipeline/check.h"
 #include "pipeline/run.h"
 #include "read/gcode/gcode.h"

@@ -6,12 +6,12 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/files/file.h"
+#include "base/file.h"
 #include "pipeline/check.h"
 #include "pipeline/job_options.h"
 #include "read/common/data_value.h"
 #include "read/job/machine_file.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 #include "read/tools/tool_library.h"
 
 namespace clearcut {

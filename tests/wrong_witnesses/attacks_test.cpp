@@ -13,7 +13,7 @@
 #include "base/random.h"
 #include "pipeline/run.h"
 #include "pipeline/witness/find_witness.h"
-#include "post/part/outline_writer.h"
+#include "post/part/part_writers.h"
 #include "support/independent/claim_judge.h"
 #include "support/plans.h"
 #include "support/random/random_parts.h"

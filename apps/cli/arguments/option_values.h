@@ -1,4 +1,5 @@
-// Options of the table as a command takes them.
+// Options of the table as a command takes them, validators of other values, and suggestions for words unknown to the
+// command.
 #pragma once
 
 #include <clearcut/options.h>
@@ -11,6 +12,17 @@
 #include <vector>
 
 namespace clearcut::cli {
+
+/// A seed is any whole number of 64 bits; greater numbers are refused, not truncated.
+CLI::Validator is_seed();
+
+/// "'--stepdwn' is no option of plan; did you mean '--stepdown'?" for the first unused argument.
+std::string about_unexpected(const CLI::App& app, const std::vector<std::string>& arguments);
+
+/// Accepts one of these names, and suggests one for other words; the names are shown in help and completion.
+CLI::Validator one_of(const std::vector<std::string>& names);
+/// Accepts any text; the names are used only in completion.
+CLI::Validator for_example(const std::vector<std::string>& names);
 
 /// The typed values, by the names of their rows. Values refused by a row give an InputError during parsing of the
 /// command line.

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "arguments/suggest.h"
+#include "arguments/option_values.h"
 
 namespace clearcut::cli {
 namespace {

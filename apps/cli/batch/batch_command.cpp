@@ -17,14 +17,12 @@
 #include <thread>
 
 #include "arguments/plan_arguments.h"
-#include "batch/batch_overview.h"
 #include "batch/batch_parts.h"
 #include "commands/commands.h"
 #include "process/child_process.h"
 #include "ranks/distribute.h"
 #include "terminal/output.h"
 #include "terminal/progress.h"
-#include "terminal/signals_held.h"
 
 namespace clearcut::cli {
 namespace {

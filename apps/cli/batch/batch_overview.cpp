@@ -1,11 +1,11 @@
-#include "batch/batch_overview.h"
-
 #include <clearcut/text.h>
 #include <fmt/format.h>
 
 #include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
+
+#include "batch/batch_parts.h"
 
 namespace clearcut::cli {
 namespace {

@@ -12,8 +12,8 @@
 #include <memory>
 #include <optional>
 
+#include "arguments/option_values.h"
 #include "arguments/plan_arguments.h"
-#include "arguments/suggest.h"
 #include "commands/commands.h"
 #include "terminal/json_tables.h"
 #include "terminal/output.h"

@@ -13,7 +13,6 @@
 #include "arguments/plan_arguments.h"
 #include "commands/commands.h"
 #include "terminal/output.h"
-#include "terminal/terminal.h"
 
 namespace clearcut::cli {
 namespace {

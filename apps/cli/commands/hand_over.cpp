@@ -1,5 +1,3 @@
-#include "commands/hand_over.h"
-
 #include <clearcut/error.h>
 #include <unistd.h>
 

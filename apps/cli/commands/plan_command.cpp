@@ -12,11 +12,9 @@
 #include "arguments/certificate_info.h"
 #include "arguments/plan_arguments.h"
 #include "commands/commands.h"
-#include "commands/setup_sheet_file.h"
-#include "commands/witness_file.h"
+#include "commands/result_files.h"
 #include "terminal/output.h"
 #include "terminal/progress.h"
-#include "terminal/terminal.h"
 
 namespace clearcut::cli {
 namespace {

@@ -1,7 +1,9 @@
-// The commands of research, contained in the program clearcut-studies, as listed by both programs.
+// The commands of research, contained in the program clearcut-studies, as listed by both programs, and the commands
+// that `clearcut` leaves to that program.
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <string>
 
 namespace clearcut::cli {
 
@@ -26,5 +28,12 @@ inline CLI::App* add_research_command(CLI::App& app, const ResearchCommand& comm
   added->group(command.group);
   return added;
 }
+
+/// The commands of research, and `generate`: each passes all arguments after its name to clearcut-studies.
+void hand_over_research_commands(CLI::App& app);
+
+/// Runs clearcut-studies in place of this program, with the same arguments. Does not return; throws InputError if
+/// clearcut-studies is absent.
+[[noreturn]] void run_studies(const std::string& command);
 
 }  // namespace clearcut::cli

@@ -8,14 +8,12 @@
 #include <optional>
 
 #include "arguments/certificate_info.h"
+#include "arguments/option_values.h"
 #include "arguments/plan_arguments.h"
-#include "arguments/suggest.h"
 #include "commands/commands.h"
-#include "commands/setup_sheet_file.h"
-#include "commands/witness_file.h"
+#include "commands/result_files.h"
 #include "terminal/output.h"
 #include "terminal/progress.h"
-#include "terminal/terminal.h"
 
 namespace clearcut::cli {
 namespace {

@@ -1,4 +1,5 @@
-// Every command and option in plain data, from the parser: the basis of help, man page and completion.
+// Every command and option in plain data, from the parser: the basis of help, man page and completion; and the text
+// of --help.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -32,5 +33,16 @@ std::vector<CommandText> commands_of(const CLI::App& app);
 
 /// "-o,--output FILE".
 std::string synopsis(const OptionText& option);
+
+/// Prints from the option table, in groups, as wide as the terminal.
+class HelpText : public CLI::Formatter {
+ public:
+  /// `shows_all`: also seldom used options and those of research, as for `--help all`.
+  explicit HelpText(bool shows_all = true) : shows_all_(shows_all) {}
+  std::string make_help(const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
+
+ private:
+  bool shows_all_;
+};
 
 }  // namespace clearcut::cli

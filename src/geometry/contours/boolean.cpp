@@ -13,9 +13,8 @@
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/units.h"
-#include "geometry/contours/split_contours.h"
+#include "geometry/contours/nesting.h"
 #include "geometry/spatial/box_tree.h"
-#include "geometry/unite_all.h"
 
 namespace clearcut::inline geometry {
 namespace {

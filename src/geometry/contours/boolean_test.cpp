@@ -4,7 +4,6 @@
 
 #include "base/random.h"
 #include "base/units.h"
-#include "geometry/unite_all.h"
 
 namespace clearcut::inline geometry {
 namespace {

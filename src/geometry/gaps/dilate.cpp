@@ -5,9 +5,8 @@
 
 #include "base/error.h"
 #include "geometry/contours/boolean.h"
-#include "geometry/gaps/short_edges.h"
-#include "geometry/rectangle.h"
-#include "geometry/unite_all.h"
+#include "geometry/gaps/unite_over_gaps.h"
+#include "geometry/region.h"
 #include "geometry/voronoi/clearance.h"
 
 namespace clearcut::inline geometry {

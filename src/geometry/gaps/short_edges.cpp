@@ -1,7 +1,7 @@
-#include "geometry/gaps/short_edges.h"
-
 #include <algorithm>
 #include <utility>
+
+#include "geometry/gaps/unite_over_gaps.h"
 
 namespace clearcut::inline geometry {
 namespace {

@@ -4,8 +4,7 @@
 
 #include "base/random.h"
 #include "geometry/contours/boolean.h"
-#include "geometry/gaps/short_edges.h"
-#include "geometry/rectangle.h"
+#include "geometry/region.h"
 
 namespace clearcut::inline geometry {
 namespace {

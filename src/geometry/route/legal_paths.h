@@ -1,4 +1,5 @@
-// Shortest paths of a cutter's centre inside its legal area, round corners and islands.
+// Shortest paths of a cutter's centre inside its legal area, round corners and islands, and short ones between two
+// places, which are found sooner.
 #pragma once
 
 #include <atomic>
@@ -69,6 +70,32 @@ class LegalPaths {
   std::vector<Vec2> corners_;
   /// Visibility of pairs i < j: 0 unknown, 1 yes, -1 no.
   mutable std::unique_ptr<std::atomic<signed char>[]> seen_;
+};
+
+/// Finds short legal paths. Keeps a reference to `area`, which must be built from `regions`.
+class LegalRoutes {
+ public:
+  LegalRoutes(const Regions& regions, const LegalArea& area);
+
+  /// A path from a to b inside the legal area: the straight one if legal, else along the boundaries that block it,
+  /// around the shorter side of each, pulled taut. Both places must be legal. Nothing if they are in different
+  /// regions. Short, not always the shortest. Cost O(edges + vertices of the path squared).
+  std::optional<Path> between(Vec2 a, Vec2 b) const;
+
+ private:
+  struct Crossing {
+    double t = 0;  ///< along the straight path
+    Vec2 point;
+    std::size_t loop = 0;
+    std::size_t edge = 0;
+  };
+  std::vector<Crossing> crossings(Vec2 a, Vec2 b) const;
+  Path around(const Crossing& out, const Crossing& in) const;
+  Path taut(Vec2 a, const Path& path) const;
+
+  const LegalArea& area_;
+  std::vector<Loop> loops_;
+  std::vector<std::vector<Box>> boxes_;
 };
 
 }  // namespace clearcut::inline geometry

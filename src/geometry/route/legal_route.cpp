@@ -1,5 +1,3 @@
-#include "geometry/route/legal_route.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -7,7 +5,8 @@
 
 #include "base/units.h"
 #include "base/work_budget.h"
-#include "geometry/contours/loops.h"
+#include "geometry/contours/boolean.h"
+#include "geometry/route/legal_paths.h"
 
 namespace clearcut::inline geometry {
 namespace {

@@ -5,9 +5,9 @@
 #include <numeric>
 #include <queue>
 
-#include "base/disjoint_sets.h"
+#include "base/containers.h"
 #include "base/tolerances.h"
-#include "geometry/voronoi/index.h"
+#include "geometry/voronoi/diagram.h"
 
 namespace clearcut::inline geometry::voronoi {
 namespace {

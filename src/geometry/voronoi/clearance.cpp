@@ -6,11 +6,8 @@
 
 #include "base/error.h"
 #include "geometry/contours/boolean.h"
-#include "geometry/contours/loops.h"
 #include "geometry/voronoi/axis.h"
-#include "geometry/voronoi/fit_lines.h"
 #include "geometry/voronoi/level_curves.h"
-#include "geometry/voronoi/offset_loop.h"
 
 namespace clearcut::inline geometry {
 namespace {

@@ -1,12 +1,19 @@
-// The segment Voronoi diagram of a region in flat arrays, its vertices corrected to the exact elements.
+// The segment Voronoi diagram of a region in flat arrays, its vertices corrected to the exact elements: the builder
+// sees only sites on a grid and arcs as tangents.
 #pragma once
 
+#include <cstddef>
 #include <set>
 #include <vector>
 
 #include "geometry/voronoi/sites.h"
 
 namespace clearcut::inline geometry::voronoi {
+
+/// `i` >= 0.
+constexpr std::size_t index(int i) {
+  return static_cast<std::size_t>(i);
+}
 
 /// A place of the diagram and its clearance.
 struct Node {
@@ -40,5 +47,9 @@ struct Diagram {
 };
 
 Diagram make_diagram(Sites sites, const Region& region);
+
+/// Moves each inside node to the place equally far from its elements, by damped least squares, and sets its
+/// clearance. If this fails, the elements of the node are added to diagram.doubtful.
+void correct_nodes(Diagram& diagram);
 
 }  // namespace clearcut::inline geometry::voronoi

@@ -1,12 +1,11 @@
-#include "geometry/voronoi/fit_lines.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "base/tolerances.h"
 #include "base/units.h"
-#include "geometry/voronoi/index.h"
+#include "geometry/voronoi/axis.h"
+#include "geometry/voronoi/diagram.h"
 
 namespace clearcut::inline geometry::voronoi {
 namespace {

@@ -1,9 +1,11 @@
-// All offsets of a diagram at given distances, as closed runs of pieces, one piece a cell.
+// All offsets of a diagram at given distances: closed runs of pieces, one piece a cell, and the exact lines and arcs
+// made of them.
 #pragma once
 
 #include <optional>
 #include <vector>
 
+#include "geometry/region.h"
 #include "geometry/voronoi/diagram.h"
 
 namespace clearcut::inline geometry::voronoi {
@@ -32,5 +34,10 @@ struct LevelCurve {
 /// O(edges + pieces).
 std::vector<LevelCurve> level_curves(const Diagram& diagram, const std::vector<double>& levels,
                                      double margin);
+
+/// Loop at distance d from the elements: lines stay parallel, arcs concentric, corners become arcs; joints
+/// are the intersections of neighbouring offset curves. `slack` (mm) is the greatest distance of the diagram from the
+/// exact boundary; pieces that exist only within this distance are dropped. Nothing if no area is left.
+std::optional<Loop> offset_loop(const Diagram& diagram, const LevelCurve& curve, double d, double slack);
 
 }  // namespace clearcut::inline geometry::voronoi

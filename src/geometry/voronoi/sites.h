@@ -1,9 +1,11 @@
-// The boundary of a region as segments between points of an integer grid: the input of the Voronoi builder,
-// which does not check its input. Every segment and point stores its exact element.
+// The boundary of a region as segments between points of an integer grid: the input of the Voronoi builder, which
+// does not check its input and must not be given segments that touch, overlap or cross. Every segment and point
+// stores its exact element.
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "base/tolerances.h"
@@ -65,5 +67,22 @@ struct SiteErrors {
 /// Runs of short lines become one line within `simplify` mm; vertices in one square of the grid become one.
 /// Segments are split at points of contact, doubled ones made one. Elements have the same index for all errors.
 Sites make_sites(const Region& region, const SiteErrors& errors, double simplify);
+
+/// Segment `segment` passes through the point `at`, not one of its ends.
+struct Contact {
+  int segment = 0;
+  LatticePoint at;
+  int element = -1;  ///< of the touching end point; -1 for a crossing
+};
+
+struct Contacts {
+  std::vector<Contact> places;  ///< sorted by segment and along it, without repeats
+  bool doubled = false;         ///< two segments have the same two ends
+  bool mixed = false;           ///< two ends at one grid point represent different elements
+};
+
+/// Integer arithmetic: exact, but for the rounding of crossing points to the grid. O(n) expected for
+/// outlines, over a grid of buckets.
+Contacts find_contacts(std::span<const Segment> segments);
 
 }  // namespace clearcut::inline geometry::voronoi

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "stock/cutter_sweep.h"
+#include "stock/cutting_load.h"
 
 namespace clearcut::link {
 namespace {

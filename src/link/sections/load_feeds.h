@@ -1,11 +1,12 @@
-// Feeds that follow the load of the cutter: no move loads it more than a straight cut at the reference.
+// Feeds that follow the load of the cutter: no move loads it more than a straight cut at the reference, and moves
+// with material on both sides, as in a slot, may have a feed of their own.
 #pragma once
 
 #include <vector>
 
 #include "base/units.h"
 #include "model/move.h"
-#include "model/options/feed_rule.h"
+#include "model/options/shop_options.h"
 #include "model/tool.h"
 #include "stock/material.h"
 
@@ -28,5 +29,19 @@ struct LoadFeeds {
 /// Neighbours get one feed, the lower one, if a further feed word would gain less than 0.01 s. Cost as
 /// queries of Material.
 void set_load_feeds(Section& section, const Tool& tool, const LoadFeeds& feeds, stock::Material& material);
+
+struct SlowFeeds {
+  Radians limit;  ///< engagement above which the slot feed is used
+  MmPerMin slot_feed;
+  MmPerMin cut_feed;
+};
+
+/// Sets the slot feed, if it is lower, on every level feed move of `section`, or the part of the move, on which the
+/// engagement exceeds the limit. Removes from `material` the volume swept by the section.
+///
+/// The engagement is computed at steps of an eighth of the tool radius; moves are divided at steps, and the
+/// slow part begins up to one step early and ends up to one step late. Leads, links and cuts are treated
+/// alike. Links faster than `cut_feed` get `cut_feed` if they touch material. Cost as queries of Material.
+void slow_down_slots(Section& section, const Tool& tool, const SlowFeeds& feeds, stock::Material& material);
 
 }  // namespace clearcut::link

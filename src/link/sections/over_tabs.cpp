@@ -1,5 +1,3 @@
-#include "link/sections/over_tabs.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,6 +6,7 @@
 #include "base/elementary.h"
 #include "base/tolerances.h"
 #include "base/units.h"
+#include "link/sections/high_rapids.h"
 
 namespace clearcut::link {
 namespace {

@@ -1,16 +1,72 @@
-// Options for writing a program for its controller.
+// Options for writing a program for its controller: the controllers by their names in options, jobs and files, the
+// work offset, and the end position after all cuts.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/tolerances.h"
 #include "base/units.h"
-#include "model/options/end_position.h"
-#include "model/options/work_offset.h"
+#include "geometry/vec2.h"
 
 namespace clearcut::inline model {
+
+/// Their rows are in src/post/words/iso_dialect.cpp (Klartext has a writer of its own) and
+/// src/read/gcode/program/dialect.cpp.
+inline constexpr std::string_view kControllers[] = {"linuxcnc",   "grbl",  "fanuc",  "haas",
+                                                    "heidenhain", "mach3", "mach4",  "marlin",
+                                                    "siemens",    "mazak", "tormach"};
+
+inline std::vector<std::string> controller_names() {
+  return {std::begin(kControllers), std::end(kControllers)};
+}
+
+/// "linuxcnc, grbl, ..."
+inline std::string controllers_text() {
+  std::string text;
+  for (const std::string_view name : kControllers) text.append(text.empty() ? "" : ", ").append(name);
+  return text;
+}
+
+struct EndPosition {
+  enum class Kind : unsigned char {
+    kUsual,  ///< as the control is used: Z to its home on Fanuc and Haas, the safe height on others
+    kHome,   ///< Z to its home, then X and Y
+    kPlace,  ///< `place` at the safe height, then as usual
+    kStay    ///< the safe height over the last cut
+  };
+  Kind kind = Kind::kUsual;
+  Vec2 place{};  ///< kPlace: mm, from the program's zero
+  friend bool operator==(const EndPosition&, const EndPosition&) = default;
+};
+
+/// "home", "none", or "X,Y" in mm; nothing for other texts.
+std::optional<EndPosition> end_position_named(std::string_view text);
+/// "home", "none", "10,20"; "" for the usual one.
+std::string name_of(const EndPosition& end);
+
+struct WorkOffset {
+  int code = 540;  ///< G word in tenths
+  int number = 0;  ///< P word, from 1; 0: the word has none
+  friend bool operator==(const WorkOffset&, const WorkOffset&) = default;
+};
+
+/// Codes of Sinumerik's settable offsets beyond G54 to G57: G505 to G599.
+inline constexpr int kFirstSettable = 5050, kLastSettable = 5990;
+
+/// Words in a program: "G55", "G59.1", "G54.1 P12".
+std::string words_of(const WorkOffset& offset);
+/// Name of the condition that this offset is at the work's zero: "g55", "g59.1", "g54.1-p12".
+std::string condition_of(const WorkOffset& offset);
+
+/// G54 to G59.3, G505 to G599, G54.1 P, G59 P and G154 P, in any case, with or without blanks; nothing for other
+/// texts.
+std::optional<WorkOffset> work_offset_named(std::string_view text);
+/// For messages: the words of all known offsets.
+inline constexpr std::string_view kKnownWorkOffsets =
+    "G54 to G59, G59.1 to G59.3, G54.1 P1 to P300, G154 P1 to P99, G59 P7 to P254, G505 to G599";
 
 /// Paths of the tool's centre that the control shifts by what a D word holds, 0 with a new tool.
 struct WearCompensation {

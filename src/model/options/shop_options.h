@@ -1,13 +1,34 @@
-// Requests for the whole work in addition to the data of each operation.
+// Requests for the whole work in addition to the data of each operation: stepover, the rule by which the feed follows
+// the load of the cutter, entries and the like.
 #pragma once
 
 #include <optional>
 #include <string>
 
 #include "base/units.h"
-#include "model/options/feed_rule.h"
 
 namespace clearcut::inline model {
+
+/// The requested stepover, as text: "0.4" (fraction of the diameter), "3.5mm", "lom", ...; "" leaves it to the
+/// strategy. Each strategy reads its own rules, see parse_step_rule.
+struct Stepover {
+  std::string text;
+  bool is_given() const { return !text.empty(); }
+};
+
+/// Quantity kept at or below its value at the reference.
+enum class FeedBy : unsigned char {
+  kChip,    ///< thickness of the chip: the feed times the greatest cosine between advance and contact
+  kRemoval  ///< area of material in plan removed per unit of time
+};
+
+/// The reference is a straight cut of engagement `reference` at the stated feed.
+struct FeedRule {
+  FeedBy by = FeedBy::kChip;
+  Radians reference;             ///< engagement for which the feed is stated
+  std::optional<MmPerMin> feed;  ///< stated for the reference; absent: the feed of each operation
+  std::optional<MmPerMin> cap;   ///< no move is fed faster; absent: twice the reference's feed
+};
 
 struct ShopOptions {
   std::optional<double> helix_widest;     ///< mm, diameter of the centre's circle during the descent

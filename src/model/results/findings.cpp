@@ -1,11 +1,68 @@
 #include "model/results/findings.h"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <iterator>
 #include <map>
 #include <string_view>
 
 namespace clearcut::inline model {
+namespace {
+
+constexpr std::array kRows{
+    // Facts that the program leaves to the control and to the operator.
+    ConditionRow{"units"}, ConditionRow{"motion-mode"}, ConditionRow{"arc-centres"},
+    ConditionRow{"decimal-point"}, ConditionRow{"dialect"}, ConditionRow{"start-position"},
+    ConditionRow{"g#", "g55"}, ConditionRow{"g#-p#", "g54.1-p2"}, ConditionRow{"datum-#", "datum-247"},
+    ConditionRow{"g#-home", "g28-home"}, ConditionRow{"tool-in-spindle"},
+    ConditionRow{"tool-length-h#", "tool-length-h5"}, ConditionRow{"tool-length-g#", "tool-length-g43.1"},
+    ConditionRow{"tool-length-dl"}, ConditionRow{"tool-length-off"}, ConditionRow{"spindle-by-hand"},
+    ConditionRow{"speed-by-hand"}, ConditionRow{"tool-by-hand"}, ConditionRow{"tool-change-height"},
+    ConditionRow{"block-delete"}, ConditionRow{"blending"}, ConditionRow{"m#", "m6"},
+    ConditionRow{"stray-word"}, ConditionRow{"dwell"}, ConditionRow{"chip-load"},
+    ConditionRow{"cutting-speed"}, ConditionRow{"stated-feed"}, ConditionRow{"stated-speed"},
+    ConditionRow{"rigid-tap"}, ConditionRow{"far-move"}, ConditionRow{"ends-low"},
+    ConditionRow{"program-end"}, ConditionRow{"d#", "d1"}, ConditionRow{"tool-name-#", "tool-name-1"},
+    ConditionRow{"parameter-#", "parameter-100"}, ConditionRow{"measured-move"},
+    ConditionRow{"measured-value"}, ConditionRow{"subprogram-#", "subprogram-1"}, ConditionRow{"compressor"},
+    ConditionRow{"compensation-d#", "compensation-d1"}, ConditionRow{"compensation-t#", "compensation-t1"},
+    ConditionRow{"compensation-corners"}, ConditionRow{"rtliof"}, ConditionRow{"h"}, ConditionRow{"cycle800"},
+    // Facts unknown without a part.
+    ConditionRow{"stock"}, ConditionRow{"below-stock"}, ConditionRow{"arc-radii"},
+    ConditionRow{"cuts-nothing"},
+    // Shapes of the part that the program does not make, or makes differently.
+    ConditionRow{"out-of-reach"}, ConditionRow{"not-parted"}, ConditionRow{"not-as-drawn"},
+    ConditionRow{"left-out"}, ConditionRow{"loose-part"}, ConditionRow{"not-followed"},
+    ConditionRow{"leaning-walls"}, ConditionRow{"floors-meet"}, ConditionRow{"margin"}};
+
+/// Whether `name` is the pattern with a number in place of each `#`.
+bool fits(std::string_view pattern, std::string_view name) {
+  std::size_t at = 0;
+  for (const char wanted : pattern) {
+    if (wanted != '#') {
+      if (at == name.size() || name[at] != wanted) return false;
+      ++at;
+      continue;
+    }
+    const std::size_t first = at;
+    while (at < name.size() && (std::isdigit(static_cast<unsigned char>(name[at])) || name[at] == '.')) ++at;
+    if (at == first) return false;
+  }
+  return at == name.size();
+}
+
+}  // namespace
+
+std::span<const ConditionRow> condition_rows() {
+  return kRows;
+}
+
+bool is_condition(const std::string& name) {
+  return std::any_of(kRows.begin(), kRows.end(),
+                     [&](const ConditionRow& row) { return fits(row.name, name); });
+}
+
 namespace {
 
 /// Relative error of the areas of arcs and offsets.
@@ -259,6 +316,56 @@ std::string verdict_and_reasons(const Findings& findings) {
     conditions.push_back({"condition " + one.name, one.text + line});
   }
   return verdict_words(findings) + "\n" + lines_of(faults, "faults") + lines_of(conditions, "conditions");
+}
+
+namespace {
+
+/// Text between the name and the reason.
+const std::string kMark = " is not machined: ";
+
+bool is_not_machined(const Diagnostic& item) {
+  return item.severity == Severity::kSkipped && item.what.find(kMark) != std::string::npos;
+}
+
+std::string name_in(const Diagnostic& item) {
+  return item.what.substr(0, item.what.find(kMark));
+}
+
+}  // namespace
+
+void say_not_machined(Diagnostics& diagnostics, const std::string& where, const std::string& name,
+                      const std::string& why) {
+  diagnostics.skip(where, name + kMark + why);
+}
+
+std::vector<std::string> names_not_machined(const Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const Diagnostic& item : diagnostics.items()) {
+    if (is_not_machined(item)) names.push_back(name_in(item));
+  }
+  return names;
+}
+
+void add_not_machined(const Diagnostics& diagnostics, Findings& findings) {
+  std::vector<Fault> faults;
+  for (const Diagnostic& item : diagnostics.items()) {
+    if (!is_not_machined(item)) continue;
+    Fault fault;
+    fault.kind = FaultKind::kNothingCut;
+    fault.feature = name_in(item);
+    fault.text = item.where.empty() ? item.what : item.where + ": " + item.what;
+    faults.push_back(std::move(fault));
+  }
+  if (faults.empty()) return;
+  findings.all.clean = false;
+  findings.faults.insert(findings.faults.begin(), faults.begin(), faults.end());
+}
+
+std::vector<Fault> told_faults(const Findings& findings) {
+  std::vector<Fault> told;
+  std::copy_if(findings.faults.begin(), findings.faults.end(), std::back_inserter(told),
+               [](const Fault& fault) { return fault.cause.empty(); });
+  return told;
 }
 
 }  // namespace clearcut::inline model

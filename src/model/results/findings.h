@@ -1,15 +1,31 @@
-// Results of verification: figures and faults, with places. Data, not exceptions.
+// Results of verification: figures, faults and conditions, with places; features that are not machined at all; the
+// state after earlier programs. Data, not exceptions.
 #pragma once
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/diagnostics.h"
 #include "geometry/vec2.h"
 #include "model/control.h"
 
 namespace clearcut::inline model {
+
+/// One kind of condition. `#` in a name represents the number of an offset, a word or a length: "g#-p#" is g54.1-p2.
+struct ConditionRow {
+  std::string_view name = {};
+  std::string_view example = {};  ///< an example of a full name, if it differs from `name`
+};
+
+/// In the order of docs/conditions.md, which explains each condition.
+std::span<const ConditionRow> condition_rows();
+
+/// Whether there is a condition of this name.
+bool is_condition(const std::string& name);
 
 /// A place in the work and in the program.
 struct Place {
@@ -217,5 +233,29 @@ std::vector<std::string> accept_conditions(Findings& findings, const std::vector
 /// The verdict, then each fault and each open condition on a line of its own; of many of one kind the first and their
 /// number.
 std::string verdict_and_reasons(const Findings& findings);
+
+/// The conditions and faults of earlier programs. A verdict relying on their cuts is valid only if these conditions
+/// were met, and is FAULTY if there are such faults.
+struct EarlierState {
+  /// State of the control at each of their moves; without spans: it was checked elsewhere.
+  ControlTable control;
+  /// Facts that must have been true at the machine; the text names the program.
+  std::vector<Condition> conditions;
+  std::vector<Fault> faults;  ///< faults found elsewhere in these programs; the text names the program
+};
+
+/// Reports that `name` (of a feature or workingstep ordered by the input) is not machined, and the reason.
+void say_not_machined(Diagnostics& diagnostics, const std::string& where, const std::string& name,
+                      const std::string& why);
+
+/// The names of features not machined, in the order of the reports.
+std::vector<std::string> names_not_machined(const Diagnostics& diagnostics);
+
+/// A fault for each of them, before all others; then nothing is clean.
+void add_not_machined(const Diagnostics& diagnostics, Findings& findings);
+
+/// Faults without a cause among the others, the worst first; faults caused by one of them are counted in its
+/// sentence.
+std::vector<Fault> told_faults(const Findings& findings);
 
 }  // namespace clearcut::inline model

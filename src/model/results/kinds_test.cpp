@@ -8,7 +8,6 @@
 #include <set>
 #include <string>
 
-#include "model/results/condition_kinds.h"
 #include "model/results/findings.h"
 
 namespace clearcut {

@@ -1,9 +1,9 @@
-#include "order/bounds/lattice_bounds.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
+
+#include "order/bounds/bounds.h"
 
 namespace clearcut::order {
 

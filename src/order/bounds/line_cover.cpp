@@ -1,8 +1,6 @@
 // symbol     here             what
 // w_v        weight_          weight of a point
 // M1, M2     Heaviest         weight of the heaviest line, and of the heaviest of another direction
-#include "order/bounds/line_cover.h"
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "base/elementary.h"
+#include "order/bounds/bounds.h"
 
 namespace clearcut::order {
 

@@ -1,13 +1,12 @@
-#include "order/bounds/one_tree.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <queue>
 
-#include "base/disjoint_sets.h"
+#include "base/containers.h"
 #include "base/elementary.h"
-#include "order/length/kd_tree.h"
+#include "order/bounds/bounds.h"
+#include "order/length/neighbours.h"
 
 namespace clearcut::order {
 

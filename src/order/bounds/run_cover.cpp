@@ -2,12 +2,12 @@
 // pi_v       degree_price_     multiplier of "v has two edges"
 // mu_v       row_share_        share of v's turn assigned to its row, 0..1; the rest to its column
 // x_e        taken             whether an edge is used
-#include "order/bounds/run_cover.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
+
+#include "order/bounds/bounds.h"
 
 namespace clearcut::order {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "order/genetic/genome.h"
+#include "order/genetic/operator_context.h"
 #include "order/objective.h"
 
 namespace clearcut::order {

@@ -4,10 +4,8 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "order/genetic/crossover.h"
-#include "order/genetic/initial.h"
-#include "order/genetic/mutation.h"
-#include "order/genetic/replacement.h"
+#include "order/genetic/operators.h"
+#include "order/genetic/pool.h"
 #include "order/genetic/selection.h"
 
 namespace clearcut::order {

@@ -7,10 +7,9 @@
 #include <limits>
 
 #include "base/error.h"
-#include "order/genetic/crossover.h"
 #include "order/genetic/fitness.h"
+#include "order/genetic/operators.h"
 #include "order/genetic/pool.h"
-#include "order/genetic/replacement.h"
 #include "order/genetic/selection.h"
 #include "order/genetic/test_problems.h"
 #include "order/test_support.h"

@@ -2,8 +2,12 @@
 // best of each move to the next. An epoch is the work of one island between two migrations; it depends only on two
 // states of the previous epoch. Epochs can therefore be done in any order that provides these states, on any number
 // of threads and machines, with the same result.
+//
+// State of a run of the genetic algorithm as text, exact to the bit: for files and for other processes.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "order/genetic/genetic.h"
@@ -46,5 +50,11 @@ void migrate(const GeneticState& from, GeneticState& into, int migrants);
 /// All islands after their last epoch as one result: its samples cover all individuals, its time is the sum of all
 /// islands.
 GeneticResult end_islands(std::vector<GeneticState> states);
+
+/// One line, without its end.
+std::string text_of_state(const GeneticState& state);
+
+/// Nothing if `text` is no complete state with these numbers of individuals and points.
+std::optional<GeneticState> state_of_text(const std::string& text, int individuals, int points);
 
 }  // namespace clearcut::order

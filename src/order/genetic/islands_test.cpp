@@ -4,11 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "order/genetic/crossover.h"
-#include "order/genetic/mutation.h"
-#include "order/genetic/replacement.h"
+#include "order/genetic/operators.h"
 #include "order/genetic/selection.h"
-#include "order/genetic/state_text.h"
 #include "order/genetic/test_problems.h"
 
 namespace clearcut::order {

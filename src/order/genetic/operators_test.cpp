@@ -1,4 +1,6 @@
 // The published genetic algorithm: what crossover and mutation promise.
+#include "order/genetic/operators.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,9 +8,7 @@
 #include <map>
 
 #include "base/error.h"
-#include "order/genetic/crossover.h"
-#include "order/genetic/initial.h"
-#include "order/genetic/mutation.h"
+#include "order/genetic/pool.h"
 #include "order/genetic/test_problems.h"
 #include "order/test_support.h"
 

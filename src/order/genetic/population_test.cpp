@@ -7,10 +7,8 @@
 
 #include "base/error.h"
 #include "order/genetic/fitness.h"
-#include "order/genetic/initial.h"
-#include "order/genetic/mutation.h"
+#include "order/genetic/operators.h"
 #include "order/genetic/pool.h"
-#include "order/genetic/replacement.h"
 #include "order/genetic/selection.h"
 #include "order/genetic/test_problems.h"
 #include "order/test_support.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "order/genetic/genome.h"
+#include "order/genetic/operator_context.h"
 #include "order/lattice.h"
 #include "order/objective.h"
 #include "order/test_support.h"

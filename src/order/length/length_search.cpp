@@ -1,15 +1,213 @@
 #include "order/length/length_search.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <numeric>
+#include <tuple>
 
+#include "base/containers.h"
 #include "base/elementary.h"
 #include "base/parallel.h"
-#include "order/length/chained_search.h"
+#include "order/length/neighbours.h"
 #include "order/length/population.h"
-#include "order/length/start_tours.h"
 
 namespace clearcut::order {
+
+namespace {
+
+/// Paths under construction: up to two links a node, and the path of each node.
+class Fragments {
+ public:
+  explicit Fragments(int n) : link_(static_cast<std::size_t>(n), {-1, -1}), joined_(n), paths_(n) {}
+  int paths() const { return paths_; }
+  bool is_end(int v) const { return link_[v][1] < 0; }
+  bool can_join(int a, int b) { return is_end(a) && is_end(b) && find(a) != find(b); }
+  void join(int a, int b) {
+    add_link(a, b);
+    add_link(b, a);
+    joined_.join(a, b);
+    --paths_;
+  }
+  int find(int v) { return joined_.find(v); }
+  std::vector<int> ends() const {
+    std::vector<int> result;
+    for (std::size_t v = 0; v < link_.size(); ++v) {
+      if (is_end(static_cast<int>(v))) result.push_back(static_cast<int>(v));
+    }
+    return result;
+  }
+  /// The single remaining path.
+  std::vector<int> path() const {
+    int v = 0;
+    while (!is_end(v)) ++v;
+    std::vector<int> nodes;
+    for (int previous = -1; v >= 0;) {
+      nodes.push_back(v);
+      const int next = link_[v][0] != previous ? link_[v][0] : link_[v][1];
+      previous = v;
+      v = next;
+    }
+    return nodes;
+  }
+
+ private:
+  void add_link(int a, int b) { (link_[a][0] < 0 ? link_[a][0] : link_[a][1]) = b; }
+  std::vector<std::array<int, 2>> link_;
+  DisjointSets joined_;
+  int paths_;
+};
+
+struct Edge {
+  LengthModel::Cost cost;
+  int a, b;
+  friend bool operator<(const Edge& x, const Edge& y) {
+    return std::tie(x.cost, x.a, x.b) < std::tie(y.cost, y.a, y.b);
+  }
+};
+
+void join_in_order(std::vector<Edge>& edges, Fragments& fragments) {
+  std::sort(edges.begin(), edges.end());
+  for (const Edge& e : edges) {
+    if (fragments.can_join(e.a, e.b)) fragments.join(e.a, e.b);
+  }
+}
+
+constexpr int kGreedyCandidates = 6;
+
+std::vector<Edge> candidate_edges(const LengthModel& model, double noise, Random& random) {
+  std::vector<Edge> edges;
+  for (int v = 0; v < model.size(); ++v) {
+    if (v == model.extra_node()) continue;
+    const auto candidates = model.candidates(v);
+    const auto costs = model.candidate_costs(v);
+    int taken = 0;
+    for (std::size_t i = 0; i < candidates.size() && taken < kGreedyCandidates; ++i) {
+      const int w = candidates[i];
+      if (w == model.extra_node()) continue;
+      ++taken;
+      const auto back = model.candidates(w);
+      if (w < v && std::find(back.begin(), back.end(), v) != back.end()) continue;
+      const double factor = noise > 0 ? 1 + noise * random.unit() : 1;
+      edges.push_back({static_cast<LengthModel::Cost>(static_cast<double>(costs[i]) * factor), v, w});
+    }
+  }
+  return edges;
+}
+
+/// Joins each path's ends to the nearest ends of other paths; at least halves the number of paths.
+void join_nearest_ends(const LengthModel& model, Fragments& fragments) {
+  std::vector<int> ends = fragments.ends();
+  std::erase(ends, model.extra_node());
+  std::vector<Vec2> points;
+  for (const int v : ends) points.push_back(model.point(v));
+  const KdTree tree(points);
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Box everywhere{{-infinity, -infinity}, {infinity, infinity}};
+  std::vector<Edge> edges;
+  std::vector<KdTree::Found> found;
+  for (const int v : ends) {
+    const int own = fragments.find(v);
+    tree.nearest(
+        model.point(v), 5, everywhere, [&](int i) { return fragments.find(ends[i]) != own; }, found);
+    for (const auto& f : found) edges.push_back({model.cost(v, ends[f.second]), v, ends[f.second]});
+  }
+  join_in_order(edges, fragments);
+}
+
+}  // namespace
+
+std::vector<int> greedy_tour(const LengthModel& model, double noise, Random& random) {
+  Fragments fragments(model.size());
+  const int extra = model.extra_node();
+  int paths_wanted = 1;
+  if (extra >= 0) {
+    // Fixed ends hang on the extra node; without fixed ends it stays separate until the end.
+    for (const int v : model.candidates(extra)) {
+      if (model.cost(extra, v) < 0 && fragments.can_join(extra, v)) fragments.join(extra, v);
+    }
+    if (fragments.paths() == model.size()) paths_wanted = 2;
+  }
+  std::vector<Edge> edges = candidate_edges(model, noise, random);
+  join_in_order(edges, fragments);
+  edges = {};
+  while (fragments.paths() > paths_wanted) join_nearest_ends(model, fragments);
+  std::vector<int> tour = fragments.path();
+  if (paths_wanted == 2) tour.push_back(extra);
+  return tour;
+}
+
+std::vector<int> random_tour(const LengthModel& model, Random& random) {
+  std::vector<int> nodes(static_cast<std::size_t>(model.size()));
+  std::iota(nodes.begin(), nodes.end(), 0);
+  for (std::size_t i = nodes.size(); i > 1; --i) std::swap(nodes[i - 1], nodes[random.below(i)]);
+  return nodes;
+}
+
+namespace {
+constexpr int kLongestSegment = 50;
+constexpr int kKicksBetweenChecks = 64;
+constexpr int kLargestFree = 150000;    // points; above, one exchange on the whole array is too slow
+constexpr int kLongestRewrite = 50000;  // then
+}  // namespace
+
+ChainedSearch::ChainedSearch(const LengthModel& model, std::vector<int> start, KOptBreadth breadth,
+                             std::uint64_t seed)
+    : model_(model),
+      search_(model, std::move(start), breadth),
+      random_(seed),
+      cost_(model.tour_cost(nodes())) {
+  if (model.size() > kLargestFree) search_.rewrite_at_most(kLongestRewrite);
+}
+
+void ChainedSearch::descend(const StopWatch& watch) {
+  for (const int v : std::vector<int>(nodes())) search_.touch(v);
+  search_.tour().forget_changes(true);
+  cost_ -= search_.improve(&watch);
+  search_.tour().forget_changes(false);
+  search_.tour().commit();
+}
+
+/// Double bridge on three neighbouring segments A B C -> C B A, each 1 to 50 nodes long.
+ChainedSearch::Cost ChainedSearch::kick() {
+  ArrayTour& tour = search_.tour();
+  const int n = tour.size();
+  const int longest = std::min(kLongestSegment, (n - 2) / 3);
+  const int before = static_cast<int>(random_.below(static_cast<std::uint64_t>(n)));
+  std::array<int, 4> last;  // of "before", A, B, C: offsets from `before`
+  last[0] = 0;
+  for (int i = 1; i < 4; ++i)
+    last[i] = last[i - 1] + 1 + static_cast<int>(random_.below(static_cast<std::uint64_t>(longest)));
+  const auto node = [&](int offset) {
+    return tour.at(before + offset < n ? before + offset : before + offset - n);
+  };
+  segments_.clear();
+  for (int i = 3; i > 0; --i) {
+    for (int offset = last[i - 1] + 1; offset <= last[i]; ++offset) segments_.push_back(node(offset));
+  }
+  const std::array<int, 8> ends{node(0),       node(1),           node(last[1]), node(last[1] + 1),
+                                node(last[2]), node(last[2] + 1), node(last[3]), node(last[3] + 1)};
+  const auto cost = [&](int a, int b) { return model_.cost(ends[a], ends[b]); };
+  const Cost change =
+      cost(0, 5) + cost(6, 3) + cost(4, 1) + cost(2, 7) - cost(0, 1) - cost(2, 3) - cost(4, 5) - cost(6, 7);
+  tour.rewrite(before + 1 == n ? 0 : before + 1, segments_);
+  for (const int v : ends) search_.touch(v);
+  return change;
+}
+
+void ChainedSearch::run(long long kicks, const StopWatch& watch) {
+  if (nodes().size() < 8) return;
+  for (long long i = 0; i < kicks; ++i) {
+    if (i % kKicksBetweenChecks == 0 && watch.over()) return;
+    const Cost after = cost_ + kick() - search_.improve();
+    if (after <= cost_) {
+      cost_ = after;
+      search_.tour().commit();
+    } else {
+      search_.tour().undo();
+    }
+  }
+}
 
 namespace {
 

@@ -1,5 +1,6 @@
-// A population of tours improved by edge assembly crossover [nagata2013]: localised single AB-cycles with
-// entropy-preserving replacement, then blocks of AB-cycles.
+// Number of occurrences of each edge in a population: the measure of diversity. A population of tours improved by
+// edge assembly crossover [nagata2013]: localised single AB-cycles with entropy-preserving replacement, then blocks
+// of AB-cycles.
 #pragma once
 
 #include <functional>
@@ -8,11 +9,30 @@
 #include "base/random.h"
 #include "order/length/ab_cycles.h"
 #include "order/length/assembly.h"
-#include "order/length/edge_counts.h"
 #include "order/length/length_model.h"
 #include "order/stop.h"
 
 namespace clearcut::order {
+
+/// Lists per node; a node has few different neighbours in a population of good tours.
+class EdgeCounts {
+ public:
+  explicit EdgeCounts(int nodes) : at_(static_cast<std::size_t>(nodes)) {}
+
+  void add(const Links& tour);
+  int count(int a, int b) const;
+  void apply(const std::vector<EdgeChange>& changes);
+  /// Change of the edge entropy -sum (F/N) ln(F/N) by the changes, N tours in the population (times N).
+  double entropy_change(const std::vector<EdgeChange>& changes, int population) const;
+
+ private:
+  struct Entry {
+    int other;
+    int count;
+  };
+  void change(int a, int b, int by);
+  std::vector<std::vector<Entry>> at_;  // at the smaller node of the edge
+};
 
 class Population {
  public:

@@ -1,10 +1,10 @@
-#include "order/search/exact.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 #include <tuple>
+
+#include "order/search/solve.h"
 
 namespace clearcut::order {
 

@@ -7,9 +7,8 @@
 #include "order/length/ab_cycles.h"
 #include "order/length/array_tour.h"
 #include "order/length/assembly.h"
-#include "order/length/chained_search.h"
-#include "order/length/edge_counts.h"
-#include "order/length/start_tours.h"
+#include "order/length/length_search.h"
+#include "order/length/population.h"
 #include "order/search/exchange_search.h"
 #include "order/test_support.h"
 

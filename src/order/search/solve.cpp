@@ -6,13 +6,9 @@
 #include <optional>
 
 #include "base/parallel.h"
-#include "order/bounds/lattice_bounds.h"
-#include "order/bounds/line_cover.h"
-#include "order/bounds/one_tree.h"
-#include "order/bounds/run_cover.h"
+#include "order/bounds/bounds.h"
 #include "order/lattice.h"
 #include "order/length/length_search.h"
-#include "order/search/exact.h"
 #include "order/search/exchange_search.h"
 
 namespace clearcut::order {

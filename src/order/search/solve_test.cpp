@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
-#include "order/bounds/line_cover.h"
+#include "order/bounds/bounds.h"
 #include "order/lattice.h"
-#include "order/search/exact.h"
-#include "order/test_problems.h"
 #include "order/test_support.h"
 
 namespace clearcut::order {

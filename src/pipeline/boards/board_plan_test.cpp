@@ -6,12 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "base/disjoint_sets.h"
+#include "base/containers.h"
 #include "base/random.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "pipeline/run.h"
-#include "read/read_part.h"
-#include "resolve/prepare.h"
+#include "read/job/read_part.h"
+#include "resolve/resolve.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <string>
 
-#include "base/text/format.h"
+#include "base/text.h"
 #include "pipeline/run.h"
-#include "read/read_part.h"
-#include "resolve/prepare.h"
+#include "read/job/read_part.h"
+#include "resolve/resolve.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/tolerances.h"
 
 namespace clearcut::pipeline {

@@ -1,9 +1,12 @@
-// The lines that bring a control from its start into the state that it had before a line of a program.
+// The lines that bring a control from its start into the state that it had before a line of a program, and the place
+// where a cutter comes down beside a wall that it goes on cutting along.
 #pragma once
 
 #include <optional>
 #include <string>
 
+#include "model/part.h"
+#include "pipeline/check.h"
 #include "read/gcode/control/held_state.h"
 
 namespace clearcut::pipeline {
@@ -22,5 +25,10 @@ struct WayIn {
 /// Lines, each with its end. Throws nothing: what they do is read back by the caller.
 std::string lines_that_begin_again(const read::gcode::HeldState& held, const read::gcode::DialectRules& rules,
                                    const WayIn& way, int line);
+
+/// A place at the height `z` beside `place`, where a flat end mill touches nothing and from which it comes straight to `place` through what
+/// `first` has cut; nothing where it touches nothing at `place` either, where there is no such place, and for other tools. mm.
+std::optional<Vec2> lead_place(const Part& part, const FirstPart& first, const Tool& tool, Vec2 place,
+                               double z);
 
 }  // namespace clearcut::pipeline

@@ -1,8 +1,7 @@
-#include "pipeline/resume/lead_place.h"
-
 #include <vector>
 
-#include "pipeline/steps/load_feeds.h"
+#include "pipeline/resume/begin_again.h"
+#include "pipeline/steps/section_order.h"
 
 namespace clearcut::pipeline {
 namespace {

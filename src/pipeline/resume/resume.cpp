@@ -7,16 +7,14 @@
 #include <limits>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "model/section_names.h"
+#include "pipeline/program_feeds.h"
 #include "pipeline/resume/begin_again.h"
-#include "pipeline/resume/lead_place.h"
-#include "pipeline/resume/resume_checked.h"
 #include "pipeline/steps/certify.h"
-#include "pipeline/steps/reading.h"
 #include "read/gcode/control/held_state.h"
 #include "read/gcode/words/lines.h"
-#include "resolve/work_plan.h"
+#include "resolve/resolve.h"
 
 namespace clearcut::pipeline {
 namespace {

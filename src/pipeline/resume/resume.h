@@ -1,4 +1,5 @@
-// Going on with a program that was stopped: the rest of its text behind lines that bring the control and the cutter back.
+// Going on with a program that was stopped, or has been checked already: the rest of its text behind lines that bring
+// the control and the cutter back.
 #pragma once
 
 #include <array>
@@ -36,5 +37,10 @@ struct ResumedProgram {
 /// not move as before.
 ResumedProgram resume_program(const ProgramQuestion& question, const Stop& stop, const std::string& program,
                               const std::string& program_name, const resolve::PlanOptions& options);
+
+/// As resume_program(); `before` is what check_program() or check_program_alone() said of the program by the same options.
+ResumedProgram resume_checked(CheckResult before, const ProgramQuestion& question, const Stop& stop,
+                              const std::string& program, const std::string& program_name,
+                              const resolve::PlanOptions& options);
 
 }  // namespace clearcut::pipeline

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "base/random.h"
-#include "pipeline/resume/resume_checked.h"
+#include "pipeline/resume/resume.h"
 #include "pipeline/test_drawings.h"
 #include "read/gcode/gcode.h"
 

@@ -1,8 +1,7 @@
-#include "pipeline/selection/rapids_over_rests.h"
-
 #include "link/link.h"
 #include "link/sections/high_rapids.h"
-#include "stock/cutter_sweep.h"
+#include "pipeline/selection/selection.h"
+#include "stock/cutting_load.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -1,4 +1,5 @@
-// Several strategies for every workingstep, of which the fastest one certified clean is kept.
+// Several strategies for every workingstep, of which the fastest one certified clean is kept, and rapids above
+// material left by published methods and skipped workingsteps.
 #pragma once
 
 #include <exception>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "model/move.h"
+#include "model/options/resolved_plan.h"
 #include "model/results/strategy_selection.h"
 #include "pipeline/selection/strategies.h"
 
@@ -94,5 +96,9 @@ class Selection {
   int threads_;
   std::vector<RankedCandidates> ranked_;
 };
+
+/// Keeps the rapids of all sections, in their order, above the material really left by earlier sections and by
+/// plan.earlier. See link/sections/high_rapids.h.
+void keep_rapids_high(Toolpath& toolpath, const ResolvedPlan& plan);
 
 }  // namespace clearcut::pipeline

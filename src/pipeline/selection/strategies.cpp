@@ -2,12 +2,12 @@
 
 #include "pipeline/steps/certify.h"
 #include "pipeline/tour/tour_solver.h"
-#include "plan/adaptive/entry.h"
-#include "plan/contour/entries.h"
-#include "plan/cover/entry.h"
-#include "plan/spiral/entry.h"
-#include "plan/tour/entry.h"
-#include "plan/zigzag/entry.h"
+#include "plan/adaptive/adaptive.h"
+#include "plan/contour/contour.h"
+#include "plan/cover/plan_cover.h"
+#include "plan/spiral/spiral.h"
+#include "plan/tour/tour.h"
+#include "plan/zigzag/zigzag.h"
 #include "post/post.h"
 
 namespace clearcut::pipeline {

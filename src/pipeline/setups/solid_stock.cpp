@@ -6,9 +6,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "features/fitting.h"
+#include "features/tool_choice.h"
 #include "pipeline/run.h"
-#include "pipeline/setups/sweeps.h"
 #include "read/common/moved_part.h"
 
 namespace clearcut::pipeline {

@@ -6,7 +6,7 @@
 
 #include "pipeline/test_drawings.h"
 #include "read/common/moved_part.h"
-#include "resolve/prepare.h"
+#include "resolve/resolve.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -1,4 +1,4 @@
-#include "pipeline/setups/sweeps.h"
+#include "pipeline/setups/solid_stock.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -1,4 +1,5 @@
-// The steps from passes to a checked program, common to all plans: link, post, read back, verify, sign.
+// The steps from passes to a checked program, common to all plans (link, post, read back, verify, sign), and their
+// result.
 #pragma once
 
 #include <map>
@@ -8,13 +9,34 @@
 #include <vector>
 
 #include "link/link.h"
+#include "model/control.h"
+#include "model/layer.h"
+#include "model/move.h"
 #include "model/options/resolved_plan.h"
-#include "model/pass.h"
-#include "pipeline/steps/plan_result.h"
+#include "model/results/copies_made.h"
+#include "model/results/findings.h"
+#include "model/results/margin.h"
+#include "model/results/strategy_selection.h"
 #include "read/gcode/program/dialect.h"
+#include "report/result.h"
 #include "verify/verify.h"
 
 namespace clearcut::pipeline {
+
+struct PlanResult {
+  Part part;             ///< as prepared: every default filled in, everything noticed in its diagnostics
+  std::string program;   ///< text for the controller
+  Toolpath toolpath;     ///< read back from `program`
+  Toolpath planned;      ///< toolpath before printing
+  Findings findings;     ///< findings on `toolpath`, with the conditions for these motions of the control
+  ControlTable control;  ///< state of the control at each move of `toolpath`
+  std::vector<report::ContourLevels> contours;  ///< contours of each section planned by contours
+  std::vector<ResolvedValue> values;            ///< every decided value, with its origin
+  std::vector<StrategySelection> selections;    ///< strategies of each workingstep
+  std::optional<Toolpath> earlier;              ///< earlier cuts
+  std::optional<Margin> margin;                 ///< absent: not asked
+  std::optional<CopiesMade> copies;             ///< absent: one part
+};
 
 /// Link options of a workingstep, by its place in the workplan. `entry`: kind of descent.
 link::LinkOptions link_options(const ResolvedPlan& plan, int workingstep, EntryKind entry);

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <set>
 
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/tolerances.h"
 #include "features/round_hole.h"
 #include "geometry/contours/boolean.h"
-#include "geometry/rectangle.h"
+#include "geometry/region.h"
 #include "geometry/voronoi/clearance.h"
 #include "model/cutter_profile.h"
 #include "resolve/left_over.h"

@@ -1,10 +1,14 @@
-// Order of sections if the input leaves it open: drawings and solids.
+// Order of sections if the input leaves it open, as drawings and solids do, and feeds of sections that follow the
+// load, if requested.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "model/move.h"
+#include "model/options/resolved_plan.h"
 #include "model/part.h"
+#include "stock/material.h"
 
 namespace clearcut::pipeline {
 
@@ -20,5 +24,17 @@ namespace clearcut::pipeline {
 /// Cost    O(sections^2) comparisons of boxes, plus the cost of the optimiser.
 std::vector<Section> in_short_order(std::vector<Section> sections, const Part& part,
                                     bool alike_together = false);
+
+/// Sets the feeds of all sections whose tools are mills, in the material at the start of each; nothing without
+/// plan.feed_rule.
+void follow_load(Toolpath& toolpath, const ResolvedPlan& plan);
+
+/// The material at the start of a program: the stock, minus drilled holes and the cuts of the earlier program.
+/// `radii` as in Material.
+stock::Material material_at_start(const Part& part, const std::optional<Toolpath>& earlier,
+                                  std::vector<double> radii);
+
+/// Removes the volume swept by a section's feed moves.
+void take_away(stock::Material& material, const Section& section, const Tool& tool);
 
 }  // namespace clearcut::pipeline

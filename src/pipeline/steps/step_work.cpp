@@ -6,20 +6,15 @@
 
 #include "base/parallel.h"
 #include "base/progress.h"
-#include "features/at_depth.h"
+#include "features/derived_outlines.h"
 #include "features/round_hole.h"
 #include "features/standing.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/spatial/apart.h"
 #include "geometry/voronoi/clearance.h"
 #include "model/cutter_profile.h"
-#include "pipeline/steps/carve_step.h"
-#include "pipeline/steps/formed_holes.h"
-#include "pipeline/steps/holes.h"
-#include "pipeline/steps/meeting_pockets.h"
-#include "pipeline/steps/missed_by_others.h"
-#include "pipeline/steps/stated_step.h"
-#include "pipeline/steps/t_slot_step.h"
+#include "pipeline/steps/other_features.h"
+#include "pipeline/steps/steps_without_layers.h"
 #include "plan/common/layers.h"
 #include "post/post.h"
 #include "resolve/left_over.h"
@@ -279,6 +274,29 @@ std::vector<StepWork> step_works(const ResolvedPlan& plan, double reserve_share)
     });
   });
   return works;
+}
+
+namespace {
+
+/// mm2; area to be cleared by the layers of a step.
+double area_of(const StepWork& work) {
+  double all = 0;
+  for (const auto& layer : work.layers) all += area(layer.layer.target);
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::uint64_t> work_shares(const std::vector<StepWork>& works, const ResolvedPlan& plan) {
+  double all = 0;
+  for (const StepWork& work : works) all += area_of(work);
+  std::vector<std::uint64_t> shares;
+  for (std::size_t i = 0; i < works.size(); ++i) {
+    const double share = all > 0 ? area_of(works[i]) / all : 1;
+    const auto own = static_cast<std::uint64_t>(share * static_cast<double>(kMostWork));
+    shares.push_back(plan.steps[i].strategy ? kMostWorkAlone : std::max(own, kLeastWork));
+  }
+  return shares;
 }
 
 }  // namespace clearcut::pipeline

@@ -1,6 +1,8 @@
-// The work of each workingstep: computed once for all tried strategies.
+// The work of each workingstep: computed once for all tried strategies. Work permitted to each strategy for a
+// workingstep.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -36,5 +38,15 @@ double reserve_for_digits(const ResolvedPlan& plan);
 /// The work of every workingstep, in the order of the workplan, with a share of reserve_for_digits() kept on walls. Cost O(layers)
 /// booleans a step.
 std::vector<StepWork> step_works(const ResolvedPlan& plan, double reserve_share = 1);
+
+/// Steps of work (base/work_budget.h, about 8 us each) permitted to each strategy for all workingsteps if several are
+/// tried; every workingstep has a share by its area, at least the smaller number.
+inline constexpr std::uint64_t kMostWork = 500'000;
+inline constexpr std::uint64_t kLeastWork = 50'000;
+/// The same for one workingstep with a strategy requested by name, for which there is no alternative.
+inline constexpr std::uint64_t kMostWorkAlone = 8'000'000;
+
+/// For each workingstep: the steps of work permitted to a strategy.
+std::vector<std::uint64_t> work_shares(const std::vector<StepWork>& works, const ResolvedPlan& plan);
 
 }  // namespace clearcut::pipeline

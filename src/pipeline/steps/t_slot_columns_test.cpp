@@ -12,7 +12,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "pipeline/check.h"
 #include "pipeline/run.h"
 #include "pipeline/test_drawings.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "kinematics/published_time.h"
+#include "kinematics/kinematics.h"
 #include "order/genetic/genetic.h"
 #include "order/lattice.h"
 #include "order/search/solve.h"

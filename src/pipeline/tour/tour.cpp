@@ -8,11 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "base/files/file.h"
+#include "base/file.h"
 #include "base/progress.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "geometry/box.h"
-#include "geometry/rectangle.h"
+#include "geometry/region.h"
 #include "order/lattice.h"
 #include "order/length/neighbours.h"
 #include "order/tsplib.h"

@@ -1,8 +1,9 @@
 // Finds a witness, needed by the independent checker (checker/clearcut_check.cpp) to accept a program, see
 // docs/witness.md. This code is not trusted: the checker refuses a wrong witness, and is run here before a witness is
-// returned.
+// returned. Checks a witness with clearcut-check, a separate program sharing no code with the search for the witness.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,5 +57,14 @@ struct WitnessAnswer {
 /// proved claims, or the unproved conclusion. `uncut` in mm; `straight`: rapids are straight on every control.
 WitnessAnswer check_witness(const std::string& program_text, const std::string& part_text,
                             const std::string& witness, double uncut = 0.01, bool straight = false);
+
+/// The path of clearcut-check; empty if not found beside this program.
+std::string checker_program();
+
+/// The checker's line naming the proved claims; nothing if the checker does not accept the witness. `options` are its
+/// own.
+std::optional<std::string> claims_by_checker(const std::string& program_file, const std::string& part_file,
+                                             const std::string& witness_file,
+                                             const std::vector<std::string>& options);
 
 }  // namespace clearcut::pipeline

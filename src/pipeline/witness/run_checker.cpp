@@ -1,7 +1,5 @@
-#include "pipeline/witness/run_checker.h"
-
-#include "base/programs/apart.h"
-#include "base/programs/companion.h"
+#include "base/apart.h"
+#include "pipeline/witness/find_witness.h"
 
 namespace clearcut::pipeline {
 namespace {

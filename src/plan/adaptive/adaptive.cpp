@@ -1,18 +1,20 @@
 #include "plan/adaptive/adaptive.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/elementary.h"
 #include "base/progress.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "plan/adaptive/clearing/clearing_outline.h"
+#include "plan/adaptive/clearing/clearing_path.h"
 #include "plan/adaptive/clearing/parameters.h"
-#include "plan/adaptive/clearing/step_pictures.h"
 #include "plan/adaptive/entry_regions.h"
 #include "plan/adaptive/finish/finish.h"
 #include "plan/adaptive/smooth_links.h"
 #include "plan/adaptive/trace/wall_cuts.h"
+#include "plan/common/layers.h"
 
 namespace clearcut::plan::adaptive {
 namespace {
@@ -352,6 +354,41 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
     add_fit_lines(result, clearance.fit_lines(first, layer.reserve));
   }
   return result;
+}
+
+namespace {
+
+Strategy make(const StrategyRequest& request, const ClockOf& clock_of) {
+  AdaptiveOptions options;
+  options.clock = clock_of(request);
+  if (request.step.aimed_engagement_deg)
+    options.engagement = Radians::of_degrees(*request.step.aimed_engagement_deg);
+  if (request.plan.engagement_deg) options.engagement = Radians::of_degrees(*request.plan.engagement_deg);
+  options.start = request.plan.start;
+  options.cancel = request.plan.cancel;
+  options.widest_helix = request.step.helix_widest;
+  return once_per_outline(
+      [options, tol = request.plan.tol](const Layer& layer) { return plan_adaptive(layer, options, tol); });
+}
+
+double least_length(const ClearedSize& size, double radius) {
+  return size.reached_mm2 / (radius * (1 - base::cos(AdaptiveOptions{}.engagement.radians())));
+}
+
+}  // namespace
+
+StrategyEntry entry(ClockOf clock_of) {
+  StrategyEntry entry;
+  entry.name = "adaptive";
+  entry.description = "engagement limited, spiral and arcs";
+  entry.make = [clock_of = std::move(clock_of)](const StrategyRequest& request) {
+    return make(request, clock_of);
+  };
+  entry.in_auto = AutoUse::kTried;
+  entry.limits_engagement = true;
+  entry.takes_stepover = false;
+  entry.least_length = least_length;
+  return entry;
 }
 
 }  // namespace clearcut::plan::adaptive

@@ -1,15 +1,15 @@
-// Adaptive clearing, with limited engagement: a spiral in the widest place, then cuts from wall to wall at
-// the limit.
+// Adaptive clearing, with limited engagement: a spiral in the widest place, then cuts from wall to wall at the limit;
+// and its entry in the table of strategies.
 #pragma once
 
 #include <optional>
 #include <stop_token>
 
-#include "base/files/debug_sink.h"
+#include "base/debug_sink.h"
 #include "base/tolerances.h"
 #include "base/units.h"
 #include "model/layer.h"
-#include "model/pass.h"
+#include "model/options/strategy_entry.h"
 #include "plan/common/machine_clock.h"
 
 namespace clearcut::plan::adaptive {
@@ -41,5 +41,8 @@ struct AdaptiveOptions {
 /// Source  Own; how the spiral widens and how a steady cut runs follow from the engagement in closed form,
 ///         see docs/adaptive.md.
 LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, const Tolerances& tol);
+
+/// `clock_of`: how long moves take on the machine that a workingstep is for.
+StrategyEntry entry(ClockOf clock_of);
 
 }  // namespace clearcut::plan::adaptive

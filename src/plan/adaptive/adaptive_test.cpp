@@ -11,7 +11,7 @@
 #include "base/random.h"
 #include "base/work_budget.h"
 #include "geometry/voronoi/clearance.h"
-#include "plan/adaptive/clearing/disc_engagement.h"
+#include "plan/adaptive/clearing/clearing_path.h"
 #include "plan/common/cover.h"
 #include "stock/material.h"
 

@@ -7,7 +7,7 @@
 
 #include "geometry/voronoi/clearance.h"
 #include "model/layer.h"
-#include "plan/adaptive/clearing/disc_engagement.h"
+#include "plan/adaptive/clearing/clearing_path.h"
 #include "plan/adaptive/clearing/remaining_stock.h"
 
 namespace clearcut::plan::adaptive {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/pass.h"
+#include "model/layer.h"
 #include "plan/adaptive/clearing/remaining_stock.h"
 #include "plan/common/machine_clock.h"
 

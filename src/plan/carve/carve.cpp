@@ -5,7 +5,6 @@
 
 #include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
-#include "plan/carve/chains.h"
 
 namespace clearcut::plan::carve {
 namespace {

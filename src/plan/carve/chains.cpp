@@ -1,8 +1,8 @@
-#include "plan/carve/chains.h"
-
 #include <algorithm>
 #include <map>
 #include <utility>
+
+#include "plan/carve/carve.h"
 
 namespace clearcut::plan::carve {
 namespace {

@@ -1,11 +1,11 @@
 // Splits a layer into the legal area of the cutter's centre, the passes along its walls, and the part of the target
-// left by these passes. Every strategy that fills an area begins with this split.
+// left by these passes: every strategy that fills an area begins with this split. A finishing pass along every wall.
 #pragma once
 
 #include <vector>
 
+#include "base/tolerances.h"
 #include "model/layer.h"
-#include "model/pass.h"
 
 namespace clearcut::plan {
 
@@ -33,5 +33,9 @@ ClearingArea clearing_area(const Layer& layer, const Tolerances& tol);
 
 /// Whether the layer is a pocket closed all round. The target is inside `allowed`, so the two are compared by area.
 bool closed_all_round(const Layer& layer);
+
+/// A closed pass on each boundary of the legal area, tool_radius + wall_stock off the wall and oriented as
+/// contours are, and a pass on each line on which the cutter just fits. Costs one offset.
+LayerPasses plan_walls(const Layer& layer, const Tolerances& tol);
 
 }  // namespace clearcut::plan

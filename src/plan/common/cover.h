@@ -1,5 +1,5 @@
-// An exact check that a set of paths clears an area. The planner uses this check; the verifier has a check of its
-// own.
+// An exact check that a set of paths clears an area, and that the passes of a layer clear everything within the
+// cutter's reach. The planner uses this check; the verifier has a check of its own.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 
 #include "geometry/edge.h"
 #include "geometry/spatial/cell_grid.h"
+#include "model/layer.h"
 
 namespace clearcut::plan {
 
@@ -116,5 +117,10 @@ class Cover {
   Rims own_rims_;
   std::vector<Vec2> rim_;
 };
+
+/// Whether every place of the target within the legal area of the cutter's centre is within the tool radius (mm) of
+/// the passes. Residuals thinner than those between exactly meeting rings do not count. Cost: one search for holes in
+/// the swept area.
+bool leaves_nothing(const LayerPasses& passes, double tool_radius);
 
 }  // namespace clearcut::plan

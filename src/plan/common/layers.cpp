@@ -6,8 +6,8 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "base/text/format.h"
-#include "features/at_depth.h"
+#include "base/text.h"
+#include "features/derived_outlines.h"
 #include "geometry/contours/boolean.h"
 #include "plan/common/round_on_wall.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "base/disjoint_sets.h"
+#include "base/containers.h"
 #include "base/error.h"
 
 namespace clearcut::plan {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry/route/legal_area.h"
-#include "model/pass.h"
+#include "model/layer.h"
 
 namespace clearcut::plan {
 

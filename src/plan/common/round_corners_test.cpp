@@ -6,8 +6,8 @@
 #include <cstdlib>
 
 #include "base/random.h"
-#include "geometry/line_path.h"
-#include "geometry/rectangle.h"
+#include "geometry/edge.h"
+#include "geometry/region.h"
 
 namespace clearcut::plan {
 namespace {

@@ -1,16 +1,17 @@
 // Contour-parallel passes: rings at growing distance from the wall, and the additional passes needed to leave nothing
-// uncut.
+// uncut; and the entries of the contour-parallel methods in the table of strategies.
 #pragma once
 
 #include <optional>
 #include <stop_token>
 #include <string>
+#include <vector>
 
 #include "base/tolerances.h"
 #include "base/units.h"
 #include "model/layer.h"
 #include "model/machine.h"
-#include "model/pass.h"
+#include "model/options/strategy_entry.h"
 
 namespace clearcut::plan::contour {
 
@@ -42,7 +43,7 @@ enum class ResidualRule {
   kOurs,   ///< a path along the medial axis, only if a residual is left
   kNone,   ///< not at all: the plain method, for comparison
   kLoops,  ///< a loop at every corner of every contour with a residual (Zhao); ridges as in kOurs
-  /// The same with the kite of pair-wise interference detection (Park et al.); plan/contour/corner_loop.h.
+  /// The same with the kite of pair-wise interference detection (Park et al.); plan/contour/published_rings.h.
   kPwid,
   kSingleLoops,  ///< the same with one tangent loop (Choy and Chan)
   kDoubleLoops,  ///< the same with two
@@ -53,7 +54,7 @@ enum class ResidualRule {
 /// Passage of the cutter from a contour to the next.
 enum class Passage {
   kShortest,  ///< in the order found by linking
-  kBisector   ///< along a corner's bisector (CPO-kappa eq. 3); plan/contour/passages.h
+  kBisector   ///< along a corner's bisector (CPO-kappa eq. 3); plan/contour/published_rings.h
 };
 
 struct ContourOptions {
@@ -106,5 +107,14 @@ double smallest_angle(const Region& contour);
 double second_smallest_angle(const Region& contour);
 /// The corner with the smallest angle; nothing if several corners have this angle.
 std::optional<Vec2> single_smallest_corner(const Region& contour);
+
+/// Clearcut's own method, then the corrected and the published ones.
+std::vector<StrategyEntry> entries();
+
+/// The step rule of a method with contours only; nothing for other methods.
+std::optional<StepRule> published_rule(const std::string& method);
+
+/// The step rule of a published contour method; none for other strategies.
+std::optional<StepRule> contour_rule(const std::string& name, const Stepover& stepover);
 
 }  // namespace clearcut::plan::contour

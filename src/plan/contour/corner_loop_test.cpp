@@ -1,11 +1,10 @@
-#include "plan/contour/corner_loop.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "base/random.h"
 #include "base/units.h"
+#include "plan/contour/published_rings.h"
 
 namespace clearcut::plan::contour {
 namespace {

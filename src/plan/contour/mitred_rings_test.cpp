@@ -1,6 +1,4 @@
 // Contours with sharp reflex corners: against the papers' lengths, and against offsets side by side on random polygons.
-#include "plan/contour/mitred_rings.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 #include "base/units.h"
 #include "geometry/contours/mitred_inset.h"
 #include "plan/contour/contour.h"
+#include "plan/contour/published_rings.h"
 #include "plan/contour/side_offsets.h"
 
 namespace clearcut::plan::contour {

@@ -1,9 +1,9 @@
 // Passages of the published methods: CPO-kappa figure 10.
-#include "plan/contour/passages.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "plan/contour/published_rings.h"
 
 namespace clearcut::plan::contour {
 namespace {

@@ -6,10 +6,9 @@
 
 #include "base/tolerances.h"
 #include "geometry/contours/mitred_inset.h"
-#include "geometry/line_path.h"
+#include "geometry/edge.h"
 #include "plan/common/residual.h"
-#include "plan/contour/corner_loop.h"
-#include "plan/contour/mitred_rings.h"
+#include "plan/contour/published_rings.h"
 
 namespace clearcut::plan::contour {
 namespace {

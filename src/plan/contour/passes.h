@@ -1,9 +1,10 @@
-// Makes passes: rings, and paths clearing the residuals of rings.
+// Makes passes, rings and paths clearing the residuals of rings, and finds the fastest of several plans: rings at
+// several steps, joined to shortened paths, compared by the machine's time.
 #pragma once
 
 #include <vector>
 
-#include "model/pass.h"
+#include "model/layer.h"
 #include "plan/common/rings.h"
 #include "plan/contour/contour.h"
 
@@ -35,5 +36,10 @@ std::vector<Path> fit_lines_of(const std::vector<Domain>& domains, const RingJob
 /// leave material; then passes along ridges of the medial axis; then lines on which the cutter just fits. Components
 /// have the same numbers for any step.
 std::vector<Pass> ring_passes(const std::vector<Domain>& domains, const RingJob& job, const Tolerances& tol);
+
+/// Replaces the passes of each component of `result` by one continuous path if this path is proven to clear
+/// everything and is faster. `job`: the settings with which the passes were made.
+void shorten_passes(const std::vector<Domain>& domains, RingJob job, const Layer& layer,
+                    const ContourOptions& options, const Tolerances& tol, LayerPasses& result);
 
 }  // namespace clearcut::plan::contour

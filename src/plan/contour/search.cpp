@@ -1,5 +1,3 @@
-#include "plan/contour/search.h"
-
 #include <algorithm>
 #include <limits>
 #include <optional>
@@ -7,7 +5,8 @@
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "base/work_budget.h"
-#include "plan/common/retract_link.h"
+#include "plan/common/machine_clock.h"
+#include "plan/contour/passes.h"
 #include "plan/contour/skeleton/skeleton.h"
 #include "plan/contour/skeleton/tighten.h"
 

@@ -1,10 +1,9 @@
-#include "plan/contour/search.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "plan/contour/contour.h"
+#include "plan/contour/passes.h"
 
 namespace clearcut::plan::contour {
 namespace {

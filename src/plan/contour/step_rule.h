@@ -1,8 +1,11 @@
-// Computes the step from one contour to the next by each rule; for the papers named here see docs/texts.md.
+// Computes the step from one contour to the next by each rule, and the stepover of strategies cutting along lines or
+// spirals; for the papers named here see docs/texts.md.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "model/options/shop_options.h"
 #include "plan/common/rings.h"
 #include "plan/contour/contour.h"
 #include "plan/contour/ring_band.h"
@@ -33,3 +36,11 @@ std::vector<ContourStep> contour_steps(const Regions& allowed, const StepRule& r
 Rest worst_rest(const Regions& allowed, const StepRule& rule, double radius, const Tolerances& tol);
 
 }  // namespace clearcut::plan::contour
+
+namespace clearcut::plan {
+
+/// mm between neighbouring lines for a cutter of `diameter` mm; nothing if the rule leaves it to the
+/// strategy. Throws InputError for rules about angles between contours, which do not apply to lines.
+std::optional<double> line_distance(const Stepover& stepover, double diameter);
+
+}  // namespace clearcut::plan

@@ -2,10 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
 #include "base/error.h"
-#include "geometry/line_path.h"
+#include "geometry/edge.h"
 #include "plan/common/clearing_area.h"
-#include "plan/common/mend.h"
+#include "plan/common/layers.h"
+#include "plan/common/residual.h"
 
 namespace clearcut::plan::cover {
 namespace {
@@ -68,6 +73,81 @@ LayerPasses plan_cover(const Layer& layer, double corner_price, const CoverEffor
     result.passes.push_back(std::move(pass));
   }
   return result;
+}
+
+namespace {
+
+/// Steps of the search: without a requested duration, as one of several strategies, and for each requested second.
+/// Steps are counted, so that a plan repeats to the byte; a second of the clock has about twice as many.
+constexpr std::uint64_t kUsualSteps = 8'000'000;
+constexpr std::uint64_t kBriefSteps = 1'000'000;
+constexpr double kStepsPerSecond = 5'000'000;
+
+/// Square diameters, of all different outlines of a workingstep, up to which "auto" tries the strategy: planning then takes
+/// two seconds of one core at most.
+constexpr std::uint64_t kMostBriefSquares = 1000;
+
+/// Refuses layers for which "auto" does not try the strategy. `squares`: square diameters of the layers so far.
+void check_brief(const Layer& layer, std::atomic<std::uint64_t>& squares) {
+  if (closed_all_round(layer))
+    throw InputError("cover", "is tried by auto only where the cutter may leave the area");
+  const double square = 4 * layer.tool_radius * layer.tool_radius;
+  const auto more = static_cast<std::uint64_t>(geometry::area(layer.target) / square) + 1;
+  if (squares.fetch_add(more) + more > kMostBriefSquares)
+    throw InputError("cover", "is tried by auto only for smaller areas");
+}
+
+/// Cost of a usual corner as a share of stopping and starting again: most corners are blunt.
+constexpr double kShareOfStop = 0.25;
+
+/// mm of path run in the time lost by the machine in a corner.
+double corner_price(const Machine& machine, MmPerMin feed) {
+  const double speed = feed.mm_per_s();
+  return kShareOfStop * speed * speed / machine.acceleration;
+}
+
+/// Whether the objective is length and not time. Throws InputError for any other objective.
+bool is_length(const Objective& objective) {
+  const ObjectiveKind kind = objective.terms.front().kind;
+  if (objective.weighted || (kind != ObjectiveKind::kLength && kind != ObjectiveKind::kTime))
+    throw InputError("--objective", "of the strategy cover is length or time");
+  return kind == ObjectiveKind::kLength;
+}
+
+Strategy make_cover(const StrategyRequest& request) {
+  if (request.stepover.is_given())
+    throw InputError("--stepover", "has no meaning for the strategy cover, whose paths have no step");
+  const bool shortest = is_length(request.plan.objective);
+  CoverEffort effort;
+  effort.steps = request.briefly ? kBriefSteps : kUsualSteps;
+  if (request.plan.search_s) {
+    effort.steps = static_cast<std::uint64_t>(*request.plan.search_s * kStepsPerSecond);
+    effort.seconds = *request.plan.search_s;
+  }
+  effort.brief = request.briefly;
+  effort.seed = request.plan.seed;
+  effort.cancel = request.plan.cancel;
+  return once_per_outline([effort,
+                           price = shortest ? 0.0 : corner_price(request.plan.machine, request.step.feed),
+                           tol = request.plan.tol,
+                           squares = std::make_shared<std::atomic<std::uint64_t>>(0)](const Layer& layer) {
+    if (effort.brief) check_brief(layer, *squares);
+    return plan_cover(layer, price, effort, tol);
+  });
+}
+
+}  // namespace
+
+StrategyEntry entry() {
+  StrategyEntry entry;
+  entry.name = "cover";
+  entry.description = "the shortest path found that clears all, for faces and open blocks";
+  entry.make = make_cover;
+  entry.keeps_direction = false;
+  entry.takes_stepover = false;
+  entry.in_auto = AutoUse::kBriefly;
+  entry.tried_when_open = true;
+  return entry;
 }
 
 }  // namespace clearcut::plan::cover

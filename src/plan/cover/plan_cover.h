@@ -1,9 +1,10 @@
-// Cover passes: one short path for areas that the cutter may leave, such as faces and open blocks.
+// Cover passes, one short path for areas that the cutter may leave, such as faces and open blocks, and their entry in
+// the table of strategies.
 #pragma once
 
 #include "base/tolerances.h"
 #include "model/layer.h"
-#include "model/pass.h"
+#include "model/options/strategy_entry.h"
 #include "plan/cover/shortest_cover.h"
 
 namespace clearcut::plan::cover {
@@ -20,5 +21,7 @@ LayerPasses plan_cover(const Layer& layer, double corner_price, const CoverEffor
 
 /// Size of the largest searched area, in square diameters.
 inline constexpr double kMostSquares = 10000;
+
+StrategyEntry entry();
 
 }  // namespace clearcut::plan::cover

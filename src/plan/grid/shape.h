@@ -1,7 +1,10 @@
-// The exact shape of a design element: the material to be removed, and the curve of the cutter's centre.
+// The exact shape of a design element, the material to be removed and the curve of the cutter's centre, and the check
+// of a job's elements before they are interpolated and reduced.
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "model/design_element.h"
 
@@ -20,5 +23,20 @@ Region shape_of(const DesignElement& element, double tool_radius);
 
 /// The element as a feature of the part: walls all round, from the top of the stock down by its depth.
 Feature feature_of(const DesignElement& element, const ElementJob& job);
+
+struct ElementFault {
+  std::string place;  ///< "file:line element 'id'"
+  std::string text;   ///< the wrong size, and the remedy
+};
+
+/// Every fault of every element, in the elements' order; empty for a valid job.
+std::vector<ElementFault> faults_of(const ElementJob& job);
+
+/// Throws one InputError with all faults on one line.
+void check(const ElementJob& job);
+
+/// Elements off the grid, so that their squares are off by up to half a square. A warning, no
+/// fault.
+std::vector<ElementFault> off_grid(const ElementJob& job);
 
 }  // namespace clearcut::plan::grid

@@ -1,7 +1,7 @@
-#include "plan/spiral/chains.h"
-
 #include <algorithm>
 #include <optional>
+
+#include "plan/spiral/turn.h"
 
 namespace clearcut::plan::spiral {
 namespace {

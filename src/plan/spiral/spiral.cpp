@@ -5,16 +5,16 @@
 #include <limits>
 
 #include "base/error.h"
-#include "geometry/contours/loops.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/route/legal_area.h"
-#include "geometry/route/legal_route.h"
+#include "geometry/route/legal_paths.h"
 #include "plan/common/clearing_area.h"
-#include "plan/common/mend.h"
+#include "plan/common/layers.h"
+#include "plan/common/machine_clock.h"
 #include "plan/common/residual.h"
-#include "plan/common/retract_link.h"
 #include "plan/common/rings.h"
 #include "plan/common/round_corners.h"
-#include "plan/spiral/chains.h"
+#include "plan/contour/step_rule.h"
 #include "plan/spiral/turn.h"
 
 namespace clearcut::plan::spiral {
@@ -399,6 +399,40 @@ LayerPasses plan_spiral(const Layer& layer, const SpiralOptions& options, const 
   }
   round_corners(result, layer.tool_radius, options.feed.mm_per_s(), options.machine.acceleration);
   return result;
+}
+
+namespace {
+
+Strategy make(const StrategyRequest& request) {
+  SpiralOptions options;
+  options.wall_on_right = request.step.wall_on_right();
+  options.machine = request.plan.machine;
+  options.feed = request.step.feed;
+  line_distance(request.stepover,
+                1);  // throws for rules without meaning for spirals, before planning begins
+  return once_per_outline(
+      [options, stepover = request.stepover, tol = request.plan.tol](const Layer& layer) mutable {
+        options.stepover = line_distance(stepover, 2 * layer.tool_radius);
+        return plan_spiral(layer, options, tol);
+      });
+}
+
+double least_length(const ClearedSize& size, double radius) {
+  return size.reached_mm2 / (2 * radius) + kSpiralFall * size.legal_rim_mm / 2;
+}
+
+}  // namespace
+
+StrategyEntry entry() {
+  StrategyEntry entry;
+  entry.name = "spiral";
+  entry.description = "smooth turns from contour to contour, without passages";
+  entry.make = make;
+  entry.in_auto = AutoUse::kTried;
+  entry.least_length = least_length;
+  // Factor on its least time; in 120 random pockets spirals took 1.17 to 2 times the least time.
+  entry.margin = 1.15;
+  return entry;
 }
 
 }  // namespace clearcut::plan::spiral

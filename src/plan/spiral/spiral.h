@@ -1,5 +1,5 @@
-// Spirals between offset contours: one smooth path from the middle to the wall, without passages between
-// contours.
+// Spirals between offset contours: one smooth path from the middle to the wall, without passages between contours;
+// and their entry in the table of strategies.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 #include "base/units.h"
 #include "model/layer.h"
 #include "model/machine.h"
-#include "model/pass.h"
+#include "model/options/strategy_entry.h"
 
 namespace clearcut::plan::spiral {
 
@@ -32,5 +32,7 @@ struct SpiralOptions {
 /// Cost    O(steps tried * (n log n + turns * n log n)).
 /// Source  The idea of [held2009]; turns follow the rim of a widened offset (turn.h) instead of waves along a tree.
 LayerPasses plan_spiral(const Layer& layer, const SpiralOptions& options, const Tolerances& tol);
+
+StrategyEntry entry();
 
 }  // namespace clearcut::plan::spiral

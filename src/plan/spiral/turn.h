@@ -1,11 +1,30 @@
-// One turn of a spiral: from a loop to the loop around it, at an even rate.
+// One turn of a spiral, from a loop to the loop around it at an even rate, and chains of nested offset loops, each
+// with the loop next inside.
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "geometry/region.h"
+#include "plan/common/rings.h"
 
 namespace clearcut::plan::spiral {
+
+/// Loops following each other inwards one to one, the outermost first. A neck, or a loop touching another, ends a
+/// chain.
+struct SpiralChain {
+  std::vector<Loop> loops;  ///< oriented as in their regions: the area to be cleared is on the left
+  /// Index of the chain of the loop around the outermost; -1: the outermost is of the first level.
+  int parent = -1;
+};
+
+struct SpiralChains {
+  std::vector<SpiralChain> chains;  ///< parents come before their children
+  std::vector<int> chain_of_node;   ///< for each node of the ring tree: index of the chain of its outer loop
+};
+
+/// Sorts the loops of a ring tree into chains. Costs O(loops^2) of neighbouring nodes.
+SpiralChains spiral_chains(const std::vector<RingNode>& nodes);
 
 /// Share of a turn used for the transition from one loop to the next; the rest follows the next loop. At 1 turns
 /// would be even all round, but the wall would have to be followed once more.

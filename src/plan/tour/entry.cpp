@@ -1,6 +1,5 @@
-#include "plan/tour/entry.h"
-
 #include "plan/common/layers.h"
+#include "plan/tour/tour.h"
 
 namespace clearcut::plan::tour {
 namespace {

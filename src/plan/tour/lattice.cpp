@@ -1,7 +1,7 @@
-#include "plan/tour/lattice.h"
-
 #include <algorithm>
 #include <cmath>
+
+#include "plan/tour/tour.h"
 
 namespace clearcut::plan::tour {
 namespace {

@@ -7,13 +7,12 @@
 #include <limits>
 
 #include "base/error.h"
-#include "geometry/line_path.h"
+#include "geometry/edge.h"
 #include "geometry/route/legal_paths.h"
 #include "geometry/voronoi/clearance.h"
 #include "plan/common/clearing_area.h"
 #include "plan/common/cover.h"
 #include "plan/contour/step_rule.h"
-#include "plan/tour/lattice.h"
 
 namespace clearcut::plan::tour {
 namespace {

@@ -1,4 +1,5 @@
-// Tours: a grid of legal centres, ordered by an optimiser, and passes along the walls.
+// Tours: a grid of legal centres, ordered by an optimiser, and passes along the walls; square lattices of points to
+// visit in a box; the entry in the table of strategies.
 #pragma once
 
 #include <functional>
@@ -8,10 +9,33 @@
 #include <vector>
 
 #include "base/tolerances.h"
+#include "geometry/box.h"
+#include "geometry/route/legal_area.h"
 #include "model/layer.h"
-#include "model/pass.h"
+#include "model/options/strategy_entry.h"
 
 namespace clearcut::plan::tour {
+
+using Points = std::vector<Vec2>;
+
+/// Rows and columns of points, `pitch` mm apart, from the lower left one at `corner`.
+struct Lattice {
+  Vec2 corner;
+  double pitch = 0;
+  int columns = 0, rows = 0;
+
+  Vec2 at(int column, int row) const { return corner + Vec2{column * pitch, row * pitch}; }
+};
+
+/// The lattice from the box's lower left corner, as published.
+Lattice published_lattice(const Box& box, double pitch);
+/// A lattice of at most `largest` mm pitch, reduced so that rows meet both ends of the box's longer side;
+/// centred along the other side. For a box far smaller than the pitch, only its middle.
+Lattice fitted_lattice(const Box& box, double largest);
+/// The same lattice with as many more columns and rows as fill `box`.
+Lattice filling(const Lattice& lattice, const Box& box);
+/// The points of the lattice in `area`, row by row.
+Points points_in(const Lattice& lattice, const LegalArea& area);
 
 /// The corners of the shortest legal path between two points, given by index; empty if the straight move is
 /// legal.
@@ -54,5 +78,8 @@ TourGridOptions parse_tour_grid(const std::string& text);
 /// Source  Tour 3.3.4, 4.2.4; departures in docs/tour.md.
 LayerPasses plan_tour(const Layer& layer, const TourGridOptions& options, const TourSolver& solve,
                       const Tolerances& tol);
+
+/// `solver_for` makes the search for the order of the grid's points.
+StrategyEntry entry(std::function<TourSolver(const StrategyRequest&)> solver_for);
 
 }  // namespace clearcut::plan::tour

@@ -1,8 +1,7 @@
-#include "plan/zigzag/cell_order.h"
-
 #include <algorithm>
 
 #include "order/search/visit_order.h"
+#include "plan/zigzag/cells.h"
 
 namespace clearcut::plan::zigzag {
 

@@ -6,9 +6,10 @@
 
 #include "base/error.h"
 #include "plan/common/clearing_area.h"
-#include "plan/common/retract_link.h"
+#include "plan/common/layers.h"
+#include "plan/common/machine_clock.h"
 #include "plan/common/round_corners.h"
-#include "plan/zigzag/cell_order.h"
+#include "plan/contour/step_rule.h"
 #include "plan/zigzag/cells.h"
 
 namespace clearcut::plan::zigzag {
@@ -248,6 +249,35 @@ LayerPasses plan_zigzag(const Layer& layer, const ZigzagOptions& options, const 
   }
   round_corners(result, layer.tool_radius, options.feed.mm_per_s(), options.machine.acceleration);
   return result;
+}
+
+namespace {
+
+Strategy make(const StrategyRequest& request) {
+  ZigzagOptions options;
+  options.angle = request.step.stroke_angle;
+  options.material_on_right = request.step.wall_on_right();
+  options.machine = request.plan.machine;
+  options.feed = request.step.feed;
+  line_distance(request.stepover,
+                1);  // throws for rules without meaning for lines, before planning begins
+  return once_per_outline(
+      [options, stepover = request.stepover, tol = request.plan.tol](const Layer& layer) mutable {
+        options.stepover = line_distance(stepover, 2 * layer.tool_radius);
+        return plan_zigzag(layer, options, tol);
+      });
+}
+
+}  // namespace
+
+StrategyEntry entry() {
+  StrategyEntry entry;
+  entry.name = "zigzag";
+  entry.description = "parallel lines to and fro, then along the walls";
+  entry.make = make;
+  entry.keeps_direction = false;
+  entry.in_auto = AutoUse::kTried;
+  return entry;
 }
 
 }  // namespace clearcut::plan::zigzag

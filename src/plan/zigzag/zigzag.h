@@ -1,4 +1,4 @@
-// Zigzag passes: parallel lines to and fro, then once along the walls.
+// Zigzag passes: parallel lines to and fro, then once along the walls; and their entry in the table of strategies.
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 #include "base/units.h"
 #include "model/layer.h"
 #include "model/machine.h"
-#include "model/pass.h"
+#include "model/options/strategy_entry.h"
 
 namespace clearcut::plan::zigzag {
 
@@ -30,5 +30,7 @@ struct ZigzagOptions {
 /// Error   Nothing reachable of the target is left thicker than tol.uncut, for any angle and stepover.
 /// Cost    O(n log n + directions * (lines + cells^2 * edges)).
 LayerPasses plan_zigzag(const Layer& layer, const ZigzagOptions& options, const Tolerances& tol);
+
+StrategyEntry entry();
 
 }  // namespace clearcut::plan::zigzag

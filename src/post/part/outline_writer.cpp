@@ -1,6 +1,6 @@
-#include "post/part/outline_writer.h"
-
 #include <fmt/format.h>
+
+#include "post/part/part_writers.h"
 
 namespace clearcut::post {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "model/setup_place.h"
-#include "post/part/stepnc_writer.h"
+#include "post/part/part_writers.h"
 
 namespace clearcut::post {
 

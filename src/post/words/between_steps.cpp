@@ -87,4 +87,12 @@ bool ends_at_floor(const Move& move, const Section& section) {
   return move.is_vertical() && move.z_to < move.z_from && move.z_to <= lowest;
 }
 
+double safe_height(const Toolpath& toolpath, const Part& part) {
+  double highest = part.safe_z();
+  for (const Section& section : toolpath.sections) {
+    for (const Move& move : section.moves) highest = std::max({highest, move.z_from, move.z_to});
+  }
+  return highest;
+}
+
 }  // namespace clearcut::post

@@ -1,4 +1,4 @@
-// Program text between cuts: stops, messages, dwells at the floors of holes.
+// Program text between cuts: stops, messages, dwells at the floors of holes, and the height for free travel.
 #pragma once
 
 #include <set>
@@ -48,5 +48,8 @@ std::vector<int> tool_changes_of(const Toolpath& toolpath);
 double dwell_of(const Section& section, const Part& part);
 /// Whether the move ends at the lowest place of the section, from above.
 bool ends_at_floor(const Move& move, const Section& section);
+
+/// Height for free travel of the tool: the highest z of the toolpath, and no lower than part.safe_z(). mm.
+double safe_height(const Toolpath& toolpath, const Part& part);
 
 }  // namespace clearcut::post

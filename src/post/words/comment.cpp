@@ -4,8 +4,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "base/inch.h"
-#include "base/text/format.h"
+#include "base/text.h"
+#include "base/units.h"
 
 namespace clearcut::post {
 namespace {

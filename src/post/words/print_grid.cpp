@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "base/error.h"
-#include "base/inch.h"
+#include "base/units.h"
 
 namespace clearcut::post {
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "base/elementary.h"
-#include "base/inch.h"
+#include "base/units.h"
 
 namespace clearcut::post {
 

@@ -1,12 +1,11 @@
-#include "read/board/drilled.h"
-
 #include <algorithm>
 #include <utility>
 
-#include "base/text/format.h"
-#include "geometry/contours/loops.h"
+#include "base/text.h"
+#include "geometry/contours/boolean.h"
 #include "geometry/spatial/cell_grid.h"
 #include "read/board/drawn.h"
+#include "read/board/excellon_reader.h"
 #include "read/drawing/stroke.h"
 #include "read/repair/clean.h"
 

@@ -7,13 +7,10 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/inch.h"
-#include "base/text/line_end.h"
-#include "read/board/coordinates.h"
-#include "read/board/drilled.h"
-#include "read/board/gerber_curves.h"
+#include "base/text.h"
+#include "base/units.h"
+#include "read/board/drawn.h"
 #include "read/common/text.h"
-#include "read/common/units.h"
 
 namespace clearcut::read {
 namespace {

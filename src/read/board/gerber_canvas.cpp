@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "read/board/gerber_curves.h"
+#include "read/board/drawn.h"
 #include "read/drawing/stroke.h"
 
 namespace clearcut::read {

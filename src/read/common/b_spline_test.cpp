@@ -1,5 +1,3 @@
-#include "read/common/b_spline.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,7 +1,9 @@
-// Ellipses, Bezier curves and splines as lines and tangent arcs.
+// Ellipses, Bezier curves and rational B-splines as lines and tangent arcs.
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 #include "geometry/edge.h"
 #include "read/common/affine.h"
@@ -35,5 +37,26 @@ struct EllipticArc {
 /// Appends the arc. If u and v are perpendicular and equally long: an exact circular arc. A full turn gives a
 /// closed run.
 void append_elliptical(const EllipticArc& arc, double tolerance, Path& out);
+
+struct BSpline {
+  struct Pole {
+    Vec2 p;  ///< times its weight
+    double w = 1;
+  };
+  int degree = 3;
+  std::vector<double> knots;
+  std::vector<Pole> poles;
+};
+
+/// The fault of its degree, its weights or the numbers of its parts: "3 knots for 2 control points of degree 3"; or
+/// the place of a gap: "a tear of 5 mm at knot 0.5". "" if there is none.
+std::string fault_of(const BSpline& spline);
+
+/// Appends the whole spline, which must have no fault, within `tolerance` mm.
+/// Source  de Boor's algorithm on homogeneous points, knot span by knot span.
+void append_spline(const BSpline& spline, double tolerance, Path& out);
+
+/// Appends a smooth curve, possibly returning to its start: in halves, joined to the existing path.
+void append_span(const std::function<Vec2(double)>& curve, double tolerance, Path& out);
 
 }  // namespace clearcut::read

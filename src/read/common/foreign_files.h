@@ -1,10 +1,16 @@
-// Unsupported files of other programs: named by kind, with an alternative.
+// Kind of a part's file, and unsupported files of other programs: named by kind, with an alternative.
 #pragma once
 
 #include <string>
 #include <string_view>
 
 namespace clearcut::read {
+
+enum class FileKind { kStep, kDxf, kSvg, kJson, kEdges, kJob, kGerber, kExcellon, kUnknown };
+
+/// Kind by the first bytes, for files without a known extension. Never lengths and angles or a job: these have no
+/// mark.
+FileKind kind_of_content(std::string_view text);
 
 /// The unsupported kind unmistakably recognised from the content, for any file name: "a zip archive"; "" for none.
 std::string_view foreign_content(std::string_view text, const std::string& file_name);

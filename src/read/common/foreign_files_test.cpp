@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "read/common/file_kind.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 
 namespace clearcut::read {
 namespace {

@@ -1,8 +1,7 @@
 #include "read/common/moved_part.h"
 
 #include "base/error.h"
-#include "base/text/format.h"
-#include "base/text/quantity.h"
+#include "base/text.h"
 
 namespace clearcut::read {
 namespace {

@@ -11,7 +11,7 @@
 #include "geometry/region.h"
 #include "model/hole.h"
 #include "model/part.h"
-#include "options/input_options.h"
+#include "options/plan_options.h"
 
 namespace clearcut::read {
 

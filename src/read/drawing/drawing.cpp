@@ -6,23 +6,17 @@
 #include <unordered_set>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/tolerances.h"
-#include "features/kerf.h"
-#include "features/stacking.h"
+#include "features/derived_outlines.h"
+#include "features/standing.h"
 #include "geometry/contours/boolean.h"
-#include "geometry/contours/loops.h"
 #include "read/common/text.h"
-#include "read/drawing/area_features.h"
-#include "read/drawing/drawn_holes.h"
-#include "read/drawing/islands.h"
-#include "read/drawing/layer_overlaps.h"
-#include "read/drawing/not_as_drawn.h"
+#include "read/drawing/drawn_features.h"
 #include "read/drawing/outline_roles.h"
-#include "read/drawing/stock_edge.h"
-#include "read/drawing/within_deeper.h"
-#include "read/repair/mends.h"
-#include "read/repair/nesting.h"
+#include "read/drawing/overlaps.h"
+#include "read/repair/meetings.h"
+#include "read/repair/repair.h"
 
 namespace clearcut::read {
 namespace {

@@ -1,4 +1,5 @@
-// From groups of curves at one depth to the Part: common to DXF and SVG.
+// From groups of curves at one depth to the Part, common to DXF and SVG, and the conditions for items read
+// differently than drawn, or not read at all.
 #pragma once
 
 #include <map>
@@ -12,6 +13,11 @@
 #include "read/repair/repair.h"
 
 namespace clearcut::read {
+
+/// The condition for all items read differently than drawn, docs/conditions.md.
+inline constexpr const char* kNotAsDrawn = "not-as-drawn";
+/// The condition for items of the input not made by the program.
+inline constexpr const char* kLeftOut = "left-out";
 
 /// Meaning of a layer's name for its outlines; see docs/input.md.
 struct LayerMeaning {

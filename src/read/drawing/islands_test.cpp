@@ -4,7 +4,7 @@
 #include <string>
 
 #include "geometry/contours/boolean.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 
 namespace clearcut::read {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "options/input_options.h"
+#include "options/plan_options.h"
 #include "read/common/read_options.h"
 
 namespace clearcut::read {

@@ -8,10 +8,10 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "read/common/text.h"
 #include "read/drawing/layer_rules.h"
-#include "read/repair/nesting.h"
+#include "read/repair/meetings.h"
 
 namespace clearcut::read {
 namespace {

@@ -1,4 +1,4 @@
-// The area covered by a line of some width.
+// A connected run of edges of a drawing, and the area covered by a line of some width.
 #pragma once
 
 #include <functional>
@@ -6,9 +6,13 @@
 
 #include "geometry/edge.h"
 #include "read/common/affine.h"
-#include "read/drawing/subpath.h"
 
 namespace clearcut::read {
+
+struct Subpath {
+  Path edges;
+  bool closed = false;  ///< the file declares the subpath as closed
+};
 
 enum class StrokeCap { kButt, kRound, kSquare };
 enum class StrokeJoin { kMiter, kRound, kBevel };

@@ -11,10 +11,10 @@
 
 #include "base/error.h"
 #include "base/random.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "geometry/region.h"
 #include "read/drawing/layer_rules.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 
 namespace clearcut::read {
 namespace {

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
+#include "base/elementary.h"
 #include "base/units.h"
+#include "geometry/region.h"
 #include "read/common/curve_fit.h"
 #include "read/dxf/dxf_spline.h"
 #include "read/repair/clean.h"
@@ -145,6 +148,211 @@ std::optional<RawCurve> curve_of(const DxfDocument& document, const DxfEntity& e
     curve.edges = entity.type == "SPLINE" ? *path : mapped(*path, map * *own);
   }
   return curve;
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 3> kFills{"HATCH", "SOLID", "TRACE"};
+
+/// Codes of a HATCH.
+constexpr int kPathCount = 91, kPath = 92, kEdge = 72, kSources = 97, kStyle = 75, kSeeds = 98;
+
+using GroupSpan = std::span<const DxfGroup>;
+
+DxfEntity part_of(const DxfEntity& whole, GroupSpan groups) {
+  DxfEntity part{whole.type, groups.empty() ? whole.line : groups.front().line, {}};
+  part.groups.assign(groups.begin(), groups.end());
+  return part;
+}
+
+/// The groups from each one with `code` to the next, or to the end.
+std::vector<GroupSpan> parts_from(GroupSpan groups, int code) {
+  std::vector<GroupSpan> parts;
+  const auto begins = [&](const DxfGroup& group) { return group.code == code; };
+  for (auto from = std::find_if(groups.begin(), groups.end(), begins); from != groups.end();) {
+    const auto to = std::find_if(from + 1, groups.end(), begins);
+    parts.emplace_back(from, to);
+    from = to;
+  }
+  return parts;
+}
+
+/// The groups before the first of `codes`.
+GroupSpan before(GroupSpan groups, std::initializer_list<int> codes) {
+  const auto end = std::find_if(groups.begin(), groups.end(), [&](const DxfGroup& group) {
+    return std::find(codes.begin(), codes.end(), group.code) != codes.end();
+  });
+  return {groups.begin(), end};
+}
+
+/// Whether most of `inner` is within `outer`: boundaries of a hatch may touch.
+bool lies_in(const Path& inner, const Path& outer) {
+  const Box in = box(inner), out = box(outer);
+  if (!out.contains(in.min) || !out.contains(in.max)) return false;
+  const auto within = std::count_if(inner.begin(), inner.end(), [&](const Edge& edge) {
+    int turns = 0;
+    for (const Edge& other : outer) turns += winding(other, edge.at(0.5));
+    return turns != 0;
+  });
+  return 2 * static_cast<std::size_t>(within) > inner.size();
+}
+
+/// The boundaries without those ignored by a hatch: those within others in style 2 (ignore), those within two others
+/// in style 1 (outer).
+std::vector<Path> heeded(std::vector<Path> paths, int style) {
+  if (style != 1 && style != 2) return paths;
+  std::vector<Path> kept;
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    int around = 0;
+    for (std::size_t k = 0; k < paths.size() && around + style <= 2; ++k)
+      if (k != i && lies_in(paths[i], paths[k])) ++around;
+    if (around + style <= 2) kept.push_back(paths[i]);
+  }
+  return kept;
+}
+
+/// Reads the boundary paths of one HATCH.
+class HatchReader {
+ public:
+  HatchReader(const DxfDocument& document, const DxfEntity& hatch, const Affine& map)
+      : document_(document), hatch_(hatch), map_(map) {}
+
+  /// Closed paths in mm relevant for its style; empty if there are fewer than counted in the file.
+  std::vector<Path> paths() const {
+    const GroupSpan all(hatch_.groups);
+    const auto count =
+        std::find_if(all.begin(), all.end(), [](const auto& g) { return g.code == kPathCount; });
+    if (count == all.end()) return {};
+    const auto parts = parts_from(before({count, all.end()}, {kStyle, kSeeds}), kPath);
+    if (parts.size() != static_cast<std::size_t>(std::max(0, document_.integer(hatch_, kPathCount, 0))))
+      return {};
+    std::vector<Path> paths;
+    for (const GroupSpan& part : parts) {
+      Path path = path_of(part);
+      if (path.empty()) return {};
+      paths.push_back(std::move(path));
+    }
+    return heeded(std::move(paths), document_.integer(hatch_, kStyle, 0));
+  }
+
+ private:
+  Path path_of(GroupSpan groups) const {
+    constexpr int kPolyline = 2;
+    const DxfEntity whole = part_of(hatch_, before(groups, {kSources}));
+    if (document_.integer(whole, kPath, 0) & kPolyline) return light_polyline(document_, whole, true, map_);
+    std::vector<Path> pieces;
+    for (const GroupSpan& edge : parts_from(groups, kEdge)) {
+      Path piece = edge_of(part_of(hatch_, edge));
+      if (!piece.empty()) pieces.push_back(std::move(piece));
+    }
+    return joined(std::move(pieces));
+  }
+
+  /// The pieces one after the other, each reversed if needed to begin at the end of the previous one.
+  static Path joined(std::vector<Path> pieces) {
+    Path path;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+      Path& piece = pieces[i];
+      const Path& other = i > 0 ? path : pieces[std::min(i + 1, pieces.size() - 1)];
+      const auto gap = [&](Vec2 p) {
+        return i > 0 ? distance(p, other.back().to)
+                     : std::min(distance(p, other.front().from), distance(p, other.back().to));
+      };
+      const bool ends_nearer = gap(piece.back().to) < gap(piece.front().from);
+      if (pieces.size() > 1 && ends_nearer == (i > 0)) piece = reversed(piece);
+      path.insert(path.end(), piece.begin(), piece.end());
+    }
+    return path;
+  }
+
+  Path edge_of(const DxfEntity& edge) const {
+    enum { kLine = 1, kCircular = 2, kElliptical = 3, kSpline = 4 };
+    switch (document_.integer(edge, kEdge, 0)) {
+      case kLine:
+        return line(document_.point(edge, 10), document_.point(edge, 11));
+      case kCircular:
+        return elliptical(edge, {radius_of(document_, edge), 0}, 1);
+      case kElliptical:
+        return elliptical(edge, document_.point(edge, 11), document_.required(edge, 40));
+      case kSpline:
+        return spline_by_poles(document_, edge, {.degree = 94, .weight = 42}, map_).value_or(Path{});
+      default:
+        document_.fail(edge.line, "a boundary of a HATCH is no line, arc, ellipse or spline; explode it");
+    }
+  }
+
+  Path line(Vec2 from, Vec2 to) const {
+    Path path;
+    if (from != to) append_mapped(Edge::line(from, to), map_, kCurveTolerance, path);
+    return path;
+  }
+
+  /// Clockwise ends are written as if the arc were mirrored.
+  Path elliptical(const DxfEntity& edge, Vec2 major, double ratio) const {
+    if (norm(major) == 0 || !(ratio > 0)) return {};
+    const double side = document_.integer(edge, 73, 1) != 0 ? 1 : -1;
+    const double from = document_.required(edge, 50), to = document_.required(edge, 51);
+    double turn = std::fmod(to - from, 360.0);
+    if (turn <= 1e-9) turn += 360;
+    const double start = parameter(from, ratio);
+    const double sweep = turn >= 360 - 1e-9 ? 2 * kPi : positive(parameter(from + turn, ratio) - start);
+    Path path;
+    append_elliptical({map_(document_.point(edge, 10)), map_.linear(major),
+                       map_.linear(left_of(major) * (ratio * side)), start, sweep},
+                      kCurveTolerance, path);
+    return path;
+  }
+
+  /// Parameter of an ellipse, from the angle (degrees) at which its point is seen from the centre.
+  static double parameter(double degrees, double ratio) {
+    const double angle = Radians::of_degrees(degrees).radians();
+    return base::atan2(base::sin(angle) / ratio, base::cos(angle));
+  }
+  static double positive(double angle) { return angle > 0 ? angle : angle + 2 * kPi; }
+
+  const DxfDocument& document_;
+  const DxfEntity& hatch_;
+  const Affine map_;
+};
+
+/// The third and the fourth corner are written in reverse order; a triangle has the third twice.
+Path corners_path(const DxfDocument& document, const DxfEntity& entity, const Affine& map) {
+  std::vector<Vec2> corners;
+  for (const int x : {10, 11, 13, 12}) {
+    if (!entity.find(x)) continue;
+    const Vec2 corner = map(document.point(entity, x));
+    if (corners.empty() || corner != corners.back()) corners.push_back(corner);
+  }
+  Path path;
+  if (corners.size() < 3) return path;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (corners[i] != corners[(i + 1) % corners.size()])
+      path.push_back(Edge::line(corners[i], corners[(i + 1) % corners.size()]));
+  return path;
+}
+
+}  // namespace
+
+bool is_fill(std::string_view dxf_type) {
+  return std::find(kFills.begin(), kFills.end(), dxf_type) != kFills.end();
+}
+
+std::optional<std::vector<RawCurve>> boundaries_of(const DxfDocument& document, const DxfEntity& entity,
+                                                   const Affine& map) {
+  const auto own = entity_map(document, entity);
+  if (!own) return std::nullopt;
+  std::vector<Path> paths;
+  if (entity.type == "HATCH") {
+    paths = HatchReader(document, entity, map * *own).paths();
+  } else if (Path path = corners_path(document, entity, map * *own); !path.empty()) {
+    paths.push_back(std::move(path));
+  }
+  if (paths.empty()) return std::nullopt;
+  std::vector<RawCurve> curves;
+  for (Path& path : paths)
+    curves.push_back(
+        {std::move(path), true, std::string(entity.type) + " at line " + std::to_string(entity.line)});
+  return curves;
 }
 
 }  // namespace clearcut::read

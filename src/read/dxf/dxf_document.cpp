@@ -5,8 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/text/line_end.h"
-#include "base/text/stripped.h"
+#include "base/text.h"
 #include "read/common/text.h"
 
 namespace clearcut::read {

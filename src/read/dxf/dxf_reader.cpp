@@ -7,17 +7,14 @@
 #include <span>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/units.h"
 #include "read/common/text.h"
-#include "read/common/units.h"
 #include "read/drawing/drawing.h"
-#include "read/drawing/drawn_holes.h"
-#include "read/drawing/not_as_drawn.h"
+#include "read/drawing/drawn_features.h"
 #include "read/dxf/dxf_curves.h"
-#include "read/dxf/dxf_fill.h"
 #include "read/dxf/dxf_text.h"
-#include "read/repair/mends.h"
+#include "read/repair/repair.h"
 
 namespace clearcut::read {
 namespace {

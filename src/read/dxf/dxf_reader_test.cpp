@@ -9,7 +9,7 @@
 #include "base/units.h"
 #include "read/drawing/drawing.h"
 #include "read/drawing/layer_rules.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 
 namespace clearcut::read {
 namespace {

@@ -7,7 +7,6 @@
 
 #include "base/error.h"
 #include "read/dxf/dxf_reader.h"
-#include "read/dxf/dxf_style.h"
 #include "read/lettering/test_font.h"
 
 namespace clearcut::read {

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "read/drawing/layer_rules.h"
 #include "read/dxf/dxf_reader.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 
 namespace clearcut::read {
 namespace {

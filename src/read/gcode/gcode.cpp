@@ -4,19 +4,17 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/tolerances.h"
 #include "read/gcode/control/interpreter.h"
 #include "read/gcode/klartext/klartext.h"
 #include "read/gcode/klartext/words.h"
-#include "read/gcode/macros/fanuc.h"
-#include "read/gcode/macros/linuxcnc.h"
-#include "read/gcode/no_program.h"
-#include "read/gcode/program/marker.h"
+#include "read/gcode/macros/macro_run.h"
+#include "read/gcode/program/program.h"
 #include "read/gcode/recognise.h"
 #include "read/gcode/sinumerik/sinumerik.h"
 #include "read/gcode/sinumerik/words.h"
-#include "read/gcode/words/tape_marks.h"
+#include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {
 

@@ -1,12 +1,10 @@
-#include "read/gcode/no_program.h"
-
 #include <algorithm>
 #include <cctype>
 
 #include "base/error.h"
-#include "read/common/file_kind.h"
 #include "read/common/foreign_files.h"
 #include "read/gcode/klartext/words.h"
+#include "read/gcode/recognise.h"
 #include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {

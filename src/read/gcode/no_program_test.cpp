@@ -1,10 +1,9 @@
-#include "read/gcode/no_program.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.h"
 #include "read/gcode/gcode.h"
+#include "read/gcode/recognise.h"
 
 namespace clearcut::read::gcode {
 namespace {

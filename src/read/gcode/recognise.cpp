@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "read/gcode/macros/macro_line.h"
 #include "read/gcode/words/block.h"
-#include "read/gcode/words/g_words.h"
 
 namespace clearcut::read::gcode {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "read/gcode/gcode.h"
 
 namespace clearcut::read::gcode {

@@ -1,13 +1,12 @@
-#include "read/gcode/tool_comments.h"
-
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <optional>
 #include <regex>
 
-#include "base/inch.h"
-#include "base/text/format.h"
+#include "base/text.h"
+#include "base/units.h"
+#include "read/gcode/recognise.h"
 #include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {

@@ -1,7 +1,7 @@
 // Tools as the comments of posts name them.
-#include "read/gcode/tool_comments.h"
-
 #include <gtest/gtest.h>
+
+#include "read/gcode/recognise.h"
 
 namespace clearcut::read::gcode {
 namespace {

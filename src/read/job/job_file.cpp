@@ -3,13 +3,11 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/files/file.h"
-#include "base/text/format.h"
+#include "base/file.h"
+#include "base/text.h"
 #include "read/common/text.h"
-#include "read/common/units.h"
 #include "read/drawing/drawing.h"
 #include "read/drawing/layer_rules.h"
-#include "read/job/job_options_table.h"
 #include "read/job/job_setups.h"
 #include "read/job/machine_file.h"
 #include "read/repair/repair.h"

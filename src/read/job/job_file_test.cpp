@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "read/job/machine_file.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 
 namespace clearcut::read {
 namespace {

@@ -5,16 +5,15 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/files/file.h"
-#include "base/text/format.h"
-#include "features/kerf.h"
+#include "base/file.h"
+#include "base/text.h"
+#include "features/derived_outlines.h"
 #include "features/tool_choice.h"
 #include "read/common/text.h"
 #include "read/drawing/drawing.h"
-#include "read/drawing/not_as_drawn.h"
-#include "read/drawing/stock_edge.h"
-#include "read/formats/part_file.h"
+#include "read/drawing/overlaps.h"
 #include "read/job/job_file.h"
+#include "read/job/read_part.h"
 #include "read/step_solid/step_solid.h"
 
 namespace clearcut::read {

@@ -1,13 +1,24 @@
-// Several set-ups in one job file: [[setup]].
+// Several set-ups in one job file ([[setup]]), and the job's keys for options, read by the table of options.
 #pragma once
 
 #include <vector>
 
 #include "model/setup_place.h"
+#include "options/row.h"
 #include "read/common/data_value.h"
 #include "read/job/job_file.h"
 
 namespace clearcut::read {
+
+/// Selection of the rows of a table.
+enum class OptionsOf : unsigned char {
+  kOperations,  ///< rows permitted in an [[operation]]
+  kWhole        ///< the others
+};
+
+/// Stores every option with a key in `section`, the job's table `table`, into `asked`. Throws InputError "file:line:
+/// key: ..." for values refused by the row, in the words of the command line.
+void take_options(DataSection& section, JobTable table, OptionsOf which, Asked& asked);
 
 /// Each [[setup]] of a job combined with the job's common settings, as a separate job: keys of the set-up in [part],
 /// [plan], [stock] and [output], its layers before the common ones, its operations, clamps and holes. Throws

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "base/text/format.h"
+#include "base/text.h"
 #include "options/row.h"
 #include "read/job/job_file.h"
 

@@ -7,11 +7,9 @@
 #include <sstream>
 
 #include "base/error.h"
-#include "base/files/file.h"
-#include "base/files/project_entry.h"
-#include "base/text/quantity.h"
+#include "base/file.h"
+#include "base/text.h"
 #include "read/job/machine_library.h"
-#include "read/job/machine_settings.h"
 
 namespace clearcut::read {
 namespace {

@@ -11,7 +11,7 @@
 
 namespace clearcut::read {
 
-/// A file, or a name of machine_library(). Files are settings of a control (machine_settings.h), or TOML with name,
+/// A file, or a name of machine_library(). Files are settings of a control (machine_library.h), or TOML with name,
 /// rapid (mm/min), acceleration (mm/s2), each one number or [x, y, z], junction_deviation (mm), planner (grbl,
 /// linuxcnc, marlin, mach, jerk-limited), jerk (mm/s3), speed_jump ([x, y, z], mm/s), arc_tolerance (mm), max_spindle
 /// and min_spindle (rpm), spindle_power (W), spindle_torque (Nm), kind (one of machine_kinds()), cutting_force (N,

@@ -3,9 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "base/files/file.h"
-#include "base/files/project_entry.h"
-#include "base/text/format.h"
+#include "base/file.h"
+#include "base/text.h"
 #include "options/row.h"
 
 namespace clearcut::read {

@@ -1,6 +1,5 @@
 #include "read/lettering/lettering.h"
 
-#include "read/common/characters.h"
 #include "read/common/text.h"
 
 namespace clearcut::read {

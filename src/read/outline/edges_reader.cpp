@@ -1,5 +1,3 @@
-#include "read/outline/edges_reader.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,14 +10,13 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "base/text/format.h"
-#include "base/text/line_end.h"
+#include "base/text.h"
 #include "base/tolerances.h"
 #include "base/units.h"
 #include "geometry/side_list.h"
 #include "read/common/text.h"
-#include "read/common/units.h"
 #include "read/drawing/drawing.h"
+#include "read/outline/outline_reader.h"
 #include "read/repair/repair.h"
 
 namespace clearcut::read {

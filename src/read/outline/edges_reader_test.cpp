@@ -1,5 +1,3 @@
-#include "read/outline/edges_reader.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,6 +8,7 @@
 #include "base/random.h"
 #include "base/units.h"
 #include "geometry/side_list.h"
+#include "read/outline/outline_reader.h"
 
 namespace clearcut::read {
 namespace {

@@ -8,15 +8,14 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/text/format.h"
-#include "features/kerf.h"
-#include "features/stacking.h"
+#include "base/text.h"
+#include "features/derived_outlines.h"
+#include "features/standing.h"
 #include "geometry/contours/boolean.h"
 #include "read/common/data_value.h"
 #include "read/common/text.h"
-#include "read/common/units.h"
 #include "read/drawing/drawing.h"
-#include "read/drawing/stock_edge.h"
+#include "read/drawing/overlaps.h"
 #include "read/repair/repair.h"
 
 namespace clearcut::read {

@@ -1,9 +1,12 @@
-// Mends within one curve: numbers, edges without length, arcs whose radii disagree.
+// Mends within one curve or outline: numbers, edges without length, arcs whose radii disagree, arcs divided into many
+// short lines, neighbours crossing again near their joint.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
+#include "read/repair/joining.h"
 #include "read/repair/repair.h"
 
 namespace clearcut::read {
@@ -28,5 +31,21 @@ void check_numbers(const RawCurve& curve, const std::string& where);
 /// than tol.join_gap.
 std::vector<RawCurve> clean(std::vector<RawCurve> curves, const RepairOptions& options,
                             Diagnostics& diagnostics);
+
+/// mm. Greatest distance of a run's vertices from its arc: the rounding of coordinates in drawings.
+inline constexpr double kArcVertexTolerance = 0.001;
+/// mm. Greatest distance of the middles of its lines: finer than any outline with intended corners.
+inline constexpr double kArcChordTolerance = 0.005;
+/// Runs shorter than this stay lines.
+inline constexpr std::size_t kFewestChords = 5;
+
+/// Replaces runs of lines with turns in one direction and with vertices and middles on one circle, to within the
+/// tolerances above: never across a corner, never a coarse polygon. Reports the numbers of replaced lines and of
+/// arcs. Cost O(n log n).
+void find_arcs(std::vector<RawLoop>& loops, const RepairOptions& options, Diagnostics& diagnostics);
+
+/// Neighbours meeting a second time are joined there, without the sliver between, if it is no thicker than
+/// tol.join_gap. Reports each with its thickness. Cost O(n).
+void trim_joints(std::vector<RawLoop>& loops, const RepairOptions& options, Diagnostics& diagnostics);
 
 }  // namespace clearcut::read

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/units.h"
 #include "geometry/region.h"
 #include "read/repair/clean.h"

@@ -8,14 +8,9 @@
 
 #include "base/error.h"
 #include "geometry/contours/boolean.h"
-#include "geometry/contours/loops.h"
-#include "geometry/unite_all.h"
 #include "read/repair/clean.h"
-#include "read/repair/fills.h"
 #include "read/repair/meetings.h"
-#include "read/repair/mends.h"
-#include "read/repair/nesting.h"
-#include "read/repair/splitting.h"
+#include "read/repair/repair.h"
 
 namespace clearcut::read {
 namespace {

@@ -1,14 +1,10 @@
-#include "read/repair/fills.h"
-
 #include <algorithm>
 #include <iterator>
 #include <map>
 
 #include "geometry/contours/boolean.h"
-#include "geometry/contours/loops.h"
-#include "geometry/unite_all.h"
 #include "read/repair/crossings.h"
-#include "read/repair/mends.h"
+#include "read/repair/repair.h"
 
 namespace clearcut::read {
 namespace {

@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "base/elementary.h"
 #include "base/error.h"
 #include "base/tolerances.h"
 #include "base/units.h"
+#include "read/repair/edge_index.h"
 
 namespace clearcut::read {
 namespace {
@@ -217,6 +221,125 @@ std::vector<Meeting> meetings(const std::vector<Loop>& loops, std::size_t most, 
     longest_box = total / (8 * boxes * edges);
   }
   throw InputError(where, "too many long lines lie across each other; simplify the drawing");
+}
+
+namespace {
+
+/// mm. Places nearer to a vertex than this are the vertex.
+constexpr double kAtVertex = 4e-9;
+
+using Key = std::pair<double, double>;
+
+/// `edge` divided at the places within it.
+void append_divided(const Edge& edge, std::vector<Vec2> places, Loop& out) {
+  std::vector<std::pair<double, Vec2>> cuts;
+  for (const Vec2 place : places) {
+    if (distance(place, edge.from) > kAtVertex && distance(place, edge.to) > kAtVertex) {
+      cuts.emplace_back(nearest(edge, place).t, place);
+    }
+  }
+  std::sort(cuts.begin(), cuts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  Edge rest = edge;
+  for (const auto& [t, place] : cuts) {
+    if (place == rest.from) continue;
+    out.push_back({rest.from, place, edge.center, edge.turn});
+    rest.from = place;
+  }
+  if (rest.from != rest.to) out.push_back(rest);
+}
+
+/// All vertices at one place get its exact coordinates.
+void snap(Loop& loop, const std::vector<Meeting>& touches) {
+  for (const Meeting& touch : touches) {
+    for (const EdgeId id : {touch.a, touch.b}) {
+      const auto i = static_cast<std::size_t>(id.edge);
+      Edge& edge = loop[i];
+      if (distance(edge.from, touch.at) <= kAtVertex) {
+        edge.from = touch.at;
+        loop[(i + loop.size() - 1) % loop.size()].to = touch.at;
+      }
+      if (distance(edge.to, touch.at) <= kAtVertex) {
+        edge.to = touch.at;
+        loop[(i + 1) % loop.size()].from = touch.at;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Loop> split_at(const Loop& loop, const std::vector<Meeting>& touches) {
+  Loop snapped = loop;
+  snap(snapped, touches);
+  std::map<int, std::vector<Vec2>> places_on;
+  for (const Meeting& touch : touches) {
+    places_on[touch.a.edge].push_back(touch.at);
+    places_on[touch.b.edge].push_back(touch.at);
+  }
+  Loop divided;
+  for (std::size_t i = 0; i < snapped.size(); ++i) {
+    const auto found = places_on.find(static_cast<int>(i));
+    append_divided(snapped[i], found == places_on.end() ? std::vector<Vec2>{} : found->second, divided);
+  }
+  // Walk along; whenever a place is met again, the part in between is a loop.
+  std::vector<Loop> loops;
+  Loop open;
+  std::map<Key, std::size_t> starts;
+  for (const Edge& edge : divided) {
+    starts[{edge.from.x, edge.from.y}] = open.size();
+    open.push_back(edge);
+    const auto again = starts.find({edge.to.x, edge.to.y});
+    if (again == starts.end() || again->second >= open.size() || open[again->second].from != edge.to) {
+      continue;
+    }
+    const auto first = open.begin() + static_cast<std::ptrdiff_t>(again->second);
+    if (open.end() - first >= 2) loops.emplace_back(first, open.end());
+    open.erase(first, open.end());
+  }
+  return loops;
+}
+
+Vec2 inner_point(const Loop& loop) {
+  const auto longest = std::max_element(loop.begin(), loop.end(),
+                                        [](const Edge& a, const Edge& b) { return a.length() < b.length(); });
+  const double side = signed_area(loop) > 0 ? 1 : -1;
+  const Vec2 middle = longest->at(0.5);
+  const Vec2 inward = left_of(longest->tangent_at(0.5)) * (side * longest->length());
+  for (double step = 0.25; step > 1e-9; step /= 8) {
+    const Vec2 p = middle + inward * step;
+    if (contains(loop, p)) return p;
+  }
+  return middle;
+}
+
+std::vector<std::vector<int>> loops_about(const std::vector<Loop>& loops) {
+  std::vector<double> areas;
+  for (const Loop& loop : loops) areas.push_back(std::abs(signed_area(loop)));
+  const auto area_of = [&](int i) { return areas[static_cast<std::size_t>(i)]; };
+  const EdgeIndex index(loops);
+  std::vector<std::vector<int>> about(loops.size());
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    // A loop within this one may also contain the point; it is smaller.
+    for (const int other : index.loops_around(inner_point(loops[i]))) {
+      if (area_of(other) > areas[i]) about[i].push_back(other);
+    }
+    std::stable_sort(about[i].begin(), about[i].end(), [&](int a, int b) { return area_of(a) > area_of(b); });
+  }
+  return about;
+}
+
+Regions nested(const std::vector<Loop>& loops) {
+  const auto about = loops_about(loops);
+  std::vector<std::vector<Loop>> islands(loops.size());
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (about[i].size() % 2 == 1) islands[static_cast<std::size_t>(about[i].back())].push_back(loops[i]);
+  }
+  Regions regions;
+  for (std::size_t i = 0; i < loops.size(); ++i) {
+    if (about[i].size() % 2 == 0)
+      regions.push_back(Region::from_valid_loops(loops[i], std::move(islands[i])));
+  }
+  return regions;
 }
 
 }  // namespace clearcut::read

@@ -1,10 +1,12 @@
-// Meetings of loops with themselves or each other.
+// Meetings of loops with themselves or each other: loops that touch themselves are split, and non-crossing loops
+// become regions by their depth of nesting.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <vector>
 
+#include "geometry/region.h"
 #include "read/repair/edge_index.h"
 
 namespace clearcut::read {
@@ -31,5 +33,21 @@ std::vector<Meeting> meetings(const std::vector<Loop>& loops, std::size_t most, 
 /// Whether the loops separate again within `depth` mm: an end of one of the two edges is this near to the other edge,
 /// and so is the whole path from this end to the meeting.
 bool is_shallow(const std::vector<Loop>& loops, const Meeting& meeting, double depth);
+
+/// Splits `loop` at every place of `touches` (its meetings with itself): edges are divided there, and each part
+/// returning to a place becomes a separate loop. Together they bound the same area under the even-odd rule. Cost O(n
+/// log n).
+std::vector<Loop> split_at(const Loop& loop, const std::vector<Meeting>& touches);
+
+/// A point inside `loop`, as far from the loop as found by a short search.
+Vec2 inner_point(const Loop& loop);
+
+/// For every loop the loops around it, from the largest to the smallest. The loops must not cross;
+/// they may touch. Cost O(n log n + n k), k edges level with one place.
+std::vector<std::vector<int>> loops_about(const std::vector<Loop>& loops);
+
+/// Regions by the even-odd rule: loops at even depth are outlines, each with the loops directly inside as islands. In
+/// the order of the outlines.
+Regions nested(const std::vector<Loop>& loops);
 
 }  // namespace clearcut::read

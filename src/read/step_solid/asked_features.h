@@ -1,4 +1,5 @@
-// User's rules for features of a solid: `--op KIND:SELECTION` and the rules of jobs.
+// What becomes of the features of a solid: their tops, removal of those not worth a cut, and the user's rules, `--op
+// KIND:SELECTION` and the rules of jobs.
 #pragma once
 
 #include <string>
@@ -10,6 +11,11 @@
 #include "read/common/read_options.h"
 
 namespace clearcut::read {
+
+/// Sets top_z of every feature to the height left by earlier ones, and removes features then no deeper than a
+/// permitted gouge: the checks ignore walls of this height, and no cutter follows them. Returns the removed features,
+/// in the same order.
+std::vector<Feature> settle_tops(std::vector<Feature>& features, const Stock& stock, const Tolerances& tol);
 
 /// Gives each feature its name in `info` and in the plan: names already in use get a number.
 void name_features(std::vector<Feature>& features);

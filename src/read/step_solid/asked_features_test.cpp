@@ -5,9 +5,9 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "geometry/rectangle.h"
+#include "geometry/region.h"
 #include "read/drawing/layer_rules.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 
 namespace clearcut::read {
 namespace {

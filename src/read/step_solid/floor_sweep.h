@@ -1,12 +1,26 @@
-// Area open to a cutter at each level, from the highest level of a solid to the lowest.
+// Area open to a cutter at each level, from the highest level of a solid to the lowest, and the curves of faces in
+// plan view: selection of those bounding an area, and their order.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/tolerances.h"
+#include "geometry/region.h"
+#include "read/repair/repair.h"
 #include "read/step_solid/height_map.h"
 
 namespace clearcut::read {
+
+/// mm. Ends of edges of different faces nearer than this are one point.
+inline constexpr double kSamePlace = 1e-4;
+
+/// Indices, ascending, of the curves without a reversed counterpart. Common ends must be equal. O(n log n)
+/// while few curves end in one point.
+std::vector<std::size_t> unpaired(const std::vector<const Path*>& curves);
+
+/// Joins curves end to start into closed ones as far as they go; the repair sees to the rest. O(n log n).
+std::vector<RawCurve> chained(const std::vector<Path>& curves, const std::string& source);
 
 /// Material above a level is also above every lower one, so that each level only adds its own faces.
 ///

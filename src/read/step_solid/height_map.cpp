@@ -7,13 +7,11 @@
 #include <iterator>
 
 #include "geometry/contours/boolean.h"
-#include "geometry/contours/loops.h"
-#include "geometry/rectangle.h"
+#include "geometry/region.h"
 #include "geometry/spatial/cell_grid.h"
-#include "geometry/unite_all.h"
 #include "model/part.h"
 #include "read/repair/repair.h"
-#include "read/step_solid/face_curves.h"
+#include "read/step_solid/floor_sweep.h"
 
 namespace clearcut::read {
 namespace {

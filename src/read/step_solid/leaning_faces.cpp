@@ -7,16 +7,15 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "base/text/format.h"
-#include "features/kerf.h"
+#include "base/text.h"
+#include "features/derived_outlines.h"
 #include "features/round_hole.h"
 #include "geometry/contours/boolean.h"
-#include "geometry/contours/loops.h"
-#include "geometry/rectangle.h"
+#include "geometry/region.h"
 #include "geometry/voronoi/clearance.h"
 #include "read/drawing/drawing.h"
 #include "read/repair/repair.h"
-#include "read/step_solid/face_curves.h"
+#include "read/step_solid/floor_sweep.h"
 
 namespace clearcut::read {
 namespace {

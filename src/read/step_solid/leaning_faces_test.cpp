@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/contours/boolean.h"
-#include "geometry/rectangle.h"
+#include "geometry/region.h"
 
 namespace clearcut::read {
 namespace {

@@ -1,9 +1,8 @@
-#include "read/step_solid/model_bytes.h"
-
 #include <cstring>
 #include <type_traits>
 
 #include "base/error.h"
+#include "read/step_solid/solid_model.h"
 
 namespace clearcut::read {
 namespace {

@@ -1,10 +1,8 @@
 #include "read/step_solid/solid_model.h"
 
+#include "base/apart.h"
 #include "base/error.h"
-#include "base/programs/apart.h"
-#include "base/programs/companion.h"
 #include "read/part21/part21.h"
-#include "read/step_solid/model_bytes.h"
 
 namespace clearcut::read {
 namespace {

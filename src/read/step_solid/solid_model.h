@@ -1,4 +1,5 @@
-// The faces of a solid as seen along the tool's axis (-Z): all data of the CAD kernel needed for reading a solid.
+// The faces of a solid as seen along the tool's axis (-Z), all data of the CAD kernel needed for reading a solid; as
+// bytes to pass from one process to another of the same program.
 #pragma once
 
 #include <optional>
@@ -91,5 +92,9 @@ bool solids_can_be_read();
 ///         face, or the component is absent.
 /// Cost    that of the kernel: about 0.1 ms a face and more for free surfaces.
 SolidModel load_solid(std::string_view text, const std::string& file_name, const SolidChoice& choice);
+
+std::string bytes_of(const SolidModel& solid);
+/// The inverse. Only for bytes made by bytes_of.
+SolidModel model_from_bytes(const std::string& bytes);
 
 }  // namespace clearcut::read

@@ -7,21 +7,18 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "features/round_hole.h"
 #include "geometry/contours/boolean.h"
-#include "geometry/rectangle.h"
+#include "geometry/region.h"
 #include "read/common/curve_fit.h"
 #include "read/drawing/drawing.h"
-#include "read/drawing/not_as_drawn.h"
 #include "read/step_solid/asked_features.h"
-#include "read/step_solid/face_curves.h"
 #include "read/step_solid/floor_sweep.h"
 #include "read/step_solid/height_map.h"
 #include "read/step_solid/leaning_faces.h"
 #include "read/step_solid/orientation.h"
 #include "read/step_solid/solid_model.h"
-#include "read/step_solid/tops.h"
 
 namespace clearcut::read {
 namespace {

@@ -1,6 +1,5 @@
 // AP238 files are refused with what they hold.
-#include "read/stepnc/ap238.h"
-
+#include "read/stepnc/executables.h"
 #include "read/stepnc/test_program.h"
 
 namespace clearcut::read::stepnc::testing {

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "model/results/not_machined.h"
-#include "read/stepnc/shapes/fillet.h"
+#include "model/results/findings.h"
+#include "read/stepnc/shapes/curve.h"
 #include "read/stepnc/test_program.h"
 
 namespace clearcut::read::stepnc {

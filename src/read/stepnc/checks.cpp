@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/elementary.h"
-#include "base/text/format.h"
-#include "read/stepnc/parts.h"
+#include "base/text.h"
+#include "read/stepnc/operation.h"
 #include "read/stepnc/reader.h"
 
 namespace clearcut::read::stepnc {

@@ -3,10 +3,10 @@
 #include <cmath>
 
 #include "base/elementary.h"
-#include "base/text/format.h"
-#include "features/kerf.h"
-#include "model/results/not_machined.h"
-#include "read/stepnc/parts.h"
+#include "base/text.h"
+#include "features/derived_outlines.h"
+#include "model/results/findings.h"
+#include "read/stepnc/operation.h"
 #include "read/stepnc/reader.h"
 
 namespace clearcut::read::stepnc {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/units.h"
-#include "model/results/not_machined.h"
+#include "model/results/findings.h"
 #include "read/stepnc/test_program.h"
 
 namespace clearcut::read::stepnc {

@@ -1,13 +1,25 @@
-// The executables of a workplan, in the order in which they are carried out.
+// The executables of a workplan, in the order in which they are carried out, and what AP238 files hold, for those who
+// are told that these are not read.
 #pragma once
 
 #include <optional>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/part.h"
+#include "read/part21/part21.h"
 #include "read/stepnc/file/node.h"
 
 namespace clearcut::read::stepnc {
+
+bool is_ap238(const P21File& file);
+
+/// The workplans with what they are made of, in order, one line an element: "workplan MAIN (#10)", "  1  workingstep POCKET (#12)".
+std::vector<std::string> ap238_lines(const P21File& file);
+
+/// The same of a text; nothing where it is no AP238 file.
+std::vector<std::string> ap238_lines(std::string_view text, const std::string& file_name);
 
 /// A machining workingstep in its place.
 struct OrderedStep {

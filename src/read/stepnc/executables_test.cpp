@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "model/results/not_machined.h"
+#include "model/results/findings.h"
 #include "read/stepnc/test_program.h"
 
 namespace clearcut::read::stepnc {

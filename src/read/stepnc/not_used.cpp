@@ -1,9 +1,9 @@
-#include "read/stepnc/not_used.h"
-
 #include <algorithm>
 #include <set>
 #include <string>
 #include <vector>
+
+#include "read/stepnc/stepnc.h"
 
 namespace clearcut::read::stepnc {
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "base/error.h"
-#include "read/stepnc/file/file_units.h"
+#include "read/stepnc/file/entity_list.h"
 #include "read/stepnc/operation.h"
 #include "read/stepnc/setup.h"
 #include "read/stepnc/shapes/regions.h"

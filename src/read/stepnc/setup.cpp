@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "base/error.h"
-#include "base/text/format.h"
-#include "read/stepnc/ap238.h"
+#include "base/text.h"
+#include "read/stepnc/executables.h"
 
 namespace clearcut::read::stepnc {
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "base/elementary.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/tolerances.h"
 
 namespace clearcut::read::stepnc {

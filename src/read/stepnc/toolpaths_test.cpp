@@ -1,5 +1,5 @@
 // Toolpaths that a program states: what is read of them, and what is said of the rest.
-#include "model/stated_path.h"
+#include "model/part.h"
 #include "read/stepnc/test_program.h"
 
 namespace clearcut::read::stepnc::testing {

@@ -1,5 +1,3 @@
-#include "read/stepnc/tools.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -9,8 +7,9 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/units.h"
+#include "read/stepnc/toolpaths.h"
 #include "read/tools/formats.h"
 
 namespace clearcut::read::stepnc {

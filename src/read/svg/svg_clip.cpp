@@ -6,8 +6,7 @@
 
 #include "base/tolerances.h"
 #include "geometry/contours/boolean.h"
-#include "geometry/contours/loops.h"
-#include "geometry/rectangle.h"
+#include "geometry/region.h"
 #include "read/svg/svg_elements.h"
 #include "read/svg/svg_shapes.h"
 

@@ -12,7 +12,6 @@
 
 #include "base/random.h"
 #include "base/units.h"
-#include "read/svg/svg_notes.h"
 #include "read/svg/svg_reader.h"
 
 namespace clearcut::read {

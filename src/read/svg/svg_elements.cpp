@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "read/common/text.h"
-#include "read/common/units.h"
 #include "read/svg/svg_numbers.h"
 #include "read/svg/svg_shapes.h"
 

@@ -6,8 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/text/format.h"
-#include "base/text/stripped.h"
+#include "base/text.h"
 #include "read/common/text.h"
 #include "read/svg/svg_numbers.h"
 

@@ -1,4 +1,4 @@
-#include "read/svg/svg_notes.h"
+#include "read/svg/svg_reader.h"
 
 namespace clearcut::read {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/elementary.h"
 #include "base/units.h"
-#include "read/common/units.h"
+#include "read/common/text.h"
 
 namespace clearcut::read {
 namespace {

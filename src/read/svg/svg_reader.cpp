@@ -8,9 +8,8 @@
 #include <tuple>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "read/common/text.h"
-#include "read/common/units.h"
 #include "read/drawing/drawing.h"
 #include "read/drawing/stroke.h"
 #include "read/lettering/lettering.h"
@@ -18,7 +17,6 @@
 #include "read/svg/svg_document.h"
 #include "read/svg/svg_elements.h"
 #include "read/svg/svg_inherited.h"
-#include "read/svg/svg_notes.h"
 #include "read/svg/svg_numbers.h"
 #include "read/svg/svg_page.h"
 #include "read/svg/svg_shapes.h"

@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "read/drawing/layer_rules.h"
-#include "read/read_part.h"
+#include "read/job/read_part.h"
 #include "read/svg/svg_style.h"
 
 namespace clearcut::read {

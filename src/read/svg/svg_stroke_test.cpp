@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 #include "base/random.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/units.h"
 #include "read/svg/svg_reader.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "base/text/stripped.h"
+#include "base/text.h"
 #include "read/svg/svg_numbers.h"
 
 namespace clearcut::read {

@@ -5,7 +5,7 @@
 #include <pugixml.hpp>
 
 #include "base/units.h"
-#include "read/common/characters.h"
+#include "read/common/text.h"
 #include "read/svg/svg_elements.h"
 
 namespace clearcut::read {

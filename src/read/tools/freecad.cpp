@@ -5,10 +5,8 @@
 #include <map>
 
 #include "base/error.h"
-#include "base/files/file.h"
-#include "base/files/project_entry.h"
+#include "base/file.h"
 #include "read/common/text.h"
-#include "read/common/units.h"
 #include "read/tools/formats.h"
 
 namespace clearcut::read {

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "base/error.h"
-#include "base/inch.h"
+#include "base/units.h"
 #include "read/common/text.h"
 #include "read/tools/formats.h"
 

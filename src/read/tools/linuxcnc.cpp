@@ -3,10 +3,8 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/text/line_end.h"
-#include "base/text/stripped.h"
+#include "base/text.h"
 #include "read/common/text.h"
-#include "read/common/units.h"
 #include "read/tools/formats.h"
 
 namespace clearcut::read {

@@ -5,9 +5,9 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/files/file.h"
-#include "base/text/format.h"
-#include "model/tool_kinds.h"
+#include "base/file.h"
+#include "base/text.h"
+#include "model/tool.h"
 #include "read/common/text.h"
 #include "read/drawing/drawing.h"
 #include "read/tools/formats.h"

@@ -4,11 +4,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/files/digest.h"
+#include "base/file.h"
 #include "base/units.h"
-#include "report/certificate/certificate_question.h"
-#include "report/condition_json.h"
-#include "report/motion_text.h"
+#include "report/certificate/certificate_json.h"
+#include "report/result.h"
 
 namespace clearcut::report {
 

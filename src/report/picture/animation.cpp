@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text/format.h"
-#include "geometry/rectangle.h"
+#include "base/text.h"
+#include "geometry/region.h"
 #include "report/picture/job_view.h"
-#include "report/picture/palette.h"
 #include "report/picture/plan_picture.h"
-#include "report/picture/svg_page.h"
-#include "report/words/text.h"
+#include "report/picture/svg.h"
+#include "report/picture/svg_writer.h"
+#include "report/words/text_table.h"
 
 namespace clearcut::report {
 namespace {

@@ -5,8 +5,7 @@
 #include <limits>
 
 #include "base/elementary.h"
-#include "base/text/format.h"
-#include "report/picture/palette.h"
+#include "base/text.h"
 #include "report/picture/svg_writer.h"
 
 namespace clearcut::report {

@@ -5,8 +5,7 @@
 
 #include "base/tolerances.h"
 #include "report/picture/job_view.h"
-#include "report/picture/palette.h"
-#include "report/picture/reach.h"
+#include "report/picture/svg_writer.h"
 
 namespace clearcut::report {
 

@@ -7,14 +7,12 @@
 #include <numeric>
 #include <set>
 
-#include "geometry/rectangle.h"
-#include "report/picture/badges.h"
+#include "geometry/region.h"
 #include "report/picture/job_view.h"
-#include "report/picture/palette.h"
 #include "report/picture/plan_lines.h"
 #include "report/picture/plan_marks.h"
-#include "report/picture/reach.h"
-#include "report/words/text.h"
+#include "report/picture/svg_writer.h"
+#include "report/words/text_table.h"
 
 namespace clearcut::report {
 

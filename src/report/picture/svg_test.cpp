@@ -9,9 +9,7 @@
 #include <regex>
 #include <set>
 
-#include "geometry/rectangle.h"
-#include "report/picture/palette.h"
-#include "report/picture/svg_path.h"
+#include "geometry/region.h"
 #include "report/picture/svg_writer.h"
 #include "report/sample_job.h"
 

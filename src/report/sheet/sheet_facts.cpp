@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/tolerances.h"
 
 namespace clearcut::report {

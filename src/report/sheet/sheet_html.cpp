@@ -1,7 +1,6 @@
-#include "report/sheet/sheet_html.h"
-
-#include "base/text/xml_text.h"
+#include "base/text.h"
 #include "report/picture/svg_writer.h"
+#include "report/sheet/sheet_writers.h"
 
 namespace clearcut::report {
 namespace {

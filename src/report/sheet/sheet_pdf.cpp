@@ -1,9 +1,7 @@
-#include "report/sheet/sheet_pdf.h"
-
+#include "base/apart.h"
 #include "base/error.h"
-#include "base/programs/apart.h"
-#include "base/programs/companion.h"
 #include "report/sheet/sheet_json.h"
+#include "report/sheet/sheet_writers.h"
 
 namespace clearcut::report {
 namespace {

@@ -1,4 +1,4 @@
-// What reports and certificates share (condition_json.cpp).
+// What reports and certificates share (certificate_json.cpp).
 
 /** What the verdict rests on, as a certificate has it, too. */
 interface Condition {

@@ -10,10 +10,9 @@
 #include <regex>
 #include <sstream>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "kinematics/kinematics.h"
 #include "report/sample_job.h"
-#include "report/viewer/html_data.h"
 
 namespace clearcut::report {
 namespace {

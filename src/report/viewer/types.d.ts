@@ -1,5 +1,5 @@
 // Types of the report page's scripts, for the checker (`make lint-viewer`); no page holds this file. Lengths are mm, times s, angles
-// rad, unless a name says otherwise. The job is what html_data.cpp writes.
+// rad, unless a name says otherwise. The job is what html.cpp writes.
 
 /** Smallest x and y, greatest x and y; mm. */
 type Corners = [number, number, number, number];

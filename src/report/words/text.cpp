@@ -1,8 +1,8 @@
-#include "report/words/text.h"
-
 #include <fmt/format.h>
 
 #include <cmath>
+
+#include "report/words/text_table.h"
 
 namespace clearcut::report {
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "report/words/text.h"
-
 namespace clearcut::report {
 
 namespace {

@@ -1,9 +1,9 @@
-#include "report/words/value_table.h"
-
 #include <algorithm>
 #include <map>
 #include <set>
 #include <tuple>
+
+#include "report/words/text_table.h"
 
 namespace clearcut::report {
 namespace {

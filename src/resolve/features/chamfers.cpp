@@ -1,5 +1,3 @@
-#include "resolve/features/chamfers.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,11 +5,12 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "features/round_hole.h"
 #include "geometry/contours/boolean.h"
-#include "geometry/rectangle.h"
+#include "geometry/region.h"
 #include "geometry/voronoi/clearance.h"
+#include "resolve/features/shaping.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/tolerances.h"
 #include "geometry/contours/boolean.h"
 

@@ -1,15 +1,13 @@
-#include "resolve/features/corner_relief.h"
-
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "base/text/format.h"
-#include "features/stacking.h"
+#include "base/text.h"
+#include "features/standing.h"
 #include "geometry/contours/boolean.h"
-#include "geometry/contours/loops.h"
+#include "resolve/features/shaping.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -1,12 +1,11 @@
-#include "resolve/features/facing.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "base/text/format.h"
-#include "geometry/rectangle.h"
-#include "resolve/values/tool_cutting.h"
+#include "base/text.h"
+#include "geometry/region.h"
+#include "resolve/features/shaping.h"
+#include "resolve/values/cutting_values.h"
 
 namespace clearcut::resolve {
 namespace {

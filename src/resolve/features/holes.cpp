@@ -1,5 +1,3 @@
-#include "resolve/features/holes.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,12 +6,13 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "features/round_hole.h"
 #include "geometry/contours/boolean.h"
-#include "geometry/rectangle.h"
+#include "geometry/region.h"
 #include "resolve/features/hole_tools.h"
-#include "resolve/values/tool_cutting.h"
+#include "resolve/features/shaping.h"
+#include "resolve/values/cutting_values.h"
 
 namespace clearcut::resolve {
 namespace {

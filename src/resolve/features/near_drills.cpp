@@ -1,12 +1,11 @@
-#include "resolve/features/near_drills.h"
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
-#include "base/text/format.h"
+#include "base/text.h"
 #include "features/round_hole.h"
+#include "resolve/features/shaping.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -1,5 +1,3 @@
-#include "resolve/features/t_slots.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -7,13 +5,13 @@
 #include <utility>
 
 #include "base/error.h"
-#include "base/text/format.h"
-#include "features/kerf.h"
-#include "features/raw_stock.h"
+#include "base/text.h"
+#include "features/derived_outlines.h"
 #include "features/tool_choice.h"
 #include "geometry/contours/boolean.h"
-#include "geometry/rectangle.h"
-#include "resolve/values/tool_cutting.h"
+#include "geometry/region.h"
+#include "resolve/features/shaping.h"
+#include "resolve/values/cutting_values.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -1,14 +1,13 @@
-#include "resolve/features/tapered_walls.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "features/tool_choice.h"
 #include "geometry/contours/boolean.h"
+#include "resolve/features/shaping.h"
 
 namespace clearcut::resolve {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "base/inch.h"
+#include "base/units.h"
 #include "model/work_material.h"
 #include "resolve/values/cutting_values.h"
 

@@ -1,11 +1,14 @@
-// Converts the names used in options and files into values; no other file does.
+// Converts the names used in options and files into values, which no other file does, and lists the decided values
+// with their sources, for people and certificates.
 #pragma once
 
 #include <string>
 
-#include "model/options/feed_rule.h"
+#include "model/options/resolved_plan.h"
+#include "model/options/shop_options.h"
 #include "model/options/strategy_entry.h"
 #include "model/part.h"
+#include "resolve/values/plan_options.h"
 
 namespace clearcut::resolve {
 
@@ -47,5 +50,15 @@ bool is_bisector_passage(const std::string& name, const std::string& place);
 bool is_reflex_corner(const std::string& name, const std::string& place);
 bool is_published_grid(const std::string& name, const std::string& place);
 bool is_published_solver(const std::string& name, const std::string& place);
+
+/// Place in the input of a step's operation: the source of all values without a source of their own.
+Source read_source(const Part& part, const Workingstep& step);
+
+/// Appends the values of one step of `plan` to plan.values; `sources` contains the sources that differ from the
+/// operation's place in the input.
+void list_step(ResolvedPlan& plan, int step, const Sources& sources, const PlanOptions& options);
+
+/// Appends the values of the plan as a whole.
+void list_plan(ResolvedPlan& plan, const PlanOptions& options);
 
 }  // namespace clearcut::resolve

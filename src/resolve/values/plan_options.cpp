@@ -10,9 +10,8 @@
 #include <thread>
 
 #include "base/error.h"
-#include "base/text/format.h"
-#include "base/text/quantity.h"
-#include "model/tool_kinds.h"
+#include "base/text.h"
+#include "model/tool.h"
 #include "options/row.h"
 
 namespace clearcut::resolve {

@@ -1,8 +1,6 @@
-#include "resolve/values/value_list.h"
-
 #include <filesystem>
 
-#include "base/text/format.h"
+#include "base/text.h"
 #include "resolve/values/names.h"
 
 namespace clearcut::resolve {

@@ -1,4 +1,4 @@
-// Checks that V-carvings, engravings and chamfers are cut to their required depth.
+// Checks that V-carvings, engravings and chamfers are cut to their required depth, chamfers wherever their wall is.
 #pragma once
 
 #include <functional>
@@ -33,12 +33,20 @@ std::vector<CarvingWork> carvings_of(const Part& part);
 ///            surface left by cones rise alike. The floor is divided into squares until each is wholly cut or no
 ///            higher than kHighestCusp.
 /// Engraving  The depth is checked every 0.02 mm along the line.
-/// Chamfer    See chamfered_wall.h.
+/// Chamfer    See carving.h.
 ///
 /// Cost O(length of the outline / 0.002 mm * moves near).
 void check_carving(const Part& part, const CheckedProgram& program, const Tolerances& tol, CarvingWork& work);
 
 /// The faults of a feature after check_carving.
 std::vector<Fault> faults_of_carving(const Feature& feature, const CarvingWork& work, const Tolerances& tol);
+
+/// Checks the chamfer every 0.02 mm along its line, at places where the wall was cut by this program or an earlier
+/// one or is a side of the stock. Cones must have been as deep as the chamfer's plane at its foot, in its middle and
+/// near its top, to within tol.uncut square to the plane. In places not reached by any cutter, as in sharp corners,
+/// there is no edge to chamfer.
+///
+/// Cost O(length of the line / 0.02 mm * moves near).
+void check_chamfer(const Part& part, const CheckedProgram& program, const Tolerances& tol, CarvingWork& work);
 
 }  // namespace clearcut::verify

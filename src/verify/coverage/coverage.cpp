@@ -8,7 +8,6 @@
 #include "base/elementary.h"
 #include "base/tolerances.h"
 #include "verify/coverage/swath_cover.h"
-#include "verify/coverage/wall_residual.h"
 #include "verify/part/legal_centers.h"
 
 namespace clearcut::verify {

@@ -13,9 +13,8 @@
 #include "base/tolerances.h"
 #include "geometry/spatial/box_tree.h"
 #include "model/cutter_profile.h"
-#include "verify/coverage/within_stock.h"
-#include "verify/engagement/removal.h"
-#include "verify/program/blend.h"
+#include "verify/engagement/tool_takes.h"
+#include "verify/program/checked_move.h"
 
 namespace clearcut::verify {
 namespace {

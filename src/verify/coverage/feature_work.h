@@ -1,15 +1,27 @@
-// The required cuts of a program in each feature, and the proof of their completion.
+// The required cuts of a program in each feature, and the proof of their completion; the part of an outline in the
+// stock: there is no material to cut outside.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "geometry/region.h"
 #include "verify/coverage/coverage.h"
 #include "verify/part/finished_parts.h"
 #include "verify/program/checked_move.h"
 #include "verify/program/verify_options.h"
 
 namespace clearcut::verify {
+
+/// The part of `target` in the stock; the whole target if no stock is given, or if no part of the target is beyond
+/// the edge. Boundaries of the result may run to and fro along the stock's edge; this changes neither areas nor
+/// winding numbers.
+///
+/// Method  Every point beyond the stock moves to the nearest one on its edge: a boundary then winds around each point
+/// within
+///         as often as before. O(edges), exact up to rounding.
+Regions within_stock(const Regions& target, const std::optional<Box>& stock);
 
 /// Coverage of a feature down to one height.
 struct LevelCoverage {

@@ -1,5 +1,3 @@
-#include "verify/coverage/within_stock.h"
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -7,6 +5,7 @@
 #include <utility>
 
 #include "base/tolerances.h"
+#include "verify/coverage/feature_work.h"
 #include "verify/part/finished_part.h"
 
 namespace clearcut::verify {

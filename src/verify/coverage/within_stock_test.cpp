@@ -1,8 +1,7 @@
-#include "verify/coverage/within_stock.h"
-
 #include <gtest/gtest.h>
 
 #include "base/units.h"
+#include "verify/coverage/feature_work.h"
 #include "verify/test_program.h"
 
 namespace clearcut::verify {

@@ -6,11 +6,10 @@
 //   k_c    specific force, N/mm2         kc1.1 h_m^-mc [kienzle1957]
 //   Q      material removed, mm3/min     a_p a_e feed;  power k_c Q, tangential force power / cutting speed
 //   T      tool life, min                (C / v_c)^(1/n) [groover2013]
-#include "verify/engagement/forces.h"
-
 #include <algorithm>
 
 #include "base/elementary.h"
+#include "verify/engagement/load.h"
 
 namespace clearcut::verify {
 namespace {

@@ -1,9 +1,9 @@
 // Forces against hand calculation.
-#include "verify/engagement/forces.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "verify/engagement/load.h"
 
 namespace clearcut::verify {
 namespace {

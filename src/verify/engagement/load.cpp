@@ -8,8 +8,6 @@
 #include "stock/cutting_load.h"
 #include "stock/material.h"
 #include "verify/engagement/entry_watch.h"
-#include "verify/engagement/forces.h"
-#include "verify/engagement/removal.h"
 #include "verify/engagement/tool_takes.h"
 
 namespace clearcut::verify {

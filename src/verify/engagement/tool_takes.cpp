@@ -1,13 +1,25 @@
-// Thread depths: the basic profile of ISO 68-1 has 5/8 sqrt(3)/2 P in holes, 17/24 sqrt(3)/2 P about bosses.
 #include "verify/engagement/tool_takes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "base/text/format.h"
+#include "base/text.h"
 
 namespace clearcut::verify {
+
+stock::Removal removal_of(const CheckedMove& checked) {
+  const double radius = checked.tool->radius();
+  if (checked.is_carried()) return {CutterProfile::cylinder(radius), radius};
+  return stock::removal_by(*checked.tool);
+}
+
+double height_of_edges(const Tool& tool) {
+  return tool.kind == ToolKind::kTSlot ? tool.flute_length.value_or(HUGE_VAL) : HUGE_VAL;
+}
+
+// Thread depths: the basic profile of ISO 68-1 has 5/8 sqrt(3)/2 P in holes, 17/24 sqrt(3)/2 P about bosses.
+
 namespace {
 
 /// mm. Thinner material at the edge of the permitted ring is due to rounding and to holes slightly off their axis.

@@ -1,5 +1,5 @@
-// Cutting ability of a kind of tool: the width of a ring of material at its rim, sideways and straight down, and
-// required feeds.
+// Cutting ability of a kind of tool: the material removed for certain by the cutter of a move, the width of a ring of
+// material at its rim, sideways and straight down, and required feeds.
 #pragma once
 
 #include <cmath>
@@ -7,10 +7,18 @@
 #include <string>
 
 #include "model/cutter_profile.h"
+#include "stock/cutting_load.h"
 #include "stock/material.h"
 #include "verify/program/checked_move.h"
 
 namespace clearcut::verify {
+
+/// The removal of its tool; cuts of earlier set-ups were made narrower, by the ends of their cutters, when they were
+/// carried over, and count as cylinders.
+stock::Removal removal_of(const CheckedMove& checked);
+
+/// mm above the tip up to which a cutter removes material: above the disc of a T-slot cutter there is only its neck.
+double height_of_edges(const Tool& tool);
 
 /// mm. Width of the ring at a tool's rim permitted in material; infinite: the whole end of the tool.
 struct ToolTakes {

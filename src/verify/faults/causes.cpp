@@ -1,5 +1,3 @@
-#include "verify/faults/causes.h"
-
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -8,9 +6,10 @@
 #include <string>
 #include <tuple>
 
-#include "base/inch.h"
-#include "base/text/format.h"
+#include "base/text.h"
+#include "base/units.h"
 #include "geometry/box.h"
+#include "verify/faults/faults.h"
 
 namespace clearcut::verify {
 namespace {

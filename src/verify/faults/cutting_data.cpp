@@ -1,11 +1,10 @@
-#include "verify/faults/cutting_data.h"
-
 #include <algorithm>
 #include <string>
 
 #include "base/elementary.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/units.h"
+#include "verify/faults/faults.h"
 
 namespace clearcut::verify {
 namespace {

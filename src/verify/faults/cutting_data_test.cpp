@@ -1,8 +1,7 @@
 // Feeds and speeds that no cutter bears.
-#include "verify/faults/cutting_data.h"
-
 #include <gtest/gtest.h>
 
+#include "verify/faults/faults.h"
 #include "verify/test_program.h"
 #include "verify/verify.h"
 

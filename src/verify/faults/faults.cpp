@@ -7,13 +7,10 @@
 #include <map>
 #include <optional>
 
-#include "base/text/format.h"
+#include "base/text.h"
 #include "verify/engagement/tool_takes.h"
-#include "verify/faults/causes.h"
-#include "verify/faults/cutting_data.h"
-#include "verify/faults/keep_out.h"
 #include "verify/faults/state_faults.h"
-#include "verify/faults/tapping.h"
+#include "verify/faults/threads.h"
 #include "verify/program/attribution.h"
 
 namespace clearcut::verify {

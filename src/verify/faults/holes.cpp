@@ -1,11 +1,10 @@
-#include "verify/faults/holes.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "base/text/format.h"
-#include "verify/faults/thread_helix.h"
+#include "base/text.h"
+#include "verify/faults/faults.h"
+#include "verify/faults/threads.h"
 
 namespace clearcut::verify {
 namespace {

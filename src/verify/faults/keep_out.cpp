@@ -1,11 +1,9 @@
-#include "verify/faults/keep_out.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "base/text/format.h"
+#include "base/text.h"
 #include "verify/faults/faults.h"
 
 namespace clearcut::verify {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "base/elementary.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "verify/engagement/tool_takes.h"
 #include "verify/faults/faults.h"
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "model/results/told_faults.h"
+#include "model/results/findings.h"
 #include "verify/test_program.h"
 #include "verify/verify.h"
 

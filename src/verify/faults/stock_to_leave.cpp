@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "geometry/contours/boolean.h"
-#include "verify/faults/crossed_draft.h"
+#include "verify/faults/move_gouge.h"
 
 namespace clearcut::verify {
 namespace {

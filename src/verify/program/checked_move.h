@@ -1,19 +1,21 @@
-// A program as one list of moves, each with its tool, its time, and the results of checking.
+// A program as one list of moves, each with its tool, its time, and the results of checking, and the additional
+// material that a control may cut by rounding a corner of the path within its tolerance.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "base/heap_optional.h"
+#include "base/containers.h"
 #include "model/control.h"
 #include "model/machine.h"
 #include "model/move.h"
 #include "model/part.h"
 #include "model/results/findings.h"
-#include "verify/program/gouge.h"
+#include "verify/program/shaped_cutter.h"
 
 namespace clearcut::verify {
 
@@ -145,5 +147,14 @@ struct CheckedProgram {
 CheckedProgram checked_program(const Part& part, const Toolpath& toolpath, const Machine& machine,
                                const Toolpath* earlier = nullptr, const ControlTable* control = nullptr,
                                const ControlTable* earlier_control = nullptr);
+
+/// Two lines from a point of `before` to a point of `after`, through the point `tolerance` mm from the corner on the
+/// inside of the turn. The control's path is between these lines and the programmed one. Nothing if the moves join
+/// smoothly, or if one of them is a rapid or vertical.
+std::optional<std::array<Move, 2>> rounded_corner(const CheckedMove& before, const CheckedMove& after,
+                                                  double tolerance);
+
+/// mm; the greatest tolerance of a control's corner rounding between these feed moves.
+double corner_tolerance(std::span<const CheckedMove> moves);
 
 }  // namespace clearcut::verify

@@ -6,4 +6,4 @@
 #include "studies/method_study.h"
 #include "studies/reproduce/page/reproduction_page.h"
 #include "studies/reproduce/reproduce.h"
-#include "studies/reproduce/reproduce_grid.h"
+#include "studies/reproduce/reproduce_parts.h"

@@ -5,7 +5,6 @@
 
 #include "geometry/region.h"
 #include "report/picture/chart.h"
-#include "report/picture/palette.h"
 #include "report/picture/svg_writer.h"
 
 namespace clearcut::studies {

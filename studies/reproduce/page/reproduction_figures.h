@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "model/pass.h"
+#include "model/layer.h"
 #include "studies/reproduce/reproduction.h"
 
 namespace clearcut::studies {

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "base/error.h"
-#include "base/text/xml_text.h"
+#include "base/text.h"
 
 namespace clearcut::studies {
 namespace {

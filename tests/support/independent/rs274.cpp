@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "base/units.h"
 #include "support/command.h"
 

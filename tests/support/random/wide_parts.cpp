@@ -10,7 +10,7 @@ namespace {
 
 const Tolerances kTol;
 
-Regions rectangle(const Box& box) {
+Regions area_within(const Box& box) {
   const std::vector<Vec2> corners{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
   return {Region::from_valid_loops(loop_from_points(corners), {})};
 }
@@ -30,10 +30,10 @@ Part wide_part(Random& random, double diameter) {
       {0, 0}, {std::round(random.between(20, 50) * diameter), std::round(random.between(20, 50) * diameter)}};
   Regions walls;
   for (auto count = 1 + random.below(4); count > 0; --count)
-    walls = unite(walls, rectangle(random_box(random, block, 2 * diameter, 15 * diameter)), kTol);
-  const Regions stock = rectangle(block), target = subtract(stock, walls, kTol);
+    walls = unite(walls, area_within(random_box(random, block, 2 * diameter, 15 * diameter)), kTol);
+  const Regions stock = area_within(block), target = subtract(stock, walls, kTol);
   if (random.below(3) == 0) return part_of(target, target, FeatureKind::kClosedPocket, diameter);
-  const Regions air = rectangle(block.grown(kOpenReach));
+  const Regions air = area_within(block.grown(kOpenReach));
   Part part =
       part_of(target, subtract(air, intersect(stock, walls, kTol), kTol), FeatureKind::kOpenPocket, diameter);
   part.stock = Stock{block, -10, 0};

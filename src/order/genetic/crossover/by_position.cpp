@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "order/genetic/crossover.h"
+#include "order/genetic/operators.h"
 
 namespace clearcut::order {
 
@@ -228,6 +228,93 @@ std::unique_ptr<Crossover> upmx(const OperatorContext& context) {
 }
 std::unique_ptr<Crossover> smx(const OperatorContext& context) {
   return std::make_unique<SortedMatch>(context);
+}
+
+namespace {
+
+class Cx final : public Crossover {
+ public:
+  explicit Cx(const OperatorContext& context) : context_(context) {}
+
+  void cross(const Genome& first, const Genome& second, Random& random, Genome& child) override {
+    genes_ = first.genes();
+    const int begin = context_.any_position(random);
+    int p = begin;
+    do {
+      genes_[static_cast<std::size_t>(p)] = second.at(p);
+      p = first.place(second.at(p));
+    } while (p != begin);
+    child.assign(genes_);
+  }
+
+ private:
+  const OperatorContext& context_;
+  Tour genes_;
+};
+
+}  // namespace
+
+std::unique_ptr<Crossover> cx(const OperatorContext& context) {
+  return std::make_unique<Cx>(context);
+}
+
+namespace {
+
+class Ox final : public Crossover {
+ public:
+  explicit Ox(const OperatorContext& context) : context_(context) {}
+
+  void cross(const Genome& first, const Genome& second, Random& random, Genome& child) override {
+    const auto [low, high] = std::minmax({context_.any_position(random), context_.any_position(random)});
+    genes_ = first.genes();
+    int to = 0;
+    for (int from = 0; from < first.size(); ++from) {
+      const int place = second.place(first.at(from));
+      if (place >= low && place <= high) continue;  // will be taken from the second parent
+      if (to == low) to = high + 1;
+      genes_[static_cast<std::size_t>(to++)] = first.at(from);
+    }
+    for (int p = low; p <= high; ++p) genes_[static_cast<std::size_t>(p)] = second.at(p);
+    child.assign(genes_);
+  }
+
+ private:
+  const OperatorContext& context_;
+  Tour genes_;
+};
+
+}  // namespace
+
+std::unique_ptr<Crossover> ox(const OperatorContext& context) {
+  return std::make_unique<Ox>(context);
+}
+
+namespace {
+
+class Pmx final : public Crossover {
+ public:
+  explicit Pmx(const OperatorContext& context) : context_(context) {}
+
+  void cross(const Genome& first, const Genome& second, Random& random, Genome& child) override {
+    const auto [low, high] = std::minmax({context_.any_position(random), context_.any_position(random)});
+    map_stretch(first, second, low, high, child);
+  }
+
+ private:
+  const OperatorContext& context_;
+};
+
+}  // namespace
+
+void map_stretch(const Genome& first, const Genome& second, int low, int high, Genome& child) {
+  child = first;
+  for (int p = low; p <= high; ++p) {
+    if (child.at(p) != second.at(p)) child.swap(p, child.place(second.at(p)));
+  }
+}
+
+std::unique_ptr<Crossover> pmx(const OperatorContext& context) {
+  return std::make_unique<Pmx>(context);
 }
 
 }  // namespace clearcut::order

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "order/genetic/crossover.h"
+#include "order/genetic/operators.h"
 #include "order/length/ab_cycles.h"
 #include "order/length/assembly.h"
 

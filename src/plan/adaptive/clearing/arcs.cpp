@@ -4,6 +4,9 @@
 #include <cmath>
 #include <optional>
 
+#include "base/elementary.h"
+#include "base/units.h"
+
 namespace clearcut::plan::adaptive {
 namespace {
 
@@ -101,6 +104,181 @@ Path fit_arcs(std::span<const Vec2> points, double tolerance) {
     at += good;
   }
   return out;
+}
+
+namespace {
+
+/// Radians. Controls do not slow down in smaller turns; larger ones are no kinks.
+constexpr double kLeastKink = 5e-4;
+constexpr double kLargestKink = 0.3;
+/// Of a move's length: what the arc at one of its ends may take.
+constexpr double kTakenOfMove = 0.45;
+/// mm. Shorter arcs are not made.
+constexpr double kShortestEase = 5e-3;
+/// Greatest number of steps until both tangents agree, and radians within which they do.
+constexpr int kMostSteps = 20;
+constexpr double kAgreed = 1e-10;
+/// Number of tries with shorter arcs where one deviates too far, and how much shorter than in proportion each is.
+constexpr int kMostShortenings = 4;
+constexpr double kShortening = 0.9;
+constexpr double kNoBound = 1e300;
+/// s that a run of cuts has to gain for each move more.
+constexpr double kLeastSaved = 1e-3;
+/// Number of moves before and after a run of cuts that are timed with it.
+constexpr std::size_t kTimedBeside = 6;
+
+double turn_between(Vec2 u, Vec2 v) {
+  return base::atan2(cross(u, v), dot(u, v));
+}
+
+/// 1 / mm, positive to the left.
+double curvature_of(const Edge& edge) {
+  return edge.is_arc() ? (edge.turn == Turn::kCounterClockwise ? 1 : -1) / edge.radius() : 0;
+}
+
+double turn_at_joint(const Edge& before, const Edge& after) {
+  return turn_between(before.tangent_at(1), after.tangent_at(0));
+}
+
+}  // namespace
+
+std::optional<EasedJoint> eased_joint(const Edge& before, const Edge& after, double taken) {
+  const double first_length = before.length(), second_length = after.length();
+  const double t = 1 - taken / first_length;
+  const Vec2 from = before.at(t), heading = before.tangent_at(t);
+  // How much more the chord turns off the first tangent than the second tangent turns off the chord: zero on one circle.
+  const auto excess = [&](double along) {
+    const Vec2 chord = unit(after.at(along / second_length) - from);
+    return turn_between(heading, chord) - turn_between(chord, after.tangent_at(along / second_length));
+  };
+  const double turn = turn_at_joint(before, after), bends = curvature_of(after) - curvature_of(before);
+  const double guess = turn * taken / (turn - bends * taken);  // where all turns are small
+  if (!(guess > 0 && guess < second_length / 2)) return std::nullopt;
+  double a = guess * 0.95, b = guess, f_a = excess(a), f_b = excess(b);
+  for (int i = 0; i < kMostSteps && std::abs(f_b) > kAgreed; ++i) {
+    if (f_a == f_b) return std::nullopt;
+    const double next = b - f_b * (b - a) / (f_b - f_a);
+    if (!(next > 0 && next < second_length / 2)) return std::nullopt;
+    a = std::exchange(b, next);
+    f_a = std::exchange(f_b, excess(b));
+  }
+  if (std::abs(f_b) > kAgreed || t <= 0.5) return std::nullopt;
+  const double s = b / second_length;
+  return EasedJoint{before.part(0, t), tangent_arc(from, heading, after.at(s)), after.part(s, 1)};
+}
+
+namespace {
+
+class Easer {
+ public:
+  Easer(Pass& pass, const EasingJob& job) : pass_(pass), job_(job) {}
+
+  std::vector<Edge> run() {
+    std::vector<Edge> path;
+    std::vector<MoveKind> kinds;
+    const auto& all = pass_.kinds;
+    for (std::size_t i = 0; i < all.size();) {
+      std::size_t end = i + 1;
+      while (end < all.size() && all[end] == all[i]) ++end;
+      Path cuts(pass_.path.begin() + static_cast<std::ptrdiff_t>(i),
+                pass_.path.begin() + static_cast<std::ptrdiff_t>(end));
+      if (all[i] == MoveKind::kCut) ease_if_faster(cuts, i, end);
+      kinds.insert(kinds.end(), cuts.size(), all[i]);
+      path.insert(path.end(), cuts.begin(), cuts.end());
+      i = end;
+    }
+    pass_.path = std::move(path);
+    pass_.kinds = std::move(kinds);
+    return std::move(changed_);
+  }
+
+ private:
+  /// `cuts`: the moves of the pass from `first` to before `end`.
+  void ease_if_faster(Path& cuts, std::size_t first, std::size_t end) {
+    std::vector<Edge> changed;
+    Path eased = with_eased_joints(cuts, changed);
+    const double least = kLeastSaved * static_cast<double>(eased.size() - cuts.size());
+    if (changed.empty() || timed(eased, first, end) > timed(cuts, first, end) - least) return;
+    cuts = std::move(eased);
+    changed_.insert(changed_.end(), changed.begin(), changed.end());
+  }
+
+  Path with_eased_joints(const Path& cuts, std::vector<Edge>& changed) const {
+    Path eased{cuts.front()};
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      const auto joint = ease(eased.back(), cuts[i], cuts[i - 1].length());
+      if (joint) {
+        changed.insert(changed.end(), {cuts[i - 1], cuts[i]});
+        eased.back() = joint->before;
+        eased.insert(eased.end(), {joint->arc, joint->after});
+      } else {
+        eased.push_back(cuts[i]);
+      }
+    }
+    return eased;
+  }
+
+  /// `whole`: mm; the length of `before` until an arc took its beginning.
+  std::optional<EasedJoint> ease(const Edge& before, const Edge& after, double whole) const {
+    if (before.to != after.from) return std::nullopt;
+    const double turn = std::abs(turn_at_joint(before, after));
+    if (turn < kLeastKink || turn > kLargestKink) return std::nullopt;
+    const bool at_wall = job_.legal.is_near_boundary(before.to, job_.most);
+    const double within = at_wall ? job_.at_wall : job_.most;
+    const double full = job_.clock.radius_at(job_.clock.feed.mm_per_s()) * base::tan(turn / 2);
+    const double of_before = std::min({full, kTakenOfMove * whole, kTakenOfMove * before.length()}),
+                 of_after = std::min(full, kTakenOfMove * after.length());
+    double taken = std::min(of_before, taken_for(before, after, of_after));
+    for (int i = 0; i < kMostShortenings && taken > kShortestEase / 2; ++i) {
+      const auto joint = eased_joint(before, after, taken);
+      if (!joint) return std::nullopt;
+      const double deviation = distance(joint->arc, before.to);
+      if (deviation <= within) return is_legal(joint->arc) ? joint : std::nullopt;
+      taken *= kShortening * within / deviation;
+    }
+    return std::nullopt;
+  }
+
+  /// mm of `before` that an arc takes that takes `of_after` mm of the other side.
+  static double taken_for(const Edge& before, const Edge& after, double of_after) {
+    const double turn = turn_at_joint(before, after),
+                 bends = (curvature_of(after) - curvature_of(before)) * (turn > 0 ? 1 : -1),
+                 share = std::abs(turn) + bends * of_after;
+    return share > 0 ? std::abs(turn) * of_after / share : kNoBound;
+  }
+
+  bool is_legal(const Edge& arc) const {
+    const Vec2 middle = arc.at(0.5);
+    return job_.legal.holds_line(arc.from, middle) && job_.legal.holds_line(middle, arc.to) &&
+           (!arc.is_arc() || job_.legal.contains(middle));
+  }
+
+  /// Seconds of `cuts` in place of the moves from `first` to before `end`, with some moves beside them.
+  double timed(const Path& cuts, std::size_t first, std::size_t end) const {
+    const std::size_t from = first - std::min(first, kTimedBeside),
+                      to = std::min(pass_.path.size(), end + kTimedBeside);
+    const auto at = [](const auto& list, std::size_t i) {
+      return list.begin() + static_cast<std::ptrdiff_t>(i);
+    };
+    Path moves(at(pass_.path, from), at(pass_.path, first));
+    std::vector<MoveKind> kinds(at(pass_.kinds, from), at(pass_.kinds, first));
+    moves.insert(moves.end(), cuts.begin(), cuts.end());
+    kinds.insert(kinds.end(), cuts.size(), MoveKind::kCut);
+    moves.insert(moves.end(), at(pass_.path, end), at(pass_.path, to));
+    kinds.insert(kinds.end(), at(pass_.kinds, end), at(pass_.kinds, to));
+    return job_.clock.seconds(moves, kinds);
+  }
+
+  Pass& pass_;
+  const EasingJob& job_;
+  std::vector<Edge> changed_;
+};
+
+}  // namespace
+
+std::vector<Edge> ease_joints(Pass& pass, const EasingJob& job) {
+  if (!job.clock.runs() || pass.path.empty() || pass.kinds.size() != pass.path.size()) return {};
+  return Easer(pass, job).run();
 }
 
 }  // namespace clearcut::plan::adaptive

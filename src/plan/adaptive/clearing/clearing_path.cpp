@@ -4,12 +4,19 @@
 #include <cmath>
 #include <utility>
 
+#include "base/elementary.h"
 #include "base/tolerances.h"
 #include "base/units.h"
 #include "plan/adaptive/clearing/arcs.h"
 #include "plan/adaptive/clearing/parameters.h"
 
 namespace clearcut::plan::adaptive {
+double widened_circle(double cleared_radius, double tool_radius, double engagement) {
+  const double across = tool_radius * base::sin(engagement);
+  const double inside = std::max(0.0, cleared_radius * cleared_radius - across * across);
+  return -tool_radius * base::cos(engagement) + std::sqrt(inside);
+}
+
 namespace {
 
 /// mm. Two moves are joined if one move stays this near to both.
@@ -190,6 +197,22 @@ void ClearingPath::ease_joints(const EasingJob& job) {
 std::vector<Pass> ClearingPath::take_passes() {
   finish_pass();
   return std::exchange(passes_, {});
+}
+
+void StepPictures::after(std::string_view step) {
+  if (sink_ == nullptr) return;
+  const auto moves = path_.moves();
+  if (moves.size() <= drawn_) return;
+  sink_->frame(step);
+  for (const Edge& edge : legal_.edges()) draw(edge, "black");
+  for (std::size_t i = 0; i < moves.size(); ++i) draw(moves[i], i < drawn_ ? "silver" : "steelblue");
+  drawn_ = moves.size();
+}
+
+void StepPictures::draw(const Edge& edge, std::string_view color) {
+  if (!edge.is_arc()) return sink_->line(edge.from.x, edge.from.y, edge.to.x, edge.to.y, color);
+  sink_->arc(edge.from.x, edge.from.y, edge.to.x, edge.to.y, edge.center.x, edge.center.y,
+             edge.turn == Turn::kCounterClockwise, color);
 }
 
 }  // namespace clearcut::plan::adaptive

@@ -1,15 +1,31 @@
-// Builds the passes of one adaptive layer: cuts, and clear links between them.
+// Builds the passes of one adaptive layer: cuts, and clear links between them. Engagement of a cutter that widens a
+// cleared disc, in closed form, and pictures of each step (docs/adaptive.md).
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
-#include "model/pass.h"
+#include "base/debug_sink.h"
+#include "geometry/region.h"
+#include "geometry/vec2.h"
+#include "model/layer.h"
+#include "plan/adaptive/clearing/arcs.h"
 #include "plan/adaptive/clearing/clear_links.h"
-#include "plan/adaptive/clearing/disc_engagement.h"
-#include "plan/adaptive/clearing/eased_joints.h"
 
 namespace clearcut::plan::adaptive {
+
+/// A disc of cleared material.
+struct Disc {
+  Vec2 center;
+  double radius = 0;  ///< mm
+};
+
+/// mm; the greatest radius of a circle on which the centre may run inside a cleared disc of `cleared_radius`
+/// mm so that the engagement is at most `engagement` radians. Both are about the same centre. By the law of
+/// cosines, with R for tool_radius: -R cos(engagement) + sqrt(cleared_radius^2 - R^2 sin(engagement)^2).
+double widened_circle(double cleared_radius, double tool_radius, double engagement);
 
 /// The finished passes and the one that is being built. Everything that is cut is removed from the remaining
 /// stock.
@@ -74,6 +90,26 @@ class ClearingPath {
     double left = 0;
     double right = 0;
   } spiral_;
+};
+
+/// A picture of one legal area for each step. References are kept.
+class StepPictures {
+ public:
+  /// Draws nothing if `sink` is null.
+  StepPictures(DebugSink* sink, const Region& legal, const ClearingPath& path)
+      : sink_(sink), legal_(legal), path_(path) {}
+
+  /// To be called after a step: the legal area in black, the moves of earlier steps in grey, those of this step, links
+  /// included, in blue. No picture if the step has cut nothing.
+  void after(std::string_view step);
+
+ private:
+  void draw(const Edge& edge, std::string_view color);
+
+  DebugSink* sink_;
+  const Region& legal_;
+  const ClearingPath& path_;
+  std::size_t drawn_ = 0;  ///< number of moves at the last picture
 };
 
 }  // namespace clearcut::plan::adaptive

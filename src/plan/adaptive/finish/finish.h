@@ -1,11 +1,10 @@
-// The last steps of adaptive clearing: residuals on walls, corners, narrow ends, and rests that no cut has
-// reached.
+// The last steps of adaptive clearing: residuals on walls, corners, narrow ends, and rests that no cut has reached.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "plan/adaptive/clearing/step_pictures.h"
+#include "plan/adaptive/clearing/clearing_path.h"
 #include "plan/adaptive/finish/corners.h"
 #include "plan/adaptive/trace/wall_cuts.h"
 #include "plan/common/cover.h"

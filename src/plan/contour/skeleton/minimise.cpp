@@ -19,7 +19,6 @@
 #include "base/elementary.h"
 #include "geometry/spatial/box_tree.h"
 #include "geometry/spatial/cell_grid.h"
-#include "plan/contour/skeleton/symmetric_matrix.h"
 
 namespace clearcut::plan::contour {
 namespace {

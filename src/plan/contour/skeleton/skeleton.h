@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "model/pass.h"
+#include "model/layer.h"
 
 namespace clearcut::plan::contour {
 

@@ -1,10 +1,12 @@
-// Shortens the flexible paths of a skeleton without losing any cleared place.
+// Shortens the flexible paths of a skeleton without losing any cleared place, and removes corners from shortened
+// paths.
 #pragma once
 
 #include <functional>
 #include <memory>
 
 #include "geometry/route/legal_area.h"
+#include "plan/contour/skeleton/bands.h"
 #include "plan/contour/skeleton/skeleton.h"
 
 namespace clearcut::plan::contour {
@@ -47,5 +49,10 @@ class Tightener {
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// Drops every vertex of the paths that is not needed for clearing the same area: fewer corners, shorter paths. Every
+/// point within `radius` mm of a path or ring stays so.
+/// Cost  O(vertices * (edges near)^2).
+void drop_needless_vertices(Bands& paths, const TightenJob& job, double radius);
 
 }  // namespace clearcut::plan::contour

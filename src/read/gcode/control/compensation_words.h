@@ -1,4 +1,4 @@
-// G40, G41, G42, G41.1 and G42.1.
+// G40, G41, G42, G41.1 and G42.1, and G12 and G13 of Haas: a circle milled from its centre.
 #pragma once
 
 #include "read/gcode/control/control.h"
@@ -26,5 +26,9 @@ class CompensationWords {
 /// mm that the D word `number` stands for while `tool` is in the spindle; `word` as it is told. Throws InputError where nobody said it.
 double compensation_of(const CompensationValues& values, ToolpathBuilder& builder, int number, int tool,
                        const std::string& word, int line);
+
+/// Whether the block has one of them, whose moves are made then: along half a circle out to the radius I less that of the tool (D), once
+/// round, and along half a circle back to the centre. Throws InputError for what is not read of them, and on other controls.
+bool mill_circle(Control& control, const Block& block);
 
 }  // namespace clearcut::read::gcode

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <iterator>
 
-#include "base/text/format.h"
+#include "base/text.h"
 #include "read/gcode/control/interpreter.h"
-#include "read/gcode/words/g_words.h"
-#include "read/gcode/words/tape_marks.h"
+#include "read/gcode/words/block.h"
+#include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {
 

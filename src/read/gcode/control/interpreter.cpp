@@ -2,9 +2,13 @@
 // stop.
 #include "read/gcode/control/interpreter.h"
 
+#include <algorithm>
+#include <string>
+#include <string_view>
+
+#include "base/text.h"
 #include "read/gcode/control/motion_words.h"
-#include "read/gcode/control/stray_words.h"
-#include "read/gcode/words/g_words.h"
+#include "read/gcode/words/block.h"
 
 namespace clearcut::read::gcode {
 
@@ -59,6 +63,109 @@ void Interpreter::check(const Block& block) const {
       control_.refuse(std::string("axis word ") + letter + "; only the three axes X, Y, Z are read");
     }
   }
+}
+
+namespace {
+
+using Codes = std::vector<int>;
+
+bool any_of(const Codes& said, const Codes& wanted) {
+  return std::any_of(said.begin(), said.end(),
+                     [&](int code) { return std::find(wanted.begin(), wanted.end(), code) != wanted.end(); });
+}
+
+bool is_arc(int motion) {
+  return motion == 20 || motion == 30;
+}
+
+/// LinuxCNC's own words of the user, M100 to M199, may use any.
+bool has_user_word(const Block& block) {
+  return std::any_of(block.m.begin(), block.m.end(), [](int code) { return code >= 1000 && code <= 1990; });
+}
+
+bool is_used_by_motion(char letter, int motion) {
+  switch (letter) {
+    case 'I':
+    case 'J':
+      return is_arc(motion);
+    case 'K':
+      return is_arc(motion) || motion == 330 || motion == 331;
+    case 'R':
+      return is_arc(motion) || is_drill_cycle(motion) || motion == 870 || motion == 880;
+    case 'P':
+      return is_arc(motion) || motion == 820 || motion == 860 || motion == 880 || motion == 890;
+    case 'Q':
+      return motion == 730 || motion == 830;
+    case 'L':
+      return is_drill_cycle(motion) || motion == 870 || motion == 880;
+    default:
+      return false;
+  }
+}
+
+bool is_used_on_linuxcnc(char letter, const Block& block, int motion) {
+  if (has_user_word(block) || any_of(block.g, {50, 51, 52, 760}) || is_used_by_motion(letter, motion))
+    return true;
+  switch (letter) {
+    case 'D':
+      return any_of(block.g, {410, 411, 420, 421, 700, 710, 960});
+    case 'E':
+      return any_of(block.g, {700}) || any_of(block.m, {660, 670, 680});
+    case 'H':
+      return any_of(block.g, {430, 432});
+    case 'L':
+      return any_of(block.g, {100}) || any_of(block.m, {660, 980});
+    case 'P':
+      return any_of(block.g, {40, 100, 640, 700, 710}) ||
+             any_of(block.m, {190, 500, 510, 520, 530, 620, 630, 640, 650, 660, 980});
+    case 'Q':
+      return any_of(block.g, {100, 640, 700, 710}) || any_of(block.m, {190, 610, 660, 670, 680});
+    case 'R':
+      return any_of(block.g, {100, 700, 710}) || any_of(block.m, {190});
+    default:
+      return any_of(block.g, {100, 700, 710});
+  }
+}
+
+bool is_used_on_grbl(char letter, const Block& block, int motion) {
+  if (letter == 'P') return any_of(block.g, {40, 100}) || any_of(block.m, {560});
+  if (letter == 'L') return any_of(block.g, {100});
+  return letter != 'Q' && is_used_by_motion(letter, motion);
+}
+
+/// M words of which LinuxCNC takes one in a block.
+const std::vector<Codes>& groups_of_m() {
+  static const std::vector<Codes> groups{{0, 10, 20, 300, 600}, {30, 40, 50, 190}, {70, 80, 90}, {480, 490}};
+  return groups;
+}
+
+/// What the control stops at, "" if it takes the block.
+std::string stray_word(const Control& control, const Block& block) {
+  const int said = motion_in(block), motion = said >= 0 ? said : control.motion;
+  const bool is_grbl = control.rules.stray_words == StrayWords::kGrbl;
+  for (const char letter : std::string_view("DEHIJKLPQR")) {
+    const bool used =
+        is_grbl ? is_used_on_grbl(letter, block, motion) : is_used_on_linuxcnc(letter, block, motion);
+    if (block.has(letter) && !used) return std::string(1, letter) + " word, which no word of its block uses";
+  }
+  const bool wants_axes = is_drill_cycle(said) || said == 331;
+  if (!is_grbl && wants_axes && !block.has_axis()) return g_word(said) + " without axis words";
+  if (is_grbl) return "";
+  for (const Codes& group : groups_of_m()) {
+    const auto among = [&](int code) { return std::find(group.begin(), group.end(), code) != group.end(); };
+    if (std::count_if(block.m.begin(), block.m.end(), among) > 1) return "two M words of one kind in a block";
+  }
+  return "";
+}
+
+}  // namespace
+
+void note_stray_words(Control& control, const Block& block) {
+  if (control.rules.stray_words == StrayWords::kIgnored) return;
+  const std::string stray = stray_word(control, block);
+  if (stray.empty()) return;
+  control.condition("stray-word", std::string(control.rules.title) + " stops at " + stray +
+                                      "; something is missing there, or too much");
 }
 
 }  // namespace clearcut::read::gcode

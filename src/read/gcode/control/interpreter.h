@@ -1,4 +1,5 @@
-// What each block does to a word-address control.
+// What each block does to a word-address control, and the words at which LinuxCNC and Grbl stop, since no other word
+// of their block uses them.
 #pragma once
 
 #include "read/gcode/control/control.h"
@@ -30,5 +31,9 @@ class Interpreter {
   Control control_;
   ModeWords mode_words_{control_};
 };
+
+/// Called before the block is executed. What such a control stops at becomes the condition `stray-word`: a word lost its G word, or
+/// a G word its axes.
+void note_stray_words(Control& control, const Block& block);
 
 }  // namespace clearcut::read::gcode

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/inch.h"
-#include "base/text/format.h"
+#include "base/text.h"
+#include "base/units.h"
 #include "read/gcode/control/compensation_words.h"
 #include "read/gcode/control/place_words.h"
-#include "read/gcode/motion/dwell.h"
-#include "read/gcode/words/g_words.h"
+#include "read/gcode/motion/cycle.h"
+#include "read/gcode/words/block.h"
 
 namespace clearcut::read::gcode {
 

@@ -1,4 +1,4 @@
-// Motion in the work's frame: lines and arcs.
+// Motion in the work's frame: lines and arcs, and drilling cycles with their words, heights and ways over.
 #pragma once
 
 #include "read/gcode/control/control.h"
@@ -24,6 +24,25 @@ class MotionWords {
   void plan_arc(const Block& block, const ArcShape& shape, double along);
   void upright_arc(const ArcShape& shape, double along);
   ArcShape arc_shape(const Block& block, Vec2 from, Vec2 to);
+
+  Control& control_;
+};
+
+/// Keeps a reference to the control.
+class CannedCycles {
+ public:
+  explicit CannedCycles(Control& control) : control_(control) {}
+
+  /// The holes of one block, in the cycle that is in force.
+  void execute(const Block& block);
+
+ private:
+  Block counted_on(Block block);
+  void check_dwell(const Block& block) const;
+  void set_cycle_words(const Block& block);
+  void set_cycle_heights(Hole& hole);
+  void go_over_hole(const Block& block, const Hole& hole);
+  double repeats(const Block& block) const;
 
   Control& control_;
 };

@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "base/elementary.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/units.h"
-#include "read/gcode/control/circle_words.h"
 #include "read/gcode/control/compensation_words.h"
-#include "read/gcode/words/g_words.h"
+#include "read/gcode/words/block.h"
 
 namespace clearcut::read::gcode {
 

@@ -2,16 +2,15 @@
 // tool goes back; Q206 feed down, Q208 feed up; Q210, Q211 dwells at the top and at the bottom; Q212 by how much each peck is less than the
 // one before, down to Q205; Q213 how often a chip is broken, by Q256, before the drill comes out; Q239 pitch, negative for left-hand threads;
 // Q395 what the depth counts to. (TNC manuals, cycle programming.)
-#include "read/gcode/klartext/hole_cycle.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "read/gcode/klartext/klartext.h"
 #include "read/gcode/klartext/words.h"
-#include "read/gcode/motion/dwell.h"
+#include "read/gcode/motion/cycle.h"
 
 namespace clearcut::read::gcode {
 namespace {

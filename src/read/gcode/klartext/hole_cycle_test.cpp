@@ -1,9 +1,8 @@
 // What Heidenhain's drilling cycles do, move by move.
-#include "read/gcode/klartext/hole_cycle.h"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "read/gcode/klartext/klartext.h"
 #include "read/gcode/test_told_program.h"
 
 namespace clearcut::read::gcode {

@@ -10,16 +10,13 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/inch.h"
-#include "base/text/format.h"
+#include "base/text.h"
+#include "base/units.h"
 #include "read/gcode/control/compensation_words.h"
-#include "read/gcode/klartext/hole_cycle.h"
-#include "read/gcode/klartext/path_words.h"
-#include "read/gcode/klartext/q_parameters.h"
 #include "read/gcode/klartext/words.h"
 #include "read/gcode/motion/arc.h"
-#include "read/gcode/motion/dwell.h"
-#include "read/gcode/program/marker.h"
+#include "read/gcode/motion/cycle.h"
+#include "read/gcode/program/program.h"
 #include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {

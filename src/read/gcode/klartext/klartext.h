@@ -1,12 +1,28 @@
-// Heidenhain conversational programs.
+// Heidenhain conversational programs, and Heidenhain's cycles 200 (drilling), 201 (reaming), 203 (universal
+// drilling), 206 (tapping in a floating holder) and 207 (rigid tapping), made into moves.
 #pragma once
 
+#include <map>
 #include <string_view>
 
 #include "read/gcode/motion/builder.h"
-#include "read/gcode/motion/compensation_values.h"
+#include "read/gcode/motion/compensation.h"
 
 namespace clearcut::read::gcode {
+
+struct HoleCycle {
+  int number = 0;
+  std::map<int, double> parameters;  ///< Q200 to Q395, as they are written; infinite for MAX
+};
+
+bool is_hole_cycle(int number);
+
+/// 3 or 4 as in M3, M4 for rigid tapping, which turns the spindle by itself and leaves it stopped; else 0.
+int turning_of(const HoleCycle& cycle);
+
+/// Makes the hole where the tool stands: at the rapid to the set-up clearance, down, and up again. `unit`: mm in the program's unit.
+/// Throws InputError where a parameter is missing, is none of this cycle's, or asks for what no control does.
+void make_hole(const HoleCycle& cycle, double unit, ToolpathBuilder& builder, int line);
 
 /// Returns whether END PGM or M30 was seen. Throws InputError for blocks that would move the tool in ways
 /// that are not understood.

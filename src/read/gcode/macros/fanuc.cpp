@@ -1,14 +1,13 @@
-#include "read/gcode/macros/fanuc.h"
-
 #include <algorithm>
 #include <cctype>
 #include <map>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "read/gcode/macros/fanuc_variables.h"
-#include "read/gcode/words/g_words.h"
-#include "read/gcode/words/tape_marks.h"
+#include "read/gcode/macros/macro_run.h"
+#include "read/gcode/words/block.h"
+#include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {
 

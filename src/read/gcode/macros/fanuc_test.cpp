@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "read/gcode/macros/computes.h"
+#include "read/gcode/macros/macro_line.h"
 #include "read/gcode/test_told_program.h"
 
 namespace clearcut::read::gcode {

@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 
 namespace clearcut::read::gcode {
 

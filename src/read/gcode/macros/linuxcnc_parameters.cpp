@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/text/format.h"
+#include "base/text.h"
 
 namespace clearcut::read::gcode {
 

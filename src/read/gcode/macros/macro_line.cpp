@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "read/gcode/words/block.h"
 
 namespace clearcut::read::gcode {
 
@@ -156,6 +157,24 @@ void compute_words(const CleanLine& line, std::size_t at, MacroStyle style, Macr
   block.optional = line.is_optional;
   block.delete_level = line.delete_level;
   WordReader(style, store, place, block, words).read(line.text, at);
+}
+
+int first_macro_line(std::string_view text) {
+  BlockReader reader(text, "");
+  Block block;
+  try {
+    while (reader.next(block)) {
+      const bool calls = std::any_of(block.m.begin(), block.m.end(), [&](int m) {
+        return m == 970 || ((m == 980 || m == 990) && block.has('P'));
+      });
+      if (calls || has_g(block, 650)) return block.line;
+    }
+  } catch (const MacroError&) {
+    return block.line;
+  } catch (const InputError&) {
+    return 0;  // told by whoever reads the program
+  }
+  return 0;
 }
 
 }  // namespace clearcut::read::gcode

@@ -1,4 +1,5 @@
-// One line of a program with macros: cleaned of blanks and comments, and its words computed.
+// One line of a program with macros, cleaned of blanks and comments, with its words computed, and whether a program
+// has such lines.
 #pragma once
 
 #include <string>
@@ -46,5 +47,8 @@ struct ArgumentWord {
 /// values leave their word out. `words`: all of them besides, where wanted; then the block takes no word twice, and says nothing.
 void compute_words(const CleanLine& line, std::size_t at, MacroStyle style, MacroStore& store,
                    const std::string& place, Block& block, std::vector<ArgumentWord>* words = nullptr);
+
+/// Line of the first parameter, expression, jump, loop or call of a subprogram in a word-address program; 0: it has none.
+int first_macro_line(std::string_view text);
 
 }  // namespace clearcut::read::gcode

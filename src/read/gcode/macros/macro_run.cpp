@@ -1,8 +1,8 @@
 #include "read/gcode/macros/macro_run.h"
 
 #include "base/error.h"
-#include "base/files/digest.h"
-#include "read/gcode/program/marker.h"
+#include "base/file.h"
+#include "read/gcode/program/program.h"
 #include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {

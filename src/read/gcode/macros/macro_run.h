@@ -1,4 +1,5 @@
-// What runs of programs with macros have in common: their files, how far they may go, who called whom.
+// Runs of programs with macros, of Fanuc's Custom Macro (which Haas took over, and of which Mach has variables and
+// M98) and of LinuxCNC: their files, how far they may go, who called whom.
 #pragma once
 
 #include <memory>
@@ -94,5 +95,15 @@ class MacroRun : protected ProgramRun {
   const DialectRules& rules_;
   bool tape_ended_ = false;  ///< by the % that ends a tape
 };
+
+/// Executes the program as the control does; whether an end word was seen. Throws InputError("file:line", ...) for what the control would
+/// not take, for what nothing states, and where the program does not end in a bounded number of lines.
+bool run_fanuc(std::string_view text, const std::string& file_name, Interpreter& interpreter,
+               ToolpathBuilder& builder, const DialectRules& rules, const ReadControllerOptions& options);
+
+/// Executes the program as the control does; whether an end word was seen. Throws InputError("file:line", ...) for what the control would not take, for
+/// what nothing states, and where the program does not end in a bounded number of lines.
+bool run_linuxcnc(std::string_view text, const std::string& file_name, Interpreter& interpreter,
+                  ToolpathBuilder& builder, const DialectRules& rules, const ReadControllerOptions& options);
 
 }  // namespace clearcut::read::gcode

@@ -5,7 +5,7 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/units.h"
 
 namespace clearcut::read::gcode {

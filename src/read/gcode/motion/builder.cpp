@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 
 namespace clearcut::read::gcode {
 

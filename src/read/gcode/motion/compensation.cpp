@@ -5,7 +5,7 @@
 
 #include "base/elementary.h"
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/tolerances.h"
 #include "base/units.h"
 #include "read/gcode/motion/arc.h"

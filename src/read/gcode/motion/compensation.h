@@ -1,13 +1,23 @@
-// Cutter radius compensation: where a control runs the centre of the tool while a program states the contour (G41, G42, RL, RR).
+// Cutter radius compensation: where a control runs the centre of the tool while a program states the contour (G41,
+// G42, RL, RR), and what the tables of the control hold of tools' radii, as far as it was said.
 #pragma once
 
 #include <cstddef>
+#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/move.h"
 
 namespace clearcut::read::gcode {
+
+struct CompensationValues {
+  std::map<int, double> radii;        ///< mm, by the number of the tool
+  std::optional<double> only_radius;  ///< mm, of the one tool there is, whatever number it is called by
+  std::optional<double> wear;         ///< mm; programs follow the tool's centre, and every D word holds this
+  bool is_stated = false;             ///< somebody said which of the two it is
+};
 
 /// Where the tool's centre runs, seen along the contour.
 enum class CompensationSide : signed char { kRight = -1, kLeft = 1 };

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "base/error.h"
-#include "read/gcode/words/g_words.h"
+#include "read/gcode/words/block.h"
 
 namespace clearcut::read::gcode {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "model/motion_planner.h"
-#include "model/options/controllers.h"
+#include "model/machine.h"
+#include "model/options/post_options.h"
 #include "read/gcode/motion/compensation.h"
 
 namespace clearcut::read::gcode {

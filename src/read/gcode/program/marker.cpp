@@ -1,9 +1,8 @@
-#include "read/gcode/program/marker.h"
-
 #include <charconv>
 #include <string>
 
-#include "base/text/stripped.h"
+#include "base/text.h"
+#include "read/gcode/program/program.h"
 #include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {

@@ -1,10 +1,8 @@
-#include "read/gcode/program/subprogram_files.h"
-
 #include <filesystem>
 #include <system_error>
 
-#include "base/files/file.h"
-#include "base/files/project_entry.h"
+#include "base/file.h"
+#include "read/gcode/program/program.h"
 
 namespace clearcut::read::gcode {
 

@@ -1,15 +1,14 @@
 // Parameters as in Siemens' "Programming Manual, Cycles": RTP return plane, RFP reference plane, SDIS safety distance above it, DP
 // depth (absolute), DPR depth below RFP, DTB dwell at the bottom.
-#include "read/gcode/sinumerik/cycles.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
 
-#include "base/inch.h"
-#include "base/text/format.h"
-#include "read/gcode/motion/dwell.h"
+#include "base/text.h"
+#include "base/units.h"
+#include "read/gcode/motion/cycle.h"
+#include "read/gcode/sinumerik/words.h"
 
 namespace clearcut::read::gcode {
 namespace {

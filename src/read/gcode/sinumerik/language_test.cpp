@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <map>
 
-#include "base/files/file.h"
+#include "base/file.h"
 #include "base/random.h"
 #include "read/gcode/sinumerik/words.h"
 #include "read/gcode/test_told_program.h"

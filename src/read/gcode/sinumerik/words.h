@@ -1,10 +1,13 @@
-// Words of a Sinumerik program: addresses of several letters, values behind '=', calls with arguments.
+// Words of a Sinumerik program, addresses of several letters, values behind '=', calls with arguments, and its cycles
+// for holes, made into moves.
 #pragma once
 
 #include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "read/gcode/control/control.h"
 
 namespace clearcut::read::gcode {
 
@@ -43,5 +46,14 @@ int first_language_line(std::string_view text);
 
 /// Whether a program has words that no other control reads: calls of cycles, G700 and G710, words of several letters with '='.
 bool is_sinumerik(std::string_view text);
+
+/// CYCLE81 to CYCLE85, CYCLE89 and CYCLE840.
+bool is_sinumerik_hole(const std::string& name);
+
+/// Refuses a call that cannot be understood, when it is met and not first at a hole.
+void check_sinumerik_hole(Control& control, const SinumerikWord& call);
+
+/// The hole where the tool stands: down to where feeding begins, to the bottom as the cycle says, and up to the return plane.
+void make_sinumerik_hole(Control& control, const SinumerikWord& call);
 
 }  // namespace clearcut::read::gcode

@@ -1,5 +1,3 @@
-#include "read/gcode/words/feed_word.h"
-
 #include <fmt/format.h>
 
 #include <cctype>

@@ -1,8 +1,7 @@
-#include "read/gcode/words/feed_word.h"
-
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {
 namespace {

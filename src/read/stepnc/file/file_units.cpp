@@ -1,5 +1,3 @@
-#include "read/stepnc/file/file_units.h"
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -7,7 +5,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
+#include "read/stepnc/file/entity_list.h"
 
 namespace clearcut::read::stepnc {
 namespace {

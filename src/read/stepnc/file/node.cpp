@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/units.h"
-#include "read/common/units.h"
+#include "read/common/text.h"
 
 namespace clearcut::read::stepnc {
 

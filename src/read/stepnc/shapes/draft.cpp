@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "base/elementary.h"
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/tolerances.h"
 #include "read/stepnc/file/entity_list.h"
-#include "read/stepnc/shapes/fillet.h"
+#include "read/stepnc/shapes/curve.h"
 
 namespace clearcut::read::stepnc {
 

@@ -13,10 +13,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/text/format.h"
+#include "base/text.h"
 #include "base/tolerances.h"
 #include "geometry/contours/boolean.h"
-#include "geometry/rectangle.h"
+#include "geometry/region.h"
 #include "read/repair/edge_index.h"
 #include "read/repair/repair.h"
 
