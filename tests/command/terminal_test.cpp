@@ -313,8 +313,11 @@ TEST(Progress, OfBatchesAndStudiesCountsWhatIsDone) {
 /// While one strategy takes its time, what is left falls; it grew by as much as all that are to come.
 TEST(Progress, OfAComparisonFallsWhileNothingEnds) {
   const ScratchFolder folder;
+  const std::string part = R"({"name": "wide", "units": "mm",
+    "outer": [[0,0,0.1],[130,0,0.2],[130,100,0.1],[0,100,0.3]], "islands": [[[70,50,1],[50,50,1]]],
+    "top": 0, "depth": 5})";
   const std::string shown =
-      on_terminal({"compare", folder.file("large.json", long_part()), "--tool", "endmill:6"}, {}).shown;
+      on_terminal({"compare", folder.file("wide.json", part), "--tool", "endmill:6"}, {}).shown;
   const std::regex line("([0-9]+) of [0-9]+ strategies done, about ([0-9]+) s left");
   int done = 0, left = 0, count = 0;
   for (std::sregex_iterator at(shown.begin(), shown.end(), line), end; at != end; ++at, ++count) {
