@@ -54,7 +54,7 @@ struct CertificateInfo {
   std::vector<ContourLevels> contours = {};                 ///< with the coefficients of published methods
   std::optional<kinematics::PublishedTime> published = {};  ///< CPO-rho eq. 9; absent: not asked
   std::optional<CertificateProof> proof = {};
-  std::optional<Margin> margin = {};  ///< absent: not asked
+  std::optional<Margin> margin = {};      ///< absent: not asked
   std::optional<CopiesMade> copies = {};  ///< absent: one part
   /// What the lower bounds of the workingsteps are added up from.
   std::vector<StepLengthBound> length_bounds = {};
