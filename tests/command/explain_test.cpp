@@ -94,7 +94,8 @@ TEST(JobStrategy, ThatIsNoneIsRefusedInOneLine) {
 }
 
 /// Arguments of the command, not of a plan.
-const std::set<std::string> kNotOfJobs{"--earlier-setup", "--explain", "--help", "--quiet", "--setup"};
+const std::set<std::string> kNotOfJobs{"--animation", "--earlier-setup", "--explain",
+                                       "--help",      "--quiet",         "--setup"};
 
 TEST(JobKeys, AreThereForEveryOptionOfPlan) {
   const ScratchFolder folder;

@@ -108,7 +108,8 @@ TEST(Witness, OfTheFishheadHasAllFeaturesAndBothTools) {
   EXPECT_THAT(checked.out, HasSubstr("proven for T4, a flat cutter of diameter 40.0 mm"));
   EXPECT_THAT(checked.out, HasSubstr("feature 9 (PLANAR_FACE4) all of it"));
   EXPECT_THAT(checked.out, Not(HasSubstr("not proven")));
-  EXPECT_LT(fs::file_size(witness), 200'000);
+  // By contours 195 kB; the covers of the faces, which turn more often, need more tiles. 2 MB packed are allowed.
+  EXPECT_LT(fs::file_size(witness), 400'000);
 }
 
 /// Two drilled holes and a pocket with another tool.
