@@ -10,6 +10,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "base/tolerances.h"
@@ -208,7 +209,7 @@ Places places_of(const CopiesQuestion& question, const Box& own) {
 
 /// mm; the last decimal of a program's coordinates.
 double printed_step(const PostOptions& post) {
-  return std::pow(10.0, -post::decimals_of(post)) * (post.inch ? kMmPerInch : 1);
+  return base::pow(10.0, -post::decimals_of(post)) * (post.inch ? kMmPerInch : 1);
 }
 
 /// The block is the sheet, as thick as the part's own; where that is not stated, as deep as is cut.
