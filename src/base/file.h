@@ -1,5 +1,5 @@
-// Files read whole and written all or nothing: their names, the files behind links, and files within a project file,
-// which is one JSON file that holds a part, the files that it names, and what is asked of it. SHA-256, by OpenSSL.
+// Files read whole and written all or nothing: their names, the files behind links, and files within a project file. A
+// project file is one JSON file with a part, the files named by the part, and the options of a plan. SHA-256, by OpenSSL.
 #pragma once
 
 #include <filesystem>

@@ -27,10 +27,12 @@ std::array<Vec2, 4> places_beside(const Box& stock, double apart, Vec2 p) {
 }  // namespace
 
 bool AccessPaths::is_clear(std::size_t item, Vec2 a, Vec2 b) const {
+  return is_free(item, Edge::line(a, b)) && layer(item).legal().holds_line(a, b);
+}
+
+bool AccessPaths::is_free(std::size_t item, const Edge& path) const {
   const std::size_t at = work_.items()[item].layer;
-  const Edge path = Edge::line(a, b);
-  return progress_.clear_above(at, path.box()) && cleared_.is_clear(at, path) &&
-         layer(item).legal().holds_line(a, b);
+  return progress_.clear_above(at, path.box()) && cleared_.is_clear(at, path);
 }
 
 bool AccessPaths::in_air(Vec2 p) const {
@@ -118,12 +120,10 @@ std::optional<Path> AccessPaths::path_round(Vec2 from, Vec2 to, std::size_t item
   auto path = where.routes().between(from, to);
   if (!path || path->empty()) return std::nullopt;
   while (path->size() > 1 && in_air(path->front().to)) path->erase(path->begin());
-  const auto is_free = [&](const Edge& edge) {
-    return (edge.is_arc() || where.legal().holds_line(edge.from, edge.to)) &&
-           progress_.clear_above(work_.items()[item].layer, edge.box()) &&
-           cleared_.is_clear(work_.items()[item].layer, edge);
+  const auto may_be_run = [&](const Edge& edge) {
+    return (edge.is_arc() || where.legal().holds_line(edge.from, edge.to)) && is_free(item, edge);
   };
-  if (!std::all_of(path->begin(), path->end(), is_free)) return std::nullopt;
+  if (!std::all_of(path->begin(), path->end(), may_be_run)) return std::nullopt;
   return path;
 }
 
@@ -131,6 +131,7 @@ std::optional<Path> AccessPaths::to(Vec2 p, std::size_t item) const {
   if (const auto air = air_before(p, item)) return *air == p ? Path{} : Path{Edge::line(*air, p)};
   if (const auto beside = cleared_before(p, item))
     return *beside == p ? Path{} : Path{Edge::line(*beside, p)};
+  if (!cleared_.is_clear(work_.items()[item].layer, Edge::line(p, p))) return std::nullopt;
   std::vector<Vec2> outs;
   for (const PredrilledHole& hole : options_.predrilled) {
     if (in_air(hole.center)) outs.push_back(hole.center);
@@ -138,9 +139,9 @@ std::optional<Path> AccessPaths::to(Vec2 p, std::size_t item) const {
   if (options_.stock && layer(item).open()) {
     for (const Vec2 out : places_beside(*options_.stock, beside_stock(), p)) outs.push_back(out);
   }
-  std::sort(outs.begin(), outs.end(), [&](Vec2 a, Vec2 b) { return distance(a, p) < distance(b, p); });
+  // The nearest first: places farther away than a path that was found are not asked.
+  std::stable_sort(outs.begin(), outs.end(), [&](Vec2 a, Vec2 b) { return distance(a, p) < distance(b, p); });
   std::optional<Path> best;
-  if (!cleared_.is_clear(work_.items()[item].layer, Edge::line(p, p))) return best;
   double longest = options_.may_plunge
                        ? kLongestAccess * options_.lead_feed.value_or(options_.feed).mm_per_s()
                        : std::numeric_limits<double>::infinity();

@@ -39,6 +39,8 @@ class AccessPaths {
   std::optional<PassStart> start_on_access_path(const PassStart& start, std::size_t item) const;
 
  private:
+  /// Whether no material of higher layers, or beside open sides, is in the way along `path` at the depth of the pass.
+  bool is_free(std::size_t item, const Edge& path) const;
   const LayerWork& layer(std::size_t item) const { return work_.layer_of(item); }
   std::optional<Vec2> hole_before(Vec2 p, std::size_t item) const;
   std::optional<Path> path_round(Vec2 from, Vec2 to, std::size_t item) const;

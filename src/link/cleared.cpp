@@ -27,8 +27,6 @@ Cleared::Cleared(const Work& work, const LinkOptions& options)
   for (std::size_t i = 0; i < work.layer_count(); ++i) wanted_ = wanted_ || may_stand(i);
 }
 
-/// Whether material higher than the top of the layer may stand beside its target. Above the first layer earlier
-/// sections have cleared what they had to.
 bool Cleared::may_stand(std::size_t layer) const {
   return layer > 0 && work_.layer(layer).reaches_beside();
 }
@@ -44,10 +42,13 @@ void Cleared::add(const MoveList& moves) {
     const Move& move = moves.all()[moves_added_];
     if (is_rapid(move.kind)) continue;
     const double z = move.is_vertical() ? move.z_to : std::max(move.z_from, move.z_to);
-    const int pieces = move.path.is_arc() ? 1 : 1 + static_cast<int>(move.path.length() / (kPiece * reach));
-    for (int k = 0; k < pieces && pieces > 1; ++k)
-      keep(Edge::line(move.path.at(static_cast<double>(k) / pieces), move.path.at((k + 1.0) / pieces)), z);
-    if (pieces == 1) keep(move.path, z);
+    const int pieces = 1 + static_cast<int>(move.path.length() / (kPiece * reach));
+    if (move.path.is_arc() || pieces == 1) {
+      keep(move.path, z);
+      continue;
+    }
+    for (int k = 0; k < pieces; ++k)
+      keep(move.path.part(static_cast<double>(k) / pieces, (k + 1.0) / pieces), z);
   }
 }
 

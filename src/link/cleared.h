@@ -27,8 +27,11 @@ class Cleared {
   /// Cost  O(length / radius) queries of the target and of the moves nearby; none in closed pockets.
   bool is_clear(std::size_t layer, const Edge& path) const;
 
- private:
+  /// Whether material higher than the top of the layer may stand beside its target. Above the first layer earlier
+  /// sections have cleared what they had to.
   bool may_stand(std::size_t layer) const;
+
+ private:
   bool holds(std::size_t layer, Vec2 p) const;
 
   struct Swept {

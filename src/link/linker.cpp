@@ -309,7 +309,7 @@ void Linker::go_over(Vec2 p, std::size_t item) {
 /// in the legal area.
 Entry Linker::entry_into(const EntryPlace& place, std::size_t item) const {
   const std::size_t at = work_.items()[item].layer;
-  if (at > 0 && layer(item).reaches_beside()) {
+  if (cleared_.may_stand(at)) {
     Entry entry = entry_at(place, work_.layer(at - 1).within_target(), options_);
     if (entry.kind != EntryKind::kPlunge) return entry;
   }

@@ -96,18 +96,20 @@ const Regions& LayerWork::within_target() const {
 }
 
 bool LayerWork::reaches_beside() const {
-  if (reaches_beside_) return *reaches_beside_;
-  reaches_beside_ = open_;
-  // The legal area lies to the left of its edges.
-  const double reach = tool_radius_ - kSpare;
-  for (const Region& region : layer_->legal) {
-    for (const Edge& edge : region.edges()) {
-      if (*reaches_beside_) return true;
-      for (const double t : {0.0, 0.5, 1.0}) {
-        const Vec2 beyond = edge.at(t) - left_of(edge.tangent_at(t)) * reach;
-        *reaches_beside_ = *reaches_beside_ || !target_area().contains(beyond);
-      }
-    }
+  if (!reaches_beside_) {
+    // The legal area lies to the left of its edges.
+    const double reach = tool_radius_ - kSpare;
+    const auto leads_beside = [&](const Edge& edge) {
+      constexpr double kLookedAt[] = {0, 0.5, 1};
+      return std::any_of(std::begin(kLookedAt), std::end(kLookedAt), [&](double t) {
+        return !target_area().contains(edge.at(t) - left_of(edge.tangent_at(t)) * reach);
+      });
+    };
+    reaches_beside_ =
+        open_ || std::any_of(layer_->legal.begin(), layer_->legal.end(), [&](const Region& region) {
+          const std::vector<Edge> edges = region.edges();
+          return std::any_of(edges.begin(), edges.end(), leads_beside);
+        });
   }
   return *reaches_beside_;
 }

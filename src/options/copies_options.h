@@ -19,6 +19,8 @@ struct CopiesOptions {
 
   /// Whether copies are asked for.
   bool any() const { return grid.has_value() || sheet.has_value(); }
+  /// The option that asks for them.
+  const char* name() const { return grid ? "--copies" : "--nest"; }
 };
 
 /// More than that is no sheet of parts but a mistyped number.

@@ -395,8 +395,7 @@ CheckResult check_text_alone(const std::optional<Stock>& stock, const ProgramTex
                              const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first) {
   const std::string& program_name = text.name;
   require_copies(options.copies);
-  if (options.copies.any())
-    throw InputError(options.copies.grid ? "--copies" : "--nest", "needs --part: copies are of a part");
+  if (options.copies.any()) throw InputError(options.copies.name(), "needs --part: copies are of a part");
   auto read = read_program(text, options, options.tools, stock ? stock->z_top : top.value_or(0),
                            text.names_no_tools() ? as_given(options.tools) : HandTools{});
   require_moves(read.toolpath, program_name);

@@ -204,7 +204,7 @@ std::vector<PlannedSetup> planned_setups(const PlanCommand& command, int count) 
     const Part part = arguments.read();
     one.options = arguments.options();
     if (one.options.copies.any())
-      throw InputError(one.options.copies.grid ? "--copies" : "--nest",
+      throw InputError(one.options.copies.name(),
                        "is for a part in one set-up; take one set-up with --setup");
     one.result = planned(one.command, part, one.options);
     setups.push_back(std::move(one));

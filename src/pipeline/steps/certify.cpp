@@ -354,33 +354,47 @@ void name_blending_bound(Findings& findings, const ResolvedPlan& plan) {
   }
 }
 
-/// Of the moves of that line the one that comes nearest to the place, counted over all sections; none where no move has that line.
-std::optional<std::size_t> move_at(const Place& place, const Toolpath& toolpath) {
-  std::optional<std::size_t> found;
-  double least = 0;
+/// A move, counted over all sections, and the distance, mm, by which it misses a place.
+struct NearMove {
+  std::size_t move = 0;
+  double beside = 0;
+};
+
+double distance_from(const Move& move, const Place& place) {
+  const double low = std::min(move.z_from, move.z_to), high = std::max(move.z_from, move.z_to);
+  const Vec2 near = move.is_vertical() ? move.path.from : nearest_point(move.path, place.point);
+  return distance(near, place.point) + std::abs(place.z - std::clamp(place.z, low, high));
+}
+
+/// For each fault the move of its line that comes nearest to its place; none where no move has that line. One pass over
+/// the moves for all faults.
+std::vector<std::optional<NearMove>> moves_of(const std::vector<Fault>& faults, const Toolpath& toolpath) {
+  std::multimap<int, std::size_t> by_line;
+  for (std::size_t i = 0; i < faults.size(); ++i)
+    if (faults[i].at.line > 0) by_line.emplace(faults[i].at.line, i);
+  std::vector<std::optional<NearMove>> nearest(faults.size());
   std::size_t index = 0;
-  for (const Section& section : toolpath.sections)
+  for (const Section& section : toolpath.sections) {
     for (const Move& move : section.moves) {
-      const std::size_t own = index++;
-      if (move.line != place.line) continue;
-      const double low = std::min(move.z_from, move.z_to), high = std::max(move.z_from, move.z_to);
-      const Vec2 near = move.is_vertical() ? move.path.from : nearest_point(move.path, place.point);
-      const double beside = distance(near, place.point) + std::abs(place.z - std::clamp(place.z, low, high));
-      if (found && beside >= least) continue;
-      found = own;
-      least = beside;
+      const auto [first, last] = by_line.equal_range(move.line);
+      for (auto at = first; at != last; ++at) {
+        std::optional<NearMove>& known = nearest[at->second];
+        const double beside = distance_from(move, faults[at->second].at);
+        if (!known || beside < known->beside) known = NearMove{index, beside};
+      }
+      ++index;
     }
-  return found;
+  }
+  return nearest;
 }
 
 /// Faults of moves within subprograms say which line of which file makes them, and who called it.
 void tell_calls(Findings& findings, const Toolpath& toolpath, const ControlTable& control) {
   if (control.calls.empty()) return;
-  for (Fault& fault : findings.faults) {
-    if (fault.at.line <= 0) continue;
-    const std::optional<std::size_t> move = move_at(fault.at, toolpath);
-    const std::string* const calls = move ? control.calls_at(*move) : nullptr;
-    if (calls) fault.text += " (" + *calls + ")";
+  const auto nearest = moves_of(findings.faults, toolpath);
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
+    const std::string* const calls = nearest[i] ? control.calls_at(nearest[i]->move) : nullptr;
+    if (calls) findings.faults[i].text += " (" + *calls + ")";
   }
 }
 

@@ -16,10 +16,7 @@ namespace {
 constexpr double kTouching = 0.01;
 
 Regions plan_of(const KeepOut& block) {
-  const Box& box = block.plan;
-  return {Region::from_valid_loops(
-      loop_from_points(std::vector<Vec2>{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}),
-      {})};
+  return {Region::from_valid_loops(rectangle(block.plan), {})};
 }
 
 /// Whether a cutter at the floor of the feature may meet the block: its shank reaches up beside the block.

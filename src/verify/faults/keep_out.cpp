@@ -52,10 +52,6 @@ double depth_in(const KeepOut& block, const CheckedMove& checked, double radius,
   return path ? radius - distance_of(*path, block.plan) : 0;
 }
 
-}  // namespace
-
-namespace {
-
 /// mm; top of the highest clamp.
 double highest_of(const Part& part) {
   double top = -std::numeric_limits<double>::infinity();

@@ -60,7 +60,7 @@ class ToolpathBuilder {
   void say_spindle() { control_.spindle_said = true; }
   void say_speed() { control_.speed_said = true; }
   void say_units(bool inch, int line);
-  /// The line of a subprogram that the moves which follow come from, with the calls that led there; "": none.
+  /// The line of a subprogram from which the next moves come, with the calls that led to this line; "": none.
   void set_calls(const std::string& text);
 
   void rapid(const Target& target, int line);
