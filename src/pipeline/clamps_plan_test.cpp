@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -56,10 +57,10 @@ TEST(Clamps, OnWhatIsToBeCutAreRefused) {
   }
 }
 
-/// More of them with CLEARCUT_RANDOM_PARTS.
+/// More of them with CLEARCUT_RANDOM_PARTS, never fewer: some of the first are refused.
 TEST(Clamps, BesideRandomFacesAndPocketsAreNotTouched) {
   const char* const asked = std::getenv("CLEARCUT_RANDOM_PARTS");
-  const int count = asked != nullptr ? std::atoi(asked) : 10;
+  const int count = std::max(10, asked != nullptr ? std::atoi(asked) : 0);
   int planned = 0;
   for (int round = 0; round < count; ++round) {
     std::mt19937 random(static_cast<unsigned>(round));
