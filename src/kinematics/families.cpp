@@ -15,10 +15,15 @@ namespace {
 /// Blocks; one of the 16 is always being filled.
 constexpr std::size_t kGrblBlocks = 15;
 
+/// mm; shorter chords are no step of any axis: the control leaves them out.
+constexpr double kGrblStepMm = 0.001;
+
 std::size_t grbl_chords(const Leg& leg, const Machine& machine) {
   const double r = leg.move->path.radius(), e = machine.arc_tolerance;
   if (2 * r <= e) return 1;
-  return static_cast<std::size_t>(std::abs(leg.move->path.sweep()) * r / 2 / std::sqrt(e * (2 * r - e)));
+  // Without a bound for arcs whose diameter is just above the tolerance.
+  const double by_tolerance = std::abs(leg.move->path.sweep()) * r / 2 / std::sqrt(e * (2 * r - e));
+  return static_cast<std::size_t>(std::min(by_tolerance, leg.plan / kGrblStepMm));
 }
 
 }  // namespace

@@ -114,6 +114,13 @@ TEST(Planner, GrblRunsArcsAsChords) {
   EXPECT_GT(seconds(moves, kStop, MotionPlanner::kMach), trapezoid(100 + 2 * kPi, 50, 500) + 0.1);
 }
 
+TEST(Planner, GrblRunsArcsAsWideAsItsToleranceInFewSteps) {
+  // The number of chords by the tolerance has a pole where the diameter is the tolerance.
+  const double r = std::nextafter(Machine{}.arc_tolerance / 2, 1);
+  const std::vector<Move> moves{cut({-1, -r}, {0, -r}, 3000), cut_arc({0, -r}, {0, r}, {0, 0}, 3000)};
+  EXPECT_NEAR(seconds(moves, kExact, MotionPlanner::kGrbl), trapezoid(1, 50, 500), 1e-2);
+}
+
 TEST(Planner, GrblSeesNoMoreThanItsBlocks) {
   // 16 blocks of 0.01 mm let it stop from no more than 12 mm/s.
   std::vector<Move> moves;

@@ -27,6 +27,9 @@ constexpr double kMargin = 0.0003;
 /// Share of the fit tolerance by which the clearance on a fit line may fall short; the rest is kept for rounding in a
 /// program.
 constexpr double kFitShare = 0.9;
+/// The same where stock is kept for coarse digits: these take up more of the smallest gouge. What counts as reachable (the fit
+/// tolerance's half) is still reached, with the noise of the grid.
+constexpr double kCoarseFitShare = 0.6;
 /// Dead ends of fit lines shorter than this many times the fit tolerance are corners, not slots.
 constexpr double kStubFactor = 100;
 
@@ -202,7 +205,7 @@ std::vector<Regions> Clearance::insets(const std::vector<double>& ascending) con
 }
 
 std::vector<Path> Clearance::fit_lines(double d, double reserve) const {
-  const double least = d - reserve - kFitShare * impl_->tol.fit;
+  const double least = d - reserve - (reserve > 0 ? kCoarseFitShare : kFitShare) * impl_->tol.fit;
   auto lines = voronoi::fit_lines(impl_->axis, impl_->diagram, {least, d - reserve, d + kMargin},
                                   kStubFactor * impl_->tol.fit);
   for (Path& line : lines) {

@@ -55,7 +55,7 @@ class Clearance {
   /// Open or closed curves on which a cutter of radius d just fits: parts of the medial axis with clearance d within
   /// tol.fit, outside all regions of inset(d). A place where the cutter just fits but cannot move (a hole of its own
   /// diameter) is a path of one edge with from == to. `reserve` (mm): part of d by which the clearance there may fall
-  /// short.
+  /// short; where there is one, a smaller share of tol.fit may be missing.
   std::vector<Path> fit_lines(double d, double reserve = 0) const;
 
   const MedialAxis& axis() const;
