@@ -49,7 +49,10 @@ bool retry_unclean(Selection& selection, const ResolvedPlan& plan, PlanResult& r
     const StrategyCandidate& next = selection.candidate(i);
     result.part.diagnostics.note(
         feature.name, "was not certified clean at first and is planned again: " + next.strategy->name +
-                          (next.stepover.is_given() ? ", stepover " + next.stepover.text : ""));
+                          (next.stepover.is_given() ? ", stepover " + next.stepover.text : "") +
+                          (next.limit_share < 1 ? fmt::format(", aiming at {} of the limit of engagement",
+                                                              trimmed(next.limit_share, 2))
+                                                : ""));
     retried = true;
   }
   return retried;

@@ -97,12 +97,40 @@ std::string description_of(const std::string& strategy, const StrategyTable& tab
 
 Strategy strategy_for(const StrategyCandidate& candidate, const ResolvedStep& step,
                       const ResolvedPlan& plan) {
-  return candidate.strategy->make({step, plan, candidate.stepover, candidate.briefly});
+  const auto made = [&](const ResolvedPlan& of) {
+    return candidate.strategy->make({step, of, candidate.stepover, candidate.briefly});
+  };
+  if (candidate.limit_share == 1 || !plan.engagement_deg) return made(plan);
+  ResolvedPlan narrower = plan;
+  *narrower.engagement_deg *= candidate.limit_share;
+  return made(narrower);
 }
+
+namespace {
+
+/// Shares of a stated limit of engagement at which cuts aim where no plan that aims at the limit was certified clean: single rests are
+/// cut beyond it, and lie elsewhere then.
+constexpr double kLimitShares[] = {0.9, 0.8, 0.65};
+
+std::vector<StrategyCandidate> fallbacks_within(const StrategyEntry& strategy, const Stepover& stepover) {
+  std::vector<StrategyCandidate> fallbacks;
+  for (const double share : kLimitShares) {
+    fallbacks.push_back(candidate_of(strategy, stepover));
+    fallbacks.back().limit_share = share;
+  }
+  return fallbacks;
+}
+
+}  // namespace
 
 StrategyCandidates candidates_for(const ResolvedStep& step, const ResolvedPlan& plan,
                                   const StrategyTable& table) {
-  if (step.strategy) return candidates_of(*step.strategy, step.stepover);
+  if (step.strategy) {
+    StrategyCandidates stated = candidates_of(*step.strategy, step.stepover);
+    if (plan.engagement_deg && step.strategy->limits_engagement)
+      stated.fallbacks = fallbacks_within(*step.strategy, step.stepover);
+    return stated;
+  }
   StrategyCandidates candidates;
   for (const bool first : {true, false}) {
     for (const StrategyEntry& entry : table.entries()) {
@@ -112,6 +140,12 @@ StrategyCandidates candidates_for(const ResolvedStep& step, const ResolvedPlan& 
   }
   for (const StrategyEntry& entry : table.entries()) {
     if (!is_usable(entry, step)) continue;
+    if (plan.engagement_deg) {  // the others begin with a slot
+      if (!entry.limits_engagement) continue;
+      for (const StrategyCandidate& one : fallbacks_within(entry, step.stepover))
+        candidates.fallbacks.push_back(one);
+      continue;
+    }
     for (const std::string& stepover : entry.fallbacks)
       candidates.fallbacks.push_back({&entry, stepover.empty() ? step.stepover : Stepover{stepover}});
   }

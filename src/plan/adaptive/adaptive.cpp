@@ -51,6 +51,30 @@ bool has_open_side(const Layer& layer) {
   return !reach.contains(allowed.min) || !reach.contains(allowed.max);
 }
 
+/// Greatest engagement that cuts from open sides aim at: with the centre inside of the edge, on which wider cuts run, they leave
+/// material behind them on the open side.
+const Radians kMostFromOutside = Radians::of_degrees(90);
+
+/// A layer as its cuts are planned.
+struct CutLayer {
+  Layer layer;
+  bool open = false;        ///< beside stock: cuts come in from outside
+  double floor_radius = 0;  ///< mm; of the flat part of the cutter's end
+  double limit = 0;         ///< radians; the engagement that cuts aim at
+};
+
+/// Beside open sides the material has not been cut before, so that a cutter with rounded corners meets its edge with its whole radius:
+/// cuts are planned with that. In closed areas the flat part of its end meets what earlier cuts have left on the floor.
+CutLayer cut_layer(const Layer& layer, Radians engagement) {
+  CutLayer cut{layer, layer.stock && has_open_side(layer), layer.tool_radius,
+               engagement.radians() - EngagementTolerance::kMargin};
+  if (!cut.open) return cut;
+  cut.layer.tool_radius += layer.rounded;
+  cut.layer.wall_stock -= layer.rounded;
+  cut.limit = std::min(cut.limit, kMostFromOutside.radians());
+  return cut;
+}
+
 /// Where the cutter may be, without what lies far beyond open sides, where it would cut air.
 Regions area_near_target(const Layer& layer, const Tolerances& tol) {
   if (!has_open_side(layer)) return layer.allowed;
@@ -81,27 +105,28 @@ enum class Retracts {
 class AdaptivePlanner {
  public:
   AdaptivePlanner(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
-                  const Layer& layer, double limit, const AdaptiveOptions& options, Retracts retracts)
+                  const CutLayer& cut, const AdaptiveOptions& options, Retracts retracts)
       : legal_(legal),
-        front_(front_area(legal, layer.tool_radius, limit)),
-        radius_(layer.tool_radius),
-        limit_(limit),
+        front_(front_area(legal, cut.layer.tool_radius, cut.limit)),
+        radius_(cut.layer.tool_radius),
+        limit_(cut.limit),
         entry_circle_(std::min(kEntryCircle * radius_, options.widest_helix.value_or(kNoLimit) / 2)),
-        remaining_({legal}, radius_, layer.stock),
+        remaining_({legal}, radius_, cut.layer.stock),
         clock_(options.clock),
-        links_(clearance.axis(), layer.tool_radius + layer.wall_stock, 2 * radius_),
+        links_(clearance.axis(), radius_ + cut.layer.wall_stock, 2 * radius_),
         path_(remaining_, links_),
         pictures_(options.pictures, legal, path_),
-        finder_(front_, clearance, remaining_, layer, limit, options.start),
+        finder_(front_, clearance, remaining_, cut.layer, limit_, options.start),
         clearing_(remaining_, path_,
-                  {front_, legal, RadiusShares::kWallPitch * radius_, residual_between_cuts(radius_, limit)},
-                  inner.clearing, limit, {RadiusShares::kAir * radius_, 0}),
-        finish_(remaining_, path_, legal, inner.finishing, layer.target, limit, options.clock),
-        open_(layer.stock && has_open_side(layer)),
+                  {front_, legal, RadiusShares::kWallPitch * radius_, residual_between_cuts(radius_, limit_)},
+                  inner.clearing, limit_, {RadiusShares::kAir * radius_, 0}),
+        finish_(remaining_, path_,
+                {legal, inner.finishing, cut.layer.target, limit_, cut.floor_radius, options.clock}),
+        open_(cut.open),
         retracts_(retracts),
         cancel_(options.cancel) {
     leave_corners();
-    for (const PredrilledHole& hole : layer.holes) remaining_.remove_disc(hole.center, hole.diameter / 2);
+    for (const PredrilledHole& hole : cut.layer.holes) remaining_.remove_disc(hole.center, hole.diameter / 2);
     uncut_ = remaining_.cuts();
   }
 
@@ -286,9 +311,9 @@ class AdaptivePlanner {
 
 /// Plans with few retracts and, if that leaves more than kFewRests rests, again with any number of them.
 std::vector<Pass> passes_of(const Region& legal, const InnerAreas& inner, const Clearance& clearance,
-                            const Layer& layer, double limit, const AdaptiveOptions& options) {
+                            const CutLayer& cut, const AdaptiveOptions& options) {
   for (const Retracts retracts : {Retracts::kFew, Retracts::kAny}) {
-    auto passes = AdaptivePlanner(legal, inner, clearance, layer, limit, options, retracts).plan();
+    auto passes = AdaptivePlanner(legal, inner, clearance, cut, options, retracts).plan();
     if (passes) return std::move(*passes);
   }
   return {};
@@ -307,15 +332,15 @@ void add_passes(LayerPasses& result, std::vector<Pass> passes) {
 }
 
 /// For each region of `legal`, the areas where traced cuts may run.
-std::vector<InnerAreas> inner_areas(const Regions& legal, const Clearance& clearance, const Layer& layer,
-                                    double limit) {
+std::vector<InnerAreas> inner_areas(const Regions& legal, const Clearance& clearance, const CutLayer& cut) {
   std::vector<InnerAreas> areas(legal.size());
-  for (const Region& region : clearance.inset(layer.tool_radius * (1 + kKeepOff) + layer.wall_stock)) {
+  for (const Region& region :
+       clearance.inset(cut.layer.tool_radius * (1 + kKeepOff) + cut.layer.wall_stock)) {
     const Vec2 p = region.outer().front().from;
     const auto in = std::find_if(legal.begin(), legal.end(), [&](const Region& r) { return r.contains(p); });
     if (in == legal.end()) continue;
     InnerAreas& inner = areas[static_cast<std::size_t>(in - legal.begin())];
-    inner.clearing.push_back(front_area(region, layer.tool_radius, limit));
+    inner.clearing.push_back(front_area(region, cut.layer.tool_radius, cut.limit));
     inner.finishing.push_back(region);
   }
   return areas;
@@ -342,13 +367,13 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
   result.target = layer.target;
   result.strategy = "adaptive";
   const double first = layer.tool_radius + layer.wall_stock;
-  const double limit = options.engagement.radians() - EngagementTolerance::kMargin;
-  for (const auto& region : area_near_target(layer, tol)) {
+  const CutLayer cut = cut_layer(layer, options.engagement);
+  for (const auto& region : area_near_target(cut.layer, tol)) {
     const Clearance clearance(region, tol);
     auto legal = clearance.inset(first);
-    const auto inner = inner_areas(legal, clearance, layer, limit);
+    const auto inner = inner_areas(legal, clearance, cut);
     for (std::size_t i = 0; i < legal.size(); ++i) {
-      add_passes(result, passes_of(legal[i], inner[i], clearance, layer, limit, options));
+      add_passes(result, passes_of(legal[i], inner[i], clearance, cut, options));
       result.legal.push_back(std::move(legal[i]));
     }
     add_fit_lines(result, clearance.fit_lines(first, layer.reserve));

@@ -43,17 +43,16 @@ constexpr double kBeyondEnd = 0.2;
 
 }  // namespace
 
-AdaptiveFinish::AdaptiveFinish(RemainingStock& remaining, ClearingPath& path, const Region& legal,
-                               const Regions& area, const Regions& target, double limit,
-                               const MachineClock& clock)
+AdaptiveFinish::AdaptiveFinish(RemainingStock& remaining, ClearingPath& path, const FinishTask& task)
     : remaining_(remaining),
       path_(path),
-      legal_(legal),
-      target_(target),
+      legal_(task.legal),
+      target_(task.target),
       radius_(remaining.tool_radius()),
-      limit_(limit),
-      clock_(clock),
-      cuts_(remaining, path, {legal, kFinePitch * radius_, ResidualLimits::kWall}, area, limit,
+      floor_radius_(task.floor_radius),
+      limit_(task.limit),
+      clock_(task.clock),
+      cuts_(remaining, path, {task.legal, kFinePitch * radius_, ResidualLimits::kWall}, task.area, task.limit,
             {kMergeGap * radius_, RadiusShares::kWallPitch * radius_}) {}
 
 bool AdaptiveFinish::run(bool open, int most_rests, StepPictures& pictures) {
@@ -222,15 +221,16 @@ std::vector<WallStretch>::const_iterator AdaptiveFinish::nearest_stretch(
 /// Cuts the rests that the exact check of the cover finds. False if `most` were cut and some are left.
 bool AdaptiveFinish::cut_rests(bool open, int most) {
   for (int left = most; left > 0;) {
-    const auto holes =
-        rests(Cover(path_.moves(), radius_ + ResidualLimits::kRest, Cover::SearchPlaces::kAtRims), open);
+    const auto holes = rests(open);
     const int before = left;
     std::vector<Vec2> cut;
     for (const Vec2 hole : holes) {
       // The stock knows cuts as they were before they were joined into others, which may leave a rest beside them.
       const bool is_cut =
-          std::any_of(cut.begin(), cut.end(), [&](Vec2 p) { return distance(p, hole) < radius_; });
-      const bool is_left = !is_cut && path_.is_beside_joined(hole) && contains(target_, hole);
+          std::any_of(cut.begin(), cut.end(), [&](Vec2 p) { return distance(p, hole) < floor_radius_; });
+      // Nor does it know of rounded corners, which leave a rest on the floor.
+      const bool unknown = path_.is_beside_joined(hole) || floor_radius_ < radius_;
+      const bool is_left = !is_cut && unknown && contains(target_, hole);
       if (remaining_.is_removed(hole) && !is_left) continue;
       if (left <= 0) return false;
       const Vec2 p = nearest_legal(hole);
@@ -240,11 +240,11 @@ bool AdaptiveFinish::cut_rests(bool open, int most) {
     }
     if (left == before) return true;
   }
-  return rests(Cover(path_.moves(), radius_ + ResidualLimits::kRest, Cover::SearchPlaces::kAtRims), open)
-      .empty();
+  return rests(open).empty();
 }
 
-std::vector<Vec2> AdaptiveFinish::rests(const Cover& cover, bool open) const {
+std::vector<Vec2> AdaptiveFinish::rests(bool open) const {
+  const Cover cover(path_.moves(), floor_radius_ + ResidualLimits::kRest, Cover::SearchPlaces::kAtRims);
   auto holes = cover.holes([&](Vec2 p) { return is_reachable(p); });
   if (open) add_holes_at_border(cover, holes);
   return holes;
@@ -259,8 +259,8 @@ void AdaptiveFinish::add_holes_at_border(const Cover& cover, std::vector<Vec2>& 
       for (double s = 0; s < length;) {
         const Vec2 p = edge.at(s / length);
         // A point `inside` mm deep in the cover has no hole within that distance.
-        const double inside = radius_ + ResidualLimits::kRest - cover.distance_to(p);
-        const bool hole = inside < 0 && is_within_reach(p, radius_ + kTouched);
+        const double inside = floor_radius_ + ResidualLimits::kRest - cover.distance_to(p);
+        const bool hole = inside < 0 && is_within_reach(p, floor_radius_ + kTouched);
         if (hole && !in_hole) holes.push_back(p);
         in_hole = hole;
         s += inside < 0 ? kBorderPitch * radius_ : std::max(inside, ResidualLimits::kRest);
@@ -270,7 +270,7 @@ void AdaptiveFinish::add_holes_at_border(const Cover& cover, std::vector<Vec2>& 
 }
 
 bool AdaptiveFinish::is_reachable(Vec2 p) const {
-  return is_within_reach(p, radius_ - kReach);
+  return is_within_reach(p, floor_radius_ - kReach);
 }
 
 bool AdaptiveFinish::is_within_reach(Vec2 p, double reach) const {

@@ -11,13 +11,20 @@
 
 namespace clearcut::plan::adaptive {
 
+/// What is to be finished. References are kept.
+struct FinishTask {
+  const Region& legal;  ///< where the centre may be
+  const Regions& area;  ///< the somewhat smaller area for cuts off the walls
+  const Regions& target;
+  double limit = 0;         ///< radians; of the engagement
+  double floor_radius = 0;  ///< mm; of the cutter's end on the floor, without the rounding of its corners
+  const MachineClock& clock;
+};
+
 /// Cuts what clearing has left in one connected legal area, until nothing stays that the cutter can reach.
 class AdaptiveFinish {
  public:
-  /// `legal`: where the centre may be. `area`: the somewhat smaller area for cuts off the walls. `limit`: of
-  /// the engagement, radians. References are kept.
-  AdaptiveFinish(RemainingStock& remaining, ClearingPath& path, const Region& legal, const Regions& area,
-                 const Regions& target, double limit, const MachineClock& clock);
+  AdaptiveFinish(RemainingStock& remaining, ClearingPath& path, const FinishTask& task);
 
   /// Runs all steps in this order: along walls within the limit; round corners; trochoidal steps where
   /// material still stands along walls; arcs in place of kinks; the rests that the exact check of the cover finds. `open`: the target
@@ -45,7 +52,7 @@ class AdaptiveFinish {
   std::optional<LinkPath> link_to_trochoidal_step(const WallStretch& stretch);
   void cut_stretch(const WallStretch& place);
   bool cut_rests(bool open, int most);
-  std::vector<Vec2> rests(const Cover& cover, bool open) const;
+  std::vector<Vec2> rests(bool open) const;
   void add_holes_at_border(const Cover& cover, std::vector<Vec2>& holes) const;
   bool is_reachable(Vec2 p) const;
   bool is_within_reach(Vec2 p, double reach) const;
@@ -62,6 +69,7 @@ class AdaptiveFinish {
   const Region& legal_;
   const Regions& target_;
   double radius_;
+  double floor_radius_;
   double limit_;
   const MachineClock& clock_;
   WallCuts cuts_;
