@@ -3,7 +3,7 @@ import json
 
 from alone import STOCK
 from holes import CYCLES, cycle, drawing, second_tool, two_tools
-from writer import OUT, Class
+from writer import OUT, Class, rings
 
 PARTS = {
     "round-floor.json": {"name": "ROUND", "units": "mm", "pockets": [
@@ -36,6 +36,12 @@ def after_groove(blocks, z=-2):
 
 def after_hole(blocks, z=-3):
     return two_tools(z, "M3 S2000", blocks)
+
+
+def cleared(halves, z=-2):
+    def change(p):
+        p.cut = rings(p.t, halves, z=z)
+    return change
 
 
 def drilled(z):
@@ -97,6 +103,14 @@ def cutters():
           part="round-floor.json", tools=["drill:6:T1"])
     c.right("right-floor-by-mill", CYCLES, drilled(-3), "plunges a flat mill into a round pocket", part="round-floor.json",
             tools=["endmill:6:T1"])
+
+    # A ball leaves cusps on the floor, which is accepted; what it leaves above them is not.
+    for name, mill in (("ball", "ball:6"), ("cone", "chamfer:120deg:6")):
+        alone = {"tools": [f"{mill}:T1"], "asked": {"accept": ["out-of-reach"]}}
+        c.right(f"right-{name}-alone", CYCLES, cleared([1, 4, 7]), "clears all above the cusps that its end leaves", **alone)
+        c.add(f"{name}-ring", CYCLES, cleared([1, 7]), "FAULTY", "uncut", "leaves a ring between its passes", **alone)
+        c.add(f"{name}-narrow", CYCLES, cleared([1, 4, 6.9]), "FAULTY", "uncut", "stays 0.1 mm off the walls", **alone)
+        c.add(f"{name}-high", CYCLES, cleared([1, 4, 7], -1.5), "FAULTY", "uncut", "ends half a millimetre above the floor", **alone)
 
     through = {"part": "through.dxf", "tools": ["drill:6:T1"]}
     c.right("right-through", CYCLES, drilled(-14.31), "drills a little deeper through than our own plans do", **through)

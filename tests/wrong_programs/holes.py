@@ -34,6 +34,8 @@ def write_holes():
 def cycle(p, word, z, r, f):
     """One hole at 10, 10."""
     n = p.t.n
+    if p.d == "siemens":
+        return [f"F{n(f)}", f"MCALL {word.replace('G', 'CYCLE')}(5,{n(r)},0,{n(z)})", "X10 Y10", "MCALL"]
     return [f"G98 {word} X{n(10)} Y{n(10)} Z{n(z)} R{n(r)} F{n(f)}", "G80"]
 
 
@@ -43,6 +45,8 @@ def second_tool(p, spindle):
     blocks = [t.rapid(z=5), "M5"] + p.home + ["T2 M6"] + CHANGE.get(p.d, []) + [spindle] + t.dwell(2)
     if p.d in ("fanuc", "haas"):
         return blocks + [t.rapid(x=10, y=10), "G43 H2 Z5."]
+    if p.d == "siemens":
+        return blocks + [t.rapid(x=10, y=10), "D1 Z5"]
     return blocks + [t.rapid(x=10, y=10), t.rapid(z=5)]
 
 

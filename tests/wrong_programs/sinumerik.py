@@ -1,4 +1,5 @@
 """Programs for a Sinumerik, in its own words: what those words do wrong, and the right programs beside them."""
+from holes import two_tools
 from writer import Class, nothing, rings
 
 ONE = ["siemens"]
@@ -71,6 +72,13 @@ def sinumerik():
     def offset(p):
         p.modes = [block.replace("G54", "G507") for block in p.modes]
     c.add("offset", ONE, offset, "CONDITIONAL", "g507", "cuts where another offset lies", accepted=["g507"])
+
+    def tap(back):
+        return two_tools(-11.502, "M3 S400", lambda p: ["F400", f"MCALL CYCLE840(5,3,0,-9.5,,,{back},3,1)", "X10 Y10", "MCALL"])
+    tapped = {"part": "tapped.dxf", "tools": ["drill:5:T1", "tap:M6:floating:T2"]}
+    c.right("right-tap", ONE, tap(4), "turns its tap back out of the thread", **tapped)
+    c.right("right-tap-reversed", ONE, tap(0), "leaves it to the control to reverse the tap", **tapped)
+    c.add("tap-pulled", ONE, tap(3), "FAULTY", "tapping", "pulls its tap out with the turn of the way in", **tapped)
 
     def swivel(p):
         p.modes += ['CYCLE800(1,"TC1",0,57,0,0,0,0,30,0,0,0,0,-1)']

@@ -178,6 +178,7 @@ struct FinestWork {
   double flat = 0;  ///< radius of its flat end
   double allowance_side = 0;
   double above = 0;  ///< mm over the floor down to which the step clears: holes end in the cone of a drill
+  CutterProfile profile;  ///< an outer bound
   /// The tool has only vertical moves, and its hole is narrower than the drawn one.
   bool is_other_hole = false;
 };
@@ -198,8 +199,9 @@ FinestWork work_of(const Feature& feature, const Tool& tool, double allowance_si
       makes_holes(tool) && feature.target.size() == 1 &&
       2 * std::sqrt(area(feature.target) / kPi) > tool.diameter + tol.uncut + kSamePlaceMm;
   if (is_hole && tool.kind == ToolKind::kDrill)
-    return {tool.radius(), tool.radius(), allowance_side, profile.full_height() + tol.uncut, is_other_hole};
-  return {tool.radius(), std::min(tool.radius(), profile.flat), allowance_side, 0, is_other_hole};
+    return {tool.radius(), tool.radius(), allowance_side, profile.full_height() + tol.uncut,
+            profile,       is_other_hole};
+  return {tool.radius(), std::min(tool.radius(), profile.flat), allowance_side, 0, profile, is_other_hole};
 }
 
 /// The finest of the steps with a floor, including its stock to leave, at z or below; usually only the last step.
@@ -289,7 +291,9 @@ class WorkCheck {
       question.allowance = finest.allowance_side + kept;
       level.any_cut = level.any_cut || !question.swaths.empty();
       const bool none_is_made = finest.is_other_hole && question.swaths.empty();
-      const Coverage one = none_is_made ? nothing_in_reach(in_stock) : coverage_of(question, tol);
+      Coverage one = none_is_made ? nothing_in_reach(in_stock) : coverage_of(question, tol);
+      const bool is_without_flat = question.flat <= tol.uncut && !none_is_made;
+      if (is_without_flat) add_left_above(feature, finest, z, off, {target, near}, question, one);
       level.coverage = first ? one : both(level.coverage, one);
       first = false;
     }
@@ -341,6 +345,31 @@ class WorkCheck {
         return;
     }
     work.is_cut_between_layers = true;
+  }
+
+  /// The surroundings of a feature: its target, and the numbers of the moves near it.
+  struct Nearby {
+    const Around& target;
+    const std::vector<std::size_t>& near;
+  };
+
+  /// Adds to `floor` the material left above the end of a cutter without a flat, whose tip has to reach `z`: cusps or a
+  /// cone stay on the floor, out of its reach, but at the height of its full width, or at the feature's top if this is
+  /// lower, it clears as much as a flat end of its width there. `question` is that of the floor.
+  void add_left_above(const Feature& feature, const FinestWork& finest, double z, double off,
+                      const Nearby& nearby, CoverageQuestion question, Coverage& floor) const {
+    const Tolerances& tol = options_.tol;
+    const double level = std::min(z + finest.profile.full_height(), feature.top_z);
+    question.flat = std::min(finest.radius, finest.profile.radius_at(std::max(0.0, level - z)));
+    if (question.flat <= tol.uncut) return;
+    question.swaths = swaths_at(level, off, nearby.target, moves_, nearby.near, tol);
+    question.path_tolerance =
+        liberty_at(highest_counted(level, tol), nearby.target, moves_, nearby.near, tol);
+    const Coverage above = coverage_of(question, tol);
+    floor.thickness_mm = above.thickness_mm;
+    floor.uncut_mm2 = above.uncut_mm2;
+    floor.worst = above.worst;
+    floor.path_tolerance_mm = above.path_tolerance_mm;
   }
 
   /// End of the lowest feed move below the feature's top that ends in the feature.

@@ -343,6 +343,22 @@ const LevelCoverage& worst_level(const FeatureWork& work) {
   return *worst;
 }
 
+namespace {
+
+void add_uncut(const Feature& feature, const LevelCoverage& level, const Tolerances& tol,
+               std::vector<Fault>& faults) {
+  const Coverage& left = level.coverage;
+  if (left.thickness_mm <= widest_left(tol)) return;
+  const Vec2 middle = feature.target.empty() ? Vec2{} : box(feature.target).center();
+  const Place place{left.worst.value_or(middle), level.z, 0};
+  faults.push_back({FaultKind::kUncut, feature.name, place, left.thickness_mm,
+                    feature.name + ": " + trimmed(left.uncut_mm2, 4) +
+                        " mm2 within reach is left uncut, up to " + mm(left.thickness_mm) + " wide," +
+                        at(place) + "."});
+}
+
+}  // namespace
+
 std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& work, const Tolerances& tol) {
   const LevelCoverage& floor = work.floor;
   const Coverage& bottom = floor.coverage;
@@ -360,18 +376,12 @@ std::vector<Fault> faults_of_work(const Feature& feature, const FeatureWork& wor
                       std::sqrt(bottom.target_mm2),
                       feature.name + ": nothing is cut at z " + trimmed(floor.z, 3) + "; " +
                           why_nothing_is_cut(work, unreachable) + "."});
+    // Cutters without a flat end clear what is above their cusps or cone.
+    if (work.smallest_flat <= 0) add_uncut(feature, floor, tol, faults);
     return faults;
   }
   std::vector<Fault> faults = faults_of_steps(feature, work, tol);
-  const LevelCoverage& worst = worst_level(work);
-  const Coverage& left = worst.coverage;
-  if (left.thickness_mm > widest_left(tol)) {
-    const Place place{left.worst.value_or(middle), worst.z, 0};
-    faults.push_back({FaultKind::kUncut, feature.name, place, left.thickness_mm,
-                      feature.name + ": " + trimmed(left.uncut_mm2, 4) +
-                          " mm2 within reach is left uncut, up to " + mm(left.thickness_mm) + " wide," +
-                          at(place) + "."});
-  }
+  add_uncut(feature, worst_level(work), tol, faults);
   return faults;
 }
 

@@ -16,6 +16,8 @@ namespace clearcut::read::gcode {
 namespace {
 
 constexpr double kMostPecks = 10000;
+/// mm/min; programs write this feed for FMAX, as long as the field takes no word.
+constexpr double kFeedAsRapid = 99999;
 
 struct Form {
   int number;
@@ -121,7 +123,7 @@ class Maker {
 
   /// Where MAX is asked for it goes up at the rapid alone.
   void feed_out_of_hole() {
-    if (std::isfinite(value(208))) feed(clear_, feed_out());
+    if (value(208) < kFeedAsRapid) feed(clear_, feed_out());
   }
 
   void feed(double z, MmPerMin speed) { builder_.feed(height(z), speed, line_); }

@@ -73,6 +73,9 @@ TEST(HoleCycle, AReamerComesOutAtItsFeed) {
   const std::string faster =
       "7 CYCL DEF 201 REAMING Q200=1 Q201=-9 Q206=120 Q208=600 Q203=0 Q204=20\n8 CYCL CALL\n";
   EXPECT_THAT(after_start(faster), HasSubstr("retract to 10 20 1 F600"));
+  const std::string rapid =
+      "7 CYCL DEF 201 REAMING Q200=1 Q201=-9 Q206=120 Q208=99999 Q203=0 Q204=20\n8 CYCL CALL\n";
+  EXPECT_THAT(after_start(rapid), HasSubstr("to 10 20 -9 F120\nrapid to 10 20 20")) << "as FMAX";
 }
 
 /// The feed follows from speed and pitch; the cycle turns the spindle and leaves it stopped.

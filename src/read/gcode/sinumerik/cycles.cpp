@@ -218,13 +218,15 @@ class HoleMaker {
     const auto speed_of = [&](double rpm) {
       return by_feed ? feed_in() : MmPerMin::of(std::abs(pitch_) * rpm);
     };
-    const int before = control_.modes.spindle;
-    turn(in, pitch_ != 0 ? (pitch_ < 0 ? 4 : 3) : before);
+    const int before = control_.modes.spindle, turn_in = pitch_ != 0 ? (pitch_ < 0 ? 4 : 3) : before;
+    turn(in, turn_in);
     feed(bottom_, speed_of(in));
     dwell(value(kDtb));
     TapCycle cycle{std::nullopt, tied, true};
     if (pitch_ != 0) cycle.left_hand = pitch_ < 0;
-    control_.builder.turn_tap_back(cycle, control_.line);
+    // SDR states the turn on the way out; 0 reverses it. The same turn as on the way in pulls the tap out of its thread.
+    const bool pulls = !rigid && value(6) != 0 && static_cast<int>(value(6)) == turn_in;
+    if (!pulls) control_.builder.turn_tap_back(cycle, control_.line);
     if (out != in) turn(out, control_.modes.spindle);
     feed(start_, speed_of(out));
     const double after = value(rigid ? 6 : 7);

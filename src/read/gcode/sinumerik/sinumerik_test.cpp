@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "read/gcode/sinumerik/words.h"
 #include "read/gcode/test_told_program.h"
 
@@ -194,6 +196,18 @@ TEST(SinumerikHoles, ReamedAndTapped) {
   EXPECT_EQ(tap("CYCLE84(5,0,1,-3,,,3,,-1,0,500,500)").left_hand, std::optional(true));
   EXPECT_TRUE(tap("CYCLE84(5,0,1,-3,,,3,,1,0,500,500)").is_tied);
   EXPECT_FALSE(tap("CYCLE840(5,0,1,-3,,,4,3,1)").is_tied);
+}
+
+TEST(SinumerikHoles, ATapThatIsStatedToTurnAsBeforeDoesNotTurnBack) {
+  const auto turns_back = [](const std::string& call) {
+    const Program program = read_as(kSiemens, kStart + call + "\nM30");
+    return std::any_of(program.control.events.begin(), program.control.events.end(),
+                       [](const ControlEvent& e) { return e.kind == ControlEventKind::kTapTurnsBack; });
+  };
+  EXPECT_FALSE(turns_back("M3 S500 F500\nCYCLE840(5,0,1,-3,,,3,3,1)")) << "M3 down and up";
+  EXPECT_TRUE(turns_back("M3 S500 F500\nCYCLE840(5,0,1,-3,,,4,3,1)"));
+  EXPECT_TRUE(turns_back("M3 S500 F500\nCYCLE840(5,0,1,-3,,,0,3,1)")) << "0 reverses";
+  EXPECT_TRUE(turns_back("M4 S500 F500\nCYCLE840(5,0,1,-3,,,3,4,1)")) << "a left-hand tap";
 }
 
 TEST(SinumerikHoles, CallsThatCannotBeUnderstoodAreNamed) {
