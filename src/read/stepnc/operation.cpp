@@ -158,11 +158,12 @@ void use_what_is_usual(const Node& technology) {
   if (technology.peek(1).kind == P21Kind::kEnum && technology.peek(1).text == "TCP") technology.use(1);
 }
 
-void read_cutting(const Node& node, const Node& tool_node, const Tool& tool, const Tools& tools,
-                  Operation& operation, Context& context) {
+void read_cutting(const Node& node, const Tool& tool, Hand hand, Operation& operation, Context& context) {
+  const bool left_handed = hand == Hand::kLeft;
+  operation.cutting.spindle_clockwise = !left_handed;
   if (const auto technology = node.ref(6)) {
     use_what_is_usual(*technology);
-    read_spindle(*technology, tool, tools.left_handed(tool_node), operation.cutting, context);
+    read_spindle(*technology, tool, left_handed, operation.cutting, context);
     read_feed(*technology, tool, operation.cutting, context);
   } else {
     context.note("no technology; the planner's default feed and speed are used", node);
@@ -447,7 +448,8 @@ StatedOperation read_operation(const Node& node, const Tools& tools, Context& co
     read_retract(node, operation, context);
     read_strategy(node, operation, context);
   }
-  read_cutting(node, tool_node, tool, tools, operation, context);
+  stated.hand = tools.hand_of(tool_node);
+  read_cutting(node, tool, stated.hand, operation, context);
   if (const auto retract = node.length(3)) operation.retract_z = *retract;
   if (operation.entry == EntryKind::kPlunge && !tool.center_cutting) {
     context.note("plunging is asked for with a face mill; the planner chooses the entry", node);

@@ -245,6 +245,36 @@ TEST(StepNc, OnlyALeftHandCutterTurningPositiveRunsCounterClockwise) {
   EXPECT_FALSE(p.read().workplan[0].operation.cutting.spindle_clockwise);
 }
 
+TEST(StepNc, LeftHandCuttersRunCounterClockwiseWhereNoSpindleSpeedIsStated) {
+  Program p;
+  p.with(32, "ENDMILL(#33,3,.LEFT.,$,$)").with(34, "MILLING_TECHNOLOGY(0.01,.TCP.,2.,$,$,$,$,$,$)");
+  EXPECT_FALSE(p.read().workplan[0].operation.cutting.spindle_clockwise) << "by its cutting speed";
+  p.with(34, "MILLING_TECHNOLOGY(0.01,.TCP.,$,$,$,$,$,$,$)");
+  EXPECT_FALSE(p.read().workplan[0].operation.cutting.spindle_clockwise) << "by the planner's default";
+  p.with(30, "BOTTOM_AND_SIDE_ROUGH_MILLING($,$,'OP',$,$,#31,$,#35,$,$,$,$,2.,$,$,$)");
+  EXPECT_FALSE(p.read().workplan[0].operation.cutting.spindle_clockwise) << "without technology";
+  p.with(34, "MILLING_TECHNOLOGY(0.01,.TCP.,$,-100.,$,$,$,$,$)");
+  p.with(30, "BOTTOM_AND_SIDE_ROUGH_MILLING($,$,'OP',$,$,#31,#34,#35,$,$,$,$,2.,$,$,$)");
+  EXPECT_THAT(all_diagnostics(p.read()), HasSubstr("it would turn backwards"));
+}
+
+TEST(StepNc, OtherHandsOfCutAreNamed) {
+  Program p;
+  EXPECT_THAT(all_diagnostics(p.with(32, "ENDMILL(#33,3,.NEUTRAL.,$,$)").read()),
+              HasSubstr("not followed: hand_of_cut .NEUTRAL."));
+}
+
+TEST(StepNc, CuttersThatDifferInTheirHandAreTwoTools) {
+  Program p;
+  p.with(2, "WORKPLAN('MAIN',(#10,#11),$,#4,$)").with(11, "MACHINING_WORKINGSTEP('WS',#7,#20,#91,$)");
+  p.with(91, "BOTTOM_AND_SIDE_ROUGH_MILLING($,$,'OP',$,$,#94,#34,#35,$,$,$,$,2.,$,$,$)");
+  p.with(94, "MILLING_CUTTING_TOOL('T1',#97,(),$,$,$)").with(97, "ENDMILL(#33,3,.LEFT.,$,$)");
+  p.with(31, "MILLING_CUTTING_TOOL('T1',#32,(),$,$,$)").with(32, "ENDMILL(#33,3,.RIGHT.,$,$)");
+  const Part part = p.read();
+  ASSERT_EQ(part.workplan.size(), 2U);
+  EXPECT_NE(tool_of(part, part.workplan[0]).number, tool_of(part, part.workplan[1]).number);
+}
+
 TEST(StepNc, TaperedEndMillsAreReadWithTheirTaper) {
   Program p;
   EXPECT_EQ(p.with(32, "TAPERED_ENDMILL(#33,3,.RIGHT.,$,$,$)").read().tools[0].kind, ToolKind::kEndMill);
