@@ -51,8 +51,9 @@ const char* body_keyword(ToolKind kind) {
     case ToolKind::kVBit:
     case ToolKind::kChamferMill:
       return "COUNTERSINK";
-    case ToolKind::kThreadMill:
     case ToolKind::kTSlot:
+      return "T_SLOT_MILL";
+    case ToolKind::kThreadMill:
     case ToolKind::kOther:
       break;
   }
@@ -199,6 +200,7 @@ class SetupWriter {
       std::vector<std::string> arguments = {size, std::to_string(tool.teeth), hand, ".F.", kUnset};
       const std::string_view keyword = has_blunt_tip(tool) ? "TAPERED_ENDMILL" : body_keyword(tool.kind);
       if (keyword == "SIDE_MILL" || keyword == "COUNTERSINK") arguments.push_back(kUnset);
+      if (tool.kind == ToolKind::kTSlot) arguments.push_back(edge_length_of(tool));
       if (keyword == "TAPERED_ENDMILL")
         arguments.push_back(p21_real(tool.tip_angle.value_or(Radians{}).radians() / 2));
       const std::string body = out_.add(std::string(keyword), arguments);

@@ -267,10 +267,13 @@ void read_strokes(const Node& strategy, Operation& operation, Context& context) 
   const std::string connection = strategy.enumeration(4);
   if (strategy.is_any("BIDIRECTIONAL_MILLING", "BIDIRECTIONAL") && !connection.empty() &&
       connection != "STRAIGHTLINE")
-    context.note("the stroke connection is not used; strokes are joined straight or along the walls",
+    context.note("the stroke connection " + connection +
+                     " is not used; strokes are joined straight or along the walls",
                  strategy);
   if (!strategy.enumeration(3).empty())
-    context.note("the stepover direction is not used; the side to begin at is left to the planner", strategy);
+    context.note("the stepover direction " + strategy.enumeration(3) +
+                     " is not used; the side to begin at is left to the planner",
+                 strategy);
 }
 
 /// The cut mode; where there is none, clockwise rotation, which inside a pocket is conventional for a cutter that turns

@@ -21,15 +21,23 @@ struct BodyKind {
   std::string_view keyword;
   ToolKind kind;
 };
-constexpr BodyKind kBodies[] = {
-    {"ENDMILL", ToolKind::kEndMill},          {"TAPERED_ENDMILL", ToolKind::kEndMill},
-    {"BALL_ENDMILL", ToolKind::kBallEndMill}, {"BULLNOSE_ENDMILL", ToolKind::kBullNoseEndMill},
-    {"FACEMILL", ToolKind::kFaceMill},        {"TWIST_DRILL", ToolKind::kDrill},
-    {"SPADE_DRILL", ToolKind::kDrill},        {"CENTER_DRILL", ToolKind::kDrill},
-    {"TAPERED_DRILL", ToolKind::kDrill},      {"REAMER", ToolKind::kReamer},
-    {"TAPERED_REAMER", ToolKind::kReamer},    {"BORING_TOOL", ToolKind::kBoringBar},
-    {"COUNTERSINK", ToolKind::kSpotDrill},    {"TAP", ToolKind::kTap},
-    {"COUNTERBORE", ToolKind::kCounterbore},  {"T_SLOT_MILL", ToolKind::kTSlot}};
+constexpr BodyKind kBodies[] = {{"ENDMILL", ToolKind::kEndMill},
+                                {"TAPERED_ENDMILL", ToolKind::kEndMill},
+                                {"BALL_ENDMILL", ToolKind::kBallEndMill},
+                                {"BULLNOSE_ENDMILL", ToolKind::kBullNoseEndMill},
+                                {"FACEMILL", ToolKind::kFaceMill},
+                                {"TWIST_DRILL", ToolKind::kDrill},
+                                {"SPADE_DRILL", ToolKind::kDrill},
+                                {"CENTER_DRILL", ToolKind::kDrill},
+                                {"TAPERED_DRILL", ToolKind::kDrill},
+                                {"REAMER", ToolKind::kReamer},
+                                {"TAPERED_REAMER", ToolKind::kReamer},
+                                {"BORING_TOOL", ToolKind::kBoringBar},
+                                {"COUNTERSINK", ToolKind::kSpotDrill},
+                                {"TAP", ToolKind::kTap},
+                                {"COUNTERBORE", ToolKind::kCounterbore},
+                                {"T_SLOT_MILL", ToolKind::kTSlot},
+                                {"WOODRUFF_KEYSEAT_MILL", ToolKind::kTSlot}};
 
 ToolKind kind_of(const Node& body) {
   for (const BodyKind& entry : kBodies)
@@ -104,7 +112,7 @@ void read_disc(const Node& body, const StatedUse& use, Tool& tool, Context& cont
   if (!tool.flute_length) body.fail("the height of its disc is missing; give cutting_thickness");
   if (use.neck <= 0) return;
   tool.shank_diameter = std::max(use.neck - 2 * kBesideUnstatedNeck, 0.1);
-  context.warn("no attribute states the neck of a T-slot cutter: it is taken as " +
+  context.warn("no attribute states the neck of a cutter of undercuts: it is taken as " +
                    trimmed(tool.shank_diameter, 3) + " mm, " + trimmed(kBesideUnstatedNeck, 3) +
                    " mm off the walls of its slot",
                body);
