@@ -234,18 +234,18 @@ void read_approach(const Node& node, Operation& operation, Context& context) {
   }
 }
 
-/// What the approach says of leads goes before what the retract says. Any other way up is straight up.
+/// What the approach says of leads goes before what the retract says. Any other way up is straight up, which is named where another is asked for.
 void read_retract(const Node& node, Operation& operation, Context& context) {
   const auto retract = node.ref(10);
   if (!retract) return;
   if (operation.lead) {
     context.said(*retract);
-    return context.note("the lead of the approach goes before what its retract says", *retract);
+    return context.note("the lead of the approach goes before what its retract says: " + node.shown(10),
+                        *retract);
   }
   if (read_lead(*retract, operation, context)) return;
-  const bool up_anyway = retract->keyword().rfind("PLUNGE_", 0) == 0;
   context.said(*retract);
-  if (!up_anyway)
+  if (!retract->is("PLUNGE_TOOLAXIS"))
     context.note("a retract of this kind is not used; the cutter is lifted straight up: " + node.shown(10),
                  *retract);
 }
@@ -312,7 +312,9 @@ void read_strategy(const Node& node, Operation& operation, Context& context) {
     context.note("the radial depth goes before its overlap of " + trimmed(*overlap, 6), *strategy);
   if (!overlap || operation.stepover) return;
   if (!(*overlap >= 0 && *overlap < 1))
-    return context.note("the strategy's overlap is not a ratio from 0 to 1; it is not used", *strategy);
+    return context.note(
+        "the strategy's overlap of " + trimmed(*overlap, 6) + " is not a ratio from 0 to 1; it is not used",
+        *strategy);
   operation.stepover = 1 - *overlap;
   context.note("the width of cut is the planner's unless --stepover asks for one; not followed: overlap " +
                    trimmed(*overlap, 6),

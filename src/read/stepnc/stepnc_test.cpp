@@ -258,6 +258,15 @@ TEST(StepNc, LeftHandCuttersRunCounterClockwiseWhereNoSpindleSpeedIsStated) {
   EXPECT_THAT(all_diagnostics(p.read()), HasSubstr("it would turn backwards"));
 }
 
+TEST(StepNc, RetractsAlongARampAreNamedAsNotUsed) {
+  Program p;
+  p.with(30, "BOTTOM_AND_SIDE_ROUGH_MILLING($,$,'OP',$,$,#31,#34,#35,$,$,#91,$,2.,$,$,$)");
+  EXPECT_THAT(all_diagnostics(p.with(91, "PLUNGE_RAMP($,45.)").read()),
+              HasSubstr("the cutter is lifted straight up: #91 PLUNGE_RAMP($,45)"));
+  EXPECT_THAT(all_diagnostics(p.with(91, "PLUNGE_TOOLAXIS($)").read()),
+              ::testing::Not(HasSubstr("lifted straight up")));
+}
+
 TEST(StepNc, WoodruffMillsAreDiscsThatMakeUndercuts) {
   Program p;
   EXPECT_THAT(p.with(32, "WOODRUFF_KEYSEAT_MILL(#33,3,.RIGHT.,$,$,2.)").error(),
