@@ -656,6 +656,7 @@ const Unchanged kUnchangedOfFiles[] = {
     {"CIRCULAR_PATTERN", "base_feature_diameter", false, "as far out as the feature that is repeated"},
     {"RECTANGULAR_PATTERN", "row_layout_direction", false, "square to its direction where none is stated"},
     {"STEP", "wall_boundary", false, "upright where none is stated"},
+    {"COMPOSITE_CURVE_SEGMENT", "same_sense", false, "along its curve where nothing is stated"},
     {"", "retract", false, "straight up where nothing is stated"},
     {"", "its_machine_functions", false, "off where nothing is stated"},
     {"DRILLING", "its_machining_strategy", false, "one feed where nothing is stated"},
