@@ -4,7 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <map>
+#include <optional>
+#include <set>
 #include <span>
 #include <sstream>
 #include <string>
@@ -15,6 +21,7 @@
 #include "pipeline/run.h"
 #include "read/stepnc/file/entity_list.h"
 #include "read/stepnc/stepnc.h"
+#include "support/data.h"
 
 namespace clearcut {
 namespace {
@@ -381,46 +388,96 @@ std::string file_of(const std::vector<Entity>& entities) {
   return text + "ENDSEC;\nEND-ISO-10303-21;\n";
 }
 
+/// Of each set-up, as planning reads them.
+std::vector<Part> parts_of(const std::vector<Entity>& entities) {
+  const std::string text = file_of(entities), name = "m.p21";
+  const int setups = read::stepnc::count_setups(text, name);
+  std::vector<Part> parts;
+  SetupPlace place;
+  if (setups < 2) return {read::stepnc::read_stepnc(text, name, {})};
+  for (int number = 1; number <= setups; ++number)
+    parts.push_back(read::stepnc::read_setup(text, name, {}, number, place));
+  return parts;
+}
+
 /// Everything that a person sees of the plan but annotations; or why it is refused.
-std::string seen(const std::vector<Entity>& entities) {
+std::string seen_by(const std::vector<Entity>& entities, const std::optional<std::string>& strategy) {
   try {
-    const Part part = read::stepnc::read_stepnc(file_of(entities), "m.p21", {});
     resolve::PlanOptions options;
     options.threads = 1;
-    const pipeline::PlanResult result = pipeline::plan_part(part, options);
-    std::string all = result.program + verdict_and_reasons(result.findings);
-    for (const ResolvedValue& value : result.values) all += "\n" + value.name + " " + value.value;
-    for (const Diagnostic& one : result.part.diagnostics.items())
-      if (one.what.rfind("not used, an annotation", 0) != 0 && one.what.rfind("names of ", 0) != 0)
-        all += "\n" + one.where + ": " + one.what;
+    options.strategy = strategy;
+    std::string all;
+    for (const Part& part : parts_of(entities)) {
+      const pipeline::PlanResult result = pipeline::plan_part(part, options);
+      all += result.program + verdict_and_reasons(result.findings);
+      for (const ResolvedValue& value : result.values) all += "\n" + value.name + " " + value.value;
+      for (const Diagnostic& one : result.part.diagnostics.items())
+        if (one.what.rfind("not used, an annotation", 0) != 0 && one.what.rfind("names of ", 0) != 0)
+          all += "\n" + one.where + ": " + one.what;
+    }
     return all;
   } catch (const InputError& error) {
     return error.what();
   }
 }
 
-/// Other values of the same type, of lists of numbers with each of them changed; none where none means something.
-std::vector<std::string> changed(const std::string& value) {
-  if (value == "$" || value == "()" || value[0] == '#') return {};
-  static const std::map<std::string, std::string> kOther{{".T.", ".F."},     {".F.", ".T."},
-                                                         {".CCW.", ".CW."},  {".CLIMB.", ".CONVENTIONAL."},
-                                                         {".TCP.", ".CCP."}, {".RIGHT.", ".LEFT."}};
-  if (const auto other = kOther.find(value); other != kOther.end()) return {other->second};
-  if (value[0] == '\'') return {"'OTHER'"};
-  if (value[0] == '(' && value[1] == '\'') return {"('B')"};
-  if (value[0] == '(' && value[1] == '#') return {};
-  if (value[0] != '(')
-    return {value.find('.') == std::string::npos ? std::to_string(std::stoi(value) + 1)
-                                                 : std::to_string(std::stod(value) * 1.25 + 0.11)};
+std::string seen(const std::vector<Entity>& entities) {
+  return seen_by(entities, std::nullopt);
+}
+
+bool is_number(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("+-.0123456789Ee") == std::string::npos &&
+         text.find_first_of("0123456789") != std::string::npos;
+}
+
+/// Flags and words of which both values are known.
+std::optional<std::string> other_word(const std::string& word) {
+  static const std::map<std::string, std::string> kOther{{".T.", ".F."},
+                                                         {".F.", ".T."},
+                                                         {".CCW.", ".CW."},
+                                                         {".CW.", ".CCW."},
+                                                         {".CLIMB.", ".CONVENTIONAL."},
+                                                         {".CONVENTIONAL.", ".CLIMB."},
+                                                         {".TCP.", ".CCP."},
+                                                         {".CCP.", ".TCP."},
+                                                         {".RIGHT.", ".LEFT."},
+                                                         {".LEFT.", ".RIGHT."}};
+  const auto other = kOther.find(word);
+  if (other != kOther.end()) return other->second;
+  return word[0] == '.' && word.find_first_of("0123456789") == std::string::npos ? std::optional(".OTHER.")
+                                                                                 : std::nullopt;
+}
+
+/// Each number of a list that holds only numbers, changed alone.
+std::vector<std::string> changed_list(const std::string& list) {
   std::vector<std::string> all;
-  std::size_t begin = 1;
-  while (begin < value.size()) {
-    const std::size_t end = value.find_first_of(",)", begin);
-    const double number = std::stod(value.substr(begin, end - begin));
-    all.push_back(value.substr(0, begin) + std::to_string(number + 0.75) + value.substr(end));
+  for (std::size_t begin = 1; begin < list.size();) {
+    const std::size_t end = std::min(list.find_first_of(",)", begin), list.size());
+    const std::string item = list.substr(begin, end - begin);
+    if (!is_number(item)) return {};
+    const auto put = [&](const std::string& other) {
+      all.push_back(list.substr(0, begin) + other + list.substr(end));
+    };
+    if (item.find('.') == std::string::npos) {
+      put(std::to_string(std::stoi(item) + 1));
+    } else {
+      put(std::to_string(std::stod(item) + 0.75));
+      put(std::to_string(std::stod(item) - 0.75));  // what reaches beyond the stock may not grow
+    }
     begin = end + 1;
   }
   return all;
+}
+
+/// Other values of the same type, of lists of numbers with each of them changed; none where none means something.
+std::vector<std::string> changed(const std::string& value) {
+  if (const auto other = other_word(value)) return {*other};
+  if (value.rfind("'", 0) == 0) return {"'OTHER'"};
+  if (value.rfind("('", 0) == 0) return {"('B')"};
+  if (value.size() > 2 && value[0] == '(') return changed_list(value);
+  if (!is_number(value)) return {};
+  return {value.find('.') == std::string::npos ? std::to_string(std::stoi(value) + 1)
+                                               : std::to_string(std::stod(value) * 1.25 + 0.11)};
 }
 
 /// "~its_id" and so on; "" where the entity has no row.
@@ -461,6 +518,15 @@ TEST(StepNcMutation, TheExampleIsPlannedAndSaysWhatItDoesNotFollow) {
   EXPECT_THAT(all, ::testing::HasSubstr("\nG4 P1.5\n"));
   EXPECT_THAT(all, ::testing::HasSubstr("start_point of #41"));
   EXPECT_THAT(all, ::testing::HasSubstr("go 7 of the 9 mm down"));
+}
+
+TEST(StepNcMutation, RadiiAndAnglesOfToolsThatAreNotReadAreSaid) {
+  std::vector<Entity> entities = example();
+  const auto drill =
+      std::find_if(entities.begin(), entities.end(), [](const Entity& one) { return one.id == "#99"; });
+  ASSERT_NE(drill, entities.end());
+  drill->arguments[4] = "0.3";
+  EXPECT_THAT(seen_by(entities, "zigzag"), ::testing::HasSubstr("edge_radius of #99"));
 }
 
 TEST(StepNcMutation, TheDocumentationListsTheSameAttributes) {
@@ -512,42 +578,304 @@ TEST(StepNcMutation, EachAttributeChangedOrTakenAwayAloneIsSeen) {
   EXPECT_GT(expect_each_is_seen(example(), seen), 150);
 }
 
+/// Features, tools, operations in numbers, and what is said of them.
+void tell_part(const Part& part, std::ostream& all) {
+  for (const Feature& one : part.features) {
+    const Box plan = box(one.target);
+    all << one.name << ' ' << name_of(one.kind) << ' ' << one.top_z << ' ' << one.floor_z << ' '
+        << area(one.target) << ' ' << plan.min.x << ' ' << plan.min.y << ' ' << plan.max.x << ' '
+        << plan.max.y << ' ' << one.wall_slope.radians() << ' ' << one.through << ' '
+        << one.hole_diameter.value_or(0) << ' ' << (one.chamfer ? one.chamfer->depth : 0) << '\n';
+  }
+  for (const Workingstep& step : part.workplan)
+    all << step.name << ' ' << step.feature << ' ' << step.operation.tool << ' '
+        << (step.operation.cutting.feed ? step.operation.cutting.feed->mm_per_min() : 0) << ' '
+        << step.operation.cutting.spindle_rpm.value_or(0) << ' ' << step.operation.cutting.spindle_clockwise
+        << ' ' << static_cast<int>(step.operation.kind) << ' '
+        << static_cast<int>(step.operation.cutting.coolant.value_or(Coolant::kOff)) << '\n';
+  for (const Tool& tool : part.tools)
+    all << tool.number << ' ' << name_of(tool.kind) << ' ' << tool.diameter << ' ' << tool.corner_radius
+        << '\n';
+  all << part.clearance_z.value_or(0);
+  if (part.stock)
+    all << ' ' << part.stock->z_top << ' ' << part.stock->plan.max.x << ' ' << part.stock->plan.max.y << '\n';
+  for (const Diagnostic& one : part.diagnostics.items())
+    if (one.what.rfind("not used, an annotation", 0) != 0 && one.what.rfind("names of ", 0) != 0)
+      all << one.where << ": " << one.what << '\n';
+}
+
 /// What a reader makes of a file, and says of it: each feature, tool and operation in numbers.
 std::string read_of(const std::vector<Entity>& entities) {
   std::ostringstream all;
   try {
-    const Part part = read::stepnc::read_stepnc(file_of(entities), "m.p21", {});
-    for (const Feature& one : part.features) {
-      const Box plan = box(one.target);
-      all << one.name << ' ' << name_of(one.kind) << ' ' << one.top_z << ' ' << one.floor_z << ' '
-          << area(one.target) << ' ' << plan.min.x << ' ' << plan.min.y << ' ' << plan.max.x << ' '
-          << plan.max.y << ' ' << one.wall_slope.radians() << ' ' << one.through << ' '
-          << one.hole_diameter.value_or(0) << ' ' << (one.chamfer ? one.chamfer->depth : 0) << '\n';
-    }
-    for (const Workingstep& step : part.workplan)
-      all << step.name << ' ' << step.feature << ' ' << step.operation.tool << ' '
-          << (step.operation.cutting.feed ? step.operation.cutting.feed->mm_per_min() : 0) << ' '
-          << step.operation.cutting.spindle_rpm.value_or(0) << ' ' << step.operation.cutting.spindle_clockwise
-          << ' ' << static_cast<int>(step.operation.kind) << ' '
-          << static_cast<int>(step.operation.cutting.coolant.value_or(Coolant::kOff)) << '\n';
-    for (const Tool& tool : part.tools)
-      all << tool.number << ' ' << name_of(tool.kind) << ' ' << tool.diameter << ' ' << tool.corner_radius
-          << '\n';
-    all << part.clearance_z.value_or(0) << ' ' << part.stock->z_top << ' ' << part.stock->plan.max.x << ' '
-        << part.stock->plan.max.y << '\n';
-    for (const Diagnostic& one : part.diagnostics.items())
-      if (one.what.rfind("not used, an annotation", 0) != 0 && one.what.rfind("names of ", 0) != 0)
-        all << one.where << ": " << one.what << '\n';
+    for (const Part& part : parts_of(entities)) tell_part(part, all);
   } catch (const InputError& error) {
     all << error.what();
   }
   return all.str();
 }
-
 TEST(StepNcMutation, EachAttributeOfOtherFeaturesIsReadOrSaid) {
   const std::vector<Entity> whole = entities_of(kFormedExample);
   EXPECT_THAT(read_of(whole), ::testing::Not(::testing::HasSubstr("not machined")));
   EXPECT_GT(expect_each_is_seen(whole, read_of, kUnchangedOfForms), 250);
+}
+
+/// The entities of a file's text. Complex instances and entities without arguments to change are kept as they are.
+std::vector<Entity> entities_of_text(const std::string& text) {
+  std::vector<Entity> entities;
+  std::string line;
+  bool quoted = false;
+  const std::size_t begin = text.find("DATA;") + 5, end = text.find("ENDSEC;", begin);
+  for (std::size_t i = begin; i < end; ++i) {
+    const char c = text[i];
+    if (!quoted && text.compare(i, 2, "/*") == 0) {
+      i = text.find("*/", i) + 1;
+      continue;
+    }
+    quoted = quoted != (c == '\'');
+    if (!quoted && c == ';') {
+      entities.push_back(parsed(line));
+      line.clear();
+    } else if (quoted || c == '\'' || !std::isspace(static_cast<unsigned char>(c))) {
+      line += c;
+    }
+  }
+  return entities;
+}
+
+/// Of the files beside the checkout, whose features and operations are of every kind: see their README.
+const Unchanged kUnchangedOfFiles[] = {
+    {"", "its_origin", false, "at the origin where none is stated"},
+    {"", "feature_placement", false, "at the origin where none is stated"},
+    {"", "allow_multiple_passes", false, "allowed where nothing is stated"},
+    {"", "rotation_direction", false, "says the same as the cut mode"},
+    {"", "cutmode", false, "says the same as the rotation"},
+    {"", "its_priority", false, "a path is followed where nothing is stated"},
+    {"", "its_type", false, "a path of the trajectory where nothing is stated"},
+    {"MILLING_MACHINE_FUNCTIONS", "coolant", true, "flood beside coolant through the spindle"},
+    {"CIRCULAR_PATTERN", "base_feature_diameter", false, "as far out as the feature that is repeated"},
+    {"RECTANGULAR_PATTERN", "row_layout_direction", false, "square to its direction where none is stated"},
+    {"STEP", "wall_boundary", false, "upright where none is stated"},
+    {"COMPOSITE_CURVE_SEGMENT", "same_sense", false, "along its curve where nothing is stated"},
+    {"", "retract", false, "straight up where nothing is stated"},
+    {"", "its_machine_functions", false, "off where nothing is stated"},
+    {"DRILLING", "its_machining_strategy", false, "one feed where nothing is stated"},
+    {"REAMING", "its_machining_strategy", false, "one feed where nothing is stated"},
+    {"CLOSED_POCKET", "orthogonal_radius", false, "zero where none is stated"},
+    {"VEE_PROFILE", "profile_radius", false, "zero where none is stated"},
+    {"MILLING_TOOL_DIMENSION", "edge_radius", false, "of a ball half its diameter"},
+    {"VEE_PROFILE", "profile_angle", false, "of steps: upright where none is stated"},
+    {"WORKPLAN", "its_setup", false,
+     "its planes are those of the steps, and the workpiece lies at its origin"},
+    {"SETUP", "its_workpiece_setup", false, "the workpiece lies at the origin where nothing is stated"},
+    {"LINEAR_PATH", "placement", false, "at the feature's origin where none is stated"},
+    {"SLOT", "end_conditions", false, "as the cutter leaves them, open at the edge of the stock"},
+    {"DIRECTION", "direction_ratios", true,
+     "of what is round, and of planes: the other examples have the rest"},
+};
+
+/// Workingsteps and branches that the file's own messages call left out: nothing is made of what is theirs alone.
+std::set<std::string> left_out_of(const std::string& told) {
+  std::set<std::string> ids;
+  const std::string before = "workingstep #";
+  for (std::size_t at = told.find(before); at != std::string::npos; at = told.find(before, at + 1)) {
+    const std::size_t begin = at + before.size() - 1;
+    const std::size_t end = told.find_first_not_of("0123456789", begin + 1);
+    if (told.compare(told.find('\'', end + 2), 14, "' is left out:") == 0)
+      ids.insert(told.substr(begin, end - begin));
+  }
+  const std::string branch = " is not machined: #";
+  for (std::size_t at = told.find(branch); at != std::string::npos; at = told.find(branch, at + 1)) {
+    const std::size_t begin = at + branch.size() - 1;
+    const std::size_t end = told.find_first_not_of("0123456789", begin + 1);
+    if (told.compare(end, 4, " IF_") == 0 || told.compare(end, 7, " WHILE_") == 0)
+      ids.insert(told.substr(begin, end - begin));
+  }
+  return ids;
+}
+
+bool is_annotation(const std::string& word) {
+  return !word.empty() && word[0] == '~';
+}
+
+/// The ids that the text of an argument refers to.
+std::vector<std::string> references_in(const std::string& argument) {
+  std::vector<std::string> ids;
+  for (std::size_t at = argument.find('#'); at != std::string::npos; at = argument.find('#', at + 1))
+    ids.push_back(argument.substr(at, argument.find_first_not_of("0123456789", at + 1) - at));
+  return ids;
+}
+
+/// Entities that the project reaches otherwise than by annotations, and by workingsteps that are machined. `told`: by read_of().
+std::set<std::string> bearing_on_the_part(const std::vector<Entity>& whole, const std::string& told) {
+  const std::set<std::string> left_out = left_out_of(told);
+  std::map<std::string, const Entity*> by_id;
+  std::vector<std::string> waiting;
+  for (const Entity& entity : whole) {
+    by_id[entity.id] = &entity;
+    if (entity.keyword == "PROJECT") waiting.push_back(entity.id);
+  }
+  std::set<std::string> reached(waiting.begin(), waiting.end());
+  while (!waiting.empty()) {
+    const auto found = by_id.find(waiting.back());
+    waiting.pop_back();
+    if (found == by_id.end() || left_out.count(found->first) > 0) continue;
+    const Entity& entity = *found->second;
+    for (std::size_t a = 0; a < entity.arguments.size(); ++a) {
+      if (is_annotation(row_word(entity.keyword, a))) continue;
+      for (const std::string& id : references_in(entity.arguments[a]))
+        if (reached.insert(id).second) waiting.push_back(id);
+    }
+  }
+  for (const std::string& id : left_out) reached.erase(id);
+  return reached;
+}
+
+/// Zero and .F. ask for nothing.
+bool asks_for_nothing(const std::string& value) {
+  return value == "$" || value == "()" || value == ".F." ||
+         value.find_first_not_of("-0.") == std::string::npos;
+}
+
+struct Silent {
+  int mutations = 0;
+  std::map<std::string, std::vector<std::string>> by_attribute;
+};
+
+/// How the reader would have each step cut, besides what tell_part() tells.
+void tell_operations(const Part& part, std::ostream& all) {
+  const auto put = [&](const char* name, const auto& value) {
+    if (value) all << ' ' << name << ' ' << *value;
+  };
+  const auto put_feed = [&](const char* name, const std::optional<MmPerMin>& feed) {
+    if (feed) all << ' ' << name << ' ' << feed->mm_per_min();
+  };
+  for (const Workingstep& step : part.workplan) {
+    const Operation& operation = step.operation;
+    all << step.name << ' ' << operation.strategy_hint << ' ' << operation.allowance_side << ' '
+        << operation.allowance_floor;
+    put("down", operation.stepdown);
+    put("over", operation.stepover);
+    put("retract", operation.retract_z);
+    put("lead", operation.lead);
+    put("entry size", operation.entry_size);
+    put_feed("plunge", operation.cutting.plunge_feed);
+    put_feed("ramp", operation.cutting.ramp_feed);
+    put_feed("slot", operation.cutting.slot_feed);
+    if (operation.entry) all << " entry " << static_cast<int>(*operation.entry);
+    if (operation.entry_angle) all << " angle " << operation.entry_angle->radians();
+    if (operation.lead_angle) all << " lead angle " << operation.lead_angle->radians();
+    if (operation.feed_direction) all << " along " << operation.feed_direction->radians();
+    if (operation.direction) all << " direction " << static_cast<int>(*operation.direction);
+    if (operation.hole_feeds)
+      all << " feeds " << operation.hole_feeds->dwell_s << ' '
+          << operation.hole_feeds->retract_share.value_or(1) << ' ' << operation.hole_feeds->start_share
+          << ' ' << operation.hole_feeds->start_depth << ' ' << operation.hole_feeds->end_share << ' '
+          << operation.hole_feeds->end_depth;
+    for (const ProgramStop& stop : step.stops) all << " stop " << stop.text;
+    if (step.stated_path)
+      for (const StatedMove& move : step.stated_path->moves)
+        all << ' ' << move.path.to.x << ' ' << move.path.to.y << ' ' << static_cast<int>(move.kind);
+    all << '\n';
+  }
+  for (const KeepOut& clamp : part.keep_outs)
+    all << clamp.plan.min.x << ' ' << clamp.plan.min.y << ' ' << clamp.plan.max.x << ' ' << clamp.plan.max.y
+        << ' ' << clamp.bottom_z << ' ' << clamp.top_z << '\n';
+}
+
+std::string operations_of(const std::vector<Entity>& entities) {
+  std::ostringstream all;
+  for (const Part& part : parts_of(entities)) tell_operations(part, all);
+  return all.str();
+}
+
+std::string read_in_full(const std::vector<Entity>& entities) {
+  const std::string all = read_of(entities);
+  try {
+    return all + operations_of(entities);
+  } catch (const InputError&) {
+    return all;
+  }
+}
+
+/// Every `stride`-th mutation of a file, and which of them neither the reader takes in another way nor the plan.
+void mutate(const std::vector<Entity>& whole, const std::string& file, int stride, int& count,
+            Silent& silent) {
+  try {
+    parts_of(whole);
+  } catch (const InputError&) {
+    return;  // of a file that is refused as a whole one reason is said
+  }
+  const std::string read_before = read_in_full(whole);
+  std::optional<std::string> seen_before;
+  const auto is_seen = [&](std::size_t entity, std::size_t argument, const std::string& value) {
+    std::vector<Entity> mutated = whole;
+    mutated[entity].arguments[argument] = value;
+    if (read_in_full(mutated) != read_before) return true;
+    if (!seen_before) seen_before = seen_by(whole, "zigzag");
+    return seen_by(mutated, "zigzag") != *seen_before;
+  };
+  const std::set<std::string> bearing = bearing_on_the_part(whole, read_before);
+  for (std::size_t e = 0; e < whole.size(); ++e) {
+    if (bearing.count(whole[e].id) == 0) continue;
+    for (std::size_t a = 0; a < whole[e].arguments.size(); ++a) {
+      const std::string value = whole[e].arguments[a], word = row_word(whole[e].keyword, a);
+      const auto attempt = [&](bool taken_away, const std::vector<std::string>& others) {
+        if (others.empty() || may_stay(whole[e].keyword, word, taken_away, kUnchangedOfFiles)) return;
+        if (count++ % stride != 0) return;
+        ++silent.mutations;
+        if (std::any_of(others.begin(), others.end(),
+                        [&](const std::string& other) { return is_seen(e, a, other); }))
+          return;
+        silent.by_attribute[whole[e].keyword + "." + word + (taken_away ? " taken away" : " changed")]
+            .push_back(file + " " + whole[e].text() + ": " + value);
+      };
+      std::vector<std::string> others = changed(value);
+      if (!others.empty() && value.find_first_not_of("-.0123456789E+") == std::string::npos &&
+          value.find('.') != std::string::npos)  // a length, an angle or a speed
+        others.push_back(
+            std::to_string(std::stod(value) * 0.75));  // what reaches beyond the stock may not grow
+      attempt(false, others);
+      if (!asks_for_nothing(value)) attempt(true, {value[0] == '(' ? "()" : "$"});
+    }
+  }
+}
+
+int mutation_stride() {
+  const char* set = std::getenv("CLEARCUT_MUTATIONS");
+  return set != nullptr ? std::max(1, std::atoi(set)) : 97;
+}
+
+/// The files of a folder whose names begin with `only`, in order.
+std::vector<std::filesystem::path> part21_files(const std::filesystem::path& folder, const char* only) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string extension = entry.path().extension().string();
+    if ((extension == ".p21" || extension == ".stp") &&
+        (only == nullptr || entry.path().filename().string().find(only) == 0))
+      files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// One in CLEARCUT_MUTATIONS of the mutations of all files (1: each of them), or of those that CLEARCUT_MUTATED_FILE names.
+TEST(StepNcMutation, EachAttributeOfTheFilesBesideIsSeen) {
+  const auto folder = test_support::data_folder();
+  if (!folder) GTEST_SKIP() << "the folder CLEARCUT_DATA is not there";
+  const char* only = std::getenv("CLEARCUT_MUTATED_FILE");
+  std::vector<std::filesystem::path> files = part21_files(*folder / "stepnc" / "own", only);
+  if (only != nullptr)  // those of others are large
+    for (const std::filesystem::path& file : part21_files(*folder / "stepnc", only)) files.push_back(file);
+  Silent silent;
+  int count = 0;
+  for (const std::filesystem::path& file : files)
+    mutate(entities_of_text(read_file(file.string(), 1 << 20)), file.filename().string(), mutation_stride(),
+           count, silent);
+  for (const auto& [attribute, places] : silent.by_attribute)
+    ADD_FAILURE() << attribute << ": " << places.size() << ", such as " << places.front();
+  RecordProperty("mutations", silent.mutations);
+  std::printf("%d mutations\n", silent.mutations);
 }
 
 }  // namespace

@@ -51,8 +51,9 @@ const char* body_keyword(ToolKind kind) {
     case ToolKind::kVBit:
     case ToolKind::kChamferMill:
       return "COUNTERSINK";
-    case ToolKind::kThreadMill:
     case ToolKind::kTSlot:
+      return "T_SLOT_MILL";
+    case ToolKind::kThreadMill:
     case ToolKind::kOther:
       break;
   }
@@ -194,10 +195,12 @@ class SetupWriter {
       const std::string size = out_.add("MILLING_TOOL_DIMENSION",
                                         {width_of(tool), top_angle_of(tool), kUnset, edge_length_of(tool),
                                          p21_real(tool.corner_radius), kUnset, kUnset});
-      const char* hand = counter_clockwise(static_cast<int>(i)) ? ".LEFT." : ".RIGHT.";
+      const bool left_handed = tool.left_hand || counter_clockwise(static_cast<int>(i));
+      const char* hand = left_handed ? ".LEFT." : ".RIGHT.";
       std::vector<std::string> arguments = {size, std::to_string(tool.teeth), hand, ".F.", kUnset};
       const std::string_view keyword = has_blunt_tip(tool) ? "TAPERED_ENDMILL" : body_keyword(tool.kind);
       if (keyword == "SIDE_MILL" || keyword == "COUNTERSINK") arguments.push_back(kUnset);
+      if (tool.kind == ToolKind::kTSlot) arguments.push_back(edge_length_of(tool));
       if (keyword == "TAPERED_ENDMILL")
         arguments.push_back(p21_real(tool.tip_angle.value_or(Radians{}).radians() / 2));
       const std::string body = out_.add(std::string(keyword), arguments);

@@ -235,7 +235,9 @@ int Reader::groove_of(std::size_t index, const StatedOperation& stated) {
 void Reader::check_disc(std::size_t index, const Tool& tool, const Node& step) const {
   const Draft& draft = drafts_[index];
   if (!draft.undercut)
-    step.fail("a T-slot cutter makes the undercut of a slot with a TEE_PROFILE alone; give an end mill");
+    step.fail(
+        "a disc (T-slot or woodruff mill) makes the undercut of a slot with a TEE_PROFILE alone; give an end "
+        "mill");
   constexpr double kSameDisc = 0.02;  // mm
   if (std::abs(tool.diameter - draft.undercut->width) > kSameDisc ||
       std::abs(*tool.flute_length - draft.undercut->height) > kSameDisc)

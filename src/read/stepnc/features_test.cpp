@@ -165,7 +165,7 @@ TEST(StepNc, SlotsWithoutAFlatFloorAreRefusedByName) {
               HasSubstr("VEE_PROFILE: its sides do not lean alike"));
   EXPECT_THAT(slot("TEE_PROFILE($,0.,0.,#74,#74,$,#74,$,$)", "(#75,#75)").error(), HasSubstr("TEE_PROFILE"));
   EXPECT_THAT(slot("SQUARE_U_PROFILE($,#74,$,$,$,$)", "(#75,#77)").error(),
-              HasSubstr("WOODRUFF_SLOT_END_TYPE: a slot with this kind of end"));
+              HasSubstr("WOODRUFF_SLOT_END_TYPE: this end of a slot is round from the side"));
 }
 
 TEST(StepNc, StepTakesTheSideAwayFromTheMaterial) {

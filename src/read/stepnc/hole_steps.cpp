@@ -156,13 +156,16 @@ constexpr double kSameTap = 0.05;  // mm
 constexpr double kPitchStep = 0.01;
 
 /// Of a tapped hole whose thread nobody states: what the tap's feed and speed make.
-std::optional<Thread> thread_of_feed(const Operation& operation, const Tool& tap) {
+std::optional<Thread> thread_of_feed(const StatedOperation& stated, const Tool& tap) {
+  const Operation& operation = stated.operation;
   if (!operation.cutting.feed || !operation.cutting.spindle_rpm) return std::nullopt;
   Thread thread;
   thread.diameter = tap.diameter;
   const double pitch = operation.cutting.feed->mm_per_min() / *operation.cutting.spindle_rpm;
   thread.pitch = std::round(pitch / kPitchStep) * kPitchStep;
-  thread.name = "M" + trimmed(thread.diameter, 3) + "x" + trimmed(thread.pitch, 3);
+  thread.left_hand = stated.hand == Hand::kLeft;
+  thread.name =
+      "M" + trimmed(thread.diameter, 3) + "x" + trimmed(thread.pitch, 3) + (thread.left_hand ? "LH" : "");
   if (!(thread.pitch > 0 && thread.pitch < tap.diameter / 2)) return std::nullopt;
   return thread;
 }
@@ -195,7 +198,7 @@ void Reader::check_core(const Feature& like, const Thread& thread, double full_z
 int Reader::thread_for(std::size_t index, const StatedOperation& stated, const Node& node) {
   const Draft& draft = drafts_[index];
   Tool& tap = part_.tools[static_cast<std::size_t>(stated.operation.tool)];
-  const auto thread = draft.thread ? draft.thread : thread_of_feed(stated.operation, tap);
+  const auto thread = draft.thread ? draft.thread : thread_of_feed(stated, tap);
   if (!thread)
     node.fail(
         "nothing states the thread; give a CATALOGUE_THREAD or DEFINED_THREAD as the feature, or feed and "
@@ -204,6 +207,10 @@ int Reader::thread_for(std::size_t index, const StatedOperation& stated, const N
   if (std::abs(tap.diameter - thread->diameter) > kSameTap)
     node.fail("the tap has " + trimmed(tap.diameter, 3) + " mm and the thread " +
               trimmed(thread->diameter, 3) + " mm; correct the tool");
+  if (stated.hand != Hand::kUnstated && (stated.hand == Hand::kLeft) != thread->left_hand)
+    node.fail(std::string("its tap is ") + (thread->left_hand ? "right" : "left") +
+              "-handed (hand_of_cut), and the thread " + (thread->left_hand ? "left" : "right") +
+              "-handed; correct one of them");
   if (tap.pitch > 0 &&
       (std::abs(tap.pitch - thread->pitch) > kPitchStep || tap.left_hand != thread->left_hand))
     node.fail("its tap cuts a thread of " + trimmed(tap.pitch, 3) +

@@ -184,6 +184,7 @@ constexpr EntityRow kEntities[] = {
     {"TAP", BODY_HEAD},
     {"COUNTERBORE", BODY_HEAD},
     {"T_SLOT_MILL", BODY_HEAD "cutting_thickness"},
+    {"WOODRUFF_KEYSEAT_MILL", BODY_HEAD "cutting_thickness"},
     {"TOOLPATH_LIST", "its_list"},
     {"CUTTER_LOCATION_TRAJECTORY", TOOLPATH_HEAD "its_direction basiccurve its_toolaxis ~surface_normal"},
     {"CUTTER_CONTACT_TRAJECTORY", TOOLPATH_HEAD "its_direction basiccurve its_toolaxis ?its_contact_type"},

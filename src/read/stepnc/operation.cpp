@@ -158,11 +158,12 @@ void use_what_is_usual(const Node& technology) {
   if (technology.peek(1).kind == P21Kind::kEnum && technology.peek(1).text == "TCP") technology.use(1);
 }
 
-void read_cutting(const Node& node, const Node& tool_node, const Tool& tool, const Tools& tools,
-                  Operation& operation, Context& context) {
+void read_cutting(const Node& node, const Tool& tool, Hand hand, Operation& operation, Context& context) {
+  const bool left_handed = hand == Hand::kLeft;
+  operation.cutting.spindle_clockwise = !left_handed;
   if (const auto technology = node.ref(6)) {
     use_what_is_usual(*technology);
-    read_spindle(*technology, tool, tools.left_handed(tool_node), operation.cutting, context);
+    read_spindle(*technology, tool, left_handed, operation.cutting, context);
     read_feed(*technology, tool, operation.cutting, context);
   } else {
     context.note("no technology; the planner's default feed and speed are used", node);
@@ -233,18 +234,18 @@ void read_approach(const Node& node, Operation& operation, Context& context) {
   }
 }
 
-/// What the approach says of leads goes before what the retract says. Any other way up is straight up.
+/// What the approach says of leads goes before what the retract says. Any other way up is straight up, which is named where another is asked for.
 void read_retract(const Node& node, Operation& operation, Context& context) {
   const auto retract = node.ref(10);
   if (!retract) return;
   if (operation.lead) {
     context.said(*retract);
-    return context.note("the lead of the approach goes before what its retract says", *retract);
+    return context.note("the lead of the approach goes before what its retract says: " + node.shown(10),
+                        *retract);
   }
   if (read_lead(*retract, operation, context)) return;
-  const bool up_anyway = retract->keyword().rfind("PLUNGE_", 0) == 0;
   context.said(*retract);
-  if (!up_anyway)
+  if (!retract->is("PLUNGE_TOOLAXIS"))
     context.note("a retract of this kind is not used; the cutter is lifted straight up: " + node.shown(10),
                  *retract);
 }
@@ -266,10 +267,13 @@ void read_strokes(const Node& strategy, Operation& operation, Context& context) 
   const std::string connection = strategy.enumeration(4);
   if (strategy.is_any("BIDIRECTIONAL_MILLING", "BIDIRECTIONAL") && !connection.empty() &&
       connection != "STRAIGHTLINE")
-    context.note("the stroke connection is not used; strokes are joined straight or along the walls",
+    context.note("the stroke connection " + connection +
+                     " is not used; strokes are joined straight or along the walls",
                  strategy);
   if (!strategy.enumeration(3).empty())
-    context.note("the stepover direction is not used; the side to begin at is left to the planner", strategy);
+    context.note("the stepover direction " + strategy.enumeration(3) +
+                     " is not used; the side to begin at is left to the planner",
+                 strategy);
 }
 
 /// The cut mode; where there is none, clockwise rotation, which inside a pocket is conventional for a cutter that turns
@@ -308,7 +312,9 @@ void read_strategy(const Node& node, Operation& operation, Context& context) {
     context.note("the radial depth goes before its overlap of " + trimmed(*overlap, 6), *strategy);
   if (!overlap || operation.stepover) return;
   if (!(*overlap >= 0 && *overlap < 1))
-    return context.note("the strategy's overlap is not a ratio from 0 to 1; it is not used", *strategy);
+    return context.note(
+        "the strategy's overlap of " + trimmed(*overlap, 6) + " is not a ratio from 0 to 1; it is not used",
+        *strategy);
   operation.stepover = 1 - *overlap;
   context.note("the width of cut is the planner's unless --stepover asks for one; not followed: overlap " +
                    trimmed(*overlap, 6),
@@ -447,7 +453,8 @@ StatedOperation read_operation(const Node& node, const Tools& tools, Context& co
     read_retract(node, operation, context);
     read_strategy(node, operation, context);
   }
-  read_cutting(node, tool_node, tool, tools, operation, context);
+  stated.hand = tools.hand_of(tool_node);
+  read_cutting(node, tool, stated.hand, operation, context);
   if (const auto retract = node.length(3)) operation.retract_z = *retract;
   if (operation.entry == EntryKind::kPlunge && !tool.center_cutting) {
     context.note("plunging is asked for with a face mill; the planner chooses the entry", node);

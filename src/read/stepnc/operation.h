@@ -21,6 +21,7 @@ std::vector<std::size_t> parts_for(const std::vector<const Draft*>& parts, const
 struct StatedOperation {
   Operation operation;  ///< its retract_z is above the top of the feature
   HoleKind hole = HoleKind::kDrilled;
+  Hand hand = Hand::kUnstated;              ///< of its tool
   std::optional<double> depth;              ///< mm below the top of the hole; absent: down to its floor
   bool is_floating = false;                 ///< the tap is held with play
   std::optional<double> previous_diameter;  ///< mm; of the hole that is there before

@@ -417,8 +417,9 @@ const char* material_of(std::string text) {
 
 /// Where an operation states no feed or no speed, and the file the material: how those of the material are had.
 void Reader::tell_material() {
-  const char* material = program_.workpiece ? material_of(program_.workpiece->shown(1)) : nullptr;
-  if (material == nullptr) return;
+  if (!program_.workpiece || program_.workpiece->unset(1)) return;
+  const std::string stated = program_.workpiece->shown(1);
+  const char* material = material_of(stated);
   std::string of;
   for (const Workingstep& step : part_.workplan) {
     const CuttingData& cutting = step.operation.cutting;
@@ -426,10 +427,12 @@ void Reader::tell_material() {
       continue;
     of += (of.empty() ? "" : ", ") + step.operation.source;
   }
-  if (!of.empty())
-    context_.note("no feed or no speed is stated for " + of + "; --material " + material +
-                      " has those of the workpiece's material",
-                  *program_.workpiece);
+  if (of.empty()) return;
+  const std::string remedy =
+      material != nullptr
+          ? std::string("--material ") + material + " has those of the workpiece's material"
+          : "none of the materials of --material is recognised in " + stated + "; choose one, or give both";
+  context_.note("no feed or no speed is stated for " + of + "; " + remedy, *program_.workpiece);
 }
 
 /// Of a pattern or compound: what could be made of it.

@@ -28,8 +28,8 @@ TEST(StepNc, ReadsTheDirectionOfStrokesAndNamesWhatElseIsLeftToThePlanner) {
   EXPECT_EQ(part.workplan[0].operation.feed_direction, Radians::of(kPi / 2));
   std::string said;
   for (const auto& item : part.diagnostics.items()) said += item.what + "\n";
-  EXPECT_NE(said.find("the stroke connection is not used"), std::string::npos) << said;
-  EXPECT_NE(said.find("the stepover direction is not used"), std::string::npos) << said;
+  EXPECT_NE(said.find("the stroke connection LOOP_BACK is not used"), std::string::npos) << said;
+  EXPECT_NE(said.find("the stepover direction LEFT is not used"), std::string::npos) << said;
 }
 
 TEST(StepNc, ReadsTheDirectionsOfEveryStrategyOrSaysThatTheyAreNotUsed) {
@@ -40,7 +40,7 @@ TEST(StepNc, ReadsTheDirectionsOfEveryStrategyOrSaysThatTheyAreNotUsed) {
   EXPECT_EQ(both.workplan[0].operation.feed_direction, Radians::of(kPi / 4));
   EXPECT_EQ(both.workplan[0].operation.direction, CutDirection::kClimb);
   for (const char* said :
-       {"stepover direction is not used", "rotation direction is not used", "only one pass in depth"})
+       {"stepover direction LEFT is not used", "rotation direction is not used", "only one pass in depth"})
     EXPECT_THAT(all_diagnostics(both), HasSubstr(said));
   EXPECT_THAT(all_diagnostics(both), Not(HasSubstr("stroke connection")));
   EXPECT_EQ(with("CONTOUR_PARALLEL(0.5,.T.,.CW.,$)").workplan[0].operation.direction,
@@ -245,6 +245,51 @@ TEST(StepNc, OnlyALeftHandCutterTurningPositiveRunsCounterClockwise) {
   EXPECT_FALSE(p.read().workplan[0].operation.cutting.spindle_clockwise);
 }
 
+TEST(StepNc, LeftHandCuttersRunCounterClockwiseWhereNoSpindleSpeedIsStated) {
+  Program p;
+  p.with(32, "ENDMILL(#33,3,.LEFT.,$,$)").with(34, "MILLING_TECHNOLOGY(0.01,.TCP.,2.,$,$,$,$,$,$)");
+  EXPECT_FALSE(p.read().workplan[0].operation.cutting.spindle_clockwise) << "by its cutting speed";
+  p.with(34, "MILLING_TECHNOLOGY(0.01,.TCP.,$,$,$,$,$,$,$)");
+  EXPECT_FALSE(p.read().workplan[0].operation.cutting.spindle_clockwise) << "by the planner's default";
+  p.with(30, "BOTTOM_AND_SIDE_ROUGH_MILLING($,$,'OP',$,$,#31,$,#35,$,$,$,$,2.,$,$,$)");
+  EXPECT_FALSE(p.read().workplan[0].operation.cutting.spindle_clockwise) << "without technology";
+  p.with(34, "MILLING_TECHNOLOGY(0.01,.TCP.,$,-100.,$,$,$,$,$)");
+  p.with(30, "BOTTOM_AND_SIDE_ROUGH_MILLING($,$,'OP',$,$,#31,#34,#35,$,$,$,$,2.,$,$,$)");
+  EXPECT_THAT(all_diagnostics(p.read()), HasSubstr("it would turn backwards"));
+}
+
+TEST(StepNc, RetractsAlongARampAreNamedAsNotUsed) {
+  Program p;
+  p.with(30, "BOTTOM_AND_SIDE_ROUGH_MILLING($,$,'OP',$,$,#31,#34,#35,$,$,#91,$,2.,$,$,$)");
+  EXPECT_THAT(all_diagnostics(p.with(91, "PLUNGE_RAMP($,45.)").read()),
+              HasSubstr("the cutter is lifted straight up: #91 PLUNGE_RAMP($,45)"));
+  EXPECT_THAT(all_diagnostics(p.with(91, "PLUNGE_TOOLAXIS($)").read()),
+              ::testing::Not(HasSubstr("lifted straight up")));
+}
+
+TEST(StepNc, WoodruffMillsAreDiscsThatMakeUndercuts) {
+  Program p;
+  EXPECT_THAT(p.with(32, "WOODRUFF_KEYSEAT_MILL(#33,3,.RIGHT.,$,$,2.)").error(),
+              HasSubstr("makes the undercut of a slot with a TEE_PROFILE alone"));
+}
+
+TEST(StepNc, OtherHandsOfCutAreNamed) {
+  Program p;
+  EXPECT_THAT(all_diagnostics(p.with(32, "ENDMILL(#33,3,.NEUTRAL.,$,$)").read()),
+              HasSubstr("not followed: hand_of_cut .NEUTRAL."));
+}
+
+TEST(StepNc, CuttersThatDifferInTheirHandAreTwoTools) {
+  Program p;
+  p.with(2, "WORKPLAN('MAIN',(#10,#11),$,#4,$)").with(11, "MACHINING_WORKINGSTEP('WS',#7,#20,#91,$)");
+  p.with(91, "BOTTOM_AND_SIDE_ROUGH_MILLING($,$,'OP',$,$,#94,#34,#35,$,$,$,$,2.,$,$,$)");
+  p.with(94, "MILLING_CUTTING_TOOL('T1',#97,(),$,$,$)").with(97, "ENDMILL(#33,3,.LEFT.,$,$)");
+  p.with(31, "MILLING_CUTTING_TOOL('T1',#32,(),$,$,$)").with(32, "ENDMILL(#33,3,.RIGHT.,$,$)");
+  const Part part = p.read();
+  ASSERT_EQ(part.workplan.size(), 2U);
+  EXPECT_NE(tool_of(part, part.workplan[0]).number, tool_of(part, part.workplan[1]).number);
+}
+
 TEST(StepNc, TaperedEndMillsAreReadWithTheirTaper) {
   Program p;
   EXPECT_EQ(p.with(32, "TAPERED_ENDMILL(#33,3,.RIGHT.,$,$,$)").read().tools[0].kind, ToolKind::kEndMill);
@@ -326,6 +371,14 @@ TEST(StepNc, MissingNonEssentialsGetDefaultsAndOneNoteForAll) {
               HasSubstr("#33 MILLING_TOOL_DIMENSION: no edge radius; the cutter is taken as flat-ended"));
   EXPECT_THAT(notes, HasSubstr("tools as read: T5 endmill 10 mm, 3 teeth"));
   EXPECT_LE(part.diagnostics.items().size(), 6U) << notes;
+}
+
+TEST(StepNc, WhereFeedsAreMissingAMaterialThatIsNotRecognisedIsNamed) {
+  Program p;
+  p.with(3, "WORKPIECE('WP',#91,$,$,$,#5,())").with(91, "MATERIAL('X1','Unobtainium',())");
+  EXPECT_THAT(all_diagnostics(p.read()), ::testing::Not(HasSubstr("--material")));
+  p.with(34, "MILLING_TECHNOLOGY($,.TCP.,$,-100.,$,$,$,$,$)");
+  EXPECT_THAT(all_diagnostics(p.read()), HasSubstr("none of the materials of --material is recognised in"));
 }
 
 TEST(StepNc, WhereFeedsAreMissingTheMaterialIsNamedThatHasThem) {

@@ -52,6 +52,36 @@ TEST(StepNcThreads, WithoutAThreadThePitchFollowsFromFeedAndSpeed) {
   EXPECT_NE(all_diagnostics(part).find("the thread follows from feed and speed: M6x1"), std::string::npos);
 }
 
+TEST(StepNcThreads, TheHandOfTheTapIsThatOfTheThread) {
+  Program p = tapped();
+  const std::string left_tap = "TAP(#68,3,.LEFT.,$,$)", left = "DESCRIPTIVE_PARAMETER('hand','left')";
+  EXPECT_NE(all_diagnostics(p.with(67, left_tap).read()).find("its tap is left-handed"), std::string::npos);
+  const Part both = p.with(58, left).read();
+  ASSERT_EQ(both.workplan.size(), 2U) << all_diagnostics(both);
+  EXPECT_TRUE(tool_of(both, both.workplan[1]).left_hand);
+  p.with(67, "TAP(#68,3,.RIGHT.,$,$)");
+  EXPECT_NE(all_diagnostics(p.read()).find("its tap is right-handed (hand_of_cut), and the thread left"),
+            std::string::npos);
+  EXPECT_EQ(p.with(67, "TAP(#68,3,$,$,$)").read().workplan.size(), 2U);
+}
+
+TEST(StepNcThreads, HandsThatAreNeitherLeftNorRightAreNamed) {
+  Program p = tapped();
+  p.with(58, "DESCRIPTIVE_PARAMETER('hand','OTHER')");
+  EXPECT_NE(all_diagnostics(p.read()).find("its thread_hand 'OTHER' is neither LEFT nor RIGHT"),
+            std::string::npos);
+}
+
+TEST(StepNcThreads, ALeftHandedTapCutsTheThreadOfItsFeedLeftHanded) {
+  Program p = tapped();
+  p.with(11, "MACHINING_WORKINGSTEP('WS2',#7,#20,#51,$)").with(67, "TAP(#68,3,.LEFT.,$,$)");
+  p.with(51, "TAPPING($,$,'TAP',$,$,#65,#66,#35,$,10.,$,$,$,$,.F.)");
+  const Part part = p.read();
+  ASSERT_EQ(part.workplan.size(), 2U) << all_diagnostics(part);
+  EXPECT_TRUE(tool_of(part, part.workplan[1]).left_hand);
+  EXPECT_NE(all_diagnostics(part).find("M6x1LH"), std::string::npos);
+}
+
 TEST(StepNcThreads, ACoreThatIsTooShallowForTheLeadIsNamed) {
   Program p = tapped();
   p.with(25, "CARTESIAN_POINT('',(0.,0.,-12.))");

@@ -263,8 +263,10 @@ class ToolpathReader {
   }
 
  private:
-  /// Whether the control may take it for a proposal, and the sense in which it is named, change nothing: it is followed.
-  static void use_head(const Node& element) {
+  /// A path that is a mere proposal is followed, too.
+  void use_head(const Node& element) {
+    if (element.flag(kPriority) == false)
+      context_.note("its_priority is .F., so that another path would do; this one is followed", element);
     element.use(kPriority);
     element.use(kType);
   }

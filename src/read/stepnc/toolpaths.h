@@ -20,6 +20,9 @@ struct StatedUse {
   bool breaks_edges = false;  ///< all that it works on are chamfers
 };
 
+/// hand_of_cut of a tool's body. Cutters of unstated hand turn clockwise, like right-handed ones.
+enum class Hand { kUnstated, kRight, kLeft };
+
 /// All tools of the file, in order of their entities, equal ones once.
 class Tools {
  public:
@@ -28,13 +31,14 @@ class Tools {
   const std::vector<Tool>& list() const { return tools_; }
   /// Index of the tool of a MILLING_CUTTING_TOOL. Throws InputError for what is missing in it.
   int find(const Node& tool, Context& context) const;
-  bool left_handed(const Node& tool) const;
+  Hand hand_of(const Node& tool) const;
 
  private:
-  int add(Tool tool, bool numbered);
+  int add(Tool tool, bool numbered, bool left_handed);
   void number_the_rest();
   std::vector<Tool> tools_;
   std::vector<bool> numbered_;
+  std::vector<bool> left_handed_;
   std::map<std::uint64_t, int> by_entity_;
   std::map<std::uint64_t, StatedUse> uses_;
 };

@@ -21,15 +21,23 @@ struct BodyKind {
   std::string_view keyword;
   ToolKind kind;
 };
-constexpr BodyKind kBodies[] = {
-    {"ENDMILL", ToolKind::kEndMill},          {"TAPERED_ENDMILL", ToolKind::kEndMill},
-    {"BALL_ENDMILL", ToolKind::kBallEndMill}, {"BULLNOSE_ENDMILL", ToolKind::kBullNoseEndMill},
-    {"FACEMILL", ToolKind::kFaceMill},        {"TWIST_DRILL", ToolKind::kDrill},
-    {"SPADE_DRILL", ToolKind::kDrill},        {"CENTER_DRILL", ToolKind::kDrill},
-    {"TAPERED_DRILL", ToolKind::kDrill},      {"REAMER", ToolKind::kReamer},
-    {"TAPERED_REAMER", ToolKind::kReamer},    {"BORING_TOOL", ToolKind::kBoringBar},
-    {"COUNTERSINK", ToolKind::kSpotDrill},    {"TAP", ToolKind::kTap},
-    {"COUNTERBORE", ToolKind::kCounterbore},  {"T_SLOT_MILL", ToolKind::kTSlot}};
+constexpr BodyKind kBodies[] = {{"ENDMILL", ToolKind::kEndMill},
+                                {"TAPERED_ENDMILL", ToolKind::kEndMill},
+                                {"BALL_ENDMILL", ToolKind::kBallEndMill},
+                                {"BULLNOSE_ENDMILL", ToolKind::kBullNoseEndMill},
+                                {"FACEMILL", ToolKind::kFaceMill},
+                                {"TWIST_DRILL", ToolKind::kDrill},
+                                {"SPADE_DRILL", ToolKind::kDrill},
+                                {"CENTER_DRILL", ToolKind::kDrill},
+                                {"TAPERED_DRILL", ToolKind::kDrill},
+                                {"REAMER", ToolKind::kReamer},
+                                {"TAPERED_REAMER", ToolKind::kReamer},
+                                {"BORING_TOOL", ToolKind::kBoringBar},
+                                {"COUNTERSINK", ToolKind::kSpotDrill},
+                                {"TAP", ToolKind::kTap},
+                                {"COUNTERBORE", ToolKind::kCounterbore},
+                                {"T_SLOT_MILL", ToolKind::kTSlot},
+                                {"WOODRUFF_KEYSEAT_MILL", ToolKind::kTSlot}};
 
 ToolKind kind_of(const Node& body) {
   for (const BodyKind& entry : kBodies)
@@ -104,7 +112,7 @@ void read_disc(const Node& body, const StatedUse& use, Tool& tool, Context& cont
   if (!tool.flute_length) body.fail("the height of its disc is missing; give cutting_thickness");
   if (use.neck <= 0) return;
   tool.shank_diameter = std::max(use.neck - 2 * kBesideUnstatedNeck, 0.1);
-  context.warn("no attribute states the neck of a T-slot cutter: it is taken as " +
+  context.warn("no attribute states the neck of a cutter of undercuts: it is taken as " +
                    trimmed(tool.shank_diameter, 3) + " mm, " + trimmed(kBesideUnstatedNeck, 3) +
                    " mm off the walls of its slot",
                body);
@@ -120,6 +128,14 @@ void read_cone(const Node& body, const StatedUse& use, Tool& tool, Context& cont
   context.note("it breaks edges alone and is taken as a chamfer mill, whose tip does not cut", body);
 }
 
+/// Other hands than the two that a spindle can turn for.
+void check_hand(const Node& body, Context& context) {
+  const std::string hand = body.enumeration(2);
+  if (!hand.empty() && hand != "LEFT" && hand != "RIGHT")
+    context.warn("not followed: hand_of_cut ." + hand + ".; its spindle turns clockwise, as for .RIGHT.",
+                 body);
+}
+
 Tool read_tool(const Node& node, const StatedUse& use, Context& context) {
   if (!node.is_any("MILLING_CUTTING_TOOL", "CUTTING_TOOL"))
     node.fail("a MILLING_CUTTING_TOOL is needed here; correct the reference");
@@ -128,6 +144,7 @@ Tool read_tool(const Node& node, const StatedUse& use, Context& context) {
   Tool tool;
   tool.name = node.text(0);
   tool.kind = kind_of(body);
+  check_hand(body, context);
   tool.diameter = size.needed_length(0, "diameter");
   if (tool.diameter <= 0) size.fail("the tool's diameter is not above zero; correct it");
   tool.corner_radius = corner_radius_of(size, tool, context);
@@ -159,7 +176,7 @@ Tools::Tools(Context& context, const std::map<std::uint64_t, StatedUse>& uses) :
       Tool tool = read_tool(node, uses_[node.id()], context);
       const auto number = number_in(tool.name);
       if (number) tool.number = *number;
-      by_entity_[node.id()] = add(std::move(tool), number.has_value());
+      by_entity_[node.id()] = add(std::move(tool), number.has_value(), hand_of(node) == Hand::kLeft);
     } catch (const InputError&) {
       // find() reports it where an operation needs this tool.
     }
@@ -167,14 +184,16 @@ Tools::Tools(Context& context, const std::map<std::uint64_t, StatedUse>& uses) :
   number_the_rest();
 }
 
-int Tools::add(Tool tool, bool numbered) {
+int Tools::add(Tool tool, bool numbered, bool left_handed) {
   for (std::size_t i = 0; i < tools_.size(); ++i) {
     const bool same_number = numbered_[i] == numbered && (!numbered || tools_[i].number == tool.number);
-    if (same_number && same_tool(tools_[i], tool)) return static_cast<int>(i);
+    if (same_number && left_handed_[i] == left_handed && same_tool(tools_[i], tool))
+      return static_cast<int>(i);
     if (numbered && numbered_[i] && tools_[i].number == tool.number) numbered = false;
   }
   tools_.push_back(std::move(tool));
   numbered_.push_back(numbered);
+  left_handed_.push_back(left_handed);
   return static_cast<int>(tools_.size()) - 1;
 }
 
@@ -200,9 +219,11 @@ int Tools::find(const Node& tool, Context& context) const {
   tool.fail("a MILLING_CUTTING_TOOL is needed here; correct the reference");
 }
 
-bool Tools::left_handed(const Node& tool) const {
+Hand Tools::hand_of(const Node& tool) const {
   const auto body = tool.ref(1);
-  return body && body->enumeration(2) == "LEFT";
+  if (!body) return Hand::kUnstated;
+  const std::string hand = body->enumeration(2);
+  return hand == "LEFT" ? Hand::kLeft : hand == "RIGHT" ? Hand::kRight : Hand::kUnstated;
 }
 
 }  // namespace clearcut::read::stepnc

@@ -70,15 +70,16 @@ constexpr ListedEntity kListed[] = {
     {"DEFINED_THREAD"},
     {"CHAMFER"},
     {"EDGE_ROUND", kRefused,
-     "an edge is rounded with a form cutter along it, which is not planned; round it by hand or add the "
-     "pass"},
+     "an edge is rounded with a form cutter along it, which is not planned; round it by hand, add the pass, "
+     "or write it as a CHAMFER"},
     {"THREAD", kRefused, "it says no size; write it as CATALOGUE_THREAD or DEFINED_THREAD"},
     {"ROUNDED_END", kRefused,
      "its wall is round from the side and is no 2.5-D feature; write it as a pocket or step"},
     {"SPHERICAL_CAP", kRefused, "a ball is no 2.5-D feature; it needs free-form milling"},
     {"TOOLPATH_FEATURE", kRefused,
      "it is only a path; write what is to be removed as a pocket, face, slot or step"},
-    {"REGION_PROJECTION", kRefused, kFreeForm},
+    {"REGION_PROJECTION", kRefused,
+     "it is the part of a surface under a curve; where that is level, write it as a pocket or face"},
     {"REGION_SURFACE_LIST", kRefused, kFreeForm},
     {"TOPOLOGICAL_REGION", kRefused, kFreeForm},
     {"GENERAL_FREEFORM", kRefused, kFreeForm},
@@ -97,7 +98,8 @@ constexpr ListedEntity kListed[] = {
     {"FLAT_SLOT_END_TYPE"},
     {"LOOP_SLOT_END_TYPE"},
     {"WOODRUFF_SLOT_END_TYPE", kRefused,
-     "a slot with this kind of end cannot be machined yet; write the end as open, round or flat"},
+     "this end of a slot is round from the side, and a disc on a level axis makes it; write the end as open, "
+     "round or flat"},
     {"GENERAL_POCKET_BOTTOM_CONDITION", kRefused,
      "the pocket's bottom is a free-form surface and cannot be machined yet; write what lies above it as a "
      "flat "
@@ -203,9 +205,9 @@ constexpr ListedEntity kListed[] = {
     {"TAP"},
     {"COUNTERBORE"},
     {"T_SLOT_MILL"},
+    {"WOODRUFF_KEYSEAT_MILL"},
     {"SIDE_MILL", kRefused, kFormCutter},
     {"DOVETAIL_MILL", kRefused, kFormCutter},
-    {"WOODRUFF_KEYSEAT_MILL", kRefused, kFormCutter},
     {"THREAD_MILL", kRefused, "threads are cut with a TAP; give one, and TAPPING"},
     {"PROFILED_END_MILL", kRefused, kFormCutter},
     {"COMBINED_DRILL_AND_TAP", kRefused, "give a TWIST_DRILL and a TAP"},

@@ -366,6 +366,19 @@ std::string described(const Node& feature, std::size_t argument) {
   return text ? text->text(1) : "";
 }
 
+/// thread_hand; a word that is neither LEFT nor RIGHT is named, and the thread taken as right-handed.
+bool is_left_hand(const Node& thread, Context& context) {
+  std::string hand = described(thread, 13);
+  for (char& c : hand)
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+  const bool left = hand == "LEFT";
+  if (!left && !hand.empty() && hand != "RIGHT")
+    context.diagnostics.doubt(context.file.place(thread.line()), kNotFollowed,
+                              thread.label() + ": its thread_hand '" + hand +
+                                  "' is neither LEFT nor RIGHT; the thread is cut right-handed");
+  return left;
+}
+
 /// What a tap makes in a hole that other features drill.
 void read_thread(const Node& feature, const Frame& frame, Draft& draft, Context& context) {
   draft.kind = FeatureKind::kRoundHole;
@@ -375,8 +388,7 @@ void read_thread(const Node& feature, const Frame& frame, Draft& draft, Context&
   thread.diameter = feature.needed_length(11, "major diameter");
   if (thread.diameter <= 0) feature.fail("the major diameter is not above zero; correct it");
   thread.pitch = pitch_of(feature, thread.diameter);
-  const std::string hand = described(feature, 13);
-  thread.left_hand = hand == "LEFT" || hand == "left";
+  thread.left_hand = is_left_hand(feature, context);
   if (!is_of_60_degrees(described(feature, 10)))
     feature.fail("its form is " + described(feature, 10) +
                  "; threads of 60 degrees are cut (metric, unified)");
