@@ -28,8 +28,8 @@ function linesOf(answer) {
 
 /**
    * Starts a widget. `host`: the sender's controller. `gate`: from createGate(). `question`: returns what is asked of a program
-   * besides its name (tools, stock, ...). `show`: called with {verdict, lines}. `holdFaulty`: a program that is not CLEAN or
-   * CONDITIONAL is paused as soon as the sender starts it.
+   * besides its name (tools, stock, ...). `show`: called with {verdict, lines}. `holdFaulty`: a program whose verdict is
+   * neither CLEAN nor CONDITIONAL is paused as soon as the sender starts it.
    */
 function startWidget({host, gate, question, show, holdFaulty = false}) {
   let loaded = null;
@@ -56,7 +56,7 @@ function startWidget({host, gate, question, show, holdFaulty = false}) {
   }
 
   function workflow(state) {
-    const isHeld = loaded && shown.verdict !== 'CLEAN' && shown.verdict !== 'CONDITIONAL';
+    const isHeld = loaded && !/^(CLEAN|CONDITIONAL)\b/.test(shown.verdict);
     if (holdFaulty && state === 'running' && isHeld) host.command('gcode:pause');
   }
 
