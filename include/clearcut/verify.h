@@ -6,6 +6,8 @@
 #include "model/results/findings.h"
 #include "pipeline/check.h"
 #include "pipeline/program_feeds.h"
+#include "pipeline/question/check_text.h"
+#include "pipeline/question/question.h"
 #include "pipeline/result_figures.h"
 #include "pipeline/resume/resume.h"
 #include "read/gcode/gcode.h"
@@ -15,6 +17,7 @@ namespace clearcut {
 
 using pipeline::check_program;
 using pipeline::check_program_alone;
+using pipeline::check_text;
 using pipeline::CheckResult;
 using pipeline::feeds_of_program;
 using pipeline::figures_of_moves;
@@ -22,6 +25,7 @@ using pipeline::margin_line;
 using pipeline::MoveFigures;
 using pipeline::ProgramFeeds;
 using pipeline::ProgramQuestion;
+using pipeline::question_options;
 using pipeline::resume_program;
 using pipeline::ResumedProgram;
 using pipeline::Stop;

@@ -165,9 +165,10 @@ class SetupWriter {
 
   /// The axes of the workpiece in the set-up.
   std::string mounted_axes() {
-    const auto& [x, y, z] = common_.place.turn;
+    const auto& turn = common_.place.turn;
     const auto column = [&](std::size_t i) {
-      return out_.add("DIRECTION", {"''", p21_list({p21_real(x[i]), p21_real(y[i]), p21_real(z[i])})});
+      return out_.add("DIRECTION",
+                      {"''", p21_list({p21_real(turn[0][i]), p21_real(turn[1][i]), p21_real(turn[2][i])})});
     };
     const std::string zero = out_.add("CARTESIAN_POINT", {"''", "(0.0,0.0,0.0)"});
     const std::string up = column(2);

@@ -317,7 +317,10 @@ void add_pockets(const Context& context, const DataValue& pockets, double unit, 
 }  // namespace
 
 Part read_outline_json(std::string_view text, const std::string& file_name, const ReadOptions& options) {
-  const DataValue root = parse_json(text, file_name);
+  return read_outline_value(parse_json(text, file_name), file_name, options);
+}
+
+Part read_outline_value(const DataValue& root, const std::string& file_name, const ReadOptions& options) {
   Part part;
   part.source_file = file_name;
   const Context context{file_name, options, part.diagnostics};

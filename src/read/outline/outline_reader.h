@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "model/part.h"
+#include "read/common/data_value.h"
 #include "read/common/read_options.h"
 
 namespace clearcut::read {
@@ -34,5 +35,7 @@ Part read_edges(std::string_view text, const std::string& file_name, const ReadO
 /// Throws  InputError "file:line: ..." for bad JSON, missing or impossible values, outlines beyond repair.
 Part read_outline_json(std::string_view text, const std::string& file_name, const ReadOptions& options);
 Part read_outline_json(std::string_view text, const std::string& file_name, const Tolerances& tol);
+/// The same for a value within another JSON text, whose name and lines stand in messages.
+Part read_outline_value(const DataValue& root, const std::string& file_name, const ReadOptions& options);
 
 }  // namespace clearcut::read

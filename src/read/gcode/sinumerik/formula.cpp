@@ -1,5 +1,7 @@
 #include "read/gcode/sinumerik/formula.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -136,8 +138,10 @@ SinumerikResult as_type(SinumerikType type, SinumerikResult value, const RefuseB
 std::string sinumerik_number(double value) {
   if (std::abs(value) < kLeftOfNothing) return "0";
   char text[64];
-  const auto [end, error] = std::to_chars(text, text + sizeof text, value, std::chars_format::fixed);
-  return error == std::errc{} ? std::string(text, end) : "0";
+  const auto [end, error] = std::to_chars(text, text + sizeof text, value);
+  const std::string shortest(text, error == std::errc{} ? end : text);
+  if (!shortest.empty() && shortest.find('e') == std::string::npos) return shortest;
+  return fmt::format("{:.15f}", value);  // words of a program have no exponent
 }
 
 void SinumerikFormula::skip_blanks() {

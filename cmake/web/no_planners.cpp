@@ -1,0 +1,15 @@
+// Stands in for src/pipeline/selection/strategies.cpp: the gate checks programs and plans none.
+#include "pipeline/selection/strategies.h"
+
+namespace clearcut::pipeline {
+
+const StrategyTable& built_in_strategies() {
+  static const StrategyTable none(std::vector<StrategyEntry>{});
+  return none;
+}
+
+const StrategyTable& strategies_of(const resolve::PlanOptions& options) {
+  return options.strategies ? *options.strategies : built_in_strategies();
+}
+
+}  // namespace clearcut::pipeline

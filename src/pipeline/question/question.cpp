@@ -1,0 +1,205 @@
+#include "pipeline/question/question.h"
+
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "options/idle.h"
+#include "options/row.h"
+#include "read/common/data_value.h"
+#include "read/common/text.h"
+#include "read/drawing/layer_rules.h"
+#include "read/job/machine_file.h"
+#include "read/job/machine_library.h"
+#include "read/job/read_part.h"
+#include "read/outline/outline_reader.h"
+
+namespace clearcut::pipeline {
+namespace {
+
+/// Whether `verify` takes the row from texts alone: no file, no drawing, no planning.
+bool is_asked_of_checks(const Row& row) {
+  if (row.kind == ValueKind::kFile || row.kind == ValueKind::kFiles) return false;
+  if (row.name == "setup" || row.name == "earlier-setup" || row.name == "origin" || row.name == "tool" ||
+      row.name == "machine")
+    return false;
+  switch (row.group) {
+    case Group::kInput:
+      return row.effect.inputs & kOutlineInput;
+    case Group::kTools:
+    case Group::kMachine:
+    case Group::kLimits:
+    case Group::kStages:
+    case Group::kCopies:
+      return true;
+    default:
+      return row.name == "threads" || row.name == "predrilled";
+  }
+}
+
+/// A number, a text or a truth value as `clearcut verify` takes it.
+std::string text_of(const read::DataValue& value, const std::string& place) {
+  if (value.is_string()) return value.text;
+  if (value.is_number()) return trimmed(value.number, 9);
+  throw InputError(place, "must be a number, a text, true, or a list of them");
+}
+
+std::vector<std::string> texts_of(const read::DataValue& value, const std::string& place) {
+  if (!value.is_array()) return {text_of(value, place)};
+  std::vector<std::string> texts;
+  for (const read::DataValue& item : value.items) texts.push_back(text_of(item, place));
+  return texts;
+}
+
+const Row& row_of(const std::string& name, const std::string& place) {
+  const Row* const row = row_named(name);
+  if (row && is_asked_of_checks(*row)) return *row;
+  const std::string meant = row ? "" : nearest_name(name, question_options());
+  throw InputError(place, (row ? "is not asked of a check of texts" : "is no option") +
+                              (meant.empty() ? "; docs/gate.md lists those there are"
+                                             : "; did you mean '" + meant + "'?"));
+}
+
+void take_option(const read::DataMember& member, Asked& asked) {
+  const std::string place =
+      std::string(kQuestion) + ":" + std::to_string(member.value.line) + ": " + read::printable(member.key);
+  const Row& row = row_of(member.key, place);
+  if (row.kind == ValueKind::kFlag) {
+    if (member.value.kind != read::DataValue::Kind::kBoolean)
+      throw InputError(place, "must be true or false");
+    if (member.value.boolean) row.field.set(asked, Value(true), row.names);
+    return;
+  }
+  const std::vector<std::string> texts = texts_of(member.value, place);
+  if (!takes_several(row.kind) && texts.size() != 1) throw InputError(place, "must be one value");
+  row.field.set(
+      asked,
+      takes_several(row.kind) ? value_of_texts(row, texts, place) : value_of_text(row, texts[0], place),
+      row.names);
+}
+
+/// A name of the library, the settings of a control as text, or an object with the keys of a machine file.
+Machine machine_of(const read::DataValue& value, Sources& sources) {
+  const std::string place = std::string(kQuestion) + ":" + std::to_string(value.line) + ": machine";
+  if (value.is_object()) {
+    sources.merge(read::machine_sources_of(value, kQuestion, Origin::kMachineFile));
+    return read::machine_of_section(read::DataSection(value, kQuestion, "machine"), Machine{});
+  }
+  if (!value.is_string()) throw InputError(place, "must be a name, the settings of a control, or an object");
+  std::optional<Machine> machine = read::library_machine(value.text);
+  if (!machine)
+    if (const auto settings = read::read_machine_settings(value.text, place)) machine = settings->machine;
+  if (!machine)
+    throw InputError(place, "'" + read::printable(value.text.substr(0, 40)) +
+                                "' is neither a machine of the library nor the settings of a control");
+  for (const char* const key : {"machine", "planner"}) sources.set(key, {Origin::kMachineFile, place});
+  return *machine;
+}
+
+/// The part with what the options say of it.
+Part part_of(const read::DataValue& value, const InputOptions& input) {
+  const read::ReadOptions options = read::completed(read::read_options_of(input));
+  Part part = read::as_asked(read::read_outline_value(value, kQuestion, options), options, kQuestion);
+  if (input.clearance_z) part.clearance_z = input.clearance_z;
+  return part;
+}
+
+/// Refuses options that have no effect: those of the part without one, those of other inputs with one.
+void refuse_idle(const read::DataValue& options, const std::optional<Part>& part) {
+  for (const read::DataMember& member : options.members) {
+    const Row& row = *row_named(member.key);
+    const std::string place =
+        std::string(kQuestion) + ":" + std::to_string(member.value.line) + ": " + member.key;
+    if (part) {
+      const std::string reason = idle_on_input(row, input_kind_of(*part));
+      if (!reason.empty()) throw InputError(place, reason);
+    } else if (row.group == Group::kCopies || row.group == Group::kInput ||
+               row.name.starts_with("allowance") || row.name.starts_with("margin") ||
+               row.name.starts_with("finish") || row.name == "rest" || row.name == "scallop") {
+      throw InputError(place, "needs a part");
+    }
+  }
+}
+
+void take_options(const read::DataValue& root, Question& question, InputOptions& input) {
+  const read::DataValue* const options = root.find("options");
+  Asked asked;
+  if (options) {
+    if (!options->is_object())
+      throw InputError(std::string(kQuestion) + ":" + std::to_string(options->line) + ": options",
+                       "must be an object of names and values");
+    for (const read::DataMember& member : options->members) take_option(member, asked);
+  }
+  question.options = std::move(asked.plan);
+  input = std::move(asked.input);
+}
+
+void take_machine(const read::DataValue& root, const InputOptions& input, resolve::PlanOptions& options) {
+  Machine machine;
+  if (const read::DataValue* const stated = root.find("machine")) {
+    machine = machine_of(*stated, options.sources);
+    if (options.sources.find("holding")) options.accept.emplace_back("loose-part");
+  }
+  if (input.machine_kind) read::fill_machine_kind(machine, *input.machine_kind);
+  const Machine typed = options.machine;
+  const read::DataValue* const named = root.find("options");
+  const auto is_typed = [&](const char* name) { return named && named->find(name); };
+  if (is_typed("acceleration")) machine.acceleration = typed.acceleration, machine.axis_acceleration.reset();
+  if (is_typed("junction-deviation")) machine.junction_deviation = typed.junction_deviation;
+  if (is_typed("rapid")) machine.rapid = typed.rapid, machine.axis_rapid.reset();
+  options.machine = machine;
+}
+
+/// The whole text as one object.
+Question question_of(const read::DataValue& root) {
+  read::DataSection section(root, kQuestion, "");
+  Question question;
+  if (const auto name = section.text("name")) question.program_name = *name;
+  if (const auto name = section.text("dialect")) {
+    question.dialect = read::gcode::dialect_named(*name);
+    if (!question.dialect)
+      section.fail_at("dialect", "'" + read::printable(*name) + "' is no control that is known");
+  }
+  const std::vector<std::string> tools = section.texts("tools");
+  const auto stock = section.text("stock");
+  question.top = section.number("top");
+  for (const char* const key : {"part", "machine", "options"}) section.value(key);
+  section.refuse_unknown();
+
+  InputOptions input;
+  take_options(root, question, input);
+  if (const read::DataValue* const part = root.find("part")) question.part = part_of(*part, input);
+  if (const read::DataValue* const options = root.find("options")) refuse_idle(*options, question.part);
+  if (question.part && (stock || question.top))
+    section.fail_at(stock ? "stock" : "top", "is asked without a part; the part states its stock");
+  if (stock) question.stock = resolve::parse_stock(*stock, question.top.value_or(0));
+  for (const std::string& tool : tools) question.options.tools.push_back(resolve::parse_tool(tool));
+  for (const std::string& text : input.keep_outs)
+    question.options.keep_outs.push_back(resolve::parse_keep_out(text));
+  for (const std::string& text : input.predrilled)
+    question.options.predrilled.push_back(resolve::parse_predrilled(text));
+  take_machine(root, input, question.options);
+  if (const read::DataValue* const options = root.find("options"))
+    for (const read::DataMember& member : options->members)
+      question.options.sources.set(
+          member.key, {Origin::kUser, std::string(kQuestion) + ":" + std::to_string(member.value.line)});
+  question.options.threads = 1;
+  resolve::check(question.options);
+  return question;
+}
+
+}  // namespace
+
+Question read_question(std::string_view text) {
+  return question_of(read::parse_json(text, kQuestion));
+}
+
+std::vector<std::string> question_options() {
+  std::vector<std::string> names;
+  for (const Row& row : rows())
+    if (is_asked_of_checks(row)) names.push_back(row.name);
+  return names;
+}
+
+}  // namespace clearcut::pipeline
