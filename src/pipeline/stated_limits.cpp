@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "base/error.h"
@@ -74,13 +73,6 @@ void refuse_exceeded_engagement(const PlanResult& result, const ResolvedPlan& pl
                        what +
                            ": a cut along an outline has the full width of the cutter; plan it in a "
                            "program of its own, without the limit");
-    if (result.part.workplan[index].operation.kind == OperationKind::kSideFinishing)
-      throw InputError(
-          place_of_engagement(options),
-          fmt::format(
-              "{}: finishing takes the stock of both walls of a corner at once; leave out the finishing "
-              "of walls, or limit the engagement to {}",
-              what, trimmed(std::ceil(step.figures.engagement.max_deg), 0)));
     const StrategyEntry* strategy = plan.steps[index].strategy;
     if (strategy && !strategy->limits_engagement)
       throw InputError(place_of_engagement(options),

@@ -46,16 +46,6 @@ TEST(StatedLimits, AProfileIsCutAtFullWidthAndRefusedUnderALimit) {
       HasSubstr("a cut along an outline has the full width of the cutter; plan it in a program of its own"));
 }
 
-TEST(StatedLimits, WallsWhoseCornersCannotBeFinishedUnderALimitAreRefused) {
-  const Part pocket = drawn(box("POCKET_D2", 0, 0, 24, 18));
-  resolve::PlanOptions options = under_limit("endmill:6", "adaptive", 90);
-  options.shop.finish = "walls";
-  EXPECT_THAT(refused(pocket, options),
-              HasSubstr("finishing takes the stock of both walls of a corner at once"));
-  options.engagement_deg = 120;
-  EXPECT_THAT(refused(pocket, options), HasSubstr("not refused: CLEAN"));
-}
-
 /// Faces of which the cutter may leave the stock on all sides; rounded corners meet their edges with the whole radius.
 TEST(StatedLimits, FacesAreClearedWithinTheEngagement) {
   const std::string face = box("STOCK_D10", 0, 0, 33.6, 29.3) + box("FACE_D0.8", 0, 0, 33.6, 29.3);
