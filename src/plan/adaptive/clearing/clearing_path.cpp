@@ -93,6 +93,7 @@ void ClearingPath::append(const Path& cut, const LinkPath& link) {
     for (const LinkMove& move : link) append_link(move);
   }
   for (Edge edge : cut) {
+    if (distance(at_, edge.to) < kSamePlaceMm) continue;  // it has no heading
     edge.from = at_;
     if (const auto whole = joined_to_last(edge)) {
       pass_.path.back() = *whole;
