@@ -5,8 +5,8 @@ set(CLEARCUT_GATE_WITHOUT plan order)  # modules of which only headers are inclu
 # Per module: the sources that stay, as regular expressions of their paths.
 set(CLEARCUT_GATE_read "/read/(common|drawing|gcode|outline|repair|tools)/" "/read/job/(machine|read_part)[a-z_]*\\.cpp$")
 set(CLEARCUT_GATE_report "/report/(certificate|words)/" "/report/(result|table)\\.cpp$" "/sheet/sheet_facts\\.cpp$")
-set(CLEARCUT_GATE_pipeline "/pipeline/(check|copies|program_feeds|result_figures|texts)\\.cpp$"
-  "/pipeline/question/" "/pipeline/steps/(certify|out_of_reach|program_conditions|section_order)\\.cpp$")
+set(CLEARCUT_GATE_pipeline "/pipeline/(check|check_text|copies|program_feeds|result_figures|stated_machine|texts)\\.cpp$"
+  "/pipeline/steps/(certify|out_of_reach|program_conditions|section_order)\\.cpp$")
 
 function(clearcut_gate_sources)
   foreach(module read report pipeline)

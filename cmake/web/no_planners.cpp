@@ -8,8 +8,4 @@ const StrategyTable& built_in_strategies() {
   return none;
 }
 
-const StrategyTable& strategies_of(const resolve::PlanOptions& options) {
-  return options.strategies ? *options.strategies : built_in_strategies();
-}
-
 }  // namespace clearcut::pipeline

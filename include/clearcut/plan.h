@@ -18,6 +18,7 @@
 #include "pipeline/selection/strategies.h"
 #include "pipeline/setups/carried_stock.h"
 #include "pipeline/setups/solid_stock.h"
+#include "pipeline/stated_machine.h"
 #include "pipeline/tool_sets.h"
 #include "resolve/resolve.h"
 #include "resolve/values/names.h"

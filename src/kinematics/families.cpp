@@ -21,7 +21,7 @@ constexpr double kGrblStepMm = 0.001;
 std::size_t grbl_chords(const Leg& leg, const Machine& machine) {
   const double r = leg.move->path.radius(), e = machine.arc_tolerance;
   if (2 * r <= e) return 1;
-  // Without a bound for arcs whose diameter is just above the tolerance.
+  // By the tolerance alone the number grows without a bound where the diameter comes near it.
   const double by_tolerance = std::abs(leg.move->path.sweep()) * r / 2 / std::sqrt(e * (2 * r - e));
   return static_cast<std::size_t>(std::min(by_tolerance, leg.plan / kGrblStepMm));
 }

@@ -8,6 +8,7 @@
 #include "options/row.h"
 #include "pipeline/program_feeds.h"
 #include "pipeline/selection/strategies.h"
+#include "pipeline/stated_machine.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "resolve/values/names.h"
@@ -65,10 +66,6 @@ void read_earlier_program(resolve::PlanOptions& options, const std::string& file
   }
 }
 
-bool holds_parts(const Sources& sources) {
-  return sources.find("holding") != nullptr;
-}
-
 resolve::PlanOptions options_of_job(const read::JobFile& job) {
   check_strategies(job);
   resolve::PlanOptions options = job.whole;
@@ -76,12 +73,9 @@ resolve::PlanOptions options_of_job(const read::JobFile& job) {
   options.machine = job.machine;
   // If the job states the offset of the zero, this condition is met.
   if (job.sources.find("work-offset")) options.accept.push_back(condition_of(options.post.work_offset));
-  if (holds_parts(job.sources)) options.accept.emplace_back("loose-part");
+  accept_what_is_held(job.sources, options);
   options.sources = job.sources;
-  for (const std::string& text : job.stated_keep_outs)
-    options.keep_outs.push_back(resolve::parse_keep_out(text));
-  for (const std::string& text : job.stated_predrilled)
-    options.predrilled.push_back(resolve::parse_predrilled(text));
+  resolve::add_places(job.stated_keep_outs, job.stated_predrilled, options);
   options.stepover = job.plan.asked.stepover;
   if (job.after)
     read_earlier_program(options, job.after->string(), read::gcode::dialect_named(options.post.dialect));

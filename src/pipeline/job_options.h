@@ -17,10 +17,6 @@ namespace clearcut::pipeline {
 /// InputError for unknown strategies, even if overridden by a later rule, and for unreadable files.
 resolve::PlanOptions options_of_job(const read::JobFile& job);
 
-/// Whether a machine file or a job's machine table has the key `holding`, which states how loose parts are held and
-/// so meets the condition `loose-part`.
-bool holds_parts(const Sources& sources);
-
 /// Cutting data stated by a library for its tools, in their order; `preset` names one of several sets, "" the first.
 std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::LibraryTool>& tools,
                                                    const std::string& preset);

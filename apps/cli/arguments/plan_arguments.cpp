@@ -24,13 +24,6 @@ void add_library(const std::filesystem::path& library, std::vector<CertificateFi
   for (const std::string& tool : read_tool_library(library, {}).files) files.push_back({"tools", tool});
 }
 
-/// Clamps, and holes that exist before the work begins.
-void add_places(const std::vector<std::string>& keep_outs, const std::vector<std::string>& predrilled,
-                PlanOptions& options) {
-  for (const std::string& text : keep_outs) options.keep_outs.push_back(parse_keep_out(text));
-  for (const std::string& text : predrilled) options.predrilled.push_back(parse_predrilled(text));
-}
-
 /// Orientation of the part, from the options or its job.
 SolidOptions lies(const std::optional<JobFile>& from_job, const ChosenSetup& setup,
                   const SolidOptions& typed) {
@@ -342,13 +335,9 @@ ToolLibrary PlanArguments::library() const {
 }
 
 Machine PlanArguments::machine(const Machine& of_job) const {
-  Machine machine = typed_.input.machine_file ? read_machine(*typed_.input.machine_file) : of_job;
-  if (typed_.input.machine_kind) read::fill_machine_kind(machine, *typed_.input.machine_kind);
-  if (values_.has("acceleration"))
-    machine.acceleration = typed_.plan.machine.acceleration, machine.axis_acceleration.reset();
-  if (values_.has("junction-deviation")) machine.junction_deviation = typed_.plan.machine.junction_deviation;
-  if (values_.has("rapid")) machine.rapid = typed_.plan.machine.rapid, machine.axis_rapid.reset();
-  return machine;
+  const Machine stated = typed_.input.machine_file ? read_machine(*typed_.input.machine_file) : of_job;
+  const auto is_typed = [&](std::string_view name) { return values_.has(std::string(name)); };
+  return pipeline::with_typed(stated, {typed_.input.machine_kind, typed_.plan.machine, is_typed});
 }
 
 void PlanArguments::take_sources(const CLI::App& command) {
@@ -400,7 +389,7 @@ PlanOptions PlanArguments::options() const {
   options.machine = machine(from_job ? from_job->machine : Machine{});
   if (typed_.input.machine_file) {
     const Sources of_machine = machine_sources(*typed_.input.machine_file);
-    if (pipeline::holds_parts(of_machine)) options.accept.emplace_back("loose-part");
+    pipeline::accept_what_is_held(of_machine, options);
     options.sources.merge(of_machine);
   }
   if (typed_.input.machine_kind) name_kind_as_source(options.sources);
@@ -426,7 +415,7 @@ PlanOptions PlanArguments::options() const {
     options.conditions = setup_.carried->conditions;
     options.earlier_state.faults = setup_.carried->faults;
   }
-  add_places(typed_.input.keep_outs, typed_.input.predrilled, options);
+  resolve::add_places(typed_.input.keep_outs, typed_.input.predrilled, options);
   options.step_published = step_published_;
   take_solver(options, from_job.has_value());
   options.refuse_idle = options.refuse_idle && refuses_idle_;

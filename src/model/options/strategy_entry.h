@@ -15,8 +15,9 @@ namespace clearcut::inline model {
 struct StrategyRequest {
   const ResolvedStep& step;
   const ResolvedPlan& plan;
-  Stepover stepover;     ///< may differ from the step's stepover in a second attempt with another one
-  bool briefly = false;  ///< a short search will do: other strategies are planned as well
+  Stepover stepover;       ///< may differ from the step's stepover in a second attempt with another one
+  bool briefly = false;    ///< a short search will do: other strategies are planned as well
+  double limit_share = 1;  ///< share of a stated limit of engagement at which cuts aim
 };
 
 /// Sizes of a workingstep, known once a first plan is made.

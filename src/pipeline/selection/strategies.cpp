@@ -60,15 +60,34 @@ StrategyCandidate candidate_of(const StrategyEntry& strategy, const Stepover& st
   return candidate;
 }
 
+/// Shares of a stated limit of engagement at which cuts aim where no plan that aims at the limit was certified clean: single rests are
+/// cut beyond it, and lie elsewhere then.
+constexpr double kLimitShares[] = {0.9, 0.8, 0.65};
+
+/// With a stated limit of engagement fallbacks keep it, too: without any for strategies that begin with a slot.
+std::vector<StrategyCandidate> fallbacks_within_limit(const StrategyEntry& strategy,
+                                                      const Stepover& stepover) {
+  std::vector<StrategyCandidate> fallbacks;
+  if (!strategy.limits_engagement) return fallbacks;
+  for (const double share : kLimitShares) {
+    fallbacks.push_back(candidate_of(strategy, stepover));
+    fallbacks.back().limit_share = share;
+  }
+  return fallbacks;
+}
+
+std::vector<StrategyCandidate> fallbacks_by_stepover(const StrategyEntry& strategy, const Stepover& own) {
+  std::vector<StrategyCandidate> fallbacks;
+  for (const std::string& stepover : strategy.fallbacks)
+    fallbacks.push_back({&strategy, stepover.empty() ? own : Stepover{stepover}});
+  return fallbacks;
+}
+
 }  // namespace
 
 const StrategyTable& built_in_strategies() {
   static const StrategyTable table = all_strategies();
   return table;
-}
-
-const StrategyTable& strategies_of(const resolve::PlanOptions& options) {
-  return options.strategies ? *options.strategies : built_in_strategies();
 }
 
 std::vector<std::string> strategy_names(const StrategyTable& table) {
@@ -97,38 +116,14 @@ std::string description_of(const std::string& strategy, const StrategyTable& tab
 
 Strategy strategy_for(const StrategyCandidate& candidate, const ResolvedStep& step,
                       const ResolvedPlan& plan) {
-  const auto made = [&](const ResolvedPlan& of) {
-    return candidate.strategy->make({step, of, candidate.stepover, candidate.briefly});
-  };
-  if (candidate.limit_share == 1 || !plan.engagement_deg) return made(plan);
-  ResolvedPlan narrower = plan;
-  *narrower.engagement_deg *= candidate.limit_share;
-  return made(narrower);
+  return candidate.strategy->make({step, plan, candidate.stepover, candidate.briefly, candidate.limit_share});
 }
-
-namespace {
-
-/// Shares of a stated limit of engagement at which cuts aim where no plan that aims at the limit was certified clean: single rests are
-/// cut beyond it, and lie elsewhere then.
-constexpr double kLimitShares[] = {0.9, 0.8, 0.65};
-
-std::vector<StrategyCandidate> fallbacks_within(const StrategyEntry& strategy, const Stepover& stepover) {
-  std::vector<StrategyCandidate> fallbacks;
-  for (const double share : kLimitShares) {
-    fallbacks.push_back(candidate_of(strategy, stepover));
-    fallbacks.back().limit_share = share;
-  }
-  return fallbacks;
-}
-
-}  // namespace
 
 StrategyCandidates candidates_for(const ResolvedStep& step, const ResolvedPlan& plan,
                                   const StrategyTable& table) {
   if (step.strategy) {
     StrategyCandidates stated = candidates_of(*step.strategy, step.stepover);
-    if (plan.engagement_deg && step.strategy->limits_engagement)
-      stated.fallbacks = fallbacks_within(*step.strategy, step.stepover);
+    if (plan.engagement_deg) stated.fallbacks = fallbacks_within_limit(*step.strategy, step.stepover);
     return stated;
   }
   StrategyCandidates candidates;
@@ -140,14 +135,9 @@ StrategyCandidates candidates_for(const ResolvedStep& step, const ResolvedPlan& 
   }
   for (const StrategyEntry& entry : table.entries()) {
     if (!is_usable(entry, step)) continue;
-    if (plan.engagement_deg) {  // the others begin with a slot
-      if (!entry.limits_engagement) continue;
-      for (const StrategyCandidate& one : fallbacks_within(entry, step.stepover))
-        candidates.fallbacks.push_back(one);
-      continue;
-    }
-    for (const std::string& stepover : entry.fallbacks)
-      candidates.fallbacks.push_back({&entry, stepover.empty() ? step.stepover : Stepover{stepover}});
+    const auto fallbacks = plan.engagement_deg ? fallbacks_within_limit(entry, step.stepover)
+                                               : fallbacks_by_stepover(entry, step.stepover);
+    candidates.fallbacks.insert(candidates.fallbacks.end(), fallbacks.begin(), fallbacks.end());
   }
   return candidates;
 }

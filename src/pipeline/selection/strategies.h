@@ -15,7 +15,9 @@ namespace clearcut::pipeline {
 const StrategyTable& built_in_strategies();
 
 /// Those of the options, else those of the software.
-const StrategyTable& strategies_of(const resolve::PlanOptions& options);
+inline const StrategyTable& strategies_of(const resolve::PlanOptions& options) {
+  return options.strategies ? *options.strategies : built_in_strategies();
+}
 
 /// Valid names for --strategy, "auto" first.
 std::vector<std::string> strategy_names(const StrategyTable& table = built_in_strategies());

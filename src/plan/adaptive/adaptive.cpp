@@ -388,7 +388,8 @@ Strategy make(const StrategyRequest& request, const ClockOf& clock_of) {
   options.clock = clock_of(request);
   if (request.step.aimed_engagement_deg)
     options.engagement = Radians::of_degrees(*request.step.aimed_engagement_deg);
-  if (request.plan.engagement_deg) options.engagement = Radians::of_degrees(*request.plan.engagement_deg);
+  if (request.plan.engagement_deg)
+    options.engagement = Radians::of_degrees(*request.plan.engagement_deg * request.limit_share);
   options.start = request.plan.start;
   options.cancel = request.plan.cancel;
   options.widest_helix = request.step.helix_widest;

@@ -293,6 +293,12 @@ KeepOut parse_keep_out(const std::string& text) {
   return {{{sides[0][0], sides[1][0]}, {sides[0][1], sides[1][1]}}, sides[2][0], sides[2][1]};
 }
 
+void add_places(const std::vector<std::string>& keep_outs, const std::vector<std::string>& predrilled,
+                PlanOptions& options) {
+  for (const std::string& text : keep_outs) options.keep_outs.push_back(parse_keep_out(text));
+  for (const std::string& text : predrilled) options.predrilled.push_back(parse_predrilled(text));
+}
+
 void check_holder(const Tool& tool, const std::string& place) {
   if (tool.stickout.has_value() != (tool.holder_diameter > 0) || tool.stickout.value_or(1) <= 0)
     throw InputError(place,

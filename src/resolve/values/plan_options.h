@@ -30,6 +30,10 @@ Stock parse_stock(const std::string& text, double top = 0);
 /// "-10:15,20:40,-20:12": the block of a clamp as ranges of x, y and z, mm or with units. Throws InputError.
 KeepOut parse_keep_out(const std::string& text);
 
+/// Adds clamps, and holes that exist before the work begins. Throws InputError.
+void add_places(const std::vector<std::string>& keep_outs, const std::vector<std::string>& predrilled,
+                PlanOptions& options);
+
 /// Throws InputError at `place` if a holder, or a shank wider than its cutter, is only partly stated.
 void check_holder(const Tool& tool, const std::string& place);
 

@@ -1,5 +1,5 @@
 // The check of programs as a function of texts.
-#include "pipeline/question/check_text.h"
+#include "pipeline/check_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,6 @@
 #include <string>
 
 #include "options/row.h"
-#include "pipeline/question/question.h"
 
 namespace clearcut::pipeline {
 namespace {

@@ -1,12 +1,20 @@
-#include "pipeline/question/question.h"
+#include "pipeline/check_text.h"
 
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <optional>
 #include <utility>
-#include <vector>
 
 #include "base/error.h"
+#include "base/file.h"
 #include "base/text.h"
 #include "options/idle.h"
 #include "options/row.h"
+#include "pipeline/check.h"
+#include "pipeline/stated_machine.h"
+#include "pipeline/texts.h"
 #include "read/common/data_value.h"
 #include "read/common/text.h"
 #include "read/drawing/layer_rules.h"
@@ -17,6 +25,23 @@
 
 namespace clearcut::pipeline {
 namespace {
+
+/// Name of the question's text in messages and certificates.
+constexpr const char* kQuestion = "question";
+
+struct Question {
+  std::string program_name = "program";         ///< in messages and in the certificate
+  std::optional<read::gcode::Dialect> dialect;  ///< absent: recognised
+  std::optional<Part> part;                     ///< absent: the program is checked alone
+  std::optional<Stock> stock;                   ///< of a program alone
+  std::optional<double> top;                    ///< mm; of a program alone
+  resolve::PlanOptions options;
+};
+
+/// "question:LINE", or "question:LINE: KEY".
+std::string place_of(const read::DataValue& value, const std::string& key = "") {
+  return std::string(kQuestion) + ":" + std::to_string(value.line) + (key.empty() ? "" : ": " + key);
+}
 
 /// Whether `verify` takes the row from texts alone: no file, no drawing, no planning.
 bool is_asked_of_checks(const Row& row) {
@@ -62,8 +87,7 @@ const Row& row_of(const std::string& name, const std::string& place) {
 }
 
 void take_option(const read::DataMember& member, Asked& asked) {
-  const std::string place =
-      std::string(kQuestion) + ":" + std::to_string(member.value.line) + ": " + read::printable(member.key);
+  const std::string place = place_of(member.value, read::printable(member.key));
   const Row& row = row_of(member.key, place);
   if (row.kind == ValueKind::kFlag) {
     if (member.value.kind != read::DataValue::Kind::kBoolean)
@@ -81,7 +105,7 @@ void take_option(const read::DataMember& member, Asked& asked) {
 
 /// A name of the library, the settings of a control as text, or an object with the keys of a machine file.
 Machine machine_of(const read::DataValue& value, Sources& sources) {
-  const std::string place = std::string(kQuestion) + ":" + std::to_string(value.line) + ": machine";
+  const std::string place = place_of(value, "machine");
   if (value.is_object()) {
     sources.merge(read::machine_sources_of(value, kQuestion, Origin::kMachineFile));
     return read::machine_of_section(read::DataSection(value, kQuestion, "machine"), Machine{});
@@ -105,12 +129,13 @@ Part part_of(const read::DataValue& value, const InputOptions& input) {
   return part;
 }
 
+using Members = std::vector<read::DataMember>;
+
 /// Refuses options that have no effect: those of the part without one, those of other inputs with one.
-void refuse_idle(const read::DataValue& options, const std::optional<Part>& part) {
-  for (const read::DataMember& member : options.members) {
+void refuse_idle(const Members& options, const std::optional<Part>& part) {
+  for (const read::DataMember& member : options) {
     const Row& row = *row_named(member.key);
-    const std::string place =
-        std::string(kQuestion) + ":" + std::to_string(member.value.line) + ": " + member.key;
+    const std::string place = place_of(member.value, member.key);
     if (part) {
       const std::string reason = idle_on_input(row, input_kind_of(*part));
       if (!reason.empty()) throw InputError(place, reason);
@@ -122,33 +147,27 @@ void refuse_idle(const read::DataValue& options, const std::optional<Part>& part
   }
 }
 
-void take_options(const read::DataValue& root, Question& question, InputOptions& input) {
+/// The members of `options`; none where the question has none.
+Members stated_options(const read::DataValue& root) {
   const read::DataValue* const options = root.find("options");
-  Asked asked;
-  if (options) {
-    if (!options->is_object())
-      throw InputError(std::string(kQuestion) + ":" + std::to_string(options->line) + ": options",
-                       "must be an object of names and values");
-    for (const read::DataMember& member : options->members) take_option(member, asked);
-  }
-  question.options = std::move(asked.plan);
-  input = std::move(asked.input);
+  if (!options) return {};
+  if (!options->is_object())
+    throw InputError(place_of(*options, "options"), "must be an object of names and values");
+  return options->members;
 }
 
-void take_machine(const read::DataValue& root, const InputOptions& input, resolve::PlanOptions& options) {
+/// The machine of the question, with the values of it that its options state.
+void take_machine(const read::DataValue& root, const Members& stated, const InputOptions& input,
+                  resolve::PlanOptions& options) {
   Machine machine;
-  if (const read::DataValue* const stated = root.find("machine")) {
-    machine = machine_of(*stated, options.sources);
-    if (options.sources.find("holding")) options.accept.emplace_back("loose-part");
+  if (const read::DataValue* const value = root.find("machine")) {
+    machine = machine_of(*value, options.sources);
+    accept_what_is_held(options.sources, options);
   }
-  if (input.machine_kind) read::fill_machine_kind(machine, *input.machine_kind);
-  const Machine typed = options.machine;
-  const read::DataValue* const named = root.find("options");
-  const auto is_typed = [&](const char* name) { return named && named->find(name); };
-  if (is_typed("acceleration")) machine.acceleration = typed.acceleration, machine.axis_acceleration.reset();
-  if (is_typed("junction-deviation")) machine.junction_deviation = typed.junction_deviation;
-  if (is_typed("rapid")) machine.rapid = typed.rapid, machine.axis_rapid.reset();
-  options.machine = machine;
+  const auto is_typed = [&](std::string_view name) {
+    return std::any_of(stated.begin(), stated.end(), [&](const auto& member) { return member.key == name; });
+  };
+  options.machine = with_typed(std::move(machine), {input.machine_kind, options.machine, is_typed});
 }
 
 /// The whole text as one object.
@@ -167,32 +186,58 @@ Question question_of(const read::DataValue& root) {
   for (const char* const key : {"part", "machine", "options"}) section.value(key);
   section.refuse_unknown();
 
-  InputOptions input;
-  take_options(root, question, input);
+  const Members stated = stated_options(root);
+  Asked asked;
+  for (const read::DataMember& member : stated) take_option(member, asked);
+  question.options = std::move(asked.plan);
+  const InputOptions& input = asked.input;
   if (const read::DataValue* const part = root.find("part")) question.part = part_of(*part, input);
-  if (const read::DataValue* const options = root.find("options")) refuse_idle(*options, question.part);
+  refuse_idle(stated, question.part);
   if (question.part && (stock || question.top))
     section.fail_at(stock ? "stock" : "top", "is asked without a part; the part states its stock");
   if (stock) question.stock = resolve::parse_stock(*stock, question.top.value_or(0));
   for (const std::string& tool : tools) question.options.tools.push_back(resolve::parse_tool(tool));
-  for (const std::string& text : input.keep_outs)
-    question.options.keep_outs.push_back(resolve::parse_keep_out(text));
-  for (const std::string& text : input.predrilled)
-    question.options.predrilled.push_back(resolve::parse_predrilled(text));
-  take_machine(root, input, question.options);
-  if (const read::DataValue* const options = root.find("options"))
-    for (const read::DataMember& member : options->members)
-      question.options.sources.set(
-          member.key, {Origin::kUser, std::string(kQuestion) + ":" + std::to_string(member.value.line)});
+  resolve::add_places(input.keep_outs, input.predrilled, question.options);
+  take_machine(root, stated, input, question.options);
+  for (const read::DataMember& member : stated)
+    question.options.sources.set(member.key, {Origin::kUser, place_of(member.value)});
   question.options.threads = 1;
   resolve::check(question.options);
   return question;
 }
 
+std::string certificate_of(std::string_view program, std::string_view text) {
+  const Question question = question_of(read::parse_json(text, kQuestion));
+  const std::string contents(program);
+  const CheckResult result =
+      question.part
+          ? check_program(*question.part, contents, question.program_name, question.options, question.dialect)
+          : check_program_alone(question.stock, contents, question.program_name, question.options,
+                                question.dialect, question.top);
+  CertificateBasis basis;
+  basis.command = "verify";
+  basis.inputs.push_back({"question", kQuestion, sha256_hex(text)});
+  basis.program_name = question.program_name;
+  basis.dialect_stated = question.dialect.has_value();
+  return write_certificate(result, question.options, basis, contents);
+}
+
+std::string error_of(const std::string& what) {
+  return "{\"error\": " + nlohmann::json(read::printable(what)).dump() + "}";
+}
+
 }  // namespace
 
-Question read_question(std::string_view text) {
-  return question_of(read::parse_json(text, kQuestion));
+std::string check_text(std::string_view program, std::string_view question) {
+  try {
+    return certificate_of(program, question);
+  } catch (const InputError& error) {
+    return error_of(error.what());
+  } catch (const std::bad_alloc&) {
+    return error_of("the memory does not suffice; check a smaller program");
+  } catch (const std::exception& error) {
+    return error_of(std::string("internal fault: ") + error.what());
+  }
 }
 
 std::vector<std::string> question_options() {
