@@ -53,7 +53,9 @@ export const sampleJob = () => ({
   features: [{name: 'slot', floor: -1, top: 0, path: 'M0 0L40 0L40 20L0 20Z', time: 10, left: 0, gouge: 0, clean: true}],
   faults: [],
   conditions: [],
-  figures: {time_s: 15, feed_mm: 88, rapid_mm: 30, retracts: 2, uncut_thickness_mm: 0, gouge_mm: 0, rapid_in_material: 0, max_deg: 180},
+  figures: {
+    time_s: 15, feed_mm: 88, rapid_mm: 30, retracts: 2, percent_above_bound: null, uncut_thickness_mm: 0, gouge_mm: 0, rapid_in_material: 0, max_deg: 180
+  },
   ...columns(),
   sections: [{label: 'slot', feature: 0, tool: 0, first: 0}, {label: 'hole', feature: -1, tool: 1, first: 6}],
   engagement: [0, 90, 180, 180, 180, 0, 0, 90, 0],
