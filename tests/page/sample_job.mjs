@@ -54,7 +54,15 @@ export const sampleJob = () => ({
   faults: [],
   conditions: [],
   figures: {
-    time_s: 15, feed_mm: 88, rapid_mm: 30, retracts: 2, percent_above_bound: null, uncut_thickness_mm: 0, gouge_mm: 0, rapid_in_material: 0, max_deg: 180
+    time_s: 15,
+    feed_mm: 88,
+    rapid_mm: 30,
+    retracts: 2,
+    percent_above_bound: null,
+    uncut_thickness_mm: 0,
+    gouge_mm: 0,
+    rapid_in_material: 0,
+    max_deg: 180
   },
   ...columns(),
   sections: [{label: 'slot', feature: 0, tool: 0, first: 0}, {label: 'hole', feature: -1, tool: 1, first: 6}],
