@@ -82,7 +82,7 @@ const Row& row_of(const std::string& name, const std::string& place) {
   if (row && is_asked_of_checks(*row)) return *row;
   const std::string meant = row ? "" : nearest_name(name, question_options());
   throw InputError(place, (row ? "is not asked of a check of texts" : "is no option") +
-                              (meant.empty() ? "; docs/gate.md lists those there are"
+                              (meant.empty() ? "; docs/verify-module.md lists those there are"
                                              : "; did you mean '" + meant + "'?"));
 }
 
