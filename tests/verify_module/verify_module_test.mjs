@@ -125,8 +125,13 @@ function stub_host() {
 const bare = 'G21 G90 G94\nS10000 M3\nG0 X10 Y10 Z5\nG1 Z-2 F100\nG1 X40 F600\nG0 Z5\nM5\nM30\n';
 
 function started(host, shown) {
-  return startWidget(
-    {host, verifier, question: () => ({tools: ['endmill:6'], stock: '50,30,10'}), show: (verdict) => shown.push(verdict), holdFaulty: true});
+  return startWidget({
+    host,
+    verifier,
+    question: () => ({tools: ['endmill:6'], stock: '50,30,10'}),
+    show: (verdict) => shown.push(verdict),
+    holdFaulty: true
+  });
 }
 
 test('the widget checks what is loaded', () => {
