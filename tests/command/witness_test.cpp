@@ -258,7 +258,7 @@ TEST(Checker, CountsTheWaysThatBlendingTakesBelowTheTop) {
     return run_clearcut(verify).out;
   };
   EXPECT_THAT(with("G0 X-20 Y-20\nG1 Z0.001\nX-10\nG0 Z10\n"), HasSubstr("proved by witness"));
-  EXPECT_THAT(with("G0 X-20 Y-20\nG1 Z0\nX-10\nG0 Z10\n"), HasSubstr("goes below all floors"));
+  EXPECT_THAT(with("G0 X-20 Y-20\nG1 Z0\nX-10\nG0 Z10\n"), HasSubstr("is outside of all features"));
 }
 
 TEST(Witness, VerifyProvesByTheCheckerAlone) {
