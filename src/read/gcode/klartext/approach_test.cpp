@@ -101,6 +101,23 @@ TEST(KlartextApproach, IsARapidBehindARapid) {
   EXPECT_THAT(rapids, HasSubstr("|7 -5 -1"));
 }
 
+TEST(KlartextTangentArc, GoesOnAsTheElementBefore) {
+  EXPECT_EQ(moves("X+0 Y+0", "L X+10 F100\nCT X+15 Y+5\nCT X+20 Y+10"),
+            "cut to 10 0 -1 F100\ncut to 15 5 -1 ccw about 10 5 F100\ncut to 20 10 -1 cw about 20 5 F100\n");
+  EXPECT_EQ(moves("X+0 Y+0", "L X+10 F100\nCC X+10 Y-5\nCTP PR+5 PA-90"),
+            "cut to 10 0 -1 F100\ncut to 10 -10 -1 cw about 10 -5 F100\n");
+  EXPECT_EQ(moves("X+0 Y-30", "APPR LT X+10 Y+0 LEN5 RL F100\nL Y+20\nCT X+0 Y+30\nDEP LT LEN4"),
+            "cut to 7 -5 -1 F200\ncut to 7 0 -1 F100\ncut to 7 20 -1 F100\n"
+            "cut to 0 27 -1 ccw about 0 20 F100\ncut to -4 27 -1 F100\n");
+}
+
+TEST(KlartextTangentArc, IsRefusedWhereItIsNone) {
+  EXPECT_THAT(refused("CT X+15 Y+5 F100"), HasSubstr("CT without an element before it"));
+  EXPECT_THAT(refused("L X+10 F100\nCT X+15"), HasSubstr("on the line of the element before it"));
+  EXPECT_THAT(refused("APPR LT X+10 Y+0 LEN5 RL F100\nCT Y+20"),
+              HasSubstr("CT without an element before it"));
+}
+
 TEST(KlartextApproach, IsRefusedWhereItIsNotWhole) {
   EXPECT_THAT(refused("APPR LT X+10 Y+0 LEN5 RL F100\nL Z-3"),
               HasSubstr("is not followed by the first element"));
