@@ -28,7 +28,8 @@ Vec2 nearest_place(const Edge& path, const Edge& wall) {
 double depth_in_fillet(const CutterProfile& cutter, double fillet, double apart, double above) {
   const double narrower = fillet - cutter.round;
   // A cutter that is nearer than its radius cuts the wall itself, or is over the material behind it.
-  const double across = std::max(apart - cutter.flat - fillet, -narrower), up = std::max(0.0, above) - narrower;
+  const double across = std::max(apart - cutter.flat - fillet, -narrower),
+               up = std::max(0.0, above) - narrower;
   if (across >= 0 || up >= 0) return 0;
   return base::hypot(across, up) - narrower;
 }
@@ -71,10 +72,12 @@ class FilletCheck {
 
 }  // namespace
 
-std::optional<Gouge> fillet_gouge_of(const FinishedPart& part, const Move& move, const CutterProfile& cutter) {
+std::optional<Gouge> fillet_gouge_of(const FinishedPart& part, const Move& move,
+                                     const CutterProfile& cutter) {
   if (part.greatest_fillet() <= 0) return std::nullopt;
   FilletCheck check(part, cutter);
-  return check.check(move.is_vertical() ? Edge::line(move.path.from, move.path.from) : move.path, move.z_from, move.z_to);
+  return check.check(move.is_vertical() ? Edge::line(move.path.from, move.path.from) : move.path, move.z_from,
+                     move.z_to);
 }
 
 }  // namespace clearcut::verify

@@ -95,8 +95,8 @@ TEST(FootFillet, DepthIsThatOfSamplesOfTheCuttersSurface) {
     const Move move = move_from({20, apart}, {25, apart}, -5 + above, -5 + above);
     const auto found = fillet_gouge_of(finished, move, outer_profile(tool));
     EXPECT_NEAR(found ? found->depth : 0, sampled_depth(outer_profile(tool), fillet, apart, above), 2e-3)
-        << i << ": fillet " << fillet << ", cutter " << tool.diameter << " with " << tool.corner_radius << ", " << apart << " from the wall, "
-        << above << " over the floor";
+        << i << ": fillet " << fillet << ", cutter " << tool.diameter << " with " << tool.corner_radius
+        << ", " << apart << " from the wall, " << above << " over the floor";
   }
 }
 
