@@ -297,8 +297,8 @@ void Reader::block(const Words& found) {
   }
 }
 
-/// A number without a tool is a new speed; a tool is put in by a changer that leaves the spindle stopped. DL: the tool is
-/// taken as that much longer than in the table.
+/// Executes TOOL CALL. Without a tool it states a new spindle speed; with a tool the changer puts the tool in and leaves the
+/// spindle stopped. The word DL makes the tool longer than its length in the table.
 void Reader::tool_call(const std::vector<std::string>& words) {
   heading_.reset();
   double longer = 0;
