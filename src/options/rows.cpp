@@ -1306,10 +1306,11 @@ std::vector<Row> search_rows() {
        .level = Level::kResearch,
        .kind = kText,
        .sentence = "Quantity that the strategy tour minimises: length, turns, angle, engagement, time, or "
-                   "weights 1:length,20:turns; cover: length or time",
+                   "weights 1:length,20:turns; cover: length or time. By force, energy, wear, climb, or "
+                   "force=0.3,time=0.7, strategies, tours and cutters are chosen by their certificates",
        .fallback = "time",
        .field = CLEARCUT_FIELD(plan.objective),
-       .names = {"length", "turns", "angle", "engagement", "time"},
+       .names = {"length", "turns", "angle", "engagement", "time", "force", "energy", "wear", "climb"},
        .table = JobTable::kPlan,
        .effect = {kAllInputs, without_objective}},
       {.name = "grid",
