@@ -11,6 +11,7 @@
 #include "features/standing.h"
 #include "features/tool_choice.h"
 #include "geometry/contours/boolean.h"
+#include "geometry/voronoi/clearance.h"
 #include "model/results/findings.h"
 #include "resolve/features/clamps.h"
 #include "resolve/resolve.h"
