@@ -27,7 +27,7 @@ TEST(Rows, HaveNamesOfTheirOwnAndSentences) {
   for (const Row& row : rows()) {
     EXPECT_TRUE(names.insert(row.name).second) << row.name;
     EXPECT_FALSE(row.sentence.empty()) << row.name;
-    EXPECT_TRUE(row.field.set && row.field.get) << row.name;
+    EXPECT_TRUE(row.field.set && row.field.get && row.field.clear) << row.name;
     EXPECT_NE(row.effect.inputs, 0U) << row.name;
   }
   EXPECT_GT(names.size(), 90U);
@@ -70,7 +70,23 @@ TEST(Rows, WhatIsSetIsReadBack) {
     } else {
       EXPECT_EQ(*back, value) << row.name;
     }
+    row.field.clear(asked);
+    if (row.group != Group::kPublishedSolver) {
+      EXPECT_EQ(row.field.get(asked, row.names), row.field.get(Asked{}, row.names)) << row.name;
+    }
   }
+}
+
+TEST(Rows, ACheckOfTextsReadsNoFileAndOnlyOutlines) {
+  int of_texts = 0;
+  for (const Row& row : rows()) {
+    if (!(row.checks & kCheckOfTexts)) continue;
+    ++of_texts;
+    EXPECT_TRUE(row.checks & kCheckOfPart) << row.name;
+    EXPECT_TRUE(row.effect.inputs & kOutlineInput) << row.name;
+    EXPECT_FALSE(row.kind == ValueKind::kFile || row.kind == ValueKind::kFiles) << row.name;
+  }
+  EXPECT_GT(of_texts, 20);
 }
 
 TEST(Rows, ValuesInTheOptionsAreCheckedToo) {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <string_view>
+
 #include "base/error.h"
 #include "model/move.h"
 #include "model/options/post_options.h"
@@ -19,7 +21,9 @@ namespace {
 using enum ValueKind;
 
 // The field of a row, from an expression of `it`, the requested options.
-#define CLEARCUT_FIELD(place) field([](auto& it) -> auto& { return it.place; })
+#define CLEARCUT_FIELD(place) \
+  field(                      \
+      [](auto&& it) -> auto& { return it.place; }, std::string_view(#place).starts_with("plan."))
 
 /// Degrees.
 constexpr double kLevel = 90, kWholeTurn = 360;
@@ -40,60 +44,73 @@ VisitSolver& solver_of(Asked& asked) {
 /// The field of one setting of the published solver.
 template <auto Member>
 Field solver_field() {
-  return {[](Asked& asked, const Value& value, const std::vector<std::string>& names) {
+  return {true,
+          [](Asked& asked, const Value& value, const std::vector<std::string>& names) {
             store(solver_of(asked).published.*Member, value, names);
           },
           [](const Asked& asked, const std::vector<std::string>& names) -> std::optional<Value> {
             const auto& solver = asked.plan.published.solver;
             return solver ? load(solver->published.*Member, names) : std::nullopt;
+          },
+          [](Asked& asked) {
+            if (asked.plan.published.solver) asked.plan.published.solver->published.*Member = {};
           }};
 }
 
 Field which_solver() {
-  return {[](Asked& asked, const Value& value, const std::vector<std::string>& names) {
+  return {true,
+          [](Asked& asked, const Value& value, const std::vector<std::string>& names) {
             store(solver_of(asked).is_published, value, names);
           },
           [](const Asked& asked, const std::vector<std::string>& names) -> std::optional<Value> {
             const auto& solver = asked.plan.published.solver;
             return solver ? load(solver->is_published, names) : std::nullopt;
-          }};
+          },
+          [](Asked& asked) { asked.plan.published.solver.reset(); }};
 }
 
 /// A switch with the default on, as "no-arcs".
 template <auto Member>
 Field switched_off() {
-  return {[](Asked& asked, const Value& value, const std::vector<std::string>&) {
+  return {true,
+          [](Asked& asked, const Value& value, const std::vector<std::string>&) {
             asked.plan.post.*Member = !std::get<bool>(value);
           },
           [](const Asked& asked, const std::vector<std::string>&) -> std::optional<Value> {
             return Value(!(asked.plan.post.*Member));
-          }};
+          },
+          [](Asked& asked) { asked.plan.post.*Member = true; }};
 }
 
 /// "G55", if the control knows this offset.
 Field work_offset_field() {
-  return {[](Asked& asked, const Value& value, const std::vector<std::string>&) {
+  return {true,
+          [](Asked& asked, const Value& value, const std::vector<std::string>&) {
             asked.plan.post.work_offset = *work_offset_named(std::get<std::string>(value));
           },
           [](const Asked& asked, const std::vector<std::string>&) -> std::optional<Value> {
             return Value(words_of(asked.plan.post.work_offset));
-          }};
+          },
+          [](Asked& asked) { asked.plan.post.work_offset = {}; }};
 }
 
 Field end_position_field() {
-  return {[](Asked& asked, const Value& value, const std::vector<std::string>&) {
+  return {true,
+          [](Asked& asked, const Value& value, const std::vector<std::string>&) {
             asked.plan.post.end = *end_position_named(std::get<std::string>(value));
           },
           [](const Asked& asked, const std::vector<std::string>&) -> std::optional<Value> {
             const std::string name = model::name_of(asked.plan.post.end);
             return name.empty() ? std::nullopt : std::optional<Value>(name);
-          }};
+          },
+          [](Asked& asked) { asked.plan.post.end = {}; }};
 }
 
 std::vector<Row> input_rows() {
   return {
       {.name = "origin",
        .group = Group::kInput,
+       .checks = kCheckOfPart,
        .level = Level::kFirst,
        .kind = kText,
        .sentence = "Zero of the program: corner or centre of the top of the block, or X,Y,Z",
@@ -103,12 +120,14 @@ std::vector<Row> input_rows() {
        .example = "corner"},
       {.name = "setup",
        .group = Group::kInput,
+       .checks = kCheckOfPart,
        .kind = kWhole,
        .sentence = "Number of the set-up to plan in a job of several, from 1",
        .field = CLEARCUT_FIELD(input.setup),
        .range = between(1, 100)},
       {.name = "earlier-setup",
        .group = Group::kInput,
+       .checks = kCheckOfPart,
        .kind = kFiles,
        .sentence = "Program of a set-up before --setup, in order (repeatable): the stock is the material "
                    "left by these programs",
@@ -116,6 +135,7 @@ std::vector<Row> input_rows() {
        .type = "FILE"},
       {.name = "unit",
        .group = Group::kInput,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .level = Level::kFirst,
        .kind = kText,
        .sentence = "Unit of a drawing that names none: mm, cm, m, inch, px",
@@ -125,6 +145,7 @@ std::vector<Row> input_rows() {
        .effect = {kFlatInputs}},
       {.name = "layer",
        .group = Group::kInput,
+       .checks = kCheckOfPart,
        .level = Level::kFirst,
        .kind = kTexts,
        .sentence = "Layer of a drawing to read (repeatable)",
@@ -136,6 +157,7 @@ std::vector<Row> input_rows() {
        .effect = {kDxfInput | kSvgInput}},
       {.name = "top",
        .group = Group::kInput,
+       .checks = kAllChecks,
        .kind = kLength,
        .sentence = "Z of the top of the material for outlines and drawings",
        .fallback = "0",
@@ -145,6 +167,7 @@ std::vector<Row> input_rows() {
        .effect = {kFlatInputs}},
       {.name = "depth",
        .group = Group::kInput,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .level = Level::kFirst,
        .kind = kLength,
        .sentence = "Depth of every outline of a drawing",
@@ -154,6 +177,7 @@ std::vector<Row> input_rows() {
        .effect = {kFlatInputs}},
       {.name = "stock-from",
        .group = Group::kInput,
+       .checks = kCheckOfPart,
        .kind = kFile,
        .sentence =
            "Stock of the part: a solid (.step) in the same coordinates, or the program that ran before",
@@ -163,6 +187,7 @@ std::vector<Row> input_rows() {
        .example = "casting.step"},
       {.name = "mirror",
        .group = Group::kInput,
+       .checks = kCheckOfPart,
        .kind = kFlag,
        .sentence = "Mirror a drawing left to right, for work on its underside",
        .field = CLEARCUT_FIELD(input.mirror),
@@ -170,6 +195,7 @@ std::vector<Row> input_rows() {
        .effect = {kDrawingInputs}},
       {.name = "up",
        .group = Group::kSolids,
+       .checks = kCheckOfPart,
        .level = Level::kFirst,
        .kind = kText,
        .sentence =
@@ -181,6 +207,7 @@ std::vector<Row> input_rows() {
        .effect = {kSolidInput}},
       {.name = "turn",
        .group = Group::kSolids,
+       .checks = kCheckOfPart,
        .kind = kNumber,
        .sentence = "Turn the solid about the vertical axis, counter-clockwise seen from above",
        .fallback = "0",
@@ -190,6 +217,7 @@ std::vector<Row> input_rows() {
        .effect = {kSolidInput}},
       {.name = "body",
        .group = Group::kSolids,
+       .checks = kCheckOfPart,
        .kind = kText,
        .sentence = "Body of the assembly to machine: name, number, or all",
        .field = CLEARCUT_FIELD(input.body),
@@ -198,6 +226,7 @@ std::vector<Row> input_rows() {
        .effect = {kSolidInput}},
       {.name = "breakthrough",
        .group = Group::kSolids,
+       .checks = kCheckOfPart,
        .level = Level::kFirst,
        .kind = kLength,
        .sentence = "Depth below the material of cuts that go through it",
@@ -213,6 +242,7 @@ std::vector<Row> drawing_rows() {
   return {
       {.name = "op",
        .group = Group::kDrawings,
+       .checks = kCheckOfPart,
        .level = Level::kFirst,
        .kind = kTexts,
        .sentence = "KIND:SELECTION, operation for outlines of a drawing or features of a solid (repeatable). "
@@ -226,6 +256,7 @@ std::vector<Row> drawing_rows() {
        .effect = {kDrawingInputs | kSolidInput}},
       {.name = "tabs",
        .group = Group::kDrawings,
+       .checks = kCheckOfPart,
        .level = Level::kFirst,
        .kind = kWhole,
        .sentence =
@@ -238,6 +269,7 @@ std::vector<Row> drawing_rows() {
        .effect = {kAllInputs, frees_nothing}},
       {.name = "tab-spacing",
        .group = Group::kDrawings,
+       .checks = kCheckOfPart,
        .kind = kLength,
        .sentence = "Instead of --tabs: greatest distance between tabs along the outline",
        .field = CLEARCUT_FIELD(plan.tabs.spacing),
@@ -246,6 +278,7 @@ std::vector<Row> drawing_rows() {
        .effect = {kAllInputs, frees_nothing}},
       {.name = "tab-at",
        .group = Group::kDrawings,
+       .checks = kCheckOfPart,
        .kind = kPoints,
        .sentence = "Instead of --tabs: X,Y of one tab in mm, within 5 mm of the outline (repeatable)",
        .field = CLEARCUT_FIELD(plan.tabs.at),
@@ -254,6 +287,7 @@ std::vector<Row> drawing_rows() {
        .effect = {kAllInputs, frees_nothing}},
       {.name = "tab-shape",
        .group = Group::kDrawings,
+       .checks = kCheckOfPart,
        .kind = kChoice,
        .sentence = "Shape of tabs: square, or triangular (the cutter passes over them without stopping)",
        .fallback = "square",
@@ -263,6 +297,7 @@ std::vector<Row> drawing_rows() {
        .effect = {kAllInputs, without_tabs}},
       {.name = "tab-width",
        .group = Group::kDrawings,
+       .checks = kCheckOfPart,
        .kind = kLength,
        .sentence = "Width of tabs along the outline",
        .fallback = "4",
@@ -272,6 +307,7 @@ std::vector<Row> drawing_rows() {
        .effect = {kAllInputs, without_tabs}},
       {.name = "tab-height",
        .group = Group::kDrawings,
+       .checks = kCheckOfPart,
        .kind = kLength,
        .sentence = "Height of tabs above the underside of the material",
        .fallback = "2, at most half the depth",
@@ -281,6 +317,7 @@ std::vector<Row> drawing_rows() {
        .effect = {kAllInputs, without_tabs}},
       {.name = "skin",
        .group = Group::kDrawings,
+       .checks = kCheckOfPart,
        .kind = kLength,
        .sentence = "Thickness of material left under profiles instead of tabs",
        .fallback = "none",
@@ -290,6 +327,7 @@ std::vector<Row> drawing_rows() {
        .effect = {kAllInputs, frees_nothing}},
       {.name = "scale",
        .group = Group::kDrawings,
+       .checks = kCheckOfPart,
        .kind = kNumber,
        .sentence = "Factor for a drawing's size",
        .fallback = "1",
@@ -299,6 +337,7 @@ std::vector<Row> drawing_rows() {
        .effect = {kDrawingInputs}},
       {.name = "join-gap",
        .group = Group::kDrawings,
+       .checks = kCheckOfPart,
        .kind = kLength,
        .sentence = "Largest gap in an outline that is closed",
        .fallback = "0.01",
@@ -308,6 +347,7 @@ std::vector<Row> drawing_rows() {
        .effect = {kDrawingInputs}},
       {.name = "strokes",
        .group = Group::kDrawings,
+       .checks = kCheckOfPart,
        .kind = kChoice,
        .sentence = "Strokes of an SVG: lines, or areas as wide as drawn",
        .fallback = "lines",
@@ -317,6 +357,7 @@ std::vector<Row> drawing_rows() {
        .effect = {kDrawingInputs}},
       {.name = "text",
        .group = Group::kDrawings,
+       .checks = kCheckOfPart,
        .kind = kChoice,
        .sentence = "Text of a drawing: skip, or outlines of its letters in this computer's fonts",
        .fallback = "skip",
@@ -326,6 +367,7 @@ std::vector<Row> drawing_rows() {
        .effect = {kDrawingInputs}},
       {.name = "open-curves",
        .group = Group::kDrawings,
+       .checks = kCheckOfPart,
        .kind = kChoice,
        .sentence = "Open lines of a drawing: refuse or skip",
        .fallback = "refuse",
@@ -340,6 +382,7 @@ std::vector<Row> tool_rows() {
   return {
       {.name = "tool",
        .group = Group::kTools,
+       .checks = kCheckOfPart | kCheckOfProgram,
        .level = Level::kFirst,
        .kind = kTexts,
        .sentence =
@@ -352,6 +395,7 @@ std::vector<Row> tool_rows() {
        .field = CLEARCUT_FIELD(input.tools)},
       {.name = "tools",
        .group = Group::kTools,
+       .checks = kCheckOfPart | kCheckOfProgram,
        .level = Level::kFirst,
        .kind = kFile,
        .sentence = "Tool library: .fctb .fctl .tbl .json .toml",
@@ -366,6 +410,7 @@ std::vector<Row> machine_rows() {
   return {
       {.name = "machine",
        .group = Group::kMachine,
+       .checks = kCheckOfPart | kCheckOfProgram,
        .level = Level::kFirst,
        .kind = kFile,
        .sentence = "Machine: a name that `clearcut machines` lists, Grbl's $$, LinuxCNC's .ini, Marlin's "
@@ -376,6 +421,7 @@ std::vector<Row> machine_rows() {
        .example = "mill.toml"},
       {.name = "machine-kind",
        .group = Group::kMachine,
+       .checks = kAllChecks,
        .kind = kChoice,
        .sentence =
            "Kind of machine, for speeds, power, greatest feed and force that the machine file does not state",
@@ -386,6 +432,7 @@ std::vector<Row> machine_rows() {
        .effect = {kAllInputs, bears_on_no_feeds}},
       {.name = "accept",
        .group = Group::kMachine,
+       .checks = kAllChecks,
        .level = Level::kFirst,
        .kind = kTexts,
        .sentence =
@@ -398,6 +445,7 @@ std::vector<Row> machine_rows() {
        .known = "a name as the verdict lists it: g55, blending, loose-part"},
       {.name = "keep-out",
        .group = Group::kMachine,
+       .checks = kAllChecks,
        .level = Level::kFirst,
        .kind = kTexts,
        .sentence = "Block taken by a clamp, as ranges LOW:HIGH of X, Y and Z: -10:15,20:40,-20:12; a move "
@@ -407,6 +455,7 @@ std::vector<Row> machine_rows() {
        .example = "0:20,0:10,-5:25"},
       {.name = "acceleration",
        .group = Group::kMachine,
+       .checks = kAllChecks,
        .kind = kNumber,
        .sentence = "Acceleration of the machine",
        .fallback = "500",
@@ -417,6 +466,7 @@ std::vector<Row> machine_rows() {
        .example = "500"},
       {.name = "junction-deviation",
        .group = Group::kMachine,
+       .checks = kAllChecks,
        .kind = kLength,
        .sentence = "Junction deviation of the machine",
        .fallback = "0.01",
@@ -426,6 +476,7 @@ std::vector<Row> machine_rows() {
        .effect = {kAllInputs, plans_corners_otherwise}},
       {.name = "rapid",
        .group = Group::kMachine,
+       .checks = kAllChecks,
        .kind = kFeed,
        .sentence = "Rapid feed of the machine",
        .fallback = "5000",
@@ -440,6 +491,7 @@ std::vector<Row> limit_rows() {
   return {
       {.name = "stepdown",
        .group = Group::kLimits,
+       .checks = kAllChecks,
        .level = Level::kFirst,
        .kind = kLength,
        .sentence = "Depth of one layer",
@@ -451,6 +503,7 @@ std::vector<Row> limit_rows() {
        .effect = {kAllInputs, mills_nothing}},
       {.name = "allowance",
        .group = Group::kLimits,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .level = Level::kFirst,
        .kind = kLength,
        .sentence = "Stock to leave on walls",
@@ -463,6 +516,7 @@ std::vector<Row> limit_rows() {
        .effect = {kAllInputs, mills_nothing}},
       {.name = "allowance-floor",
        .group = Group::kLimits,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .level = Level::kFirst,
        .kind = kLength,
        .sentence = "Stock to leave on floors",
@@ -475,6 +529,7 @@ std::vector<Row> limit_rows() {
        .effect = {kAllInputs, mills_nothing}},
       {.name = "engagement",
        .group = Group::kLimits,
+       .checks = kAllChecks,
        .level = Level::kFirst,
        .kind = kNumber,
        .sentence = "Largest engagement angle of the cutter",
@@ -486,6 +541,7 @@ std::vector<Row> limit_rows() {
        .effect = {kAllInputs, mills_nothing}},
       {.name = "feed-by",
        .group = Group::kLimits,
+       .checks = kAllChecks,
        .kind = kChoice,
        .sentence = "Adapt feeds to the load of mills: chip (constant chip thickness) or removal (constant "
                    "removal rate)",
@@ -496,6 +552,7 @@ std::vector<Row> limit_rows() {
        .effect = {kAllInputs, mills_nothing}},
       {.name = "reference-engagement",
        .group = Group::kLimits,
+       .checks = kAllChecks,
        .kind = kNumber,
        .sentence = "Engagement angle at which the stated feed applies",
        .fallback = "90",
@@ -506,6 +563,7 @@ std::vector<Row> limit_rows() {
        .effect = {kAllInputs, without_feed_rule}},
       {.name = "reference-feed",
        .group = Group::kLimits,
+       .checks = kAllChecks,
        .kind = kFeed,
        .sentence = "Feed at the reference engagement",
        .fallback = "the feed",
@@ -515,6 +573,7 @@ std::vector<Row> limit_rows() {
        .effect = {kAllInputs, without_feed_rule}},
       {.name = "feed-cap",
        .group = Group::kLimits,
+       .checks = kAllChecks,
        .kind = kFeed,
        .sentence = "Highest feed with --feed-by",
        .fallback = "twice the reference feed",
@@ -524,6 +583,7 @@ std::vector<Row> limit_rows() {
        .effect = {kAllInputs, without_feed_rule}},
       {.name = "margin",
        .group = Group::kLimits,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .sentence = "Compute how far the machine may deviate from the path before --margin-uncut or "
                    "--margin-gouge is exceeded",
        .field = CLEARCUT_FIELD(plan.shop.margin),
@@ -531,6 +591,7 @@ std::vector<Row> limit_rows() {
        .effect = {kAllInputs, mills_nothing}},
       {.name = "margin-at-least",
        .group = Group::kLimits,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kLength,
        .sentence = "Deviation from the path that the program has to allow; else it is a fault",
        .fallback = "nothing",
@@ -540,6 +601,7 @@ std::vector<Row> limit_rows() {
        .effect = {kAllInputs, mills_nothing}},
       {.name = "margin-uncut",
        .group = Group::kLimits,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kLength,
        .sentence = "Thickness that may stay uncut when the machine deviates from the path",
        .fallback = "0.01",
@@ -549,6 +611,7 @@ std::vector<Row> limit_rows() {
        .effect = {kAllInputs, without_margin}},
       {.name = "margin-gouge",
        .group = Group::kLimits,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kLength,
        .sentence = "Depth that may be gouged when the machine deviates from the path",
        .fallback = "0.001",
@@ -558,6 +621,7 @@ std::vector<Row> limit_rows() {
        .effect = {kAllInputs, without_margin}},
       {.name = "material",
        .group = Group::kLimits,
+       .checks = kAllChecks,
        .level = Level::kFirst,
        .kind = kChoice,
        .sentence = "Material of the work, for feeds and speeds, forces and wear: " +
@@ -569,6 +633,7 @@ std::vector<Row> limit_rows() {
        .effect = {kAllInputs, changes_no_feeds}},
       {.name = "scallop",
        .group = Group::kLimits,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kLength,
        .sentence = "Height of the steps that layers may leave on drafted walls, square to the wall",
        .fallback = "0.2",
@@ -579,6 +644,7 @@ std::vector<Row> limit_rows() {
        .effect = {kAllInputs, without_leaning_walls}},
       {.name = "threads",
        .group = Group::kSearch,
+       .checks = kAllChecks,
        .kind = kWhole,
        .sentence = "Threads of the computer; 0: all cores",
        .fallback = "0",
@@ -744,6 +810,7 @@ std::vector<Row> entry_rows() {
        .effect = {kAllInputs, without_helix}},
       {.name = "predrilled",
        .group = Group::kEntry,
+       .checks = kAllChecks,
        .kind = kTexts,
        .sentence = "X,Y:DIAMETER of a predrilled hole for the entry (repeatable)",
        .field = CLEARCUT_FIELD(input.predrilled),
@@ -931,6 +998,7 @@ std::vector<Row> stage_rows() {
   return {
       {.name = "rest",
        .group = Group::kStages,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .level = Level::kFirst,
        .kind = kFlag,
        .sentence = "Use all given mills, larger ones first, each on the remaining stock",
@@ -939,6 +1007,7 @@ std::vector<Row> stage_rows() {
        .effect = {kAllInputs, has_one_mill}},
       {.name = "after",
        .group = Group::kStages,
+       .checks = kCheckOfPart | kCheckOfProgram,
        .kind = kFile,
        .sentence = "Program that ran before: cut only the material that it left",
        .field = CLEARCUT_FIELD(input.after),
@@ -946,6 +1015,7 @@ std::vector<Row> stage_rows() {
        .example = "before.ngc"},
       {.name = "finish",
        .group = Group::kStages,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .level = Level::kFirst,
        .kind = kChoice,
        .sentence = "Finish walls, floor or all after everything else",
@@ -956,6 +1026,7 @@ std::vector<Row> stage_rows() {
        .effect = {kAllInputs, mills_nothing}},
       {.name = "finish-stock",
        .group = Group::kStages,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kLength,
        .sentence = "Stock left on walls for finishing",
        .fallback = "0.3",
@@ -965,6 +1036,7 @@ std::vector<Row> stage_rows() {
        .effect = {kAllInputs, finishes_no_walls}},
       {.name = "finish-stock-floor",
        .group = Group::kStages,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kLength,
        .sentence = "Stock left on floors for finishing",
        .fallback = "0.2",
@@ -974,6 +1046,7 @@ std::vector<Row> stage_rows() {
        .effect = {kAllInputs, finishes_no_floor}},
       {.name = "finish-depths",
        .group = Group::kStages,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kWhole,
        .sentence = "Number of depths in which walls are finished",
        .fallback = "1",
@@ -983,8 +1056,9 @@ std::vector<Row> stage_rows() {
        .effect = {kAllInputs, finishes_no_walls}},
       {.name = "finish-steps",
        .group = Group::kStages,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kWhole,
-       .sentence = "In how many passes beside each other walls come to size",
+       .sentence = "Number of passes, side by side, in which walls are finished to size",
        .fallback = "1",
        .field = CLEARCUT_FIELD(plan.shop.finish_steps),
        .range = between(1, 20),
@@ -992,8 +1066,9 @@ std::vector<Row> stage_rows() {
        .effect = {kAllInputs, finishes_no_walls}},
       {.name = "spring-passes",
        .group = Group::kStages,
+       .checks = kAllChecks,
        .kind = kWhole,
-       .sentence = "How often the passes that finish walls are run again at the same size",
+       .sentence = "Number of repetitions, at the same size, of the passes that finish walls",
        .fallback = "0",
        .field = CLEARCUT_FIELD(plan.shop.spring_passes),
        .range = between(0, 20),
@@ -1002,10 +1077,10 @@ std::vector<Row> stage_rows() {
        .effect = {kAllInputs, finishes_no_walls}},
       {.name = "compensation",
        .group = Group::kStages,
+       .checks = kAllChecks,
        .kind = kChoice,
-       .sentence =
-           "What the control adds where programs have it compensate (G41, G42): the tool's radius, or its "
-           "wear alone beside the path of the centre; plans write wear, where walls are finished",
+       .sentence = "Cutter compensation (G41, G42) by the control: by the tool's radius, or by its wear, "
+                   "beside a path of the tool's centre; plans write wear, on passes that finish walls",
        .fallback = "none",
        .field = CLEARCUT_FIELD(plan.shop.compensation),
        .names = {"radius", "wear"},
@@ -1013,8 +1088,9 @@ std::vector<Row> stage_rows() {
        .effect = {kAllInputs, writes_no_compensation}},
       {.name = "wear-range",
        .group = Group::kStages,
+       .checks = kAllChecks,
        .kind = kLength,
-       .sentence = "How far D words may be off 0 either way, for which the verdict holds",
+       .sentence = "Greatest wear in D words, in both directions, for which the verdict holds",
        .fallback = "0.1",
        .field = CLEARCUT_FIELD(plan.shop.wear_range),
        .range = between(0.001, 1),
@@ -1022,6 +1098,7 @@ std::vector<Row> stage_rows() {
        .effect = {kAllInputs, writes_no_compensation}},
       {.name = "dogbones",
        .group = Group::kStages,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kChoice,
        .sentence = "Relief in inside corners of pockets and profiles, so that square parts fit: corner "
                    "(along the bisector) "
@@ -1046,6 +1123,7 @@ std::vector<Row> copies_rows() {
   return {
       {.name = "copies",
        .group = Group::kCopies,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kText,
        .sentence = "Columns and rows of the part on one sheet, in one program: each tool does its work on "
                    "all parts before the next",
@@ -1058,9 +1136,10 @@ std::vector<Row> copies_rows() {
        .known = "columns and rows, for example 3x2"},
       {.name = "nest",
        .group = Group::kCopies,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kText,
-       .sentence = "Sheet to fill with the part, turned by 90 degrees where that makes more of them; its "
-                   "lower left corner is the zero; width and height in mm",
+       .sentence = "Width and height of a sheet, in mm, to fill with copies of the part, turned by 90 "
+                   "degrees where more fit; its lower left corner is the zero",
        .field = CLEARCUT_FIELD(plan.copies.sheet),
        .type = "WxH",
        .table = JobTable::kPlan,
@@ -1069,8 +1148,9 @@ std::vector<Row> copies_rows() {
        .known = "the width and height of a sheet, for example 600x400"},
       {.name = "gap",
        .group = Group::kCopies,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kLength,
-       .sentence = "Between the boxes of two copies: the kerf, or more",
+       .sentence = "Distance between the boxes of neighbouring copies, at least the kerf",
        .fallback = "what the cutter needs beside a part",
        .field = CLEARCUT_FIELD(plan.copies.gap),
        .range = between(0, kLongestLength),
@@ -1079,8 +1159,9 @@ std::vector<Row> copies_rows() {
        .effect = {kAllInputs, makes_no_copies}},
       {.name = "edge",
        .group = Group::kCopies,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kLength,
-       .sentence = "Of the sheet, that stays free on all sides",
+       .sentence = "Width along all sides of the sheet that stays free",
        .fallback = "0",
        .field = CLEARCUT_FIELD(plan.copies.edge),
        .range = between(0, kLongestLength),
@@ -1089,8 +1170,9 @@ std::vector<Row> copies_rows() {
        .effect = {kAllInputs, fills_no_sheet}},
       {.name = "count",
        .group = Group::kCopies,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kWhole,
-       .sentence = "Parts that are wanted of the sheet",
+       .sentence = "Number of parts to make of the sheet",
        .fallback = "as many as fit",
        .field = CLEARCUT_FIELD(plan.copies.count),
        .range = between(1, kMostCopies),
@@ -1099,9 +1181,10 @@ std::vector<Row> copies_rows() {
        .effect = {kAllInputs, fills_no_sheet}},
       {.name = "subprograms",
        .group = Group::kCopies,
+       .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kFlag,
-       .sentence = "Write what copies have in common once, as subprograms in the program that it calls "
-                   "for each of them",
+       .sentence =
+           "Write the blocks that all copies share once, as subprograms that the program calls for each copy",
        .field = CLEARCUT_FIELD(plan.copies.subprograms),
        .table = JobTable::kPlan,
        .effect = {kAllInputs, makes_no_copies}}};

@@ -61,8 +61,8 @@ StrategyCandidate candidate_of(const StrategyEntry& strategy, const Stepover& st
   return candidate;
 }
 
-/// Shares of a stated limit of engagement at which cuts aim where no plan that aims at the limit was certified clean: single rests are
-/// cut beyond it, and lie elsewhere then.
+/// Shares of a stated limit of engagement at which cuts aim where no plan that aims at the limit was certified clean: some cuts
+/// of rests exceed the limit, and with another aim the rests are in other places.
 constexpr double kLimitShares[] = {0.9, 0.8, 0.65};
 
 /// With a stated limit of engagement fallbacks keep it, too: without any for strategies that begin with a slot.

@@ -57,9 +57,47 @@ TEST(KlartextLabels, ParametersAreComputed) {
             "|1 0|2 0|3 0");
 }
 
+TEST(KlartextLabels, LengthsAndAnglesOfSides) {
+  EXPECT_EQ(ends("FN 0: Q1 = +3\nFN 8: Q2 = +Q1 LEN +4\nFN 13: Q3 = +Q1 ANG -3\nL X+Q2 Y+Q3 F100"), "|5 135");
+  EXPECT_EQ(ends("FN 13: Q3 = -2 ANG +0\nL X+Q3 F100"), "|270 0");
+}
+
 TEST(KlartextLabels, ParametersAreSetInTheirOwnBlocks) {
   EXPECT_EQ(ends("Q1 = +4\nQ2=-Q1\nL X+Q1 Y+Q2 F100"), "|4 -4");
-  EXPECT_THAT(refused("Q1 = +4 * 2"), HasSubstr("formulas of Q parameters are not read"));
+}
+
+TEST(KlartextLabels, FormulasAreComputed) {
+  EXPECT_EQ(ends("Q1 = 3\nQ2 = Q1 * SIN 30 + ( 4 - Q1 ) ^ 2\nL X+Q2 Y+Q1 F100"), "|2.5 3");
+  EXPECT_EQ(ends("Q1 = 2 + 3 * 2 ^ 2 ^ 1 - 8 / 4 / 2\nQ2 = -Q1 + NEG SQ 2\nL X+Q1 Y+Q2 F100"), "|13 -17");
+  EXPECT_EQ(ends("Q1 = INT 2.7 + FRAC -2.25 + ABS -3\nQ2 = ATAN 1 + SQRT ( 16 )\nL X+Q1 Y+Q2 F100"),
+            "|4.75 49");
+  EXPECT_EQ(ends("Q1 = COS 60 * 10 - LOG 1000 + LN EXP 2\nQ2 = PI * 0\nL X+Q1 Y+Q2 F100"), "|4 0");
+}
+
+TEST(KlartextLabels, FormulasThatAreNoneAreRefused) {
+  EXPECT_THAT(refused("Q1 = 4 * "), HasSubstr("is not read in a formula"));
+  EXPECT_THAT(refused("Q1 = -2 ^ 2"), HasSubstr("put its base in parentheses"));
+  EXPECT_THAT(refused("Q1 = SGN 4"), HasSubstr("'SGN4' is not read in a formula"));
+  EXPECT_THAT(refused("Q1 = ( 4 + 2"), HasSubstr("lacks its ')'"));
+  EXPECT_THAT(refused("Q1 = 4 / 0"), HasSubstr("no control holds"));
+  EXPECT_THAT(refused("Q1 = SQRT -4"), HasSubstr("no control holds"));
+  EXPECT_THAT(refused("Q1 = Q7 + 1"), HasSubstr("Q7 is read before the program sets it"));
+  EXPECT_THAT(refused("Q1 = " + std::string(900, '(') + "1"), HasSubstr("nests too deep"));
+}
+
+TEST(KlartextWords, ThatChangeMovesAreRefused) {
+  for (const std::string m : {"89", "97", "98", "103 F20", "118 X1 Y1", "136"})
+    EXPECT_THAT(refused("L X+5 F100 M" + m), HasSubstr("is not read; post the program without it")) << m;
+  EXPECT_THAT(refused("M118 X1 Y1"), HasSubstr("M118, which lets the handwheel move beside the path"));
+  EXPECT_THAT(refused("L X+5 FZ0.1"), HasSubstr("FZ states the feed for a turn or a tooth"));
+}
+
+TEST(KlartextWords, ToolsStandAlongZ) {
+  EXPECT_THAT(refused("TOOL CALL 2 Y S1000"), HasSubstr("the tool stands along Y"));
+}
+
+TEST(KlartextWords, OfOlderControlsMayBeEmpty) {
+  EXPECT_EQ(ends("L X+5 R F100 M\nL Y+50 R F MAX M\nL X+7 R F100 M"), "|5 0|7 50");
 }
 
 TEST(KlartextDatum, IsShifted) {
