@@ -163,6 +163,12 @@ bool segments_cross(Point a, Point b, Point c, Point d) {
   };
   return part(a, b, c, d) && part(c, d, a, b);
 }
+/// What the edge ab adds to the winding number about p, which is on no edge.
+Int turn_about(Point p, Point a, Point b) {
+  if ((a.y <= p.y) == (b.y <= p.y)) return 0;
+  const Wide side = cross(b - a, p - a);
+  return a.y <= p.y ? side > 0 : -(side < 0);
+}
 /// Whether two segments are farther apart than t.
 bool segments_apart(Point a, Point b, Point c, Point d, Wide t) {
   return !segments_cross(a, b, c, d) && !near_segment(a, c, d, t) && !near_segment(b, c, d, t) &&
@@ -559,11 +565,8 @@ struct Region {
   /// Winding number of the walls' chords about p, without one outline.
   Int winding(Point p, std::size_t without) const {
     Int turns = 0;
-    for (const Segment& s : segments) {
-      if (walls[s.wall].outline == without || (s.a.y <= p.y) == (s.b.y <= p.y)) continue;
-      const Wide side = cross(s.b - s.a, p - s.a);
-      turns += s.a.y <= p.y ? side > 0 : -(side < 0);
-    }
+    for (const Segment& s : segments)
+      if (walls[s.wall].outline != without) turns += turn_about(p, s.a, s.b);
     return turns;
   }
 };
@@ -1714,14 +1717,11 @@ class Checker {
     const Wide radius = Wide(tool.radius) - asked_.rapid + blend_;
     const Points around = corridor(move);
     Int turns = 0;
-    const Point p = move.path.a;
     for (const Loose& edge : loose_edges(tiles)) {
       const Point a = witness_.vertices[edge.from], b = witness_.vertices[edge.to];
       if (!clear_of(around, a, b, radius + 1) || (around.size() > 2 && box_of(around).meets(box_of({a}))))
         refuse(move.name() + "is not held by its tiles");
-      if ((a.y <= p.y) == (b.y <= p.y)) continue;
-      const Wide side = cross(b - a, p - a);
-      turns += a.y <= p.y ? side > 0 : -(side < 0);
+      turns += turn_about(move.path.a, a, b);
     }
     if (turns == 0 || radius < 0) refuse(move.name() + "is not held by its tiles");
     for (const Tile& tile : tiles) {
