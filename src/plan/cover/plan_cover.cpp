@@ -117,7 +117,7 @@ bool is_length(const Objective& objective) {
 Strategy make_cover(const StrategyRequest& request) {
   if (request.stepover.is_given())
     throw InputError("--stepover", "has no meaning for the strategy cover, whose paths have no step");
-  const bool shortest = is_length(request.plan.objective);
+  const bool shortest = is_length(request.objective());
   CoverEffort effort;
   effort.steps = request.briefly ? kBriefSteps : kUsualSteps;
   if (request.plan.search_s) {
@@ -147,6 +147,7 @@ StrategyEntry entry() {
   entry.takes_stepover = false;
   entry.in_auto = AutoUse::kBriefly;
   entry.tried_when_open = true;
+  entry.orders = {ObjectiveKind::kTime, ObjectiveKind::kLength};
   return entry;
 }
 
