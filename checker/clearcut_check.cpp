@@ -680,8 +680,8 @@ Region read_region(const std::vector<const Json*>& parts, Int unit, bool far) {
 /// `alone`: the file is this feature, so that units and stock stand beside its outlines.
 Feature read_feature(const Json& pocket, Int unit, bool alone) {
   Feature f;
-  std::set<Text> known{"name",    "outer",     "islands", "top",  "depth",  "kind",
-                       "through", "slope_rad", "allowed", "line", "closed", "beyond"};
+  std::set<Text> known{"name",      "outer",   "islands", "top",    "depth",  "kind",        "through",
+                       "slope_rad", "allowed", "line",    "closed", "beyond", "floor_fillet"};
   if (alone) known.insert({"units", "stock"});
   for (const Text& name : pocket.names)
     if (!known.count(name)) pocket.fail("\"" + name + "\" is not claimed");
@@ -691,8 +691,10 @@ Feature read_feature(const Json& pocket, Int unit, bool alone) {
   f.floor = within_range(f.top - pocket.find("depth")->number(unit), pocket.where);
   if (f.floor >= f.top) pocket.fail("the depth must be above 0");
   f.through = pocket.find("through") && pocket.find("through")->kind == 't';
-  const Json *slope = pocket.find("slope_rad"), *allowed = pocket.find("allowed");
+  const Json *slope = pocket.find("slope_rad"), *allowed = pocket.find("allowed"),
+             *fillet = pocket.find("floor_fillet");
   if (slope && slope->number(kMillimetre) != 0) f.why_not = "its walls lean";
+  if (fillet && fillet->number(unit) != 0) f.why_not = "its floor meets its walls in a fillet";
   if (pocket.find("line")) return f.why_not = "the cutter follows a line", f;
   f.target = read_region({&pocket}, unit, false);
   std::vector<const Json*> parts;

@@ -228,6 +228,18 @@ TEST(Witness, ProvesNothingOfWhatNoCylinderMakes) {
   EXPECT_EQ(shell(folder, check + " --partial").exit_code, 0);
 }
 
+TEST(Witness, ProvesNothingOfAFloorThatMeetsItsWallsInAFillet) {
+  const ScratchFolder folder;
+  const std::string part = folder.file(
+      "f.json",
+      R"({"units": "mm", "outer": [[0, 0], [30, 0], [30, 20], [0, 20]], "depth": 2, "floor_fillet": 1})");
+  const CommandResult planned =
+      run_clearcut({"plan", part, "--tool", "bullnose:6:corner=1", "--tool", "endmill:4", "-o",
+                    folder.path("f.nc"), "--witness", folder.path("f.ccw")});
+  EXPECT_THAT(planned.out, HasSubstr("its floor meets its walls in a fillet"));
+  EXPECT_NE(planned.exit_code, 0);
+}
+
 TEST(Checker, ReadsNoPartThatMayMeanSomethingElse) {
   const ScratchFolder folder;
   plan_bracket(folder);
