@@ -143,6 +143,10 @@ const Sign kSigns[] = {
     {"§ 7.6, tools that are no prisms", "", "condition out-of-reach: plate: .* which ends in a ball"},
     {"§ 7.6, open boundaries", "", "verdict: CLEAN"},
     {"§ 7.6, when to stop", "", "bound 459 .*gap 0.0000 %"},
+    {"§ 8.4.1", "", "adaptive +[0-9.]+ +[0-9.]+ +[0-9.]+ +kept"},
+    {"§ 8.4.1", "", "contour 0.45 +[0-9.]+ +[0-9.]+ +[0-9.]+ +worse"},
+    {"§ 8.4.3, additive", "a.json", "\"cover_proven\": true"},
+    {"§ 8.4.3, additive", "a.ngc", "\nG1 X[0-9.]+ Y[0-9.]+ E[0-9.]+"},
 };
 
 /// The page's own `sed`.
