@@ -112,9 +112,8 @@ double begin_near(Polyline& line, Vec2 from) {
     return distance(line.front(), from);
   }
   line.pop_back();
-  const auto nearest = std::min_element(line.begin(), line.end(), [from](Vec2 a, Vec2 b) {
-    return distance(a, from) < distance(b, from);
-  });
+  const auto nearest = std::min_element(
+      line.begin(), line.end(), [from](Vec2 a, Vec2 b) { return distance(a, from) < distance(b, from); });
   std::rotate(line.begin(), nearest, line.end());
   line.push_back(line.front());
   return distance(line.front(), from);
@@ -132,9 +131,9 @@ std::vector<Polyline> in_short_order(std::vector<Polyline> lines, const Toleranc
   std::vector<Polyline> ordered;
   while (!lines.empty()) {
     const Vec2 at = ordered.empty() ? lines.front().front() : ordered.back().back();
-    const auto next = std::min_element(lines.begin(), lines.end(), [at](const Polyline& a, const Polyline& b) {
-      return distance_to(a, at) < distance_to(b, at);
-    });
+    const auto next = std::min_element(
+        lines.begin(), lines.end(),
+        [at](const Polyline& a, const Polyline& b) { return distance_to(a, at) < distance_to(b, at); });
     const double travel = begin_near(*next, at);
     if (!ordered.empty() && travel <= tol.coincident)
       ordered.back().insert(ordered.back().end(), next->begin() + 1, next->end());
@@ -157,7 +156,8 @@ std::vector<Path> lines_of(const read::gcode::LayingProgram& program) {
   return lines;
 }
 
-void find_amounts(const read::gcode::LayingProgram& program, const InfillOptions& options, LaidFindings& found) {
+void find_amounts(const read::gcode::LayingProgram& program, const InfillOptions& options,
+                  LaidFindings& found) {
   for (const auto& move : program.moves) {
     const double mm = move.path.length();
     (move.lays ? found.laid_mm : found.travel_mm) += mm;
@@ -169,24 +169,26 @@ void find_amounts(const read::gcode::LayingProgram& program, const InfillOptions
     const double wanted = extrudes ? options.rate * mm : options.rate;
     const double allowed = extrudes ? kFilamentRounding + 2e-4 * options.rate : 1e-3;
     if (std::abs(move.word - wanted) > allowed && found.faults.empty())
-      found.faults.push_back(fmt::format("line {}: lays with {} {}, stated are {}", move.line, extrudes ? "E" : "S",
-                                         trimmed(move.word, 5), trimmed(wanted, 5)));
+      found.faults.push_back(fmt::format("line {}: lays with {} {}, stated are {}", move.line,
+                                         extrudes ? "E" : "S", trimmed(move.word, 5), trimmed(wanted, 5)));
     if (std::abs(move.z - options.z) > kSamePlaceMm && found.faults.empty())
-      found.faults.push_back(fmt::format("line {}: lays at Z {}, the layer is at {}", move.line, trimmed(move.z, 4),
-                                         trimmed(options.z, 4)));
+      found.faults.push_back(fmt::format("line {}: lays at Z {}, the layer is at {}", move.line,
+                                         trimmed(move.z, 4), trimmed(options.z, 4)));
   }
 }
 
 void judge(const Tolerances& tol, LaidFindings& found) {
   if (found.lines == 0) found.faults.push_back("nothing is laid");
   if (found.uncut_mm2 > 0)
-    found.faults.push_back(fmt::format("up to {} mm2 within reach may be left bare, {} mm wide", trimmed(found.uncut_mm2, 4),
-                                       trimmed(found.uncut_thickness_mm, 4)));
+    found.faults.push_back(fmt::format("up to {} mm2 within reach may be left bare, {} mm wide",
+                                       trimmed(found.uncut_mm2, 4), trimmed(found.uncut_thickness_mm, 4)));
   if (found.outside_mm > tol.gouge)
-    found.faults.push_back(fmt::format("the line reaches {} mm over the edge of the area", trimmed(found.outside_mm, 4)));
+    found.faults.push_back(
+        fmt::format("the line reaches {} mm over the edge of the area", trimmed(found.outside_mm, 4)));
   if (found.over_share > found.most_over)
-    found.faults.push_back(fmt::format("{} % of the area is laid over what is covered already, stated are {} %",
-                                       trimmed(100 * found.over_share, 2), trimmed(100 * found.most_over, 2)));
+    found.faults.push_back(
+        fmt::format("{} % of the area is laid over what is covered already, stated are {} %",
+                    trimmed(100 * found.over_share, 2), trimmed(100 * found.most_over, 2)));
 }
 
 LaidFindings findings_on(const Regions& areas, const std::string& text, const std::string& file_name,
@@ -200,7 +202,8 @@ LaidFindings findings_on(const Regions& areas, const std::string& text, const st
   found.width = options.width;
   found.lines = question.lines.size();
   found.most_over = options.most_over;
-  if (found.lines > 0 && program.word != options.word) found.faults.push_back("lays with the other word: E for S, or S for E");
+  if (found.lines > 0 && program.word != options.word)
+    found.faults.push_back("lays with the other word: E for S, or S for E");
   find_amounts(program, options, found);
   found.region_mm2 = cover.cover.target_mm2;
   found.unreachable_mm2 = cover.cover.unreachable_mm2;
@@ -220,7 +223,9 @@ LaidFindings findings_on(const Regions& areas, const std::string& text, const st
 class LayerPlanner {
  public:
   LayerPlanner(const Part& part, const InfillOptions& options)
-      : options_(options), strategies_(strategies_of(options.plan)), areas_(areas_of(part, options.plan.tol)) {
+      : options_(options),
+        strategies_(strategies_of(options.plan)),
+        areas_(areas_of(part, options.plan.tol)) {
     resolve::PlanOptions plan = options.plan;
     plan.tol = tolerances_of(options);
     plan.refuse_idle = false;
@@ -239,15 +244,17 @@ class LayerPlanner {
     InfillResult result;
     result.strategy = strategy.name;
     result.stepover = stepover;
-    result.program = post::write_laying(in_short_order(std::move(lines), plan_.tol), plan_.part.name,
-                                        {options_.word, options_.rate, options_.feed, options_.travel, options_.z});
+    result.program =
+        post::write_laying(in_short_order(std::move(lines), plan_.tol), plan_.part.name,
+                           {options_.word, options_.rate, options_.feed, options_.travel, options_.z});
     result.findings = findings_on(areas_, result.program, "program", options_);
     return result;
   }
 
   /// The strategies to try.
   std::vector<const StrategyEntry*> wanted() const {
-    if (const StrategyEntry* named = resolve::strategy_named(options_.strategy, strategies_, "--strategy")) return {named};
+    if (const StrategyEntry* named = resolve::strategy_named(options_.strategy, strategies_, "--strategy"))
+      return {named};
     std::vector<const StrategyEntry*> all;
     for (const StrategyEntry& entry : strategies_.entries())
       if (is_tried(entry)) all.push_back(&entry);
@@ -266,7 +273,8 @@ class LayerPlanner {
     if (strategy.in_auto == AutoUse::kNever || strategy.limits_engagement) return false;
     ClearedSize size;
     size.reached_mm2 = area(areas_);
-    if (strategy.in_auto == AutoUse::kBriefly && size.reached_mm2 > kMostSearched * options_.width * options_.width)
+    if (strategy.in_auto == AutoUse::kBriefly &&
+        size.reached_mm2 > kMostSearched * options_.width * options_.width)
       return false;
     for (const Edge& edge : edges_of(areas_)) size.legal_rim_mm += edge.length();
     size.edges = edge_count(areas_);

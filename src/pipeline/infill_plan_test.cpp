@@ -99,14 +99,16 @@ TEST(Infill, WrongProgramsAreFaulty) {
   std::string bare;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const auto e = lines[i].find(" E");
-    bare += (i > lines.size() / 2 && i < lines.size() / 2 + 3 && e != std::string::npos ? lines[i].substr(0, e)
-                                                                                       : lines[i]) +
-            "\n";
+    bare +=
+        (i > lines.size() / 2 && i < lines.size() / 2 + 3 && e != std::string::npos ? lines[i].substr(0, e)
+                                                                                    : lines[i]) +
+        "\n";
   }
   EXPECT_THAT(said_of(bare, options), HasSubstr("left bare"));
   // The same layer twice.
   const std::string body = program.substr(program.find("G0 X"), program.find("M2") - program.find("G0 X"));
-  EXPECT_THAT(said_of(changed(program, "M2", body + "M2"), options), HasSubstr("laid over what is covered already"));
+  EXPECT_THAT(said_of(changed(program, "M2", body + "M2"), options),
+              HasSubstr("laid over what is covered already"));
   // Wider lines than the program was made for go over the edge, narrower ones leave gaps.
   InfillOptions other = options;
   other.width = 2.1;
@@ -138,7 +140,8 @@ TEST(Infill, WhatCannotBeFilledIsRefused) {
   };
   EXPECT_THAT(refusal_of(plates(), extruded(0)), HasSubstr("must be above 0"));
   EXPECT_THAT(refusal_of(plates(), extruded(40)), HasSubstr("wider than every place"));
-  EXPECT_THAT(refusal_of(drawn(box("PROFILE_D1", 0, 0, 30, 20)), extruded(1)), HasSubstr("is no area to fill"));
+  EXPECT_THAT(refusal_of(drawn(box("PROFILE_D1", 0, 0, 30, 20)), extruded(1)),
+              HasSubstr("is no area to fill"));
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ struct InfillCommand {
 
 InfillOptions options_of(const InfillCommand& command) {
   if (command.extrude.has_value() == command.power.has_value())
-    throw InputError("infill", "state either --extrude, mm of filament for every mm of line, or --power of a laser");
+    throw InputError("infill",
+                     "state either --extrude, mm of filament for every mm of line, or --power of a laser");
   InfillOptions options;
   options.width = command.width;
   options.word = command.extrude ? LayingWord::kExtruded : LayingWord::kPower;
@@ -64,13 +65,15 @@ int fill(const InfillCommand& command) {
   if (!command.certificate.empty()) {
     const std::string& name = command.output.empty() ? command.check : command.output;
     const CertificateBasis basis = certificate_basis("infill", files, name);
-    outputs.push_back({command.certificate,
-                       laid_certificate(result.findings, {kVersion, basis.arguments, basis.inputs, name,
-                                                          result.program, result.strategy, result.stepover})});
+    outputs.push_back(
+        {command.certificate,
+         laid_certificate(result.findings, {kVersion, basis.arguments, basis.inputs, name, result.program,
+                                            result.strategy, result.stepover})});
   }
   write_outputs(outputs, paths_of(files));
   if (!result.strategy.empty())
-    print_line("strategy: " + result.strategy + (result.stepover.empty() ? "" : ", stepover " + result.stepover));
+    print_line("strategy: " + result.strategy +
+               (result.stepover.empty() ? "" : ", stepover " + result.stepover));
   print_line(with_colours(laid_table(result.findings)));
   return result.findings.is_clean() ? kClean : kFault;
 }
@@ -78,13 +81,15 @@ int fill(const InfillCommand& command) {
 }  // namespace
 
 void add_infill_command(CLI::App& app, int& exit_code) {
-  auto* command = app.add_subcommand("infill", "Fill areas with a line of constant width, for an extruder or a laser");
+  auto* command =
+      app.add_subcommand("infill", "Fill areas with a line of constant width, for an extruder or a laser");
   command->group("Planning");
   auto state = std::make_shared<InfillCommand>();
   state->arguments.add_area_options(*command);
   command->option_defaults()->group("Line");
   command->add_option("--width", state->width, "Width of the line, mm")->required()->type_name("MM");
-  command->add_option("--extrude", state->extrude, "Filament for every mm of line, mm: G1 with E words")->type_name("MM");
+  command->add_option("--extrude", state->extrude, "Filament for every mm of line, mm: G1 with E words")
+      ->type_name("MM");
   command->add_option("--power", state->power, "Power of the laser: G1 with S words")->type_name("S");
   command
       ->add_option("--over", state->most_over_percent,
@@ -92,12 +97,16 @@ void add_infill_command(CLI::App& app, int& exit_code) {
       ->capture_default_str()
       ->type_name("PERCENT");
   command->add_option("--z", state->z, "Height of the layer, mm")->capture_default_str()->type_name("MM");
-  command->add_option("--feed", state->feed, "Feed of the line, mm/min")->capture_default_str()->type_name("MM/MIN");
+  command->add_option("--feed", state->feed, "Feed of the line, mm/min")
+      ->capture_default_str()
+      ->type_name("MM/MIN");
   command->add_option("--travel", state->travel, "Feed from line to line, mm/min")
       ->capture_default_str()
       ->type_name("MM/MIN");
   command->option_defaults()->group("Strategy");
-  command->add_option("--strategy", state->strategy, "auto (default: the one that lays least over itself), or its name")
+  command
+      ->add_option("--strategy", state->strategy,
+                   "auto (default: the one that lays least over itself), or its name")
       ->check(one_of(strategy_names()));
   command
       ->add_option("--stepover", state->stepover,

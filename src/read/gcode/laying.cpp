@@ -70,14 +70,16 @@ class LayingReader {
     known_ = known_ || (block.has('X') && block.has('Y'));
     const bool cuts = *motion_ == 10;
     const double fed = block.has('E') ? block.value('E') : 0;
-    if (beam_ && block.has('E')) throw InputError(place_, "E with the beam on: an extruder or a laser, not both");
+    if (beam_ && block.has('E'))
+      throw InputError(place_, "E with the beam on: an extruder or a laser, not both");
     const bool by_power = cuts && beam_ && power_ > 0;
     const bool lays = by_power || (cuts && fed > 0);
     lays_by_power_ = lays_by_power_ || by_power;
     if (lays && z_ != z_before) throw InputError(place_, "a move that lays changes its height");
     if (lays && from == at_) throw InputError(place_, "lays without a move");
     if (is_first || from == at_) return;
-    program_.moves.push_back({Edge::line(from, at_), z_, feed_, lays, lays ? (by_power ? power_ : fed) : 0, block.line});
+    program_.moves.push_back(
+        {Edge::line(from, at_), z_, feed_, lays, lays ? (by_power ? power_ : fed) : 0, block.line});
   }
 
   BlockReader blocks_;

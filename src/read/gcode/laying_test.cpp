@@ -13,7 +13,8 @@ using ::testing::HasSubstr;
 
 TEST(Laying, FilamentIsFedAlongTheMovesThatLay) {
   const auto program = read_laying(
-      "; A\nG21\nG90\nM83\nG0 Z0.2 F6000\nG0 X1 Y1\nG1 X5 Y1 E0.132 F1200\nG1 X5 Y3 E0.066\nG1 X9 Y3\nM2\n", "a.gcode");
+      "; A\nG21\nG90\nM83\nG0 Z0.2 F6000\nG0 X1 Y1\nG1 X5 Y1 E0.132 F1200\nG1 X5 Y3 E0.066\nG1 X9 Y3\nM2\n",
+      "a.gcode");
   EXPECT_EQ(program.word, LayingWord::kExtruded);
   ASSERT_EQ(program.moves.size(), 3U);
   EXPECT_TRUE(program.moves[0].lays);
@@ -24,8 +25,9 @@ TEST(Laying, FilamentIsFedAlongTheMovesThatLay) {
 }
 
 TEST(Laying, ABeamHasPowerOnlyInFeedMovesWithAnSAbove0) {
-  const auto program =
-      read_laying("G21\nG90\nM4 S0\nG0 X1 Y1\nG1 X5 Y1 S500\nG0 X9 Y1\nG1 X9 Y5\nG1 X1 Y5 S0\nM5\nG1 X1 Y9 S500\n", "a.nc");
+  const auto program = read_laying(
+      "G21\nG90\nM4 S0\nG0 X1 Y1\nG1 X5 Y1 S500\nG0 X9 Y1\nG1 X9 Y5\nG1 X1 Y5 S0\nM5\nG1 X1 Y9 S500\n",
+      "a.nc");
   EXPECT_EQ(program.word, LayingWord::kPower);
   std::vector<bool> lays;
   for (const LaidMove& move : program.moves) lays.push_back(move.lays);

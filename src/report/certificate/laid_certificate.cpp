@@ -59,14 +59,15 @@ std::string laid_certificate(const LaidFindings& findings, const LaidCertificate
 }
 
 std::string laid_table(const LaidFindings& findings) {
-  std::string text = fmt::format("laid: {} mm in {} line{} of {} mm, {} mm of travel, {} s at the stated feeds\n",
-                                 trimmed(findings.laid_mm, 1), findings.lines, findings.lines == 1 ? "" : "s",
-                                 trimmed(findings.width, 4), trimmed(findings.travel_mm, 1), trimmed(findings.time_s, 1));
+  std::string text =
+      fmt::format("laid: {} mm in {} line{} of {} mm, {} mm of travel, {} s at the stated feeds\n",
+                  trimmed(findings.laid_mm, 1), findings.lines, findings.lines == 1 ? "" : "s",
+                  trimmed(findings.width, 4), trimmed(findings.travel_mm, 1), trimmed(findings.time_s, 1));
   text += findings.word == LayingWord::kExtruded
               ? fmt::format("filament: {} mm\n", trimmed(findings.amount, 2))
               : fmt::format("power: {}\n", trimmed(findings.amount, 3));
-  text += fmt::format("area: {} mm2, of which the line does not reach {} mm2\n", trimmed(findings.region_mm2, 2),
-                      trimmed(findings.unreachable_mm2, 3));
+  text += fmt::format("area: {} mm2, of which the line does not reach {} mm2\n",
+                      trimmed(findings.region_mm2, 2), trimmed(findings.unreachable_mm2, 3));
   if (findings.lines > 0 && findings.uncut_mm2 == 0)
     text += fmt::format("cover: proven, no gap wider than {} mm\n", trimmed(findings.uncut_thickness_mm, 4));
   text += fmt::format("laid over: {} mm2, {} % of the area, stated {} %\n", trimmed(findings.over_mm2, 2),

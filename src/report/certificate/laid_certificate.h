@@ -13,8 +13,8 @@ struct LaidCertificateInfo {
   std::string version;
   std::vector<std::string> arguments;  ///< as typed
   std::vector<CertificateFile> inputs;
-  std::string program_name, program;   ///< its path, and the checked text
-  std::string strategy, stepover;      ///< "" if they are not known
+  std::string program_name, program;  ///< its path, and the checked text
+  std::string strategy, stepover;     ///< "" if they are not known
 };
 
 /// Shape   JSON; docs/howto-infill.md lists its fields.

@@ -33,9 +33,8 @@ void find_outside(const LaidQuestion& question, LaidCover& found) {
   for (const Path& line : question.lines) {
     for (const Edge& edge : line) {
       if (boundary.winding(edge.from) == 0) note(boundary.nearest(edge.from).distance + radius, edge.from);
-      boundary.overlapping(edge.box().grown(radius), [&](int i) {
-        note(radius - distance(boundary.edges()[i], edge), edge.from);
-      });
+      boundary.overlapping(edge.box().grown(radius),
+                           [&](int i) { note(radius - distance(boundary.edges()[i], edge), edge.from); });
     }
   }
 }
@@ -55,8 +54,8 @@ LaidCover laid_cover_of(const LaidQuestion& question, const Tolerances& tol) {
     for (const Edge& edge : line) asked.swaths.push_back({edge, radius});
   }
   found.cover = coverage_of(asked, tol);
-  found.covered_mm2 =
-      found.cover.target_mm2 - found.cover.unreachable_mm2 - std::min(found.cover.uncut_mm2, found.cover.target_mm2);
+  found.covered_mm2 = found.cover.target_mm2 - found.cover.unreachable_mm2 -
+                      std::min(found.cover.uncut_mm2, found.cover.target_mm2);
   const double swept =
       static_cast<double>(question.lines.size()) * kPi * radius * radius + question.width * found.laid_mm;
   found.over_mm2 = std::max(0.0, swept - std::max(0.0, found.covered_mm2));

@@ -88,7 +88,8 @@ TEST(LaidCover, WhatIsLaidTwiceIsWhatARasterOfVisitsCounts) {
       const LaidCover found = laid_cover_of(question, {});
       // The round ends of strips leave the sides of the rectangle in between bare: those places are reached by no strip.
       const double bare = found.cover.target_mm2 - found.covered_mm2;
-      EXPECT_NEAR(found.over_mm2 - raster.over, raster.covered - found.covered_mm2, 0.5) << apart << " " << in_one;
+      EXPECT_NEAR(found.over_mm2 - raster.over, raster.covered - found.covered_mm2, 0.5)
+          << apart << " " << in_one;
       EXPECT_LT(bare, 6) << apart << " " << in_one;
     }
   }
