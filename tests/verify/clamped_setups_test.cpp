@@ -22,11 +22,11 @@
 namespace clearcut::test_support {
 namespace {
 
-constexpr double kCell = 0.5;      // mm; width of a column
-constexpr double kChord = 0.002;    // mm; arcs as chords
-constexpr double kSideways = 0.02;  // mm; rims of rapids that may rub
-constexpr double kHeight = 0.005;   // mm; likewise of heights
-constexpr double kSameWork = 0.98;  // of the feed; less of it leaves work beside clamps undone
+constexpr double kCell = 0.5;               // mm; width of a column
+constexpr double kChord = 0.002;            // mm; arcs as chords
+constexpr double kSideways = 0.02;          // mm; rims of rapids that may rub
+constexpr double kHeight = 0.005;           // mm; likewise of heights
+constexpr double kSameWork = 0.98;          // of the feed; less of it leaves work beside clamps undone
 constexpr double kWidth = 90, kDepth = 60;  // mm; of the block, whose top is at 0
 
 /// A cylinder about the tool's axis, by its heights over the tip, mm.
@@ -143,7 +143,9 @@ class Columns {
 };
 
 std::string rectangle(double x0, double y0, double x1, double y1) {
-  const auto corner = [](double x, double y) { return "[" + std::to_string(x) + "," + std::to_string(y) + "]"; };
+  const auto corner = [](double x, double y) {
+    return "[" + std::to_string(x) + "," + std::to_string(y) + "]";
+  };
   return "[" + corner(x0, y0) + "," + corner(x1, y0) + "," + corner(x1, y1) + "," + corner(x0, y1) + "]";
 }
 
@@ -179,15 +181,16 @@ Bench random_bench(std::uint64_t seed) {
     const double x0 = 4 + 28 * static_cast<double>(i) + random.between(0, 6), y0 = random.between(4, 20);
     const double x1 = x0 + random.between(12, 18), y1 = y0 + random.between(14, 32);
     out.pockets += (i == 0 ? "" : ", ") + std::string(R"({"name": "p)") + std::to_string(i) +
-                   R"(", "depth": )" + std::to_string(random.between(1, out.length - 0.5)) + R"(, "outer": )" +
-                   rectangle(x0, y0, x1, y1) + "}";
+                   R"(", "depth": )" + std::to_string(random.between(1, out.length - 0.5)) +
+                   R"(, "outer": )" + rectangle(x0, y0, x1, y1) + "}";
   }
   return out;
 }
 
 pipeline::PlanResult planned(const Bench& bench, bool clamped) {
-  const std::string part = R"({"name": "clamped", "units": "mm", "stock": {"x": [0, 90], "y": [0, 60], "z": [-20, 0]}, "pockets": [)" +
-                           bench.pockets + "]}";
+  const std::string part =
+      R"({"name": "clamped", "units": "mm", "stock": {"x": [0, 90], "y": [0, 60], "z": [-20, 0]}, "pockets": [)" +
+      bench.pockets + "]}";
   resolve::PlanOptions options = plan_options_with({bench.tool()});
   options.strategy = bench.strategy;
   if (clamped)
@@ -232,8 +235,8 @@ TEST(ClampedSetups, AreNotCrossed) {
   const double mean = std::accumulate(shares.begin(), shares.end(), 0.0) / std::max<double>(1, shares.size());
   std::cout << checked << " set-ups checked, " << faulty << " of them faulty by their own verdict (" << told
             << " cross), " << refused << " more refused; " << less
-            << " leave work beside clamps undone; of the others time against the path without clamps: mean " << mean
-            << ", median " << (shares.empty() ? 0 : shares[shares.size() / 2]) << ", most "
+            << " leave work beside clamps undone; of the others time against the path without clamps: mean "
+            << mean << ", median " << (shares.empty() ? 0 : shares[shares.size() / 2]) << ", most "
             << (shares.empty() ? 0 : shares.back()) << "\n";
   EXPECT_LT(faulty, std::max(2, count / 2));
 }
