@@ -83,6 +83,8 @@ struct Layer {
   double lift = 10;  ///< mm from the tip up to the height of rapids across, mean of the feature's layers
   /// Rapids of later cuts descend here: not even a residual far thinner than tol.uncut may stay.
   bool bare = false;
+  /// The target is what earlier steps have left: beyond it, nothing stands where the cutter may be.
+  bool rest = false;
 };
 
 /// A strategy as its callers see it.

@@ -246,6 +246,22 @@ TEST(Rest, SmallerToolsCutOnlyWhatLargerOnesLeave) {
       << "corners of the 4, not the 12";
 }
 
+/// What a larger mill has cut is not milled again, whatever limits the engagement: that were 6421 mm here for four corners.
+TEST(Rest, WithinALimitOnlyWhatIsLeftIsCut) {
+  for (const std::string style : {"", "machinist"}) {
+    resolve::PlanOptions options = test_support::plan_options_with({"endmill:6", "endmill:2"});
+    options.shop.rest = true;
+    if (style.empty())
+      options.strategy = "adaptive";
+    else
+      options.shop.style = style;
+    const auto result = pipeline::plan_part(part_of({rectangle(40, 30)}, 2), options);
+    expect_clean(result, style);
+    ASSERT_EQ(result.findings.features.size(), 2u);
+    EXPECT_LT(result.findings.features[1].figures.feed_mm, 400) << style;
+  }
+}
+
 TEST(Rest, RandomPocketsAreCleanWithTwoTools) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random(seed);

@@ -199,7 +199,7 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
       const Regions left = resolve::left_over(part, index, one.layer, earlier, plan.tol, room);
       one.walls_only =
           finishing && is_wall_finishing(step, feature_of(part, step), left, last, one.layer, plan.tol);
-      if (!one.walls_only) one.layer.target = left;
+      if (!one.walls_only) one.layer.target = left, one.layer.rest = true;
       one.rest = true;
     }
     if (!one.layer.target.empty()) out.push_back(std::move(one));

@@ -358,14 +358,41 @@ void add_fit_lines(LayerPasses& result, const std::vector<Path>& lines) {
   }
 }
 
-}  // namespace
+/// Parts of the target so far from each other that the cutter meets one at a time.
+std::vector<Regions> parts_apart(const Regions& target, double apart) {
+  std::vector<Regions> parts;
+  for (const Region& region : target) {
+    Regions part{region};
+    const Box near = region.box().grown(apart);
+    std::erase_if(parts, [&](const Regions& other) {
+      const bool joins = std::any_of(other.begin(), other.end(),
+                                     [&](const Region& one) { return one.box().overlaps(near); });
+      if (joins) part.insert(part.end(), other.begin(), other.end());
+      return joins;
+    });
+    parts.push_back(std::move(part));
+  }
+  return parts;
+}
 
-LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, const Tolerances& tol) {
-  LayerPasses result;
-  result.z_top = layer.z_top;
-  result.z = layer.z;
-  result.target = layer.target;
-  result.strategy = "adaptive";
+/// What earlier steps have left, part by part: each is cut from the open sides that it has towards what they have cut, and counts as
+/// filling its box.
+std::vector<Layer> layers_of_rest(const Layer& layer, const Tolerances& tol) {
+  std::vector<Layer> layers;
+  const double reach = (1 + kBeyondOpenSides) * layer.tool_radius + layer.wall_stock;
+  for (Regions& part : parts_apart(layer.target, 2 * reach)) {
+    Layer one = layer;
+    one.stock = box(part);
+    one.allowed = intersect(layer.allowed, dilate(part, reach, tol), tol);
+    one.target = std::move(part);
+    layers.push_back(std::move(one));
+  }
+  return layers;
+}
+
+/// Adds the passes of one layer, or of one part of it.
+void add_layer(const Layer& layer, const AdaptiveOptions& options, const Tolerances& tol,
+               LayerPasses& result) {
   const double first = layer.tool_radius + layer.wall_stock;
   const CutLayer cut = cut_layer(layer, options);
   for (const auto& region : area_near_target(cut.layer, tol)) {
@@ -377,6 +404,21 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
       result.legal.push_back(std::move(legal[i]));
     }
     add_fit_lines(result, clearance.fit_lines(first, layer.reserve));
+  }
+}
+
+}  // namespace
+
+LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, const Tolerances& tol) {
+  LayerPasses result;
+  result.z_top = layer.z_top;
+  result.z = layer.z;
+  result.target = layer.target;
+  result.strategy = "adaptive";
+  if (layer.rest && options.rest_alone) {
+    for (const Layer& part : layers_of_rest(layer, tol)) add_layer(part, options, tol, result);
+  } else {
+    add_layer(layer, options, tol, result);
   }
   return result;
 }
@@ -390,6 +432,8 @@ Strategy make(const StrategyRequest& request, const ClockOf& clock_of) {
     options.engagement = Radians::of_degrees(*request.step.aimed_engagement_deg);
   if (request.plan.engagement_deg) options.engagement = Radians::of_degrees(*request.plan.engagement_deg);
   options.limit_share = request.limit_share;
+  // A second attempt is made where the first was not certified clean.
+  options.rest_alone = request.limit_share >= 1;
   options.start = request.plan.start;
   options.cancel = request.plan.cancel;
   options.widest_helix = request.step.helix_widest;

@@ -19,6 +19,9 @@ struct AdaptiveOptions {
   Radians engagement = Radians::of_degrees(60);
   /// Share of that limit, or of a lower one that holds beside open sides, at which cuts aim.
   double limit_share = 1;
+  /// Whether what earlier steps have left is cut by itself. Else all material counts as if it still stood: longer, and without
+  /// the cuts from open sides that a limit may not hold for.
+  bool rest_alone = true;
   /// The first entry is at this point, in the connected area that holds it. If absent, or nearer to a wall
   /// than an entry needs: in a predrilled hole, else in the widest place.
   std::optional<Vec2> start;
