@@ -267,15 +267,29 @@ void refuse_for_copies(const resolve::PlanOptions& options) {
     throw InputError("--predrilled", "names places on one part; state such holes in the part's own file");
 }
 
-/// What is placed anew on every sheet.
+/// Numbers and spacings of tabs are those of each outline, which has its tabs at the same places on each copy.
 void refuse_for_checks(const resolve::PlanOptions& options) {
   refuse_for_copies(options);
-  if (options.tabs.any())
-    throw InputError("--tabs",
-                     "of copies are placed by their plan; a program of copies is checked without them");
+  if (!options.tabs.at.empty())
+    throw InputError("--tab-at",
+                     "names places on one part; a program of copies is checked with --tabs or --tab-spacing");
   if (!options.copies.gap)
     throw InputError("--gap",
                      "is missing; a program of copies is checked with the gap that it was made with");
+}
+
+/// mm; of the cutter that leaves the widest one round a part.
+double widest_kerf(const Part& part) {
+  double widest = 0;
+  for (const Workingstep& step : part.workplan)
+    if (is_cut_out(feature_of(part, step))) widest = std::max(widest, tool_of(part, step).diameter);
+  return widest;
+}
+
+/// mm; from this gap on each part has a web of its own beyond its kerf, which its tabs hold to.
+double gap_for_tabs(const Part& part) {
+  constexpr double kLeastWeb = 0.1;
+  return 2 * widest_kerf(part) + kLeastWeb;
 }
 
 /// Clamps on a sheet to fill are in its coordinates, not in those of the part that is planned.
@@ -380,7 +394,13 @@ SheetOfCopies sheet_of_copies(const Part& part, const resolve::PlanOptions& opti
   Part bare = part;
   resolve::PlanOptions own = options;
   if (question.fills_sheet) question.clamps = take_clamps(bare, own);
-  const Box box = box_of_part(resolved_one(bare, own).part);
+  const Part resolved = resolved_one(bare, own).part;
+  const Box box = box_of_part(resolved);
+  if (options.tabs.any() && question.gap < gap_for_tabs(resolved))
+    throw InputError("--tabs",
+                     fmt::format("of parts {} mm apart are not checked: the kerfs of neighbours meet, and "
+                                 "what is left between holds no tab; they are from {} mm on",
+                                 trimmed(question.gap, 3), trimmed(gap_for_tabs(resolved), 3)));
   const Places places = places_of(question, box);
   SheetOfCopies sheet{sheet_of(bare, places), made_of(question, places, box)};
   if (question.fills_sheet) {
@@ -408,12 +428,20 @@ PlanResult plan_copies(const Part& part, const resolve::PlanOptions& options) {
   const bool in_x = question.fills_sheet || question.across > 1,
              in_y = question.fills_sheet || question.up > 1;
   question.gap = gap_of(options.copies, overhang_of(box, swept_by(result.planned, plan.part), in_x, in_y));
+  if (options.tabs.any() && !options.copies.gap)
+    question.gap = std::max(question.gap, gap_for_tabs(plan.part));
   const Places places = places_of(question, box);
   const PlacedPath path = take_places(result.planned, plan, places, question);
   const Toolpath& toolpath = path.toolpath;
   if (options.copies.subprograms) plan.post.subprograms = path.same_moves;
   Diagnostics said = std::move(result.part.diagnostics);
   said.note("copies", told_of(question, places.size()));
+  if (options.tabs.any() && places.size() > 1 && question.gap < gap_for_tabs(plan.part))
+    said.doubt("copies", "loose-part",
+               fmt::format(
+                   "the kerfs of neighbours meet where parts are less than {} mm apart, so that tabs between "
+                   "parts hold to nothing; what is cut free is held otherwise",
+                   trimmed(gap_for_tabs(plan.part), 3)));
   result.part = plan.part;
   result.part.diagnostics = std::move(said);
   certify(result, toolpath, plan);

@@ -30,7 +30,7 @@ SheetOfCopies sheet_of_copies(const Part& part, const resolve::PlanOptions& opti
 ///
 /// Shape   The box of a part is that of its outer profiles; without such that of its block, else of what is cut. Blocks of copies are one
 ///         block; that of a sheet to fill is the sheet.
-/// Gap     Where none is stated, what the cutter needs beside a part.
+/// Gap     Where none is stated, what the cutter needs beside a part, and two kerfs where there are tabs.
 /// Throws  InputError where the cutter would come into the next part's box: the gap that suffices is named.
 PlanResult plan_copies(const Part& part, const resolve::PlanOptions& options);
 

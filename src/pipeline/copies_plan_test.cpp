@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 #include "base/random.h"
@@ -144,6 +146,54 @@ TEST(Copies, ClampsOfTheSheetAreKeptFree) {
   EXPECT_TRUE(read.findings.all.clean) << faults_of(read.findings);
 }
 
+/// A plate with rounded corners, 60 by 24 mm, that is cut out of a plain sheet.
+Part rounded_plate() {
+  return drawn(box("STOCK_D3", -10, -10, 70, 34) + rounded_box("OUTSIDE_D3", 0, 0, 60, 24, 5));
+}
+
+std::string conditions_named(const Findings& findings) {
+  std::string names;
+  for (const Condition& one : findings.conditions) names += one.name + " ";
+  return names;
+}
+
+/// Tabs have the same places on each copy, turned ones too: programs of copies are checked with them, and one without tabs is at fault.
+TEST(Copies, TabsOfEachCopyAreChecked) {
+  resolve::PlanOptions options = with({"endmill:4", "drill:4"});
+  options.tabs.count = 3;
+  resolve::PlanOptions grid = in_grid(options, "2x2", 12), sheet = options;
+  sheet.copies.sheet = "160x120";
+  sheet.copies.gap = 12;
+  for (const Part& part : {cut_out_plate(), rounded_plate()}) {
+    for (const resolve::PlanOptions& asked : {grid, sheet}) {
+      const PlanResult planned = plan_part(part, asked);
+      EXPECT_EQ(faults_of(planned.findings), "");
+      EXPECT_EQ(planned.copies->clean_parts, planned.copies->parts);
+      const CheckResult read = check_program(part, planned.program, "sheet.ngc", asked);
+      EXPECT_EQ(faults_of(read.findings), "");
+      ASSERT_TRUE(read.copies);
+      EXPECT_EQ(read.copies->clean_parts, planned.copies->parts);
+      EXPECT_EQ(read.copies->turned, planned.copies->turned);
+    }
+  }
+  resolve::PlanOptions loose = in_grid(with({"endmill:4", "drill:4"}), "2x2", 12);
+  loose.accept = {"loose-part"};
+  const PlanResult cut_loose = plan_part(rounded_plate(), loose);
+  const CheckResult missing = check_program(rounded_plate(), cut_loose.program, "sheet.ngc", grid);
+  EXPECT_FALSE(missing.findings.faults.empty());
+  EXPECT_EQ(missing.copies->clean_parts, 0);
+  // Kerfs that meet leave nothing between parts that a tab could hold to.
+  resolve::PlanOptions near = grid;
+  near.copies.gap = 7;
+  EXPECT_THAT(conditions_named(plan_part(rounded_plate(), near).findings), HasSubstr("loose-part"));
+  EXPECT_THROW(check_program(rounded_plate(), cut_loose.program, "sheet.ngc", near), InputError);
+  near.copies.gap.reset();
+  EXPECT_GE(plan_part(rounded_plate(), near).copies->gap, 8.1);
+  grid.tabs.count = 0;
+  grid.tabs.at = {{30, 0}};
+  EXPECT_THROW(check_program(rounded_plate(), cut_loose.program, "sheet.ngc", grid), InputError);
+}
+
 std::vector<Move> feed_moves(const Toolpath& toolpath) {
   std::vector<Move> moves;
   for (const Section& section : toolpath.sections)
@@ -154,9 +204,11 @@ std::vector<Move> feed_moves(const Toolpath& toolpath) {
 
 /// What copies have in common is written once: the control cuts as it does without.
 TEST(Copies, SubprogramsMakeTheSameMoves) {
-  for (const auto& [dialect, call] : {std::pair("linuxcnc", "o7001 call"), std::pair("tormach", "o7001 call"),
-                                      std::pair("fanuc", "M98 P7001"), std::pair("haas", "M97 P7001"),
-                                      std::pair("mach3", "M98 P7001"), std::pair("mach4", "M98 P7001")}) {
+  for (const auto& [dialect, call] :
+       {std::pair("linuxcnc", "o7001 call"), std::pair("tormach", "o7001 call"),
+        std::pair("fanuc", "M98 P7001"), std::pair("haas", "M97 P7001"), std::pair("mach3", "M98 P7001"),
+        std::pair("mach4", "M98 P7001"), std::pair("heidenhain", "CALL LBL 1"),
+        std::pair("siemens", "REPEAT COPY7001 COPY7001_END")}) {
     SCOPED_TRACE(dialect);
     resolve::PlanOptions options = in_grid(with({"endmill:6", "drill:5"}), "3x1", 4);
     options.post.dialect = dialect;
@@ -175,6 +227,46 @@ TEST(Copies, SubprogramsMakeTheSameMoves) {
       EXPECT_NEAR(distance(one[k].path.to, other[k].path.to), 0, 2e-3) << k;
       EXPECT_NEAR(one[k].z_to, other[k].z_to, 1e-3) << k;
       EXPECT_EQ(one[k].feed, other[k].feed) << k;
+    }
+  }
+}
+
+/// More by hand: CLEARCUT_RANDOM_PARTS=200.
+int random_sheets() {
+  const char* const asked = std::getenv("CLEARCUT_RANDOM_PARTS");
+  return asked ? std::max(1, std::atoi(asked) / 10) : 2;
+}
+
+/// Pockets of random sizes, in rows or turned on a sheet, in mm or inches.
+TEST(Copies, SubprogramsOfRandomPartsMakeTheSameMoves) {
+  Random random(311);
+  for (int round = 0; round < random_sheets(); ++round) {
+    const double width = random.between(24, 60), height = random.between(20, 40);
+    const Part part = drawn(
+        box("STOCK_D8", 0, 0, width, height) +
+        rounded_box("POCKET_D4", 4, 4, width - random.between(4, 9), height - random.between(4, 7), 3.5));
+    for (const char* dialect :
+         {"linuxcnc", "tormach", "fanuc", "haas", "mach3", "mach4", "heidenhain", "siemens"}) {
+      SCOPED_TRACE(dialect + std::to_string(round));
+      resolve::PlanOptions options = with({"endmill:5"});
+      options.post.dialect = dialect;
+      options.post.inch = random.unit() < 0.3;
+      options.copies.gap = random.between(2, 9);
+      if (random.unit() < 0.5)
+        options.copies.grid = "2x2";
+      else
+        options.copies.sheet = fmt::format("{}x{}", width * 2 + 30, width + height + 40);
+      const PlanResult plain = plan_part(part, options);
+      options.copies.subprograms = true;
+      const PlanResult called = plan_part(part, options);
+      EXPECT_EQ(faults_of(called.findings), "");
+      const std::vector<Move> one = feed_moves(plain.toolpath), other = feed_moves(called.toolpath);
+      ASSERT_EQ(one.size(), other.size());
+      for (std::size_t k = 0; k < one.size(); ++k) {
+        ASSERT_LE(distance(one[k].path.to, other[k].path.to), 4e-3) << k;
+        ASSERT_EQ(one[k].path.turn, other[k].path.turn) << k;
+        ASSERT_NEAR(one[k].z_to, other[k].z_to, 1e-3) << k;
+      }
     }
   }
 }

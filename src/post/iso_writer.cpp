@@ -187,23 +187,17 @@ int IsoWriter::first_subprogram() const {
 void IsoWriter::find_shared(const Toolpath& toolpath) {
   const auto& sections = toolpath.sections;
   if (dialect_.subprograms == SubprogramForm::kNone || options_.subprograms.size() != sections.size()) return;
-  std::map<int, int> uses, numbers;
-  std::vector<bool> may_be(sections.size());
-  for (std::size_t i = 0; i < sections.size(); ++i) {
+  called_ = shared_subprograms(options_.subprograms, [&](std::size_t i) {
     const Section& section = sections[i];
+    if (section.moves.empty() || tap_of(section, part_) || is_compensated(section)) return false;
     const std::vector<Move> joined = with_lines_joined(section.moves, rules_.grid);
-    may_be[i] = !section.moves.empty() && options_.subprograms[i] > 0 && !tap_of(section, part_) &&
-                !is_compensated(section);
-    for (std::size_t k = 0; may_be[i] && k < joined.size(); ++k)
-      may_be[i] = !hole_at(std::span<const Move>(joined).subspan(k), dwell_of(section, part_));
-    if (may_be[i]) ++uses[options_.subprograms[i]];
-  }
-  called_.assign(sections.size(), 0);
-  for (std::size_t i = 0; i < sections.size(); ++i) {
-    if (!may_be[i] || uses[options_.subprograms[i]] < 2) continue;
-    const int next = first_subprogram() + static_cast<int>(numbers.size());
-    called_[i] = numbers.try_emplace(options_.subprograms[i], next).first->second;
-  }
+    const std::span<const Move> moves(joined);
+    for (std::size_t k = 0; k < moves.size(); ++k)
+      if (hole_at(moves.subspan(k), dwell_of(section, part_))) return false;
+    return true;
+  });
+  for (int& number : called_)
+    if (number > 0) number += first_subprogram() - 1;
 }
 
 /// The moves of the section from the safe height above their start and back to it, counted from there: G91.
@@ -231,19 +225,36 @@ void IsoWriter::write_body(const Section& section, int number) {
 
 void IsoWriter::call_body(const Section& section, int number) {
   approach_above(section.moves.front());
-  if (!bodies_.contains(number)) write_body(section, number);
-  if (dialect_.subprograms == SubprogramForm::kOWords)
-    out_.line(fmt::format("o{} call", number));
-  else
-    out_.line(fmt::format("{} P{}", dialect_.subprograms == SubprogramForm::kBlocks ? "M97" : "M98", number));
+  const bool is_first = !bodies_.contains(number);
+  const std::string label = fmt::format("COPY{}", number);
+  if (is_first && dialect_.subprograms == SubprogramForm::kRepeats) out_.line(label + ":");
+  if (is_first) write_body(section, number);
+  switch (dialect_.subprograms) {
+    case SubprogramForm::kNone:
+      break;
+    case SubprogramForm::kOWords:
+      out_.line(fmt::format("o{} call", number));
+      break;
+    case SubprogramForm::kPrograms:
+      out_.line(fmt::format("M98 P{}", number));
+      break;
+    case SubprogramForm::kBlocks:
+      out_.line(fmt::format("M97 P{}", number));
+      break;
+    case SubprogramForm::kRepeats:
+      if (is_first) written_ += bodies_.at(number).lines;
+      out_.line(is_first ? label + "_END:" : fmt::format("REPEAT {} {}_END", label, label));
+  }
   const Ticks& end = bodies_.at(number).end;
   held_.at = {held_.at.x + end.x, held_.at.y + end.y, end.z};
   held_.motion = -1;
   held_.feed = -1;
 }
 
-/// The whole program: what O words define stands before its calls, programs and blocks stand behind the end.
+/// The whole program: what O words define stands before its calls, programs and blocks stand behind the end, and repeated parts where they are
+/// first run.
 std::string IsoWriter::with_bodies(const std::string& head) {
+  if (dialect_.subprograms == SubprogramForm::kRepeats) return head + written_ + out_.take();
   const bool before = dialect_.subprograms == SubprogramForm::kOWords;
   std::string definitions;
   for (const auto& [number, body] : bodies_) {

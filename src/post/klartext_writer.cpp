@@ -9,6 +9,7 @@
 #include <cctype>
 #include <cmath>
 #include <initializer_list>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -170,6 +171,12 @@ const char* turn_text(Turn turn) {
   return turn == Turn::kCounterClockwise ? " DR+" : " DR-";
 }
 
+/// A subprogram (LBL), in the coordinates of the first place that it is called for.
+struct LabelBody {
+  std::vector<std::string> blocks;  ///< without their numbers
+  Ticks start, end;
+};
+
 class KlartextWriter {
  public:
   KlartextWriter(const Part& part, const PostOptions& options, double safe_z)
@@ -187,7 +194,13 @@ class KlartextWriter {
  private:
   void begin_program(const Toolpath& toolpath);
   void blank_form(const Toolpath& toolpath);
-  void write_section(const Section& section);
+  void find_shared(const Toolpath& toolpath);
+  void write_section(const Section& section, int subprogram);
+  void write_body(const Section& section, int number);
+  void call_body(const Section& section, int number);
+  void shift_datum(long long x, long long y);
+  void write_bodies();
+  void write_runs(const Section& section, const Tool* tap);
   void write_moves(std::span<const Move> run, const Section& section, const Tool* tap);
   void write_stops(const std::vector<ProgramStop>& stops);
   void dwell(double seconds);
@@ -209,7 +222,12 @@ class KlartextWriter {
   void write_arc(const Step& step, MmPerMin feed);
   void write_helix(const Step& step, const Ticks& center, MmPerMin feed);
 
-  void block(const std::string& text) { out_ += fmt::format("{} {}\n", number_++, text); }
+  void block(const std::string& text) {
+    if (body_ != nullptr)
+      body_->blocks.push_back(text);
+    else
+      out_ += fmt::format("{} {}\n", number_++, text);
+  }
   void comment(std::string_view text);
   std::string coordinate(std::string_view name, long long ticks) const;
   std::string feed_text(MmPerMin feed);
@@ -225,13 +243,18 @@ class KlartextWriter {
   int number_ = 0;
   ControlState held_;
   std::vector<Step> steps_;
-  int sections_ = 0;  ///< written so far
+  int sections_ = 0;         ///< written so far
+  std::vector<int> called_;  ///< of each section; 0: it is written where it stands
+  std::map<int, LabelBody> bodies_;
+  LabelBody* body_ = nullptr;  ///< that is written now
 };
 
 std::string KlartextWriter::program(const Toolpath& toolpath) {
   begin_program(toolpath);
-  for (const Section& section : toolpath.sections) {
-    if (!section.moves.empty()) write_section(section);
+  find_shared(toolpath);
+  for (std::size_t i = 0; i < toolpath.sections.size(); ++i) {
+    const Section& section = toolpath.sections[i];
+    if (!section.moves.empty()) write_section(section, called_.empty() ? 0 : called_[i]);
   }
   end_program();
   return std::move(out_);
@@ -286,7 +309,69 @@ void KlartextWriter::dwell(double seconds) {
   block("CYCL DEF 9.1 DWELL " + trimmed(seconds, 3));
 }
 
-void KlartextWriter::write_section(const Section& section) {
+/// Sections that are called: two or more make the same moves, which are no holes by cycles or taps.
+void KlartextWriter::find_shared(const Toolpath& toolpath) {
+  const auto& sections = toolpath.sections;
+  if (options_.subprograms.size() != sections.size()) return;
+  called_ = shared_subprograms(options_.subprograms, [&](std::size_t i) {
+    const Section& section = sections[i];
+    if (section.moves.empty() || tap_of(section, part_)) return false;
+    const std::vector<Move> joined = with_lines_joined(section.moves, rules_.grid);
+    const std::span<const Move> moves(joined);
+    for (std::size_t k = 0; k < moves.size(); ++k)
+      if (drill_block(moves.subspan(k), rules_.grid)) return false;
+    return true;
+  });
+}
+
+/// The way to the section from wherever the tool stands, its moves, and the way up.
+void KlartextWriter::write_body(const Section& section, int number) {
+  const ControlState before = held_;
+  LabelBody& body = bodies_[number];
+  body_ = &body;
+  body.start = rules_.grid.ticks(section.moves.front().path.from, section.moves.front().z_from);
+  held_.plan = held_.height = false;
+  end_rapid();
+  approach(section.moves.front());
+  write_runs(section, nullptr);
+  retract();
+  body.end = held_.at;
+  body_ = nullptr;
+  held_ = before;
+}
+
+/// At another place than the first the datum is shifted meanwhile.
+void KlartextWriter::call_body(const Section& section, int number) {
+  if (!bodies_.contains(number)) write_body(section, number);
+  const LabelBody& body = bodies_.at(number);
+  const Ticks start = rules_.grid.ticks(section.moves.front().path.from, section.moves.front().z_from);
+  const long long x = start.x - body.start.x, y = start.y - body.start.y;
+  const bool is_elsewhere = x != 0 || y != 0;
+  if (is_elsewhere) shift_datum(x, y);
+  block(fmt::format("CALL LBL {}", number));
+  if (is_elsewhere) shift_datum(0, 0);
+  held_.at = {body.end.x + x, body.end.y + y, body.end.z};
+  held_.plan = held_.height = true;
+  held_.off_grid = {};
+  end_rapid();
+}
+
+void KlartextWriter::shift_datum(long long x, long long y) {
+  block("CYCL DEF 7.0 DATUM SHIFT");
+  block("CYCL DEF 7.1" + coordinate(" X", x));
+  block("CYCL DEF 7.2" + coordinate(" Y", y));
+}
+
+/// Behind the end of the program, where nothing runs into them.
+void KlartextWriter::write_bodies() {
+  for (const auto& [number, body] : bodies_) {
+    block(fmt::format("LBL {}", number));
+    for (const std::string& text : body.blocks) block(text);
+    block("LBL 0");
+  }
+}
+
+void KlartextWriter::write_section(const Section& section, int subprogram) {
   write_stops(stops_.before(section));
   const bool new_tool = section.tool_number > 0 && section.tool_number != held_.tool;
   if (new_tool && held_.height) retract();
@@ -300,10 +385,15 @@ void KlartextWriter::write_section(const Section& section) {
   call_tool(section);
   set_spindle(section.spindle_rpm <= 0 ? 5 : section.spindle_clockwise ? 3 : 4);
   set_coolant(section.coolant);
+  if (subprogram > 0) return call_body(section, subprogram);
   approach(section.moves.front());
   const Tool* tap = tap_of(section, part_);
   if (tap)
     refuse_tap(*tap, taps_rigidly(*tap, options_.inch) ? Tapping::kRigid : Tapping::kByWords, "heidenhain");
+  write_runs(section, tap);
+}
+
+void KlartextWriter::write_runs(const Section& section, const Tool* tap) {
   for (const MoveRun& run : runs_of(section)) {
     write_moves(run.moves, section, tap);
     if (run.dwell_s > 0) dwell(run.dwell_s);
@@ -367,6 +457,7 @@ void KlartextWriter::end_program() {
   set_spindle(5);
   go_to_end();
   block("M30");
+  write_bodies();
   block(fmt::format("END PGM {} {}", name_, unit()));
 }
 

@@ -132,6 +132,7 @@ bool repeats_cycles(const std::string& dialect) {
 }
 
 bool has_subprograms(const std::string& dialect) {
+  if (dialect == kKlartext) return true;
   const IsoDialect* const iso = iso_dialect_named(dialect);
   return iso != nullptr && iso->subprograms != SubprogramForm::kNone;
 }

@@ -1,6 +1,7 @@
 #include "post/words/between_steps.h"
 
 #include <algorithm>
+#include <map>
 
 namespace clearcut::post {
 namespace {
@@ -74,6 +75,22 @@ std::vector<MoveRun> runs_of(const Section& section) {
     add(std::min(dwell.after + 1, section.moves.size()), dwell.seconds);
   add(section.moves.size(), 0);
   return runs;
+}
+
+std::vector<int> shared_subprograms(const std::vector<int>& same_moves,
+                                    const std::function<bool(std::size_t)>& may_be) {
+  std::vector<int> called(same_moves.size(), 0);
+  std::map<int, int> uses, numbers;
+  std::vector<bool> usable(same_moves.size());
+  for (std::size_t i = 0; i < same_moves.size(); ++i) {
+    usable[i] = same_moves[i] > 0 && may_be(i);
+    if (usable[i]) ++uses[same_moves[i]];
+  }
+  for (std::size_t i = 0; i < same_moves.size(); ++i) {
+    if (!usable[i] || uses[same_moves[i]] < 2) continue;
+    called[i] = numbers.try_emplace(same_moves[i], static_cast<int>(numbers.size()) + 1).first->second;
+  }
+  return called;
 }
 
 double dwell_of(const Section& section, const Part& part) {

@@ -1,6 +1,8 @@
 // Program text between cuts: stops, messages, dwells at the floors of holes, and the height for free travel.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -43,6 +45,12 @@ CutLevel level_of(const Section& section, const Part& part);
 
 /// Tools in the order of the program's changes.
 std::vector<int> tool_changes_of(const Toolpath& toolpath);
+
+/// For each section the subprogram that makes its moves, counted from 1 as they are first called; 0: the section is written where it stands.
+/// Subprograms are those of `same_moves` (PostOptions::subprograms) that two or more sections share; `may_be` says whether one of these sections
+/// can be written as such.
+std::vector<int> shared_subprograms(const std::vector<int>& same_moves,
+                                    const std::function<bool(std::size_t)>& may_be);
 
 /// s; dwell at the floor of the section's hole; 0 for most.
 double dwell_of(const Section& section, const Part& part);

@@ -132,7 +132,8 @@ constexpr std::array kDialects{
                .dwell = DwellForm::kFSeconds,
                .tapping = Tapping::kRigid,
                .cycles = CycleForm::kCalls,
-               .radius = RadiusWord::kOfEdge},
+               .radius = RadiusWord::kOfEdge,
+               .subprograms = SubprogramForm::kRepeats},
     // Mazak's EIA/ISO: rigid tapping is a word of its own there (G84.2), which is not written; the magazine is called ahead.
     IsoDialect{.name = "mazak",
                .extension = ".eia",

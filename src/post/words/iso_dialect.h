@@ -62,7 +62,8 @@ enum class SubprogramForm {
   kNone,
   kOWords,    ///< o101 sub ... o101 endsub before the calls, o101 call
   kPrograms,  ///< O7001 ... M99 behind the end, M98 P7001
-  kBlocks     ///< N7001 ... M99 behind the end, M97 P7001
+  kBlocks,    ///< N7001 ... M99 behind the end, M97 P7001
+  kRepeats    ///< COPY7001: ... COPY7001_END: where they are first run, REPEAT COPY7001 COPY7001_END
 };
 
 /// Flood is M8 and off by M9 on all of them.
