@@ -33,7 +33,8 @@ Part random_face(Random& random, double diameter, int most) {
   for (double y = pitch / 2; y < max.y && std::ssize(walls) < most; y += pitch) {
     for (double x = pitch / 2; x < max.x && std::ssize(walls) < most; x += pitch) {
       const Vec2 half{wide / 2, wide * random.between(0.2, 0.5)};
-      Loop wall = random.below(2) == 0 ? disc({x, y}, wide / 2) : rectangle(Vec2{x, y} - half, Vec2{x, y} + half);
+      Loop wall =
+          random.below(2) == 0 ? disc({x, y}, wide / 2) : rectangle(Vec2{x, y} - half, Vec2{x, y} + half);
       walls.push_back(Region::from_valid_loops(std::move(wall), {}));
     }
   }
@@ -46,10 +47,14 @@ Part random_face(Random& random, double diameter, int most) {
 
 Part random_part(int kind, Random& random, double diameter) {
   switch (kind) {
-    case 0: return random_face(random, diameter, 0);
-    case 1: return random_face(random, diameter, 40);
-    case 2: return test_support::exact_fit_pocket(random, diameter);
-    default: return test_support::random_part(random, diameter);
+    case 0:
+      return random_face(random, diameter, 0);
+    case 1:
+      return random_face(random, diameter, 40);
+    case 2:
+      return test_support::exact_fit_pocket(random, diameter);
+    default:
+      return test_support::random_part(random, diameter);
   }
 }
 

@@ -58,8 +58,9 @@ class PlacesLeft {
     BoxIndex index(near);
     for (const Vec2 p : left_) {
       const auto candidates = index.near(p);
-      const auto group = std::find_if(candidates.begin(), candidates.end(),
-                                      [&](std::uint32_t i) { return distance(groups[i].center(), p) < near; });
+      const auto group = std::find_if(candidates.begin(), candidates.end(), [&](std::uint32_t i) {
+        return distance(groups[i].center(), p) < near;
+      });
       if (group == candidates.end()) {
         index.add(p, static_cast<std::uint32_t>(groups.size()));
         groups.emplace_back();

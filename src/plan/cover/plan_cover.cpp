@@ -86,15 +86,25 @@ LayerPasses plan_cover(const Layer& layer, double corner_price, const CoverEffor
 
 namespace {
 
-/// Steps of the search for all different outlines of a workingstep: without a requested duration, as one of several
-/// strategies, and for each requested second. Steps are counted, so that a plan repeats to the byte; a second of the clock has
+/// Steps of the search for all different outlines of a workingstep: without a requested duration, and for each requested
+/// second. Steps are counted, so that a plan repeats to the byte; a second of the clock has
 /// hardly fewer.
 constexpr std::uint64_t kUsualSteps = 12'000'000;
-constexpr std::uint64_t kBriefSteps = 2'000'000;
 constexpr double kStepsPerSecond = 2'500'000;
 
+/// Steps of brief searches for each square diameter of an outline, and for the outline.
+constexpr double kBriefStepsPerSquare = 40'000;
+constexpr std::uint64_t kMostBriefSteps = 3'000'000;
+std::uint64_t brief_steps(double mm2, double radius) {
+  return std::min(kMostBriefSteps,
+                  static_cast<std::uint64_t>(kBriefStepsPerSquare * (1 + mm2 / (4 * radius * radius))));
+}
+
+/// Least share of an outline in the effort of its workingstep, if no duration is requested.
+constexpr double kLeastShare = 0.25;
+
 /// Square diameters, of all different outlines of a workingstep, up to which "auto" tries the strategy: planning then takes
-/// two seconds of one core at most.
+/// some twelve seconds of one core at most.
 constexpr std::uint64_t kMostBriefSquares = 1000;
 
 /// Refuses layers for which "auto" does not try the strategy. `squares`: square diameters of the layers so far.
@@ -140,20 +150,22 @@ double outlines_mm2(const StrategyRequest& request) {
   return 0;
 }
 
-/// The effort of a workingstep, which its outlines share by their size; together they take no more.
+/// The effort of a workingstep, which its outlines share by their size. Layers beside what stands over them have outlines
+/// not known before: each has at least `least` of the effort.
 class SharedEffort {
  public:
-  SharedEffort(CoverEffort effort, double whole_mm2) : effort_(std::move(effort)), whole_(whole_mm2) {}
+  SharedEffort(CoverEffort effort, double whole_mm2, double least)
+      : effort_(std::move(effort)), whole_(whole_mm2), least_(least) {}
 
   CoverEffort take(double mm2) {
-    const double share = whole_ > 0 ? std::min(left_, mm2 / whole_) : left_;
-    left_ -= share;
+    const double share = std::max(least_, whole_ > 0 ? std::min(left_, mm2 / whole_) : left_);
+    left_ = std::max(0.0, left_ - share);
     return share < 1 ? share_of(effort_, share) : effort_;
   }
 
  private:
   CoverEffort effort_;
-  double whole_, left_ = 1;
+  double whole_, least_, left_ = 1;
 };
 
 Strategy make_cover(const StrategyRequest& request) {
@@ -161,7 +173,7 @@ Strategy make_cover(const StrategyRequest& request) {
     throw InputError("--stepover", "has no meaning for the strategy cover, whose paths have no step");
   const bool shortest = is_length(request.plan.objective);
   CoverEffort effort;
-  effort.steps = request.briefly ? kBriefSteps : kUsualSteps;
+  effort.steps = kUsualSteps;
   if (request.plan.search_s) {
     const double seconds = *request.plan.search_s / static_cast<double>(request.plan.steps.size());
     effort.steps = static_cast<std::uint64_t>(seconds * kStepsPerSecond);
@@ -171,11 +183,15 @@ Strategy make_cover(const StrategyRequest& request) {
   effort.seed = request.plan.seed;
   effort.cancel = request.plan.cancel;
   return once_per_outline(
-      [is_brief = effort.brief, shared = SharedEffort(effort, outlines_mm2(request)),
+      [is_brief = effort.brief,
+       shared = SharedEffort(effort, outlines_mm2(request), request.plan.search_s ? 0 : kLeastShare),
        price = shortest ? 0.0 : corner_price(request.plan.machine, request.step.feed), tol = request.plan.tol,
        squares = std::make_shared<std::atomic<std::uint64_t>>(0)](const Layer& layer) mutable {
         if (is_brief) check_brief(layer, *squares);
-        return plan_cover(layer, price, shared.take(geometry::area(layer.target)), tol);
+        const double mm2 = geometry::area(layer.target);
+        CoverEffort own = shared.take(mm2);
+        if (is_brief) own.steps = std::min(own.steps, brief_steps(mm2, layer.tool_radius));
+        return plan_cover(layer, price, own, tol);
       });
 }
 
