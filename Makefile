@@ -5,7 +5,7 @@ OUT := out
 configure = cmake --preset release $(1) -DCLEARCUT_PRECOMPILED_HEADERS=ON $(CMAKE_ARGS) > build-configure.log 2>&1 || (cat build-configure.log; exit 1); \
             rm -f build-configure.log
 
-.PHONY: all setup build prove demo test web web-checker gate test-gate test-web python dist packages reproduce-packages docs pictures format lint-viewer test-browser test-freecad clean
+.PHONY: all setup build prove demo test web web-checker verify-module test-verify-module test-web python dist packages reproduce-packages docs pictures format lint-viewer test-browser test-freecad clean
 all: build
 
 setup:
@@ -42,16 +42,16 @@ prove:
 web-checker:
 	@scripts/web/checker.sh checker/clearcut_check.cpp build/web-checker
 
-# The check of programs as a small WebAssembly module with one function of texts: build/gate/package, a folder for npm.
-gate:
+# The check of programs as a small WebAssembly module with one function of texts: build/verify-module/package, a folder for npm.
+verify-module:
 	@scripts/setup.sh build web
 	@scripts/web/sources.sh build/web-sources
-	@cmake --preset gate > build-configure.log 2>&1 || (cat build-configure.log; exit 1); rm -f build-configure.log
-	@cmake --build --preset gate --target gate
+	@cmake --preset verify-module > build-configure.log 2>&1 || (cat build-configure.log; exit 1); rm -f build-configure.log
+	@cmake --build --preset verify-module --target verify-module
 
 # That folder as a program uses it; the answers are compared with those of the command where it is built.
-test-gate: gate
-	@GATE_PACKAGE=build/gate/package CLEARCUT=$(wildcard $(BUILD)/apps/cli/clearcut) node --test tests/gate/gate_test.mjs
+test-verify-module: verify-module
+	@VERIFY_MODULE_PACKAGE=build/verify-module/package CLEARCUT=$(wildcard $(BUILD)/apps/cli/clearcut) node --test tests/verify_module/verify_module_test.mjs
 
 # The same bytes as the command, for the examples and random parts; then the page in a browser, also without a network.
 test-web: web build

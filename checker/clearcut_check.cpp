@@ -674,13 +674,14 @@ Region read_region(const std::vector<const Json*>& parts, Int unit, bool far) {
   finish(region, *parts[0]);
   return region;
 }
-Feature read_feature(const Json& pocket, Int unit) {
+/// `alone`: the file is this feature, so that units and stock stand beside its outlines.
+Feature read_feature(const Json& pocket, Int unit, bool alone) {
   Feature f;
+  std::set<Text> known{"name",    "outer",     "islands", "top",  "depth",  "kind",
+                       "through", "slope_rad", "allowed", "line", "closed", "beyond"};
+  if (alone) known.insert({"units", "stock"});
   for (const Text& name : pocket.names)
-    if (!std::set<Text>{"name", "units", "stock", "outer", "islands", "top", "depth", "kind", "through",
-                        "slope_rad", "allowed", "line", "closed", "beyond"}
-             .count(name))
-      pocket.fail("\"" + name + "\" is not claimed");
+    if (!known.count(name)) pocket.fail("\"" + name + "\" is not claimed");
   if (const Json* name = pocket.find("name")) f.name = name->word;
   if (const Json* top = pocket.find("top")) f.top = within_range(top->number(unit), top->where);
   if (!pocket.find("depth")) pocket.fail("\"depth\" is missing");
@@ -703,17 +704,18 @@ Part read_part(const Text& in, const Text& file) {
   if (units && units->word != "mm" && units->word != "inch") units->fail("units other than mm and inch");
   const Int unit = units && units->word == "inch" ? kInch : kMillimetre;
   Part part;
-  if (!pockets) part.features.push_back(read_feature(root, unit));
+  if (!pockets) part.features.push_back(read_feature(root, unit, true));
   for (const Text& name : root.names)
     if (pockets && !std::set<Text>{"name", "units", "stock", "pockets"}.count(name))
       root.fail("\"" + name + "\" beside \"pockets\" is not claimed");
   if (pockets)
-    for (const Json& pocket : pockets->list()) part.features.push_back(read_feature(pocket, unit));
+    for (const Json& pocket : pockets->list()) part.features.push_back(read_feature(pocket, unit, false));
   for (const Feature& f : part.features) part.top = std::max(part.top, f.top);
   if (!stock) return part;
   const auto side = [&](const Text& axis, std::size_t i) {
     const Json* range = stock->find(axis);
     if (!range || range->list().size() != 2) stock->fail("a stock has x, y and z, each [low, high]");
+    if (range->items[0].number(unit) >= range->items[1].number(unit)) range->fail("a range that is empty");
     return within_range(range->items[i].number(unit), range->where);
   };
   part.stock = {side("x", 0), side("y", 0), side("x", 1), side("y", 1)};
@@ -791,7 +793,9 @@ class Track {
   void drill(std::optional<Int> x, std::optional<Int> y, Int clear, Int bottom, Int out) {
     if (!at_[2] || *at_[2] < clear || out < clear) fail("a cycle that begins below its own clearance");
     straight(Axes{x, y}, true);
-    for (const Int z : {clear, bottom, out}) straight(Axes{std::nullopt, std::nullopt, z}, z != bottom);
+    straight(Axes{std::nullopt, std::nullopt, clear}, true);
+    straight(Axes{std::nullopt, std::nullopt, bottom}, false);
+    straight(Axes{std::nullopt, std::nullopt, out}, true);
   }
   /// A number of few digits, of a word.
   Int small(const Number& value, Int times) const {
@@ -1193,6 +1197,7 @@ struct Question {
   Int engagement = 0;     // greatest permitted engagement in millionths of a degree, 0: any
   bool straight = false;  // whether rapids are straight on every control
   bool each = false;      // whether the engagement of each move is printed
+  bool partial = false;   // whether features without a claim, and tools that are not stated, are let pass
 };
 /// A cylinder that begins `point` above the tip; number 0 is the tool that is in before any is called.
 struct Tool {
@@ -1551,7 +1556,7 @@ class Checker {
     std::size_t last = 0;
     for (const Move& move : program_.moves) {
       const Tool* tool = tool_of(move.tool);
-      if (!tool || move.lowest() >= part_.top) continue;
+      if (!tool || move.lowest() - blend_ >= part_.top) continue;
       const Chords chords = move.rapid ? Chords{corridor(move), 0} : chords_of(move.path);
       Text why = "goes below all floors";
       std::size_t tried = 0;
@@ -1644,6 +1649,8 @@ class Checker {
       if (each) list += "  line " + text(move.line) + " " + mm(engaged * (kMillimetre / 10)) + "\n";
     }
     if (next != witness_.rims.size()) refuse("the witness has rims for a move that needs none");
+    if (others > 0 && asked_.engagement > 0 && asked_.engagement < 180 * kMillimetre)
+      refuse("line " + text(first) + " of the program is a level feed without a rim");
     if (count == 0) return "";
     return "C4 engagement: at most " + mm(most * (kMillimetre / 10)) + " degrees (line " + text(widest) +
            ") on " + text(count) + " level feeds; " +
@@ -1773,22 +1780,23 @@ Text check(const Question& asked, const Text& program_text, const Text& program_
                 part.features[i].why_not + "\n";
   std::set<Int> strange;
   for (const Move& move : program.moves)
-    if (std::none_of(witness.tools.begin(), witness.tools.end(),
-                     [&](const Tool& t) { return t.number == move.tool; }))
-      strange.insert(move.tool);
+    if (move.lowest() < part.top && !tool_numbered(witness.tools, move.tool)) strange.insert(move.tool);
   for (const Int tool : strange) others += "nothing is proven of T" + text(tool) + "\n";
-  return tools + "C1 nothing left: it lies within " + mm(asked.uncut) +
-         " mm of what the program cuts, the tip at most " + mm(asked.level) +
-         " mm above the floor, centers at least " + mm(asked.beyond) + " mm off the walls:\n" + claimed +
-         "C2 nothing gouged: below the top each cutter stays in a feature, at most " + mm(asked.gouge) +
-         " mm in walls and floor\n" + "C3 no rapid in material: all but a rim of " + mm(asked.rapid) +
-         " mm of the cutter runs in what was cut before\n" + engagement + others + "program " +
-         hex(program_hash) + "\npart " + hex(part_hash) + "\n" +
-         (program.stated
-              ? "path followed within " + mm(program.blending) + " mm, as the program says\n"
-              : "taken as true: the control follows the path exactly; the program says nothing of it\n") +
-         (program.dogleg ? "" : "taken as true: rapids are straight\n") +
-         "taken as true: docs/claim.md, assumptions\n";
+  const Text claims =
+      tools + "C1 nothing left: it lies within " + mm(asked.uncut) +
+      " mm of what the program cuts, the tip at most " + mm(asked.level) +
+      " mm above the floor, centers at least " + mm(asked.beyond) + " mm off the walls:\n" + claimed +
+      "C2 nothing gouged: below the top each cutter stays in a feature, at most " + mm(asked.gouge) +
+      " mm in walls and floor\n" + "C3 no rapid in material: all but a rim of " + mm(asked.rapid) +
+      " mm of the cutter runs in what was cut before\n" + engagement + others + "program " +
+      hex(program_hash) + "\npart " + hex(part_hash) + "\n" +
+      (program.stated
+           ? "path followed within " + mm(program.blending) + " mm, as the program says\n"
+           : "taken as true: the control follows the path exactly; the program says nothing of it\n") +
+      (program.dogleg ? "" : "taken as true: rapids are straight\n") +
+      "taken as true: docs/claim.md, assumptions\n";
+  if (!others.empty() && !asked.partial) refuse("not all is proven; --partial lets that pass:\n" + claims);
+  return claims;
 }
 
 int run(int count, char** arguments) {
@@ -1799,6 +1807,8 @@ int run(int count, char** arguments) {
       {"--gouge", &Question::gouge},          {"--rapid", &Question::rapid},
       {"--level", &Question::level},          {"--diameter", &Question::diameter},
       {"--engagement", &Question::engagement}};
+  const std::map<Text, bool Question::*> flags{
+      {"--straight", &Question::straight}, {"--each", &Question::each}, {"--partial", &Question::partial}};
   for (int i = 1; i < count; ++i) {
     const Text word = arguments[i], value = i + 1 < count ? arguments[i + 1] : "";
     const auto option = options.find(word);
@@ -1806,15 +1816,15 @@ int run(int count, char** arguments) {
       files.push_back(word);
       continue;
     }
-    if (word == "--straight" || word == "--each") {
-      (word == "--each" ? asked.each : asked.straight) = true;
+    if (const auto flag = flags.find(word); flag != flags.end()) {
+      asked.*(flag->second) = true;
       continue;
     }
     std::size_t end = 0;
     if (option == options.end())
       reject(word +
              " is no option; they are --uncut --beyond --gouge --rapid --level --diameter, each with mm, "
-             "--engagement with degrees, --straight and --each");
+             "--engagement with degrees, --straight, --each and --partial");
     const Int nm = scaled(number_at(value, end, false, word), kMillimetre, true, word);
     if (end != value.size() || nm < 0 || nm >= kLargest ||
         (nm == 0 && (word == "--diameter" || word == "--engagement")))

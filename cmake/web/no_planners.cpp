@@ -1,4 +1,4 @@
-// Stands in for src/pipeline/selection/strategies.cpp: the gate checks programs and plans none.
+// Stands in for src/pipeline/selection/strategies.cpp: the verify module checks programs and plans none.
 #include "pipeline/selection/strategies.h"
 
 namespace clearcut::pipeline {

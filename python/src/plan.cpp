@@ -345,13 +345,13 @@ void add_plan(py::module_& module) {
   module.def(
       "check_witness",
       [](const std::string& program, const std::string& part, const py::bytes& witness, double uncut,
-         bool straight) {
-        const WitnessAnswer answer = check_witness(program, part, witness, uncut, straight);
+         bool straight, bool partial) {
+        const WitnessAnswer answer = check_witness(program, part, witness, uncut, straight, partial);
         if (!answer.accepted) throw InputError("witness", answer.text);
         return answer.text;
       },
       py::arg("program"), py::arg("part"), py::arg("witness"), py::arg("uncut") = 0.01,
-      py::arg("straight") = false, doc("check_witness"));
+      py::arg("straight") = false, py::arg("partial") = false, doc("check_witness"));
   module.def(
       "read_file", [](const std::string& path) { return py::bytes(read_file(path)); }, py::arg("path"),
       doc("read_file"));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "base/tolerances.h"
@@ -37,6 +38,15 @@ void follow(Feature& feature, ProfileCut cut, const Tolerances& tol);
 inline double clear_of_raw_stock(double radius) {
   constexpr double kLeast = 1, kMost = 2;
   return std::clamp(radius, kLeast, kMost);
+}
+
+/// mm by which a cutter keeps farther off a wall with a fillet of radius `fillet` at its foot than off one without, its tip `above` mm over
+/// the floor: its corner, an arc of radius `corner` (0: sharp), then just touches the fillet.
+inline double clear_of_fillet(double fillet, double corner, double above) {
+  const double apart = fillet - corner;  // of the centres of both arcs
+  if (apart <= above) return 0;
+  const double across = apart - std::max(0.0, above);
+  return apart - std::sqrt(apart * apart - across * across);
 }
 
 }  // namespace clearcut::features

@@ -210,6 +210,16 @@ double left_in_corners(const ProfileCut& cut, double radius, const Tolerances& t
   return area(inner) - (legal.empty() ? 0 : area(dilate(legal, radius, tol)));
 }
 
+/// mm, radians. Differences within which an end's radius equals a fillet's, and a cone's angle that of a solid's
+/// broken edge.
+constexpr double kSameEndRadius = 0.002, kSameConeLean = 0.002;
+
+/// mm; radius of the fillet left by the tool's end between a floor and a wall.
+double end_radius_of(const Tool& tool) {
+  if (tool.kind == ToolKind::kBallEndMill) return tool.radius();
+  return mills_upright(tool) ? tool.corner_radius : 0;
+}
+
 /// The mills with upright sides, from large to small.
 std::vector<int> mills_by_size(const std::vector<Tool>& tools) {
   std::vector<int> mills;
@@ -250,6 +260,10 @@ bool keeps_walls(const Tool& tool, const Feature& feature) {
   return tool.tip_angle.value_or(Radians{}).radians() / 2 <= feature.wall_slope.radians() + kSameAngleRad;
 }
 
+bool keeps_fillet(const Tool& tool, const Feature& feature) {
+  return end_radius_of(tool) >= feature.floor_fillet - kSameEndRadius;
+}
+
 int tool_for_tabs(const Feature& feature, int chosen, const std::vector<Tool>& tools) {
   if (!is_carved(feature, tools[static_cast<std::size_t>(chosen)])) return chosen;
   const std::vector<int> mills = mills_by_size(tools);
@@ -257,16 +271,6 @@ int tool_for_tabs(const Feature& feature, int chosen, const std::vector<Tool>& t
 }
 
 namespace {
-
-/// mm, radians. Differences within which an end's radius equals a fillet's, and a cone's angle that of a solid's
-/// broken edge.
-constexpr double kSameEndRadius = 0.002, kSameConeLean = 0.002;
-
-/// mm; radius of the fillet left by the tool's end between a floor and a wall.
-double end_radius_of(const Tool& tool) {
-  if (tool.kind == ToolKind::kBallEndMill) return tool.radius();
-  return mills_upright(tool) ? tool.corner_radius : 0;
-}
 
 /// The largest mill with the end radius of the fillet between the feature's floor and walls; -1 if there is none.
 int fillet_tool(const Feature& feature, const std::vector<Tool>& tools, double fits) {
@@ -338,6 +342,7 @@ int tool_for(const Feature& feature, const std::vector<Tool>& tools, const std::
     if (drills(a) != drills(b)) return drills(a);
     if (clears_floors(a) != clears_floors(b)) return clears_floors(a);
     if (keeps_walls(a, feature) != keeps_walls(b, feature)) return keeps_walls(a, feature);
+    if (keeps_fillet(a, feature) != keeps_fillet(b, feature)) return keeps_fillet(a, feature);
     const bool a_fits = a.diameter <= fits && has_room_to_enter(feature, a, tol),
                b_fits = b.diameter <= fits && has_room_to_enter(feature, b, tol);
     if (a_fits != b_fits) return a_fits;

@@ -62,6 +62,15 @@ enum InputKinds : unsigned {
   kAllInputs = 127
 };
 
+/// Checks of programs that take an option. Bits of a set.
+enum Checks : unsigned {
+  kNoCheck = 0,         ///< none: the option serves planning
+  kCheckOfProgram = 1,  ///< of a program without its part
+  kCheckOfPart = 2,     ///< of a program against its part
+  kCheckOfTexts = 4,    ///< either, by the function of texts, which reads no file
+  kAllChecks = 7
+};
+
 struct Situation;
 
 /// Cases in which an option has an effect. In all other cases the option is refused.
@@ -81,6 +90,7 @@ struct Field {
 struct Row {
   std::string name = {};  ///< name typed after "--"
   Group group = Group::kInput;
+  unsigned checks = kNoCheck;  ///< Checks
   Level level = Level::kRest;
   ValueKind kind = ValueKind::kFlag;
   std::string sentence = {};  ///< effect of the option, as text of the help

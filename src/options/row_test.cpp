@@ -73,6 +73,18 @@ TEST(Rows, WhatIsSetIsReadBack) {
   }
 }
 
+TEST(Rows, ACheckOfTextsReadsNoFileAndOnlyOutlines) {
+  int of_texts = 0;
+  for (const Row& row : rows()) {
+    if (!(row.checks & kCheckOfTexts)) continue;
+    ++of_texts;
+    EXPECT_TRUE(row.checks & kCheckOfPart) << row.name;
+    EXPECT_TRUE(row.effect.inputs & kOutlineInput) << row.name;
+    EXPECT_FALSE(row.kind == ValueKind::kFile || row.kind == ValueKind::kFiles) << row.name;
+  }
+  EXPECT_GT(of_texts, 20);
+}
+
 TEST(Rows, ValuesInTheOptionsAreCheckedToo) {
   Asked asked;
   check_values(asked, "--");

@@ -43,26 +43,6 @@ std::string place_of(const read::DataValue& value, const std::string& key = "") 
   return std::string(kQuestion) + ":" + std::to_string(value.line) + (key.empty() ? "" : ": " + key);
 }
 
-/// Whether `verify` takes the row from texts alone: no file, no drawing, no planning.
-bool is_asked_of_checks(const Row& row) {
-  if (row.kind == ValueKind::kFile || row.kind == ValueKind::kFiles) return false;
-  if (row.name == "setup" || row.name == "earlier-setup" || row.name == "origin" || row.name == "tool" ||
-      row.name == "machine")
-    return false;
-  switch (row.group) {
-    case Group::kInput:
-      return row.effect.inputs & kOutlineInput;
-    case Group::kTools:
-    case Group::kMachine:
-    case Group::kLimits:
-    case Group::kStages:
-    case Group::kCopies:
-      return true;
-    default:
-      return row.name == "threads" || row.name == "predrilled";
-  }
-}
-
 /// A number, a text or a truth value as `clearcut verify` takes it.
 std::string text_of(const read::DataValue& value, const std::string& place) {
   if (value.is_string()) return value.text;
@@ -79,10 +59,10 @@ std::vector<std::string> texts_of(const read::DataValue& value, const std::strin
 
 const Row& row_of(const std::string& name, const std::string& place) {
   const Row* const row = row_named(name);
-  if (row && is_asked_of_checks(*row)) return *row;
+  if (row && row->checks & kCheckOfTexts) return *row;
   const std::string meant = row ? "" : nearest_name(name, question_options());
   throw InputError(place, (row ? "is not asked of a check of texts" : "is no option") +
-                              (meant.empty() ? "; docs/gate.md lists those there are"
+                              (meant.empty() ? "; docs/verify-module.md lists those there are"
                                              : "; did you mean '" + meant + "'?"));
 }
 
@@ -139,9 +119,7 @@ void refuse_idle(const Members& options, const std::optional<Part>& part) {
     if (part) {
       const std::string reason = idle_on_input(row, input_kind_of(*part));
       if (!reason.empty()) throw InputError(place, reason);
-    } else if (row.group == Group::kCopies || row.group == Group::kInput ||
-               row.name.starts_with("allowance") || row.name.starts_with("margin") ||
-               row.name.starts_with("finish") || row.name == "rest" || row.name == "scallop") {
+    } else if (!(row.checks & kCheckOfProgram)) {
       throw InputError(place, "needs a part");
     }
   }
@@ -193,6 +171,7 @@ Question question_of(const read::DataValue& root) {
   const InputOptions& input = asked.input;
   if (const read::DataValue* const part = root.find("part")) question.part = part_of(*part, input);
   refuse_idle(stated, question.part);
+  if (!question.part && !question.top) question.top = input.top;
   if (question.part && (stock || question.top))
     section.fail_at(stock ? "stock" : "top", "is asked without a part; the part states its stock");
   if (stock) question.stock = resolve::parse_stock(*stock, question.top.value_or(0));
@@ -243,7 +222,7 @@ std::string check_text(std::string_view program, std::string_view question) {
 std::vector<std::string> question_options() {
   std::vector<std::string> names;
   for (const Row& row : rows())
-    if (is_asked_of_checks(row)) names.push_back(row.name);
+    if (row.checks & kCheckOfTexts) names.push_back(row.name);
   return names;
 }
 

@@ -8,7 +8,7 @@
 namespace clearcut::pipeline {
 
 /// Checks `program` as `question` asks: alone, or against a part given as outlines. The question is a JSON object with what verify takes
-/// as arguments, without any file; docs/gate.md describes its keys.
+/// as arguments, without any file; docs/verify-module.md describes its keys.
 ///
 /// Returns the certificate as JSON; for a question or a program that cannot be understood an object with one member, "error": one
 ///         line with its place and remedy, "question:LINE: KEY: ..." in a question. Reads and writes no file. Throws nothing.

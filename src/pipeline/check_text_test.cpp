@@ -65,10 +65,21 @@ TEST(CheckText, BadQuestionsAreOneLine) {
               HasSubstr("question:2"));
   EXPECT_THAT(error(slot(1), R"({"tools": ["endmill:6"], "options": {"allowance": 0.2}})"),
               HasSubstr("needs a part"));
+  EXPECT_THAT(error(slot(1), R"({"tools": ["endmill:6"], "options": {"dogbones": "corner"}})"),
+              HasSubstr("dogbones: needs a part"));
   EXPECT_THAT(error(slot(1), R"({"tools": ["endmill:6"], "options": {"tools": "x.tbl"}})"),
               HasSubstr("tools"));
   EXPECT_THAT(error(slot(1), R"({"tools": ["endmill:6"], "machine": "no machine"})"),
               HasSubstr("no machine"));
+}
+
+TEST(CheckText, TheTopOfTheMaterialIsAKeyOrAnOption) {
+  const auto faults = [](const std::string& top) {
+    return checked(slot(1), R"({"tools": ["endmill:6:T1"], "stock": "50,20,10", "dialect": "linuxcnc", )" +
+                                top + "}")["faults"];
+  };
+  EXPECT_EQ(faults(R"("top": 8)"), faults(R"("options": {"top": 8})"));
+  EXPECT_NE(faults(R"("top": 8)"), faults(R"("top": 0)"));
 }
 
 TEST(CheckText, BadProgramsAreOneLineWithTheirName) {

@@ -266,6 +266,7 @@ void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources
     for (std::size_t i = 0; i < mills.size(); ++i) {
       const Tool& tool = part.tools[static_cast<std::size_t>(mills[i])];
       if (tool.diameter > fits || !features::keeps_walls(tool, feature_of(part, step)) ||
+          !features::keeps_fillet(tool, feature_of(part, step)) ||
           meets_steeper_walls(part, feature_of(part, step), tool, options.tol) ||
           !reaches_more_than_before(part, step, tool))
         continue;

@@ -281,7 +281,7 @@ TEST(Differential, LegalBoundarySeparatesLegalFromIllegal) {
     if (outline.empty()) continue;
     const double reach = random.between(0.5, 3.5);
     const FinishedPart finished(pocket_part(outline, 2 * reach, -2));
-    const LegalCenters legal(finished, -1.999, reach, box(outline), tol);
+    const LegalCenters legal(finished, -1.999, reach, 0, box(outline), tol);
     for (const Edge& edge : legal.boundary().edges()) {
       for (const double t : {0.0, 0.3, 0.5, 0.9, 1.0}) {
         const Vec2 p = edge.from == edge.to ? edge.from : edge.at(t);

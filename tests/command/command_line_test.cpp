@@ -8,6 +8,7 @@
 
 #include "base/file.h"
 #include "base/version.h"
+#include "options/row.h"
 #include "support/command.h"
 
 namespace clearcut {
@@ -196,6 +197,25 @@ TEST(CommandLine, VerifyJudgesTheProgramAndAWrongOne) {
       run_clearcut({"verify", folder.path("a.ngc"), "--part", input, "--tool", "endmill:6.1", "--json", "-"});
   EXPECT_EQ(json.exit_code, 1);
   EXPECT_FALSE(nlohmann::json::parse(json.out).at("clean").get<bool>());
+}
+
+TEST(CommandLine, WithoutAPartNoOptionOnThePartIsTaken) {
+  const ScratchFolder folder;
+  const auto program = folder.file("a.ngc", "G21 G90\nM30\n");
+  int refused = 0;
+  for (const Row& row : rows()) {
+    if (!(row.checks & kCheckOfPart) || row.checks & kCheckOfProgram) continue;
+    std::vector<std::string> arguments{"verify", program, "--tool", "endmill:6", "--" + row.name};
+    if (row.kind == ValueKind::kPoint || row.kind == ValueKind::kPoints)
+      arguments.emplace_back("1,2");
+    else if (row.kind != ValueKind::kFlag)
+      arguments.push_back(row.shown_example());
+    const auto result = run_clearcut(arguments);
+    EXPECT_EQ(result.exit_code, 2) << row.name << result.out;
+    EXPECT_THAT(result.err, HasSubstr("--part")) << row.name;
+    ++refused;
+  }
+  EXPECT_GT(refused, 30);
 }
 
 TEST(CommandLine, SameInputSameBytes) {

@@ -169,6 +169,21 @@ TEST(Witness, ADrillsPointStaysAboveTheFloorOfABlindHole) {
   EXPECT_THAT(proved.out, HasSubstr("goes below all floors"));
 }
 
+TEST(Checker, ACycleWithoutAFeedIsARapidIntoTheHole) {
+  const ScratchFolder folder;
+  const std::string part = folder.file("t.json", kHolesAndPocket), program = folder.path("t.nc");
+  run_clearcut({"plan", part, "--tool", "endmill:5", "--tool", "drill:6", "-o", program, "--quiet"});
+  std::string text = read_file(program);
+  const std::size_t at = text.rfind("Z-6 R1");
+  ASSERT_NE(at, std::string::npos);
+  folder.file("t.nc", text.replace(at, 6, "Z-6 R-6"));
+  const CommandResult proved = run_clearcut(
+      {"verify", program, "--part", part, "--tool", "endmill:5", "--tool", "drill:6", "--prove"});
+  EXPECT_EQ(proved.exit_code, 1);
+  EXPECT_THAT(proved.out, HasSubstr("NOT PROVED: "));
+  EXPECT_THAT(proved.out, Not(HasSubstr("proved by witness")));
+}
+
 TEST(Checker, DoesNotTakeACutterThatIsMadeReadyForTheOneInTheSpindle) {
   const ScratchFolder folder;
   plan_bracket(folder);
@@ -204,6 +219,46 @@ TEST(Witness, ProvesNothingOfWhatNoCylinderMakes) {
                     "--witness", folder.path("s.ccw"), "--quiet"});
   EXPECT_EQ(planned.exit_code, 1);
   EXPECT_THAT(planned.out, HasSubstr("NOT PROVED: "));
+  const std::string check =
+      kChecker + " " + folder.path("s.nc") + " " + folder.path("s.ccw.json") + " " + folder.path("s.ccw");
+  const CommandResult whole = shell(folder, check);
+  EXPECT_EQ(whole.exit_code, 1);
+  EXPECT_THAT(whole.out, HasSubstr("refused: not all is proven"));
+  EXPECT_THAT(whole.out, HasSubstr("not proven to be cut: feature"));
+  EXPECT_EQ(shell(folder, check + " --partial").exit_code, 0);
+}
+
+TEST(Checker, ReadsNoPartThatMayMeanSomethingElse) {
+  const ScratchFolder folder;
+  plan_bracket(folder);
+  const auto said = [&](const std::string& part) {
+    return shell(folder, kChecker + " " + folder.path("b.nc") + " " + folder.file("p.json", part) + " " +
+                             folder.path("b.ccw"))
+        .out;
+  };
+  const std::string outer = R"("outer": [[0, 0], [9, 0], [9, 9]], "depth": 1)";
+  // A stock without inside has no material anywhere.
+  EXPECT_THAT(said(R"({"stock": {"x": [9, 0], "y": [0, 9], "z": [-9, 0]}, )" + outer + "}"),
+              HasSubstr("a range that is empty"));
+  // Units that stand beside a feature of a list hold for none.
+  EXPECT_THAT(said(R"({"pockets": [{"units": "inch", )" + outer + "}]}"),
+              HasSubstr("\"units\" is not claimed"));
+}
+
+TEST(Checker, CountsTheWaysThatBlendingTakesBelowTheTop) {
+  const ScratchFolder folder;
+  plan_bracket(folder);
+  std::string program = read_file(folder.path("b.nc"));
+  ASSERT_THAT(program, HasSubstr("G64 P0.0005"));
+  const std::vector<std::string> verify{"verify", folder.path("b.nc"), "--part", kBracket,
+                                        "--tool", "endmill:6",         "--prove"};
+  const auto with = [&](const std::string& more) {
+    std::string text = program;
+    folder.file("b.nc", text.insert(text.rfind("M5"), more));
+    return run_clearcut(verify).out;
+  };
+  EXPECT_THAT(with("G0 X-20 Y-20\nG1 Z0.001\nX-10\nG0 Z10\n"), HasSubstr("proved by witness"));
+  EXPECT_THAT(with("G0 X-20 Y-20\nG1 Z0\nX-10\nG0 Z10\n"), HasSubstr("is outside of all features"));
 }
 
 TEST(Witness, VerifyProvesByTheCheckerAlone) {
@@ -230,7 +285,7 @@ TEST(Witness, WrongOnesAreRefused) {
       shell(folder, "python3 " + kWrong + "/wrong.py " + kChecker + " " + folder.path("b.nc") + " " +
                         kBracket + " " + folder.path("b.ccw") + " 300");
   EXPECT_EQ(said.exit_code, 0) << said.out;
-  EXPECT_THAT(said.out, HasSubstr("300 wrong witnesses of 46 kinds, 0 not refused"));
+  EXPECT_THAT(said.out, HasSubstr("300 wrong witnesses of 47 kinds, 0 not refused"));
 }
 
 TEST(Checker, StatesTheEngagementOfEachLevelFeed) {
@@ -239,7 +294,10 @@ TEST(Checker, StatesTheEngagementOfEachLevelFeed) {
   const CommandResult checked = check_bracket(folder, "--each");
   EXPECT_THAT(checked.out, HasSubstr("C4 engagement: at most "));
   EXPECT_TRUE(std::regex_search(checked.out, std::regex("\n  line [0-9]+ [0-9.]+\n")));
-  EXPECT_EQ(check_bracket(folder, "--engagement 179.9").exit_code, 0);
+  EXPECT_EQ(check_bracket(folder, "--engagement 180").exit_code, 0);
+  // Slots have no rim: nobody says that they are engaged by less than half a turn.
+  EXPECT_THAT(check_bracket(folder, "--engagement 179.9").out, HasSubstr("is a level feed without a rim"));
+  std::string rest = checked.out;
   const CommandResult less = check_bracket(folder, "--engagement 3");
   EXPECT_EQ(less.exit_code, 1);
   EXPECT_TRUE(

@@ -239,6 +239,11 @@ def no_such_feature(w, r):
     w.stated[0] = r.choice([len(w.claims), 2**20, 2**40])
 
 
+def nothing_claimed(w, r):
+    """Of no cutter and no feature, so that nothing is left to be checked."""
+    w.tools, w.claims, w.rapids, w.rims = [], [], [], []
+
+
 def feature_twice(w, r):
     w.claims.append(r.choice(w.claims))
 
@@ -331,7 +336,7 @@ def rim_direction_beyond_a_turn(w, r):
 
 KINDS = [dropped, twice, reversed_tile, collapsed, corner_dropped, cancelled, all_cancelled, far_label, called_out, all_out, called_illegal,
          unknown_label, no_such_move, no_such_vertex, vertex_far_away, vertices_swapped, corner_of_wall_moved, wider_cutter, strange_cutter, cutter_dropped, cutter_twice,
-         no_such_feature, feature_twice, stock_stated, centre_dropped, rapid_in_air,
+         no_such_feature, nothing_claimed, feature_twice, stock_stated, centre_dropped, rapid_in_air,
          rim_dropped, rim_too_long, rim_without_steps, rim_of_no_move, rims_exchanged, rim_free_all_around, rim_free_by_a_later_move, rim_sector_too_wide, rim_direction_beyond_a_turn,
          rapid_dropped, rapid_tile_dropped, rapid_later_move, rapid_for_a_feed]
 

@@ -39,61 +39,43 @@ SolidOptions lies(const std::optional<JobFile>& from_job, const ChosenSetup& set
 
 }  // namespace
 
-void PlanArguments::add_part_options(CLI::App& command, const std::string& input_name) {
+void PlanArguments::add_options(CLI::App& command, const std::string& input_name, const std::string& sentence,
+                                const std::function<bool(const Row&)>& wanted) {
   command.option_defaults()->group("Input");
-  const bool is_input = input_name == "INPUT";
-  command
-      .add_option(
-          input_name, input_,
-          is_input
-              ? "Part: .p21 .stp .step .stpnc .dxf .svg .json .edges .toml, or a project (.clearcut.json)"
-              : "Part that the program makes")
-      ->required()
-      ->type_name("FILE");
-  values_.add(command, [](const Row& row) {
-    return row.group == Group::kInput || row.group == Group::kSolids || row.group == Group::kDrawings;
-  });
+  command.add_option(input_name, input_, sentence)->required()->type_name("FILE");
+  values_.add(command, wanted);
   command.parse_complete_callback([this] { take_values(); });
-}
-
-void PlanArguments::add_tool_list_options(CLI::App& command) {
-  values_.add(command, [](const Row& row) { return row.group == Group::kTools; });
 }
 
 namespace {
 
-/// Whether a row concerns the machine or the checks of a program; the relief of corners belongs to the requested
-/// part.
-bool is_of_question(const Row& row) {
-  return row.group == Group::kMachine || row.group == Group::kLimits || row.name == "threads" ||
-         row.name == "dogbones";
+constexpr const char* kInputFiles =
+    "Part: .p21 .stp .step .stpnc .dxf .svg .json .edges .toml, or a project (.clearcut.json)";
+
+/// Whether a row concerns the part or the tools at hand.
+bool is_of_part_and_tools(const Row& row) {
+  return row.group <= Group::kTools;
 }
 
 }  // namespace
 
-void PlanArguments::add_tool_options(CLI::App& command) {
-  add_tool_list_options(command);
-  values_.add(command, is_of_question);
+void PlanArguments::add_plan_options(CLI::App& command) {
+  add_options(command, "INPUT", kInputFiles, [](const Row&) { return true; });
 }
 
-void PlanArguments::add_steps_options(CLI::App& command) {
-  values_.add(command, [](const Row& row) {
-    return (row.group == Group::kStages && row.name != "dogbones") || row.name == "predrilled";
-  });
+void PlanArguments::add_info_options(CLI::App& command) {
+  add_options(command, "INPUT", kInputFiles, is_of_part_and_tools);
 }
 
-void PlanArguments::add_copies_options(CLI::App& command) {
-  values_.add(command, [](const Row& row) { return row.group == Group::kCopies; });
-}
-
-void PlanArguments::add_cutting_options(CLI::App& command) {
-  values_.add(command, [](const Row& row) { return row.group >= Group::kStrategy && !is_of_question(row); });
+void PlanArguments::add_check_options(CLI::App& command) {
+  add_options(command, "--part", "Part that the program makes",
+              [](const Row& row) { return row.checks != kNoCheck; });
 }
 
 std::string PlanArguments::typed_for_planning() const {
   const std::set<std::string> typed = values_.names();
   for (const Row& row : rows())
-    if ((row.group >= Group::kStrategy || is_of_question(row)) && typed.contains(row.name)) return row.name;
+    if (!is_of_part_and_tools(row) && typed.contains(row.name)) return row.name;
   return "";
 }
 

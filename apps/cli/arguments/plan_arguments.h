@@ -6,6 +6,7 @@
 #include <clearcut/verify.h>
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,15 +40,12 @@ int setup_count_of(const std::string& input);
 /// Raw option values; `options()` turns them into PlanOptions or throws InputError.
 class PlanArguments {
  public:
-  void add_part_options(CLI::App& command, const std::string& input_name);
-  /// Options for the available tools; add_tool_options adds these, too.
-  void add_tool_list_options(CLI::App& command);
-  void add_tool_options(CLI::App& command);
-  void add_cutting_options(CLI::App& command);
-  /// Options for the steps of the work: earlier work, narrower mills, finishing.
-  void add_steps_options(CLI::App& command);
-  /// Options for several copies of the part; add_cutting_options adds these, too.
-  void add_copies_options(CLI::App& command);
+  /// Every option of a plan.
+  void add_plan_options(CLI::App& command);
+  /// The options on the part and the tools at hand.
+  void add_info_options(CLI::App& command);
+  /// The part that a program makes, as --part, and the options that a check of the program takes.
+  void add_check_options(CLI::App& command);
 
   /// Must be called before options(); only then do these contain the sources of a job's values.
   Part read(Block block = Block::kAsLeft) const;
@@ -87,6 +85,8 @@ class PlanArguments {
   const ChosenSetup& setup() const { return setup_; }
 
  private:
+  void add_options(CLI::App& command, const std::string& input_name, const std::string& sentence,
+                   const std::function<bool(const Row&)>& wanted);
   Part read_setup(const JobFile& whole, Block block) const;
   Part read_program_setup(int number, SetupPlace& place) const;
   Part on_what_is_left(Part part, Block block) const;

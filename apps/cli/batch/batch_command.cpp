@@ -399,11 +399,9 @@ void add_batch_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("batch", "Plan many parts, each in a process of its own");
   command->group("Planning");
   auto state = std::make_shared<BatchCommand>();
-  state->arguments.add_part_options(*command, "INPUT");
+  state->arguments.add_plan_options(*command);
   command->get_option("INPUT")->description(
       "Folder of parts, or a list: one part a line, its own options after it");
-  state->arguments.add_tool_options(*command);
-  state->arguments.add_cutting_options(*command);
   command->option_defaults()->group("Batch");
   std::vector<const CLI::Option*> own{
       command

@@ -59,9 +59,7 @@ void add_compare_command(CLI::App& app, int& exit_code, void (*at_random)(const 
       app.add_subcommand("compare", "Plan a part with every strategy and published method, in one table");
   command->group("Choosing");
   auto state = std::make_shared<CompareCommand>();
-  state->arguments.add_part_options(*command, "INPUT");
-  state->arguments.add_tool_options(*command);
-  state->arguments.add_cutting_options(*command);
+  state->arguments.add_plan_options(*command);
   command->get_option("INPUT")->required(false);
   state->answer.add_options(*command);
   command->option_defaults()->group("Study at random");
@@ -114,9 +112,7 @@ void add_tools_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("tools", "Plan a part with each of several cutters, in one table");
   command->group("Choosing");
   auto state = std::make_shared<ToolsCommand>();
-  state->arguments.add_part_options(*command, "INPUT");
-  state->arguments.add_tool_options(*command);
-  state->arguments.add_cutting_options(*command);
+  state->arguments.add_plan_options(*command);
   command->option_defaults()->group("Feeds and speeds");
   command->add_option("--cutting-speed", state->speeds.cutting_speed,
                       "Cutting speed, m/min, from which the spindle speed follows (default 100)");

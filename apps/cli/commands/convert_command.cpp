@@ -127,9 +127,7 @@ void add_convert_command(CLI::App& app, int& exit_code) {
   auto* command = app.add_subcommand("convert", "Write a part as outline JSON or STEP-NC");
   command->group("Reading");
   auto state = std::make_shared<ConvertCommand>();
-  state->arguments.add_part_options(*command, "INPUT");
-  state->arguments.add_tool_options(*command);
-  state->arguments.add_cutting_options(*command);
+  state->arguments.add_plan_options(*command);
   command->option_defaults()->group("Output");
   command->add_option("-o,--output", state->output, "File to write: .json or .p21")
       ->required()
@@ -166,9 +164,7 @@ void add_init_command(CLI::App& app, int& exit_code) {
   command->group("Reading");
   auto state = std::make_shared<PlanArguments>();
   auto output = std::make_shared<std::string>();
-  state->add_part_options(*command, "INPUT");
-  state->add_tool_options(*command);
-  state->add_cutting_options(*command);
+  state->add_plan_options(*command);
   command->option_defaults()->group("Output");
   command->add_option("-o,--output", *output, "Job to write (default: standard output)")->type_name("FILE");
   command->callback([state, output, &exit_code] {

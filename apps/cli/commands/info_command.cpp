@@ -184,8 +184,7 @@ void add_info_command(CLI::App& app, int& exit_code) {
   command->group("Reading");
   auto state = std::make_shared<PlanArguments>();
   auto as_json = std::make_shared<bool>(false);
-  state->add_part_options(*command, "INPUT");
-  state->add_tool_list_options(*command);
+  state->add_info_options(*command);
   command->option_defaults()->group("Output");
   command->add_flag("--json", *as_json, "Print JSON");
   command->callback([state, as_json, &exit_code] {

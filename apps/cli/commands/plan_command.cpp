@@ -341,9 +341,7 @@ int run(PlanCommand command) {
 
 std::shared_ptr<PlanCommand> declare(CLI::App& command) {
   auto state = std::make_shared<PlanCommand>();
-  state->arguments.add_part_options(command, "INPUT");
-  state->arguments.add_tool_options(command);
-  state->arguments.add_cutting_options(command);
+  state->arguments.add_plan_options(command);
   command.option_defaults()->group("Output");
   command.add_option("-o,--output", state->output, "Program to write (- for standard output)")
       ->type_name("FILE");

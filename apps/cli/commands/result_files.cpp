@@ -175,6 +175,7 @@ std::optional<WitnessFile> attempted(const Proven& what, const Attempt& attempt)
                    attempt.as_stated ? read_file(what.part_name) : out.outline, what.part_name, question);
   if (question.tools.empty()) out.found.why_not = "witnesses are for flat cutters and drills";
   out.found.missing.insert(out.found.missing.end(), missing.begin(), missing.end());
+  if (!out.found.missing.empty()) out.options.push_back("--partial");
   return out;
 }
 

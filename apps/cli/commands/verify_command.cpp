@@ -1,4 +1,5 @@
 #include <clearcut/file.h>
+#include <clearcut/options.h>
 #include <clearcut/report.h>
 #include <clearcut/text.h>
 #include <clearcut/verify.h>
@@ -133,10 +134,7 @@ std::shared_ptr<VerifyCommand> declare_question(CLI::App& command) {
   command.add_option("PROGRAM", state->program, "Program of any CAM: G-code or Klartext")
       ->required()
       ->type_name("FILE");
-  state->arguments.add_part_options(command, "--part");
-  state->arguments.add_tool_options(command);
-  state->arguments.add_steps_options(command);
-  state->arguments.add_copies_options(command);
+  state->arguments.add_check_options(command);
   command.option_defaults()->group("Input");
   state->arguments.add_dialect_option(command);
   return state;
@@ -145,16 +143,9 @@ std::shared_ptr<VerifyCommand> declare_question(CLI::App& command) {
 /// A part may be left out; options on the part are then refused, and the stock may be stated.
 void let_part_be_absent(CLI::App& command, VerifyCommand& state) {
   CLI::Option* part = command.get_option("--part")->required(false);
-  for (CLI::Option* option : command.get_options()) {
-    const std::string& group = option->get_group();
-    const bool of_part = group == "Drawings" || group == "Solids" || option->check_name("--unit") ||
-                         option->check_name("--layer") || option->check_name("--depth") ||
-                         option->check_name("--allowance") || option->check_name("--allowance-floor") ||
-                         option->check_name("--scallop") || option->get_name().starts_with("--margin") ||
-                         option->check_name("--rest") || option->get_group() == "Copies" ||
-                         option->get_name().starts_with("--finish");
-    if (of_part) option->needs(part);
-  }
+  for (const Row& row : rows())
+    if (row.checks & kCheckOfPart && !(row.checks & kCheckOfProgram))
+      command.get_option("--" + row.name)->needs(part);
   command.option_defaults()->group("Input");
   command
       .add_option(

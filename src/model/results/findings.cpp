@@ -27,7 +27,8 @@ constexpr std::array kRows{
     ConditionRow{"parameter-#", "parameter-100"}, ConditionRow{"measured-move"},
     ConditionRow{"measured-value"}, ConditionRow{"subprogram-#", "subprogram-1"}, ConditionRow{"compressor"},
     ConditionRow{"compensation-d#", "compensation-d1"}, ConditionRow{"compensation-t#", "compensation-t1"},
-    ConditionRow{"compensation-corners"}, ConditionRow{"rtliof"}, ConditionRow{"h"}, ConditionRow{"cycle800"},
+    ConditionRow{"compensation-corners"}, ConditionRow{"approach-height"}, ConditionRow{"do-after-break"},
+    ConditionRow{"rtliof"}, ConditionRow{"h"}, ConditionRow{"cycle800"},
     // Facts unknown without a part.
     ConditionRow{"stock"}, ConditionRow{"below-stock"}, ConditionRow{"arc-radii"},
     ConditionRow{"cuts-nothing"},

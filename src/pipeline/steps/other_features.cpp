@@ -59,6 +59,7 @@ MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Toleranc
   const Feature& pocket = feature_of(part, step);
   const bool is_hole = pocket.kind == FeatureKind::kRoundHole && !is_formed(pocket);
   leans_ = pocket.wall_slope.radians() != 0;
+  corner_ = outer_profile(tool_of(part, step)).round;
   if (pocket.profile) return;
   const bool leaves_stock = (is_hole || !closed_all_round(pocket)) && step.operation.allowance_side > 0;
   if (pocket.kind != FeatureKind::kClosedPocket && !leaves_stock) return;
@@ -84,7 +85,8 @@ MeetingPockets::MeetingPockets(const Part& part, int workingstep, const Toleranc
 Regions MeetingPockets::room_of(const Feature& other, double z) const {
   Regions room = features::at_depth(other.allowed, other.wall_slope, other.top_z - z, tol_);
   const plan::RoundOnWall theirs{own_.round, other.wall_slope.radians()};
-  const double farther = theirs.beside() - own_.beside();
+  const double farther = theirs.beside() - own_.beside() +
+                         features::clear_of_fillet(other.floor_fillet, corner_, z - other.floor_z);
   if (farther > 0) room = inset(room, farther, tol_);
   const bool higher = std::find(higher_.begin(), higher_.end(), &other) != higher_.end();
   return higher ? intersect(room, cleared_, tol_) : room;
@@ -102,7 +104,9 @@ void MeetingPockets::widen(Layer& layer) {
   if (open.empty()) return;
   const bool upright = std::all_of(open.begin(), open.end(),
                                    [](const Feature* other) { return other->wall_slope.radians() == 0; });
-  if (!upright || open != last_open_ || !plan::same_outline(layer.allowed, last_allowed_)) {
+  const bool alike = upright && std::all_of(open.begin(), open.end(),
+                                            [](const Feature* other) { return other->floor_fillet <= 0; });
+  if (!alike || open != last_open_ || !plan::same_outline(layer.allowed, last_allowed_)) {
     last_added_ = added_to(layer, open);
     last_allowed_ = layer.allowed;
     last_open_ = open;

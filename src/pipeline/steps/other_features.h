@@ -47,6 +47,7 @@ class MeetingPockets {
   Regions below_;                       ///< what was added to layers so far, under leaning walls
   Regions cleared_;  ///< down to the top of the pocket by what is cut before; only for those
   Tolerances tol_;
+  double corner_ = 0;                      ///< mm; radius of the corner of the workingstep's cutter
   plan::RoundOnWall own_;                  ///< no round: the cutter keeps off all walls alike
   std::vector<const Feature*> last_open_;  ///< of the layer that was widened last
   Regions last_allowed_;                   ///< its area before

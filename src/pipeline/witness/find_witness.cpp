@@ -1199,6 +1199,7 @@ FoundWitness find_witness(const std::string& program_text, const std::string& pr
   ccw::Question asked;
   asked.uncut = to_nm(question.uncut);
   asked.straight = question.straight;
+  asked.partial = true;  // what is missing is named in the result
   try {
     const ccw::Part part = ccw::read_part(part_text, part_name);
     ccw::Program program = ccw::read_program(program_text, program_name, part.top);
@@ -1229,10 +1230,11 @@ FoundWitness find_witness(const std::string& program_text, const std::string& pr
 }
 
 WitnessAnswer check_witness(const std::string& program_text, const std::string& part_text,
-                            const std::string& witness, double uncut, bool straight) {
+                            const std::string& witness, double uncut, bool straight, bool partial) {
   ccw::Question asked;
   asked.uncut = to_nm(uncut);
   asked.straight = straight;
+  asked.partial = partial;
   try {
     return {true, ccw::check(asked, program_text, "program", part_text, "part", witness)};
   } catch (const ccw::Refusal& refusal) {

@@ -54,9 +54,11 @@ struct WitnessAnswer {
   std::string text;  ///< the proved claims, or the unproved conclusion
 };
 /// Answer of the independent checker for the texts of a program and of an outline and the bytes of a witness: the
-/// proved claims, or the unproved conclusion. `uncut` in mm; `straight`: rapids are straight on every control.
+/// proved claims, or the unproved conclusion. `uncut` in mm; `straight`: rapids are straight on every control; `partial`:
+/// features and tools of which nothing is claimed are let pass.
 WitnessAnswer check_witness(const std::string& program_text, const std::string& part_text,
-                            const std::string& witness, double uncut = 0.01, bool straight = false);
+                            const std::string& witness, double uncut = 0.01, bool straight = false,
+                            bool partial = false);
 
 /// The path of clearcut-check; empty if not found beside this program.
 std::string checker_program();

@@ -65,13 +65,13 @@ struct CutLayer {
 
 /// Beside open sides the material has not been cut before, so that a cutter with rounded corners meets its edge with its whole radius:
 /// cuts are planned with that. In closed areas the flat part of its end meets what earlier cuts have left on the floor.
-CutLayer cut_layer(const Layer& layer, Radians engagement) {
+CutLayer cut_layer(const Layer& layer, const AdaptiveOptions& options) {
   CutLayer cut{layer, layer.stock && has_open_side(layer), layer.tool_radius,
-               engagement.radians() - EngagementTolerance::kMargin};
+               options.engagement.radians() * options.limit_share - EngagementTolerance::kMargin};
   if (!cut.open) return cut;
   cut.layer.tool_radius += layer.rounded;
   cut.layer.wall_stock -= layer.rounded;
-  cut.limit = std::min(cut.limit, kMostFromOutside.radians());
+  cut.limit = std::min(cut.limit, kMostFromOutside.radians() * options.limit_share);
   return cut;
 }
 
@@ -367,7 +367,7 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
   result.target = layer.target;
   result.strategy = "adaptive";
   const double first = layer.tool_radius + layer.wall_stock;
-  const CutLayer cut = cut_layer(layer, options.engagement);
+  const CutLayer cut = cut_layer(layer, options);
   for (const auto& region : area_near_target(cut.layer, tol)) {
     const Clearance clearance(region, tol);
     auto legal = clearance.inset(first);
@@ -388,8 +388,8 @@ Strategy make(const StrategyRequest& request, const ClockOf& clock_of) {
   options.clock = clock_of(request);
   if (request.step.aimed_engagement_deg)
     options.engagement = Radians::of_degrees(*request.step.aimed_engagement_deg);
-  if (request.plan.engagement_deg)
-    options.engagement = Radians::of_degrees(*request.plan.engagement_deg * request.limit_share);
+  if (request.plan.engagement_deg) options.engagement = Radians::of_degrees(*request.plan.engagement_deg);
+  options.limit_share = request.limit_share;
   options.start = request.plan.start;
   options.cancel = request.plan.cancel;
   options.widest_helix = request.step.helix_widest;

@@ -17,6 +17,8 @@ namespace clearcut::plan::adaptive {
 struct AdaptiveOptions {
   /// Largest engagement after the entry.
   Radians engagement = Radians::of_degrees(60);
+  /// Share of that limit, or of a lower one that holds beside open sides, at which cuts aim.
+  double limit_share = 1;
   /// The first entry is at this point, in the connected area that holds it. If absent, or nearer to a wall
   /// than an entry needs: in a predrilled hole, else in the widest place.
   std::optional<Vec2> start;

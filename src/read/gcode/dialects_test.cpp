@@ -313,5 +313,32 @@ TEST(GcodeState, IsKeptForEachMove) {
   EXPECT_EQ(program.control.events[3].before_move, 2U);
 }
 
+TEST(Dialects, SmoothingOfOneControlIsASplineOfAnother) {
+  const std::string head = "G21 G90 G17\nG0 X0 Y0 Z5\n";
+  EXPECT_THAT(message_of(head + "G5.1 X10 Y10 I3 J3 F100\nM2\n"), HasSubstr("G5.1 is a spline"));
+  EXPECT_EQ(conditions_as(Dialect::kFanuc, "G21 G90 G17 G94 G54\nG0 X0. Y0. Z5.\nG05.1 Q1\nM30\n"),
+            "blending@3");
+}
+
+TEST(Dialects, AxesThatSmoothingNamesDoNotMove) {
+  EXPECT_THAT(
+      moves_as(Dialect::kFanuc,
+               "G21 G90 G17 G94 G54\nG0 X0. Y0. Z5.\nG1 X10. F100.\nG05.1 Q2 X0 Y0 Z0\nG1 Y10.\nM30\n"),
+      ::testing::EndsWith("\ncut to 10 0 5 F100\ncut to 10 10 5 F100"));
+}
+
+TEST(Dialects, ToolsAreStatedByM61) {
+  const Program read =
+      read_as(Dialect::kLinuxCnc, "G21 G90 G17 G64 P0.01\nT1 M6\nG0 X0 Y0 Z50\nM61 Q3\nG1 X5 F100\nM2\n");
+  ASSERT_FALSE(read.toolpath.sections.empty());
+  EXPECT_EQ(read.toolpath.sections.back().tool_number, 3);
+  EXPECT_THAT(names_of(read), HasSubstr("m61@4"));
+}
+
+TEST(Dialects, SubprogramsOfOtherDevicesAreRefused) {
+  EXPECT_THAT(refusal(Dialect::kFanuc, "G21 G90 G17\nG0 X0. Y0. Z5.\nM198 P100\nM30\n"),
+              HasSubstr("M198 calls a subprogram from another device"));
+}
+
 }  // namespace
 }  // namespace clearcut::read::gcode

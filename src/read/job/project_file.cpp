@@ -6,6 +6,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "options/row.h"
+#include "read/common/text.h"
 
 namespace clearcut::read {
 namespace {

@@ -33,6 +33,8 @@ constexpr double kTooLong = 2000, kTooShort = 1;
 constexpr double kSlack = 1e-3;
 /// Length of a drill's point of 118 degrees over its diameter.
 constexpr double kDrillPoint = 0.3004;
+/// Of a hole's diameter: heights of cones that differ by less are of one angle, such as 118 and 120 degrees.
+constexpr double kSamePoint = 0.02;
 /// Faces described one by one; the condition has the numbers of all.
 constexpr int kMostDescribed = 10;
 /// mm. Non-flat faces with lower ends nearer in height than this are cut together, down to the highest of these ends.
@@ -148,11 +150,16 @@ bool goes_round(const Feature& feature, const Box& box) {
   });
 }
 
-/// mm; diameters of the drills at hand.
-std::vector<double> drills_of(const SolidOptions& solid) {
-  std::vector<double> drills = solid.drills;
-  for (const Tool& tool : solid.tools)
-    if (tool.kind == ToolKind::kDrill) drills.push_back(tool.diameter);
+/// The drills at hand.
+std::vector<Tool> drills_of(const SolidOptions& solid) {
+  std::vector<Tool> drills;
+  std::copy_if(solid.tools.begin(), solid.tools.end(), std::back_inserter(drills),
+               [](const Tool& tool) { return tool.kind == ToolKind::kDrill; });
+  for (const double diameter : solid.drills) {
+    drills.emplace_back();
+    drills.back().kind = ToolKind::kDrill;
+    drills.back().diameter = diameter;
+  }
   return drills;
 }
 
@@ -199,7 +206,10 @@ class Finder {
   void propose_side(const std::array<std::vector<int>, 5>& floors);
   void propose_taps();
   bool is_threaded(const Feature& hole) const;
-  void report_cone(const Cell& cell);
+  const Tool* drill_of(const Feature& hole) const;
+  void end_holes();
+  void end_hole(Feature& hole, const SolidFace& floor);
+  void report_hole_ends();
   bool is_reached(const SolidFace& wall) const;
   bool is_faced(const SolidFace& wall) const;
   bool is_undermined(const SolidFace& ceiling) const;
@@ -210,14 +220,18 @@ class Finder {
   Tolerances tol_;
   Stock stock_;
   const ReadOptions& options_;
-  double breakthrough_;         ///< mm
-  std::vector<double> drills_;  ///< mm
+  double breakthrough_;  ///< mm
+  std::vector<Tool> drills_;
   bool has_other_setups_;
   HeightMap map_;
   std::vector<double> level_of_;  ///< mm; for each cell the height down to which the material above is cut
   Part part_;
   std::vector<Feature> found_;
-  Diagnostics cones_;        ///< drills' points among them
+  std::vector<std::string> flat_drilled_;  ///< holes with a flat floor that a drill ends with its cone
+  std::vector<std::string> flat_cones_;    ///< holes that end in a cone, cut flat without a drill
+  std::vector<std::string>
+      other_points_;         ///< holes that end in another cone than that of their drill's point
+  double point_left_ = 0;    ///< mm; height of the highest cone left on flat floors
   Diagnostics thin_;         ///< floors not worth a cut
   double deepest_thin_ = 0;  ///< mm; depth of the deepest of these floors
   std::set<int> reached_;    ///< indices of cells
@@ -251,12 +265,12 @@ Part Finder::part(bool stated_stock) {
   if (solid_.bodies.size() > 1)
     part_.diagnostics.warn(file_name_,
                            std::to_string(solid_.bodies.size()) + " solids are taken as one part");
-  part_.diagnostics.append(cones_);
   part_.diagnostics.append(thin_);
   part_.diagnostics.append(asked_);
   add_features(part_, std::move(found_));
   report_hidden_floors();
   report_left_out();
+  report_hole_ends();
   report_set_ups();
   report_through();
   propose_taps();
@@ -368,10 +382,7 @@ std::vector<int> Finder::floors_in(const Region& region, double z) const {
 
 /// mm. Length of the point of the hole's available drill; 0 without one.
 double Finder::point_below(const Feature& hole) const {
-  const auto drills = [&](double diameter) {
-    return hole.hole_diameter && features::is_near_size(diameter, *hole.hole_diameter);
-  };
-  return std::any_of(drills_.begin(), drills_.end(), drills) ? kDrillPoint * *hole.hole_diameter : 0;
+  return drill_of(hole) ? kDrillPoint * *hole.hole_diameter : 0;
 }
 
 FeatureKind Finder::kind_of(const Region& target, bool open, bool through) const {
@@ -408,7 +419,6 @@ void Finder::add_area(const Region& target, const Region& allowed, bool open, do
     reached_.insert(index);
     const SolidFace& face = solid_.faces[static_cast<std::size_t>(cell.face)];
     feature.source += (feature.source.empty() ? "face " : ", ") + std::to_string(face.number);
-    if (!face.level) report_cone(cell);
   }
   if (!floors.empty() && feature.source.empty()) feature.source = "above what is not flat";
   found_.push_back(std::move(feature));
@@ -435,21 +445,20 @@ void Finder::shape_faces() {
 void Finder::take_asked() {
   shape_faces();
   name_features(found_);
-  if (options_.layer_rules.empty()) return;
-  apply_operations(found_, stock_, options_, asked_);
-  if (found_.empty()) throw InputError(file_name_, "all of its features are to be left out (--op ignore)");
-  settle_tops(found_, stock_, tol_);
+  if (!options_.layer_rules.empty()) {
+    apply_operations(found_, stock_, options_, asked_);
+    if (found_.empty()) throw InputError(file_name_, "all of its features are to be left out (--op ignore)");
+    settle_tops(found_, stock_, tol_);
+  }
+  end_holes();
 }
 
-void Finder::report_cone(const Cell& cell) {
-  const SolidFace& face = solid_.faces[static_cast<std::size_t>(cell.face)];
-  cones_.skip(file_name_, described(face) + " is a drill's point: the hole is cut flat at z " +
-                              trimmed(cell.z, 3) + ", where it begins");
-}
-
-/// Adds a condition for a shape of the solid not made by the program.
-void Finder::doubt(const std::string& what) {
-  part_.diagnostics.doubt(file_name_, kLeftOut, what);
+/// The drill at hand for the hole; null without one.
+const Tool* Finder::drill_of(const Feature& hole) const {
+  const auto found = std::find_if(drills_.begin(), drills_.end(), [&](const Tool& drill) {
+    return hole.hole_diameter && features::is_near_size(drill.diameter, *hole.hole_diameter);
+  });
+  return found == drills_.end() ? nullptr : &*found;
 }
 
 /// Names of features, a few.
@@ -458,6 +467,60 @@ std::string some_of(const std::vector<std::string>& names) {
   std::string text;
   for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i) text += (i ? ", " : "") + names[i];
   return names.size() > kNamed ? text + ", ..." : text;
+}
+
+/// Decides how blind holes end for which nothing else was asked.
+void Finder::end_holes() {
+  for (Feature& feature : found_) {
+    if (feature.kind != FeatureKind::kRoundHole || feature.through || feature.hole ||
+        feature.target.size() != 1)
+      continue;
+    for (const int index : floors_in(feature.target.front(), feature.floor_z)) {
+      const Cell& cell = map_.cells()[static_cast<std::size_t>(index)];
+      if (cell.floor) end_hole(feature, solid_.faces[static_cast<std::size_t>(cell.face)]);
+    }
+  }
+}
+
+/// A cone at the hole's end is made by the point of the hole's drill: the hole has its full width down to where the cone begins. A drill
+/// without a stated angle ends with its point on a flat floor, and leaves its cone there.
+void Finder::end_hole(Feature& hole, const SolidFace& floor) {
+  const Tool* const drill = drill_of(hole);
+  if (floor.level) {
+    if (!drill || drill->tip_angle) return;
+    flat_drilled_.push_back(hole.name);
+    point_left_ = std::max(point_left_, point_length(*drill));
+  } else if (!drill) {
+    flat_cones_.push_back(hole.name);
+  } else if (!hole.hole) {
+    HoleForm form;
+    form.center = hole.target.front().outer().front().center;
+    form.diameter = *hole.hole_diameter;
+    form.full_z = hole.floor_z;
+    hole.hole = form;
+    hole.floor_z = form.full_z - point_length(*drill);
+    if (std::abs(hole.floor_z - floor.z_low) > kSamePoint * form.diameter) other_points_.push_back(hole.name);
+  }
+}
+
+/// Ends of blind holes that the program makes otherwise than they are drawn.
+void Finder::report_hole_ends() {
+  if (!flat_drilled_.empty())
+    doubt("the floor of " + some_of(flat_drilled_) +
+          " is flat and keeps the cone of a drill's point, up to " + trimmed(point_left_, 3) +
+          " mm high; --op pocket:" + flat_drilled_.front() +
+          " mills it, and a drill with its angle stated (:118deg) goes deeper by its point");
+  if (!flat_cones_.empty())
+    doubt("the cone at the end of " + some_of(flat_cones_) +
+          " is not cut: the hole ends flat where it begins; a drill as wide as the hole makes it");
+  if (!other_points_.empty())
+    doubt("the cone at the end of " + some_of(other_points_) +
+          " has another angle than the point of its drill (:118deg states it)");
+}
+
+/// Adds a condition for a shape of the solid not made by the program.
+void Finder::doubt(const std::string& what) {
+  part_.diagnostics.doubt(file_name_, kLeftOut, what);
 }
 
 /// Whether a thread is requested in the hole.

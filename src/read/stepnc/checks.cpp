@@ -130,12 +130,14 @@ void Reader::check_fillets() {
           "as theirs",
           draft.node);
     else
-      check_fillet(draft, steps);
+      check_fillet(index, steps);
   }
 }
 
-/// A cutter whose own corner is sharper cuts the fillet away; one that is rounder leaves more of it.
-void Reader::check_fillet(const Draft& draft, const std::vector<std::size_t>& steps) {
+/// A cutter whose own corner is sharper cuts the fillet away; one that is rounder leaves more of it. A fillet that the file's own cutters
+/// cannot leave is an open condition, and no gouge of each of their passes.
+void Reader::check_fillet(std::size_t index, const std::vector<std::size_t>& steps) {
+  const Draft& draft = drafts_[index];
   const double radius = draft.floor_fillet->size - draft.floor_fillet->below;
   double deepest = 0, sharpest = kEverywhere;
   for (const std::size_t step : steps) {
@@ -149,12 +151,14 @@ void Reader::check_fillet(const Draft& draft, const std::vector<std::size_t>& st
   const std::string asked =
       "the floor fillet of " + draft.node.label() + " of " + trimmed(draft.floor_fillet->size, 3) + " mm";
   const std::string where = context_.file.place(draft.node.line());
-  if (deepest > kLevel)
+  if (deepest > kLevel) {
     context_.diagnostics.doubt(where, kNotFollowed,
                                "not followed: " + asked + "; the corner of its cutters has " +
                                    trimmed(sharpest, 3) + " mm and cuts " + trimmed(deepest, 3) +
                                    " mm into it; give a bull-nose mill of that radius");
-  else if (sharpest > draft.floor_fillet->size + draft.floor_fillet->above + kLevel)
+    for (const int feature : features_of_draft_[index])
+      part_.features[static_cast<std::size_t>(feature)].floor_fillet = 0;
+  } else if (sharpest > draft.floor_fillet->size + draft.floor_fillet->above + kLevel)
     context_.diagnostics.warn(where, asked + " is that of the cutter, " + trimmed(sharpest, 3) + " mm");
 }
 

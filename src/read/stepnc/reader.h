@@ -95,7 +95,7 @@ class Reader {
   void check_hole_end(const Draft& draft, const std::vector<std::size_t>& steps);
   void check_fillets();
   bool fillets_are_in_plan() const;
-  void check_fillet(const Draft& draft, const std::vector<std::size_t>& steps);
+  void check_fillet(std::size_t index, const std::vector<std::size_t>& steps);
   void drop_unused_features();
   void set_tops();
   void drop_finished_steps();

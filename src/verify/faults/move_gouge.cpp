@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "model/cutter_profile.h"
+#include "verify/faults/foot_fillet.h"
 #include "verify/program/shaped_cutter.h"
 
 namespace clearcut::verify {
@@ -187,13 +188,10 @@ std::vector<Move> pieces_of(const Move& move, double radius) {
   return pieces;
 }
 
-}  // namespace
-
-std::optional<Gouge> gouge_of_move(const FinishedParts& finished, const CheckedMove& checked,
-                                   const Move& move, double aside, double slack, bool joined) {
-  const Tool& tool = *checked.tool;
-  if (tool.kind == ToolKind::kTSlot) return undercut_gouge_of(finished, move, tool, aside, slack);
-  const CutterProfile cutter = outer_profile(tool), wider = aside > 0 ? cutter.narrowed(-aside) : cutter;
+/// The deepest gouge of the walls and floors themselves; `wider`: the tool's profile, `aside` mm wider.
+std::optional<Gouge> wall_gouge_of(const FinishedParts& finished, const Tool& tool,
+                                   const CutterProfile& wider, const Move& move, double aside, double slack,
+                                   bool joined) {
   const auto gouge_by = [&](const Move& piece, bool begins_outside) {
     return least_gouge(finished, tool, piece, [&](const FinishedPart& part) {
       return has_flanks(tool) ? shaped_gouge_of(part, piece, wider, slack)
@@ -210,6 +208,17 @@ std::optional<Gouge> gouge_of_move(const FinishedParts& finished, const CheckedM
     if (own && own->depth > slack && !is_clear_of_crossed_draft(whole, piece, wider, slack)) return least;
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Gouge> gouge_of_move(const FinishedParts& finished, const CheckedMove& checked,
+                                   const Move& move, double aside, double slack, bool joined) {
+  const Tool& tool = *checked.tool;
+  if (tool.kind == ToolKind::kTSlot) return undercut_gouge_of(finished, move, tool, aside, slack);
+  const CutterProfile cutter = outer_profile(tool), wider = aside > 0 ? cutter.narrowed(-aside) : cutter;
+  return deeper(wall_gouge_of(finished, tool, wider, move, aside, slack, joined),
+                fillet_gouge_of(finished.plain(), move, wider));
 }
 
 }  // namespace clearcut::verify

@@ -115,6 +115,8 @@ void FinishedPart::add_feature(const Feature& feature, int index) {
   shape.floor = feature.floor_z;
   shape.top = feature.top_z;
   shape.slope = base::tan(feature.wall_slope.radians());
+  shape.fillet = feature.floor_fillet;
+  greatest_fillet_ = std::max(greatest_fillet_, feature.floor_fillet);
   shape.single = feature.allowed.size() <= 1;
   if (feature.chamfer) shape.drafted = drafted_edges(feature);
   greatest_draft_offset_ = std::max(greatest_draft_offset_, (shape.top - shape.floor) * shape.slope);
@@ -230,6 +232,18 @@ double FinishedPart::height_beside(Vec2 p, int own, bool inside_own) const {
   return height;
 }
 
+/// mm; radius of the fillet at the foot of a wall, over the floor at p, just inside shape `own` or one that reaches as deep: none where one
+/// of those asks for none. Material that ends where the fillet would end is no wall with a fillet: it stands beside the fillet's end.
+double FinishedPart::fillet_at(const Wall& wall, Vec2 p, int own) const {
+  double fillet = greatest_fillet_;
+  for (int i = 0; i < static_cast<int>(shapes_.size()) && fillet > 0; ++i) {
+    const Shape& shape = shapes_[static_cast<std::size_t>(i)];
+    if (shape.floor == wall.z_low && (i == own || holds(shape, p))) fillet = std::min(fillet, shape.fillet);
+  }
+  const bool ends_with_it = wall.z_high <= wall.z_low + fillet + kSamePlaceMm && wall.z_high < top_z_;
+  return ends_with_it ? 0 : fillet;
+}
+
 /// Parameters at which the outlines of other shapes meet this edge, or turn beside it, with 0 and 1, ascending: at
 /// points where they turn away from the edge without a crossing, the height changes.
 std::vector<double> FinishedPart::cuts_of(const Edge& edge, int shape, const EdgeTree& all,
@@ -280,8 +294,12 @@ void FinishedPart::add_wall(const Edge& piece, const Shape& shape, int index) {
   if (is_drafted_at(shape, piece)) return add_drafted_wall(piece, shape, left, right);
   if (left == kNothing && right == kNothing && shape.feature >= 0)
     beyond_.push_back({piece, shape.floor, shape.top, shape.feature});
-  if (left < right) walls_.push_back({piece, left, right, shape.feature});
-  if (right < left) walls_.push_back({piece.reversed(), right, left, shape.feature});
+  if (left == right) return;
+  Wall wall{left < right ? piece : piece.reversed(), std::min(left, right), std::max(left, right),
+            shape.feature};
+  if (greatest_fillet_ > 0)
+    wall.fillet = left < right ? fillet_at(wall, middle + aside, index) : fillet_at(wall, middle - aside, -1);
+  walls_.push_back(wall);
 }
 
 void FinishedPart::add_drafted_wall(const Edge& piece, const Shape& shape, double left, double right) {

@@ -20,6 +20,8 @@ struct Wall {
   int feature = -1;   ///< feature of the outline; -1: the edge of the stock
   double top_z = 0;   ///< for walls with draft: height at which the wall is at `edge`
   double slope = 0;   ///< tangent of the draft; at height z the wall is (top_z - z) * slope inside `edge`
+  double fillet =
+      0;  ///< mm; radius of the hollow fillet to be left between the floor at its foot and the wall
   /// For walls with draft: at this end the side of the stock cuts the wall off square.
   bool flat_from = false;
   bool flat_to = false;
@@ -55,6 +57,8 @@ class FinishedPart {
   double top_z() const { return top_z_; }
   const std::vector<Wall>& walls() const { return walls_; }
   const EdgeTree& wall_tree() const { return tree_; }
+  /// mm; the greatest radius of a fillet at the foot of a wall; 0: there is none.
+  double greatest_fillet() const { return greatest_fillet_; }
   /// Outlines of features beside the stock, without material: an allowance applies to these like to walls, as far as
   /// it extends into the stock.
   const std::vector<Wall>& outlines_beyond() const { return beyond_; }
@@ -97,6 +101,7 @@ class FinishedPart {
     double floor = 0;
     double top = 0;
     double slope = 0;
+    double fillet = 0;   ///< radius to be left between the floor and the walls
     EdgeTree drafted;    ///< the edges whose walls have draft, if some have none
     bool single = true;  ///< whether it is one region: it is then only on the left of its edges
   };
@@ -116,6 +121,7 @@ class FinishedPart {
   void add_drafted_wall(const Edge& piece, const Shape& shape, double left, double right);
   bool is_beside_stock(Vec2 p) const;
   double height_beside(Vec2 p, int own, bool inside_own) const;
+  double fillet_at(const Wall& wall, Vec2 p, int own) const;
 
   std::vector<Shape> shapes_;
   std::vector<Wall> walls_, beyond_, slivers_;
@@ -123,6 +129,7 @@ class FinishedPart {
   std::vector<double> heights_;
   double top_z_ = 0;
   double greatest_draft_offset_ = 0;
+  double greatest_fillet_ = 0;
   std::optional<Box> stock_;
 };
 

@@ -47,11 +47,11 @@ std::vector<Interval> outside(const std::vector<Interval>& intervals, Interval p
 
 }  // namespace
 
-LegalCenters::LegalCenters(const FinishedPart& part, double z, double reach, const Box& area,
+LegalCenters::LegalCenters(const FinishedPart& part, double z, double reach, double corner, const Box& area,
                            const Tolerances& tol)
-    : part_(part), z_(z), reach_(reach) {
+    : part_(part), z_(z), reach_(reach), corner_(corner) {
   std::vector<int> walls;
-  part.wall_tree().overlapping(area.grown(reach + part.greatest_draft_offset()), [&](int i) {
+  part.wall_tree().overlapping(area.grown(reach + most_farther()), [&](int i) {
     if (part.walls()[i].stands_at(z)) walls.push_back(i);
   });
   for (const Allowances& allowed : kAllowances) {
@@ -72,7 +72,7 @@ LegalCenters::LegalCenters(const FinishedPart& part, double z, double reach, con
 void LegalCenters::add_wall_curves(const std::vector<int>& walls) {
   for (const int i : walls) {
     const Wall& wall = part_.walls()[i];
-    for (const Edge& curve : parallel(wall.edge, reach_ + wall.draft_offset(z_), point_)) {
+    for (const Edge& curve : parallel(wall.edge, reach_ + farther_from(wall), point_)) {
       if (curve.from == curve.to) {
         add_fit_point(curve.from);
       } else {
@@ -92,7 +92,7 @@ void LegalCenters::add_corner_curves(const std::vector<int>& walls) {
   for (const int i : walls) {
     const Wall& wall = part_.walls()[i];
     const Vec2 corner = wall.edge.to, heading = wall.edge.tangent_at(1);
-    const double d = reach_ + wall.draft_offset(z_);
+    const double d = reach_ + farther_from(wall);
     bool matched = false;
     auto next = std::lower_bound(starts.begin(), starts.end(), corner.x - kSamePlaceMm,
                                  [](const auto& start, double x) { return start.first.x < x; });
@@ -185,29 +185,37 @@ TrimmedCurve LegalCenters::legal_parts(const Edge& curve, int wall, double allow
     cut_by_wall(left, part_.walls()[hit.edge], upright);
   }
   if (left.empty()) return left;
-  part_.wall_tree().within(left.middle(), upright + part_.greatest_draft_offset() + left.half(), [&](int i) {
+  part_.wall_tree().within(left.middle(), upright + most_farther() + left.half(), [&](int i) {
     if (!left.empty()) cut_by_wall(left, part_.walls()[i], upright);
   });
   return left;
 }
 
 void LegalCenters::cut_by_wall(TrimmedCurve& left, const Wall& wall, double upright) const {
-  const double farthest = upright + wall.draft_offset(z_);
+  const double farthest = upright + farther_from(wall);
   if (!wall.stands_at(z_) || distance(wall.edge, left.middle()) >= farthest + left.half()) return;
   left.add_cuts(wall.edge, upright);
   if (farthest > upright) left.add_cuts(wall.edge, farthest);
   for (const Edge& end : wall.flat_ends(z_)) left.add_cuts(end, upright);
-  left.keep([&](Vec2 p) { return distance(wall.edge, p) >= upright + part_.draft_offset(wall, z_, p); });
+  const double off = upright + off_fillet(wall);
+  left.keep([&](Vec2 p) { return distance(wall.edge, p) >= off + part_.draft_offset(wall, z_, p); });
+}
+
+/// On the floor the cutter keeps off the fillet by the difference of the radii. Higher up it could come nearer, which is not asked of it:
+/// within micrometres over the floor that would be much.
+double LegalCenters::off_fillet(const Wall& wall) const {
+  const double narrower = wall.fillet - corner_;
+  return z_ - wall.z_low < narrower ? narrower : 0;
 }
 
 /// mm; the least distance - reach over all walls, if it is negative; else 0.
 double LegalCenters::clearance_over_reach(Vec2 p) const {
   double least = 0;
-  const double far = reach_ + part_.greatest_draft_offset();
+  const double far = reach_ + most_farther();
   part_.wall_tree().nearest(p, far, [&](int i) {
     const Wall& wall = part_.walls()[i];
     if (!wall.stands_at(z_)) return false;
-    const double apart = distance(wall.edge, p) - reach_;
+    const double apart = distance(wall.edge, p) - reach_ - off_fillet(wall);
     if (apart < wall.draft_offset(z_)) least = std::min(least, apart - part_.draft_offset(wall, z_, p));
     return false;
   });

@@ -9,11 +9,13 @@
 namespace clearcut::verify {
 
 /// The legal centres of a cutter with its tip at z: free places at least `reach` mm from every wall; reach is the
-/// radius plus the stock to leave.
+/// radius plus the stock to leave. `corner`: radius of the rounding beside the cutter's flat end; beside a fillet of a
+/// greater radius at a wall's foot the cutter keeps farther off.
 class LegalCenters {
  public:
   /// Finds only the part of the boundary within `area`.
-  LegalCenters(const FinishedPart& part, double z, double reach, const Box& area, const Tolerances& tol);
+  LegalCenters(const FinishedPart& part, double z, double reach, double corner, const Box& area,
+               const Tolerances& tol);
 
   /// Boundary of the area, unordered: parts of lines and arcs at `reach` from one wall and no nearer to any
   /// other. A line on which the cutter just fits is a separate curve, a place at which it just fits a point. There
@@ -43,9 +45,13 @@ class LegalCenters {
   TrimmedCurve legal_parts(const Edge& curve, int wall, double allowed) const;
   void cut_by_wall(TrimmedCurve& left, const Wall& wall, double upright) const;
   double clearance_over_reach(Vec2 p) const;
+  /// mm more than `reach`, at most, that the cutter keeps off the outline of this wall, off any, and off a fillet.
+  double farther_from(const Wall& wall) const { return wall.draft_offset(z_) + off_fillet(wall); }
+  double most_farther() const { return part_.greatest_draft_offset() + part_.greatest_fillet(); }
+  double off_fillet(const Wall& wall) const;
 
   const FinishedPart& part_;
-  double z_, reach_;
+  double z_, reach_, corner_;
   /// mm; permitted intrusion of the cutter into walls at places where it just fits.
   double slot_ = 0, hole_ = 0, point_ = 0;
   bool within_fit_ = true;

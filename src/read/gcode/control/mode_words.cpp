@@ -117,6 +117,9 @@ void ModeWords::set_other(int code, const Block& block) {
     if (control_.plan_map.is_on) CompensationWords(control_).refuse_while_on("G69");
     control_.plan_map = {};
   } else if (code == 51) {
+    const bool smooths = control_.rules.macros == MacroLanguage::kFanuc && !block.has('I') && !block.has('J');
+    if (!smooths && (block.has_axis() || block.has('I') || block.has('J')))
+      control_.refuse("G5.1 is a spline, which is not read; post lines and arcs");
     control_.condition(
         "blending",
         "G5.1 lets the control smooth the path within a bound of its own; the exact path is checked");
@@ -259,6 +262,11 @@ void ModeWords::set_drive(int m, const Block& block) {
   if (m == 0 || m == 10) return pause(block);
   if (m == 970 && control_.rules.macros != MacroLanguage::kNone && !control_.rules.calls_blocks)
     control_.refuse("M97 is a word of Haas's; name --dialect haas");
+  if (m == 1980 && control_.rules.macros == MacroLanguage::kFanuc)
+    control_.refuse(
+        "M198 calls a subprogram from another device, which is not read; put it into the program and call it "
+        "by M98");
+  if (m == 610 && control_.rules.macros == MacroLanguage::kLinuxCnc) return state_tool(block);
   if (m == 960 || m == 970 || (m == 980 && block.has('P'))) {
     control_.macro("subprogram calls are no words of the control; post the program without them");
   }
@@ -269,6 +277,20 @@ void ModeWords::set_drive(int m, const Block& block) {
   if (std::find(std::begin(kStillWords), std::end(kStillWords), m) != std::end(kStillWords)) return;
   const std::string word = m_word(m);
   control_.condition("m" + word.substr(1), word + " is unknown here and moves nothing");
+}
+
+/// M61 Q: the tool in the spindle is that one, put in by nobody now.
+void ModeWords::state_tool(const Block& block) {
+  const double number = block.has('Q') ? block.value('Q') : -1;
+  if (!(number >= 0) || number > 1e6 || std::floor(number) != number)
+    control_.refuse("M61 without the number of a tool in its Q word; correct it");
+  const int tool = static_cast<int>(number);
+  if (tool == control_.builder.drive.tool) return;
+  control_.next_tool = tool;
+  control_.tool_said = true;
+  control_.builder.change_tool(tool, true, control_.line);
+  control_.condition("m61", "M61 says that the tool in the spindle is T" + std::to_string(tool) +
+                                "; it has been put in before this line");
 }
 
 /// A word that the control does not have.

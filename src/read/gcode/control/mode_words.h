@@ -34,6 +34,7 @@ class ModeWords {
   void set_path(int code, const Block& block);
   void switch_coolant(int m);
   void set_drive(int m, const Block& block);
+  void state_tool(const Block& block);
   void note_unknown(int m);
   void turn_spindle_and_flood(int m);
   void select_tool(const Block& block);

@@ -26,6 +26,7 @@ void MotionWords::move(const Block& block) {
   if (!cycle) control_.cycle = {};
   if (control_.motion == 800) control_.tied_by_m29 = false;
   if (PlaceWords(control_).move_specially(block)) return;
+  if (has_g(block, 51)) return;  // its axis words name axes
   if (has_g(block, 310)) return measure(block);
   const bool arc_words = block.has('I') || block.has('J') || block.has('K') || block.has('R');
   const bool arc_motion = control_.motion == 20 || control_.motion == 30;

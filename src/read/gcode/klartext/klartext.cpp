@@ -7,12 +7,15 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/error.h"
 #include "base/text.h"
+#include "base/tolerances.h"
 #include "base/units.h"
 #include "read/gcode/control/compensation_words.h"
+#include "read/gcode/klartext/approach.h"
 #include "read/gcode/klartext/words.h"
 #include "read/gcode/motion/arc.h"
 #include "read/gcode/motion/cycle.h"
@@ -51,13 +54,46 @@ class Reader {
   void call_hole();
   void switch_coolant(int m);
   void m_word(int m);
+  void refuse_if_it_changes_moves(int m) const;
   void set_drive();
   void set_length(double longer);
   void retract(double up);
   void check_blending();
   void machine_frame(const PathWords& words);
 
+  /// Side and radius of a compensation.
+  struct ToolOffset {
+    CompensationSide side = CompensationSide::kLeft;
+    double radius = 0;  ///< mm
+  };
+  /// APPR, which is made as soon as the first element of the contour is known.
+  struct Approach {
+    ContactWords contact;
+    Vec2 place;  ///< of the contour's beginning
+    double z = 0;
+    double length = 0, angle = 0, radius = 0;  ///< mm, radians, mm: LEN, CCA, R
+    std::optional<ToolOffset> offset;
+    PathWords::Radius said = PathWords::Radius::kNone;
+    bool rapid_before = false;  ///< of the block before it
+    double feed_before = 0;
+    int line = 0;
+  };
+
   void compensate(PathWords::Radius wanted);
+  ToolOffset offset_by(PathWords::Radius wanted) const;
+  void begin_offset(const ToolOffset& offset);
+  void end_offset();
+  void take_feed(const PathWords& words);
+  void approach(const std::vector<std::string>& block_words);
+  void make_approach(Vec2 along);
+  void approach_by_arc(const Approach& now, const Contact& contact);
+  void go_to_contour(const Approach& now, Vec2 to);
+  void depart(const std::vector<std::string>& block_words);
+  void depart_by(const ContactWords& contact, const Contact& from, const PathWords& words);
+  double size_in(const std::optional<std::string>& text, const std::string& name) const;
+  double sweep_in(const ContactWords& contact) const;
+  double radius_in(const PathWords& words, const ContactWords& contact, const Contact& at) const;
+  void say_height_of_contact();
   void line(const PathWords& words, bool polar);
   void shift_datum(const std::vector<std::string>& words, std::size_t first);
   void turn_about_datum(const std::vector<std::string>& words);
@@ -71,14 +107,21 @@ class Reader {
   Vec2 plan_target(const PathWords& words);
   double height_target(const PathWords& words);
   Vec2 here();
+  double at(std::size_t axis);
+  Vec2 polar_target(const PathWords& words);
   RadiusRule radius_rule() const;
   std::string place() const { return builder_.place(line_); }
 
   double number(std::string_view text) const { return number_in(text, builder_, line_); }
   [[noreturn]] void refuse(const std::string& what) const { throw InputError(place(), what); }
+  [[noreturn]] void refuse_open_approach() const {
+    refuse(
+        "APPR in line " + std::to_string(approach_->line) +
+        " is not followed by the first element of its contour, which decides how it comes there; correct it");
+  }
   [[noreturn]] void refuse_block(const std::string& first) const {
     refuse("block '" + first.substr(0, 20) +
-           "' is not read; post the program with L, C, CR and CP blocks only");
+           "' is not read; post the program with L, C, CR, CP, APPR and DEP blocks only");
   }
 
   const CompensationValues& compensation_;
@@ -104,6 +147,10 @@ class Reader {
   double longer_ = 0;              ///< DL, mm: every height is that much off
   std::optional<Vec2> pole_;
   std::optional<HoleCycle> hole_;  ///< as last defined; CYCL CALL and M99 make it
+  std::optional<Approach> approach_;
+  std::optional<ToolOffset> offset_;  ///< while radius compensation is on
+  std::optional<Vec2> heading_;       ///< in plan, at the end of the last move
+  bool last_rapid_ = false;           ///< the last block that moves is one of FMAX
   bool ended_ = false;
 };
 
@@ -116,7 +163,7 @@ std::string label_in(const std::vector<std::string>& words, std::size_t first) {
 
 /// Whether values of Q parameters may stand in the words of the block.
 bool takes_values(const std::vector<std::string>& words) {
-  constexpr std::string_view kFirst[] = {"L", "LP", "C", "CC", "CR", "CP", "CYCL", "TRANS"};
+  constexpr std::string_view kFirst[] = {"L", "LP", "C", "CC", "CR", "CP", "APPR", "DEP", "CYCL", "TRANS"};
   return std::find(std::begin(kFirst), std::end(kFirst), words[0]) != std::end(kFirst) ||
          words[0][0] == 'Q' || (words[0] == "TOOL" && words.size() > 1 && words[1] == "CALL");
 }
@@ -136,6 +183,7 @@ bool Reader::read(std::string_view text) {
     if (takes_values(words.words)) parameters_.put_values(words.words, place());
     block(words);
   }
+  if (approach_) refuse_open_approach();
   return ended_;
 }
 
@@ -209,6 +257,9 @@ void Reader::block(const Words& found) {
   const std::string& first = words[0];
   const std::string second = words.size() > 1 ? words[1] : "";
   if (first[0] == '*') return;  // a heading of the program's structure
+  constexpr std::string_view kElements[] = {"L", "LP", "C", "CC", "CR", "CP"};
+  const bool is_element = std::find(std::begin(kElements), std::end(kElements), first) != std::end(kElements);
+  if (approach_ && !is_element) refuse_open_approach();
   if (first == "BEGIN" || first == "END") {
     ended_ = first == "END";
     unit_ = words.back() == "INCH" ? kMmPerInch : 1;
@@ -229,9 +280,12 @@ void Reader::block(const Words& found) {
   } else if (first == "BLK" || first == "TOOL" || first == "STOP" || first == "FUNCTION") {
     if (first == "FUNCTION" && second != "MODE")
       refuse("FUNCTION " + second + " is not read; post without it");
-  } else if (first == "L" || first == "LP" || first == "C" || first == "CC" || first == "CR" ||
-             first == "CP") {
+  } else if (is_element) {
     path_block(first, words);
+  } else if (first == "APPR") {
+    approach(words);
+  } else if (first == "DEP") {
+    depart(words);
   } else if (first[0] == 'M' && first.size() > 1 && is_digit(first[1])) {
     for (const std::string& word : words) m_word(static_cast<int>(number(word.substr(1))));
   } else {
@@ -252,6 +306,9 @@ void Reader::tool_call(const std::vector<std::string>& words) {
       m_word(5);
       builder_.change_tool(is_digit(word[0]) ? static_cast<int>(number(word)) : 0, false, line_);
       if (word[0] == '"') builder_.warn(line_, "tools called by name have no number here");
+    } else if (word.size() == 1 && word != "Z" &&
+               std::string_view("XYUVW").find(word) != std::string_view::npos) {
+      refuse("the tool stands along " + word + "; it is read along Z alone");
     } else if (word[0] == 'S') {
       speed_ = std::abs(number(word.substr(1)));
       builder_.say_speed();
@@ -427,7 +484,25 @@ void Reader::switch_coolant(int m) {
   builder_.condition("m7", line_, "what M7 does is the machine builder's choice; it switches the mist on");
 }
 
-/// Words that move nothing: stops, spindle, tool, coolant, and M89 (modal cycle call) is none of them.
+/// M words that change where or how fast the blocks behind them move.
+void Reader::refuse_if_it_changes_moves(int m) const {
+  struct Row {
+    int m;
+    std::string_view does;
+  };
+  constexpr Row kRows[] = {{89, "calls the cycle after each move that follows"},
+                           {97, "cuts small steps of a contour otherwise"},
+                           {98, "cuts open corners otherwise"},
+                           {103, "feeds down by a share of the feed"},
+                           {118, "lets the handwheel move beside the path"},
+                           {136, "makes feeds count for a turn of the spindle"}};
+  for (const Row& row : kRows)
+    if (row.m == m)
+      refuse("M" + std::to_string(m) + ", which " + std::string(row.does) +
+             ", is not read; post the program without it");
+}
+
+/// Words that move nothing: stops, spindle, tool, coolant.
 void Reader::m_word(int m) {
   constexpr int kStill[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 13, 14, 30, 91, 92};
   if (m == 3 || m == 4 || m == 13 || m == 14) builder_.set_spindle(m % 10, line_);
@@ -439,7 +514,7 @@ void Reader::m_word(int m) {
   if (m == 0 || m == 1) builder_.add_event(ControlEventKind::kPause, line_);
   if (m == 2 || m == 30) ended_ = true;
   if (m == 99) return call_hole();
-  if (m == 97 || m == 98) refuse("M" + std::to_string(m) + " is not read; post the program without it");
+  refuse_if_it_changes_moves(m);
   if (std::find(std::begin(kStill), std::end(kStill), m) == std::end(kStill)) {
     builder_.condition("m" + std::to_string(m), line_,
                        "M" + std::to_string(m) + " is unknown here and moves nothing");
@@ -452,14 +527,18 @@ void Reader::set_drive() {
   builder_.speed = speed_;
 }
 
+void Reader::take_feed(const PathWords& words) {
+  if (words.feed) feed_ = *words.feed;
+  if (!words.feed_of_tool) return;
+  if (!(tool_feed_ > 0)) refuse("FAUTO takes the feed of TOOL CALL, which states none; add F to it");
+  feed_ = tool_feed_;
+}
+
 /// M words of a block act before its motion, except the stops and the call of a cycle.
 void Reader::path_block(const std::string& kind, const std::vector<std::string>& block_words) {
   const PathWords words = placed(path_words(block_words, {unit_, longer_}, builder_, line_));
-  if (words.feed) feed_ = *words.feed;
-  if (words.feed_of_tool) {
-    if (!(tool_feed_ > 0)) refuse("FAUTO takes the feed of TOOL CALL, which states none; add F to it");
-    feed_ = tool_feed_;
-  }
+  if (approach_ && (words.machine_frame || words.retract)) refuse_open_approach();
+  take_feed(words);
   for (const int m : words.m) {
     if (m != 2 && m != 30 && m != 99) m_word(m);
   }
@@ -481,24 +560,42 @@ void Reader::path_block(const std::string& kind, const std::vector<std::string>&
   } else {
     polar_circle(words);
   }
+  if (kind != "CC") last_rapid_ = words.rapid;
   if (std::count(words.m.begin(), words.m.end(), 99) > 0) call_hole();
   ended_ = std::any_of(words.m.begin(), words.m.end(), [](int m) { return m == 2 || m == 30; });
 }
 
 /// RL and RR hold until R0. The radius is that of the table, which DR of the call makes larger.
 void Reader::compensate(PathWords::Radius wanted) {
-  if (wanted == PathWords::Radius::kNone) return builder_.end_compensation();
+  if (approach_) {
+    if (wanted != approach_->said)
+      refuse("the side of radius compensation is another than that of APPR before it; correct one of them");
+    return;
+  }
+  if (wanted == PathWords::Radius::kNone) return end_offset();
+  const ToolOffset offset = offset_by(wanted);
+  if (!builder_.compensates()) return begin_offset(offset);
+  if (!builder_.compensates_as(offset.side, offset.radius))
+    refuse("the side of radius compensation changes while it is on; end it by R0 before");
+}
+
+Reader::ToolOffset Reader::offset_by(PathWords::Radius wanted) const {
   const int tool = builder_.drive.tool;
   const double radius =
       compensation_of(compensation_, builder_, tool, tool, "the tool table", line_) + wider_;
   const bool is_left = (wanted == PathWords::Radius::kLeft) != (radius < 0);
-  const auto side = is_left ? CompensationSide::kLeft : CompensationSide::kRight;
-  if (builder_.compensates()) {
-    if (!builder_.compensates_as(side, std::abs(radius)))
-      refuse("the side of radius compensation changes while it is on; end it by R0 before");
-    return;
-  }
-  builder_.begin_compensation(rules_of(dialect_of(Language::kKlartext)).compensation, side, std::abs(radius));
+  return {is_left ? CompensationSide::kLeft : CompensationSide::kRight, std::abs(radius)};
+}
+
+void Reader::begin_offset(const ToolOffset& offset) {
+  builder_.begin_compensation(rules_of(dialect_of(Language::kKlartext)).compensation, offset.side,
+                              offset.radius);
+  offset_ = offset;
+}
+
+void Reader::end_offset() {
+  builder_.end_compensation();
+  offset_.reset();
 }
 
 /// M91 counts from the machine's own zero, M92 from a place of its builder: neither is known here.
@@ -529,24 +626,44 @@ void Reader::check_blending() {
       "cycle 32 states no tolerance; the control keeps to the path, whatever bound it was set up with");
 }
 
+/// The place up to which blocks were read: behind APPR the beginning of the contour.
+double Reader::at(std::size_t axis) {
+  if (!approach_) return builder_.known(axis, line_);
+  return axis == 2 ? approach_->z : axis == 1 ? approach_->place.y : approach_->place.x;
+}
+
 Vec2 Reader::here() {
-  return {builder_.known(0, line_), builder_.known(1, line_)};
+  return {at(0), at(1)};
+}
+
+Vec2 Reader::polar_target(const PathWords& words) {
+  if (!pole_) refuse("polar coordinates without a pole; give CC before it");
+  const Vec2 arm = here() - *pole_;
+  const double angle = words.polar_angle
+                           ? Radians::of_degrees(*words.polar_angle).radians()
+                           : angle_of(arm) + Radians::of_degrees(words.polar_step.value_or(0)).radians();
+  return *pole_ + direction_of(angle) * words.polar_radius.value_or(norm(arm));
 }
 
 void Reader::line(const PathWords& words, bool polar) {
   Target to = words.absolute;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    if (words.incremental[axis]) to[axis] = builder_.known(axis, line_) + *words.incremental[axis];
+    if (words.incremental[axis]) to[axis] = at(axis) + *words.incremental[axis];
   }
   if (polar) {
-    if (!pole_) refuse("LP without a pole; give CC before it");
-    const Vec2 arm = here() - *pole_;
-    const double angle = words.polar_angle
-                             ? Radians::of_degrees(*words.polar_angle).radians()
-                             : angle_of(arm) + Radians::of_degrees(words.polar_step.value_or(0)).radians();
-    const Vec2 end = *pole_ + direction_of(angle) * words.polar_radius.value_or(norm(arm));
+    const Vec2 end = polar_target(words);
     to[0] = end.x;
     to[1] = end.y;
+  }
+  if (approach_) {
+    const Vec2 way = Vec2{to[0].value_or(at(0)), to[1].value_or(at(1))} - here();
+    if (!(norm(way) > kSamePlaceMm)) refuse_open_approach();
+    make_approach(way / norm(way));
+  }
+  const Target before = builder_.position();
+  if (before[0] && before[1]) {
+    const Vec2 way{to[0].value_or(*before[0]) - *before[0], to[1].value_or(*before[1]) - *before[1]};
+    if (norm(way) > kSamePlaceMm) heading_ = way / norm(way);
   }
   if (words.rapid) {
     builder_.rapid(to, line_);
@@ -562,7 +679,7 @@ Vec2 Reader::plan_target(const PathWords& words) {
 }
 
 double Reader::height_target(const PathWords& words) {
-  const double from = builder_.known(2, line_);
+  const double from = at(2);
   return words.incremental[2] ? from + *words.incremental[2] : words.absolute[2].value_or(from);
 }
 
@@ -613,6 +730,12 @@ void Reader::polar_circle(const PathWords& words) {
 }
 
 void Reader::arc(const ArcShape& shape, double z_to) {
+  const auto tangent_at = [&](Vec2 place) {
+    const Vec2 arm = (place - shape.center) / distance(place, shape.center);
+    return left_of(arm) * (shape.turn == Turn::kCounterClockwise ? 1 : -1);
+  };
+  if (approach_) make_approach(tangent_at(shape.from));
+  heading_ = tangent_at(shape.to);
   if (builder_.compensation_begins())
     refuse("radius compensation begins with an arc; enter along a straight line");
   const std::vector<Edge> edges = arc_edges(shape);
@@ -621,6 +744,186 @@ void Reader::arc(const ArcShape& shape, double z_to) {
     const double t = static_cast<double>(k + 1) / static_cast<double>(edges.size());
     builder_.arc(edges[k], std::lerp(z_from, z_to, t), MmPerMin::of(feed_), line_);
   }
+}
+
+double Reader::size_in(const std::optional<std::string>& text, const std::string& name) const {
+  const double size = text ? number(*text) * unit_ : 0;
+  if (!(size > 0)) refuse("APPR or DEP without " + name + " above 0; correct it");
+  return size;
+}
+
+double Reader::sweep_in(const ContactWords& contact) const {
+  const double degrees = contact.angle ? number(*contact.angle) : 0;
+  if (!(degrees > 0) || degrees > 360)
+    refuse("APPR or DEP whose CCA is not from 0 to 360 degrees; correct it");
+  return Radians::of_degrees(degrees).radians();
+}
+
+/// R of CT and LCT: on the tool's side its centre needs room within the arc.
+double Reader::radius_in(const PathWords& words, const ContactWords& contact, const Contact& at) const {
+  if (!words.radius || *words.radius == 0 || (*words.radius < 0 && contact.kind == ContactKind::kLineAndArc))
+    refuse("APPR or DEP by an arc without its R above 0; correct it");
+  if (*words.radius > 0 && *words.radius <= at.tool_radius)
+    refuse("the arc's radius, " + trimmed(*words.radius, 4) + " mm, is not larger than that of the tool, " +
+           trimmed(at.tool_radius, 4) + " mm; the control stops");
+  return *words.radius;
+}
+
+void Reader::say_height_of_contact() {
+  builder_.condition(
+      "approach-height", line_,
+      "APPR and DEP with a Z word move in the plane first and then along the tool, as controls "
+      "up to the TNC 640 do");
+}
+
+/// Nothing moves yet: how the contour is reached follows from its first element.
+void Reader::approach(const std::vector<std::string>& block_words) {
+  const auto contact = contact_words(block_words);
+  if (!contact) refuse_block("APPR " + (block_words.size() > 1 ? block_words[1] : ""));
+  if (builder_.compensates()) refuse("APPR while radius compensation is on; end it by R0 or DEP before");
+  const PathWords words = placed(path_words(contact->words, {unit_, longer_}, builder_, line_));
+  if (words.machine_frame || words.retract || words.turn || words.rapid)
+    refuse("APPR with M91, M92, M140, DR or FMAX is not read; post the program without it");
+  Approach next;
+  next.contact = *contact;
+  next.rapid_before = last_rapid_;
+  next.feed_before = feed_;
+  next.line = line_;
+  take_feed(words);
+  for (const int m : words.m) {
+    if (m == 2 || m == 30 || m == 99) refuse("M2, M30 and M99 cannot stand in an APPR block; correct it");
+    m_word(m);
+  }
+  next.place = contact->polar ? polar_target(words) : plan_target(words);
+  next.z = height_target(words);
+  next.said = words.compensation.value_or(PathWords::Radius::kNone);
+  if (next.said != PathWords::Radius::kNone) next.offset = offset_by(next.said);
+  const bool is_line = contact->kind == ContactKind::kTangent;
+  if (!next.offset && !is_line) refuse("APPR LN, CT and LCT are read with RL or RR alone; add one of them");
+  if (is_line || contact->kind == ContactKind::kNormal) next.length = size_in(contact->length, "LEN");
+  if (contact->kind == ContactKind::kArc) next.angle = sweep_in(*contact);
+  if (contact->kind == ContactKind::kArc || contact->kind == ContactKind::kLineAndArc)
+    next.radius = radius_in(words, *contact, {{}, {}, 0, next.offset->radius});
+  approach_ = next;
+}
+
+/// `along`: of length 1, the direction in which the contour begins.
+void Reader::make_approach(Vec2 along) {
+  const Approach now = *std::exchange(approach_, std::nullopt);
+  const int line = std::exchange(line_, now.line);
+  check_blending();
+  Contact contact{now.place, along, 0, 0};
+  if (now.offset) {
+    contact.side = static_cast<double>(now.offset->side);
+    contact.tool_radius = now.offset->radius;
+  }
+  const Target first{now.place.x, now.place.y, std::nullopt};
+  if (now.contact.kind == ContactKind::kTangent) {
+    if (now.offset) begin_offset(*now.offset);
+    go_to_contour(now, now.place - along * now.length);
+    builder_.feed(first, MmPerMin::of(feed_), line_);
+  } else if (now.contact.kind == ContactKind::kNormal) {
+    go_to_contour(now, place_across(contact, now.length));
+    begin_offset(*now.offset);
+    builder_.feed(first, MmPerMin::of(feed_), line_);
+  } else {
+    approach_by_arc(now, contact);
+  }
+  line_ = line;
+}
+
+void Reader::approach_by_arc(const Approach& now, const Contact& contact) {
+  std::optional<ArcShape> shape;
+  if (now.contact.kind == ContactKind::kArc)
+    shape = arc_to(contact, now.radius, now.angle);
+  else
+    shape = arc_to_from(contact, now.radius, here());
+  if (!shape) refuse("APPR LCT begins within the circle of its arc; begin farther outside");
+  begin_offset(*now.offset);
+  go_to_contour(now, shape->from);
+  if (distance(shape->from, shape->to) > kSamePlaceMm || shape->sweep > kPi) arc(*shape, now.z);
+}
+
+/// To the point from which the last line or arc leads to the contour; by the feed, or the rapid, of the block before, in LCT by its own feed.
+void Reader::go_to_contour(const Approach& now, Vec2 to) {
+  const bool by_own_feed = now.contact.kind == ContactKind::kLineAndArc;
+  const auto move = [&](const Target& target) {
+    if (now.rapid_before && !by_own_feed) return builder_.rapid(target, line_);
+    builder_.feed(target, MmPerMin::of(by_own_feed ? feed_ : now.feed_before), line_);
+  };
+  move({to.x, to.y, std::nullopt});
+  if (now.z == builder_.known(2, line_)) return;
+  say_height_of_contact();
+  move({std::nullopt, std::nullopt, now.z});
+}
+
+/// Leaves the contour behind its last element and ends radius compensation.
+void Reader::depart(const std::vector<std::string>& block_words) {
+  const auto contact = contact_words(block_words);
+  if (!contact) refuse_block("DEP " + (block_words.size() > 1 ? block_words[1] : ""));
+  if (!heading_) refuse("DEP without an element of a contour before it; correct it");
+  const PathWords words = placed(path_words(contact->words, {unit_, longer_}, builder_, line_));
+  const bool is_arc = contact->kind == ContactKind::kArc || contact->kind == ContactKind::kLineAndArc;
+  if (words.machine_frame || words.retract || words.turn || (words.rapid && is_arc) ||
+      words.compensation.value_or(PathWords::Radius::kNone) != PathWords::Radius::kNone)
+    refuse("DEP with M91, M92, M140, DR, RL, RR or an arc at FMAX is not read; post the program without it");
+  take_feed(words);
+  for (const int m : words.m) {
+    if (m == 99) refuse("M99 cannot stand in a DEP block; correct it");
+    if (m != 2 && m != 30) m_word(m);
+  }
+  if (!words.rapid) check_blending();
+  if (!offset_ && contact->kind != ContactKind::kTangent)
+    refuse("DEP LN, CT and LCT are read while RL or RR is on alone; add one of them");
+  Contact from{here(), *heading_, 0, 0};
+  if (offset_) {
+    from.side = static_cast<double>(offset_->side);
+    from.tool_radius = offset_->radius;
+  }
+  depart_by(*contact, from, words);
+  const double up = height_target(words);
+  if (up != at(2)) {
+    say_height_of_contact();
+    builder_.feed({std::nullopt, std::nullopt, up}, MmPerMin::of(feed_), line_);
+  }
+  heading_.reset();
+  last_rapid_ = words.rapid;
+  ended_ = std::any_of(words.m.begin(), words.m.end(), [](int m) { return m == 2 || m == 30; });
+}
+
+void Reader::depart_by(const ContactWords& contact, const Contact& from, const PathWords& words) {
+  const auto straight = [&](Vec2 to) {
+    if (words.rapid) return builder_.rapid({to.x, to.y, std::nullopt}, line_);
+    builder_.feed({to.x, to.y, std::nullopt}, MmPerMin::of(feed_), line_);
+  };
+  /// Where the centre stands on the contour's side counts as the place from then on.
+  const auto end_beside = [&](Vec2 place, Vec2 along) {
+    end_offset();
+    const Vec2 center = place + left_of(along) * (from.side * from.tool_radius);
+    builder_.place_at(0, center.x);
+    builder_.place_at(1, center.y);
+  };
+  if (contact.kind == ContactKind::kTangent) {
+    const Vec2 to = from.place + from.along * size_in(contact.length, "LEN");
+    straight(to);
+    return end_beside(to, from.along);
+  }
+  if (contact.kind == ContactKind::kNormal) {
+    end_offset();
+    return straight(place_across(from, size_in(contact.length, "LEN")));
+  }
+  const double radius = radius_in(words, contact, from);
+  if (contact.kind == ContactKind::kArc) {
+    const ArcShape shape = arc_from(from, radius, sweep_in(contact));
+    arc(shape, at(2));
+    return end_beside(shape.to, *heading_);
+  }
+  const Vec2 outside = contact.polar ? polar_target(words) : plan_target(words);
+  const auto shape = arc_from_to(from, radius, outside);
+  if (!shape) refuse("DEP LCT ends within the circle of its arc; end farther outside");
+  if (distance(shape->from, shape->to) > kSamePlaceMm || shape->sweep > kPi) arc(*shape, at(2));
+  end_offset();
+  straight(outside);
 }
 
 }  // namespace

@@ -57,9 +57,29 @@ TEST(KlartextLabels, ParametersAreComputed) {
             "|1 0|2 0|3 0");
 }
 
+TEST(KlartextLabels, LengthsAndAnglesOfSides) {
+  EXPECT_EQ(ends("FN 0: Q1 = +3\nFN 8: Q2 = +Q1 LEN +4\nFN 13: Q3 = +Q1 ANG -3\nL X+Q2 Y+Q3 F100"), "|5 135");
+  EXPECT_EQ(ends("FN 13: Q3 = -2 ANG +0\nL X+Q3 F100"), "|270 0");
+}
+
 TEST(KlartextLabels, ParametersAreSetInTheirOwnBlocks) {
   EXPECT_EQ(ends("Q1 = +4\nQ2=-Q1\nL X+Q1 Y+Q2 F100"), "|4 -4");
   EXPECT_THAT(refused("Q1 = +4 * 2"), HasSubstr("formulas of Q parameters are not read"));
+}
+
+TEST(KlartextWords, ThatChangeMovesAreRefused) {
+  for (const std::string m : {"89", "97", "98", "103 F20", "118 X1 Y1", "136"})
+    EXPECT_THAT(refused("L X+5 F100 M" + m), HasSubstr("is not read; post the program without it")) << m;
+  EXPECT_THAT(refused("M118 X1 Y1"), HasSubstr("M118, which lets the handwheel move beside the path"));
+  EXPECT_THAT(refused("L X+5 FZ0.1"), HasSubstr("FZ states the feed for a turn or a tooth"));
+}
+
+TEST(KlartextWords, ToolsStandAlongZ) {
+  EXPECT_THAT(refused("TOOL CALL 2 Y S1000"), HasSubstr("the tool stands along Y"));
+}
+
+TEST(KlartextWords, OfOlderControlsMayBeEmpty) {
+  EXPECT_EQ(ends("L X+5 R F100 M\nL Y+50 R F MAX M\nL X+7 R F100 M"), "|5 0|7 50");
 }
 
 TEST(KlartextDatum, IsShifted) {

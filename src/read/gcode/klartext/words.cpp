@@ -69,8 +69,12 @@ class Collector {
                                            : PathWords::Radius::kRight;
       return;
     }
+    if (word == "R" || word == "M") return;  // asked for and left empty, as older controls write blocks
     if (word == "FMAX") {
       found_.rapid = true;
+    } else if (word.rfind("FU", 0) == 0 || word.rfind("FZ", 0) == 0) {
+      refuse(word.substr(0, 2) +
+             " states the feed for a turn or a tooth, which is not read; post it in mm/min");
     } else if (word == "FAUTO") {
       found_.feed_of_tool = true;
     } else if (word == "DR+" || word == "DR-") {
@@ -139,7 +143,11 @@ double number_in(std::string_view text, const ToolpathBuilder& builder, int line
 PathWords path_words(const std::vector<std::string>& words, const KlartextScale& scale,
                      const ToolpathBuilder& builder, int line) {
   Collector collector(scale, builder, line);
-  for (std::size_t k = 1; k < words.size(); ++k) collector.add(words[k]);
+  for (std::size_t k = 1; k < words.size(); ++k) {
+    const bool is_apart = words[k] == "F" && k + 1 < words.size() && words[k + 1] == "MAX";
+    collector.add(is_apart ? "FMAX" : words[k]);
+    if (is_apart) ++k;
+  }
   return collector.take();
 }
 
@@ -168,6 +176,12 @@ bool skip_text(const std::string& text, std::size_t& at, std::string_view word) 
   if (text.compare(at, word.size(), word) != 0) return false;
   at += word.size();
   return true;
+}
+
+/// degrees, from 0 to below 360.
+double angle_of_sides(double opposite, double adjacent) {
+  const double angle = base::atan2(opposite, adjacent) * 180 / kPi;
+  return angle < 0 ? angle + 360 : angle;
 }
 
 bool compared(int function, double left, double right) {
@@ -205,11 +219,11 @@ double QParameters::operand(const std::string& text, std::size_t& at, const std:
   return sign * std::strtod(text.substr(begin, at - begin).c_str(), nullptr);
 }
 
-/// Behind the equals sign of FN 0 to FN 7.
+/// Behind the equals sign of FN 0 to FN 8 and FN 13.
 double QParameters::computed(int function, const std::string& text, std::size_t& at,
                              const std::string& place) const {
   constexpr std::string_view kOf[] = {"SQRT", "SIN", "COS"};
-  if (function >= 5) {
+  if (function >= 5 && function <= 7) {
     if (!skip_text(text, at, kOf[function - 5]))
       refuse_fn(place, "FN block without its function; correct it");
     const double of = operand(text, at, place);
@@ -220,14 +234,25 @@ double QParameters::computed(int function, const std::string& text, std::size_t&
   }
   const double first = operand(text, at, place);
   if (function == 0) return first;
-  constexpr std::string_view kBetween[] = {"", "+", "-", "*", "DIV"};
+  constexpr std::string_view kBetween[] = {"", "+",   "-", "*", "DIV", "", "",
+                                           "", "LEN", "",  "",  "",    "", "ANG"};
   if (!skip_text(text, at, kBetween[function])) refuse_fn(place, "FN block without its sign; correct it");
   const double second = operand(text, at, place);
   if (function == 4 && second == 0) refuse_fn(place, "division by zero; correct it");
-  return function == 1   ? first + second
-         : function == 2 ? first - second
-         : function == 3 ? first * second
-                         : first / second;
+  switch (function) {
+    case 1:
+      return first + second;
+    case 2:
+      return first - second;
+    case 3:
+      return first * second;
+    case 4:
+      return first / second;
+    case 8:
+      return std::hypot(first, second);
+    default:
+      return angle_of_sides(first, second);
+  }
 }
 
 FnBlock QParameters::execute(const std::vector<std::string>& words, const std::string& place) {
@@ -238,9 +263,9 @@ FnBlock QParameters::execute(const std::vector<std::string>& words, const std::s
   if (function == 14)
     refuse_fn(place,
               "the program stops here with an error of its own (FN 14); what it asks for does not hold");
-  if (function > 12 || function == 8)
+  if (function > 13)
     refuse_fn(place, "FN " + std::to_string(function) + " is not read; post the program without it");
-  if (function < 9) {
+  if (function < 9 || function == 13) {
     if (!skip_text(text, at, "Q")) refuse_fn(place, "FN block without its Q parameter; correct it");
     const int parameter = count_at(text, at, place);
     if (!skip_text(text, at, "=")) refuse_fn(place, "FN block without its '='; correct it");

@@ -68,7 +68,7 @@ struct FnBlock {
 
 class QParameters {
  public:
-  /// Executes FN 0 to FN 7 and FN 9 to FN 12. Throws InputError(place, ...) for other functions, for parameters that nothing has set, and for FN 14,
+  /// Executes FN 0 to FN 13. Throws InputError(place, ...) for other functions, for parameters that nothing has set, and for FN 14,
   /// at which the control stops.
   FnBlock execute(const std::vector<std::string>& words, const std::string& place);
   /// Executes "Q1 = +5" and "Q1 = +Q2"; false where the block sets a cycle's parameter, Q200 and on, or none.

@@ -162,7 +162,8 @@ class LinuxCncRun : private MacroRun {
         now.next = word.start;
         return;
       case OKeyword::kDoWhile:
-        if (holds(word, clean)) now.next = word.start + 1;
+        if (holds(word, clean) && !ends_by_earlier_break()) now.next = word.start + 1;
+        left_while_ = false;
         return;
       case OKeyword::kRepeat: {
         std::size_t at = word.rest;
@@ -176,6 +177,7 @@ class LinuxCncRun : private MacroRun {
         return;
       case OKeyword::kBreak:
         refuse_in_repeat(first);
+        left_while_ = first.keyword == OKeyword::kWhile;
         now.next = end + 1;
         return;
       case OKeyword::kContinue:
@@ -185,6 +187,16 @@ class LinuxCncRun : private MacroRun {
       default:
         return;
     }
+  }
+
+  /// The interpreter remembers a break until the end of the next do loop, whichever loop it left.
+  bool ends_by_earlier_break() {
+    if (left_while_)
+      builder_.condition(
+          "do-after-break", shown_line(),
+          "LinuxCNC ends a do loop after its first pass where a while loop was left by break before "
+          "it, as version 2.9 does");
+    return left_while_;
   }
 
   void refuse_in_repeat(const OLine& first) const {
@@ -313,6 +325,7 @@ class LinuxCncRun : private MacroRun {
 
   LinuxCncParameters parameters_;
   std::map<const MacroSource*, OWords> words_;
+  bool left_while_ = false;                      ///< by break, and no do loop ended since
   std::vector<std::map<int, long long>> loops_;  ///< turns left of REPEAT by its line, of each call
   std::vector<bool> restores_{false};            ///< M73 was seen, of each call
   std::vector<std::optional<Modes>> saved_;      ///< by M70 before each call

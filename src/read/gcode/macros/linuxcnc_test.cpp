@@ -45,6 +45,17 @@ TEST(LinuxCncMacros, ParametersAndFunctionsAreComputed) {
   EXPECT_EQ(moves_as(Dialect::kLinuxCnc, text), "\nrapid to 0 0 5\ncut to 6 0 5 F100\ncut to 10 12 5 F100");
 }
 
+TEST(LinuxCncMacros, ABreakIsRememberedUpToTheEndOfADoLoop) {
+  const std::string broken = "o1 while [1]\nG1 X1\no1 break\no1 endwhile\n";
+  const std::string loop = "o2 do\n#2 = [#2 + 1]\nG1 X[10 + #2]\no2 while [#2 lt 3]\n";
+  const std::string again = "#2 = 0\no3 do\n#2 = [#2 + 1]\nG1 X[20 + #2]\no3 while [#2 lt 2]\n";
+  const Program read = read_as(Dialect::kLinuxCnc, kBegin + "#2 = 0\n" + broken + loop + again + "M2\n");
+  EXPECT_EQ(ends_of(read), "|0 0 5|1 0 5|11 0 5|21 0 5|22 0 5");
+  EXPECT_THAT(names_of(read), HasSubstr("do-after-break@13"));
+  const std::string left = "#2 = 0\no4 do\no4 break\no4 while [1]\n";
+  EXPECT_EQ(ends_of(read_as(Dialect::kLinuxCnc, kBegin + left + again + "M2\n")), "|0 0 5|21 0 5|22 0 5");
+}
+
 TEST(LinuxCncMacros, HolesInARowByALoop) {
   const std::string text = kBegin +
                            "#1 = 0\no100 while [#1 lt 3]\nG81 X[#1 * 10] Y0 Z-2 R1\n#1 = [#1 + 1]\n"

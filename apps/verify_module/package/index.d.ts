@@ -18,7 +18,7 @@ export interface Question {
   options?: Record<string, string|number|boolean|(string | number)[]>;
 }
 
-export interface Gate {
+export interface Verifier {
   /**
    * Checks a program. Returns the certificate as JSON; for a question or a program that cannot be understood
    * {"error": "place: fault, and remedy"}.
@@ -28,4 +28,4 @@ export interface Gate {
   optionNames(): string[];
 }
 
-export function createGate(settings?: {wasmBinary?: Uint8Array|ArrayBuffer}): Promise<Gate>;
+export function createVerifier(settings?: {wasmBinary?: Uint8Array|ArrayBuffer}): Promise<Verifier>;

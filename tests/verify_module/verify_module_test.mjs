@@ -1,4 +1,4 @@
-// The packed folder GATE_PACKAGE as another program uses it: answers, size, time, and the widget with a host of its own. Where CLEARCUT names
+// The packed folder VERIFY_MODULE_PACKAGE as another program uses it: answers, size, time, and the widget with a host of its own. Where CLEARCUT names
 // the command, the answers are compared with those of `clearcut verify`.
 import assert from 'node:assert/strict';
 import {execFileSync} from 'node:child_process';
@@ -9,12 +9,12 @@ import path from 'node:path';
 import {test} from 'node:test';
 import zlib from 'node:zlib';
 
-const folder = path.resolve(process.env.GATE_PACKAGE);
+const folder = path.resolve(process.env.VERIFY_MODULE_PACKAGE);
 const command = process.env.CLEARCUT ? path.resolve(process.env.CLEARCUT) : '';
 const require = createRequire(import.meta.url);
-const {createGate} = require(folder);
+const {createVerifier} = require(folder);
 const {startWidget} = require(path.join(folder, 'widget', 'widget.js'));
-const gate = await createGate();
+const verifier = await createVerifier();
 
 const slot = 'G21 G90 G94\nT1 M6\nS10000 M3\nG0 X10 Y10 Z5\nG1 Z-2 F100\nG1 X40 F600\nG0 Z5\nM5\nM30\n';
 const rapid = slot.replace('G1 X40 F600', 'G0 X40');
@@ -24,7 +24,7 @@ const question = {
   stock: '50,30,10',
   dialect: 'linuxcnc'
 };
-const checked = (program, asked = question) => JSON.parse(gate.check(program, JSON.stringify(asked)));
+const checked = (program, asked = question) => JSON.parse(verifier.check(program, JSON.stringify(asked)));
 
 /** Rows over a square, in layers, of about so many bytes. */
 function program_of_bytes(bytes) {
@@ -64,15 +64,15 @@ test('a program against a part', () => {
 test('bad questions and programs are answered in one line', () => {
   for (const [program, asked] of [
          [slot, '{'], [slot, '{"tols": 1}'], ['', '{"tools": ["endmill:6"]}'], ['G1 X[', '{"tools": ["endmill:6"]}']]) {
-    const answer = JSON.parse(gate.check(program, asked));
+    const answer = JSON.parse(verifier.check(program, asked));
     assert.equal(typeof answer.error, 'string');
     assert.ok(!answer.error.includes('\n'));
   }
-  assert.ok(gate.optionNames().includes('keep-out'));
+  assert.ok(verifier.optionNames().includes('keep-out'));
 });
 
 test('the answer is that of the command', {skip: !command}, () => {
-  const scratch = fs.mkdtempSync(path.join(os.tmpdir(), 'gate-'));
+  const scratch = fs.mkdtempSync(path.join(os.tmpdir(), 'verify-module-'));
   for (const program of [slot, rapid, program_of_bytes(20000)]) {
     const file = path.join(scratch, 'slot.nc');
     fs.writeFileSync(file, program);
@@ -90,7 +90,7 @@ test('the answer is that of the command', {skip: !command}, () => {
 });
 
 test('the module has at most 700 kB, packed by brotli', () => {
-  const files = ['clearcut-gate.wasm', 'clearcut-gate.js', 'index.js'];
+  const files = ['clearcut-verify.wasm', 'clearcut-verify.js', 'index.js'];
   const sizes = files.map((name) => zlib.brotliCompressSync(fs.readFileSync(path.join(folder, name))).length);
   console.log('packed by brotli: ' + files.map((name, i) => `${name} ${sizes[i]}`).join(', '));
   assert.ok(sizes.reduce((sum, size) => sum + size) <= 700000);
@@ -125,8 +125,13 @@ function stub_host() {
 const bare = 'G21 G90 G94\nS10000 M3\nG0 X10 Y10 Z5\nG1 Z-2 F100\nG1 X40 F600\nG0 Z5\nM5\nM30\n';
 
 function started(host, shown) {
-  return startWidget(
-    {host, gate, question: () => ({tools: ['endmill:6'], stock: '50,30,10'}), show: (told) => shown.push(told), holdFaulty: true});
+  return startWidget({
+    host,
+    verifier,
+    question: () => ({tools: ['endmill:6'], stock: '50,30,10'}),
+    show: (verdict) => shown.push(verdict),
+    holdFaulty: true
+  });
 }
 
 test('the widget checks what is loaded', () => {

@@ -12,7 +12,7 @@ function programOf(first, second) {
   return {name: first || 'program', text: second || ''};
 }
 
-/** Grbl's settings as its own listing, which the check reads as a machine; '' for a control that has told none. */
+/** Grbl's settings as its own listing, which the check reads as a machine; '' for a control that has sent none. */
 function machineText(settings) {
   const values = (settings && settings.settings) || {};
   const names = Object.keys(values).filter((name) => /^\$\d+$/.test(name));
@@ -22,16 +22,16 @@ function machineText(settings) {
 /** Lines for a person: the verdict, then each fault and each open condition. */
 function linesOf(answer) {
   if (answer.error) return {verdict: 'NOT CHECKED', lines: [answer.error]};
-  const told = (one) => (one.line ? 'line ' + one.line + ': ' : '') + one.text;
-  return {verdict: answer.verdict, lines: answer.faults.concat(answer.conditions).map(told)};
+  const line = (one) => (one.line ? 'line ' + one.line + ': ' : '') + one.text;
+  return {verdict: answer.verdict, lines: answer.faults.concat(answer.conditions).map(line)};
 }
 
 /**
-   * Starts a widget. `host`: the sender's controller. `gate`: from createGate(). `question`: returns what is asked of a program
+   * Starts a widget. `host`: the sender's controller. `verifier`: from createVerifier(). `question`: returns what is asked of a program
    * besides its name (tools, stock, ...). `show`: called with {verdict, lines}. `holdFaulty`: a program whose verdict is
    * neither CLEAN nor CONDITIONAL is paused as soon as the sender starts it.
    */
-function startWidget({host, gate, question, show, holdFaulty = false}) {
+function startWidget({host, verifier, question, show, holdFaulty = false}) {
   let loaded = null;
   let shown = {verdict: '', lines: []};
 
@@ -40,7 +40,7 @@ function startWidget({host, gate, question, show, holdFaulty = false}) {
     const asked = Object.assign({name: loaded.name, dialect: 'grbl'}, question());
     const machine = machineText(host.settings);
     if (machine && !asked.machine) asked.machine = machine;
-    shown = linesOf(JSON.parse(gate.check(loaded.text, JSON.stringify(asked))));
+    shown = linesOf(JSON.parse(verifier.check(loaded.text, JSON.stringify(asked))));
     show(shown);
   }
 

@@ -2,11 +2,11 @@
 'use strict';
 
 (function(root, factory) {
-if (typeof module === 'object' && module.exports) module.exports = factory(require('./clearcut-gate.js'), nodeBinary);
-else root.clearcutGate = factory(root.clearcutGateModule, () => undefined);
+if (typeof module === 'object' && module.exports) module.exports = factory(require('./clearcut-verify.js'), nodeBinary);
+else root.clearcutVerify = factory(root.clearcutVerifyModule, () => undefined);
 
 /** The bytes of the module, from the file beside this one. */
-function nodeBinary() { return require('fs').readFileSync(require('path').join(__dirname, 'clearcut-gate.wasm')); }
+function nodeBinary() { return require('fs').readFileSync(require('path').join(__dirname, 'clearcut-verify.wasm')); }
 })(typeof self === 'undefined' ? globalThis : self, (instantiate, binaryBeside) => {
 /** A text of the module's memory that ends with a zero; its place is given back. */
 function takeText(instance, at) {
@@ -26,7 +26,7 @@ function putText(instance, text) {
   return {at, size: bytes.length};
 }
 
-function gateOf(instance) {
+function verifierOf(instance) {
   let ended = '';
 
   function check(program, question) {
@@ -40,7 +40,7 @@ function gateOf(instance) {
       instance._free(second.at);
       return takeText(instance, answer);
     } catch (error) {
-      ended = 'this gate ended with ' + error.message + '; make another with createGate()';
+      ended = 'this verifier ended with ' + error.message + '; make another with createVerifier()';
       return JSON.stringify({error: 'the check ended: ' + error.message + '; check a smaller program'});
     }
   }
@@ -50,11 +50,11 @@ function gateOf(instance) {
   return {check, optionNames};
 }
 
-/** Resolves to a gate. `wasmBinary`: bytes of clearcut-gate.wasm, where a page has them already. */
-async function createGate(settings = {}) {
+/** Resolves to a verifier. `wasmBinary`: bytes of clearcut-verify.wasm, where a page has them already. */
+async function createVerifier(settings = {}) {
   const binary = settings.wasmBinary || binaryBeside();
-  return gateOf(await instantiate(binary ? {wasmBinary: binary} : {}));
+  return verifierOf(await instantiate(binary ? {wasmBinary: binary} : {}));
 }
 
-return {createGate};
+return {createVerifier};
 });

@@ -1,0 +1,120 @@
+// How Klartext comes to contours and leaves them: APPR, DEP.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "read/gcode/test_told_program.h"
+
+namespace clearcut::read::gcode {
+namespace {
+
+using ::testing::HasSubstr;
+
+constexpr double kToolRadius = 3;
+
+Program program_of(const std::string& start, const std::string& blocks) {
+  ReadControllerOptions options;
+  options.dialect = Dialect::kHeidenhain;
+  options.compensation.radii = {{1, kToolRadius}};
+  options.compensation.is_stated = true;
+  return read_gcode(
+      "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S1000\nCYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.01\nL " + start +
+          " Z-1 R0 FMAX M3\nL IX+0 IY+0 F200\n" + blocks + "\nL Z+50 R0 FMAX M30\n99 END PGM A MM\n",
+      "test.h", options);
+}
+std::string moves(const std::string& start, const std::string& blocks) {
+  std::string text;
+  for (const Section& section : program_of(start, blocks).toolpath.sections)
+    for (const Move& move : section.moves)
+      if (!is_rapid(move.kind)) text += told(move) + "\n";
+  return text;
+}
+std::string refused(const std::string& blocks) {
+  try {
+    program_of("X-10 Y-2", blocks);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(KlartextApproach, AlongTheContour) {
+  EXPECT_EQ(moves("X+0 Y-30", "APPR LT X+10 Y+0 LEN5 RL F100\nL Y+20\nDEP LT LEN4 F150"),
+            "cut to 7 -5 -1 F200\ncut to 7 0 -1 F100\ncut to 7 20 -1 F100\ncut to 7 24 -1 F150\n");
+  EXPECT_EQ(moves("X+20 Y-30", "APPR LT X+10 Y+0 LEN5 R0 F100\nL Y+20\nDEP LT LEN4"),
+            "cut to 10 -5 -1 F200\ncut to 10 0 -1 F100\ncut to 10 20 -1 F100\ncut to 10 24 -1 F100\n");
+}
+
+TEST(KlartextApproach, AcrossTheContour) {
+  EXPECT_EQ(moves("X+0 Y-30", "APPR LN X+10 Y+0 LEN4 RL F100\nL Y+20\nDEP LN LEN4"),
+            "cut to 3 0 -1 F200\ncut to 7 0 -1 F100\ncut to 7 20 -1 F100\ncut to 3 20 -1 F100\n");
+  EXPECT_EQ(moves("X+40 Y-30", "APPR LN X+10 Y+0 LEN4 RR F100\nL Y+20\nDEP LN LEN4"),
+            "cut to 17 0 -1 F200\ncut to 13 0 -1 F100\ncut to 13 20 -1 F100\ncut to 17 20 -1 F100\n");
+}
+
+TEST(KlartextApproach, ByAnArc) {
+  EXPECT_EQ(moves("X-10 Y-30", "APPR CT X+10 Y+0 CCA90 R+5 RL F100\nL Y+20\nDEP CT CCA90 R+5"),
+            "cut to 5 -2 -1 F200\ncut to 7 0 -1 ccw about 5 0 F100\ncut to 7 20 -1 F100\n"
+            "cut to 5 22 -1 ccw about 5 20 F100\n");
+  EXPECT_EQ(moves("X-10 Y-30", "APPR CT X+10 Y+0 CCA90 R-5 RL F100\nL Y+20\nDEP CT CCA90 R-5"),
+            "cut to 15 -8 -1 F200\ncut to 7 0 -1 cw about 15 0 F100\ncut to 7 20 -1 F100\n"
+            "cut to 15 28 -1 cw about 15 20 F100\n");
+}
+
+TEST(KlartextApproach, ByALineAndAnArc) {
+  EXPECT_EQ(moves("X-10 Y-2", "APPR LCT X+10 Y+0 R5 RL F100\nL Y+20\nDEP LCT X-10 Y+22 R5"),
+            "cut to 5 -2 -1 F100\ncut to 7 0 -1 ccw about 5 0 F100\ncut to 7 20 -1 F100\n"
+            "cut to 5 22 -1 ccw about 5 20 F100\ncut to -10 22 -1 F100\n");
+  EXPECT_EQ(moves("X+30 Y-2", "APPR LCT X+10 Y+0 R5 RR F100\nL Y+20\nDEP LCT X+30 Y+22 R5"),
+            "cut to 15 -2 -1 F100\ncut to 13 0 -1 cw about 15 0 F100\ncut to 13 20 -1 F100\n"
+            "cut to 15 22 -1 cw about 15 20 F100\ncut to 30 22 -1 F100\n");
+}
+
+TEST(KlartextApproach, OfAnArcAndInPolarCoordinates) {
+  EXPECT_EQ(
+      moves("X-20 Y-30", "CC X+0 Y+0\nAPPR PLT PR+20 PA+0 LEN5 RL F100\nCP IPA+90 DR+\nDEP LT LEN4"),
+      "cut to 17 -5 -1 F200\ncut to 17 0 -1 F100\ncut to 0 17 -1 ccw about 0 0 F100\ncut to -4 17 -1 F100\n");
+}
+
+TEST(KlartextApproach, GoesOnFromWhereItEnds) {
+  EXPECT_EQ(moves("X-10 Y-30", "APPR LT X+10 Y+0 LEN5 RL F100\nL Y+20\nDEP LT LEN4\nL IX-5\nL Y+0"),
+            "cut to 7 -5 -1 F200\ncut to 7 0 -1 F100\ncut to 7 20 -1 F100\ncut to 7 24 -1 F100\n"
+            "cut to 2 24 -1 F100\ncut to 2 0 -1 F100\n");
+}
+
+TEST(KlartextApproach, FirstInThePlaneThenInHeight) {
+  const Program read = program_of("X+0 Y-30", "APPR LT X+10 Y+0 Z-4 LEN5 RL F100\nL Y+20\nDEP LT LEN4");
+  EXPECT_EQ(moves("X+0 Y-30", "APPR LT X+10 Y+0 Z-4 LEN5 RL F100\nL Y+20\nDEP LT LEN4"),
+            "cut to 7 -5 -1 F200\nplunge to 7 -5 -4 F200\ncut to 7 0 -4 F100\ncut to 7 20 -4 F100\ncut to 7 "
+            "24 -4 F100\n");
+  EXPECT_THAT(names_of(read), HasSubstr("approach-height@7"));
+}
+
+TEST(KlartextApproach, IsARapidBehindARapid) {
+  const Program read =
+      program_of("X+0 Y-30", "L Y-31 FMAX\nAPPR LT X+10 Y+0 LEN5 RL F100\nL Y+20\nDEP LT LEN4");
+  std::string rapids;
+  for (const Section& section : read.toolpath.sections)
+    for (const Move& move : section.moves)
+      if (is_rapid(move.kind)) rapids += "|" + point(move.path.to, move.z_to);
+  EXPECT_THAT(rapids, HasSubstr("|7 -5 -1"));
+}
+
+TEST(KlartextApproach, IsRefusedWhereItIsNotWhole) {
+  EXPECT_THAT(refused("APPR LT X+10 Y+0 LEN5 RL F100\nL Z-3"),
+              HasSubstr("is not followed by the first element"));
+  EXPECT_THAT(refused("APPR LT X+10 Y+0 LEN5 RL F100\nTOOL CALL 2 Z S100"), HasSubstr("APPR in line 7"));
+  EXPECT_THAT(refused("APPR LT X+10 Y+0 RL F100\nL Y+20"), HasSubstr("without LEN"));
+  EXPECT_THAT(refused("APPR CT X+10 Y+0 CCA400 R5 RL F100\nL Y+20"), HasSubstr("CCA"));
+  EXPECT_THAT(refused("APPR CT X+10 Y+0 CCA90 R2 RL F100\nL Y+20"),
+              HasSubstr("not larger than that of the tool"));
+  EXPECT_THAT(refused("APPR LCT X+10 Y+0 R30 RL F100\nL Y+20"), HasSubstr("within the circle"));
+  EXPECT_THAT(refused("APPR LN X+10 Y+0 LEN4 F100\nL Y+20"), HasSubstr("with RL or RR alone"));
+  EXPECT_THAT(refused("APPR XX X+10"), HasSubstr("block 'APPR XX' is not read"));
+  EXPECT_THAT(refused("DEP LN LEN4"), HasSubstr("DEP"));
+  EXPECT_THAT(refused("APPR LT X+10 Y+0 LEN5 RL F100\nL Y+20 RR"), HasSubstr("another than that of APPR"));
+}
+
+}  // namespace
+}  // namespace clearcut::read::gcode
