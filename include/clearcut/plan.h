@@ -96,6 +96,7 @@ using pipeline::strategy_table;
 using pipeline::StrategyRun;
 
 // Which cutters, and in which sequence.
+using pipeline::best_tool;
 using pipeline::compare_tools;
 using pipeline::fastest_sequence;
 using pipeline::run_tools;

@@ -114,18 +114,24 @@ void erase_slivers(Regions& regions, double width) {
 
 }  // namespace
 
-Standing::Standing(const Part& part, int workingstep, const Tolerances& tol)
+Standing::Standing(const Part& part, int workingstep, const Tolerances& tol, const ClearsAll& clears_all)
     : feature_(feature_of(part, part.workplan.at(static_cast<std::size_t>(workingstep)))),
       stock_(part.workplan[static_cast<std::size_t>(workingstep)].operation.allowance_side),
       tol_(tol),
       start_(feature_.top_z) {
   std::vector<StockLeft> stock(part.features.size());
+  const Box here = box(feature_.target);
   for (int i = 0; i < workingstep; ++i) {
     const Workingstep& step = part.workplan[static_cast<std::size_t>(i)];
-    if (clears(part, step, tol))
+    if (clears_all && !clears_all(i)) {
+      const Feature& other = feature_of(part, step);
+      if (&other == &feature_ || are_apart(other.target, feature_.target, 2 * tol.chord)) continue;
+      uncertain_ = true;
+      start_ = std::max(start_, other.top_z);
+    } else if (clears(part, step, tol)) {
       stock[static_cast<std::size_t>(step.feature)].add(step.operation, tool_of(part, step));
+    }
   }
-  const Box here = box(feature_.target);
   for (std::size_t i = 0; i < part.features.size(); ++i) {
     const Feature& other = part.features[i];
     if (&other == &feature_ || !stock[i].side || !box(other.target).overlaps(here)) continue;
@@ -144,6 +150,7 @@ Standing::Standing(const Part& part, int workingstep, const Tolerances& tol)
 }
 
 double Standing::top() const {
+  if (uncertain_) return std::max(top_over(wanted(feature_.target), by_work_, start_, tol_), feature_.top_z);
   if (!stock_left_) return feature_.top_z;
   const double left = top_over(wanted(feature_.target), by_work_, start_, tol_);
   const double designed = top_over(feature_.target, by_design_, start_, tol_);

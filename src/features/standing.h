@@ -2,6 +2,7 @@
 // the height of the top of each feature's material.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "base/tolerances.h"
@@ -41,9 +42,13 @@ double top_over(const Regions& target, const std::vector<Cleared>& deepest_first
 /// left out. Earlier steps of the same feature do not count, because the material left by them depends on the cutter
 /// (resolve/left_over.h). The features' tops must have been set (stack_tops). Slivers, see features/standing.h, are
 /// left out.
+///
+/// Steps that may leave material anywhere, as published grids do, have cleared nothing for certain.
 class Standing {
  public:
-  Standing(const Part& part, int workingstep, const Tolerances& tol);
+  /// Whether a workingstep, by its place in the workplan, leaves no material that its cutter reaches.
+  using ClearsAll = std::function<bool(int workingstep)>;
+  Standing(const Part& part, int workingstep, const Tolerances& tol, const ClearsAll& clears_all = {});
 
   /// mm; height of the top of the material: the feature's top, or higher if stock of earlier steps is left above it.
   /// Cost O(features) booleans.
@@ -66,6 +71,7 @@ class Standing {
   std::vector<Cleared> by_work_;  ///< areas cleared by the steps so far, deepest first
   double start_;                  ///< mm; height of material in uncleared areas
   bool stock_left_ = false;       ///< whether the two lists differ
+  bool uncertain_ = false;        ///< whether an earlier step may have left material anywhere
 };
 
 /// Sets top_z of every feature, in workplan order, to the height of the material left over its target by earlier

@@ -62,7 +62,7 @@ std::vector<Vec2> spread_over(const Regions& target) {
 /// gently as a cutter without teeth in its middle has to.
 constexpr double kRoomToEnter = 0.075;
 
-/// mm; how far axes may lie from where they are.
+/// mm; greatest error of the chords that stand for a curved medial axis.
 constexpr double kChordOfCurve = 0.01;
 
 /// The widest discs between walls, from one end of a piece of their medial axis to the other: middles and radii

@@ -117,12 +117,13 @@ std::optional<Value> load(const std::optional<Type>& place, const std::vector<st
 
 /// The field at the place in the options returned by `Get`, a lambda without captures.
 template <typename Get>
-Field field(Get) {
-  return {
-      [](Asked& asked, const Value& value, const std::vector<std::string>& names) {
-        store(Get{}(asked), value, names);
-      },
-      [](const Asked& asked, const std::vector<std::string>& names) { return load(Get{}(asked), names); }};
+Field field(Get, bool is_of_plan) {
+  return {is_of_plan,
+          [](Asked& asked, const Value& value, const std::vector<std::string>& names) {
+            store(Get{}(asked), value, names);
+          },
+          [](const Asked& asked, const std::vector<std::string>& names) { return load(Get{}(asked), names); },
+          [](Asked& asked) { Get{}(asked) = Get{}(Asked{}); }};
 }
 
 }  // namespace clearcut::inline options

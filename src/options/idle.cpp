@@ -217,6 +217,10 @@ std::string without_tour(const Situation& at) {
 }
 
 std::string without_objective(const Situation& at) {
+  if (at.plan.objective.asks_load())
+    return unless(std::any_of(at.selections.begin(), at.selections.end(),
+                              [](const StrategySelection& selection) { return selection.planned() > 1; }),
+                  "it chooses among several plans, and there is one; see --strategy auto, tour and cover");
   return unless_planned(at, {"tour", "cover"}, "the strategies tour and cover");
 }
 

@@ -83,8 +83,11 @@ struct Effect {
 
 /// Place of the value of a row in the options.
 struct Field {
+  bool is_of_plan = true;  ///< in Asked::plan; false: in Asked::input
   void (*set)(Asked&, const Value&, const std::vector<std::string>& names) = nullptr;
   std::optional<Value> (*get)(const Asked&, const std::vector<std::string>& names) = nullptr;
+  /// Puts the value back that the options have before anything is stated.
+  void (*clear)(Asked&) = nullptr;
 };
 
 struct Row {

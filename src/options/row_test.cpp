@@ -27,7 +27,7 @@ TEST(Rows, HaveNamesOfTheirOwnAndSentences) {
   for (const Row& row : rows()) {
     EXPECT_TRUE(names.insert(row.name).second) << row.name;
     EXPECT_FALSE(row.sentence.empty()) << row.name;
-    EXPECT_TRUE(row.field.set && row.field.get) << row.name;
+    EXPECT_TRUE(row.field.set && row.field.get && row.field.clear) << row.name;
     EXPECT_NE(row.effect.inputs, 0U) << row.name;
   }
   EXPECT_GT(names.size(), 90U);
@@ -69,6 +69,10 @@ TEST(Rows, WhatIsSetIsReadBack) {
       EXPECT_NEAR(*number, std::get<double>(value), 1e-9) << row.name;
     } else {
       EXPECT_EQ(*back, value) << row.name;
+    }
+    row.field.clear(asked);
+    if (row.group != Group::kPublishedSolver) {
+      EXPECT_EQ(row.field.get(asked, row.names), row.field.get(Asked{}, row.names)) << row.name;
     }
   }
 }

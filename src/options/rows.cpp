@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <string_view>
+
 #include "base/error.h"
 #include "model/move.h"
 #include "model/options/post_options.h"
@@ -19,7 +21,9 @@ namespace {
 using enum ValueKind;
 
 // The field of a row, from an expression of `it`, the requested options.
-#define CLEARCUT_FIELD(place) field([](auto& it) -> auto& { return it.place; })
+#define CLEARCUT_FIELD(place) \
+  field(                      \
+      [](auto&& it) -> auto& { return it.place; }, std::string_view(#place).starts_with("plan."))
 
 /// Degrees.
 constexpr double kLevel = 90, kWholeTurn = 360;
@@ -40,54 +44,66 @@ VisitSolver& solver_of(Asked& asked) {
 /// The field of one setting of the published solver.
 template <auto Member>
 Field solver_field() {
-  return {[](Asked& asked, const Value& value, const std::vector<std::string>& names) {
+  return {true,
+          [](Asked& asked, const Value& value, const std::vector<std::string>& names) {
             store(solver_of(asked).published.*Member, value, names);
           },
           [](const Asked& asked, const std::vector<std::string>& names) -> std::optional<Value> {
             const auto& solver = asked.plan.published.solver;
             return solver ? load(solver->published.*Member, names) : std::nullopt;
+          },
+          [](Asked& asked) {
+            if (asked.plan.published.solver) asked.plan.published.solver->published.*Member = {};
           }};
 }
 
 Field which_solver() {
-  return {[](Asked& asked, const Value& value, const std::vector<std::string>& names) {
+  return {true,
+          [](Asked& asked, const Value& value, const std::vector<std::string>& names) {
             store(solver_of(asked).is_published, value, names);
           },
           [](const Asked& asked, const std::vector<std::string>& names) -> std::optional<Value> {
             const auto& solver = asked.plan.published.solver;
             return solver ? load(solver->is_published, names) : std::nullopt;
-          }};
+          },
+          [](Asked& asked) { asked.plan.published.solver.reset(); }};
 }
 
 /// A switch with the default on, as "no-arcs".
 template <auto Member>
 Field switched_off() {
-  return {[](Asked& asked, const Value& value, const std::vector<std::string>&) {
+  return {true,
+          [](Asked& asked, const Value& value, const std::vector<std::string>&) {
             asked.plan.post.*Member = !std::get<bool>(value);
           },
           [](const Asked& asked, const std::vector<std::string>&) -> std::optional<Value> {
             return Value(!(asked.plan.post.*Member));
-          }};
+          },
+          [](Asked& asked) { asked.plan.post.*Member = true; }};
 }
 
 /// "G55", if the control knows this offset.
 Field work_offset_field() {
-  return {[](Asked& asked, const Value& value, const std::vector<std::string>&) {
+  return {true,
+          [](Asked& asked, const Value& value, const std::vector<std::string>&) {
             asked.plan.post.work_offset = *work_offset_named(std::get<std::string>(value));
           },
           [](const Asked& asked, const std::vector<std::string>&) -> std::optional<Value> {
             return Value(words_of(asked.plan.post.work_offset));
-          }};
+          },
+          [](Asked& asked) { asked.plan.post.work_offset = {}; }};
 }
 
 Field end_position_field() {
-  return {[](Asked& asked, const Value& value, const std::vector<std::string>&) {
+  return {true,
+          [](Asked& asked, const Value& value, const std::vector<std::string>&) {
             asked.plan.post.end = *end_position_named(std::get<std::string>(value));
           },
           [](const Asked& asked, const std::vector<std::string>&) -> std::optional<Value> {
             const std::string name = model::name_of(asked.plan.post.end);
             return name.empty() ? std::nullopt : std::optional<Value>(name);
-          }};
+          },
+          [](Asked& asked) { asked.plan.post.end = {}; }};
 }
 
 std::vector<Row> input_rows() {
@@ -1042,7 +1058,7 @@ std::vector<Row> stage_rows() {
        .group = Group::kStages,
        .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kWhole,
-       .sentence = "In how many passes beside each other walls come to size",
+       .sentence = "Number of passes, side by side, in which walls are finished to size",
        .fallback = "1",
        .field = CLEARCUT_FIELD(plan.shop.finish_steps),
        .range = between(1, 20),
@@ -1052,7 +1068,7 @@ std::vector<Row> stage_rows() {
        .group = Group::kStages,
        .checks = kAllChecks,
        .kind = kWhole,
-       .sentence = "How often the passes that finish walls are run again at the same size",
+       .sentence = "Number of repetitions, at the same size, of the passes that finish walls",
        .fallback = "0",
        .field = CLEARCUT_FIELD(plan.shop.spring_passes),
        .range = between(0, 20),
@@ -1063,9 +1079,8 @@ std::vector<Row> stage_rows() {
        .group = Group::kStages,
        .checks = kAllChecks,
        .kind = kChoice,
-       .sentence =
-           "What the control adds where programs have it compensate (G41, G42): the tool's radius, or its "
-           "wear alone beside the path of the centre; plans write wear, where walls are finished",
+       .sentence = "Cutter compensation (G41, G42) by the control: by the tool's radius, or by its wear, "
+                   "beside a path of the tool's centre; plans write wear, on passes that finish walls",
        .fallback = "none",
        .field = CLEARCUT_FIELD(plan.shop.compensation),
        .names = {"radius", "wear"},
@@ -1075,7 +1090,7 @@ std::vector<Row> stage_rows() {
        .group = Group::kStages,
        .checks = kAllChecks,
        .kind = kLength,
-       .sentence = "How far D words may be off 0 either way, for which the verdict holds",
+       .sentence = "Greatest wear in D words, in both directions, for which the verdict holds",
        .fallback = "0.1",
        .field = CLEARCUT_FIELD(plan.shop.wear_range),
        .range = between(0.001, 1),
@@ -1123,8 +1138,8 @@ std::vector<Row> copies_rows() {
        .group = Group::kCopies,
        .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kText,
-       .sentence = "Sheet to fill with the part, turned by 90 degrees where that makes more of them; its "
-                   "lower left corner is the zero; width and height in mm",
+       .sentence = "Width and height of a sheet, in mm, to fill with copies of the part, turned by 90 "
+                   "degrees where more fit; its lower left corner is the zero",
        .field = CLEARCUT_FIELD(plan.copies.sheet),
        .type = "WxH",
        .table = JobTable::kPlan,
@@ -1135,7 +1150,7 @@ std::vector<Row> copies_rows() {
        .group = Group::kCopies,
        .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kLength,
-       .sentence = "Between the boxes of two copies: the kerf, or more",
+       .sentence = "Distance between the boxes of neighbouring copies, at least the kerf",
        .fallback = "what the cutter needs beside a part",
        .field = CLEARCUT_FIELD(plan.copies.gap),
        .range = between(0, kLongestLength),
@@ -1146,7 +1161,7 @@ std::vector<Row> copies_rows() {
        .group = Group::kCopies,
        .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kLength,
-       .sentence = "Of the sheet, that stays free on all sides",
+       .sentence = "Width along all sides of the sheet that stays free",
        .fallback = "0",
        .field = CLEARCUT_FIELD(plan.copies.edge),
        .range = between(0, kLongestLength),
@@ -1157,7 +1172,7 @@ std::vector<Row> copies_rows() {
        .group = Group::kCopies,
        .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kWhole,
-       .sentence = "Parts that are wanted of the sheet",
+       .sentence = "Number of parts to make of the sheet",
        .fallback = "as many as fit",
        .field = CLEARCUT_FIELD(plan.copies.count),
        .range = between(1, kMostCopies),
@@ -1168,8 +1183,8 @@ std::vector<Row> copies_rows() {
        .group = Group::kCopies,
        .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kFlag,
-       .sentence = "Write what copies have in common once, as subprograms in the program that it calls "
-                   "for each of them",
+       .sentence =
+           "Write the blocks that all copies share once, as subprograms that the program calls for each copy",
        .field = CLEARCUT_FIELD(plan.copies.subprograms),
        .table = JobTable::kPlan,
        .effect = {kAllInputs, makes_no_copies}}};
@@ -1291,10 +1306,11 @@ std::vector<Row> search_rows() {
        .level = Level::kResearch,
        .kind = kText,
        .sentence = "Quantity that the strategy tour minimises: length, turns, angle, engagement, time, or "
-                   "weights 1:length,20:turns; cover: length or time",
+                   "weights 1:length,20:turns; cover: length or time. By force, energy, wear, climb, or "
+                   "force=0.3,time=0.7, strategies, tours and cutters are chosen by their certificates",
        .fallback = "time",
        .field = CLEARCUT_FIELD(plan.objective),
-       .names = {"length", "turns", "angle", "engagement", "time"},
+       .names = {"length", "turns", "angle", "engagement", "time", "force", "energy", "wear", "climb"},
        .table = JobTable::kPlan,
        .effect = {kAllInputs, without_objective}},
       {.name = "grid",

@@ -93,7 +93,7 @@ Regions pocket_with_islands(std::uint64_t seed) {
   return {area.front()};
 }
 
-/// A grid of points in such a pocket.
+/// A grid of points in a pocket with islands.
 struct Pocket {
   explicit Pocket(std::uint64_t seed) : paths(pocket_with_islands(seed)) {
     for (double y = 1; y < 60; y += 4)

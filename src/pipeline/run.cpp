@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "base/progress.h"
@@ -14,6 +15,7 @@
 #include "pipeline/job_options.h"
 #include "pipeline/planning.h"
 #include "pipeline/result_figures.h"
+#include "pipeline/selection/choice.h"
 #include "pipeline/selection/selection.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/stated_limits.h"
@@ -100,7 +102,47 @@ Selection planned_selection(const std::vector<StepWork>& works, const ResolvedPl
     meter.add();
     return planned;
   };
-  return Selection(steps, planner, plan.threads);
+  return Selection(steps, planner, plan.threads,
+                   plan.objective.asks_load() ? ChoiceBy::kFigures : ChoiceBy::kTime);
+}
+
+/// The findings on the plans that are taken, with rapids above what they leave if they would meet it.
+Findings findings_on(const Selection& selection, const ResolvedPlan& plan, const PlanResult& known) {
+  PlanResult tried = known;
+  certify(tried, toolpath_of(selection, plan, false), plan);
+  if (tried.findings.all.rapid_in_material > 0) {
+    tried = known;
+    certify(tried, toolpath_of(selection, plan, true), plan);
+  }
+  return std::move(tried.findings);
+}
+
+/// Ranks the plans of every step by the figures of their certificates. In each of several programs each step is cut
+/// by its next plan; the figures of a step are those of its feature in that program, in which earlier steps are
+/// cut by their own plan of this number. Cost: one certificate for each plan of the step with the most.
+void rank_by_figures(Selection& selection, const ResolvedPlan& plan, const PlanResult& known) {
+  std::vector<std::vector<std::optional<Figures>>> found(selection.steps());
+  std::size_t most = 0;
+  for (std::size_t step = 0; step < selection.steps(); ++step) {
+    found[step].resize(selection.plans(step));
+    most = std::max(most, selection.plans(step));
+  }
+  if (most < 2) return;
+  for (std::size_t k = 0; k < most; ++k) {
+    throw_if_cancelled(plan.cancel);
+    selection.take(k);
+    for (FeatureFindings& feature : findings_on(selection, plan, known).features) {
+      if (feature.workingstep < 0) continue;
+      auto& of_step = found[static_cast<std::size_t>(feature.workingstep)];
+      if (k < of_step.size()) of_step[k] = std::move(feature.figures);
+    }
+  }
+  for (std::size_t step = 0; step < selection.steps(); ++step) {
+    std::vector<const Figures*> figures;
+    for (const auto& one : found[step]) figures.push_back(one ? &*one : nullptr);
+    if (figures.size() > 1) selection.rank(step, costs_of(plan.objective, figures));
+  }
+  selection.take(0);
 }
 
 /// The toolpath of the chosen plans, written, read back and checked; others are chosen until the program is clean or
@@ -126,6 +168,7 @@ class CertifiedPlan {
         selection(planned_selection(works, plan, strategies, meter)),
         result(known) {
     report_what_does_not_fit(result.part, selection, works, plan);
+    if (plan.objective.asks_load()) rank_by_figures(selection, plan, result);
     toolpath = certified_toolpath(selection, plan, result);
   }
   CertifiedPlan(const CertifiedPlan&) = delete;

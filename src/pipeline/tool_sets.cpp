@@ -10,6 +10,8 @@
 #include "base/text.h"
 #include "pipeline/compare.h"
 #include "pipeline/run.h"
+#include "pipeline/selection/choice.h"
+#include "pipeline/selection/strategies.h"
 #include "resolve/resolve.h"
 
 namespace clearcut::pipeline {
@@ -61,8 +63,21 @@ std::vector<Candidate> candidates_of(const Part& part, const ToolSpeeds& speeds,
   return all;
 }
 
+Objective objective_in(const resolve::PlanOptions& options) {
+  return parse_objective(options.objective, "--objective");
+}
+
+/// Where a named strategy leaves nothing to choose the objective is for the cutters alone.
+void leave_objective_to_cutters(resolve::PlanOptions& options) {
+  const StrategyEntry* named = options.strategy ? strategies_of(options).find(*options.strategy) : nullptr;
+  if (named == nullptr || !named->orders.empty()) return;
+  options.objective = name_of(ObjectiveKind::kTime);
+  options.sources.forget("objective");
+}
+
 ToolRun run_of(const Candidate& candidate, const Part& part, resolve::PlanOptions options) {
   const Tool& tool = candidate.tool;
+  if (objective_in(options).asks_load()) leave_objective_to_cutters(options);
   options.tools = {tool};
   options.cutting = candidate.cutting;
   ToolRun run;
@@ -79,6 +94,7 @@ ToolRun run_of(const Candidate& candidate, const Part& part, resolve::PlanOption
     run.time_s = figures.time_s;
     run.published_s = kinematics::published_time(result.toolpath).seconds();
     run.unreachable_mm2 = figures.unreachable_mm2;
+    run.figures = figures;
   } catch (const InputError& error) {
     run.refusal = error.what();
   }
@@ -190,6 +206,14 @@ std::optional<ToolSequence> fastest_of(const std::vector<ToolRun>& runs, const P
   return sequence;
 }
 
+std::string load_note(const ToolRun& run) {
+  std::string note = name_of_tool(run.tool) + ": ";
+  if (const auto& load = run.figures.load)
+    note += fmt::format("at most {:.0f} N, {:.1f} J, {:.4g} % of its life, ", load->max_force_n,
+                        load->energy_j, 100 * load->wear);
+  return note + fmt::format("{:.1f} % climb", 100 * (1 - figure_of(ObjectiveKind::kClimb, run.figures)));
+}
+
 std::string text_of(const ToolSequence& sequence) {
   std::string names;
   for (const Tool& tool : sequence.tools) names += (names.empty() ? "" : ", then ") + name_of_tool(tool);
@@ -225,6 +249,20 @@ const ToolRun* fastest_clean(const std::vector<ToolRun>& runs) {
   return best;
 }
 
+const ToolRun* best_clean(const std::vector<ToolRun>& runs, const Objective& objective) {
+  std::vector<const Figures*> figures;
+  for (const ToolRun& run : runs) figures.push_back(run.clean ? &run.figures : nullptr);
+  const std::vector<double> costs = costs_of(objective, figures);
+  const auto least = std::min_element(costs.begin(), costs.end());
+  if (least == costs.end() || !std::isfinite(*least)) return nullptr;
+  return &runs[static_cast<std::size_t>(least - costs.begin())];
+}
+
+const ToolRun* best_tool(const ToolComparison& comparison) {
+  return comparison.objective.asks_load() ? best_clean(comparison.runs, comparison.objective)
+                                          : fastest_clean(comparison.runs);
+}
+
 std::optional<ToolSequence> fastest_sequence(const Part& part, const ToolSpeeds& speeds,
                                              const resolve::PlanOptions& options) {
   return fastest_of(run_tools(part, speeds, options), part, speeds, options, {});
@@ -232,11 +270,11 @@ std::optional<ToolSequence> fastest_sequence(const Part& part, const ToolSpeeds&
 
 ToolComparison compare_tools(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options,
                              const CountCallback& count) {
-  ToolComparison comparison{run_tools(part, speeds, options, count), std::nullopt};
+  ToolComparison comparison{run_tools(part, speeds, options, count), std::nullopt, objective_in(options)};
   const auto& runs = comparison.runs;
   if (std::none_of(runs.begin(), runs.end(), [](const ToolRun& run) { return run.fits; }))
     throw InputError("", runs.front().refusal);
-  comparison.sequence = fastest_of(runs, part, speeds, options, count);
+  if (!comparison.objective.asks_load()) comparison.sequence = fastest_of(runs, part, speeds, options, count);
   return comparison;
 }
 
@@ -252,9 +290,16 @@ report::TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const T
                    {"eq. 9 s"},
                    {"corners mm2"},
                    {"clean", report::Align::kLeft}};
-  const ToolRun* best = fastest_clean(comparison.runs);
+  const ToolRun* best = best_tool(comparison);
   for (const auto& run : comparison.runs) table.add(cells(run, &run == best));
-  table.notes.push_back("* fastest alone; corners: out of its reach, left for a smaller one");
+  const bool by_load = comparison.objective.asks_load();
+  table.notes.push_back(fmt::format("* {} alone; corners: out of its reach, left for a smaller one",
+                                    by_load ? "best by the objective" : "fastest"));
+  if (by_load) {
+    for (const auto& run : comparison.runs)
+      if (run.fits) table.notes.push_back(load_note(run));
+    table.notes.push_back("sequences are compared by time alone: leave out --objective");
+  }
   if (comparison.sequence) {
     table.notes.push_back(fmt::format(
         "fastest sequence that leaves no more than the smallest, {:.0f} s a tool change: {}: {:.2f} s",

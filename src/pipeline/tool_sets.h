@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "model/options/tour_options.h"
+#include "model/results/findings.h"
 #include "pipeline/compare.h"
 #include "report/words/text_table.h"
 #include "resolve/values/plan_options.h"
@@ -42,6 +44,7 @@ struct ToolRun {
   double time_s = 0;           ///< kinematic
   double published_s = 0;      ///< CPO-rho eq. 9
   double unreachable_mm2 = 0;  ///< area of corners out of its reach
+  Figures figures;             ///< all of its certificate
 };
 
 /// Runs every tool of the options (else of the part) by itself on every feature, smallest first. Throws InputError
@@ -51,6 +54,9 @@ std::vector<ToolRun> run_tools(const Part& part, const ToolSpeeds& speeds,
 
 /// The fastest run certified clean; null if none is.
 const ToolRun* fastest_clean(const std::vector<ToolRun>& runs);
+
+/// The best run certified clean by an objective of load; null if none is.
+const ToolRun* best_clean(const std::vector<ToolRun>& runs, const Objective& objective);
 
 /// Cutters one after the other, largest first.
 struct ToolSequence {
@@ -67,14 +73,18 @@ std::optional<ToolSequence> fastest_sequence(const Part& part, const ToolSpeeds&
 /// Every cutter by itself, and the fastest sequence of them.
 struct ToolComparison {
   std::vector<ToolRun> runs;
-  std::optional<ToolSequence> sequence;
+  std::optional<ToolSequence> sequence;  ///< fastest; none if the objective is load
+  Objective objective;                   ///< by which the best cutter is chosen, if it is load; else by time
 };
+
+/// The best run, marked in tables; null if none is clean.
+const ToolRun* best_tool(const ToolComparison& comparison);
 
 /// Throws InputError if no cutter can be used. `count` is called for the plans of single cutters and of pairs.
 ToolComparison compare_tools(const Part& part, const ToolSpeeds& speeds, const resolve::PlanOptions& options,
                              const CountCallback& count = {});
 
-/// The table, with the fastest clean cutter marked and the fastest sequence below.
+/// The table, with the best clean cutter marked, and the fastest sequence or the load of each below.
 report::TextTable tool_table(const Part& part, const ToolSpeeds& speeds, const ToolComparison& comparison);
 
 }  // namespace clearcut::pipeline

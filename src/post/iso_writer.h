@@ -3,7 +3,9 @@
 
 #include <string>
 
+#include "model/move.h"
 #include "model/options/post_options.h"
+#include "model/part.h"
 #include "post/words/iso_dialect.h"
 
 namespace clearcut::post {

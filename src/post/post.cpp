@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "post/iso_writer.h"
 #include "post/klartext_writer.h"
+#include "post/words/comment.h"
 #include "post/words/iso_dialect.h"
 #include "post/words/print_grid.h"
 #include "post/words/steps.h"

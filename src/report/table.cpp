@@ -231,6 +231,12 @@ std::string table(const Part& part, const Findings& findings, std::size_t width)
 
 namespace {
 
+std::string strategy_cell(const CandidateResult& one) {
+  std::string cell = one.strategy;
+  if (!one.stepover.empty()) cell += " " + one.stepover;
+  return one.order.empty() ? cell : cell + " by " + one.order;
+}
+
 std::string time_cell(const CandidateResult& one) {
   if (one.time_s > 0) return fmt::format("{:.1f}", one.time_s);
   return one.least_s > 0 ? fmt::format("> {:.1f}", one.least_s) : "-";
@@ -239,18 +245,25 @@ std::string time_cell(const CandidateResult& one) {
 }  // namespace
 
 TextTable selection_table(const std::vector<StrategySelection>& selections) {
+  const bool has_costs = std::any_of(selections.begin(), selections.end(), [](const StrategySelection& one) {
+    return std::any_of(one.candidates.begin(), one.candidates.end(),
+                       [](const CandidateResult& candidate) { return candidate.cost.has_value(); });
+  });
   TextTable table;
   table.columns = {{"feature", Align::kLeft},
                    {"strategy", Align::kLeft},
                    {"time s"},
                    {"feed mm"},
                    {"outcome", Align::kLeft}};
+  if (has_costs) table.columns.insert(table.columns.end() - 1, {"objective"});
   for (const auto& selection : selections) {
     std::string feature = selection.feature;
     for (const auto& one : selection.candidates) {
-      const std::string strategy = one.stepover.empty() ? one.strategy : one.strategy + " " + one.stepover;
-      table.add({feature, strategy, time_cell(one),
-                 one.feed_mm > 0 ? fmt::format("{:.1f}", one.feed_mm) : "-", name_of(one.outcome)});
+      std::vector<std::string> cells{feature, strategy_cell(one), time_cell(one),
+                                     one.feed_mm > 0 ? fmt::format("{:.1f}", one.feed_mm) : "-"};
+      if (has_costs) cells.push_back(one.cost ? fmt::format("{:.4g}", *one.cost) : "-");
+      cells.emplace_back(name_of(one.outcome));
+      table.add(std::move(cells));
       feature.clear();
     }
   }

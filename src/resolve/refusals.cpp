@@ -11,6 +11,7 @@
 #include "features/standing.h"
 #include "features/tool_choice.h"
 #include "geometry/contours/boolean.h"
+#include "geometry/voronoi/clearance.h"
 #include "model/results/findings.h"
 #include "resolve/features/clamps.h"
 #include "resolve/resolve.h"
@@ -232,7 +233,7 @@ void refuse_allowance_as_deep(const Part& part, const Tolerances& tol) {
   }
 }
 
-/// A cutter that may not plunge where it can go no other way. One that does not fit at all is told of elsewhere.
+/// Refuses a cutter that may not plunge where no other entry fits. Cutters that do not fit at all are reported by the plan.
 void refuse_plunges(const Part& part, const PlanOptions& options) {
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const Workingstep& step = part.workplan[i];

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/elementary.h"
+#include "base/error.h"
 #include "base/text.h"
 #include "resolve/values/names.h"
 
@@ -261,6 +262,20 @@ bool is_asked(const Source* source) {
   return source && (source->origin == Origin::kUser || source->origin == Origin::kJobFile);
 }
 
+/// Loads can be compared if they are known and all terms are figures of a certificate.
+void refuse_unknown_load(const Objective& objective, const std::optional<WorkMaterial>& material,
+                         const std::string& place) {
+  if (!objective.asks_load()) return;
+  for (const ObjectiveTerm& term : objective.terms) {
+    const std::string name = name_of(term.kind);
+    if (needs_material(term.kind) && !material)
+      throw InputError(place, name + " is known only for a metal; add --material, for example steel");
+    if (name.starts_with("engagement"))
+      throw InputError(place,
+                       name + " is for the order of a tour alone; leave out force, energy, wear and climb");
+  }
+}
+
 ResolvedPlan resolve_whole(const PlanOptions& options) {
   ResolvedPlan plan;
   plan.order = options.outside_in ? ContourOrder::kOutsideIn : ContourOrder::kInsideOut;
@@ -271,6 +286,7 @@ ResolvedPlan resolve_whole(const PlanOptions& options) {
   plan.seed = options.seed;
   plan.threads = thread_count(options);
   resolve_shop(plan, options.shop);
+  refuse_unknown_load(plan.objective, plan.material, source_of(options, "objective").text);
   if (plan.link_feed) plan.link_feed = limited(*plan.link_feed, options.machine);
   if (plan.feed_rule) limit_feed_rule(*plan.feed_rule, options.machine);
   plan.earlier = options.earlier;

@@ -137,7 +137,8 @@ void add_wall_steps(const Workingstep& last, const Part& part, const ShopOptions
                               shop, sources));
 }
 
-/// Over the floor with the same tool, or what wider ones leave of it; away from walls that are finished afterwards.
+/// The step that finishes a floor with the tool of `roughing`: the whole floor, or with `rest` the material that wider tools left
+/// of it. It keeps a distance from walls that are finished afterwards.
 Workingstep floor_step(const Workingstep& roughing, bool rest, const ShopOptions& shop,
                        StepSources& sources) {
   Workingstep step = named_step(roughing, "_floor", OperationKind::kBottomFinishing, sources);

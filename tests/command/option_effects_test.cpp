@@ -214,6 +214,24 @@ TEST_P(OptionEffects, NoOptionIsSilent) {
   EXPECT_GT(pairs, 70);
 }
 
+/// Objectives of load choose among plans on each input, or are refused.
+TEST_P(OptionEffects, NoObjectiveIsSilent) {
+  const ScratchFolder folder;
+  auto words = words_for(GetParam(), folder);
+  words.push_back("--material=steel");
+  const Outcome plain = outcome_of(folder, words);
+  ASSERT_LE(plain.exit_code, 1) << plain.message;
+  for (const char* objective : {"force", "energy", "wear", "climb", "force=0.3,time=0.7"}) {
+    auto with = words;
+    with.push_back(std::string("--objective=") + objective);
+    const Outcome outcome = outcome_of(folder, with);
+    if (outcome.exit_code == 2)
+      EXPECT_THAT(outcome.message, testing::HasSubstr("there is one")) << objective;
+    else
+      EXPECT_FALSE(outcome == plain) << objective << " changes nothing of a " << GetParam();
+  }
+}
+
 TEST(OptionsPage, IsMadeOfTheTable) {
   EXPECT_EQ(run_clearcut({"generate", "table"}).out, read_file(CLEARCUT_SOURCE_DIR "/docs/options.md"))
       << "make it anew: clearcut generate table > docs/options.md";

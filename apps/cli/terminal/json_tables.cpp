@@ -66,7 +66,7 @@ Json tool_json(const Tool& tool) {
           {"name", tool.name}};
 }
 
-Json tool_run_json(const ToolRun& run, bool fastest) {
+Json tool_run_json(const ToolRun& run, bool fastest, bool best) {
   Json json{{"tool", tool_json(run.tool)}, {"fits", run.fits}};
   if (!run.fits) {
     json["refusal"] = run.refusal;
@@ -74,12 +74,20 @@ Json tool_run_json(const ToolRun& run, bool fastest) {
   }
   json["clean"] = run.clean;
   json["fastest"] = fastest;
+  json["best"] = best;
   json["spindle_rpm"] = number(run.spindle_rpm);
   json["feed_mm_per_min"] = number(run.feed_mm_per_min);
   json["feed_mm"] = number(run.feed_mm);
   json["time_s"] = number(run.time_s);
   json["published_time_s"] = number(run.published_s);
   json["unreachable_mm2"] = number(run.unreachable_mm2);
+  json["climb_mm"] = number(run.figures.engagement.climb_mm);
+  json["conventional_mm"] = number(run.figures.engagement.conventional_mm);
+  if (const auto& load = run.figures.load) {
+    json["max_force_n"] = number(load->max_force_n);
+    json["energy_j"] = number(load->energy_j);
+    json["wear"] = number(load->wear);
+  }
   return json;
 }
 
@@ -179,10 +187,12 @@ std::string strategies_json(const Part& part, const std::vector<StrategyRun>& ru
 }
 
 std::string tools_json(const Part& part, const ToolComparison& comparison) {
-  const ToolRun* best = fastest_clean(comparison.runs);
+  const ToolRun* best = best_tool(comparison);
+  const ToolRun* fastest = fastest_clean(comparison.runs);
   Json json{
       {"schema", "clearcut-tools-1"}, {"part", part.name}, {"tools", Json::array()}, {"sequence", nullptr}};
-  for (const auto& run : comparison.runs) json["tools"].push_back(tool_run_json(run, &run == best));
+  for (const auto& run : comparison.runs)
+    json["tools"].push_back(tool_run_json(run, &run == fastest, &run == best));
   if (comparison.sequence) {
     Json tools = Json::array();
     for (const Tool& tool : comparison.sequence->tools) tools.push_back(tool_json(tool));

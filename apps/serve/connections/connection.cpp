@@ -73,7 +73,7 @@ bool Connection::is_readable() const {
   return next_ < filled_ || is_ready(socket_, POLLIN, Clock::now());
 }
 
-/// Called before every part of a long answer: no more is sent to a client that has gone.
+/// Called before every part of a long answer: nothing is sent to a client that has closed its connection.
 bool Connection::is_writable() const {
   char next = 0;
   if (::recv(socket_, &next, 1, MSG_PEEK | MSG_DONTWAIT) == 0) return false;

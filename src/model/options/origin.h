@@ -30,6 +30,8 @@ struct Source {
 class Sources {
  public:
   void set(const std::string& name, Source source) { all_[name] = std::move(source); }
+  /// The value is no longer stated.
+  void forget(const std::string& name) { all_.erase(name); }
   /// Null if no source is known.
   const Source* find(const std::string& name) const;
   /// Those of `other` go before these.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,10 @@ struct StrategyRequest {
   Stepover stepover;       ///< may differ from the step's stepover in a second attempt with another one
   bool briefly = false;    ///< a short search will do: other strategies are planned as well
   double limit_share = 1;  ///< share of a stated limit of engagement at which cuts aim
+  std::optional<ObjectiveKind> order = {};  ///< instead of the plan's objective
+
+  /// The objective of a search for an order of moves.
+  Objective objective() const { return order ? Objective{{{*order, 1}}, false} : plan.objective; }
 };
 
 /// Sizes of a workingstep, known once a first plan is made.
@@ -57,6 +62,8 @@ struct StrategyEntry {
   /// Whether a workingstep is small enough to try the strategy; empty: always.
   std::function<bool(const ClearedSize& size, double radius)> is_small_enough;
 
+  /// Objectives of its own search, each a plan to choose from where figures of certificates decide; empty: no search.
+  std::vector<ObjectiveKind> orders;
   std::vector<std::string> rivals;  ///< names of strategies also planned; the fastest is kept
   /// Stepovers, "" for the strategy's own, tried in turn if no plan is certified clean.
   std::vector<std::string> fallbacks;

@@ -1,5 +1,6 @@
 #include "model/options/tour_options.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 
@@ -9,10 +10,17 @@
 namespace clearcut::inline model {
 namespace {
 
-constexpr std::array kKinds{ObjectiveKind::kLength,         ObjectiveKind::kTurns,
-                            ObjectiveKind::kAngle,          ObjectiveKind::kTime,
-                            ObjectiveKind::kEngagement,     ObjectiveKind::kEngagementInverse,
-                            ObjectiveKind::kEngagementExact};
+constexpr std::array kKinds{ObjectiveKind::kLength,
+                            ObjectiveKind::kTurns,
+                            ObjectiveKind::kAngle,
+                            ObjectiveKind::kTime,
+                            ObjectiveKind::kEngagement,
+                            ObjectiveKind::kEngagementInverse,
+                            ObjectiveKind::kEngagementExact,
+                            ObjectiveKind::kForce,
+                            ObjectiveKind::kEnergy,
+                            ObjectiveKind::kWear,
+                            ObjectiveKind::kClimb};
 
 ObjectiveKind kind_named(const std::string& name, const std::string& place) {
   std::string names;
@@ -20,8 +28,8 @@ ObjectiveKind kind_named(const std::string& name, const std::string& place) {
     if (name == name_of(kind)) return kind;
     names += std::string(name_of(kind)) + ", ";
   }
-  throw InputError(place,
-                   "'" + name + "' is unknown; use one of " + names + "or weights such as 1:length,20:turns");
+  throw InputError(place, "'" + name + "' is unknown; use one of " + names +
+                              "or weights such as 1:length,20:turns or force=0.3,time=0.7");
 }
 
 double weight_of(const std::string& text, const std::string& place) {
@@ -30,6 +38,15 @@ double weight_of(const std::string& text, const std::string& place) {
   if (error != std::errc() || end != text.data() + text.size() || !(weight >= 0))
     throw InputError(place, "'" + text + "' is no weight of 0 or more");
   return weight;
+}
+
+/// "20:turns" or "turns=20".
+ObjectiveTerm term_of(const std::string& text, const std::string& place) {
+  if (const auto colon = text.find(':'); colon != std::string::npos)
+    return {kind_named(text.substr(colon + 1), place), weight_of(text.substr(0, colon), place)};
+  if (const auto equals = text.find('='); equals != std::string::npos)
+    return {kind_named(text.substr(0, equals), place), weight_of(text.substr(equals + 1), place)};
+  throw InputError(place, "'" + text + "' lacks its weight");
 }
 
 }  // namespace
@@ -49,25 +66,41 @@ const char* name_of(ObjectiveKind kind) {
     case ObjectiveKind::kEngagementInverse:
       return "engagement-inverse";
     case ObjectiveKind::kEngagementExact:
+      return "engagement-exact";
+    case ObjectiveKind::kForce:
+      return "force";
+    case ObjectiveKind::kEnergy:
+      return "energy";
+    case ObjectiveKind::kWear:
+      return "wear";
+    case ObjectiveKind::kClimb:
       break;
   }
-  return "engagement-exact";
+  return "climb";
+}
+
+bool is_load(ObjectiveKind kind) {
+  return needs_material(kind) || kind == ObjectiveKind::kClimb;
+}
+
+bool needs_material(ObjectiveKind kind) {
+  return kind == ObjectiveKind::kForce || kind == ObjectiveKind::kEnergy || kind == ObjectiveKind::kWear;
+}
+
+bool Objective::asks_load() const {
+  return std::any_of(terms.begin(), terms.end(),
+                     [](const ObjectiveTerm& term) { return is_load(term.kind); });
 }
 
 Objective parse_objective(const std::string& text, const std::string& place) {
   Objective objective;
   objective.terms.clear();
-  if (text.find(':') == std::string::npos) {
+  if (text.find_first_of(":=") == std::string::npos) {
     objective.terms.push_back({kind_named(text, place), 1});
     return objective;
   }
   objective.weighted = true;
-  for (const std::string& part : split(text, ',')) {
-    const auto colon = part.find(':');
-    if (colon == std::string::npos) throw InputError(place, "'" + part + "' lacks its weight");
-    objective.terms.push_back(
-        {kind_named(part.substr(colon + 1), place), weight_of(part.substr(0, colon), place)});
-  }
+  for (const std::string& part : split(text, ',')) objective.terms.push_back(term_of(part, place));
   return objective;
 }
 

@@ -1,4 +1,4 @@
-// Objective by which the order of a grid is judged, and the settings of the Tour text's genetic algorithm, if the
+// Objective by which the order of a grid or the choice among plans is judged, and the settings of the Tour text's genetic algorithm, if the
 // user requests it.
 #pragma once
 
@@ -16,10 +16,20 @@ enum class ObjectiveKind {
   kTime,
   kEngagement,
   kEngagementInverse,
-  kEngagementExact
+  kEngagementExact,
+  kForce,   ///< N, the greatest
+  kEnergy,  ///< J at the cutter
+  kWear,    ///< share of a cutter's life
+  kClimb    ///< share of the cutting length that is not climb milling
 };
-/// "length", "turns", "angle", "time", "engagement", "engagement-inverse", "engagement-exact".
+/// "length", "turns", "angle", "time", "engagement", "engagement-inverse", "engagement-exact", "force", "energy",
+/// "wear", "climb".
 const char* name_of(ObjectiveKind kind);
+
+/// Whether the quantity is measured on a certified program: the load of the cutter. No order of points has it.
+bool is_load(ObjectiveKind kind);
+/// Whether the quantity follows only from a known material of the work.
+bool needs_material(ObjectiveKind kind);
 
 struct ObjectiveTerm {
   ObjectiveKind kind = ObjectiveKind::kTime;
@@ -30,9 +40,12 @@ struct ObjectiveTerm {
 struct Objective {
   std::vector<ObjectiveTerm> terms{ObjectiveTerm{}};
   bool weighted = false;
+
+  /// Whether plans are compared by figures of their certificates, instead of points ordered by a search.
+  bool asks_load() const;
 };
 
-/// "turns", or weights: "1:length,20:turns". Throws InputError at `place`, listing the names.
+/// "turns", or weights: "1:length,20:turns" or "length=1,turns=20". Throws InputError at `place`, listing the names.
 Objective parse_objective(const std::string& text, const std::string& place);
 
 /// The Tour text's genetic algorithm; absent values are as published.

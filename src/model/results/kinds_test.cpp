@@ -23,8 +23,8 @@ TEST(FaultRows, StandInTheOrderOfTheirKindsWithOneRankEach) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < fault_rows().size(); ++i) {
     const FaultRow& row = fault_rows()[i];
-    EXPECT_EQ(static_cast<std::size_t>(row.kind), i) << row.name;
-    EXPECT_TRUE(ranks.insert(row.rank).second) << row.name;
+    EXPECT_EQ(static_cast<std::size_t>(row.kind), i) << row.name << " stands at another place than its kind";
+    EXPECT_TRUE(ranks.insert(row.rank).second) << row.name << " has the rank of another fault: " << row.rank;
     EXPECT_TRUE(names.insert(row.name).second) << row.name;
     EXPECT_GT(std::string(row.meaning).size(), 10U) << row.name;
   }
@@ -36,8 +36,12 @@ TEST(FaultRows, AreInTheSchemaOfCertificatesAndInTheDocumentOfReports) {
   const std::string schema = text_of("docs/certificate.schema.json"), report = text_of("docs/report.md");
   ASSERT_FALSE(schema.empty());
   for (const FaultRow& row : fault_rows()) {
-    EXPECT_THAT(schema, testing::HasSubstr("\"" + std::string(row.name) + "\""));
-    EXPECT_THAT(report, testing::HasSubstr("`" + std::string(row.name) + "`"));
+    const std::string name = row.name;
+    EXPECT_NE(schema.find("\"" + name + "\""), std::string::npos)
+        << "docs/certificate.schema.json does not list the fault \"" << name
+        << "\"; see docs/adding-a-fault.md";
+    EXPECT_NE(report.find("`" + name + "`"), std::string::npos)
+        << "docs/report.md does not list the fault `" << name << "`; see docs/adding-a-fault.md";
   }
 }
 
@@ -46,7 +50,8 @@ TEST(ConditionRows, AreThoseOfTheDocument) {
   for (const ConditionRow& row : condition_rows()) {
     const std::string name(row.example.empty() ? row.name : row.example);
     EXPECT_TRUE(is_condition(name)) << name;
-    EXPECT_THAT(document, testing::HasSubstr("`" + name + "`"));
+    EXPECT_NE(document.find("`" + name + "`"), std::string::npos)
+        << "docs/conditions.md does not explain the condition `" << name << "`; see docs/adding-a-fault.md";
   }
 }
 

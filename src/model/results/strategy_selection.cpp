@@ -10,10 +10,17 @@ std::string StrategySelection::kept() const {
   return found == candidates.end() ? "" : found->strategy;
 }
 
+std::size_t StrategySelection::planned() const {
+  return static_cast<std::size_t>(std::count_if(candidates.begin(), candidates.end(),
+                                                [](const CandidateResult& one) { return one.time_s > 0; }));
+}
+
 const char* name_of(Outcome outcome) {
   switch (outcome) {
     case Outcome::kKept:
       return "kept";
+    case Outcome::kWorse:
+      return "worse";
     case Outcome::kOutrun:
       return "slower";
     case Outcome::kNotClean:

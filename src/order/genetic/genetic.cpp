@@ -22,7 +22,7 @@ void check_options(const GeneticOptions& o) {
   if (o.patience < 1) throw InputError("patience", "needs at least 1 generation");
 }
 
-/// n 10^i with n = 1..9 (eq. 5.1), and the beginning.
+/// Whether the values of a generation are recorded: those of 0 and of n 10^i with n = 1..9 (eq. 5.1).
 bool is_sampled(long long generation) {
   while (generation >= 10 && generation % 10 == 0) generation /= 10;
   return generation < 10;

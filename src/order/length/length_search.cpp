@@ -137,13 +137,6 @@ std::vector<int> greedy_tour(const LengthModel& model, double noise, Random& ran
   return tour;
 }
 
-std::vector<int> random_tour(const LengthModel& model, Random& random) {
-  std::vector<int> nodes(static_cast<std::size_t>(model.size()));
-  std::iota(nodes.begin(), nodes.end(), 0);
-  for (std::size_t i = nodes.size(); i > 1; --i) std::swap(nodes[i - 1], nodes[random.below(i)]);
-  return nodes;
-}
-
 namespace {
 constexpr int kLongestSegment = 50;
 constexpr int kKicksBetweenChecks = 64;
@@ -371,10 +364,10 @@ std::vector<int> window_borders(const Problem& problem, Random& random) {
   return begins;
 }
 
-/// One pass over all windows, some at a time in parallel; `told` is called after each batch.
-template <typename Told>
+/// One pass over all windows, some at a time in parallel; `after_batch` is called after each batch.
+template <typename AfterBatch>
 void improve_all_windows(const Problem& problem, Tour& tour, bool kicked, Random& random,
-                         const StopWatch& watch, Told told) {
+                         const StopWatch& watch, AfterBatch after_batch) {
   constexpr int kAtATime = 16;
   const int n = static_cast<int>(tour.size());
   const std::vector<int> begins = window_borders(problem, random);
@@ -391,7 +384,7 @@ void improve_all_windows(const Problem& problem, Tour& tour, bool kicked, Random
           improve_window(problem, tour, {first, count, kicked ? count : 0, seeds[i]}, watch);
       for (int j = 0; j < count; ++j) tour[(first + j) % n] = part[j];
     });
-    told(tour);
+    after_batch(tour);
   }
 }
 

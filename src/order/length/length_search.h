@@ -18,8 +18,6 @@ namespace clearcut::order {
 /// `noise` > 0 multiplies each edge by a random factor in [1, 1 + noise].
 std::vector<int> greedy_tour(const LengthModel& model, double noise, Random& random);
 
-std::vector<int> random_tour(const LengthModel& model, Random& random);
-
 class ChainedSearch {
  public:
   using Cost = LengthModel::Cost;

@@ -1,6 +1,7 @@
 #include "pipeline/selection/selection.h"
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 
 #include "base/elementary.h"
@@ -37,11 +38,15 @@ void in_parallel(std::size_t count, int threads, Work&& work) {
 
 }  // namespace
 
-Selection::Selection(std::vector<SelectionStep> steps, StepPlanner planner, int threads)
-    : steps_(std::move(steps)), planner_(std::move(planner)), threads_(threads), ranked_(steps_.size()) {
+Selection::Selection(std::vector<SelectionStep> steps, StepPlanner planner, int threads, ChoiceBy choice)
+    : steps_(std::move(steps)),
+      planner_(std::move(planner)),
+      threads_(threads),
+      choice_(choice),
+      ranked_(steps_.size()) {
   for (std::size_t step = 0; step < steps_.size(); ++step) {
     for (const auto& candidate : steps_[step].candidates.competing)
-      ranked_[step].all.push_back({candidate, {}, 0, Outcome::kNotTried, {}});
+      ranked_[step].all.push_back({candidate, {}, 0, Outcome::kNotTried, {}, {}});
   }
   plan_first();
   plan_others();
@@ -110,6 +115,11 @@ void Selection::rate_others(std::size_t step, Places& work) {
   for (std::size_t k = kFirst; k < all.size(); ++k) {
     const StrategyEntry& strategy = *all[k].candidate.strategy;
     if (!known.pocket && !strategy.tried_when_open) continue;
+    if (choice_ == ChoiceBy::kFigures) {
+      if (!strategy.is_small_enough || strategy.is_small_enough(known.size, radius))
+        work.emplace_back(step, k);
+      continue;
+    }
     all[k].least_s = least_way(strategy, known.size, radius) / steps_[step].feed.mm_per_s();
     if (all[k].least_s >= best) {
       all[k].outcome = Outcome::kCannotWin;
@@ -136,7 +146,7 @@ void Selection::plan_instead() {
         }))
       return;
     while (ranked.fallbacks < fallbacks.size() && !is_planned(ranked.all.back())) {
-      ranked.all.push_back({fallbacks[ranked.fallbacks++], {}, 0, Outcome::kNotTried, {}});
+      ranked.all.push_back({fallbacks[ranked.fallbacks++], {}, 0, Outcome::kNotTried, {}, {}});
       plan_into(step, ranked.all.back());
     }
   });
@@ -153,6 +163,27 @@ void Selection::sort(RankedCandidates& ranked) const {
   });
   ranked.planned = static_cast<std::size_t>(std::count_if(all.begin(), all.end(), is_planned));
   if (ranked.planned > 0) all.front().outcome = Outcome::kKept;
+}
+
+void Selection::take(std::size_t k) {
+  for (RankedCandidates& ranked : ranked_) {
+    if (ranked.planned > 0) ranked.at = std::min(k, ranked.planned - 1);
+  }
+}
+
+void Selection::rank(std::size_t step, const std::vector<double>& costs) {
+  RankedCandidates& ranked = ranked_[step];
+  for (std::size_t k = 0; k < costs.size(); ++k) {
+    PlannedCandidate& one = ranked.all[k];
+    if (std::isfinite(costs[k])) one.cost = costs[k];
+    one.outcome = one.cost ? Outcome::kWorse : Outcome::kNotClean;
+  }
+  const auto end = ranked.all.begin() + static_cast<std::ptrdiff_t>(ranked.planned);
+  std::stable_sort(ranked.all.begin(), end, [](const PlannedCandidate& a, const PlannedCandidate& b) {
+    return a.cost && (!b.cost || *a.cost < *b.cost);
+  });
+  ranked.at = 0;
+  if (ranked.planned > 0) ranked.all.front().outcome = Outcome::kKept;
 }
 
 const Section& Selection::section(std::size_t step) const {
@@ -175,7 +206,7 @@ std::vector<std::string> Selection::names_of(std::size_t step, Outcome outcome) 
 /// among the remaining ones.
 void Selection::plan_without_rivals(std::size_t step) {
   auto& ranked = ranked_[step];
-  PlannedCandidate own{ranked.all[ranked.at].candidate, {}, 0, Outcome::kNotTried, {}};
+  PlannedCandidate own{ranked.all[ranked.at].candidate, {}, 0, Outcome::kNotTried, {}, {}};
   own.candidate.beside_rivals = false;
   plan_into(step, own);
   if (own.plan.section.moves.empty()) return;
@@ -193,7 +224,7 @@ bool Selection::next(std::size_t step) {
   if (ranked.all[ranked.at].candidate.beside_rivals) plan_without_rivals(step);
   while (ranked.at + 1 >= ranked.planned) {
     if (ranked.fallbacks == fallbacks.size()) return false;
-    PlannedCandidate fallback{fallbacks[ranked.fallbacks++], {}, 0, Outcome::kNotTried, {}};
+    PlannedCandidate fallback{fallbacks[ranked.fallbacks++], {}, 0, Outcome::kNotTried, {}, {}};
     plan_into(step, fallback);
     const auto place = ranked.all.begin() + static_cast<std::ptrdiff_t>(ranked.planned);
     if (is_planned(fallback)) ++ranked.planned;
@@ -212,7 +243,8 @@ std::vector<StrategySelection> Selection::selections() const {
       const bool planned = is_planned(one);
       selection.candidates.push_back({one.candidate.strategy->name, one.candidate.stepover.text, one.outcome,
                                       planned ? one.plan.time_s : 0,
-                                      planned ? feed_length(one.plan.section) : 0, one.least_s});
+                                      planned ? feed_length(one.plan.section) : 0, one.least_s,
+                                      one.candidate.order ? name_of(*one.candidate.order) : "", one.cost});
     }
     selections.push_back(std::move(selection));
   }

@@ -1,10 +1,11 @@
-// Several strategies for every workingstep, of which the fastest one certified clean is kept, and rapids above
-// material left by published methods and skipped workingsteps.
+// Several strategies for every workingstep, of which the fastest one certified clean, or the best one by figures of
+// the certificate, is kept, and rapids above material left by published methods and skipped workingsteps.
 #pragma once
 
 #include <exception>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,6 +38,12 @@ struct SelectionStep {
   StrategyCandidates candidates;
 };
 
+/// By what plans are chosen.
+enum class ChoiceBy : unsigned char {
+  kTime,    ///< known once a step is planned: plans that cannot be faster need not be made
+  kFigures  ///< of certificates: every candidate is planned, and the caller ranks them, see rank()
+};
+
 using StepPlanner = std::function<StepPlan(int workingstep, const StrategyCandidate& candidate)>;
 
 /// The plans of all workingsteps. The choice depends only on the plans, not on clocks or threads.
@@ -46,8 +53,16 @@ class Selection {
   /// and are worth the effort; all in parallel on `threads`. Candidates failing for lack of memory in parallel are
   /// planned once more by themselves. Throws the planner's exception for a step's first strategy, and std::bad_alloc
   /// if no strategy of a step has enough memory.
-  Selection(std::vector<SelectionStep> steps, StepPlanner planner, int threads);
+  Selection(std::vector<SelectionStep> steps, StepPlanner planner, int threads,
+            ChoiceBy choice = ChoiceBy::kTime);
 
+  std::size_t steps() const { return steps_.size(); }
+  /// Number of plans to choose from for a step.
+  std::size_t plans(std::size_t step) const { return ranked_[step].planned; }
+  /// Takes plan `k` of every step, or its last.
+  void take(std::size_t k);
+  /// Ranks the plans of a step by their costs, the least first, and takes the first. Infinite: unknown, or not clean.
+  void rank(std::size_t step, const std::vector<double>& costs);
   const Section& section(std::size_t step) const;
   /// Takes the next best plan after one not certified clean: a slower one (including the strategy's own plan after a
   /// rival's), else a fallback. False if no plan is left; the last plan is then kept.
@@ -67,6 +82,7 @@ class Selection {
     StepPlan plan;
     double least_s = 0;
     Outcome outcome = Outcome::kNotTried;
+    std::optional<double> cost{};         ///< by figures
     std::exception_ptr without_memory{};  ///< exception thrown for lack of memory
   };
   static bool is_planned(const PlannedCandidate& one) { return !one.plan.section.moves.empty(); }
@@ -94,6 +110,7 @@ class Selection {
   std::vector<SelectionStep> steps_;
   StepPlanner planner_;
   int threads_;
+  ChoiceBy choice_;
   std::vector<RankedCandidates> ranked_;
 };
 

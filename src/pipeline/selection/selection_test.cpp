@@ -1,5 +1,6 @@
 #include "pipeline/selection/selection.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -10,6 +11,8 @@
 
 #include "base/work_budget.h"
 #include "model/options/strategy_entry.h"
+#include "options/row.h"
+#include "pipeline/selection/strategies.h"
 
 namespace clearcut::pipeline {
 namespace {
@@ -148,6 +151,14 @@ TEST(Selection, WhereAllTakeTooMuchWorkNothingIsPlanned) {
   const Selection selection(one_step({{&contour, {}}}), planner, 1);
   EXPECT_TRUE(selection.section(0).moves.empty());
   EXPECT_EQ(selection.left_out(0), std::vector<std::string>{"contour"});
+}
+
+TEST(Selection, EveryStrategyIsNamedByTheOption) {
+  const Row& row = *row_named("strategy");
+  EXPECT_THAT(row.names, testing::UnorderedElementsAreArray(strategy_names(built_in_strategies())))
+      << "the row of --strategy in src/options/rows.cpp lists the names for help and completion";
+  for (const std::string& name : row.names)
+    EXPECT_NE((" " + row.sentence + ",").find(" " + name + ","), std::string::npos) << name;
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace clearcut::pipeline {
 namespace {
 
 plan::tour::TourSolver solver_for(const StrategyRequest& request) {
-  return tour_solver(request.plan, request.step, request.briefly);
+  return tour_solver(request.plan, request.step, request.objective(), request.briefly);
 }
 
 plan::MachineClock clock_of(const StrategyRequest& request) {
@@ -49,7 +49,8 @@ bool is_usable(const StrategyEntry& strategy, const ResolvedStep& step) {
 /// Whether "auto" tries the strategy before any fallback: with a limit or an aim for the engagement, only strategies
 /// that keep it, since the others begin with a slot.
 bool is_tried(const StrategyEntry& strategy, const ResolvedStep& step, const ResolvedPlan& plan) {
-  const bool keeps = plan.engagement_deg || step.aimed_engagement_deg;
+  // Figures of load decide themselves whether an aim pays.
+  const bool keeps = plan.engagement_deg || (step.aimed_engagement_deg && !plan.objective.asks_load());
   return is_usable(strategy, step) && (!keeps || strategy.limits_engagement);
 }
 
@@ -60,8 +61,8 @@ StrategyCandidate candidate_of(const StrategyEntry& strategy, const Stepover& st
   return candidate;
 }
 
-/// Shares of a stated limit of engagement at which cuts aim where no plan that aims at the limit was certified clean: single rests are
-/// cut beyond it, and lie elsewhere then.
+/// Shares of a stated limit of engagement at which cuts aim where no plan that aims at the limit was certified clean: some cuts
+/// of rests exceed the limit, and with another aim the rests are in other places.
 constexpr double kLimitShares[] = {0.9, 0.8, 0.65};
 
 /// With a stated limit of engagement fallbacks keep it, too: without any for strategies that begin with a slot.
@@ -116,11 +117,14 @@ std::string description_of(const std::string& strategy, const StrategyTable& tab
 
 Strategy strategy_for(const StrategyCandidate& candidate, const ResolvedStep& step,
                       const ResolvedPlan& plan) {
-  return candidate.strategy->make({step, plan, candidate.stepover, candidate.briefly, candidate.limit_share});
+  return candidate.strategy->make(
+      {step, plan, candidate.stepover, candidate.briefly, candidate.limit_share, candidate.order});
 }
 
-StrategyCandidates candidates_for(const ResolvedStep& step, const ResolvedPlan& plan,
-                                  const StrategyTable& table) {
+namespace {
+
+StrategyCandidates usual_candidates(const ResolvedStep& step, const ResolvedPlan& plan,
+                                    const StrategyTable& table) {
   if (step.strategy) {
     StrategyCandidates stated = candidates_of(*step.strategy, step.stepover);
     if (plan.engagement_deg) stated.fallbacks = fallbacks_within_limit(*step.strategy, step.stepover);
@@ -140,6 +144,29 @@ StrategyCandidates candidates_for(const ResolvedStep& step, const ResolvedPlan& 
     candidates.fallbacks.insert(candidates.fallbacks.end(), fallbacks.begin(), fallbacks.end());
   }
   return candidates;
+}
+
+/// Each objective of the candidates' own searches as a candidate; no rival is taken for its time.
+std::vector<StrategyCandidate> in_each_order(const std::vector<StrategyCandidate>& candidates) {
+  std::vector<StrategyCandidate> all;
+  for (StrategyCandidate one : candidates) {
+    one.beside_rivals = false;
+    if (one.strategy->orders.empty()) all.push_back(one);
+    for (const ObjectiveKind order : one.strategy->orders) {
+      one.order = order;
+      all.push_back(one);
+    }
+  }
+  return all;
+}
+
+}  // namespace
+
+StrategyCandidates candidates_for(const ResolvedStep& step, const ResolvedPlan& plan,
+                                  const StrategyTable& table) {
+  StrategyCandidates candidates = usual_candidates(step, plan, table);
+  if (!plan.objective.asks_load()) return candidates;
+  return {in_each_order(candidates.competing), in_each_order(candidates.fallbacks)};
 }
 
 }  // namespace clearcut::pipeline

@@ -39,6 +39,7 @@ struct StrategyCandidate {
   bool briefly = false;        ///< a short search suffices, since other candidates are also planned
   bool as_rival = false;       ///< planned in addition to another: kept only if faster and without residuals
   double limit_share = 1;      ///< the share of the stated limit of engagement at which its cuts aim
+  std::optional<ObjectiveKind> order = {};  ///< objective of its search, instead of the plan's
 };
 
 /// The strategy of a candidate with the step's values bound in. Throws InputError for a stepover unknown to the

@@ -69,8 +69,8 @@ struct WearQuestion {
 
 /// Adds what is wrong at either end of the range alone, where cutters are off their size by as much as D words hold, and says for
 /// which range the findings hold. Swaths of a smaller cutter are narrower by twice the range: what stays between them of passes that
-/// are not compensated, and in corners, is no fault up to that. `found_at`: what is found of the program with these D words; an
-/// InputError of it is told with the end.
+/// are not compensated, and in corners, is no fault up to that. `found_at`: the findings about the program with these D words;
+/// the message of an InputError that it throws gets the end of the range.
 void check_wear(Findings& findings, const WearQuestion& question,
                 const std::function<Findings(double)>& found_at);
 

@@ -95,9 +95,11 @@ std::vector<Layer> standing_layers(int index, const ResolvedPlan& plan, double r
   // layer above.
   const bool bare = is_bare(part, feature) || !met.empty();
   const auto holes = features::holes_before(part, index, plan.tol);
-  const features::Standing standing(part, index, plan.tol);
+  const features::Standing standing(part, index, plan.tol, [&plan](int earlier) {
+    return !plan.steps[static_cast<std::size_t>(earlier)].published_grid;
+  });
   // Upright walls of what stands above it has to keep off by its whole radius.
-  // Beside the layers of another step its own have to lie as that expects of a flat end.
+  // Beside the layers of another step its own layers stand at the heights of a cutter with a flat end, which that step expects.
   const auto steps = std::count_if(part.workplan.begin(), part.workplan.end(),
                                    [&](const Workingstep& other) { return other.feature == step.feature; });
   const plan::RoundOnWall touch{outer_profile(tool).round, feature.wall_slope.radians()};

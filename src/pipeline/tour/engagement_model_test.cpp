@@ -110,9 +110,9 @@ TEST(TourSolver, SameSeedSameOrderOnOneOrTwoThreads) {
     plan.objective = parse_objective(objective, "objective");
     ResolvedStep step;
     step.feed = MmPerMin::of(1000);
-    const auto one = tour_solver(plan, step)(task);
+    const auto one = tour_solver(plan, step, plan.objective)(task);
     plan.threads = 2;
-    EXPECT_EQ(tour_solver(plan, step)(task), one) << objective;
+    EXPECT_EQ(tour_solver(plan, step, plan.objective)(task), one) << objective;
   }
 }
 

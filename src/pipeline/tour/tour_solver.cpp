@@ -1,5 +1,7 @@
 #include "pipeline/tour/tour_solver.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include <stop_token>
 
 #include "base/elementary.h"
+#include "base/error.h"
 #include "base/progress.h"
 #include "order/genetic/genetic.h"
 #include "order/search/solve.h"
@@ -93,9 +96,14 @@ order::ObjectivePtr layer_objective(ObjectiveKind kind, const plan::tour::TourTa
       return engagement_objective(
           search.engagement_target(), [=] { return raster_engagement(engagement); }, inverse_engagement_cost);
     case ObjectiveKind::kEngagementExact:
+      return engagement_objective(search.engagement_target(), [=] { return exact_engagement(engagement); });
+    case ObjectiveKind::kForce:
+    case ObjectiveKind::kEnergy:
+    case ObjectiveKind::kWear:
+    case ObjectiveKind::kClimb:
       break;
   }
-  return engagement_objective(search.engagement_target(), [=] { return exact_engagement(engagement); });
+  throw InputError("--objective", fmt::format("'{}' is no quantity of an order of points", name_of(kind)));
 }
 
 }  // namespace
@@ -154,9 +162,10 @@ order::GeneticResult published_order(const order::Problem& problem, const order:
   return result;
 }
 
-plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, const ResolvedStep& step, bool briefly) {
-  const Search search{plan.objective, plan.engagement_deg, plan.search_s, plan.seed,
-                      plan.threads,   plan.machine,        step.feed,     plan.cancel};
+plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, const ResolvedStep& step, const Objective& order,
+                                   bool briefly) {
+  const Search search{order,        plan.engagement_deg, plan.search_s, plan.seed,
+                      plan.threads, plan.machine,        step.feed,     plan.cancel};
   return [search, briefly, solver = step.solver](const plan::tour::TourTask& task) {
     const auto objective = objective_of(
         search.objective, [&](ObjectiveKind kind) { return layer_objective(kind, task, search); });

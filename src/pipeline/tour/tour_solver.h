@@ -37,8 +37,9 @@ struct PublishedOrder {
 order::GeneticResult published_order(const order::Problem& problem, const order::Objective& objective,
                                      const PublishedOrder& how);
 
-/// Orders grids by plan.objective. Without plan.search_s the same points give the same order, at any load of the
+/// Orders grids by `order`, an objective without load. Without plan.search_s the same points give the same order, at any load of the
 /// machine. `briefly`: with a fifth of the usual search, which seldom affects the order.
-plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, const ResolvedStep& step, bool briefly = false);
+plan::tour::TourSolver tour_solver(const ResolvedPlan& plan, const ResolvedStep& step, const Objective& order,
+                                   bool briefly = false);
 
 }  // namespace clearcut::pipeline

@@ -956,7 +956,7 @@ class RimFinder {
     }
     return false;
   }
-  /// First direction in front of the cutter between two places, and how many.
+  /// The directions in front of the cutter between two places, in tenths of a degree: the first one and their number.
   std::pair<int, int> window(const Move& one, std::size_t a, std::size_t b) const {
     const Curve& path = path_of(one);
     Point u = path.b - path.a, v = u;

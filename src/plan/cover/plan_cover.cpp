@@ -171,7 +171,7 @@ class SharedEffort {
 Strategy make_cover(const StrategyRequest& request) {
   if (request.stepover.is_given())
     throw InputError("--stepover", "has no meaning for the strategy cover, whose paths have no step");
-  const bool shortest = is_length(request.plan.objective);
+  const bool shortest = is_length(request.objective());
   CoverEffort effort;
   effort.steps = kUsualSteps;
   if (request.plan.search_s) {
@@ -206,6 +206,7 @@ StrategyEntry entry() {
   entry.takes_stepover = false;
   entry.in_auto = AutoUse::kBriefly;
   entry.tried_when_open = true;
+  entry.orders = {ObjectiveKind::kTime, ObjectiveKind::kLength};
   return entry;
 }
 

@@ -34,6 +34,8 @@ StrategyEntry entry(std::function<TourSolver(const StrategyRequest&)> solver_for
   entry.tried_when_open = true;
   entry.margin = 1.35;  // factor on its least time; in 120 random pockets tours took 1.37 to 3 times as long
   entry.is_small_enough = is_small_enough;
+  entry.orders = {ObjectiveKind::kTime, ObjectiveKind::kLength, ObjectiveKind::kTurns, ObjectiveKind::kAngle,
+                  ObjectiveKind::kEngagement};
   return entry;
 }
 

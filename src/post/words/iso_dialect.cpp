@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <string_view>
 
 namespace clearcut::post {
 
@@ -165,6 +167,16 @@ constexpr std::array kDialects{
                .modal_cycles = true,
                .subprograms = SubprogramForm::kOWords},
 };
+
+/// Klartext has a writer of its own.
+constexpr bool has_every_controller() {
+  return std::all_of(std::begin(kControllers), std::end(kControllers), [](std::string_view name) {
+    return name == "heidenhain" || std::any_of(kDialects.begin(), kDialects.end(),
+                                               [&](const IsoDialect& row) { return row.name == name; });
+  });
+}
+static_assert(has_every_controller(),
+              "each of kControllers has its row here; see docs/adding-a-controller.md");
 
 }  // namespace
 

@@ -124,7 +124,7 @@ int called_in(const std::string& code) {
   return std::regex_search(code, found, call) ? std::atoi(found[1].str().c_str()) : 0;
 }
 
-/// mm; of the first word for it, mm where there is none.
+/// mm in one unit of length of the program, from its first word that states a unit; without such a word 1.
 double unit_of_program(std::string_view text) {
   static const std::regex inches(R"((?:^|[^a-z0-9])g0?[27]0(?![0-9.])|begin pgm .* inch)");
   static const std::regex mm(R"((?:^|[^a-z0-9])g0?[27]1(?![0-9.])|begin pgm .* mm)");

@@ -33,9 +33,9 @@ Machine machine_of_section(DataSection section, Machine base);
 
 /// Every key of a table, written as options are ("max-spindle"), with its place "file:line".
 Sources key_sources(const DataValue& table, const std::string& file_name, Origin origin);
-/// The same of a machine's keys; its name is the source of "machine".
+/// The places of the keys of a machine; the place of its name is also the source of "machine".
 Sources machine_sources_of(const DataValue& table, const std::string& file_name, Origin origin);
-/// Those of a machine file.
+/// The places of the keys of a machine file.
 Sources machine_sources(const std::filesystem::path& file);
 
 }  // namespace clearcut::read

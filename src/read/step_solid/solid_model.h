@@ -11,12 +11,12 @@
 
 namespace clearcut::read {
 
-/// Direction of the outside of a face.
+/// Direction of the outward normals of a face.
 enum class Facing {
-  kUp,       ///< nowhere downwards, and upwards somewhere
-  kDown,     ///< nowhere upwards, and downwards somewhere
-  kUpright,  ///< sideways everywhere: a vertical wall
-  kMixed     ///< upwards here and downwards there
+  kUp,       ///< no normal points down, and some point up
+  kDown,     ///< no normal points up, and some point down
+  kUpright,  ///< all normals are level: a vertical wall
+  kMixed     ///< some normals point up, others down
 };
 
 /// The middle of a vertical plane facing along X or Y.

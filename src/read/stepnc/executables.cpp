@@ -107,7 +107,7 @@ constexpr std::size_t kMostElements = 100'000;  // workplan elements after expan
 /// What becomes of an executable that is no workingstep.
 enum class Handling {
   kPlan,      ///< its elements one after the other
-  kAnyOrder,  ///< the same, and told that the order is free
+  kAnyOrder,  ///< the same; the free order is reported
   kFirst,     ///< the first of its elements
   kBranch,    ///< one of two, by a condition
   kLoop,      ///< again and again while a condition holds

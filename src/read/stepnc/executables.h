@@ -25,7 +25,7 @@ std::vector<std::string> ap238_lines(std::string_view text, const std::string& f
 struct OrderedStep {
   Node node;
   std::vector<ProgramStop> stops;  ///< before it
-  std::optional<Node> setup;       ///< of the innermost workplan around it that has one
+  std::optional<Node> setup;       ///< set-up of the innermost enclosing workplan that states one
 };
 
 struct WorkOrder {

@@ -584,7 +584,7 @@ void Reader::tell_context() {
     if (setup.node && chosen && setup.node->id() != chosen->id()) context_.said(*setup.node);
 }
 
-/// Several set-ups as if they were one: who asks for the whole is told.
+/// Adds an open condition where several set-ups are planned as if they were one.
 void Reader::doubt_several_setups(int number) {
   if (number > 0 || program_.setups.size() < 2) return;
   context_.diagnostics.doubt(
@@ -639,7 +639,7 @@ void Reader::set_tops() {
 
 namespace {
 
-/// The file with its unit of length; what is told of it goes to `diagnostics`.
+/// The file with its unit of length; messages about it are added to `diagnostics`.
 P21File parsed(std::string_view text, const std::string& file_name, FileUnits& units,
                Diagnostics& diagnostics) {
   P21File file = parse_part21(text, file_name);

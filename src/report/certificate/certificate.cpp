@@ -164,6 +164,8 @@ Json candidate_result(const CandidateResult& one) {
   json["time_s"] = number(one.time_s);
   json["feed_mm"] = number(one.feed_mm);
   json["least_s"] = number(one.least_s);
+  if (!one.order.empty()) json["order"] = one.order;
+  if (one.cost) json["objective"] = number(*one.cost);
   return json;
 }
 

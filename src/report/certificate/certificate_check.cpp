@@ -114,7 +114,7 @@ void check_verdict(const Json& certificate, Sentences& out) {
 /// A figure for which a value beyond its limit requires a fault.
 struct LimitRow {
   const char* figure;
-  const char* limit;  ///< among question/limits; "" for 0
+  const char* limit;  ///< key in question/limits of the certificate; "": the limit is 0
   std::array<FaultKind, 3> faults;
 };
 constexpr LimitRow kLimits[] = {

@@ -230,7 +230,7 @@ class HoleShaper {
                       trimmed(beside, 2), trimmed(feature.floor_z, 3)));
   }
 
-  /// Facing leaves no bosses: the material above the face is gone.
+  /// Refuses an external thread whose boss would be faced off: facing removes all material above the face.
   static void refuse_faced_boss(const Feature& thread) {
     if (thread.top_z > thread.hole->full_z + kSame) return;
     throw InputError(thread.name,

@@ -15,7 +15,7 @@ namespace {
 
 /// Curves count as chords no farther from them than this share of the radius.
 constexpr double kChordShare = 1e-3;
-/// Errors of shares, in R^2: of those told, and while points are chosen.
+/// Errors of shares, in R^2: of the shares in the result, and of those by which points are chosen.
 constexpr double kShareError = 0.01, kRoughError = 0.05;
 /// A point is a candidate only with a share above this, in R^2, if its cell is not limited by other points.
 constexpr double kLeastShare = 0.05;

@@ -14,7 +14,7 @@ constexpr double kThickestShare = 0.1, kThickest = 4;
 /// mm. Below this diameter thick chips are not reported: engraving needles are stated with the width of their tip,
 /// and break for other reasons.
 constexpr double kThickestOfNeedles = 0.05;
-/// mm. Less than this is a small share of how sharp an edge can be ground.
+/// mm, cut per tooth. Thinner cuts are a small share of the radius to which an edge can be ground, so that the edge rubs.
 constexpr double kThinnest = 3e-4;
 /// m/min.
 constexpr double kFastestEdge = 7500;

@@ -8,6 +8,8 @@
 namespace clearcut::verify {
 namespace {
 
+/// mm. Error of the depth of a cut into a fillet on a sloping move.
+constexpr double kFilletError = 1e-5;
 /// mm. Pieces of sloping moves are not halved any further.
 constexpr double kShortestPiece = 1e-4;
 constexpr int kProjections = 12;

@@ -17,12 +17,9 @@ namespace clearcut::verify {
 /// Method  In the plane across the wall the fillet is an arc of radius R about a centre at R from the wall and from the floor. The cutter's
 ///         corner, an arc of radius c (0: sharp), is within it if and only if the centres are no farther apart than R - c, where the
 ///         corner's centre is nearer than R to the wall and to the floor. A flank over a flat tip reaches into the fillet with its lowest
-///         place first. Sloping moves are halved until their lowest tip is exact to kFilletError.
-/// Error   At most kFilletError too deep. Beside an outward corner of a wall the fillet is taken as turned about the corner.
+///         place first. Sloping moves are halved until their lowest tip is exact to 1e-5 mm.
+/// Error   At most 1e-5 mm too deep. Beside an outward corner of a wall the fillet is taken as turned about the corner.
 /// Cost    O(log n + walls near); nothing where the part has no fillets.
 std::optional<Gouge> fillet_gouge_of(const FinishedPart& part, const Move& move, const CutterProfile& cutter);
-
-/// mm. Error of the depth of a cut into a fillet on a sloping move.
-inline constexpr double kFilletError = 1e-5;
 
 }  // namespace clearcut::verify

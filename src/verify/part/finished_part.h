@@ -20,8 +20,7 @@ struct Wall {
   int feature = -1;   ///< feature of the outline; -1: the edge of the stock
   double top_z = 0;   ///< for walls with draft: height at which the wall is at `edge`
   double slope = 0;   ///< tangent of the draft; at height z the wall is (top_z - z) * slope inside `edge`
-  double fillet =
-      0;  ///< mm; radius of the hollow fillet to be left between the floor at its foot and the wall
+  double fillet = 0;  ///< mm; radius of the hollow fillet to be left at its foot
   /// For walls with draft: at this end the side of the stock cuts the wall off square.
   bool flat_from = false;
   bool flat_to = false;

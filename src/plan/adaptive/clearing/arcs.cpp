@@ -122,7 +122,7 @@ constexpr double kAgreed = 1e-10;
 constexpr int kMostShortenings = 4;
 constexpr double kShortening = 0.9;
 constexpr double kNoBound = 1e300;
-/// s that a run of cuts has to gain for each move more.
+/// Seconds that a replaced run of cuts has to save for each additional move.
 constexpr double kLeastSaved = 1e-3;
 /// Number of moves before and after a run of cuts that are timed with it.
 constexpr std::size_t kTimedBeside = 6;

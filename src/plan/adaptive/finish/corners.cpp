@@ -67,7 +67,8 @@ double angle_between(Vec2 u, Vec2 v) {
 /// Builds the path round one corner. Distances: mm from the corner along its first (0) or second wall (1).
 class CornerCuts {
  public:
-  /// After the `straight`-th end on the second wall the path goes straight back to the first, over the cusps.
+  /// `straight`: number of cuts that end on the second wall; after that many the path goes straight back to the first wall, over the
+  /// cusps.
   CornerCuts(const Wall& wall, const Corner& corner, RemainingStock& remaining, double limit, int straight)
       : wall_(wall),
         remaining_(remaining),

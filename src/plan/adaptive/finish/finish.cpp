@@ -87,7 +87,7 @@ void AdaptiveFinish::follow_walls() {
       misses = 0;
       if (path_.at() != before) go_on_round_corners();
     } else {
-      // If no link leads to one start, links to the next ones are rare: more of them are given up each time.
+      // If no link leads to one start, few lead to the next ones: each time more of these are given up.
       cuts_.walls.give_up(start, ++misses);
     }
   }

@@ -150,8 +150,8 @@ std::optional<WallCuts::Approach> WallCuts::straight_on_to(const WallPlace& plac
   return Approach{{}, {lead}, place};
 }
 
-/// From an approach point beside the wall. Only the first clear one is tried: if no link leads to it, links
-/// to the others are rare.
+/// From an approach point beside the wall. Only the first clear one is tried: if no link leads to it, few
+/// lead to the others.
 std::optional<WallCuts::Approach> WallCuts::approach_from_aside(const WallPlace& place) const {
   const Vec2 p = walls.point(place), along = walls.wall(place.wall).heading(place.s);
   for (const double share : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.5}) {

@@ -245,7 +245,8 @@ struct BandMinimiser::Impl {
     return best;
   }
 
-  /// The nearest hold on the opposite side of p, fixed edges included. Asked after nearest_hold for the same witness.
+  /// The nearest hold on the opposite side of p, fixed edges included. Must be called after nearest_hold with the same
+  /// witness, whose offsets it uses.
   Hold opposite_hold(const Active& active, Vec2 p, const Hold& nearest) const {
     Hold best;
     Vec2 best_offset;

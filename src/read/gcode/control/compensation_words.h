@@ -23,7 +23,8 @@ class CompensationWords {
   Control& control_;
 };
 
-/// mm that the D word `number` stands for while `tool` is in the spindle; `word` as it is told. Throws InputError where nobody said it.
+/// The compensation in mm that the D word `number` selects while `tool` is in the spindle; `word`: its text for messages. Throws
+/// InputError where no value of it was stated.
 double compensation_of(const CompensationValues& values, ToolpathBuilder& builder, int number, int tool,
                        const std::string& word, int line);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 #include "read/gcode/test_told_program.h"
 
@@ -99,6 +100,67 @@ TEST(KlartextApproach, IsARapidBehindARapid) {
     for (const Move& move : section.moves)
       if (is_rapid(move.kind)) rapids += "|" + point(move.path.to, move.z_to);
   EXPECT_THAT(rapids, HasSubstr("|7 -5 -1"));
+}
+
+struct ApproachAndDeparture {
+  std::string approach, departure;
+};
+
+/// Moves by feeds below 300 of a contour in axes that are turned and shifted.
+std::vector<Move> turned_moves(const ApproachAndDeparture& by, double degrees, Vec2 zero) {
+  const std::string axes = "TRANS DATUM AXIS X" + trimmed(zero.x, 3) + " Y" + trimmed(zero.y, 3) +
+                           "\nCYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+" + trimmed(degrees, 3) + "\n";
+  const Program read = program_of("X+0 Y+0", axes + "L X-20 Y-7 F300\nAPPR " + by.approach +
+                                                 " RL F100\nCC X+0 Y+0\nCP IPA+60 DR+\nCT X-20 Y+20\nDEP " +
+                                                 by.departure + "\nL IX+1 IY+2");
+  std::vector<Move> moves;
+  for (const Section& section : read.toolpath.sections)
+    for (const Move& move : section.moves)
+      if (!is_rapid(move.kind) && move.feed.mm_per_min() < 300) moves.push_back(move);
+  return moves;
+}
+
+TEST(KlartextApproach, TurnsWithTheAxes) {
+  const Vec2 zero{3, -2};
+  for (const ApproachAndDeparture& by : {ApproachAndDeparture{"LT X+15 Y+0 LEN5", "LT LEN5"},
+                                         {"LN X+15 Y+0 LEN5", "LN LEN5"},
+                                         {"CT X+15 Y+0 CCA70 R+6", "CT CCA70 R+6"},
+                                         {"CT X+15 Y+0 CCA200 R-4", "CT CCA200 R-4"},
+                                         {"LCT X+15 Y+0 R7", "LCT X-40 Y+9 R7"}}) {
+    SCOPED_TRACE(by.approach);
+    const std::vector<Move> plain = turned_moves(by, 0, {});
+    ASSERT_GE(plain.size(), 5U);
+    for (const double degrees : {30.0, 137.0, 260.0}) {
+      const std::vector<Move> turned = turned_moves(by, degrees, zero);
+      const auto moved = [&](Vec2 place) {
+        return zero + rotated(place, Radians::of_degrees(degrees).radians());
+      };
+      ASSERT_EQ(turned.size(), plain.size());
+      for (std::size_t k = 0; k < plain.size(); ++k) {
+        EXPECT_LT(distance(turned[k].path.to, moved(plain[k].path.to)), 1e-6) << k;
+        ASSERT_EQ(turned[k].path.is_arc(), plain[k].path.is_arc());
+        if (!plain[k].path.is_arc()) continue;
+        EXPECT_LT(distance(turned[k].path.center, moved(plain[k].path.center)), 1e-6) << k;
+      }
+    }
+  }
+}
+
+TEST(KlartextTangentArc, GoesOnAsTheElementBefore) {
+  EXPECT_EQ(moves("X+0 Y+0", "L X+10 F100\nCT X+15 Y+5\nCT X+20 Y+10"),
+            "cut to 10 0 -1 F100\ncut to 15 5 -1 ccw about 10 5 F100\ncut to 20 10 -1 cw about 20 5 F100\n");
+  EXPECT_EQ(moves("X+0 Y+0", "L X+10 F100\nCC X+10 Y-5\nCTP PR+5 PA-90"),
+            "cut to 10 0 -1 F100\ncut to 10 -10 -1 cw about 10 -5 F100\n");
+  EXPECT_EQ(moves("X+0 Y-30", "APPR LT X+10 Y+0 LEN5 RL F100\nL Y+20\nCT X+0 Y+30\nDEP LT LEN4"),
+            "cut to 7 -5 -1 F200\ncut to 7 0 -1 F100\ncut to 7 20 -1 F100\n"
+            "cut to 0 27 -1 ccw about 0 20 F100\ncut to -4 27 -1 F100\n");
+}
+
+TEST(KlartextTangentArc, IsRefusedWhereItIsNone) {
+  EXPECT_THAT(refused("CT X+15 Y+5 F100"), HasSubstr("CT without an element before it"));
+  EXPECT_THAT(refused("L X+10 F100\nCT X+15"), HasSubstr("on the line of the element before it"));
+  EXPECT_THAT(refused("APPR LT X+10 Y+0 LEN5 RL F100\nCT Y+20"),
+              HasSubstr("CT without an element before it"));
 }
 
 TEST(KlartextApproach, IsRefusedWhereItIsNotWhole) {

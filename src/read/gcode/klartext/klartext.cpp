@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/elementary.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "base/tolerances.h"
@@ -27,6 +28,7 @@ namespace clearcut::read::gcode {
 namespace {
 
 constexpr double kMostTurns = 10000;
+constexpr double kLargestRadius = 1e6;  // mm
 constexpr std::size_t kMostCallsOfLabels = 19;
 /// Lines of loops and subprograms that may be executed again.
 constexpr std::size_t kMostRepeated = 500'000;
@@ -102,6 +104,7 @@ class Reader {
   void circle_center(const PathWords& words);
   void circle(const PathWords& words);
   void circle_by_radius(const PathWords& words);
+  void tangent_circle(const PathWords& words, bool polar);
   void polar_circle(const PathWords& words);
   void arc(const ArcShape& shape, double z_to);
   Vec2 plan_target(const PathWords& words);
@@ -121,7 +124,7 @@ class Reader {
   }
   [[noreturn]] void refuse_block(const std::string& first) const {
     refuse("block '" + first.substr(0, 20) +
-           "' is not read; post the program with L, C, CR, CP, APPR and DEP blocks only");
+           "' is not read; post the program with L, C, CR, CP, CT, APPR and DEP blocks only");
   }
 
   const CompensationValues& compensation_;
@@ -163,7 +166,8 @@ std::string label_in(const std::vector<std::string>& words, std::size_t first) {
 
 /// Whether values of Q parameters may stand in the words of the block.
 bool takes_values(const std::vector<std::string>& words) {
-  constexpr std::string_view kFirst[] = {"L", "LP", "C", "CC", "CR", "CP", "APPR", "DEP", "CYCL", "TRANS"};
+  constexpr std::string_view kFirst[] = {"L",  "LP",  "C",    "CC",  "CR",   "CP",
+                                         "CT", "CTP", "APPR", "DEP", "CYCL", "TRANS"};
   return std::find(std::begin(kFirst), std::end(kFirst), words[0]) != std::end(kFirst) ||
          words[0][0] == 'Q' || (words[0] == "TOOL" && words.size() > 1 && words[1] == "CALL");
 }
@@ -257,7 +261,7 @@ void Reader::block(const Words& found) {
   const std::string& first = words[0];
   const std::string second = words.size() > 1 ? words[1] : "";
   if (first[0] == '*') return;  // a heading of the program's structure
-  constexpr std::string_view kElements[] = {"L", "LP", "C", "CC", "CR", "CP"};
+  constexpr std::string_view kElements[] = {"L", "LP", "C", "CC", "CR", "CP", "CT", "CTP"};
   const bool is_element = std::find(std::begin(kElements), std::end(kElements), first) != std::end(kElements);
   if (approach_ && !is_element) refuse_open_approach();
   if (first == "BEGIN" || first == "END") {
@@ -293,9 +297,10 @@ void Reader::block(const Words& found) {
   }
 }
 
-/// A number without a tool is a new speed; a tool is put in by a changer that leaves the spindle stopped. DL: the tool is
-/// taken as that much longer than in the table.
+/// Executes TOOL CALL. Without a tool it states a new spindle speed; with a tool the changer puts the tool in and leaves the
+/// spindle stopped. The word DL makes the tool longer than its length in the table.
 void Reader::tool_call(const std::vector<std::string>& words) {
+  heading_.reset();
   double longer = 0;
   bool changed = false;
   wider_ = 0;
@@ -354,6 +359,7 @@ double Reader::cycle_value(const std::string& text) const {
 
 /// Rigid tapping turns the spindle by itself, as the sign of its pitch says, and leaves it stopped.
 void Reader::call_hole() {
+  heading_.reset();
   if (builder_.compensates())
     refuse("a cycle is called while radius compensation is on; end it by R0 before");
   if (!hole_) refuse("a cycle is called before one is defined; correct it");
@@ -557,6 +563,8 @@ void Reader::path_block(const std::string& kind, const std::vector<std::string>&
     circle(words);
   } else if (kind == "CR") {
     circle_by_radius(words);
+  } else if (kind == "CT" || kind == "CTP") {
+    tangent_circle(words, kind == "CTP");
   } else {
     polar_circle(words);
   }
@@ -600,6 +608,7 @@ void Reader::end_offset() {
 
 /// M91 counts from the machine's own zero, M92 from a place of its builder: neither is known here.
 void Reader::machine_frame(const PathWords& words) {
+  heading_.reset();
   if (builder_.compensates()) refuse("M91 or M92 while radius compensation is on; end it by R0 before");
   const bool plan = words.absolute[0] || words.absolute[1];
   builder_.condition(
@@ -706,6 +715,21 @@ void Reader::circle_by_radius(const PathWords& words) {
   if (!words.radius || !words.turn) refuse("CR without R or DR; give both");
   const Vec2 from = here(), to = plan_target(words);
   arc(arc_of_radius(from, to, *words.radius, *words.turn, radius_rule(), place()), height_target(words));
+}
+
+/// Goes on as the element before it ends.
+void Reader::tangent_circle(const PathWords& words, bool polar) {
+  if (approach_ || !heading_) refuse("CT without an element before it, to which it is tangent; correct it");
+  const Vec2 from = here(), to = polar ? polar_target(words) : plan_target(words), way = to - from;
+  const double across = cross(*heading_, way);
+  if (!(std::abs(across) > kSamePlaceMm))
+    refuse("CT whose end lies on the line of the element before it is no arc; correct it");
+  const double radius = dot(way, way) / (2 * across);  // > 0: to the left
+  if (!(std::abs(radius) <= kLargestRadius)) refuse("arc with a radius that no machine runs; correct it");
+  const Vec2 center = from + left_of(*heading_) * radius;
+  const double sweep = 2 * std::abs(base::atan2(across, dot(*heading_, way)));
+  arc({from, to, center, radius > 0 ? Turn::kCounterClockwise : Turn::kClockwise, sweep},
+      height_target(words));
 }
 
 void Reader::polar_circle(const PathWords& words) {

@@ -64,7 +64,25 @@ TEST(KlartextLabels, LengthsAndAnglesOfSides) {
 
 TEST(KlartextLabels, ParametersAreSetInTheirOwnBlocks) {
   EXPECT_EQ(ends("Q1 = +4\nQ2=-Q1\nL X+Q1 Y+Q2 F100"), "|4 -4");
-  EXPECT_THAT(refused("Q1 = +4 * 2"), HasSubstr("formulas of Q parameters are not read"));
+}
+
+TEST(KlartextLabels, FormulasAreComputed) {
+  EXPECT_EQ(ends("Q1 = 3\nQ2 = Q1 * SIN 30 + ( 4 - Q1 ) ^ 2\nL X+Q2 Y+Q1 F100"), "|2.5 3");
+  EXPECT_EQ(ends("Q1 = 2 + 3 * 2 ^ 2 ^ 1 - 8 / 4 / 2\nQ2 = -Q1 + NEG SQ 2\nL X+Q1 Y+Q2 F100"), "|13 -17");
+  EXPECT_EQ(ends("Q1 = INT 2.7 + FRAC -2.25 + ABS -3\nQ2 = ATAN 1 + SQRT ( 16 )\nL X+Q1 Y+Q2 F100"),
+            "|4.75 49");
+  EXPECT_EQ(ends("Q1 = COS 60 * 10 - LOG 1000 + LN EXP 2\nQ2 = PI * 0\nL X+Q1 Y+Q2 F100"), "|4 0");
+}
+
+TEST(KlartextLabels, FormulasThatAreNoneAreRefused) {
+  EXPECT_THAT(refused("Q1 = 4 * "), HasSubstr("is not read in a formula"));
+  EXPECT_THAT(refused("Q1 = -2 ^ 2"), HasSubstr("put its base in parentheses"));
+  EXPECT_THAT(refused("Q1 = SGN 4"), HasSubstr("'SGN4' is not read in a formula"));
+  EXPECT_THAT(refused("Q1 = ( 4 + 2"), HasSubstr("lacks its ')'"));
+  EXPECT_THAT(refused("Q1 = 4 / 0"), HasSubstr("no control holds"));
+  EXPECT_THAT(refused("Q1 = SQRT -4"), HasSubstr("no control holds"));
+  EXPECT_THAT(refused("Q1 = Q7 + 1"), HasSubstr("Q7 is read before the program sets it"));
+  EXPECT_THAT(refused("Q1 = " + std::string(900, '(') + "1"), HasSubstr("nests too deep"));
 }
 
 TEST(KlartextWords, ThatChangeMovesAreRefused) {

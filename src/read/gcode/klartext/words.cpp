@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "read/gcode/klartext/formula.h"
 #include "read/gcode/words/lines.h"
 
 namespace clearcut::read::gcode {
@@ -249,7 +250,7 @@ double QParameters::computed(int function, const std::string& text, std::size_t&
     case 4:
       return first / second;
     case 8:
-      return std::hypot(first, second);
+      return base::hypot(first, second);
     default:
       return angle_of_sides(first, second);
   }
@@ -293,9 +294,9 @@ bool QParameters::assign(const std::vector<std::string>& words, const std::strin
   std::size_t at = 1;
   const int parameter = count_at(text, at, place);
   if (parameter >= kFirstOfCycleParameters || !skip_text(text, at, "=")) return false;
-  const std::size_t formula = text.find_first_of("*/()^", at);
-  const double value = formula == std::string::npos ? operand(text, at, place) : 0;
-  if (at != text.size()) refuse_fn(place, "formulas of Q parameters are not read; use FN blocks");
+  const auto value_in = [&](int number) { return value_of(number, place); };
+  const double value = formula_value(std::string_view(text).substr(at), value_in, place);
+  if (!(std::abs(value) <= 1e9)) refuse_fn(place, "a value that no control holds; correct it");
   values_[parameter] = value;
   return true;
 }

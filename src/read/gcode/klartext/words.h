@@ -71,7 +71,7 @@ class QParameters {
   /// Executes FN 0 to FN 13. Throws InputError(place, ...) for other functions, for parameters that nothing has set, and for FN 14,
   /// at which the control stops.
   FnBlock execute(const std::vector<std::string>& words, const std::string& place);
-  /// Executes "Q1 = +5" and "Q1 = +Q2"; false where the block sets a cycle's parameter, Q200 and on, or none.
+  /// Executes "Q1 = +5" and formulas, "Q1 = Q2 * 3"; false where the block sets a cycle's parameter, Q200 and on, or none.
   bool assign(const std::vector<std::string>& words, const std::string& place);
   /// Puts numbers in the place of Q parameters, "X+Q1" and "FQ2"; of "Q200=+Q5" behind the equals sign.
   void put_values(std::vector<std::string>& words, const std::string& place) const;

@@ -90,7 +90,7 @@ class FanucIndex {
     try {
       clean = cleaned(text, "").text;
     } catch (const InputError&) {
-      return;  // told when the line is executed
+      return;  // reported when the line is executed
     }
     if (clean.size() < 3) return;
     const bool ends = clean.rfind("END", 0) == 0;

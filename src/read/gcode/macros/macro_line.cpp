@@ -172,7 +172,7 @@ int first_macro_line(std::string_view text) {
   } catch (const MacroError&) {
     return block.line;
   } catch (const InputError&) {
-    return 0;  // told by whoever reads the program
+    return 0;  // reported by the reader of the program
   }
   return 0;
 }

@@ -68,7 +68,7 @@ bool parse(std::string_view line, OLine& word) {
   try {
     clean = cleaned(line, "");
   } catch (const InputError&) {
-    return false;  // told when the line is executed
+    return false;  // reported when the line is executed
   }
   if (clean.text.empty() || clean.text[0] != 'O') return false;
   std::size_t at = 1;

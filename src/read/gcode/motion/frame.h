@@ -13,7 +13,7 @@ using Axes = std::array<double, 3>;
 class Frame {
  public:
   static constexpr int kSystems = 9;  ///< G54 to G59.3
-  /// Offsets beyond those: taken to lie where the work's zero is.
+  /// All further offsets: they are assumed to be equal to the zero of the work.
   static constexpr int kElsewhere = kSystems + 1;
 
   /// `origins`: the offsets as they are in the control, where they are known.

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <string_view>
 
 #include "base/error.h"
+#include "model/options/post_options.h"
 #include "read/gcode/words/block.h"
 
 namespace clearcut::read::gcode {
@@ -257,9 +260,12 @@ constexpr std::array kRules{
 constexpr bool rows_are_in_order() {
   for (std::size_t k = 0; k < kRules.size(); ++k)
     if (kRules[k].dialect != static_cast<Dialect>(k)) return false;
-  return true;
+  return std::equal(kRules.begin(), kRules.end(), std::begin(kControllers), std::end(kControllers),
+                    [](const DialectRules& rules, std::string_view name) { return rules.name == name; });
 }
-static_assert(rows_are_in_order());
+static_assert(rows_are_in_order(),
+              "each of kControllers has its Dialect and its row here, in the same order; see "
+              "docs/adding-a-controller.md");
 
 /// G words from `first` to `last`, in tenths, that a control has only where its row has the set.
 struct SpecialWords {

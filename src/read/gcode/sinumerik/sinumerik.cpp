@@ -104,7 +104,7 @@ constexpr int kStillGWords[] = {9, 97, 290, 460, 461, 462, 601, 602};
 /// G words that other controls take alike, as their interpreter knows them.
 constexpr int kSharedGWords[] = {0, 1, 2, 3, 17, 18, 19, 40, 41, 42, 90, 91, 93, 94, 95, 54, 55, 56, 57};
 
-/// What is told of G words that are refused.
+/// G words that are refused, each with its reason for the message.
 struct RefusedG {
   int word;
   std::string_view why;

@@ -43,9 +43,10 @@ constexpr ListedEntity kListed[] = {
     {"WORKPIECE_SETUP"},
     {"BLOCK"},
     {"RIGHT_CIRCULAR_CYLINDER"},
-    {"OFFSET_VECTOR", kSaid, "where the workpiece lies on the machine is told"},
+    {"OFFSET_VECTOR", kSaid, "the place of the workpiece on the machine is reported"},
     {"SETUP_INSTRUCTION", kSaid, "a warning with its text"},
-    {"MATERIAL", kSaid, "an annotation; where feeds are missing, the --material that has them is told"},
+    {"MATERIAL", kSaid,
+     "an annotation; where feeds are missing, the message names the --material that has them"},
     // Features.
     {"PLANAR_FACE"},
     {"CLOSED_POCKET"},
