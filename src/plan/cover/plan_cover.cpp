@@ -92,19 +92,19 @@ namespace {
 constexpr std::uint64_t kUsualSteps = 12'000'000;
 constexpr double kStepsPerSecond = 2'500'000;
 
-/// Steps of brief searches for each square diameter of an outline, and for the outline.
-constexpr double kBriefStepsPerSquare = 40'000;
-constexpr std::uint64_t kMostBriefSteps = 3'000'000;
-std::uint64_t brief_steps(double mm2, double radius) {
-  return std::min(kMostBriefSteps,
-                  static_cast<std::uint64_t>(kBriefStepsPerSquare * (1 + mm2 / (4 * radius * radius))));
+/// Steps of brief searches: for an outline, and for each of its square diameters.
+constexpr double kBriefSteps = 1e6, kBriefStepsPerSquare = 50'000, kMostBriefSteps = 10e6;
+CoverEffort briefly(CoverEffort effort, double mm2, double radius) {
+  effort.steps = static_cast<std::uint64_t>(
+      std::min(kMostBriefSteps, kBriefSteps + kBriefStepsPerSquare * mm2 / (4 * radius * radius)));
+  return effort;
 }
 
 /// Least share of an outline in the effort of its workingstep, if no duration is requested.
 constexpr double kLeastShare = 0.25;
 
 /// Square diameters, of all different outlines of a workingstep, up to which "auto" tries the strategy: planning then takes
-/// some twelve seconds of one core at most.
+/// some 15 seconds of one core at most.
 constexpr std::uint64_t kMostBriefSquares = 1000;
 
 /// Refuses layers for which "auto" does not try the strategy. `squares`: square diameters of the layers so far.
@@ -183,14 +183,14 @@ Strategy make_cover(const StrategyRequest& request) {
   effort.seed = request.plan.seed;
   effort.cancel = request.plan.cancel;
   return once_per_outline(
-      [is_brief = effort.brief,
+      [effort, is_timed = request.plan.search_s.has_value(),
        shared = SharedEffort(effort, outlines_mm2(request), request.plan.search_s ? 0 : kLeastShare),
        price = shortest ? 0.0 : corner_price(request.plan.machine, request.step.feed), tol = request.plan.tol,
        squares = std::make_shared<std::atomic<std::uint64_t>>(0)](const Layer& layer) mutable {
-        if (is_brief) check_brief(layer, *squares);
+        if (effort.brief) check_brief(layer, *squares);
         const double mm2 = geometry::area(layer.target);
-        CoverEffort own = shared.take(mm2);
-        if (is_brief) own.steps = std::min(own.steps, brief_steps(mm2, layer.tool_radius));
+        const CoverEffort own =
+            effort.brief && !is_timed ? briefly(effort, mm2, layer.tool_radius) : shared.take(mm2);
         return plan_cover(layer, price, own, tol);
       });
 }

@@ -92,7 +92,8 @@ class Search {
     if (starts.empty()) starts = lattice_starts(task_.area, options);
     std::size_t best = 0;
     for (std::size_t i = 0; i < starts.size(); ++i) {
-      if (!candidates_.empty() &&
+      // Of the few strips, which one is best is known only when they have been pulled taut.
+      if (!candidates_.empty() && !is_quick_ &&
           (seconds() > kBeginning * effort_.seconds || spent_ > share_of_steps(kBeginning)))
         break;
       Candidate candidate = begin(starts[i]);
