@@ -163,6 +163,12 @@ bool segments_cross(Point a, Point b, Point c, Point d) {
   };
   return part(a, b, c, d) && part(c, d, a, b);
 }
+/// What the edge ab adds to the winding number about p, which is on no edge.
+Int turn_about(Point p, Point a, Point b) {
+  if ((a.y <= p.y) == (b.y <= p.y)) return 0;
+  const Wide side = cross(b - a, p - a);
+  return a.y <= p.y ? side > 0 : -(side < 0);
+}
 /// Whether two segments are farther apart than t.
 bool segments_apart(Point a, Point b, Point c, Point d, Wide t) {
   return !segments_cross(a, b, c, d) && !near_segment(a, c, d, t) && !near_segment(b, c, d, t) &&
@@ -559,11 +565,8 @@ struct Region {
   /// Winding number of the walls' chords about p, without one outline.
   Int winding(Point p, std::size_t without) const {
     Int turns = 0;
-    for (const Segment& s : segments) {
-      if (walls[s.wall].outline == without || (s.a.y <= p.y) == (s.b.y <= p.y)) continue;
-      const Wide side = cross(s.b - s.a, p - s.a);
-      turns += s.a.y <= p.y ? side > 0 : -(side < 0);
-    }
+    for (const Segment& s : segments)
+      if (walls[s.wall].outline != without) turns += turn_about(p, s.a, s.b);
     return turns;
   }
 };
@@ -677,8 +680,8 @@ Region read_region(const std::vector<const Json*>& parts, Int unit, bool far) {
 /// `alone`: the file is this feature, so that units and stock stand beside its outlines.
 Feature read_feature(const Json& pocket, Int unit, bool alone) {
   Feature f;
-  std::set<Text> known{"name",    "outer",     "islands", "top",  "depth",  "kind",
-                       "through", "slope_rad", "allowed", "line", "closed", "beyond"};
+  std::set<Text> known{"name",      "outer",   "islands", "top",    "depth",  "kind",        "through",
+                       "slope_rad", "allowed", "line",    "closed", "beyond", "floor_fillet"};
   if (alone) known.insert({"units", "stock"});
   for (const Text& name : pocket.names)
     if (!known.count(name)) pocket.fail("\"" + name + "\" is not claimed");
@@ -688,8 +691,10 @@ Feature read_feature(const Json& pocket, Int unit, bool alone) {
   f.floor = within_range(f.top - pocket.find("depth")->number(unit), pocket.where);
   if (f.floor >= f.top) pocket.fail("the depth must be above 0");
   f.through = pocket.find("through") && pocket.find("through")->kind == 't';
-  const Json *slope = pocket.find("slope_rad"), *allowed = pocket.find("allowed");
+  const Json *slope = pocket.find("slope_rad"), *allowed = pocket.find("allowed"),
+             *fillet = pocket.find("floor_fillet");
   if (slope && slope->number(kMillimetre) != 0) f.why_not = "its walls lean";
+  if (fillet && fillet->number(unit) != 0) f.why_not = "its floor meets its walls in a fillet";
   if (pocket.find("line")) return f.why_not = "the cutter follows a line", f;
   f.target = read_region({&pocket}, unit, false);
   std::vector<const Json*> parts;
@@ -737,7 +742,8 @@ struct Move {
 };
 struct Program {
   std::vector<Move> moves;
-  Int blending = 0;     // nm; how far the control may leave the path
+  Int blending = 0;     // nm; how far the control may leave the path in the plane
+  Int lift = 0;         // nm; the same of heights, which ends of helices have exactly
   bool dogleg = false;  // rapids may not be straight
   Int rounding = 0;     // nm; how far ends of helices may be from where they are taken to be
   bool stated = false;  // whether the program says how exactly it is followed
@@ -803,8 +809,9 @@ class Track {
     if (number < 0 || number > 99'999) fail("a word's number is out of range");
     return number;
   }
-  void blend(const Number& value) {
+  void blend(const Number& value, bool may_be_nothing) {
     const Int nm = scaled(value, unit_, false, where());
+    if (nm == 0 && !may_be_nothing) fail("a tolerance of nothing, which controls take as no bound");
     if (nm < 0 || nm > kMillimetre) fail("a tolerance out of range");
     tolerance_ += nm + 1;
     out_.blending = std::max(out_.blending, tolerance_);
@@ -953,8 +960,8 @@ class IsoReader : Track {
       const Number one = take(first);
       if (smooth) words_.erase('P');  // how smoothly: within the tolerance
       tolerance_ = 0;
-      blend(one);
-      if (path) blend(has('Q') ? take('Q') : one);
+      blend(one, false);
+      if (path) blend(has('Q') ? take('Q') : one, true);
     }
     if (takes_g(980)) to_start_ = true;
     if (takes_g(990)) to_start_ = false;
@@ -1105,7 +1112,7 @@ class KlartextReader : Track {
     if (cycle == "9.0" || cycle == "9.1" || cycle == "32.0") return;
     if (cycle == "32.1" && last[0] == 'T') {
       tolerance_ = 0;
-      return blend(number(last, 1));
+      return blend(number(last, 1), false);
     }
     if (!std::set<Text>{"200", "201", "206", "207"}.count(cycle)) fail("cycle " + cycle + " is not claimed");
     cycle_.clear();
@@ -1146,7 +1153,8 @@ class KlartextReader : Track {
     if (!up && to[2]) fail("a way to the machine's own places below its upper end");
     up ? home() : away();
   }
-  /// CP IPA+angle IZ-depth DR+. It ends where its angle says, within 2 nm of a whole place: that counts as blending from here on.
+  /// CP IPA+angle IZ-depth DR+. It ends where its angle says, within 2 nm of a whole place: that counts as blending in the plane. Its
+  /// height is exact.
   void helix(const Text& angle, const Text& direction) {
     if (tokens_.size() < 4 || angle.substr(0, 3) != "IPA" || tokens_[2].substr(0, 2) != "IZ" || !center_ ||
         !known())
@@ -1180,6 +1188,7 @@ Program read_program(const Text& in, const Text& file, Int top) {
     end = std::min(in.find('\n', at), in.size());
     plain ? klartext.block(in.substr(at, end - at)) : iso.block(in.substr(at, end - at));
   }
+  out.lift = out.blending;
   out.blending += out.rounding;
   return out;
 }
@@ -1529,6 +1538,7 @@ class Checker {
         program_(program),
         witness_(witness),
         blend_(program.blending),
+        lift_(program.lift),
         of_(part.features.size()) {
     for (Claim& claim : witness.claims) {
       if (claim.feature >= part.features.size() || of_[claim.feature])
@@ -1556,7 +1566,7 @@ class Checker {
     std::size_t last = 0;
     for (const Move& move : program_.moves) {
       const Tool* tool = tool_of(move.tool);
-      if (!tool || move.lowest() - blend_ >= part_.top) continue;
+      if (!tool || move.lowest() - lift_ >= part_.top) continue;
       const Chords chords = move.rapid ? Chords{corridor(move), 0} : chords_of(move.path);
       Text why = "goes below all floors";
       std::size_t tried = 0;
@@ -1601,7 +1611,7 @@ class Checker {
         refuse(name + " is called out of reach and is not");
       if (tile.label > 1 ||
           (tile.label == 0 && !is_cut(tile, asked_.uncut - blend_ - tile.slack - 1, program_.moves.size(),
-                                      feature.floor + claim.floor_stock + asked_.level - blend_, true)))
+                                      feature.floor + claim.floor_stock + asked_.level - lift_, true)))
         refuse(name + " is not cut by " + move_name(tile.of));
     }
   }
@@ -1680,7 +1690,7 @@ class Checker {
     const Region& region = part_.features[i].allowed;
     const Claim* claim = of_[i];
     const Wide floor =
-        Wide(part_.features[i].floor) + (claim ? claim->floor_stock : 0) - asked_.gouge + blend_;
+        Wide(part_.features[i].floor) + (claim ? claim->floor_stock : 0) - asked_.gouge + lift_;
     const Wide reach =
         Wide(tool.radius) + (claim ? claim->wall_stock : 0) - asked_.gouge + blend_ + 1 + chords.error;
     if (move.lowest() + (part_.features[i].through ? tool.point : 0) < floor || region.walls.empty())
@@ -1714,19 +1724,16 @@ class Checker {
     const Wide radius = Wide(tool.radius) - asked_.rapid + blend_;
     const Points around = corridor(move);
     Int turns = 0;
-    const Point p = move.path.a;
     for (const Loose& edge : loose_edges(tiles)) {
       const Point a = witness_.vertices[edge.from], b = witness_.vertices[edge.to];
       if (!clear_of(around, a, b, radius + 1) || (around.size() > 2 && box_of(around).meets(box_of({a}))))
         refuse(move.name() + "is not held by its tiles");
-      if ((a.y <= p.y) == (b.y <= p.y)) continue;
-      const Wide side = cross(b - a, p - a);
-      turns += a.y <= p.y ? side > 0 : -(side < 0);
+      turns += turn_about(move.path.a, a, b);
     }
     if (turns == 0 || radius < 0) refuse(move.name() + "is not held by its tiles");
     for (const Tile& tile : tiles) {
       const bool air = tile.label == 2 && part_.stock && !part_.stock->meets(box_of(tile.hull));
-      if (!air && (tile.label != 0 || !is_cut(tile, -blend_ - 1, i, move.lowest() - 2 * blend_, false)))
+      if (!air && (tile.label != 0 || !is_cut(tile, -blend_ - 1, i, move.lowest() - 2 * lift_, false)))
         refuse(move.name() + "runs through a tile at " + tile.hull[0].place() +
                " that is not cut before by " + move_name(tile.of));
     }
@@ -1736,7 +1743,7 @@ class Checker {
   const Part& part_;
   const Program& program_;
   const Witness& witness_;
-  Wide blend_;
+  Wide blend_, lift_;
   std::vector<const Claim*> of_;  // by feature
 };
 

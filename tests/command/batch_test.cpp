@@ -65,6 +65,32 @@ TEST_F(Batch, OneBadPartStopsNoOther) {
   EXPECT_THAT(text("results.csv"), HasSubstr("\n20.json,"));
 }
 
+/// The share of each program's certificate adds up in the order of the rows.
+TEST_F(Batch, SaysWhichProgramEndsTheCutter) {
+  const auto worn_by = [this](const std::string& spindle) {
+    return batch({"--material", "steel", "--feed", "300", "--spindle", spindle});
+  };
+  EXPECT_THAT(worn_by("4000").out, HasSubstr("of a cutter's life, no program uses it up"));
+  const auto wear_in = [](const nlohmann::json& row) { return row.at("tool_wear").at("1").get<double>(); };
+  auto rows = nlohmann::json::parse(text("results.json"));
+  EXPECT_DOUBLE_EQ(wear_in(rows[1]),
+                   nlohmann::json::parse(text("30.json.json")).at("load").at("tool_wear").get<double>());
+  const auto fast = worn_by("60000");
+  rows = nlohmann::json::parse(text("results.json"));
+  double used = 0;
+  std::string ends;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i].contains("tool_wear")) continue;
+    used += wear_in(rows[i]);
+    if (used < 1) continue;
+    used = 0;
+    ends += (ends.empty() ? "" : ", ") + rows[i].at("name").get<std::string>() + " (no. " +
+            std::to_string(i + 1) + ")";
+  }
+  ASSERT_NE(ends, "") << "the trial needs a speed at which a cutter does not last";
+  EXPECT_THAT(fast.out, HasSubstr("used up in " + ends));
+}
+
 TEST_F(Batch, ProgramsAreThoseOfPlan) {
   batch();
   const std::string alone = folder_.path("alone.ngc");

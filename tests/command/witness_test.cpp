@@ -228,6 +228,18 @@ TEST(Witness, ProvesNothingOfWhatNoCylinderMakes) {
   EXPECT_EQ(shell(folder, check + " --partial").exit_code, 0);
 }
 
+TEST(Witness, ProvesNothingOfAFloorThatMeetsItsWallsInAFillet) {
+  const ScratchFolder folder;
+  const std::string part = folder.file(
+      "f.json",
+      R"({"units": "mm", "outer": [[0, 0], [30, 0], [30, 20], [0, 20]], "depth": 2, "floor_fillet": 1})");
+  const CommandResult planned =
+      run_clearcut({"plan", part, "--tool", "bullnose:6:corner=1", "--tool", "endmill:4", "-o",
+                    folder.path("f.nc"), "--witness", folder.path("f.ccw")});
+  EXPECT_THAT(planned.out, HasSubstr("its floor meets its walls in a fillet"));
+  EXPECT_NE(planned.exit_code, 0);
+}
+
 TEST(Checker, ReadsNoPartThatMayMeanSomethingElse) {
   const ScratchFolder folder;
   plan_bracket(folder);
@@ -259,6 +271,46 @@ TEST(Checker, CountsTheWaysThatBlendingTakesBelowTheTop) {
   };
   EXPECT_THAT(with("G0 X-20 Y-20\nG1 Z0.001\nX-10\nG0 Z10\n"), HasSubstr("proved by witness"));
   EXPECT_THAT(with("G0 X-20 Y-20\nG1 Z0\nX-10\nG0 Z10\n"), HasSubstr("is outside of all features"));
+}
+
+/// A slot of 20 mm, 2 mm deep, cut in one pass after `entry`; then rapids along it, the first one as low as its floor.
+CommandResult rapids_at_the_floor(const ScratchFolder& folder, const std::string& entry) {
+  const std::string part = folder.file(
+      "r.json", R"({"units": "mm", "outer": [[0, 0], [20, 0], [20, 6.01], [0, 6.01]], "depth": 2})");
+  const std::string program = folder.file(
+      "r.h", "0 BEGIN PGM R MM\n1 TOOL CALL 1 Z S1000\n2 L Z+10 R0 FMAX\n3 L X+3.005 Y+3.005 R0 FMAX\n" +
+                 entry +
+                 "4 L X+3.005 Z-2 F500\n5 L X+16.995 F500\n6 L X+3.005 R0 FMAX\n"
+                 "7 L X+16.995 Z-1.9 R0 FMAX\n8 L Z+10 R0 FMAX\n9 M30\n10 END PGM R MM\n");
+  return run_clearcut({"verify", program, "--part", part, "--tool", "endmill:6", "--prove"});
+}
+
+TEST(Checker, AHelixEndsAtItsHeight) {
+  const ScratchFolder folder;
+  const std::string plunge = "4 L Z-2 F500\n";
+  EXPECT_THAT(rapids_at_the_floor(folder, plunge).out, HasSubstr("proved by witness"));
+  const std::string helix = "4 L Z+0.1 F500\n4 L X+5 F500\n4 CC X+4.997 Y+3.005\n4 CP IPA-360 IZ-2.1 DR-\n";
+  EXPECT_THAT(rapids_at_the_floor(folder, helix).out, HasSubstr("proved by witness"));
+}
+
+TEST(Checker, ARapidAsLowAsAFeedIsNotProvenWhereHeightsAreBlended) {
+  const ScratchFolder folder;
+  const CommandResult blended =
+      rapids_at_the_floor(folder, "4 CYCL DEF 32.0 TOLERANCE\n4 CYCL DEF 32.1 T0.001\n4 L Z-2 F500\n");
+  EXPECT_EQ(blended.exit_code, 1);
+  EXPECT_THAT(blended.out, HasSubstr("feeds as low as the rapid do not count"));
+}
+
+TEST(Checker, AToleranceOfNothingIsNone) {
+  const ScratchFolder folder;
+  plan_bracket(folder);
+  std::string program = read_file(folder.path("b.nc"));
+  const std::size_t at = program.find("G64 P0.0005");
+  ASSERT_NE(at, std::string::npos);
+  folder.file("b.nc", program.replace(at, 11, "G64 P0"));
+  const CommandResult checked = check_bracket(folder);
+  EXPECT_EQ(checked.exit_code, 2);
+  EXPECT_THAT(checked.out, HasSubstr("a tolerance of nothing"));
 }
 
 TEST(Witness, VerifyProvesByTheCheckerAlone) {

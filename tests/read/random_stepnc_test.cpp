@@ -31,7 +31,7 @@ constexpr double kBesideWalls = 0.02;  // mm; nearer points are judged by neithe
 
 int program_count() {
   const char* set = std::getenv("CLEARCUT_STEPNC");
-  return set != nullptr ? std::atoi(set) : 6;
+  return set != nullptr ? std::atoi(set) : 12;
 }
 
 int first_seed() {

@@ -245,6 +245,15 @@ TEST(Shapes, OpenSidesStockAndKindsSurviveTheOutlineFormat) {
   }
 }
 
+TEST(Shapes, FilletsOfFloorsSurviveTheOutlineFormat) {
+  Part part = read::read_outline_json(
+      R"({"units": "in", "outer": [[0, 0], [1, 0], [1, 1], [0, 1]], "depth": 0.5, "floor_fillet": 0.0625})",
+      "part.json", Tolerances{});
+  EXPECT_DOUBLE_EQ(part.features[0].floor_fillet, 1.5875);
+  const Part again = read::read_outline_json(post::write_outline_json(part), "again.json", Tolerances{});
+  EXPECT_EQ(again.features[0].floor_fillet, part.features[0].floor_fillet);
+}
+
 /// Every edge of `a` lies within `limit` mm of the boundary of `b`.
 void expect_near(const Region& a, const Region& b, double limit) {
   for (const Edge& edge : a.edges()) {

@@ -320,6 +320,10 @@ class Batch {
     row.rapid_mm = figure("rapid_mm");
     row.uncut_mm = figure("uncut_thickness_mm");
     row.gouge_mm = figure("gouge_mm");
+    for (const Json& feature : certificate.at("features")) {
+      if (feature.contains("load"))
+        row.wear[feature.at("tool_number")] += feature.at("load").at("tool_wear").get<double>();
+    }
     row.faults = certificate.at("faults").size();
     if (row.faults > 0) row.message = certificate.at("faults")[0].value("text", "");
   }
@@ -369,6 +373,7 @@ int tell_results(const BatchCommand& command, const Batch& batch) {
                    {at("index.html"), batch_page(rows, command.arguments.input())}},
                   inputs);
   }
+  for (const std::string& line : tool_life_lines(rows)) print_line(line);
   print_line(batch_line(rows) + (batch.kept() > 0 ? fmt::format(" ({} as they were)", batch.kept()) : ""));
   const bool clean =
       std::all_of(rows.begin(), rows.end(), [](const BatchRow& row) { return row.verdict == "CLEAN"; });

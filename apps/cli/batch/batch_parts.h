@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ struct BatchRow {
   double time_s = 0, feed_mm = 0, rapid_mm = 0, uncut_mm = 0, gouge_mm = 0;
   std::size_t faults = 0;
   std::string message;  ///< message of the command, or the worst fault
+  /// Share of its life that each cutter is used up by, by tool number; empty without --material of a metal.
+  std::map<int, double> wear = {};
 };
 
 /// With or without a program.
@@ -45,5 +48,9 @@ std::vector<std::string> row_fields(const BatchRow& row);
 BatchRow row_of_fields(const std::vector<std::string>& fields);
 /// "998 of 1000 CLEAN, 1 CRASHED, 1 TIMED OUT"
 std::string batch_line(const std::vector<BatchRow>& rows);
+/// For each cutter with a known wear, one line: its wear over all programs in their order, and the programs in which a
+/// cutter of this number is used up; the next program has a fresh one.
+/// "T1: 235 % of a cutter's life, used up in a (no. 3), b (no. 5)"
+std::vector<std::string> tool_life_lines(const std::vector<BatchRow>& rows);
 
 }  // namespace clearcut::cli

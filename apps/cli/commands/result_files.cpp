@@ -75,6 +75,10 @@ Part part_as_outline(const Part& part, std::vector<std::string>& missing) {
   return out;
 }
 
+bool has_thread_or_cone(const HoleForm& hole) {
+  return hole.thread || hole.kind == HoleKind::kCountersunk || hole.kind == HoleKind::kSpotted;
+}
+
 /// Stock left by the steps of a feature, and their cutter.
 WitnessFeature claim_of(const Part& part, const Feature& feature) {
   WitnessFeature claim{.name = feature.name, .floor = feature.floor_z};
@@ -92,6 +96,9 @@ WitnessFeature claim_of(const Part& part, const Feature& feature) {
     first = false;
   }
   if (first) claim.why_not = "no flat cutter works on it";
+  if (feature.floor_fillet > 0) claim.why_not = "its floor meets its walls in a fillet";
+  if (feature.hole && has_thread_or_cone(*feature.hole))
+    claim.why_not = "no cylinder makes its thread or its cone";
   return claim;
 }
 

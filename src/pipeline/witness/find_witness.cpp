@@ -780,7 +780,7 @@ Tiling::Tiling(const Setting& setting, const ccw::Claim& claim)
   maybe_.push_back({whole, hull, box_of(hull)});
   const double sagitta = static_cast<double>(setting.asked.uncut) / 12;
   const ccw::Int floor = setting.part.features[claim.feature].floor + claim.floor_stock +
-                         setting.asked.level - setting.program.blending;
+                         setting.asked.level - setting.program.lift;
   settle(region(cover_, target_, sagitta), swaths(setting.program.moves.size(), floor), floor);
 }
 
@@ -809,11 +809,15 @@ Tiling::Tiling(const Setting& setting, std::size_t index)
   Polygon polygon;
   for (std::size_t k = 0; k < points.size(); ++k)
     polygon.push_back({cover_.add(points[k], points[(k + 1) % points.size()]), true});
+  const ccw::Int level = move.lowest() - 2 * setting.program.lift;
   try {
-    const ccw::Int level = move.lowest() - 2 * setting.program.blending;
     settle(polygon, swaths(index, level), level);
   } catch (const NotFound& at) {
-    throw NotFound{"the rapid of line " + std::to_string(move.line) + ": " + at.why};
+    Text why = at.why;
+    if (setting.program.lift > 0 && swaths(index, move.lowest()).size() > swaths(index, level).size())
+      why += "; feeds as low as the rapid do not count, because the control may keep either of them " +
+             ccw::mm(setting.program.lift) + " mm off its height";
+    throw NotFound{"the rapid of line " + std::to_string(move.line) + ": " + why};
   }
 }
 

@@ -88,6 +88,8 @@ std::string head_text(const Feature& feature, const std::string& indent) {
   if (feature.wall_slope.radians() != 0) {
     out += fmt::format("{}\"slope_rad\": {},\n", indent, number(feature.wall_slope.radians()));
   }
+  if (feature.floor_fillet > 0)
+    out += fmt::format("{}\"floor_fillet\": {},\n", indent, number(feature.floor_fillet));
   if (feature.through) out += indent + "\"through\": true,\n";
   return out;
 }

@@ -313,6 +313,12 @@ TEST(GcodeState, IsKeptForEachMove) {
   EXPECT_EQ(program.control.events[3].before_move, 2U);
 }
 
+TEST(GcodeConditions, AToleranceOfNothingIsNone) {
+  const std::string head = "G21 G90\nG0 X0 Y0 Z1\n";
+  EXPECT_EQ(conditions(head + "G64 P0 Q0\nG1 X5 F9\nM2"), conditions(head + "G64\nG1 X5 F9\nM2"));
+  EXPECT_EQ(conditions(head + "G64 P0.01 Q0\nG1 X5 F9\nM2"), "");
+}
+
 TEST(Dialects, SmoothingOfOneControlIsASplineOfAnother) {
   const std::string head = "G21 G90 G17\nG0 X0 Y0 Z5\n";
   EXPECT_THAT(message_of(head + "G5.1 X10 Y10 I3 J3 F100\nM2\n"), HasSubstr("G5.1 is a spline"));

@@ -116,7 +116,7 @@ Reading read_to_depth(Dialect dialect, std::string_view text, const std::string&
       reading.depends_on_dialect = interpreter.depends_on_dialect();
     }
   }
-  builder.require_no_compensation(last_line(text));
+  builder.require_nothing_open(last_line(text));
   program.ended = program.ended || rules.end == ProgramEnd::kText;
   if (!program.ended) {
     program.diagnostics.warn(file_name, "the program has no end word (M2, M30, END PGM)");

@@ -356,7 +356,7 @@ TEST(Klartext, WhatItCannotReadItRefuses) {
   EXPECT_THAT(message_of(klartext("4 L X+1 RL")),
               HasSubstr("cutter compensation by the radius of the tool table, and no tool"));
   EXPECT_THAT(message_of(klartext("4 CYCL DEF 8.0 MIRROR IMAGE")), HasSubstr("cycle 8 is not read"));
-  EXPECT_THAT(message_of(klartext("4 RND R5")), HasSubstr("block 'RND' is not read"));
+  EXPECT_THAT(message_of(klartext("4 FL X+5")), HasSubstr("block 'FL' is not read"));
   EXPECT_THAT(message_of(klartext("4 CALL LBL 1")), HasSubstr("there is no LBL 1"));
   EXPECT_THAT(message_of(klartext("4 C X+1 DR+")), HasSubstr("arc without its centre"));
   EXPECT_THAT(message_of(klartext("4 CC X+5 Y+0\n5 CP IPA-90 DR+")), HasSubstr("disagree"));

@@ -247,6 +247,48 @@ constexpr Habit kHabits[] = {
      "G21 G17 G90 G94 G54\nM3 S8000\nG0 X10 Y10 Z5\nG1 Z-1 F300\nG0 Z5\nM5\nM0\nM3 S8000\nG0 X20 Y10\nG1 Z-1 "
      "F300\nG0 Z5\nM5\nM30\n",
      "grbl", "tool-by-hand"},
+    {"Fanuc: corner rounded by ,R",
+     "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54 G61\nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG1 Z-1. "
+     "F300.\nX20. ,R2. F900.\nY20. ,C1.\nX10.\nG0 Z5.\nM30\n%\n",
+     "fanuc", "corner-words"},
+    {"Fanuc: R without its comma",
+     "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54 G61\nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG1 Z-1. "
+     "F300.\nX20. R2. F900.\nY20.\nG0 Z5.\nM30\n%\n",
+     "fanuc", "stray-word"},
+    {"Fanuc: a line by its angle",
+     "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54 G61\nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG1 Z-1. "
+     "F300.\nX20. ,A30. F900.\nG0 Z5.\nM30\n%\n",
+     "fanuc", "p:9: ',A' states a line by its angle, which is not read; post both of its coordinates"},
+    {"Haas: corner chamfered by ,C",
+     "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54 \nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG187 E0.01\nG1 "
+     "Z-1. F300.\nX20. ,C2. F900.\nY20.\nG0 Z5.\nM30\n%\n",
+     "haas", ""},
+    {"Haas: DPRNT while probing is off",
+     "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54 \nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG187 E0.01\nG1 "
+     "Z-1. F300.\nPOPEN\nDPRNT[PART*#5221[34]]\nPCLOS\nX20. F900.\nG0 Z5.\nM30\n%\n",
+     "haas", ""},
+    {"Fanuc: ATAN of two sides",
+     "%\nO0002\nG21 G17 G90 G94 G40 G49 G80 G54 G61\nT1 M6\nS8000 M3\nG0 X10. Y10.\nG43 H1 Z5.\nG1 Z-1. "
+     "F300.\n#1=ATAN[10.,10.]\nX[#1-20.] F900.\nG0 Z5.\nM30\n%\n",
+     "fanuc", ""},
+    {"ShopMill's contours for Siemens: RND and CHR",
+     "G17 G710 G90 G94 G60\nT1 M6\nD1 S8000 M3\nG54\nG0 X10 Y10 Z5\nG1 Z-1 F300\nX20 RND=2 F900\nY20 "
+     "CHR=1\nX10\nG0 Z5\nM30\n",
+     "siemens", ""},
+    {"Siemens: RNDM rounds every corner",
+     "G17 G710 G90 G94 G60\nT1 M6\nD1 S8000 M3\nG54\nG0 X10 Y10 Z5\nG1 Z-1 F300\nX20 RNDM=2 F900\nY20\nG0 "
+     "Z5\nM30\n",
+     "siemens", "p:7: RNDM is not read; post the program without it"},
+    {"Heidenhain: RND and CHF",
+     "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S8000 F900\n2 CYCL DEF 32.0 TOLERANCE\n3 CYCL DEF 32.1 T0.01\n4 L "
+     "X+10 Y+10 Z+5 R0 FMAX M3\n5 L Z-1 F300\n6 L X+20 F900\n7 RND R2 F300\n8 L Y+20\n9 CHF 1\n10 L X+10\n11 "
+     "L Z+5 FMAX M30\n12 END PGM A MM\n",
+     "heidenhain", ""},
+    {"Heidenhain: CYCL CALL POS",
+     "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S8000 F900\n2 CYCL DEF 32.0 TOLERANCE\n3 CYCL DEF 32.1 T0.01\n4 L "
+     "X+10 Y+10 Z+5 R0 FMAX M3\n5 CYCL DEF 200 DRILLING Q200=2 Q201=-5 Q206=100 Q202=5 Q210=0 Q203=0 Q204=5 "
+     "Q211=0\n6 CYCL CALL POS X+20 Y+20 Z+0 FMAX\n7 M30\n8 END PGM A MM\n",
+     "heidenhain", ""},
 };
 
 /// Conditions by name, or what is refused.

@@ -21,8 +21,9 @@
 namespace clearcut::read {
 namespace {
 
-const std::set<std::string> kOutlineKeys{"name",  "kind",      "outer",   "islands", "allowed", "top",
-                                         "depth", "slope_rad", "through", "line",    "closed",  "beyond"};
+const std::set<std::string> kOutlineKeys{"name",   "kind",   "outer",       "islands", "allowed",
+                                         "top",    "depth",  "slope_rad",   "through", "line",
+                                         "closed", "beyond", "floor_fillet"};
 constexpr double kSteepest = 1.5;  // rad from vertical: beyond this a wall is a floor
 
 /// A file being read.
@@ -160,6 +161,14 @@ Radians slope_of(const Context& context, const DataValue& outline) {
   return Radians::of(slope);
 }
 
+/// mm.
+double floor_fillet_of(const Context& context, const DataValue& outline, double unit) {
+  const double radius = unit * optional_number(context, outline, "floor_fillet", 0);
+  if (!(radius >= 0 && radius <= kLargestCoordinate))
+    context.fail(*outline.find("floor_fillet"), "\"floor_fillet\" must be a radius of 0 or more");
+  return radius;
+}
+
 FeatureKind kind_of(const Context& context, const DataValue& outline) {
   const std::string name = text_of(context, outline, "kind", name_of(FeatureKind::kClosedPocket));
   for (const FeatureKind kind :
@@ -263,6 +272,7 @@ Feature feature_of(const Context& context, const DataValue& outline, double unit
   if (!(std::abs(feature.top_z) <= kLargestCoordinate)) context.fail(outline, "\"top\" is out of range");
   feature.floor_z = feature.top_z - depth_of(context, outline, unit);
   feature.wall_slope = slope_of(context, outline);
+  feature.floor_fillet = floor_fillet_of(context, outline, unit);
   feature.through = flag_of(context, outline, "through");
   set_areas(context, outline, unit, feature);
   if (feature.kind == FeatureKind::kRoundHole) {

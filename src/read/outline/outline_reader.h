@@ -26,7 +26,7 @@ Part read_edges(std::string_view text, const std::string& file_name, const ReadO
 /// Reads `{"name", "units", "outer": [[x, y, bulge], ...], "islands": [[[x, y, bulge], ...], ...], "top",
 /// "depth", "slope_rad"}` or `{"units", "pockets": [...]}` with several of them. The bulge may be left out.
 /// Additions of write_outline_json are read too: "kind", "allowed" (area permitted to the cutter, for open sides),
-/// "through" and "stock".
+/// "through", "floor_fillet" and "stock".
 ///
 /// Shape   a Part without stock (solid everywhere outside) unless the file has one, one feature per outline
 ///         and one roughing workingstep per feature. `tools` stays empty: the caller supplies tools and

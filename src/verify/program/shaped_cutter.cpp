@@ -208,6 +208,24 @@ double distance_needed(const Wall& wall, const CutterProfile& cutter, double z, 
                   cutter.radius_at(wall.z_high - z));
 }
 
+/// Golden section search: the greatest value of a concave function between two places, its ends among them.
+template <typename Function>
+double greatest_of_concave(double low, double high, const Function& value) {
+  double best = std::max(value(low), value(high));
+  double a = high - kGolden * (high - low), b = low + kGolden * (high - low), fa = value(a), fb = value(b);
+  while (high - low > kExact) {
+    best = std::max({best, fa, fb});
+    if (fa < fb) {
+      low = a, a = b, fa = fb;
+      fb = value(b = low + kGolden * (high - low));
+    } else {
+      high = b, b = a, fb = fa;
+      fa = value(a = high - kGolden * (high - low));
+    }
+  }
+  return std::max({best, fa, fb});
+}
+
 class ShapedCheck {
  public:
   ShapedCheck(const FinishedPart& part, const Move& move, const CutterProfile& cutter, double slack)
@@ -241,29 +259,17 @@ class ShapedCheck {
     return {t, distance_needed(wall, cutter_, z_at(t), leans) - distance(wall.edge, p), leans};
   }
 
-  /// If the stock's side cuts the wall off square, the excess is computed height by height.
+  /// If the stock's side cuts the wall off square, the excess is computed at the height where it is greatest: it is concave over the
+  /// heights, as the cutter's radius is, and minus the distance from a body whose sections shrink evenly upwards.
   double excess_at_flat_end(const Wall& wall, Vec2 p, double z) const {
     if (z >= wall.z_high) return -distance(wall.edge, p);
     const double low = std::max(z, wall.z_low), high = std::max(low, std::min(wall.z_high, wall.top_z));
-    double worst = cutter_.radius_at(wall.z_high - z) - distance(wall.edge, p);
-    between_heights(wall, Edge::line(p, p), z, {low, high}, worst);
-    return worst;
-  }
-
-  /// Raises `worst` to the greatest excess between two heights: upwards both the cutter's radius and the distance
-  /// grow.
-  void between_heights(const Wall& wall, const Edge& place, double z, std::array<double, 2> heights,
-                       double& worst) const {
-    const auto [low, high] = heights;
-    const double most = cutter_.radius_at(high - z) - part_.apart(wall, low, place);
-    if (most <= worst + kExact) return;
-    if (high - low < kExact) {
-      worst = most;
-      return;
-    }
-    const double middle = (low + high) / 2;
-    between_heights(wall, place, z, {low, middle}, worst);
-    between_heights(wall, place, z, {middle, high}, worst);
+    const Edge place = Edge::line(p, p);
+    const double above = cutter_.radius_at(wall.z_high - z) - distance(wall.edge, p);
+    const auto excess = [&](double height) {
+      return cutter_.radius_at(height - z) - part_.apart(wall, height, place);
+    };
+    return std::max(above, greatest_of_concave(low, high, excess));
   }
 
   /// The range of parameters with the tip below the wall's top.
@@ -336,7 +342,7 @@ class ShapedCheck {
     // At ends cut off square there is less material than the distance from the outline suggests.
     const bool is_told = !has_flat_end(wall) && a.leans == b.leans;
     if (!is_told) above = std::min(above, (a.excess + b.excess + length) / 2 + change);
-    if (above <= std::max(slack_ / 2, worst.excess)) return;
+    if (above <= std::max(slack_ / 2, worst.excess + kExact)) return;
     if (is_told && change < kExact) {
       worst = {nearest_parameter(wall, a.t, b.t), above, a.leans};
       return;

@@ -32,6 +32,7 @@ constexpr HindranceText kHindranceTexts[] = {
     {Hindrance::kShift, "while the zero is where the cutter stood when it was set (G92, G10)"},
     {Hindrance::kSavedModes, "while modes are kept for later (M70)"},
     {Hindrance::kOldLength, "between a change of tools and the word for the new length (G43)"},
+    {Hindrance::kCorner, "between the two moves of a corner that is rounded or chamfered"},
     {Hindrance::kMacro, "after lines that compute or call subprograms"}};
 
 /// A word of coolant as it is written: "M8".
@@ -126,6 +127,7 @@ class Follower {
   Hindrance hindrance() {
     const Control& control = interpreter_.control();
     if (compensates_) return Hindrance::kCompensation;
+    if (builder_.waits_at_corner()) return Hindrance::kCorner;
     if (control.plan_map.is_on || control.polar_mode) return Hindrance::kMap;
     if (zero_moved_) return Hindrance::kShift;
     if (keeps_modes_) return Hindrance::kSavedModes;

@@ -23,6 +23,7 @@ enum class Hindrance : unsigned char {
   kShift,         ///< the zero was moved to where the cutter stood
   kSavedModes,    ///< modes were kept that a later word brings back
   kOldLength,     ///< the length in force is that of the tool before
+  kCorner,        ///< it is the second move of a corner that is rounded or chamfered
   kMacro          ///< the program computes or calls before it
 };
 /// "within a drilling or tapping cycle"

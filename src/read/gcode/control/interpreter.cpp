@@ -158,10 +158,27 @@ std::string stray_word(const Control& control, const Block& block) {
   return "";
 }
 
+/// R without its comma, and Q, beside the places of lines.
+void note_words_beside_lines(Control& control, const Block& block) {
+  const int said = motion_in(block), motion = said >= 0 ? said : control.motion;
+  if ((motion != 0 && motion != 10) || !block.has_axis()) return;
+  const bool uses_words_otherwise = std::any_of(block.g.begin(), block.g.end(), [](int code) {
+    return group_of(code) == Group::kOnce || group_of(code) == Group::kUnknown || code == 51;
+  });
+  if (uses_words_otherwise) return;
+  for (const char letter : {'R', 'Q'})
+    if (block.has(letter))
+      control.condition("stray-word",
+                        std::string(1, letter) +
+                            " stands beside a line, where the control does nothing with it; it is "
+                            "no rounding of the corner whose comma is missing");
+}
+
 }  // namespace
 
 void note_stray_words(Control& control, const Block& block) {
   if (control.rules.stray_words == StrayWords::kIgnored) return;
+  if (control.rules.stray_words == StrayWords::kCorners) return note_words_beside_lines(control, block);
   const std::string stray = stray_word(control, block);
   if (stray.empty()) return;
   control.condition("stray-word", std::string(control.rules.title) + " stops at " + stray +

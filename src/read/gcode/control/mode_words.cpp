@@ -140,7 +140,8 @@ void ModeWords::set_path(int code, const Block& block) {
   } else if (code == 611) {
     path.mode = PathMode::kExactStop;
   } else if (code == 640) {
-    const bool bounded = block.has('P') && control_.rules.bounded_blending;
+    // Without P, and with P0, LinuxCNC keeps no distance from the path.
+    const bool bounded = block.has('P') && block.value('P') > 0 && control_.rules.bounded_blending;
     path.mode = bounded ? PathMode::kTolerance : PathMode::kContinuous;
     if (bounded) path.tolerance_mm = control_.mm(block.value('P'));
     if (bounded && block.has('Q')) path.merging_mm = control_.mm(block.value('Q'));

@@ -25,7 +25,11 @@ void MotionWords::move(const Block& block) {
   const bool cycle = is_drill_cycle(control_.motion);
   if (!cycle) control_.cycle = {};
   if (control_.motion == 800) control_.tied_by_m29 = false;
-  if (PlaceWords(control_).move_specially(block)) return;
+  if (block.corner) check_corner(block);
+  if (PlaceWords(control_).move_specially(block)) {
+    if (block.corner) refuse_idle_corner();
+    return;
+  }
   if (has_g(block, 51)) return;  // its axis words name axes
   if (has_g(block, 310)) return measure(block);
   const bool arc_words = block.has('I') || block.has('J') || block.has('K') || block.has('R');
@@ -40,13 +44,49 @@ void MotionWords::move(const Block& block) {
   check_compensation();
   control_.moved = true;
   if (control_.motion != 0) control_.before_feed();
-  if (control_.motion == 0 || control_.motion == 10) return straight(block, control_.motion == 0);
-  if (arc_motion) return arc(block);
+  if (block.corner) control_.builder.expect_corner(control_.line);
+  if (control_.motion == 0 || control_.motion == 10)
+    straight(block, control_.motion == 0);
+  else if (arc_motion)
+    arc(block);
+  if (block.corner) round_corner(*block.corner);
+  if (control_.motion == 0 || control_.motion == 10 || arc_motion) return;
   if (cycle) return CannedCycles(control_).execute(block);
   if (control_.motion == 331) return rigid_tap(block);
   if (control_.motion >= 382 && control_.motion <= 385) return measure(block);
   if (control_.motion == 800) control_.refuse("axis words after G80 without a motion word; add G0 or G1");
   control_.refuse(g_word(control_.motion) + " is not read; post the program without it");
+}
+
+void MotionWords::check_corner(const Block& block) {
+  const bool cuts = control_.motion == 10 || control_.motion == 20 || control_.motion == 30;
+  if (!control_.rules.corner_words)
+    control_.refuse(std::string("',") + block.corner->letter + "' is no word of " +
+                    std::string(control_.rules.name) +
+                    "; post the program for this control, or name another");
+  if (!cuts || !block.has_axis() || has_g(block, 51) || has_g(block, 310)) refuse_idle_corner();
+  if (control_.modes.plane != Plane::kXY)
+    control_.refuse("corners are rounded and chamfered in the XY plane alone here; use G17");
+  if (!control_.rules.corner_needs.empty())
+    control_.condition("corner-words", std::string(control_.rules.corner_needs));
+}
+
+void MotionWords::refuse_idle_corner() const {
+  control_.refuse("a corner is rounded or chamfered behind a block that cuts no line or arc; correct it");
+}
+
+void MotionWords::round_corner(const CornerWord& said) {
+  Corner corner;
+  corner.kind = said.letter == 'R'   ? CornerKind::kRounding
+                : said.letter == 'C' ? CornerKind::kChamfer
+                                     : CornerKind::kChamferLength;
+  corner.size = control_.mm(said.value) * (control_.plan_map.is_on ? control_.plan_map.scale : 1);
+  corner.feeds_as_next = control_.rules.corner_feeds_as_next;
+  if (said.feed && control_.modes.feed_mode != FeedMode::kPerMinute)
+    control_.refuse("a feed for the corner alone is read in mm or inches for the minute; post G94");
+  if (said.feed) corner.feed = MmPerMin::of(*said.feed);
+  corner.line = control_.line;
+  control_.builder.round_corner(corner);
 }
 
 /// G33.1 of LinuxCNC: to the place at the feed that K says for each turn, back to where it began with the spindle turning

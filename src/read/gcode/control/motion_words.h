@@ -3,6 +3,7 @@
 
 #include "read/gcode/control/control.h"
 #include "read/gcode/motion/arc.h"
+#include "read/gcode/words/block.h"
 
 namespace clearcut::read::gcode {
 
@@ -15,6 +16,9 @@ class MotionWords {
   void move(const Block& block);
 
  private:
+  void check_corner(const Block& block);
+  void round_corner(const CornerWord& said);
+  [[noreturn]] void refuse_idle_corner() const;
   void check_words_said(const Block& block);
   void check_compensation() const;
   void straight(const Block& block, bool rapid);

@@ -39,6 +39,18 @@ TEST(HoleCycle, DrillsFromTheSurfaceDownAndGoesBackToTheSecondClearance) {
             "\nrapid to 10 20 -1\nplunge to 10 20 -13 F150\nrapid to 10 20 27");
 }
 
+TEST(HoleCycle, ACallAtAPlaceGoesThereAboveTheSurface) {
+  EXPECT_EQ(after_start(drilling("+10") + "8 CYCL CALL POS X+30 Y+25 Z+0 FMAX M8\n"),
+            "\nrapid to 30 25 50\nrapid to 30 25 -1\nplunge to 30 25 -13 F150\nrapid to 30 25 27");
+  EXPECT_THAT(after_start(drilling("+10") + "8 CYCL CALL POS X+30 Y+25 Z+0 F900\n9 L X+0 F100\n"),
+              HasSubstr("cut to 30 25 50 F900"));
+  const auto refused = [](const std::string& call) { return message_of(program(drilling("+10") + call)); };
+  EXPECT_THAT(refused("8 CYCL CALL POS X+30 Y+25 FMAX\n"), HasSubstr("asks for X, Y and Z"));
+  EXPECT_THAT(refused("8 CYCL CALL POS X+30 Y+25 Z-5 FMAX\n"), HasSubstr("read as Z+0 alone"));
+  EXPECT_THAT(refused("8 L Z-4 F100\n9 CYCL CALL POS X+30 Y+25 Z+0 FMAX\n"), HasSubstr("below the surface"));
+  EXPECT_THAT(refused("8 CYCL CALL PAT FMAX\n"), HasSubstr("places of a pattern"));
+}
+
 TEST(HoleCycle, PecksCountFromTheSurfaceAndBeginTheClearanceAboveTheLastDepth) {
   EXPECT_EQ(after_start(drilling("+4") + "8 CYCL CALL M8\n"),
             "\nrapid to 10 20 -1\nplunge to 10 20 -7 F150\nrapid to 10 20 -1\nrapid to 10 20 -5\nplunge to "

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <string>
@@ -19,6 +21,7 @@
 #include "read/gcode/klartext/approach.h"
 #include "read/gcode/klartext/words.h"
 #include "read/gcode/motion/arc.h"
+#include "read/gcode/motion/corner.h"
 #include "read/gcode/motion/cycle.h"
 #include "read/gcode/program/program.h"
 #include "read/gcode/words/lines.h"
@@ -49,10 +52,13 @@ class Reader {
   void go_to_label(const std::string& label);
   void block(const Words& block);
   void path_block(const std::string& kind, const std::vector<std::string>& words);
+  bool corner_follows() const;
+  void round_corner(const std::vector<std::string>& words);
   void tool_call(const std::vector<std::string>& words);
   void cycle(const std::vector<std::string>& words);
   void define_hole(const std::vector<std::string>& words, std::size_t first);
   double cycle_value(const std::string& text) const;
+  void call_cycle(const std::vector<std::string>& words);
   void call_hole();
   void switch_coolant(int m);
   void m_word(int m);
@@ -124,12 +130,13 @@ class Reader {
   }
   [[noreturn]] void refuse_block(const std::string& first) const {
     refuse("block '" + first.substr(0, 20) +
-           "' is not read; post the program with L, C, CR, CP, CT, APPR and DEP blocks only");
+           "' is not read; post the program with L, C, CR, CP, CT, RND, CHF, APPR and DEP blocks only");
   }
 
   const CompensationValues& compensation_;
   ToolpathBuilder& builder_;
   std::vector<std::string_view> lines_;
+  bool has_corners_ = false;                   ///< RND or CHF stands somewhere
   std::map<std::string, std::size_t> labels_;  ///< where they stand in lines_
   std::size_t next_ = 0;                       ///< in lines_
   std::vector<std::size_t> returns_;           ///< where LBL 0 goes back to
@@ -166,15 +173,32 @@ std::string label_in(const std::vector<std::string>& words, std::size_t first) {
 
 /// Whether values of Q parameters may stand in the words of the block.
 bool takes_values(const std::vector<std::string>& words) {
-  constexpr std::string_view kFirst[] = {"L",  "LP",  "C",    "CC",  "CR",   "CP",
-                                         "CT", "CTP", "APPR", "DEP", "CYCL", "TRANS"};
+  constexpr std::string_view kFirst[] = {"L",   "LP",   "C",   "CC",   "CR",    "CP",  "CT",
+                                         "CTP", "APPR", "DEP", "CYCL", "TRANS", "RND", "CHF"};
   return std::find(std::begin(kFirst), std::end(kFirst), words[0]) != std::end(kFirst) ||
          words[0][0] == 'Q' || (words[0] == "TOOL" && words.size() > 1 && words[1] == "CALL");
 }
 
+bool is_corner(const std::string& word) {
+  return word == "RND" || word == "CHF";
+}
+
+/// Whether the line may be such a block: looked for once, since to look ahead of each block costs as much as to read it.
+bool has_corner(std::string_view line) {
+  constexpr std::string_view kNames[] = {"RND", "CHF"};
+  return std::any_of(std::begin(kNames), std::end(kNames), [&](std::string_view name) {
+    return std::search(line.begin(), line.end(), name.begin(), name.end(), [](char a, char b) {
+             return std::toupper(static_cast<unsigned char>(a)) == b;
+           }) != line.end();
+  });
+}
+
 bool Reader::read(std::string_view text) {
   Lines lines(text);
-  for (std::string_view line; lines.next(line);) lines_.push_back(line);
+  for (std::string_view line; lines.next(line);) {
+    lines_.push_back(line);
+    has_corners_ = has_corners_ || has_corner(line);
+  }
   while (!ended_ && next_ < lines_.size()) {
     const std::string_view line = lines_[next_++];
     line_ = static_cast<int>(next_);
@@ -271,8 +295,7 @@ void Reader::block(const Words& found) {
   } else if (first == "TOOL" && second == "CALL") {
     tool_call(words);
   } else if (first == "CYCL" && second == "CALL") {
-    for (std::size_t k = 2; k < words.size(); ++k) m_word(static_cast<int>(number(words[k].substr(1))));
-    call_hole();
+    call_cycle(words);
   } else if (first == "CYCL") {
     cycle(words);
   } else if (first == "TRANS") {
@@ -290,11 +313,41 @@ void Reader::block(const Words& found) {
     approach(words);
   } else if (first == "DEP") {
     depart(words);
+  } else if (is_corner(first)) {
+    round_corner(words);
   } else if (first[0] == 'M' && first.size() > 1 && is_digit(first[1])) {
     for (const std::string& word : words) m_word(static_cast<int>(number(word.substr(1))));
   } else {
     refuse_block(first);
   }
+}
+
+/// Whether the next block rounds or chamfers the corner at the end of this one.
+bool Reader::corner_follows() const {
+  if (!has_corners_) return false;
+  for (std::size_t k = next_; k < lines_.size(); ++k) {
+    const std::vector<std::string> words = words_of(lines_[k]).words;
+    if (!words.empty()) return is_corner(words[0]);
+  }
+  return false;
+}
+
+/// RND R5, CHF 5: between the element before it and the one behind it. F holds for the corner alone.
+void Reader::round_corner(const std::vector<std::string>& words) {
+  Corner corner;
+  corner.kind = words[0] == "RND" ? CornerKind::kRounding : CornerKind::kChamfer;
+  corner.line = line_;
+  for (std::size_t k = 1; k < words.size(); ++k) {
+    const std::string& word = words[k];
+    if (word[0] == 'F' && word.size() > 1)
+      corner.feed = MmPerMin::of(number(std::string_view(word).substr(1)) * feed_unit(unit_));
+    else
+      corner.size =
+          number(std::string_view(word).substr(corner.kind == CornerKind::kRounding && word[0] == 'R')) *
+          unit_;
+  }
+  builder_.round_corner(corner);
+  heading_.reset();
 }
 
 /// Executes TOOL CALL. Without a tool it states a new spindle speed; with a tool the changer puts the tool in and leaves the
@@ -355,6 +408,42 @@ void Reader::define_hole(const std::vector<std::string>& words, std::size_t firs
 double Reader::cycle_value(const std::string& text) const {
   if (text == "MAX" || text == "FMAX") return HUGE_VAL;
   return text == "FAUTO" ? feed_ / feed_unit(unit_) : number(text);
+}
+
+/// CYCL CALL where the tool stands, CYCL CALL POS at a place: there by its feed or the rapid, above the surface.
+void Reader::call_cycle(const std::vector<std::string>& words) {
+  const std::string kind = words.size() > 2 ? words[2] : "";
+  if (kind == "PAT")
+    refuse("CYCL CALL PAT calls the cycle at the places of a pattern, which is not read; post M99 at each");
+  if (kind != "POS") {
+    for (std::size_t k = 2; k < words.size(); ++k) m_word(static_cast<int>(number(words[k].substr(1))));
+    return call_hole();
+  }
+  const PathWords place =
+      placed(path_words({words.begin() + 2, words.end()}, {unit_, longer_}, builder_, line_));
+  if (!hole_) refuse("a cycle is called before one is defined; correct it");
+  const Target& to = place.absolute;
+  if (!to[0] || !to[1] || !to[2])
+    refuse("CYCL CALL POS asks for X, Y and Z, counted from the datum; give all three");
+  if (place.machine_frame || place.retract || place.turn || place.compensation)
+    refuse("CYCL CALL POS with M91, M92, M140, DR or compensation is not read; post the program without it");
+  if (std::abs(*to[2] - datum_[2] - longer_) > kSamePlaceMm)
+    refuse(
+        "CYCL CALL POS moves the surface of its cycle by Z, which is read as Z+0 alone; state Q203 instead");
+  const auto surface = hole_->parameters.find(kSurface);
+  const double top = (surface == hole_->parameters.end() ? 0 : surface->second * unit_) + datum_[2];
+  if (builder_.known(2, line_) < top)
+    refuse("CYCL CALL POS begins below the surface of its cycle (Q203); go up before");
+  const double feed = feed_;
+  take_feed(place);
+  for (const int m : place.m) m_word(m);
+  if (!place.rapid) check_blending();
+  if (place.rapid)
+    builder_.rapid({to[0], to[1], std::nullopt}, line_);
+  else
+    builder_.feed({to[0], to[1], std::nullopt}, MmPerMin::of(feed_), line_);
+  feed_ = feed;
+  call_hole();
 }
 
 /// Rigid tapping turns the spindle by itself, as the sign of its pitch says, and leaves it stopped.
@@ -550,7 +639,9 @@ void Reader::path_block(const std::string& kind, const std::vector<std::string>&
   }
   if (words.compensation) compensate(*words.compensation);
   if (words.retract) retract(*words.retract);
-  if (!words.rapid && !words.machine_frame && !words.retract && kind != "CC") check_blending();
+  const bool is_cut = !words.rapid && !words.machine_frame && !words.retract && kind != "CC";
+  if (is_cut) check_blending();
+  if (is_cut && corner_follows()) builder_.expect_corner(line_);
   if (words.machine_frame) {
     machine_frame(words);
   } else if (words.retract && !words.absolute[0] && !words.absolute[1] && !words.absolute[2]) {

@@ -278,10 +278,7 @@ MacroValue Expression::function() {
       continue;
     }
     if (row.kind == kExists) return existence();
-    if (row.kind == kAtan) {
-      const double first = bracket().number;
-      return {arc_tangent(first), false};
-    }
+    if (row.kind == kAtan) return {arc_tangent(), false};
     return {applied(row.kind, bracket().number), false};
   }
   refuse("'" + std::string(line_.substr(at_, 6)) + "' is no function of the control; correct it");
@@ -295,8 +292,15 @@ MacroValue Expression::existence() {
   return {variables_.exists(asked) ? 1.0 : 0.0, false};
 }
 
-/// ATAN[y]/[x], whichever quarter; on Fanuc also ATAN[slope].
-double Expression::arc_tangent(double first) {
+/// ATAN[y]/[x], whichever quarter; on Fanuc also ATAN[y,x] and ATAN[slope].
+double Expression::arc_tangent() {
+  ++at_;
+  const double first = terms(1).number;
+  const bool has_comma = skip(",");
+  if (has_comma && style_ == MacroStyle::kLinuxCnc) refuse("ATAN asks for two brackets, as in ATAN[y]/[x]");
+  const double second = has_comma ? terms(1).number : 0;
+  if (!skip("]")) refuse("an expression lacks its ']'; close it");
+  if (has_comma) return degrees(base::atan2(first, second));
   if (!skip("/")) {
     if (style_ == MacroStyle::kLinuxCnc) refuse("ATAN asks for two numbers, as in ATAN[y]/[x]");
     return degrees(base::atan(first));

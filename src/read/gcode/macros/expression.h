@@ -63,7 +63,7 @@ class Expression {
   MacroValue function();
   MacroValue existence();
   double plain_number();
-  double arc_tangent(double first);
+  double arc_tangent();
   Operator peek(std::size_t& length) const;
   MacroValue computed(int kind, MacroValue left, MacroValue right) const;
   double applied(int function, double argument) const;

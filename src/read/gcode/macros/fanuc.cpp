@@ -156,7 +156,19 @@ class FanucRun : private MacroRun {
       tape_ended_ = true;
       return false;
     }
-    if (!flow(clean, at)) words(clean, 0, at);
+    if (!prints(clean) && !flow(clean, at)) words(clean, 0, at);
+    return true;
+  }
+
+  /// POPEN, DPRNT[..], BPRNT[..] and PCLOS write to a file or a serial line: nothing of it moves or is kept.
+  bool prints(const CleanLine& clean) {
+    const auto begins = [&](std::string_view word) { return clean.text.rfind(word, 0) == 0; };
+    if (!begins("POPEN") && !begins("PCLOS") && !begins("DPRNT") && !begins("BPRNT")) return false;
+    if (clean.is_optional) interpreter_.note_block_delete();
+    const std::string word = clean.text.substr(0, 5);
+    if (rules_.macros == MacroLanguage::kMach)
+      refuse(word + " is no word of " + std::string(rules_.title) + "; post the program without it");
+    builder_.note(shown_line(), "POPEN, DPRNT, BPRNT and PCLOS print, which moves nothing");
     return true;
   }
 

@@ -86,6 +86,22 @@ TEST(FanucMacros, MeasuredMovesAndModes) {
   EXPECT_EQ(ends_as(Dialect::kFanuc, text), "|1 0|9 0");
 }
 
+TEST(FanucMacros, AnglesOfTwoSidesInBothForms) {
+  EXPECT_EQ(ends("#1 = ATAN[3.,-3.]\nG1 X#1 Y[ATAN[3.]/[-3.]]\nX[ATAN[1.]]\nM30\n%\n"), "|135 135|45 135");
+  EXPECT_THAT(refusal_as(Dialect::kFanuc, kHead + "#1 = ATAN[3.,\nM30\n"), HasSubstr("a number is missing"));
+  EXPECT_THAT(refusal_as(Dialect::kLinuxCnc, "G21 G90\n#1 = atan[3,4]\nM2\n"),
+              HasSubstr("ATAN asks for two brackets"));
+}
+
+TEST(FanucMacros, PrintingMovesNothing) {
+  const std::string text =
+      "POPEN\nN20 DPRNT[HOLE*X#101[34]*Y#102[34]]\nG1 X3.\nBPRNT[A#101[0]]\nPCLOS\nM30\n%\n";
+  EXPECT_EQ(ends(text), "|3 0");
+  EXPECT_EQ(ends_as(Dialect::kHaas, kHead + text), "|3 0");
+  EXPECT_THAT(refusal_as(Dialect::kMach3, "G21 G90\nG0 X1\nPOPEN\nM30\n"),
+              HasSubstr("POPEN is no word of Mach3"));
+}
+
 TEST(FanucMacros, RefusalsSayWhatToDo) {
   const auto refused = [](const std::string& text) { return refusal_as(Dialect::kFanuc, kHead + text); };
   EXPECT_THAT(refused("GOTO 77\nM30\n"), HasSubstr("test.ngc:7: there is no block N77 in this program"));

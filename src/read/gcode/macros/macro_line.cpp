@@ -89,6 +89,7 @@ class WordReader {
       (letter == '@' ? block_.polar_radius : block_.polar_angle) = expression.value().number;
       return;
     }
+    if (letter == ',' && style_ == MacroStyle::kFanuc) return corner(text, at, expression);
     if (letter < 'A' || letter > 'Z')
       throw InputError(place_, std::string("unexpected '") + letter + "'; this is no G-code word");
     const std::size_t begin = ++at;
@@ -100,6 +101,14 @@ class WordReader {
     const bool has_point = !is_plain(number) || number.find('.') != std::string_view::npos;
     if (words_) words_->push_back({letter, value.number});
     enter(letter, value.number, has_point);
+  }
+
+  void corner(std::string_view text, std::size_t& at, Expression& expression) {
+    if (++at == text.size())
+      throw InputError(place_, "a comma without a letter behind it; write numbers with a point");
+    const char letter = text[at++];
+    const MacroValue value = expression.value();
+    if (!value.is_vacant) set_corner(block_, letter, value.number, place_);
   }
 
   void enter(char letter, double value, bool has_point) {

@@ -42,6 +42,7 @@ void ToolpathBuilder::begin_section(std::string label, int workingstep) {
 /// What has moved with the tool before keeps it; the next move begins a section of the new one. Rapids that come before a
 /// change under the new section's name belong to the section before.
 void ToolpathBuilder::change_tool(int number, bool by_hand, int line) {
+  require_no_corner(line, "a change of the tool");
   if (compensated_)
     throw InputError(place(line),
                      "the tool is changed while cutter compensation is on; end it before (G40, R0)");
@@ -63,6 +64,7 @@ void ToolpathBuilder::change_tool(int number, bool by_hand, int line) {
 }
 
 void ToolpathBuilder::add_event(ControlEventKind kind, int line, double seconds) {
+  require_no_corner(line, "a stop, a dwell or a change of the spindle");
   const ControlEvent event{kind, static_cast<std::size_t>(moves_), line, seconds, drive.tool};
   if (defers()) return defer(event);
   control_.events.push_back(event);
@@ -192,8 +194,91 @@ void ToolpathBuilder::straight(const Target& target, bool rapid, MmPerMin feed, 
   take(move, 0);
 }
 
-/// A move as programmed, on its way through what compensates. `apart`: mm between the radii of an arc beyond what rounding does.
-void ToolpathBuilder::take(Move move, double apart) {
+void ToolpathBuilder::expect_corner(int line) {
+  if (beside_)
+    throw InputError(place(line),
+                     "a corner is rounded or chamfered behind the end of cutter compensation, which is not "
+                     "read; leave the contour first");
+  expects_corner_ = true;
+}
+
+void ToolpathBuilder::round_corner(const Corner& corner) {
+  expects_corner_ = false;
+  if (!before_corner_ || corner_)
+    throw InputError(place(corner.line),
+                     "a corner is rounded or chamfered behind a block that cuts no line or arc; correct it");
+  if (!(corner.size > 0 && corner.size <= kLargestCoordinate))
+    throw InputError(place(corner.line), "a corner is rounded or chamfered by no size above 0; correct it");
+  corner_ = corner;
+}
+
+/// A move as programmed.
+void ToolpathBuilder::take(const Move& move, double apart) {
+  if (before_corner_ || expects_corner_) return take_at_corner(move, apart);
+  pass(move, apart);
+}
+
+/// One move waits at a time: the last of those that lead to a corner.
+void ToolpathBuilder::take_at_corner(const Move& move, double apart) {
+  std::optional<Move> rest = move;
+  if (corner_)
+    rest = pass_corner(move);
+  else if (before_corner_)
+    pass_as(before_corner_->state, before_corner_->move, before_corner_->apart);
+  before_corner_.reset();
+  if (!expects_corner_) {
+    if (rest) pass(*rest, apart);
+    return;
+  }
+  if (!rest)
+    throw InputError(place(move.line), "a move between two corners is used up by the first; correct it");
+  before_corner_ = BeforeCorner{*rest, apart, state()};
+}
+
+/// What leads to the corner and the corner itself; what it leaves of the move behind it is returned.
+std::optional<Move> ToolpathBuilder::pass_corner(Move move) {
+  const Corner corner = *corner_;
+  const BeforeCorner waiting = *before_corner_;
+  Move first = waiting.move;
+  const bool is_level = first.z_from == first.z_to && first.z_to == move.z_from && move.z_from == move.z_to;
+  if (is_rapid(move.kind) || is_rapid(first.kind) || move.is_vertical() || first.is_vertical() || !is_level)
+    require_no_corner(move.line, "a move that is no level line or arc at a feed");
+  corner_.reset();
+  const auto joined = joined_corner(first.path, move.path, corner);
+  if (!joined)
+    throw InputError(
+        place(corner.line),
+        "the corner cannot be rounded or chamfered: both moves are in line, too short for it, or "
+        "an arc has a chamfer; correct its size");
+  if (joined->before) {
+    first.path = *joined->before;
+    pass_as(waiting.state, first, waiting.apart);
+  }
+  first.path = joined->between;
+  first.feed = corner.feed ? *corner.feed : corner.feeds_as_next ? move.feed : first.feed;
+  first.line = corner.line;
+  pass_as(waiting.state, first, 0);
+  if (!joined->after) return std::nullopt;
+  move.path = *joined->after;
+  return move;
+}
+
+void ToolpathBuilder::pass_as(const State& held, const Move& move, double apart) {
+  const State now = state();
+  use(held);
+  pass(move, apart);
+  use(now);
+}
+
+void ToolpathBuilder::require_no_corner(int line, const std::string& what) const {
+  if (corner_)
+    throw InputError(place(line), what + " stands at a corner that is rounded or chamfered (line " +
+                                      std::to_string(corner_->line) +
+                                      "), where a line or an arc has to follow");
+}
+
+/// On its way through what compensates. `apart`: mm between the radii of an arc beyond what rounding does.
+void ToolpathBuilder::pass(Move move, double apart) {
   if (!compensated_ || compensated_->radius == 0) {
     leave_contour(move);
     if (move.is_vertical() && move.z_from == move.z_to) return;
@@ -269,12 +354,14 @@ void ToolpathBuilder::use(const State& state) {
 
 void ToolpathBuilder::begin_compensation(const CompensationRules& rules, CompensationSide side,
                                          double radius) {
+  if (corner_) require_no_corner(corner_->line, "the beginning of cutter compensation");
   compensated_tools_.insert(drive.tool);
   compensated_ = Compensated{rules, side, radius, std::nullopt, {}};
 }
 
 void ToolpathBuilder::end_compensation() {
   if (!compensated_) return;
+  if (corner_) require_no_corner(corner_->line, "the end of cutter compensation");
   if (!compensated_->moves) {
     compensated_.reset();
     return;
@@ -300,7 +387,8 @@ bool ToolpathBuilder::compensation_begins() const {
   return compensated_ && compensated_->radius > 0 && (!compensated_->moves || compensated_->moves->begins());
 }
 
-void ToolpathBuilder::require_no_compensation(int line) const {
+void ToolpathBuilder::require_nothing_open(int line) const {
+  require_no_corner(line, "the end of the program");
   if (compensated_)
     throw InputError(place(line),
                      "the program ends while cutter compensation is on; end it before (G40, R0)");

@@ -14,6 +14,7 @@
 #include "model/control.h"
 #include "model/move.h"
 #include "read/gcode/motion/compensation.h"
+#include "read/gcode/motion/corner.h"
 
 namespace clearcut::read::gcode {
 
@@ -68,6 +69,12 @@ class ToolpathBuilder {
   /// Along `path` (which starts at the known position) to height z_to.
   /// `apart`: mm between the radii at the ends of the whole arc.
   void arc(const Edge& path, double z_to, MmPerMin feed, int line, double apart = 0);
+  /// The moves that follow, up to the next round_corner(), lead to a corner that is rounded or chamfered: the last one waits for the move
+  /// behind the corner.
+  void expect_corner(int line);
+  /// At the end of the last move. Throws InputError where that is none that waits.
+  void round_corner(const Corner& corner);
+  bool waits_at_corner() const { return corner_.has_value(); }
   /// Straight up to where the machine's own zero is taken to be.
   void lift_home(int line);
   bool at_home_height() const { return at_[2] && *at_[2] >= setup_.home_z; }
@@ -87,8 +94,8 @@ class ToolpathBuilder {
   bool compensation_begins() const;
   bool compensation_leaves() const { return beside_.has_value(); }
   const std::set<int>& compensated_tools() const { return compensated_tools_; }
-  /// At the end of the text, in that line.
-  void require_no_compensation(int line) const;
+  /// At the end of the text, in that line: no compensation is on, no corner waits for its second move.
+  void require_nothing_open(int line) const;
 
   const Target& position() const { return at_; }
   /// What happened between moves so far.
@@ -129,6 +136,12 @@ class ToolpathBuilder {
     std::string label;
     int workingstep = -1;
   };
+  /// A move that leads to a corner, with what the control held for it.
+  struct BeforeCorner {
+    Move move;
+    double apart = 0;
+    State state;
+  };
   using Deferred = std::variant<ControlEvent, SectionStart, State, double>;
   struct Compensated {
     CompensationRules rules;
@@ -140,7 +153,12 @@ class ToolpathBuilder {
   };
 
   void straight(const Target& target, bool rapid, MmPerMin feed, int line);
-  void take(Move move, double apart);
+  void take(const Move& move, double apart);
+  void take_at_corner(const Move& move, double apart);
+  void pass(Move move, double apart);
+  std::optional<Move> pass_corner(Move move);
+  void pass_as(const State& held, const Move& move, double apart);
+  void require_no_corner(int line, const std::string& what) const;
   void leave_contour(Move& move);
   void defer(const Deferred& what);
   bool defers() const { return compensated_ && compensated_->moves; }
@@ -165,6 +183,9 @@ class ToolpathBuilder {
   ControlTable control_;
   Target at_;
   std::vector<Unplaced> unplaced_;
+  bool expects_corner_ = false;
+  std::optional<BeforeCorner> before_corner_;
+  std::optional<Corner> corner_;  ///< at the end of that move
   std::optional<Compensated> compensated_;
   std::optional<Vec2> beside_;  ///< where the centre is behind the end of a compensation, until it leaves
   bool exit_takes_height_ = false;

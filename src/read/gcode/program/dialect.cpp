@@ -47,6 +47,9 @@ constexpr CompensationRules kOfHaas{
     .outside_needs =
         "the control goes round outside corners of a compensated contour as a Fanuc does (setting 58)"};
 
+constexpr std::string_view kCornersAreAnOption =
+    "',R' and ',C' are an option of the control (optional chamfering and corner R); it has it";
+
 constexpr DialectRules mach_rules(Dialect dialect, std::string_view name, std::string_view title) {
   DialectRules rules;
   rules.dialect = dialect;
@@ -127,6 +130,7 @@ constexpr std::array kRules{
         .needs_lengths = true,
         .changer_alone = true,
         .g = {kPlanMaps | kSkipMoves | kDrillCycles | kToolLengths | kOffsetsByNumber | kCompensation},
+        .stray_words = StrayWords::kCorners,
         .lengths_by_number = true,
         .taps = TapRule::kTiedByM29,
         .radius_beats_center = true,
@@ -137,6 +141,8 @@ constexpr std::array kRules{
         .dwell_by_x = true,
         .dwell_in_ms = true,
         .count_in_program_number = true,
+        .corner_words = true,
+        .corner_needs = kCornersAreAnOption,
         .most_calls = 10,
         .numbered_offsets = 300,
         .offset_with_number = 540,
@@ -152,6 +158,7 @@ constexpr std::array kRules{
                  .g = {kPlanMaps | kSkipMoves | kDrillCycles | kToolLengths | kHaasWords | kOffsetsByNumber |
                        kCompensation},
                  .m = {.missing = kSpindleAndFlood},
+                 .stray_words = StrayWords::kCorners,
                  .lengths_by_number = true,
                  .taps = TapRule::kTied,
                  .radius_beats_center = true,
@@ -161,6 +168,7 @@ constexpr std::array kRules{
                  .dwell_in_ms = true,
                  .dwell_with_point_in_s = true,
                  .calls_blocks = true,
+                 .corner_words = true,
                  .numbered_offsets = 99,
                  .mist_on = 830,
                  .mist_off = 840,
@@ -207,6 +215,8 @@ constexpr std::array kRules{
                  .needs_lengths = true,
                  .changer_alone = true,
                  .home_is_top = true,
+                 .corner_words = true,
+                 .corner_feeds_as_next = true,
                  .most_calls = 11,
                  .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on",
                  .radius_of_edge = true},
@@ -217,6 +227,7 @@ constexpr std::array kRules{
                  .needs_lengths = true,
                  .changer_alone = true,
                  .g = {kDrillCycles | kToolLengths | kOffsetsByNumber | kExactStopBesidePath | kCompensation},
+                 .stray_words = StrayWords::kCorners,
                  .lengths_by_number = true,
                  .radius_beats_center = true,
                  .home_is_top = true,
@@ -225,6 +236,8 @@ constexpr std::array kRules{
                  .points_matter = true,
                  .dwell_by_x = true,
                  .dwell_in_ms = true,
+                 .corner_words = true,
+                 .corner_needs = kCornersAreAnOption,
                  .numbered_offsets = 300,
                  .offset_with_number = 540,
                  .mist_needs = "what M7 does is the machine builder's choice; it switches the mist on",

@@ -60,7 +60,12 @@ enum class TapRule : unsigned char {
 };
 
 /// Which words a control stops at where no other word of their block uses them.
-enum class StrayWords : unsigned char { kIgnored, kLinuxCnc, kGrbl };
+enum class StrayWords : unsigned char {
+  kIgnored,
+  kLinuxCnc,
+  kGrbl,
+  kCorners  ///< none; R and Q beside lines do nothing, where a comma before R would round the corner
+};
 
 /// G words that only some controls have, by what they are for. A row adds those that its control has.
 enum GWordSet : unsigned {
@@ -154,6 +159,9 @@ struct DialectRules {
   bool polar_words = false;              ///< '@' and '^'
   bool count_in_program_number = false;  ///< M98 P0031234 runs O1234 three times
   bool calls_blocks = false;             ///< M97
+  bool corner_words = false;             ///< ",R" and ",C", or RND=, CHF= and CHR=
+  std::string_view corner_needs = {};    ///< what must hold for them; empty: every such control has them
+  bool corner_feeds_as_next = false;     ///< a rounding or chamfer runs at the feed of the move behind it
   int most_calls = 9;                    ///< subprograms within each other
   bool has_old_units = false;            ///< G70 and G71 are G20 and G21
   int numbered_offsets = 0;              ///< most P of G54.1, G154, G59

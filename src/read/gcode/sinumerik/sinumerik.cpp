@@ -175,6 +175,7 @@ class SinumerikReader {
     std::optional<double> dwell_s, dwell_turns;
     std::optional<double> turn_deg;  ///< RPL
     std::optional<int> edge;
+    std::optional<double> corner_feed;  ///< FRC
   };
 
   void execute(const SinumerikBlock& block) {
@@ -189,6 +190,9 @@ class SinumerikReader {
     if (found.changes_path) set_path();
     modes_.set_feed_and_drive(found.block, feed_unit());
     follow_tool(found);
+    const bool moves = !found.dwells && !found.frame && !found.modal && !found.call;
+    if ((found.block.corner || found.corner_feed) && !moves)
+      control_.refuse("RND, CHR, CHF and FRC belong to a line or an arc; correct the block");
     if (found.dwells) return dwell(found);
     if (found.turn_deg && !found.frame) control_.refuse("RPL belongs to ROT and AROT; correct it");
     if (found.frame) return change_frame(found);
@@ -359,6 +363,7 @@ class SinumerikReader {
       found.block.set(name == "CR" ? 'R' : 'P', name == "CR" ? word.number : word.number + 1);
       return true;
     }
+    if (gather_corner(word, found)) return true;
     if (name == "T") {
       found.block.set('T', word.kind == SinumerikValue::kText ? number_of_tool(word.text) : word.number);
       return true;
@@ -388,6 +393,20 @@ class SinumerikReader {
       return true;
     }
     return false;
+  }
+
+  /// RND= is the radius of a rounding, CHR= what a chamfer takes off each line, CHF= its length.
+  bool gather_corner(const SinumerikWord& word, Gathered& found) const {
+    const char letter = word.name == "RND" ? 'R' : word.name == "CHR" ? 'C' : word.name == "CHF" ? 'L' : '\0';
+    if (letter == '\0' && word.name != "FRC") return false;
+    if (word.kind != SinumerikValue::kNumber) control_.refuse(word.name + " without a number; correct it");
+    if (letter == '\0') {
+      found.corner_feed = word.number;
+      return true;
+    }
+    if (found.block.corner) control_.refuse("two of RND, CHR and CHF in one block; keep one");
+    found.block.corner = CornerWord{letter, word.number};
+    return true;
   }
 
   void gather_m(const SinumerikWord& word, Gathered& found) {
@@ -660,6 +679,10 @@ class SinumerikReader {
   void move(Gathered& found) {
     Block& block = found.block;
     if (found.suppressed) block.g.push_back(530);
+    if (found.corner_feed) {
+      if (!block.corner) control_.refuse("FRC without RND, CHR or CHF in its block; correct it");
+      block.corner->feed = *found.corner_feed * feed_unit();
+    }
     const bool absolute_centers = set_places(found);
     if (found.suppressed) note_length_in_machine_frame(block);
     const int said = motion_in(block);

@@ -230,7 +230,7 @@ TEST(Sinumerik, WhatLeavesThePlaneIsRefusedInOneLine) {
   EXPECT_THAT(refusal("D=\"SHORT\""), HasSubstr("D word with an impossible edge"));
   EXPECT_THAT(refusal("G1 A30"), HasSubstr("axis word A"));
   EXPECT_THAT(refusal("TRAORI"), HasSubstr("TRAORI is not read"));
-  EXPECT_THAT(refusal("G1 X5 RND=2"), HasSubstr("RND is not read"));
+  EXPECT_THAT(refusal("G1 X5 RNDM=2"), HasSubstr("RNDM is not read"));
   EXPECT_THAT(refusal("G111 X0 Y0"), HasSubstr("polar coordinates"));
   EXPECT_THAT(refusal("(a comment)"), HasSubstr("no comment on a Sinumerik"));
   EXPECT_THAT(refusal("G1 X1EX-3"), HasSubstr("exponent"));

@@ -31,10 +31,10 @@ bool has_exponent(std::string_view line, std::size_t at) {
   return is_number_part(line[at + 1]);
 }
 
-/// Words of several letters with which Fanuc and Haas jump and loop.
+/// Words of several letters with which Fanuc and Haas jump, loop and print.
 bool is_flow(std::string_view rest) {
-  constexpr std::string_view kWords[] = {"IF[", "IF#", "GOTO", "WHILE", "DO1",
-                                         "DO2", "DO3", "END1", "END2",  "END3"};
+  constexpr std::string_view kWords[] = {"IF[",  "IF#",  "GOTO", "WHILE", "DO1",   "DO2",   "DO3",
+                                         "END1", "END2", "END3", "POPEN", "PCLOS", "DPRNT", "BPRNT"};
   std::size_t second = 1;
   while (second < rest.size() && is_blank(rest[second])) ++second;
   if (second >= rest.size() || (!is_letter(rest[second]) && rest[second] != '#' && rest[second] != '['))
@@ -83,6 +83,7 @@ void Block::clear() {
   m.clear();
   comments.clear();
   polar_radius = polar_angle = std::nullopt;
+  corner.reset();
   present_ = whole_ = 0;
 }
 
@@ -150,6 +151,14 @@ void BlockReader::parse_word(std::string_view line, std::size_t& at, Block& bloc
     (c == '@' ? block.polar_radius : block.polar_angle) = parse_number(line, at, c, block.line);
     return;
   }
+  if (c == ',') {
+    while (++at < line.size() && is_blank(line[at])) {
+    }
+    if (at == line.size() || !is_letter(line[at]))
+      throw InputError(place(block.line), "a comma without a letter behind it; write numbers with a point");
+    const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(line[at++])));
+    return set_corner(block, letter, parse_number(line, at, letter, block.line), place(block.line));
+  }
   if (!is_letter(c) && c != ':') {
     throw InputError(place(block.line), "unexpected " + shown(c) + "; this is no G-code word");
   }
@@ -175,6 +184,17 @@ void BlockReader::parse_word(std::string_view line, std::size_t& at, Block& bloc
     }
     block.set(letter, number, line.substr(begin, at - begin).find('.') != std::string_view::npos);
   }
+}
+
+void set_corner(Block& block, char letter, double value, const std::string& place) {
+  if (letter == 'A')
+    throw InputError(place,
+                     "',A' states a line by its angle, which is not read; post both of its coordinates");
+  if (letter != 'R' && letter != 'C')
+    throw InputError(place,
+                     std::string("',") + letter + "' is no word; ',R' rounds a corner and ',C' chamfers it");
+  if (block.corner) throw InputError(place, "two of ',R' and ',C' in one block; keep one");
+  block.corner = CornerWord{letter, value};
 }
 
 /// White space is allowed anywhere, also between digits.

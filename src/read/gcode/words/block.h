@@ -20,6 +20,13 @@ class MacroError : public InputError {
   using InputError::InputError;
 };
 
+/// ",R5." and ",C5." of Fanuc, RND=5, CHR=5 and CHF=5 (here R, C and L) of Siemens: what becomes of the corner at the end of the block's move.
+struct CornerWord {
+  char letter = 'R';
+  double value = 0;
+  std::optional<double> feed = {};  ///< along it, FRC=
+};
+
 struct Block {
   int line = 0;
   bool optional = false;  ///< begins with '/'
@@ -31,12 +38,13 @@ struct Block {
   std::vector<std::string_view> comments;
   /// '@' and '^' of LinuxCNC: a place by its distance from the zero and its angle in degrees.
   std::optional<double> polar_radius, polar_angle;
+  std::optional<CornerWord> corner;
 
   bool has(char letter) const { return (present_ >> (letter - 'A')) & 1U; }
   double value(char letter) const { return values_[static_cast<std::size_t>(letter - 'A')]; }
   bool has_axis() const { return has('X') || has('Y') || has('Z'); }
   bool is_polar() const { return polar_radius || polar_angle; }
-  bool has_words() const { return present_ != 0 || !g.empty() || !m.empty() || is_polar(); }
+  bool has_words() const { return present_ != 0 || !g.empty() || !m.empty() || is_polar() || corner; }
 
   void clear();
   void set(char letter, double value, bool has_point = true);
@@ -49,6 +57,9 @@ struct Block {
   std::uint32_t present_ = 0;
   std::uint32_t whole_ = 0;
 };
+
+/// Takes ",R" or ",C" of a block. Throws InputError(place, ...) for other letters and for a second one.
+void set_corner(Block& block, char letter, double value, const std::string& place);
 
 /// Cuts a text into blocks: white space, letter case, comments and checksums are dealt with here. Throws
 /// InputError("file:line", ...) for what is not a word.
