@@ -22,6 +22,7 @@
 #include "clearcut/error.h"
 #include "clearcut/file.h"
 #include "clearcut/geometry.h"
+#include "clearcut/infill.h"
 #include "clearcut/order.h"
 #include "clearcut/part.h"
 #include "clearcut/plan.h"

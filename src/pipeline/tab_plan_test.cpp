@@ -57,6 +57,22 @@ TEST(Tabs, StandBesideStockThatIsLeft) {
   }
 }
 
+/// On curved outlines the sides of tabs are straight, so that stock on them is more along the kerf within than around the outline.
+TEST(Tabs, StandBesideStockThatIsLeftAlongArcs) {
+  for (const std::string layer : {"PROFILE_D2", "INSIDE_D2"}) {
+    for (const double diameter : {14.0, 20.0, 40.0}) {
+      for (const double left : {0.1, 0.5}) {
+        resolve::PlanOptions options = with({"endmill:3"});
+        options.strategy = "contour";
+        options.tabs.count = 2;
+        options.allowance = left;
+        const auto result = plan_part(drawn(outline(layer, {{{0, 0}, 1}, {{diameter, 0}, 1}})), options);
+        EXPECT_EQ(faults_of(result.findings), "") << layer << ' ' << diameter << ' ' << left;
+      }
+    }
+  }
+}
+
 /// Right: along the middle of the kerf, in heights that come from the text of the program alone, there are as many triangles as were
 /// asked for, of their width and height, and no farther apart than was asked for; nothing else stands. Cannot see: what stands
 /// beside the middle, and in the corners.

@@ -143,6 +143,10 @@ const Sign kSigns[] = {
     {"§ 7.6, tools that are no prisms", "", "condition out-of-reach: plate: .* which ends in a ball"},
     {"§ 7.6, open boundaries", "", "verdict: CLEAN"},
     {"§ 7.6, when to stop", "", "bound 459 .*gap 0.0000 %"},
+    {"§ 8.4.1", "", "adaptive +[0-9.]+ +[0-9.]+ +[0-9.]+ +kept"},
+    {"§ 8.4.1", "", "contour 0.45 +[0-9.]+ +[0-9.]+ +[0-9.]+ +worse"},
+    {"§ 8.4.3, additive", "a.json", "\"cover_proven\": true"},
+    {"§ 8.4.3, additive", "a.ngc", "\nG1 X[0-9.]+ Y[0-9.]+ E[0-9.]+"},
 };
 
 /// The page's own `sed`.
@@ -240,6 +244,103 @@ TEST(TextsPage, ThePageOfReproducedTablesIsWhatTheProgramWrites) {
     ASSERT_FALSE(section_of(written, table).empty()) << table;
     EXPECT_EQ(section_of(page, table), section_of(written, table));
   }
+}
+
+/// The cells of every row of the tables in a section of HTML, without marks of agreement.
+std::vector<std::vector<std::string>> rows_of_html(const std::string& section) {
+  std::vector<std::vector<std::string>> rows;
+  const std::regex row("<tr[^>]*>(.*?)</tr>"), cell("<td[^>]*>(.*?)</td>");
+  for (std::sregex_iterator at(section.begin(), section.end(), row), end; at != end; ++at) {
+    const std::string text = (*at)[1];
+    rows.emplace_back();
+    for (std::sregex_iterator one(text.begin(), text.end(), cell); one != end; ++one)
+      rows.back().push_back(
+          std::regex_replace(std::regex_replace((*one)[1].str(), std::regex(" [(]differs[)]"), ""),
+                             std::regex(" [+]- "), " ± "));
+  }
+  return rows;
+}
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> cells;
+  for (const std::string& cell : split(line, '|')) cells.emplace_back(stripped(cell));
+  return {cells.begin() + 1, cells.end() - 1};
+}
+
+/// The first row of a page that begins with these cells; empty if there is none.
+std::vector<std::string> row_beginning(const std::string& page, const std::vector<std::string>& first) {
+  for (const std::string& line : split(page, '\n')) {
+    if (!line.starts_with("| ")) continue;
+    const auto cells = cells_of(line);
+    if (cells.size() > first.size() && std::equal(first.begin(), first.end(), cells.begin())) return cells;
+  }
+  return {};
+}
+
+std::string docs_page(const std::string& name) {
+  return read_file(CLEARCUT_SOURCE_DIR "/docs/" + name, 1 << 20);
+}
+
+/// "23 237 mm" is 23237.
+std::string figure_in(const std::string& cell) {
+  return std::regex_replace(cell, std::regex("[^0-9.]"), "");
+}
+
+TEST(TextsPage, TablesOfOtherPagesAreThoseOfThePageOfReproducedTables) {
+  const std::string made = docs_page("reproduced.html"), tour = docs_page("tour.md"),
+                    methods = docs_page("methods.md");
+  int compared = 0;
+  // CPO-kappa table 1: the totals.
+  const std::string lengths = methods.substr(methods.find("| six-pointed star"));
+  for (const auto& row : rows_of_html(section_of(made, "lengths"))) {
+    if (row.size() < 8) continue;
+    const std::string part =
+        row[0] == "concave" ? lengths : lengths.substr(lengths.find("| acute quadrilateral"));
+    EXPECT_EQ(row_beginning(part, {row[1]}), (std::vector<std::string>{row[1], row[6], row[7]}));
+    ++compared;
+  }
+  // Table 6.5: readings of the grid.
+  for (const auto& [reading, name] : {std::pair("D, layers that hold material", "ours, that reading"),
+                                      std::pair("D, every 2 mm layer", "FACE3 from the top of the part")}) {
+    const auto ours = row_beginning(tour, {name});
+    ASSERT_EQ(ours.size(), 5U) << name;
+    for (const auto& row : rows_of_html(section_of(made, "fishhead"))) {
+      if (row.empty() || row[0] != reading) continue;
+      for (const auto& [cell, column] : {std::pair(1, 1), std::pair(2, 4), std::pair(3, 5), std::pair(4, 8)})
+        EXPECT_EQ(figure_in(ours[static_cast<std::size_t>(cell)]), row[static_cast<std::size_t>(column)])
+            << name;
+      ++compared;
+    }
+  }
+  // Figure 6-15: mean engagement by both models.
+  std::map<std::string, int> seen;
+  for (const auto& row : rows_of_html(section_of(made, "tour-engagement"))) {
+    if (row.size() < 15) continue;
+    const auto ours = row_beginning(tour, {row[0]});
+    ASSERT_EQ(ours.size(), 9U) << row[0];
+    const int nth = seen[row[0]]++;  // raster and exact of eq. 4.8, then of the matched spacing
+    EXPECT_EQ(ours[static_cast<std::size_t>(nth < 2 ? 2 + nth : 4 + nth)], row[4]) << row[0];
+    ++compared;
+  }
+  // Table 6.5 by programs.
+  std::string strokes;
+  for (const auto& row : rows_of_html(section_of(made, "fishhead-published"))) {
+    if (row.size() < 10) continue;
+    if (row[1] == "printed") strokes = row[0] + ", printed";
+    if (row[1] != "printed" && row[0] != "all") continue;
+    const auto from = tour.find("| " + strokes);
+    ASSERT_NE(from, std::string::npos) << strokes;
+    const std::string name = row[1] == "printed" ? strokes
+                             : row[1] == "ours"  ? "ours, one seed"
+                                                 : "published algorithm";
+    auto cells = row_beginning(tour.substr(from), {name});
+    ASSERT_EQ(cells.size(), 9U) << name;
+    EXPECT_EQ(std::vector<std::string>(cells.begin() + 1, cells.end()),
+              std::vector<std::string>(row.begin() + 2, row.end()))
+        << strokes << ": " << name;
+    ++compared;
+  }
+  EXPECT_EQ(compared, 12 + 2 + 20 + 6);
 }
 
 /// The last column of docs/texts.md, for the long tables too: what the program said when it wrote the page of tables.

@@ -11,6 +11,7 @@
 #include "model/work_material.h"
 #include "pipeline/check.h"
 #include "pipeline/run.h"
+#include "post/post.h"
 #include "read/gcode/gcode.h"
 #include "read/job/read_part.h"
 #include "support/plans.h"
@@ -53,6 +54,21 @@ double steepest(const Toolpath& toolpath) {
       slope = std::max(slope, (move.z_from - move.z_to) / move.path.length());
   }
   return slope;
+}
+
+/// Helices are written in the words of each control, and what it makes of them is an entry for all.
+TEST(Entries, OfRoundPocketsKeepTheLimitOnEveryControl) {
+  for (const std::string& dialect : post::post_dialects()) {
+    for (const double diameter : {7.0, 12.0}) {
+      PlanOptions options = plan_options_with({"endmill:3"});
+      options.post.dialect = dialect;
+      options.engagement_deg = 120;
+      const Loop circle =
+          loop_from_bulges(std::vector<BulgeVertex>{{{-diameter / 2, 0}, 1}, {{diameter / 2, 0}, 1}});
+      const auto plan = pipeline::plan_part(part_of({Region::from_valid_loops(circle, {})}, 2), options);
+      EXPECT_EQ(verdict_of(plan.findings), Verdict::kClean) << dialect << ' ' << diameter;
+    }
+  }
 }
 
 TEST(Entries, NoneIsSteeperThanAskedForAndNonePlungesIntoMaterial) {

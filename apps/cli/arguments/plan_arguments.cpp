@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
+#include <string>
 
 #include "arguments/option_values.h"
 
@@ -57,6 +59,13 @@ bool is_of_part_and_tools(const Row& row) {
   return row.group <= Group::kTools;
 }
 
+/// Whether a row concerns the outlines of the part's areas.
+bool is_of_areas(const Row& row) {
+  static const std::set<std::string> others{"setup",      "earlier-setup", "top",
+                                            "stock-from", "breakthrough",  "skin"};
+  return row.group <= Group::kDrawings && !row.name.starts_with("tab") && !others.contains(row.name);
+}
+
 }  // namespace
 
 void PlanArguments::add_plan_options(CLI::App& command) {
@@ -65,6 +74,10 @@ void PlanArguments::add_plan_options(CLI::App& command) {
 
 void PlanArguments::add_info_options(CLI::App& command) {
   add_options(command, "INPUT", kInputFiles, is_of_part_and_tools);
+}
+
+void PlanArguments::add_area_options(CLI::App& command) {
+  add_options(command, "INPUT", kInputFiles, is_of_areas);
 }
 
 void PlanArguments::add_check_options(CLI::App& command) {

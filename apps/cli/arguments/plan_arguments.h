@@ -44,6 +44,8 @@ class PlanArguments {
   void add_plan_options(CLI::App& command);
   /// The options on the part and the tools at hand.
   void add_info_options(CLI::App& command);
+  /// The options on the outlines of the part's areas: without stock, tabs and tools.
+  void add_area_options(CLI::App& command);
   /// The part that a program makes, as --part, and the options that a check of the program takes.
   void add_check_options(CLI::App& command);
 

@@ -40,6 +40,7 @@ void add_compare_command(CLI::App& app, int& exit_code, void (*at_random)(const 
 void add_tools_command(CLI::App& app, int& exit_code);
 void add_machines_command(CLI::App& app, int& exit_code);
 void add_convert_command(CLI::App& app, int& exit_code);
+void add_infill_command(CLI::App& app, int& exit_code);
 void add_init_command(CLI::App& app, int& exit_code);
 /// All commands of `clearcut` but research. `at_random` as add_compare_command.
 void add_product_commands(CLI::App& app, int& exit_code, void (*at_random)(const RandomPockets&));

@@ -5,6 +5,7 @@ namespace clearcut::cli {
 void add_product_commands(CLI::App& app, int& exit_code, void (*at_random)(const RandomPockets&)) {
   add_plan_command(app, exit_code);
   add_batch_command(app, exit_code);
+  add_infill_command(app, exit_code);
   add_feeds_command(app, exit_code);
   add_resume_command(app, exit_code);
   add_setup_sheet_command(app, exit_code);

@@ -31,6 +31,15 @@ constexpr double kAngleInAir = 5;
 constexpr double kOverDescent = 0.01;
 /// mm; rounding of heights.
 constexpr double kHeightRounding = 2e-3;
+/// mm. A level move no longer than this between two ways down is a joint, as programs have where a helix whose end is given by an
+/// angle goes back to a coordinate's last digit.
+constexpr double kLongestJoint = 0.004;
+
+bool is_joint(const CheckedMove& checked) {
+  const Move& move = *checked.move;
+  return checked.feeds() && move.z_to == move.z_from && !move.is_vertical() &&
+         move.path.length() <= kLongestJoint;
+}
 
 }  // namespace
 
@@ -50,7 +59,8 @@ StatedEntry stated_entry(const Part& part, const Tool* tool) {
 
 std::span<const CheckedMove> descent_of(std::span<const CheckedMove> moves) {
   const auto goes_down = [](const CheckedMove& checked) {
-    return checked.feeds() && checked.move->z_to < checked.move->z_from && !checked.move->is_vertical();
+    return is_joint(checked) ||
+           (checked.feeds() && checked.move->z_to < checked.move->z_from && !checked.move->is_vertical());
   };
   const auto last = std::find_if_not(moves.begin(), moves.end(), goes_down);
   return moves.first(static_cast<std::size_t>(last - moves.begin()));
@@ -84,9 +94,11 @@ void EntryWatch::meets_material(const Move& move) {
 void EntryWatch::follow(std::span<const CheckedMove> moves, const StatedEntry& stated) {
   const CheckedMove& checked = moves.front();
   const Move& move = *checked.move;
-  begins_ = false;
+  begins_ = at_joint_ = false;
   if (!checked.feeds() || move.z_to > move.z_from || move.is_vertical()) return end();
   if (move.z_to < move.z_from) return go_down(moves, stated);
+  at_joint_ = state_ == State::kDescent && is_joint(checked);
+  if (at_joint_) return;
   if (state_ == State::kOutside || !is_over_descent(move)) return end();
   state_ = State::kRound;
 }
@@ -179,7 +191,7 @@ double EntryWatch::others_from(double z) const {
 }
 
 void EntryWatch::meets_nothing_at(const Edge& path, double z) {
-  if (state_ != State::kDescent) return;
+  if (state_ != State::kDescent || at_joint_) return;
   const double most = base::tan(kAngleInAir * kPi / 180);
   // One side of a descent may be in air, for half a turn; for a helix nearly a whole turn.
   double above = turn_ / 2 * std::min(slope_, most);

@@ -73,6 +73,7 @@ class EntryWatch {
   const FinishedPart* finished_;
   State state_ = State::kOutside;
   bool begins_ = false, has_met_ = false;
+  bool at_joint_ = false;  ///< on a level move of micrometres within the descent
   std::vector<const Move*> descent_;
   double base_ = 0;       ///< mm; height at the start of the descent
   double slope_ = 0;      ///< slope of its steepest move

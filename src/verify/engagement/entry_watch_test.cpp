@@ -48,6 +48,23 @@ TEST(Entries, ASteepWayDownFromAboveIsOneOfItsOwn) {
   EXPECT_LT(found.all.engagement.max_deg, 10);
 }
 
+TEST(Entries, JointsOfMicrometresAreNoEndOfAWayDown) {
+  // As with helices in Klartext: each turn ends half a micrometre beside the place whose digits are printed.
+  const auto zigzag_down = [](double joint) {
+    Writer writer;
+    writer.enter({20, 25}, 0, 0.2);
+    double z = 0.2;
+    for (int i = 0; i < 10; ++i)
+      writer.feed({i % 2 ? 20.0 : 28.0, 25}, std::max(-2.0, z -= 0.25))
+          .feed({i % 2 ? 20 + joint : 28 - joint, 25});
+    return under_limit(square_part(), writer.feed({28, 25}).feed({20, 25}).done());
+  };
+  const Findings joined = zigzag_down(0.0005);
+  EXPECT_FALSE(has(joined, FaultKind::kOverEngagement)) << report_of(joined);
+  EXPECT_EQ(joined.all.entries.count, 1);
+  EXPECT_GT(zigzag_down(0.5).all.entries.count, 1);
+}
+
 TEST(Entries, AWayBackOverALongRampCounts) {
   Writer writer;
   writer.enter({5, 25}, 0, 0).feed({45, 25}, -2).feed({5, 25}, -2);

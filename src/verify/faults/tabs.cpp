@@ -118,13 +118,14 @@ double to_middle(const Tab& tab) {
   return distance(tab.foot, tab.center);
 }
 
-/// mm along the foot: in the middle of a curved kerf the cutter touches a shorter stretch of a tab than beside the
-/// middle.
-double excess_of(const Tab& tab) {
-  if (!tab.foot.is_arc()) return 0;
-  const double around = distance(tab.foot.center, tab.center), r = to_middle(tab);
-  return tab.foot.radius() *
-         (base::asin(std::min(1.0, r / around)) - 2 * base::asin(std::min(1.0, r / (2 * around))));
+/// mm along the foot by which a tab stands longer in the middle of the kerf than at its foot, `sides` mm of stock being left on the wall and
+/// on the tab's sides. In the middle of a curved kerf the cutter touches a shorter stretch of a tab than beside the middle.
+double excess_of(const Tab& tab, double sides) {
+  if (!tab.foot.is_arc()) return sides;
+  const double r = to_middle(tab), outer = distance(tab.foot.center, tab.center),
+               around = outer + (outer > tab.foot.radius() ? sides : -sides);
+  return std::max(0.0, tab.foot.radius() * (base::asin(std::min(1.0, (r + sides) / around)) -
+                                            2 * base::asin(std::min(1.0, r / (2 * around)))));
 }
 
 /// mm of stock to leave where a profile is cut: on its walls and the sides of its tabs, and on its floor.
@@ -198,8 +199,7 @@ class SideCheck {
     const Lowest lowest = lowest_over(at, moves_);
     const double from_ridge = std::abs(2 * along - 1) * half_;
     const double least = tab_.top_z - steepness_ * from_ridge;
-    const double side_z =
-        tab_.top_z - steepness_ * std::max(0.0, from_ridge - std::max(0.0, excess_of(tab_)));
+    const double side_z = tab_.top_z - steepness_ * std::max(0.0, from_ridge - excess_of(tab_, 0));
     const double most = std::max(side_z, tab_.bottom_z + left_.floor);
     SideError error{0, at, lowest};
     if (lowest.z < least) error.off = lowest.z - least;
@@ -235,7 +235,7 @@ std::optional<Fault> fault_of_width(const Feature& feature, const Tab& tab,
                                     const std::vector<const CheckedMove*>& moves, StockLeft left,
                                     const Tolerances& tol) {
   if (tab.shape != TabShape::kSquare) return std::nullopt;
-  const double may_stand = std::max(0.0, excess_of(tab)) + left.sides + tol.uncut;
+  const double may_stand = excess_of(tab, left.sides) + tol.uncut;
   const auto is_cut = [&](Vec2 at) {
     return lowest_over(at, moves).z <= tab.bottom_z + left.floor + tol.uncut;
   };

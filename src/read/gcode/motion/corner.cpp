@@ -104,9 +104,9 @@ std::optional<JoinedCorner> rounded(const Edge& before, const Edge& after, doubl
     const double away = distance(center, before.to);
     if (away >= nearest) continue;
     nearest = away;
-    found = JoinedCorner{
-        between(before, before.from, *begin), between(after, *end, after.to),
-        Edge::arc(*begin, *end, center, side > 0 ? Turn::kCounterClockwise : Turn::kClockwise)};
+    found =
+        JoinedCorner{between(before, before.from, *begin), between(after, *end, after.to),
+                     Edge::arc(*begin, *end, center, side > 0 ? Turn::kCounterClockwise : Turn::kClockwise)};
   }
   return found;
 }

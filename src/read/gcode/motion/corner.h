@@ -17,10 +17,10 @@ enum class CornerKind : unsigned char {
 
 struct Corner {
   CornerKind kind = CornerKind::kRounding;
-  double size = 0;                ///< mm, > 0
-  std::optional<MmPerMin> feed;   ///< along it; absent: as `feeds_as_next` says
-  bool feeds_as_next = false;     ///< at the feed of the move behind the corner, else of the move before it
-  int line = 0;                   ///< of the program
+  double size = 0;               ///< mm, > 0
+  std::optional<MmPerMin> feed;  ///< along it; absent: as `feeds_as_next` says
+  bool feeds_as_next = false;    ///< at the feed of the move behind the corner, else of the move before it
+  int line = 0;                  ///< of the program
 };
 
 /// Two moves and what comes between them. Where a move is used up by the corner its edge is absent.

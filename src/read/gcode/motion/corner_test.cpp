@@ -15,8 +15,7 @@ namespace {
 using ::testing::HasSubstr;
 
 std::string words(Dialect dialect, const std::string& blocks) {
-  const std::string modes =
-      dialect == Dialect::kSiemens ? "G710 G17 G90 G94 G60" : "G17 G21 G90 G94 G61";
+  const std::string modes = dialect == Dialect::kSiemens ? "G710 G17 G90 G94 G60" : "G17 G21 G90 G94 G61";
   return moves_as(dialect, modes + "\nG0 X0. Y0. Z5.\nF100.\n" + blocks + "\nM30")
       .substr(std::string("\nrapid to 0 0 5").size());
 }
@@ -43,8 +42,7 @@ std::string klartext_refused(const std::string& blocks) {
   return "";
 }
 
-const std::string kRounded =
-    "\ncut to 15 0 5 F100\ncut to 20 5 5 ccw about 15 5 F100\ncut to 20 20 5 F100";
+const std::string kRounded = "\ncut to 15 0 5 F100\ncut to 20 5 5 ccw about 15 5 F100\ncut to 20 20 5 F100";
 const std::string kChamfered = "\ncut to 15 0 5 F100\ncut to 20 5 5 F100\ncut to 20 20 5 F100";
 
 TEST(Corner, LinesAreRoundedAndChamfered) {
@@ -87,13 +85,15 @@ TEST(Corner, CompensationFollowsTheRoundedContour) {
   options.dialect = Dialect::kHeidenhain;
   options.compensation = {{{1, 2}}, std::nullopt, std::nullopt, true};
   const Program read = read_gcode(
-      "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S1000\n2 L X-10 Y+0 Z+5 R0 FMAX M3\n3 L X+0 RL F100\n4 L X+20\n5 RND "
+      "0 BEGIN PGM A MM\n1 TOOL CALL 1 Z S1000\n2 L X-10 Y+0 Z+5 R0 FMAX M3\n3 L X+0 RL F100\n4 L X+20\n5 "
+      "RND "
       "R5\n6 L Y+20\n7 L X+40 R0\n99 END PGM A MM\n",
       "test.h", options);
   std::string told_moves;
   for (const Section& section : read.toolpath.sections)
     for (const Move& move : section.moves) told_moves += "\n" + told(move);
-  EXPECT_THAT(told_moves, HasSubstr("\ncut to 15 2 5 F100\ncut to 18 5 5 ccw about 15 5 F100\ncut to 18 20 5"));
+  EXPECT_THAT(told_moves,
+              HasSubstr("\ncut to 15 2 5 F100\ncut to 18 5 5 ccw about 15 5 F100\ncut to 18 20 5"));
 }
 
 TEST(Corner, WhatMakesNoCornerIsRefused) {
@@ -103,7 +103,8 @@ TEST(Corner, WhatMakesNoCornerIsRefused) {
   EXPECT_THAT(refused(Dialect::kFanuc, "G1 X20.,R5."), HasSubstr("the end of the program"));
   EXPECT_THAT(refused(Dialect::kFanuc, "G1 X20.,R25.\nY20."), HasSubstr("cannot be rounded"));
   EXPECT_THAT(refused(Dialect::kFanuc, "G1 X20.,R5.\nX40."), HasSubstr("cannot be rounded"));
-  EXPECT_THAT(refused(Dialect::kFanuc, "G1 X10.,C2.\nG2 X30. Y0. I10. J0."), HasSubstr("an arc has a chamfer"));
+  EXPECT_THAT(refused(Dialect::kFanuc, "G1 X10.,C2.\nG2 X30. Y0. I10. J0."),
+              HasSubstr("an arc has a chamfer"));
   EXPECT_THAT(refused(Dialect::kFanuc, "G0 X20.,R5.\nG1 Y20."), HasSubstr("cuts no line or arc"));
   EXPECT_THAT(refused(Dialect::kFanuc, "G1 X20.,R0.\nY20."), HasSubstr("no size above 0"));
   EXPECT_THAT(refused(Dialect::kFanuc, "G1 X20.,A30."), HasSubstr("',A' states a line by its angle"));
