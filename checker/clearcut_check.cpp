@@ -26,11 +26,12 @@ using Text = std::string;
 constexpr Int kLargest = Int(1) << 30;  // nm; coordinates and centers of arcs
 constexpr Int kHome = kLargest - 1;     // nm; height that stands for the machine's own upper end
 constexpr Int kEdge = 4;                // nm; how far rounded corners may lie outside an arc's sector (L4)
-constexpr Int kChord = 150;             // nm; how far chords may leave their arcs
+constexpr Int kChord = 25;              // nm; how far chords may leave their arcs
 constexpr Int kWidestPiece = 100'000;   // nm; how far a tiling's boundary may be from its wall
 constexpr Int kRadiiDiffer = 20'000;    // nm; between an arc's start and end
 constexpr Int kShortestArc = 2'000;     // nm; shorter ones may be full circles to some controls
-constexpr Int kStep = 20'000;  // nm; between places of a line at which its engagement may be looked at
+constexpr Int kStepChord = 150;  // nm; the same of those whose ends are places of an arc for its engagement
+constexpr Int kStep = 20'000;    // nm; between places of a line at which its engagement may be looked at
 constexpr Int kMillimetre = 1'000'000, kInch = 25'400'000;
 
 /// Why something is not accepted: 1 the proof does not hold, 2 a file cannot be understood.
@@ -243,22 +244,22 @@ Wide chord_error(const Curve& c, Point u, Point v) {
   return std::max(Wide(c.high) - root_down(least), root_up(std::max(square(u), square(v))) - c.low);
 }
 /// Adds the chords from direction u to v (less than 180 degrees on) to `out`, without u: halved until they are near the curve.
-void halve(const Curve& c, Point u, Point v, int depth, Points& out) {
+void halve(const Curve& c, Point u, Point v, Int most, int depth, Points& out) {
   const Point sum = u + v;
   const Wide size = root_down(square(sum)), radius = (Wide(c.low) + c.high) / 2;
-  const bool near = dot(u, v) > 0 && chord_error(c, u, v) <= kChord + (c.high - c.low) + 3;
+  const bool near = dot(u, v) > 0 && chord_error(c, u, v) <= most + (c.high - c.low) + 3;
   if (depth == 0 || near || size == 0) return out.push_back(v);
   const Point middle{Int(nearest_quotient(sum.x * radius, size)),
                      Int(nearest_quotient(sum.y * radius, size))};
-  halve(c, u, middle, depth - 1, out);
-  halve(c, middle, v, depth - 1, out);
+  halve(c, u, middle, most, depth - 1, out);
+  halve(c, middle, v, most, depth - 1, out);
 }
 /// A polyline that stays within `error` of the curve, point by point in order (L6).
 struct Chords {
   Points points;
   Wide error = 0;
 };
-Chords chords_of(const Curve& c) {
+Chords chords_of(const Curve& c, Int most = kChord) {
   if (!c.arc) return {{c.a, c.b}, 0};
   const Int r = (c.low + c.high) / 2;
   Points rays{c.first};  // from the center, counter-clockwise, ends as they are
@@ -273,7 +274,7 @@ Chords chords_of(const Curve& c) {
   }
   rays.push_back(c.last);
   Chords out{{c.first}, 0};
-  for (std::size_t i = 1; i < rays.size(); ++i) halve(c, rays[i - 1], rays[i], 24, out.points);
+  for (std::size_t i = 1; i < rays.size(); ++i) halve(c, rays[i - 1], rays[i], most, 24, out.points);
   for (std::size_t i = 1; i < out.points.size();
        ++i) {  // nothing of this is trusted: turns, sector, distance
     const Point u = out.points[i - 1], v = out.points[i];
@@ -1436,7 +1437,7 @@ const Tool* tool_numbered(const std::vector<Tool>& tools, Int number) {
 }
 /// Places along a move: its chords', or no more than 0.02 mm apart.
 Points steps_of(const Curve& path) {
-  Points points = chords_of(path).points;
+  Points points = chords_of(path, kStepChord).points;
   if (path.clockwise) std::reverse(points.begin(), points.end());
   if (path.arc) return points;
   const Point d = path.b - path.a;

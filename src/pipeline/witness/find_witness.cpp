@@ -28,7 +28,13 @@ using ccw::Point;
 using ccw::Points;
 using ccw::Text;
 
-constexpr double kSpare = 14;       // nm kept off every bound: neighbours insert corners into finished tiles
+/// nm; neighbours insert corners into finished tiles.
+struct Spare {
+  double bound;  ///< kept off every bound
+  double wall;   ///< distance of a tile's piece from its line
+};
+constexpr Spare kUsualSpare{14, 8};
+constexpr Spare kLeastSpare{5, 2};  // where a place is nearly as far from all cuts as it may be
 constexpr double kLegalSpare = 8;   // nm, likewise for places too near to a wall
 constexpr double kOnLine = 1.5;     // nm within which a corner counts as on a cutting line
 constexpr int kMostWork = 300'000;  // pieces looked at and cuts of the centers' tiles, in all
@@ -159,14 +165,14 @@ class Mesh {
     return out;
   }
   /// Distance of its parts of the boundary from their walls.
-  double slack(const Polygon& polygon) const {
+  double slack(const Polygon& polygon, double line) const {
     double widest = 0;
     for (const Half h : polygon) {
       const Side& side = at(h);
       if (side.wall < 0) continue;
       const Curve& wall = walls_[static_cast<std::size_t>(side.wall)].curve;
       widest =
-          std::max(widest, wall.arc ? static_cast<double>(ccw::slack_of(wall, side.from, side.to)) : 8.0);
+          std::max(widest, wall.arc ? static_cast<double>(ccw::slack_of(wall, side.from, side.to)) : line);
     }
     return widest;
   }
@@ -193,6 +199,19 @@ class Mesh {
     sides_[static_cast<std::size_t>(index)].first = first;
     sides_[static_cast<std::size_t>(index)].second = second;
   }
+  /// A place on a wall that no other wall has, at most 1 nm from p: beside a sharp corner the crossings of both walls may
+  /// be rounded to one place, and the pieces from there to the corner and back would cancel.
+  Point own_place(int wall, Point p, const Cut& line) {
+    if (wall < 0 || on_walls_.try_emplace(p, wall).first->second == wall) return p;
+    Point best = p;
+    for (const Point near : {p + Point{1, 0}, p + Point{-1, 0}, p + Point{0, 1}, p + Point{0, -1}}) {
+      const auto other = on_walls_.find(near);
+      const bool is_free = other == on_walls_.end() || other->second == wall;
+      if (is_free && (best == p || std::abs(line.side(near)) < std::abs(line.side(best)))) best = near;
+    }
+    on_walls_.try_emplace(best, wall);
+    return best;
+  }
   struct Run {
     Polygon halves;
     int side = 0;
@@ -203,6 +222,7 @@ class Mesh {
 
   const std::vector<ccw::Wall>& walls_;
   std::vector<Side> sides_;
+  std::map<Point, int> on_walls_;  // corners made by cuts, with their wall
 };
 
 void Mesh::bridge(Polygon& all, const Polygon& loop) {
@@ -249,7 +269,7 @@ std::pair<std::vector<Polygon>, std::vector<Polygon>> Mesh::cut(const Polygon& g
     below = below || sa < 0;
     if (sa * sb >= 0) continue;
     const double da = line.side(a), db = line.side(b);
-    split(h.side, rounded(spot(a) + (da / (da - db)) * (spot(b) - spot(a))));
+    split(h.side, own_place(at(h).wall, rounded(spot(a) + (da / (da - db)) * (spot(b) - spot(a))), line));
   }
   if (!above || !below) return on_one_side(given, above);
   const Polygon polygon = whole(given);
@@ -419,7 +439,7 @@ struct Setting {
 class Tiling {
  public:
   /// Tiling of a feature.
-  Tiling(const Setting& setting, const ccw::Claim& claim);
+  Tiling(const Setting& setting, const ccw::Claim& claim, Spare spare);
   /// Tiling around a rapid.
   Tiling(const Setting& setting, std::size_t move);
 
@@ -448,11 +468,12 @@ class Tiling {
   void replace(std::size_t index, std::vector<Polygon>& above, std::vector<Polygon>& below);
   /// Permitted excess of a tile beyond the radius of its cut, nm.
   double beyond_of(const Polygon& polygon) const {
-    return (is_rapid_ ? 0 : static_cast<double>(setting_.asked.uncut) - cover_.slack(polygon)) -
-           setting_.blend() - kSpare;
+    return (is_rapid_ ? 0 : static_cast<double>(setting_.asked.uncut) - cover_.slack(polygon, spare_.wall)) -
+           setting_.blend() - spare_.bound;
   }
 
   const Setting& setting_;
+  Spare spare_;
   bool is_rapid_;
   std::vector<ccw::Wall> target_, allowed_;
   double radius_, legal_ = 0;
@@ -653,7 +674,7 @@ std::optional<Cut> Tiling::cut_for(const Points& hull, double beyond, const std:
 
 /// Whether no legal center is near; cuts off illegal parts of the centers' tiles as far as needed.
 bool Tiling::out_of_reach(const Polygon& polygon, const Points& hull) {
-  const double reach = radius_ + cover_.slack(polygon) + kSpare;
+  const double reach = radius_ + cover_.slack(polygon, spare_.wall) + spare_.bound;
   const ccw::Box box = box_of(hull).grown(ccw::Wide(reach));
   int trims = 0;
   for (std::size_t i = 0; i < maybe_.size();) {
@@ -765,8 +786,9 @@ void Tiling::replace(std::size_t index, std::vector<Polygon>& above, std::vector
   }
 }
 
-Tiling::Tiling(const Setting& setting, const ccw::Claim& claim)
+Tiling::Tiling(const Setting& setting, const ccw::Claim& claim, Spare spare)
     : setting_(setting),
+      spare_(spare),
       is_rapid_(false),
       target_(setting.part.features[claim.feature].target.walls),
       allowed_(setting.part.features[claim.feature].allowed.walls),
@@ -786,13 +808,19 @@ Tiling::Tiling(const Setting& setting, const ccw::Claim& claim)
 
 /// A polygon around the area that must be cut for the rapid.
 Tiling::Tiling(const Setting& setting, std::size_t index)
-    : setting_(setting), is_rapid_(true), radius_(0), largest_(0), cover_(target_), centre_(allowed_) {
+    : setting_(setting),
+      spare_(kUsualSpare),
+      is_rapid_(true),
+      radius_(0),
+      largest_(0),
+      cover_(target_),
+      centre_(allowed_) {
   const ccw::Move& move = setting.program.moves[index];
   const ccw::Int radius = setting.tool_of(move)->radius;
   radius_ = static_cast<double>(radius);
   largest_ = 3 * radius;
   const double inner_radius = radius_ - static_cast<double>(setting.asked.rapid) + setting.blend() + 10,
-               outer = radius_ - setting.blend() - 2 * kSpare;
+               outer = radius_ - setting.blend() - 2 * spare_.bound;
   if (outer <= inner_radius) throw NotFound{"the rim of rapids is too narrow for the blending"};
   const int count = 4 + static_cast<int>(std::ceil(
                             kPi / base::acos(inner_radius / (inner_radius + 0.5 * (outer - inner_radius)))));
@@ -1157,6 +1185,14 @@ const WitnessFeature& planned(const WitnessQuestion& question, const ccw::Part& 
   return *found;
 }
 
+Tiling tiling_of(const Setting& setting, const ccw::Claim& claim) {
+  try {
+    return Tiling(setting, claim, kUsualSpare);
+  } catch (const NotFound&) {
+    return Tiling(setting, claim, kLeastSpare);
+  }
+}
+
 Claimed claimed(const Setting& setting, const WitnessQuestion& question, std::size_t index) {
   const ccw::Feature& feature = setting.part.features[index];
   const WitnessFeature& asked = planned(question, setting.part, index);
@@ -1171,7 +1207,7 @@ Claimed claimed(const Setting& setting, const WitnessQuestion& question, std::si
   claim.radius = to_nm(asked.diameter / 2);
   claim.wall_stock = to_nm(asked.wall_stock);
   claim.floor_stock = to_nm(asked.floor_stock);
-  const Tiling tiling(setting, claim);
+  const Tiling tiling = tiling_of(setting, claim);
   if (!tiling.any_cut()) throw NotFound{"the cutter reaches nothing of it down to its floor"};
   return {claim, tiling.cover(), tiling.centre()};
 }
