@@ -117,6 +117,12 @@ TEST(MainJob, FishheadIsCleanInEveryWorkingstep) {
     EXPECT_LE(feature.figures.gouge_mm, 0.001) << feature.name;
   }
   expect_clean(result, "fishhead");
+  // On the four faces short covers are faster than parallel lines.
+  for (const auto& selection : result.selections) {
+    if (selection.feature.starts_with("PLANAR_FACE")) {
+      EXPECT_EQ(selection.kept(), "cover") << selection.feature;
+    }
+  }
   if (const auto data = data_folder())
     expect_clean(pipeline::plan_part(read::read_part(*data / "stepnc/fishhead.p21", {}), options),
                  "published fishhead");

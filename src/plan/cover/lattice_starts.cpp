@@ -15,8 +15,8 @@
 namespace clearcut::plan::cover {
 namespace {
 
-/// Samples along the side of a lattice's square.
-constexpr int kSamples = 8;
+/// Samples along the side of a lattice's square; fewer in areas that would have more samples than the number below.
+constexpr double kSamples = 8, kMostSamples = 60'000;
 /// A place is visited when its square holds at least this share of the area.
 constexpr double kShares[] = {0.15, 0.4};
 /// Cost of uncovered area: mm of path for each square diameter outside of all squares, over the pitch.
@@ -101,7 +101,9 @@ class Lattices {
   Lattices(const Regions& area, const LatticeStartOptions& options) : options_(options) {
     const Box box = geometry::box(area);
     const LegalArea inside(area);
-    const double pitch = 2 * options.radius / kSamples;
+    const double pitch =
+        std::max(2 * options.radius / kSamples, std::sqrt(geometry::area(area) / kMostSamples));
+    of_square_ = 4 * options.radius * options.radius / (pitch * pitch);
     for (double y = box.min.y + pitch / 2; y < box.max.y; y += pitch)
       for (double x = box.min.x + pitch / 2; x < box.max.x; x += pitch)
         if (inside.contains({x, y})) samples_.push_back({x, y});
@@ -133,7 +135,7 @@ class Lattices {
       choice.share = share;
       choice.cost = 0;
       for (const auto& [at, count] : counts) {
-        const double held = count / static_cast<double>(kSamples * kSamples);
+        const double held = count / of_square_;
         choice.cost += held >= share ? 1 : kLeftCost * held;
       }
       rated.push_back(choice);
@@ -149,7 +151,7 @@ class Lattices {
                   choice.direction);
       if (options_.may_stand && !options_.may_stand(p)) continue;
       all.push_back(p);
-      if (count >= choice.share * kSamples * kSamples) points.push_back(p);
+      if (count >= choice.share * of_square_) points.push_back(p);
     }
     if (points.empty()) points = all;
     if (points.empty()) points.push_back(samples_[samples_.size() / 2]);
@@ -159,7 +161,28 @@ class Lattices {
  private:
   const LatticeStartOptions& options_;
   std::vector<Vec2> samples_;
+  double of_square_ = 1;  ///< samples of a whole square
 };
+
+/// Whether the center may be at all points; with the bends of moves that would be illegal.
+bool make_legal(std::vector<Vec2>& path, const LatticeStartOptions& options) {
+  if (options.may_stand && !std::all_of(path.begin(), path.end(), options.may_stand)) return false;
+  if (!options.bends) return true;
+  std::vector<Vec2> legal;
+  for (const Vec2 p : path) {
+    if (!legal.empty()) {
+      const std::vector<Vec2> bends = options.bends(legal.back(), p);
+      legal.insert(legal.end(), bends.begin(), bends.end());
+    }
+    legal.push_back(p);
+  }
+  if (options.closed && !legal.empty()) {
+    const std::vector<Vec2> bends = options.bends(legal.back(), legal.front());
+    legal.insert(legal.end(), bends.begin(), bends.end());
+  }
+  path = std::move(legal);
+  return true;
+}
 
 std::vector<Vec2> ordered(const std::vector<Vec2>& points, const LatticeStartOptions& options) {
   if (points.size() < 3) return points;
@@ -167,7 +190,7 @@ std::vector<Vec2> ordered(const std::vector<Vec2>& points, const LatticeStartOpt
   problem.name = "lattice";
   problem.points = points;
   problem.shape = options.closed ? order::Shape::kClosedTour : order::Shape::kOpenPath;
-  if (options.bends)
+  if (options.bends && options.orders_by_detours)
     problem.detour = [&](int from, int to) {
       return options.bends(points[static_cast<std::size_t>(from)], points[static_cast<std::size_t>(to)]);
     };
@@ -190,6 +213,7 @@ std::vector<Vec2> ordered(const std::vector<Vec2>& points, const LatticeStartOpt
     path.insert(path.end(), way.begin(), way.end() - 1);
   });
   if (!problem.closed()) path.push_back(points[static_cast<std::size_t>(tour.back())]);
+  if (!problem.detour) make_legal(path, options);
   return path;
 }
 
@@ -284,22 +308,6 @@ std::vector<Vec2> along_lines(std::vector<std::pair<Vec2, Vec2>> lines) {
     lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(next));
   }
   return path;
-}
-
-/// Whether the center may be at all points; with the bends of moves that would be illegal.
-bool make_legal(std::vector<Vec2>& path, const LatticeStartOptions& options) {
-  if (options.may_stand && !std::all_of(path.begin(), path.end(), options.may_stand)) return false;
-  if (!options.bends) return true;
-  std::vector<Vec2> legal;
-  for (const Vec2 p : path) {
-    if (!legal.empty()) {
-      const std::vector<Vec2> bends = options.bends(legal.back(), p);
-      legal.insert(legal.end(), bends.begin(), bends.end());
-    }
-    legal.push_back(p);
-  }
-  path = std::move(legal);
-  return true;
 }
 
 }  // namespace

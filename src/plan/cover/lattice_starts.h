@@ -20,6 +20,9 @@ struct LatticeStartOptions {
   /// Bends of the shortest path if the straight move is illegal; empty function: all straight moves are legal.
   std::function<std::vector<Vec2>(Vec2 from, Vec2 to)> bends;
   std::function<bool(Vec2)> may_stand;  ///< empty: everywhere
+  /// Whether orders of lattice points are compared by legal moves, which takes a path for every pair of near points; else
+  /// by straight ones, and only the moves of the result get their bends.
+  bool orders_by_detours = true;
 };
 
 /// Paths clearing most of the area; the first ones leave or repeat least. At least one path if the area is not empty.

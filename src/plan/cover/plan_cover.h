@@ -15,7 +15,7 @@ namespace clearcut::plan::cover {
 ///         walls, if there are any. Empty if the cutter fits nowhere.
 /// Error   Nothing reachable of the target is left.
 /// Throws  InputError if the area is more than kMostSquares square diameters, or cannot be cleared this way.
-/// Cost    Given by `effort`, for each connected area.
+/// Cost    Given by `effort`, which connected areas share by their size.
 LayerPasses plan_cover(const Layer& layer, double corner_price, const CoverEffort& effort,
                        const Tolerances& tol);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "base/progress.h"
 #include "base/units.h"
@@ -19,13 +20,23 @@ constexpr int kDirections = 6;
 constexpr double kWorthPulling = 0.35;
 /// The same after its corners were pulled once.
 constexpr double kWorthPullingOn = 0.1;
-/// Number of nearest corners from which a path round walls is searched.
-constexpr std::size_t kCornersAsked = 30;
+/// Number of nearest places of the path from which a path round walls is searched.
+constexpr std::size_t kPlacesAsked = 30;
 /// Least number of steps counted for a change, so that searches of tiny areas end.
 constexpr std::uint64_t kLeastWork = 200;
 /// Points are cleared by the cheapest insertions up to this multiple of their number; then by detours there and back,
 /// after which no point is uncleared.
 constexpr std::size_t kInsertionsPerPoint = 2, kInsertionsAtLeast = 100;
+/// Up to this many points are cleared all together; more are cleared by squares with this side, in radii.
+constexpr std::size_t kClearedTogether = 3000;
+constexpr double kSquareCleared = 8;
+/// Between walls, moves farther away than this many radii get no detour to a point: the path round the walls is searched.
+constexpr double kFarthestInsertion = 12;
+/// Steps counted for a check against the walls, and for a search for a path round them.
+constexpr std::uint64_t kCheckWork = 4, kBendsWork = 400;
+/// Share of the squared radius by which a point of the rim may be farther than the radius: dividing a move moves it by
+/// rounding.
+constexpr double kRimRounding = 1e-9;
 /// A path has at least so many corners.
 constexpr int kFewestCorners = 3;
 
@@ -41,6 +52,12 @@ inline bool clears(Vec2 a, Vec2 b, Vec2 p, double r2) {
 }
 
 }  // namespace
+
+bool Shortening::may_move(Vec2 a, Vec2 b) {
+  if (!limits_.may_move) return true;
+  work_ += kCheckWork;
+  return limits_.may_move(a, b);
+}
 
 Corner Shortening::random_corner() {
   for (;;) {
@@ -96,6 +113,7 @@ Shortening::Insertion Shortening::cheapest(Vec2 bare) {
     best.after = -1;
     path_.for_moves_near(bare, reach, consider);
     if (best.after >= 0 || reach > path_.extent()) break;
+    if (limits_.may_move && reach > kFarthestInsertion * radius) break;
   }
   if (!path_.closed()) {
     const Corner first = path_.next(CoverPath::kNowhere), last = path_.previous(CoverPath::kNowhere);
@@ -106,15 +124,29 @@ Shortening::Insertion Shortening::cheapest(Vec2 bare) {
 }
 
 bool Shortening::clear(std::vector<Vec2> bare) {
+  if (bare.size() <= kClearedTogether) return clear_together(std::move(bare));
+  std::map<std::pair<long, long>, std::vector<Vec2>> squares;
+  const double side = kSquareCleared * witnesses_.radius();
+  for (const Vec2 p : bare) squares[{std::lround(p.y / side), std::lround(p.x / side)}].push_back(p);
+  for (auto& [place, points] : squares) {
+    // Detours of other squares may have cleared some.
+    std::erase_if(points, [&](Vec2 p) { return path_.moves_within(p, witnesses_.radius()) > 0; });
+    work_ += points.size();
+    if (!clear_together(std::move(points))) return false;
+  }
+  return true;
+}
+
+bool Shortening::clear_together(std::vector<Vec2> bare) {
   std::vector<Vec2> uncovered;
-  std::size_t left = kInsertionsAtLeast + kInsertionsPerPoint * bare.size();
+  const std::size_t most = kInsertionsAtLeast + kInsertionsPerPoint * bare.size();
+  std::size_t insertions = 0;
   while (!bare.empty()) {
     throw_if_cancelled(limits_.cancel);
-    if (left == 0) {
-      if (!visit_around(bare.back(), bare)) return false;
+    if (++insertions > most) {
+      if (insertions > 2 * most || !visit_around(bare.back(), bare)) return false;
       continue;
     }
-    --left;
     const int asked = 1 + static_cast<int>(random_.below(4));
     Insertion chosen;
     bool around = false;
@@ -144,7 +176,7 @@ bool Shortening::clear(std::vector<Vec2> bare) {
 
 /// Removes the points that the moves from one corner to a later one clear.
 void Shortening::remove_cleared(Corner from, Corner to, std::vector<Vec2>& points) const {
-  const double r2 = witnesses_.radius() * witnesses_.radius();
+  const double r2 = witnesses_.radius() * witnesses_.radius() * (1 + kRimRounding);
   for (Corner c = from; c != to; c = path_.next(c)) {
     const Corner next = path_.next(c);
     if (path_.is_nowhere(c) || path_.is_nowhere(next)) continue;
@@ -170,30 +202,45 @@ void Shortening::insert_detour(Corner after, Vec2 p, std::vector<Vec2>& uncovere
   remove_cleared(after, next, uncovered);
 }
 
-/// Adds a detour to p and back around obstacles, from the nearest corner with a path to p. Removes the points thus
-/// cleared from `bare`. False if there is no such corner.
+/// The nearest places on moves to p, the nearest first; at most kPlacesAsked.
+std::vector<Shortening::PlaceOnMove> Shortening::places_near(Vec2 p) {
+  std::vector<PlaceOnMove> places;
+  for (double reach = 2 * witnesses_.radius();; reach *= 2) {
+    places.clear();
+    path_.for_moves_near(p, reach, [&](Corner a, Corner b) {
+      ++work_;
+      const Vec2 from = path_.at(a), to = path_.at(b);
+      const Vec2 foot = from == to ? from : nearest_point(Edge::line(from, to), p);
+      places.push_back({distance(foot, p), a, foot});
+    });
+    if (!places.empty() || reach > path_.extent()) break;
+  }
+  const auto is_before = [](const PlaceOnMove& a, const PlaceOnMove& b) {
+    return std::pair(a.away, a.after) < std::pair(b.away, b.after);
+  };
+  std::sort(places.begin(), places.end(), is_before);
+  const auto is_same = [](const PlaceOnMove& a, const PlaceOnMove& b) { return a.after == b.after; };
+  places.erase(std::unique(places.begin(), places.end(), is_same), places.end());
+  if (places.size() > kPlacesAsked) places.resize(kPlacesAsked);
+  return places;
+}
+
+/// Adds a detour to p and back around obstacles, from the nearest place of the path with a path to p: no point is
+/// uncleared by it. Removes the points thus cleared from `bare`. False if there is no such place.
 bool Shortening::visit_around(Vec2 p, std::vector<Vec2>& bare) {
-  std::vector<std::pair<double, Corner>> corners;
-  for (Corner c = 0; c < path_.index_limit(); ++c)
-    if (path_.is_alive(c) && !path_.is_nowhere(c)) corners.push_back({distance(path_.at(c), p), c});
-  std::sort(corners.begin(), corners.end());
-  if (corners.size() > kCornersAsked) corners.resize(kCornersAsked);
-  for (const auto& [away, corner] : corners) {
-    const auto bends = limits_.bends ? limits_.bends(path_.at(corner), p) : std::vector<Vec2>{};
+  for (const PlaceOnMove& place : places_near(p)) {
+    if (limits_.bends) work_ += kBendsWork;
+    const auto bends = limits_.bends ? limits_.bends(place.at, p) : std::vector<Vec2>{};
     if (!bends) continue;
-    std::vector<Vec2> line(bends->begin(), bends->end());
+    std::vector<Vec2> line{place.at};
+    line.insert(line.end(), bends->begin(), bends->end());
     line.push_back(p);
     line.insert(line.end(), bends->rbegin(), bends->rend());
-    line.push_back(path_.at(corner));
-    Corner at = corner;
-    for (const Vec2 place : line) at = path_.insert_after(at, place, bare);
-    line.insert(line.begin(), path_.at(corner));
-    const double r2 = witnesses_.radius() * witnesses_.radius();
-    std::erase_if(bare, [&](Vec2 q) {
-      for (std::size_t i = 1; i < line.size(); ++i)
-        if (clears(line[i - 1], line[i], q, r2)) return true;
-      return false;
-    });
+    line.push_back(place.at);
+    Corner at = place.after;
+    const Corner next = path_.next(at);
+    for (const Vec2 point : line) at = path_.insert_after(at, point, bare);
+    remove_cleared(place.after, next, bare);
     std::erase(bare, p);
     return true;
   }
@@ -294,7 +341,7 @@ bool Shortening::cut_corner(Corner c, double finest) {
       if (length >= best - limits_.corner_price) continue;
       line[2] = p;
       if (!all_cleared(line.data(), 5)) continue;
-      if (limits_.may_move && !(may_move(before, p) && may_move(p, after))) continue;
+      if (!(may_move(before, p) && may_move(p, after))) continue;
       at = p;
       best = length;
       k = 0;
@@ -396,7 +443,7 @@ void Shortening::pull_some(std::vector<Corner> corners, double finest, std::size
   std::vector<Corner> start;
   std::swap(start, corners);
   for (const Corner c : start) push(c);
-  for (std::size_t i = 0; i < corners.size() && i < most; ++i) {
+  for (std::size_t i = 0; i < corners.size() && i < most && work() < most_work_; ++i) {
     throw_if_cancelled(limits_.cancel);
     const Corner c = corners[i];
     waits[static_cast<std::size_t>(c)] = 0;
@@ -415,7 +462,7 @@ void Shortening::pull_some(std::vector<Corner> corners, double finest, std::size
 }
 
 void Shortening::pull_all(double finest, int rounds) {
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < rounds && work() < most_work_; ++round) {
     const double before = path_.length();
     std::vector<Corner> all;
     Corner first = random_corner();

@@ -1,7 +1,9 @@
 // Shortens a path as long as all witness points stay cleared.
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -30,7 +32,8 @@ class Shortening {
   Shortening(CoverPath& path, Witnesses& witnesses, ShorteningLimits limits, std::uint64_t seed)
       : path_(path), witnesses_(witnesses), limits_(std::move(limits)), random_(seed) {}
 
-  /// Clears all these points, by cheap detours. False if some cannot be cleared.
+  /// Clears all these points, by cheap detours. False if some cannot be cleared. Cost: proportional to the number of
+  /// points, if they are many: those far from each other are cleared one square after the other.
   bool clear(std::vector<Vec2> bare);
   /// Pulls the path taut at these corners and their neighbours, in steps down to `finest` mm.
   void pull(std::vector<Corner> corners, double finest);
@@ -49,10 +52,15 @@ class Shortening {
   /// disc.
   void set_to_and_fro(bool to_and_fro) { to_and_fro_ = to_and_fro; }
 
+  /// The path is no longer pulled taut once work() exceeds this.
+  void set_most_work(std::uint64_t most) { most_work_ = most; }
+
+  /// Steps so far.
   std::uint64_t work() const { return witnesses_.work() + work_; }
 
  private:
-  bool may_move(Vec2 a, Vec2 b) const { return !limits_.may_move || limits_.may_move(a, b); }
+  bool may_move(Vec2 a, Vec2 b);
+  bool clear_together(std::vector<Vec2> bare);
   bool is_fixed(Corner c) const {
     return path_.is_nowhere(c) || (limits_.fixed_start && path_.previous(c) == CoverPath::kNowhere);
   }
@@ -75,6 +83,12 @@ class Shortening {
   bool move_stretch(std::vector<Vec2>& bare);
   void remove_cleared(Corner from, Corner to, std::vector<Vec2>& points) const;
   void insert_detour(Corner after, Vec2 p, std::vector<Vec2>& uncovered);
+  struct PlaceOnMove {
+    double away = 0;  ///< mm from the point
+    Corner after = -1;
+    Vec2 at;
+  };
+  std::vector<PlaceOnMove> places_near(Vec2 p);
   bool visit_around(Vec2 p, std::vector<Vec2>& bare);
   void pull_some(std::vector<Corner> corners, double finest, std::size_t most);
 
@@ -87,6 +101,7 @@ class Shortening {
   bool to_and_fro_ = false;
   std::uint64_t moves_share_ = 4;  ///< quarters of the corners whose moves are shifted as a whole, too
   std::uint64_t work_ = 0;
+  std::uint64_t most_work_ = std::numeric_limits<std::uint64_t>::max();
 };
 
 }  // namespace clearcut::plan::cover

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "base/progress.h"
-#include "plan/common/cover.h"
 #include "plan/cover/lattice_starts.h"
+#include "plan/cover/places_left.h"
 #include "plan/cover/shortening.h"
 
 namespace clearcut::plan::cover {
@@ -18,33 +18,36 @@ namespace {
 constexpr double kMostWitnesses = 4e6;
 /// Paths are searched with a disc smaller by this share, so that uncleared places between witnesses vanish soon.
 constexpr double kReserve = 2e-5;
-/// Distance, in radii, between searched places on the boundary.
-constexpr double kBoundaryStep = 1e-4;
-/// A place counts as left if its distance from the path exceeds the radius by this share.
-constexpr double kRounding = 1e-9;
 /// A part of the search. Lengths in radii.
 struct Phase {
   double pitch;            ///< pitch of witness points
   double reserve;          ///< reduction of the disc meanwhile, so that little is left between witnesses
-  double share;            ///< share of the steps
-  double of_rest;          ///< share of the remaining time
+  double of_rest;          ///< share of the remaining steps and of the remaining time
   double first_tolerance;  ///< longer paths are kept up to so much, at first
   double last_tolerance;
   bool learns;  ///< searches uncleared places between the witnesses
 };
-constexpr Phase kPhases[] = {{0.12, 0.02, 0.4, 0.4, 0.06, 0.02, false},
-                             {0.07, 0.006, 0.35, 0.6, 0.02, 0.004, true},
-                             {0.05, kReserve, 0.25, 1, 0.004, 0.001, true}};
+constexpr Phase kPhases[] = {{0.12, 0.02, 0.4, 0.06, 0.02, false},
+                             {0.07, 0.006, 0.6, 0.02, 0.004, true},
+                             {0.05, kReserve, 1, 0.004, 0.001, true}};
 /// Of brief searches: uncleared slivers between strips as thin as these reserves escape the witnesses.
-constexpr Phase kBriefPhases[] = {{0.12, 1e-3, 0.5, 0.5, 0.02, 0.004, false},
-                                  {0.07, 5e-4, 0.5, 1, 0.004, 0.001, true}};
-std::span<const Phase> phases_of(bool brief) {
-  return brief ? std::span<const Phase>(kBriefPhases) : std::span<const Phase>(kPhases);
+constexpr Phase kBriefPhases[] = {{0.12, 1e-3, 0.5, 0.02, 0.004, false}, {0.07, 5e-4, 1, 0.004, 0.001, true}};
+std::span<const Phase> phases_of(bool quick) {
+  return quick ? std::span<const Phase>(kBriefPhases) : std::span<const Phase>(kPhases);
 }
-/// Share of the time after which no further initial path is tried.
+/// Share of the steps and of the time after which no further initial path is tried.
 constexpr double kBeginning = 0.2;
-/// Share of the time reserved for the end.
+/// Square diameters from which one initial lattice is tried instead of several, and up to which any is: larger areas begin
+/// with strips.
+constexpr double kManySquares = 1000, kMostSquaresOfLattice = 3000;
+/// Square diameters times edges of the area up to which lattices are ordered by legal moves.
+constexpr double kMostDetours = 20'000;
+/// Share of the steps and of the time reserved for the end.
 constexpr double kFinishing = 0.15;
+/// Steps counted for each move and for each edge of the boundary when places left between the witnesses are searched, and
+/// for each witness point when the path is rebuilt.
+constexpr std::uint64_t kStepsPerMove = 40, kStepsPerEdge = 40;
+constexpr double kStepsPerWitness = 0.05;
 /// Steps of corners, in radii: while searching and at the end.
 constexpr double kCoarse = 0.02, kFine = 5e-4;
 /// Least cost of a corner, in radii: of paths of nearly equal length those with few corners are searched faster.
@@ -52,18 +55,19 @@ constexpr double kLeastCornerPrice = 3e-4;
 constexpr int kMostRepairs = 40, kPulledRepairs = 8;
 /// Shares of the radius by which detours go farther than necessary, while the path is pulled taut and afterwards.
 constexpr double kTightMargin = 1e-4, kWideMargin = 2e-3;
-/// Number of witnesses for an uncleared stretch of the boundary.
-constexpr int kPlacesOfStretch = 6;
-/// Corners of one hole's rim are within this many radii; number of places along each side of the raster over them.
-constexpr double kGroup = 0.4;
-constexpr int kPlacesOfHole = 8;
 /// Shares of the search after which uncleared places between the witnesses are searched.
 constexpr double kLearning = 0.34;
 
 class Search {
  public:
   Search(const CoverTask& task, const CoverEffort& effort)
-      : task_(task), effort_(effort), began_(std::chrono::steady_clock::now()), inside_(task.area) {
+      : task_(task),
+        effort_(effort),
+        began_(std::chrono::steady_clock::now()),
+        area_(task.area),
+        squares_(area(task.area) / (4 * task.radius * task.radius)),
+        is_quick_(effort.brief || squares_ > kMostSquaresOfLattice),
+        phases_(phases_of(is_quick_)) {
     least_pitch_ = std::sqrt(area(task.area) / kMostWitnesses);
     pitch_ = std::max(phases_[0].pitch * task.radius, least_pitch_);
     reserve_ = phases_[0].reserve;
@@ -71,7 +75,7 @@ class Search {
 
   CoverResult run() {
     LatticeStartOptions options;
-    options.radius = effort_.brief ? task_.radius * (1 - reserve_) : task_.radius;
+    options.radius = is_quick_ ? task_.radius * (1 - reserve_) : task_.radius;
     options.closed = task_.closed;
     options.seed = effort_.seed;
     options.cancel = effort_.cancel;
@@ -80,13 +84,18 @@ class Search {
         return task_.legal->bends(a, b).value_or(std::vector<Vec2>{});
       };
       options.may_stand = [this](Vec2 p) { return task_.legal->area().holds(p); };
+      options.orders_by_detours = squares_ * static_cast<double>(area_.edges.size()) < kMostDetours;
     }
+    options.most = squares_ < kManySquares ? 4 : 1;
     std::vector<std::vector<Vec2>> starts;
-    if (effort_.brief) starts = strip_starts(task_.area, options);
+    if (is_quick_) starts = strip_starts(task_.area, options);
     if (starts.empty()) starts = lattice_starts(task_.area, options);
     std::size_t best = 0;
     for (std::size_t i = 0; i < starts.size(); ++i) {
-      if (!candidates_.empty() && seconds() > kBeginning * effort_.seconds) break;
+      // Of the few strips, which one is best is known only when they have been pulled taut.
+      if (!candidates_.empty() && !is_quick_ &&
+          (seconds() > kBeginning * effort_.seconds || spent_ > share_of_steps(kBeginning)))
+        break;
       Candidate candidate = begin(starts[i]);
       if (!candidate.path) continue;
       tell("begun", candidate);
@@ -99,6 +108,7 @@ class Search {
     candidates_.clear();
     anneal(chosen);
     result.points = finish(chosen, result.proven);
+    result.steps = spent(chosen);
     result.length = length_of(result.points);
     return result;
   }
@@ -139,8 +149,18 @@ class Search {
     limits.corner_price = corner_price();
     candidate.shortening =
         std::make_unique<Shortening>(*candidate.path, *candidate.witnesses, std::move(limits), effort_.seed);
-    candidate.shortening->set_to_and_fro(effort_.brief);
+    candidate.shortening->set_to_and_fro(is_quick_);
     return candidate;
+  }
+
+  std::uint64_t share_of_steps(double share) const {
+    return static_cast<std::uint64_t>(share * static_cast<double>(effort_.steps));
+  }
+  /// Steps of the search so far.
+  std::uint64_t spent(const Candidate& candidate) const { return spent_ + candidate.shortening->work(); }
+  /// The path is pulled taut only until so many steps of the search are spent.
+  void limit(const Candidate& candidate, std::uint64_t most) const {
+    candidate.shortening->set_most_work(most > spent_ ? most - spent_ : 0);
   }
 
   Candidate begin(std::vector<Vec2> points) {
@@ -150,7 +170,9 @@ class Search {
       points.insert(points.begin(), *task_.start);
     }
     Candidate candidate = build(std::move(points), {});
+    spent_ += steps_of_witnesses();
     if (!candidate.shortening->clear(candidate.witnesses->bare())) return {};
+    limit(candidate, spent_ + share_of_steps(kBeginning));
     candidate.shortening->pull_all(kCoarse * task_.radius, 3);
     candidate.path->forget();
     spent_ += candidate.shortening->work();
@@ -166,13 +188,15 @@ class Search {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
   }
 
-  /// Searches through all phases.
+  /// Searches through all phases, as long as there are steps.
   void anneal(Candidate& candidate) {
-    for (std::size_t i = 0; i < phases_.size(); ++i) {
+    spent_ -= candidate.shortening->work();  // counted by itself until it is rebuilt
+    for (std::size_t i = 0; i < phases_.size() && spent(candidate) < share_of_steps(1 - kFinishing); ++i) {
       if (i > 0) {
         pitch_ = std::max(phases_[i].pitch * task_.radius, least_pitch_);
         reserve_ = phases_[i].reserve;
         rebuild(candidate, candidate.path->points());
+        limit(candidate, share_of_steps(1 - kFinishing));
         candidate.shortening->pull_all(kCoarse * task_.radius, 3);
         candidate.path->forget();
       }
@@ -184,9 +208,10 @@ class Search {
     const double radius = task_.radius;
     const double begun = seconds(),
                  until = begun + (effort_.seconds - kFinishing * effort_.seconds - begun) * phase.of_rest;
-    const double steps = static_cast<double>(effort_.steps) * phase.share;
-    std::uint64_t first = candidate.shortening->work();
-    double spent = 0, done = 0, learned = 0;
+    const std::uint64_t first = spent(candidate), end = share_of_steps(1 - kFinishing);
+    const double steps = end > first ? static_cast<double>(end - first) * phase.of_rest : 0;
+    limit(candidate, end);
+    double done = steps > 0 ? 0 : 1, learned = 0;
     std::vector<Vec2> best = candidate.path->points();
     double best_cost = cost_of(candidate);
     for (long long i = 0; done < 1; ++i) {
@@ -204,10 +229,10 @@ class Search {
       candidate.shortening->change(tolerance, kCoarse * radius);
       if (cost_of(candidate) < best_cost - 1e-3 * radius) {
         best = candidate.path->points();
+        spent_ += best.size() / 8;
         best_cost = cost_of(candidate);
       }
-      spent = static_cast<double>(candidate.shortening->work() - first);
-      done = spent / steps;
+      done = static_cast<double>(spent(candidate) - first) / steps;
       if (i % 16 == 0) {
         throw_if_cancelled(effort_.cancel);
         if (seconds() >= until)
@@ -221,111 +246,31 @@ class Search {
     if (cost_of(candidate) > best_cost) rebuild(candidate, best);
   }
 
+  std::uint64_t steps_of_witnesses() const {
+    return static_cast<std::uint64_t>(kStepsPerWitness * area(task_.area) / (pitch_ * pitch_));
+  }
+
   void rebuild(Candidate& candidate, const std::vector<Vec2>& points) {
+    spent_ += candidate.shortening->work() + steps_of_witnesses();
     candidate = build(points, extra_);
     candidate.shortening->clear(candidate.witnesses->bare());
     candidate.path->forget();
   }
 
-  std::vector<Vec2> places_left(const std::vector<Vec2>& points) const {
+  std::vector<Vec2> left_by(const std::vector<Vec2>& points) {
     std::vector<Vec2> line = points;
     if (task_.closed) line.push_back(points.front());
     Path path;
     for (std::size_t i = 1; i < line.size(); ++i)
       if (line[i] != line[i - 1]) path.push_back(Edge::line(line[i - 1], line[i]));
     if (path.empty()) path.push_back(Edge::line(line.front(), line.front()));
-    const Cover cover(path, task_.radius * (1 + kRounding));
-    std::vector<Vec2> left = cover.holes([&](Vec2 p) { return inside_.contains(p); });
-    add_inner_places(cover, left);
-    // If the rim of the cleared area leaves the area to be covered, the rim's own corners are outside.
-    for (const Edge& edge : edges_of(task_.area)) add_left_on(edge, cover, path, left);
-    return left;
-  }
-
-  /// Adds, to the corners of rims, places inside the holes: those of a raster over each group of corners that are not
-  /// cleared.
-  void add_inner_places(const Cover& cover, std::vector<Vec2>& left) const {
-    std::vector<Box> groups;
-    const double near = kGroup * task_.radius;
-    for (const Vec2 p : left) {
-      const auto group = std::find_if(groups.begin(), groups.end(),
-                                      [&](const Box& box) { return distance(box.center(), p) < near; });
-      if (group == groups.end()) {
-        groups.emplace_back();
-        groups.back().add(p);
-      } else {
-        group->add(p);
-      }
-    }
-    for (const Box& group : groups) {
-      const Box box = group.grown(1e-3 * near);
-      for (int i = 0; i <= kPlacesOfHole; ++i) {
-        for (int k = 0; k <= kPlacesOfHole; ++k) {
-          const Vec2 p{box.min.x + box.width() * i / kPlacesOfHole,
-                       box.min.y + box.height() * k / kPlacesOfHole};
-          if (cover.distance_to(p) > task_.radius * (1 + kRounding) && inside_.contains(p)) left.push_back(p);
-        }
-      }
-    }
-  }
-
-  /// Adds places of each uncleared stretch of the boundary; exactly on lines.
-  void add_left_on(const Edge& edge, const Cover& cover, const Path& path, std::vector<Vec2>& left) const {
-    if (edge.is_arc())
-      add_left_on_arc(edge, cover, left);
-    else
-      add_left_on_line(edge, path, left);
-  }
-
-  void add_left_on_line(const Edge& edge, const Path& path, std::vector<Vec2>& left) const {
-    const double length = edge.length(), reach = task_.radius * (1 + kRounding);
-    if (length == 0) return;
-    const Vec2 along = unit(edge.to - edge.from);
-    const auto turned = [&](Vec2 p) { return Vec2{dot(p - edge.from, along), cross(along, p - edge.from)}; };
-    std::vector<std::pair<double, double>> cleared;
-    for (const Edge& move : path) {
-      const ClearedBand::Run run = ClearedBand(turned(move.from), turned(move.to), reach).at(0);
-      if (run.first <= run.last && run.last >= 0 && run.first <= length)
-        cleared.emplace_back(run.first, run.last);
-    }
-    cleared.emplace_back(length, length);
-    std::sort(cleared.begin(), cleared.end());
-    double up_to = 0;
-    for (const auto& [first, last] : cleared) {
-      if (first > up_to + kRounding * task_.radius) add_stretch(edge, up_to, first, left);
-      up_to = std::max(up_to, last);
-    }
-  }
-
-  void add_stretch(const Edge& edge, double first, double last, std::vector<Vec2>& left) const {
-    const double length = edge.length();
-    for (int k = -1; k <= kPlacesOfStretch + 1; ++k) {
-      const double at = first + (last - first) * k / kPlacesOfStretch;
-      if (at >= 0 && at <= length) left.push_back(edge.at(at / length));
-    }
-  }
-
-  /// An arc is searched in steps so short that an uncleared area between two of them is thinner than the reserve.
-  void add_left_on_arc(const Edge& edge, const Cover& cover, std::vector<Vec2>& left) const {
-    const double step = kBoundaryStep * task_.radius;
-    const double length = edge.length();
-    double begun = -1;
-    for (double along = 0;;) {
-      const double away =
-          along < length ? cover.distance_to(edge.at(along / length)) - task_.radius * (1 + kRounding) : 0;
-      if (away > 0 && begun < 0) begun = along;
-      if (away <= 0 && begun >= 0) {
-        add_stretch(edge, begun, std::min(along, length), left);
-        begun = -1;
-      }
-      if (along >= length) break;
-      along += std::max(step, std::abs(away));
-    }
+    spent_ += kStepsPerMove * path.size() + kStepsPerEdge * area_.edges.size();
+    return places_left(area_, path, task_.radius);
   }
 
   /// Turns uncleared places between the witnesses into witnesses and clears them. False if there were none.
   bool learn(Candidate& candidate, double finest) {
-    const std::vector<Vec2> left = places_left(candidate.path->points());
+    const std::vector<Vec2> left = left_by(candidate.path->points());
     std::vector<Vec2> bare;
     for (const Vec2 p : left) {
       const int moves = candidate.path->moves_within(p, candidate.witnesses->radius());
@@ -341,11 +286,13 @@ class Search {
   }
 
   std::vector<Vec2> finish(Candidate& candidate, bool& proven) {
+    limit(candidate, effort_.steps);
     if (!effort_.brief && seconds() < effort_.seconds)
       candidate.shortening->pull_all(kFine * task_.radius, 4);
     for (int repair = 0; repair < kMostRepairs && !proven; ++repair) {
       // The path is pulled taut again while there is time; then only completed, which ends soon.
-      const bool pulls = !effort_.brief && repair < kPulledRepairs && seconds() < effort_.seconds;
+      const bool pulls = !effort_.brief && repair < kPulledRepairs && seconds() < effort_.seconds &&
+                         spent(candidate) < effort_.steps;
       candidate.shortening->set_margin(pulls ? kTightMargin : kWideMargin);
       proven = !learn(candidate, pulls ? kFine * task_.radius : 0);
     }
@@ -355,10 +302,12 @@ class Search {
   const CoverTask& task_;
   const CoverEffort& effort_;
   std::chrono::steady_clock::time_point began_;
-  LegalArea inside_;
+  CoveredArea area_;
+  double squares_;  ///< the area in square diameters
+  bool is_quick_;   ///< begins with strips
+  std::span<const Phase> phases_;
   double pitch_ = 0, least_pitch_ = 0;
   double reserve_ = 0;
-  std::span<const Phase> phases_ = phases_of(effort_.brief);
   std::uint64_t spent_ = 0;
   std::vector<Candidate> candidates_;
   std::vector<Vec2> extra_;

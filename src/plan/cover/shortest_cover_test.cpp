@@ -171,6 +171,43 @@ TEST(ShortestCover, StopsWhenCancelled) {
   EXPECT_ANY_THROW(shortest_cover(task, effort));
 }
 
+/// A box with discs left out at the points of a square lattice.
+Regions sieve(double side, double pitch, double radius) {
+  std::vector<Loop> islands;
+  for (double y = pitch / 2; y < side; y += pitch) {
+    for (double x = pitch / 2; x < side; x += pitch) {
+      const Vec2 center{x, y}, out{radius, 0};
+      islands.push_back(Loop{Edge::arc(center - out, center + out, center, Turn::kClockwise),
+                             Edge::arc(center + out, center - out, center, Turn::kClockwise)});
+    }
+  }
+  const std::vector<Vec2> corners{{0, 0}, {side, 0}, {side, side}, {0, side}};
+  return {Region::from_valid_loops(loop_from_points(corners), std::move(islands))};
+}
+
+TEST(ShortestCover, LargeAreasKeepToTheirSteps) {
+  CoverTask task;
+  task.radius = 0.5;
+  for (const Regions& area : {Regions{box_region(0, 0, 100, 60)}, sieve(30, 3, 0.7)}) {
+    task.area = area;
+    const CoverResult result = shortest_cover(task, brief());
+    EXPECT_TRUE(result.proven);
+    EXPECT_LT(farthest(area, moves_of(result.points, false), 1), task.radius + 1e-6);
+    // A first path that clears all, and what the steps allow.
+    EXPECT_LT(static_cast<double>(result.steps),
+              1.2 * static_cast<double>(brief().steps) + 5000 * geometry::area(area));
+  }
+}
+
+TEST(ShortestCover, CurvedBoundariesAreClearedExactly) {
+  CoverTask task;
+  task.radius = 0.5;
+  task.area = sieve(6, 3, 0.7);
+  const CoverResult result = shortest_cover(task, brief());
+  EXPECT_TRUE(result.proven);
+  EXPECT_LT(farthest(task.area, moves_of(result.points, false), 0.02), task.radius * (1 + 1e-8));
+}
+
 TEST(ShortestCover, TinyAreasEndTheSearch) {
   CoverTask task;
   task.area = {box_region(0, 0, 0.01, 0.01)};
