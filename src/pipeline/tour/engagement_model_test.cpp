@@ -59,13 +59,13 @@ TEST(Engagement, APassBesideAPassHasItsClosedForm) {
   EXPECT_NEAR(raster_engagement(grid_task())->along(tour)[9], 0.5, 0.06);
 }
 
-/// The raster model written down plainly: pixels of a midpoint circle by the root, whole discs cleared sqrt(2 r) pixels behind. For
-/// moves along the axes.
+/// The raster model written down plainly: pixels of a midpoint circle by the root, those of a line by rounding its slope, whole discs
+/// cleared sqrt(2 r) pixels behind.
 class PlainRaster {
  public:
-  explicit PlainRaster(const EngagementTask& task)
+  PlainRaster(const EngagementTask& task, double accuracy)
       : task_(task),
-        size_(raster_pixel(task.radius, 0.02)),
+        size_(raster_pixel(task.radius, accuracy)),
         radius_(static_cast<int>(std::lround(task.radius / size_))) {
     for (int y = 0;; ++y) {
       const int x = static_cast<int>(std::floor(std::sqrt(1.0 * radius_ * radius_ - 1.0 * y * y) + 0.5));
@@ -76,23 +76,22 @@ class PlainRaster {
     }
     Box where = box(task.target);
     for (const Vec2 p : task.points) where.add(p);
-    origin_ = where.grown(task.radius + 2 * size_).min;
+    where = where.grown(task.radius + 2 * size_);
+    origin_ = where.min;
+    side_ = static_cast<int>(std::max(where.width(), where.height()) / size_) + 3;
+    cleared_.assign(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_), false);
   }
 
   std::vector<double> along(const std::vector<int>& tour) {
     std::vector<double> shares;
     clear(pixel_of(tour[0]));
     for (std::size_t i = 1; i < tour.size(); ++i) {
-      Pixel at = pixel_of(tour[i - 1]);
-      const Pixel to = pixel_of(tour[i]);
-      const Pixel step{sign(to.first - at.first), sign(to.second - at.second)};
-      std::vector<Pixel> trail;
+      const std::vector<Pixel> trail = line(pixel_of(tour[i - 1]), pixel_of(tour[i]));
+      const Vec2 direction = point(tour[i]) - point(tour[i - 1]);
       double sum = 0;
-      while (at != to) {
-        at = {at.first + step.first, at.second + step.second};
-        trail.push_back(at);
-        sum += engaged(at, step);
-        if (trail.size() > lag()) clear(trail[trail.size() - 1 - lag()]);
+      for (std::size_t k = 0; k < trail.size(); ++k) {
+        sum += engaged(trail[k], direction);
+        if (k >= lag()) clear(trail[k - lag()]);
       }
       for (const Pixel& p : trail) clear(p);
       shares.push_back(sum / static_cast<double>(trail.size()));
@@ -103,54 +102,70 @@ class PlainRaster {
  private:
   using Pixel = std::pair<int, int>;
   static int sign(int value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+  static std::vector<Pixel> line(Pixel from, Pixel to) {
+    const int dx = std::abs(to.first - from.first), dy = std::abs(to.second - from.second);
+    const int most = std::max(dx, dy);
+    const auto after = [most](int k, int all) { return (2 * k * all + most) / (2 * most); };
+    std::vector<Pixel> pixels;
+    for (int k = 1; k <= most; ++k) {
+      pixels.emplace_back(from.first + sign(to.first - from.first) * after(k, dx),
+                          from.second + sign(to.second - from.second) * after(k, dy));
+    }
+    return pixels;
+  }
   std::size_t lag() const { return static_cast<std::size_t>(std::ceil(std::sqrt(2.0 * radius_))); }
-  Pixel pixel_of(int point) const {
-    const Vec2 p = task_.points[static_cast<std::size_t>(point)];
+  Vec2 point(int index) const { return task_.points[static_cast<std::size_t>(index)]; }
+  Pixel pixel_of(int index) const {
+    const Vec2 p = point(index);
     return {static_cast<int>(std::lround((p.x - origin_.x) / size_)),
             static_cast<int>(std::lround((p.y - origin_.y) / size_))};
   }
-  bool is_material(Pixel at) const {
-    return !cleared_.contains(at) &&
-           contains(task_.target, origin_ + Vec2{at.first * size_, at.second * size_});
+  std::size_t place_of(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(side_) + static_cast<std::size_t>(x);
   }
-  double engaged(Pixel at, Pixel step) const {
+  bool is_material(int x, int y) const {
+    return !cleared_[place_of(x, y)] && contains(task_.target, origin_ + Vec2{x * size_, y * size_});
+  }
+  double engaged(const Pixel& at, Vec2 direction) const {
     int leading = 0, in = 0;
     for (const Pixel& p : circle_) {
-      if (p.first * step.first + p.second * step.second <= 0) continue;
+      if (p.first * direction.x + p.second * direction.y <= 0) continue;
       ++leading;
-      in += is_material({at.first + p.first, at.second + p.second}) ? 1 : 0;
+      in += is_material(at.first + p.first, at.second + p.second) ? 1 : 0;
     }
     return static_cast<double>(in) / leading;
   }
-  void clear(Pixel at) {
+  void clear(const Pixel& at) {
     for (const Pixel& p : circle_) {
       for (int x = -std::abs(p.first); x <= std::abs(p.first); ++x)
-        cleared_.insert({at.first + x, at.second + p.second});
+        cleared_[place_of(at.first + x, at.second + p.second)] = true;
     }
   }
 
   const EngagementTask& task_;
   double size_;
-  int radius_;
+  int radius_, side_ = 0;
   Vec2 origin_;
-  std::set<Pixel> circle_, cleared_;
+  std::set<Pixel> circle_;
+  std::vector<bool> cleared_;
 };
 
 TEST(Engagement, TheRasterIsThePlainOneToThePixel) {
   const EngagementTask task = grid_task();
   Random random(5);
-  for (int round = 0; round < 3; ++round) {
+  // Circles of 11 and of 56 pixels.
+  for (const double accuracy : {0.02, 0.02, 0.004}) {
     std::vector<int> tour{static_cast<int>(random.below(49))};
-    while (tour.size() < 12) {
-      const int at = tour.back(), other = static_cast<int>(random.below(7));
-      const int next = random.below(2) == 0 ? 7 * (at / 7) + other : 7 * other + at % 7;
-      if (next != at) tour.push_back(next);
+    while (tour.size() < (accuracy > 0.01 ? 12 : 5)) {
+      const int next = static_cast<int>(random.below(49));
+      if (next != tour.back()) tour.push_back(next);
     }
-    const std::vector<double> plain = PlainRaster(task).along(tour);
-    const auto model = raster_engagement(task);
+    const std::vector<double> plain = PlainRaster(task, accuracy).along(tour);
+    const auto model = raster_engagement(task, accuracy);
     const std::vector<double>& ours = model->along(tour);
     ASSERT_EQ(ours.size(), plain.size());
-    for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_DOUBLE_EQ(ours[i], plain[i]) << round << " " << i;
+    for (std::size_t i = 0; i < plain.size(); ++i)
+      EXPECT_DOUBLE_EQ(ours[i], plain[i]) << accuracy << " " << i;
   }
 }
 

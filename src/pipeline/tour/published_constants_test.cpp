@@ -41,6 +41,14 @@ TEST(PublishedConstants, TimeOfATurnAsAnObjective) {
   EXPECT_NEAR(order::solve(corner, *order::time_objective(60), {}).objective, 2 + 0.708, 1e-9);
 }
 
+/// Its parts for proven bounds: a second for a mm at 60 mm/min, 2 tau for each turn and once.
+TEST(PublishedConstants, TimeAsASumOfItsParts) {
+  const auto linear = order::time_objective(60)->linear();
+  EXPECT_NEAR(linear.length, 1, 1e-12);
+  EXPECT_NEAR(linear.turns, 0.354, 1e-12);
+  EXPECT_NEAR(linear.constant, 0.354, 1e-12);
+}
+
 /// Tour eq. 4.22 as restated in docs/tour.md.
 TEST(PublishedConstants, CostOfEngagement) {
   EXPECT_NEAR(engagement_cost(-0.3), 0.3, 1e-12);
