@@ -84,6 +84,13 @@ TEST(Kinematics, MovesOfNoLengthAreHarmless) {
   EXPECT_EQ(kinematic_time(std::vector<Move>{}, kMachine).seconds(), 0);
 }
 
+/// From rest to rest: v / a to speed up and to brake, and a path too short for the speed in 2 sqrt(L / a).
+TEST(Kinematics, TravelFromRestToRest) {
+  EXPECT_NEAR(travel_time(100, 50, 500), 2 + 0.1, 1e-12);
+  EXPECT_NEAR(travel_time(1.25, 50, 500), 0.1, 1e-12);
+  EXPECT_EQ(travel_time(0, 50, 500), 0);
+}
+
 TEST(Kinematics, NeverFasterThanProgrammed) {
   const std::vector<Move> moves{feed_line({0, 0}, {30, 0}, 1000), feed_line({30, 0}, {30, 30}, 2000),
                                 feed_line({30, 30}, {0, 0}, 500)};

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/units.h"
+#include "geometry/vec2.h"
 #include "kinematics/kinematics.h"
 
 namespace clearcut::kinematics {
@@ -52,6 +54,16 @@ TEST(PublishedTime, OfFigure10) {
   EXPECT_EQ(time.fastest.mm_per_min(), 1000);
   EXPECT_NEAR(time.seconds(), 26.3028, 1e-4);
   EXPECT_NEAR(time.seconds_at(MmPerMin::of(500)), 48.7116, 1e-4);
+}
+
+/// A change of direction of 0.1 degree is the least that counts.
+TEST(PublishedTime, DirectionsCountAsChangedFromATenthOfADegreeOn) {
+  const auto changes_at = [](double degrees) {
+    const Vec2 on = direction_of(degrees * kPi / 180);
+    return Path({0, 0}, -1).to({10, 0}).to(Vec2{10, 0} + on * 10).time().discontinuities;
+  };
+  EXPECT_EQ(changes_at(0.0995), 0);
+  EXPECT_EQ(changes_at(0.1005), 1);
 }
 
 TEST(PublishedTime, RampsAndRapidsAreNoSegments) {

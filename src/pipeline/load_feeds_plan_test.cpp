@@ -123,6 +123,22 @@ TEST(LoadFeeds, NoMoveIsAboveTheReferenceByARaster) {
   EXPECT_GT(chip.findings.all.reference_load->share, 0.95);
 }
 
+/// Coarse digits move paths by micrometres, which makes thin chips thicker.
+TEST(LoadFeeds, NoMoveIsAboveTheReferenceWhereDigitsAreCoarse) {
+  for (const bool inch : {false, true}) {
+    resolve::PlanOptions options = with({"endmill:1"});
+    options.strategy = "contour";
+    options.shop.feed_by = FeedBy::kChip;
+    options.shop.material = "steel";
+    options.post.dialect = "siemens";
+    options.post.inch = inch;
+    const Part part =
+        drawn(outline("POCKET_D1", {{{0.31, 0.17}}, {{9.7, 2.3}, 0.3}, {{8.1, 9.9}}, {{1.3, 7.7}, 0.2}}));
+    const PlanResult result = plan_part(part, options);
+    EXPECT_EQ(faults_of(result.findings), "") << inch;
+  }
+}
+
 TEST(LoadFeeds, TheCapHoldsEverywhere) {
   resolve::PlanOptions options = adaptive(FeedBy::kRemoval);
   options.shop.feed_cap = MmPerMin::of(1300);

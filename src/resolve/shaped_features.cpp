@@ -25,8 +25,8 @@
 namespace clearcut::resolve {
 namespace {
 
-/// mm. Permitted deviation of the flanks in an engraved line from its groove.
-constexpr double kBesideGroove = 0.0005;
+/// mm. How far a cutter may be beside a line that it follows: the coarsest digits of a control put it 0.0018 mm beside it.
+constexpr double kBesideLine = 0.005;
 /// mm. Floors narrower than this beyond the mill's diameter are left to the bit.
 constexpr double kRoom = 0.01;
 
@@ -121,7 +121,7 @@ void shape_groove(Feature& feature, const Tool& tool) {
   const double radius = radius_at(tool, depth);
   const Tolerances tol;
   feature.target = features::kerf_of(*feature.profile, 2 * radius, tol);
-  feature.allowed = features::kerf_of(*feature.profile, 2 * (radius + kBesideGroove), tol);
+  feature.allowed = features::kerf_of(*feature.profile, 2 * (radius + kBesideLine), tol);
   if (is_conical(tool)) feature.wall_slope = Radians::of(tool.tip_angle->radians() / 2);
 }
 
@@ -165,8 +165,6 @@ constexpr double kSpeck = 0.01;
 constexpr double kBeyondKerf = 0.02;
 /// Distance around a profile, in radii of the cutter, in which others are searched.
 constexpr double kBand = 3;
-/// mm. Permitted deviation of the cutter's rim from that of an engraved line.
-constexpr double kBesideLine = 0.005;
 
 Regions within(const ProfileCut& cut) {
   return {Region::from_valid_loops(cut.line, {})};

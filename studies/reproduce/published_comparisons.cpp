@@ -29,6 +29,8 @@ constexpr double kCuttingSpeed = 36.6;  // m/min
 constexpr double kSameForAll = 10;
 /// mm/min; one feed for all cutters each, about the one that fits the printed times.
 constexpr std::array<double, 4> kTrendFeeds{40, 83, 160, 320};
+/// Length of a circle with a bisector segment as its diameter, over the way along the segment there and back.
+constexpr double kCircleOverSegment = kPi / 2;
 /// Ours is sized alike: areas and inscribed circles are the same, sides are not.
 const Explanation kOutline{"the outline is not printed; ours stands in", 0.25};
 const Explanation kNotPrinted{
@@ -68,12 +70,14 @@ void add_lengths(Reproduction& result, const char* shape, const Region& region,
   const std::string step = fmt::format("{}mm", kLengthStep);
   const auto fixed = figures_of(part, "fixed", step);
   const auto text = [](double value) { return fmt::format("{:.2f}", value); };
+  double segments = 0;
   for (const auto& row : rows) {
     const std::string strategy = row.strategy;
     const bool adds = strategy == "bisectors" || strategy == "loops" || strategy == "single";
     const auto figures = figures_of(part, strategy, adds ? std::optional(step) : std::nullopt);
     if (!figures || !fixed) continue;
     const double total = length_in_plan(*figures), contours = adds ? length_in_plan(*fixed) : total;
+    if (strategy == "bisectors") segments = total - contours;
     const bool printed = row.contours > 0;
     const auto ours = [&](double value, double theirs) {
       return printed ? beside(value, theirs, 2, kOutline) : Cell(text(value));
@@ -82,6 +86,11 @@ void add_lengths(Reproduction& result, const char* shape, const Region& region,
                 printed ? text(row.added) : "", ours(total - contours, row.added),
                 printed ? text(row.contours + row.added) : "", ours(total, row.contours + row.added),
                 figures->clean ? "yes" : "NO"});
+  }
+  if (fixed) {
+    const double contours = length_in_plan(*fixed), circles = kCircleOverSegment * segments;
+    result.add({shape, "circles on segments", "", text(contours), "", text(circles), "",
+                text(contours + circles), "gouges"});
   }
   result.add_rule();
 }
@@ -193,6 +202,15 @@ Reproduction length_comparison() {
       "their outlines are not printed, the shapes are ours (a six-pointed star, an acute quadrilateral) and "
       "sized alike: "
       "figures differ for that, what can be compared is the order");
+  table.notes.push_back(
+      fmt::format("circles on segments: a loop that the printed 382 mm allow, pi / 2 of the 244 mm of "
+                  "segments there and back: "
+                  "{:.1f} mm; but of the 67 mm of the convex shape it makes {:.1f} mm, where 58 are printed, "
+                  "and it is no loop of a "
+                  "program: at a corner alpha it reaches s (1 / sin(alpha / 2) - 1) / 2 over the outer "
+                  "contour, {:.1f} mm into the wall "
+                  "at 60 degrees",
+                  kCircleOverSegment * 244, kCircleOverSegment * 67, kLengthStep / 2));
   table.notes.push_back("lengths of linked programs in plan, with passages; clean: by the certificate");
   return result;
 }

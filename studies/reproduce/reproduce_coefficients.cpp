@@ -82,6 +82,7 @@ std::vector<Pass> contours_of(const Region& outline, double radius, double step)
   plan::contour::ContourOptions options;
   options.step = {plan::contour::StepRule::Kind::kMm, step};
   options.residuals = plan::contour::ResidualRule::kNone;
+  options.sharp_reflex = true;  // as the published names plan them
   std::vector<Pass> contours;
   for (const Pass& pass : plan::contour::plan_contour(layer, options, {}).passes)
     if (pass.closed) contours.push_back(pass);

@@ -70,6 +70,13 @@ TEST(Reproduction, AChangeOfTheLastPrintedDigitTurnsEveryCell) {
   EXPECT_GE(cells, 250);
 }
 
+/// Figure 9's star keeps its reflex corners: six similar stars without an arc, as the program cuts them.
+TEST(Reproduction, ContoursAreDrawnAsTheyArePlanned) {
+  const Reproduction& captions = made(reproducible_table("captions"));
+  ASSERT_EQ(captions.figures.size(), 3U);
+  EXPECT_EQ(captions.figures[0].svg.find('A'), std::string::npos) << "an arc in a path";
+}
+
 TEST(Reproduction, AWholeTableIsAsGoodAsItsWorstCell) {
   Reproduction result;
   result.add({"a", beside(1, 1, 0)});

@@ -174,7 +174,8 @@ class LoadFeedSetter {
 
   /// The highest feed at a place of a move; `raised` is that move, slightly higher.
   double feed_at(const Move& raised, double t) const {
-    const auto contact = material_.engagement(raised, t, radius_ - kThinnest, cutter_);
+    // The path and the one that it cuts beside are displaced, so that a thin chip becomes thicker.
+    const auto contact = material_.engagement(raised, t, radius_ - kThinnest + 2 * feeds_.displaced, cutter_);
     const double load = stock::load_at_feed_of_one(feeds_.rule.by, contact);
     if (load <= 0) return most_in_air(raised);
     const double highest = std::min(most_in_air(raised), feeds_.cap.mm_per_min());

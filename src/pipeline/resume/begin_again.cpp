@@ -198,6 +198,7 @@ class BeginWriter {
 
 std::string lines_that_begin_again(const read::gcode::HeldState& held, const read::gcode::DialectRules& rules,
                                    const WayIn& way, int line) {
+  if (rules.language == read::gcode::Language::kKlartext) return klartext_that_begins_again(held, way, line);
   return BeginWriter(held, rules, way).text(line);
 }
 

@@ -22,9 +22,12 @@ struct WayIn {
   bool tools_by_comments = false;   ///< the control has no words for tools
 };
 
-/// Lines, each with its end. Throws nothing: what they do is read back by the caller.
+/// Lines, each with its end, in the control's language. Throws nothing: what they do is read back by the caller.
 std::string lines_that_begin_again(const read::gcode::HeldState& held, const read::gcode::DialectRules& rules,
                                    const WayIn& way, int line);
+
+/// As lines_that_begin_again(), of Klartext, without block numbers.
+std::string klartext_that_begins_again(const read::gcode::HeldState& held, const WayIn& way, int line);
 
 /// A place at the height `z` beside `place`, where a flat end mill touches nothing and from which it comes straight to `place` through what
 /// `first` has cut; nothing where it touches nothing at `place` either, where there is no such place, and for other tools. mm.

@@ -13,6 +13,8 @@
 #include "pipeline/resume/begin_again.h"
 #include "pipeline/steps/certify.h"
 #include "read/gcode/control/held_state.h"
+#include "read/gcode/klartext/klartext.h"
+#include "read/gcode/klartext/words.h"
 #include "read/gcode/words/lines.h"
 #include "resolve/resolve.h"
 
@@ -332,10 +334,42 @@ void add_conditions_of_cut(ResumedProgram& resumed) {
   }
 }
 
+int count_lines(std::string_view text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+StopScan stops_of(std::string_view program, const std::string& name,
+                  const read::gcode::ReadControllerOptions& reading, int line) {
+  const bool is_klartext =
+      read::gcode::rules_of(*reading.dialect).language == read::gcode::Language::kKlartext;
+  return is_klartext ? read::gcode::scan_klartext_stops(program, name, reading, line)
+                     : read::gcode::scan_stops(program, name, reading, line);
+}
+
+/// The name and the block of a Klartext program, as they stand at its beginning, and `begin` behind them, numbered as they are.
+std::string klartext_head(std::string_view program, const std::string& begin) {
+  read::gcode::Lines lines(program);
+  std::string head;
+  bool is_numbered = false;
+  for (std::string_view line; lines.next(line);) {
+    const std::vector<std::string> words = read::gcode::words_of(line).words;
+    if (words.empty()) continue;
+    if (words[0] != "BEGIN" && words[0] != "BLK") break;
+    head += std::string(line) + "\n";
+    is_numbered = is_numbered || read::gcode::is_digit(line[line.find_first_not_of(" \t")]);
+  }
+  int number = count_lines(head);
+  read::gcode::Lines new_lines(begin);
+  for (std::string_view line; new_lines.next(line);) {
+    const bool is_block = line.front() != ' ' && line.front() != 'Q';
+    head += (is_numbered && is_block ? fmt::format("{} {}", number++, line) : std::string(line)) + "\n";
+  }
+  return head;
+}
+
 void require_same_state(const StopScan& was, const std::string& name,
                         const read::gcode::ReadControllerOptions& reading, const ResumedProgram& resumed) {
-  const StopScan is =
-      read::gcode::scan_stops(resumed.program, name, reading, was.moving_line + resumed.new_lines);
+  const StopScan is = stops_of(resumed.program, name, reading, was.moving_line + resumed.new_lines);
   std::string differs = "end of the program";
   if (is.moving && is.moving_line == was.moving_line + resumed.new_lines) {
     read::gcode::HeldState then = *was.moving, now = *is.moving;
@@ -352,10 +386,6 @@ void require_same_state(const StopScan& was, const std::string& name,
 /// Whether the cutter has to come down by a feed.
 bool is_below(const read::gcode::HeldState& held, double height) {
   return held.position[0] && held.position[1] && held.position[2] && *held.position[2] < height;
-}
-
-int count_lines(std::string_view text) {
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
 }  // namespace
@@ -375,14 +405,15 @@ ResumedProgram resume_checked(CheckResult checked, const ProgramQuestion& questi
   resumed.before = std::move(checked);
   const CheckResult& before = resumed.before;
   const read::gcode::DialectRules& rules = read::gcode::rules_of(before.dialect);
-  if (rules.language != read::gcode::Language::kWordAddress)
+  const bool is_klartext = rules.language == read::gcode::Language::kKlartext;
+  if (rules.language == read::gcode::Language::kSinumerik)
     throw InputError(program_name, fmt::format("programs of {} are not resumed; the control's own restart "
                                                "from a block goes on with them",
                                                rules.title));
   if (stop.place) find_line_at(*stop.place, before.toolpath, program_name, resumed);
   const auto reading = reading_again(before, program, program_name, options);
   const int asked = stop.line.value_or(resumed.line);
-  const StopScan scan = read::gcode::scan_stops(program, program_name, reading, asked);
+  const StopScan scan = stops_of(program, program_name, reading, asked);
   refuse_stop(scan, before.part, resolve::writes_wear(options.shop), asked, program_name);
   if (!scan.moving)
     throw InputError(fmt::format("{}:{}", program_name, asked),
@@ -406,8 +437,9 @@ ResumedProgram resume_checked(CheckResult checked, const ProgramQuestion& questi
   way.is_needed = !changes_tool_first(scan, resumed.line);
   way.semicolons = uses_semicolons(program);
   way.tools_by_comments = rules.names_no_tools;
+  const std::string begin = lines_that_begin_again(held, rules, way, resumed.line);
   const std::string head =
-      head_of(program, program_name) + lines_that_begin_again(held, rules, way, resumed.line);
+      is_klartext ? klartext_head(program, begin) : head_of(program, program_name) + begin;
   resumed.new_lines = count_lines(head) + 1 - resumed.line;
   resumed.program = head + std::string(rest_from(program, resumed.line));
   require_same_state(scan, program_name, reading_again(before, resumed.program, program_name, options),

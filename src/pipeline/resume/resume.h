@@ -32,7 +32,7 @@ struct ResumedProgram {
 
 /// `program` from `stop` on, its text unchanged.
 ///
-/// Throws InputError for Klartext and Sinumerik, for a line at which the program cannot be begun anew, with the nearest that serves, for a
+/// Throws InputError for Sinumerik, for a line at which the program cannot be begun anew, with the nearest that serves, for a
 /// place that no feed move passes within 1 mm, and where the lines in front do not bring the control into its state or the rest does
 /// not move as before.
 ResumedProgram resume_program(const ProgramQuestion& question, const Stop& stop, const std::string& program,

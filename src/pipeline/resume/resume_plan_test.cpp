@@ -168,6 +168,87 @@ TEST(Resume, ProgramsWithCompensatedPassesAreServedBeforeThem) {
   }
 }
 
+const std::string kKlartext = R"(0 BEGIN PGM POCKET MM
+1 BLK FORM 0.1 Z X+0 Y+0 Z-10
+2 BLK FORM 0.2 X+60 Y+50 Z+0
+3 CYCL DEF 32.0 TOLERANCE
+4 CYCL DEF 32.1 T0.01
+5 TOOL CALL 1 Z S12000 F500
+6 M3
+7 L X+20 Y+20 R0 FMAX M8
+8 L Z+5 R0 FMAX
+9 L Z-2 R0 F300
+10 L X+40 F1000
+11 L Y+30
+12 L X+20
+13 L Y+20
+14 CC X+30 Y+25
+15 L X+25 Y+25
+16 C X+35 Y+25 DR+
+17 CP IPA+90 DR+
+18 RND R1
+19 L Y+28
+20 L Z+25 R0 FMAX
+21 CYCL DEF 200 DRILLING ~
+  Q200=+2 ~
+  Q201=-4 ~
+  Q206=+100 ~
+  Q202=+4 ~
+  Q210=+0 ~
+  Q203=+0 ~
+  Q204=+25 ~
+  Q211=+0
+22 L X+30 Y+25 R0 FMAX M99
+23 L X+32 R0 FMAX M99
+24 L Z+50 R0 FMAX
+25 CALL LBL 1
+26 M30
+27 LBL 1
+28 L X+5 R0 FMAX
+29 LBL 0
+30 END PGM POCKET MM
+)";
+
+ResumedProgram klartext_resumed(int line) {
+  return resumed_alone(kKlartext, line, read::gcode::Dialect::kHeidenhain);
+}
+std::string klartext_refused(int line) {
+  try {
+    klartext_resumed(line);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(ResumeKlartext, BringsTheControlIntoTheStateBeforeTheLine) {
+  const ResumedProgram resumed = klartext_resumed(12);
+  EXPECT_EQ(faults_of(resumed.after.findings), "");
+  EXPECT_EQ(
+      resumed.program.substr(0, resumed.program.find("11 L Y+30")),
+      "0 BEGIN PGM POCKET MM\n1 BLK FORM 0.1 Z X+0 Y+0 Z-10\n2 BLK FORM 0.2 X+60 Y+50 Z+0\n3 ; RESUMED "
+      "BEFORE LINE 12\n4 CYCL DEF 32.0 TOLERANCE\n5 CYCL DEF 32.1 T0.01\n6 TOOL CALL 1 Z S12000 F500\n7 "
+      "M3\n8 L Z+50 R0 FMAX\n9 L X+40 Y+20 R0 FMAX\n10 M8\n11 L Z+2 R0 FMAX\n12 L Z-2 R0 F100\n13 L Z-2 "
+      "F1000\n");
+  EXPECT_THAT(resumed.program, ::testing::EndsWith(kKlartext.substr(kKlartext.find("11 L Y+30"))));
+}
+
+TEST(ResumeKlartext, BringsThePoleAndTheCycleBack) {
+  EXPECT_THAT(klartext_resumed(17).program, HasSubstr(" CC X+30 Y+25\n"));
+  EXPECT_EQ(faults_of(klartext_resumed(17).after.findings), "");
+  const ResumedProgram hole = klartext_resumed(32);
+  EXPECT_THAT(hole.program, HasSubstr(" CYCL DEF 200 DRILLING ~\nQ200=+2 ~\n"));
+  EXPECT_EQ(faults_of(hole.after.findings), "");
+}
+
+TEST(ResumeKlartext, NamesTheNearestLineThatServes) {
+  EXPECT_THAT(klartext_refused(19), HasSubstr("goes on from the move before"));
+  EXPECT_THAT(klartext_refused(24),
+              HasSubstr("within the definition of a cycle; the nearest line that serves"));
+  EXPECT_THAT(klartext_refused(33), HasSubstr("none"));
+  EXPECT_THAT(klartext_refused(35), HasSubstr("after lines that compute or call"));
+}
+
 TEST(Resume, APlaceIsPassedByTheFirstMoveThatRunsThere) {
   ProgramQuestion question;
   question.stock = Stock{{{0, 0}, {60, 50}}, -10, 0};
@@ -283,7 +364,7 @@ TEST(Resume, RandomStopsMakeTheSamePart) {
   Random random(49);
   Counted counted;
   for (const char* dialect :
-       {"linuxcnc", "grbl", "fanuc", "haas", "mach3", "mach4", "mazak", "tormach", "marlin"}) {
+       {"linuxcnc", "grbl", "fanuc", "haas", "mach3", "mach4", "mazak", "tormach", "marlin", "heidenhain"}) {
     for (const bool inch : {false, true}) {
       if (inch && std::string(dialect) == "marlin") continue;
       resolve::PlanOptions options = with({"endmill:6", "drill:5"});

@@ -12,6 +12,7 @@
 #include "geometry/box.h"
 #include "link/sections/load_feeds.h"
 #include "order/search/solve.h"
+#include "post/post.h"
 #include "stock/cutting_load.h"
 #include "stock/material.h"
 #include "verify/program/verify_options.h"
@@ -299,11 +300,20 @@ stock::Material material_at_start(const Part& part, const std::optional<Toolpath
   return material;
 }
 
+namespace {
+
+/// mm. Digits that move a path less than this change no chip.
+constexpr double kFineDigits = 2e-4;
+
+}  // namespace
+
 void follow_load(Toolpath& toolpath, const ResolvedPlan& plan) {
   if (!plan.feed_rule) return;
   const Part& part = plan.part;
+  const double rounding = post::rounding_of(plan.post) + (plan.post.arcs ? 0 : plan.tol.chord);
+  const double displaced = rounding > kFineDigits ? rounding : 0;
   std::vector<double> radii;
-  for (const Tool& tool : part.tools) radii.push_back(tool.radius());
+  for (const Tool& tool : part.tools) radii.push_back(tool.radius() + 2 * displaced);
   stock::Material material = material_at_start(part, plan.earlier, radii);
   verify::LoadReference reference{*plan.feed_rule};
   for (const ResolvedStep& step : plan.steps) reference.feed_of_step.push_back(step.feed);
@@ -319,7 +329,7 @@ void follow_load(Toolpath& toolpath, const ResolvedPlan& plan) {
     link::set_load_feeds(
         section, tool,
         {*plan.feed_rule, MmPerMin::of(reference.feed(section.workingstep, section.tool_number)), cap,
-         step.feed, plan.machine.acceleration, true},
+         step.feed, plan.machine.acceleration, true, displaced},
         material);
   }
 }

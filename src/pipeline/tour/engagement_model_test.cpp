@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "base/random.h"
 #include "base/units.h"
@@ -54,6 +57,101 @@ TEST(Engagement, APassBesideAPassHasItsClosedForm) {
   for (int i = 13; i >= 7; --i) tour.push_back(i);
   EXPECT_NEAR(exact_engagement(grid_task())->along(tour)[9], 0.5, 0.01);
   EXPECT_NEAR(raster_engagement(grid_task())->along(tour)[9], 0.5, 0.06);
+}
+
+/// The raster model written down plainly: pixels of a midpoint circle by the root, whole discs cleared sqrt(2 r) pixels behind. For
+/// moves along the axes.
+class PlainRaster {
+ public:
+  explicit PlainRaster(const EngagementTask& task)
+      : task_(task),
+        size_(raster_pixel(task.radius, 0.02)),
+        radius_(static_cast<int>(std::lround(task.radius / size_))) {
+    for (int y = 0;; ++y) {
+      const int x = static_cast<int>(std::floor(std::sqrt(1.0 * radius_ * radius_ - 1.0 * y * y) + 0.5));
+      if (x < y) break;
+      for (const int sx : {1, -1}) {
+        for (const int sy : {1, -1}) circle_.insert({sx * x, sy * y}), circle_.insert({sx * y, sy * x});
+      }
+    }
+    Box where = box(task.target);
+    for (const Vec2 p : task.points) where.add(p);
+    origin_ = where.grown(task.radius + 2 * size_).min;
+  }
+
+  std::vector<double> along(const std::vector<int>& tour) {
+    std::vector<double> shares;
+    clear(pixel_of(tour[0]));
+    for (std::size_t i = 1; i < tour.size(); ++i) {
+      Pixel at = pixel_of(tour[i - 1]);
+      const Pixel to = pixel_of(tour[i]);
+      const Pixel step{sign(to.first - at.first), sign(to.second - at.second)};
+      std::vector<Pixel> trail;
+      double sum = 0;
+      while (at != to) {
+        at = {at.first + step.first, at.second + step.second};
+        trail.push_back(at);
+        sum += engaged(at, step);
+        if (trail.size() > lag()) clear(trail[trail.size() - 1 - lag()]);
+      }
+      for (const Pixel& p : trail) clear(p);
+      shares.push_back(sum / static_cast<double>(trail.size()));
+    }
+    return shares;
+  }
+
+ private:
+  using Pixel = std::pair<int, int>;
+  static int sign(int value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
+  std::size_t lag() const { return static_cast<std::size_t>(std::ceil(std::sqrt(2.0 * radius_))); }
+  Pixel pixel_of(int point) const {
+    const Vec2 p = task_.points[static_cast<std::size_t>(point)];
+    return {static_cast<int>(std::lround((p.x - origin_.x) / size_)),
+            static_cast<int>(std::lround((p.y - origin_.y) / size_))};
+  }
+  bool is_material(Pixel at) const {
+    return !cleared_.contains(at) &&
+           contains(task_.target, origin_ + Vec2{at.first * size_, at.second * size_});
+  }
+  double engaged(Pixel at, Pixel step) const {
+    int leading = 0, in = 0;
+    for (const Pixel& p : circle_) {
+      if (p.first * step.first + p.second * step.second <= 0) continue;
+      ++leading;
+      in += is_material({at.first + p.first, at.second + p.second}) ? 1 : 0;
+    }
+    return static_cast<double>(in) / leading;
+  }
+  void clear(Pixel at) {
+    for (const Pixel& p : circle_) {
+      for (int x = -std::abs(p.first); x <= std::abs(p.first); ++x)
+        cleared_.insert({at.first + x, at.second + p.second});
+    }
+  }
+
+  const EngagementTask& task_;
+  double size_;
+  int radius_;
+  Vec2 origin_;
+  std::set<Pixel> circle_, cleared_;
+};
+
+TEST(Engagement, TheRasterIsThePlainOneToThePixel) {
+  const EngagementTask task = grid_task();
+  Random random(5);
+  for (int round = 0; round < 3; ++round) {
+    std::vector<int> tour{static_cast<int>(random.below(49))};
+    while (tour.size() < 12) {
+      const int at = tour.back(), other = static_cast<int>(random.below(7));
+      const int next = random.below(2) == 0 ? 7 * (at / 7) + other : 7 * other + at % 7;
+      if (next != at) tour.push_back(next);
+    }
+    const std::vector<double> plain = PlainRaster(task).along(tour);
+    const auto model = raster_engagement(task);
+    const std::vector<double>& ours = model->along(tour);
+    ASSERT_EQ(ours.size(), plain.size());
+    for (std::size_t i = 0; i < plain.size(); ++i) EXPECT_DOUBLE_EQ(ours[i], plain[i]) << round << " " << i;
+  }
 }
 
 TEST(Engagement, RasterAgreesWithExactOnAnyTour) {

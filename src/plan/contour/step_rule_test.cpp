@@ -64,6 +64,20 @@ TEST(StepRule, TheOverlapOfRhoIsAParameter) {
   EXPECT_NEAR(levels[1] - levels[0], 10 * rho(60 * kPi / 180, 5, 0.5), 1e-9);
 }
 
+/// Of a cutter narrower than 2 mm the overlap is half of its radius.
+TEST(StepRule, TheOverlapOfRhoIsAtMostHalfTheRadius) {
+  const auto levels = levels_of(triangle(40), "rho", 1);
+  EXPECT_NEAR(levels[1] - levels[0], 2 * rho(60 * kPi / 180, 1, 0.5), 1e-9);
+}
+
+/// No contour is farther from the last than the diameter, whatever is stated.
+TEST(StepRule, TheWidestStepIsTheDiameter) {
+  for (const char* rule : {"widest", "10.2mm", "1"}) {
+    const auto levels = levels_of(triangle(200), rule, 5);
+    EXPECT_NEAR(levels[1] - levels[0], 10, 1e-9) << rule;
+  }
+}
+
 TEST(StepRule, ValuesPerContour) {
   const auto levels = levels_of(triangle(200), "0.5,3mm,lom", 5);
   ASSERT_GE(levels.size(), 5u);

@@ -338,6 +338,8 @@ TEST_F(Job, PlacesComeFromTheFileOfParameters) {
   EXPECT_EQ(read.places->stated_origins, 6);
   write("linuxcnc.var", "5210\t1\n" + values);
   EXPECT_THROW(read_machine_text(text, machine), InputError) << "a shift by G92";
+  write("linuxcnc.var", values + "5230\t0\n5250\t30\n");
+  EXPECT_THROW(read_machine_text(text, machine), InputError) << "G55 turned by 30 degrees";
   write("linuxcnc.var", "5221\n");
   EXPECT_THROW(read_machine_text(text, machine), InputError);
 }

@@ -80,6 +80,9 @@ int first_parameter_of(const std::string& key) {
   return 0;
 }
 
+/// Where LinuxCNC keeps by how many degrees the axes of G54 to G59.3 are turned.
+constexpr int kFirstRotation = 5230, kLastRotation = 5390, kParametersOfOffset = 20;
+
 /// The file that parameters = "linuxcnc.var" names, beside the file that names it.
 ParameterValues stated_parameters(DataSection& section) {
   const auto name = section.text("parameters");
@@ -92,6 +95,13 @@ ParameterValues stated_parameters(DataSection& section) {
     section.fail_at(
         "parameters",
         "a shift by G92 was in force when the file was written (5210 is not 0); clear it by G92.1");
+  for (int turned = kFirstRotation; turned <= kLastRotation; turned += kParametersOfOffset) {
+    const auto angle = values.find(turned);
+    if (angle != values.end() && angle->second != 0)
+      section.fail_at("parameters", std::to_string(turned) +
+                                        " turns the axes of a work offset, which is not read; set the offset "
+                                        "without a rotation (G10 L2 R0)");
+  }
   return values;
 }
 

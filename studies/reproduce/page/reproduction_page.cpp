@@ -97,7 +97,7 @@ std::string overview_html(const std::vector<NamedReproduction>& tables) {
         "class=\"{7}\">{6}</td></tr>\n",
         xml_escaped(named.place), xml_escaped(named.name), one.count(Agreement::kAgrees),
         one.count(Agreement::kComputed), one.count(Agreement::kPrinted), one.count(Agreement::kExplained),
-        one.count(Agreement::kDiffers), name_of(one.agreement()));
+        one.count(Agreement::kDiffers), one.compared.empty() ? "runs" : name_of(one.agreement()));
   }
   return html + "</table></div>\n";
 }

@@ -28,11 +28,14 @@ constexpr HindranceText kHindranceTexts[] = {
     {Hindrance::kArcs, "among arcs whose word stands in a line before"},
     {Hindrance::kUnplaced, "before the program has stated where the cutter is"},
     {Hindrance::kCompensation, "under cutter radius compensation"},
-    {Hindrance::kMap, "while places are turned, mirrored or polar (G68, G51.1, G16)"},
+    {Hindrance::kMap,
+     "while places are shifted, turned, mirrored or polar (G68, G51.1, G16, cycles 7 and 10)"},
     {Hindrance::kShift, "while the zero is where the cutter stood when it was set (G92, G10)"},
     {Hindrance::kSavedModes, "while modes are kept for later (M70)"},
     {Hindrance::kOldLength, "between a change of tools and the word for the new length (G43)"},
-    {Hindrance::kCorner, "between the two moves of a corner that is rounded or chamfered"},
+    {Hindrance::kCorner,
+     "where it goes on from the move before (a corner that is rounded or chamfered, CT, APPR, DEP)"},
+    {Hindrance::kDefinition, "within the definition of a cycle"},
     {Hindrance::kMacro, "after lines that compute or call subprograms"}};
 
 /// A word of coolant as it is written: "M8".
@@ -263,20 +266,6 @@ class Follower {
     }
   }
 
-  /// s that the program waits between the last start of the spindle and the motion after it.
-  double spindle_wait() const {
-    const auto& events = builder_.events();
-    const auto start = std::find_if(events.rbegin(), events.rend(), [](const ControlEvent& event) {
-      return event.kind == ControlEventKind::kSpindleStart;
-    });
-    if (start == events.rend()) return 0;
-    double seconds = 0;
-    for (auto event = start.base(); event != events.end(); ++event)
-      if (event->kind == ControlEventKind::kDwell && event->before_move == start->before_move)
-        seconds += event->seconds;
-    return seconds;
-  }
-
   HeldState held() {
     Control& control = interpreter_.control();
     HeldState state;
@@ -295,7 +284,7 @@ class Follower {
       state.local[axis] = state.shift[axis] - without.shift(axis);
     }
     state.at_home = builder_.at_home_height();
-    state.spindle_wait = spindle_wait();
+    state.spindle_wait = wait_behind_spindle(builder_.events());
     state.words = words_;
     return state;
   }
@@ -333,10 +322,26 @@ bool same_shift(const std::array<double, 3>& a, const std::array<double, 3>& b) 
                     [](double one, double other) { return std::abs(one - other) <= kSameHeldPlace; });
 }
 
+bool same_pole(const std::optional<Vec2>& a, const std::optional<Vec2>& b) {
+  return !a || (b && distance(*a, *b) <= kSameHeldPlace);
+}
+
 }  // namespace
 
 const char* text_of(Hindrance hindrance) {
   return kHindranceTexts[static_cast<std::size_t>(hindrance)].text;
+}
+
+double wait_behind_spindle(const std::vector<ControlEvent>& events) {
+  const auto start = std::find_if(events.rbegin(), events.rend(), [](const ControlEvent& event) {
+    return event.kind == ControlEventKind::kSpindleStart;
+  });
+  if (start == events.rend()) return 0;
+  double seconds = 0;
+  for (auto event = start.base(); event != events.end(); ++event)
+    if (event->kind == ControlEventKind::kDwell && event->before_move == start->before_move)
+      seconds += event->seconds;
+  return seconds;
 }
 
 std::string difference(const HeldState& a, const HeldState& b) {
@@ -361,6 +366,9 @@ std::string difference(const HeldState& a, const HeldState& b) {
               {"path control", m.path == n.path},
               {"tool", a.tool == b.tool},
               {"next tool", a.next_tool == b.next_tool},
+              {"call of the tool", a.words.tool_calls == b.words.tool_calls},
+              {"cycle", a.words.cycle == b.words.cycle},
+              {"pole", same_pole(a.pole, b.pole)},
               {"place", same_place(a.position, b.position)}};
   for (const auto& row : rows)
     if (!row.same) return row.name;

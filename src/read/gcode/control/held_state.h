@@ -19,11 +19,12 @@ enum class Hindrance : unsigned char {
   kArcs,          ///< its places belong to an arc word above
   kUnplaced,      ///< its places belong to a motion word above, and no place was stated so far
   kCompensation,  ///< cutter radius compensation is on
-  kMap,           ///< the program's places are turned, mirrored or polar
+  kMap,           ///< the program's places are shifted, turned, mirrored or polar
   kShift,         ///< the zero was moved to where the cutter stood
   kSavedModes,    ///< modes were kept that a later word brings back
   kOldLength,     ///< the length in force is that of the tool before
-  kCorner,        ///< it is the second move of a corner that is rounded or chamfered
+  kCorner,        ///< it goes on from the move before: at rounded corners, CT, between APPR and DEP
+  kDefinition,    ///< it is one of several lines that define a cycle
   kMacro          ///< the program computes or calls before it
 };
 /// "within a drilling or tapping cycle"
@@ -48,6 +49,8 @@ struct HeldWords {
   std::vector<std::string> zeros;    ///< lines that write work offsets into the control's table
   std::string home;                  ///< of the last way straight up to a place of the machine: "G91 G28 Z0"
   bool local_shift = false;          ///< G52 was said
+  std::string tool_calls;            ///< Klartext: lines from the last change of tools on
+  std::string cycle;                 ///< Klartext: lines of the definition of the last cycle for holes
 };
 
 struct HeldState {
@@ -59,9 +62,13 @@ struct HeldState {
   std::array<double, 3> shift{};  ///< mm; what leads from the program's words to there
   std::array<double, 3> local{};  ///< mm; of G52 alone
   bool at_home = false;           ///< at the height of the machine's own zero
+  std::optional<Vec2> pole;       ///< mm, Klartext
   double spindle_wait = 0;        ///< s that the program waits after it has started the spindle
   HeldWords words;
 };
+
+/// s that a program waits between the last start of the spindle and the motion after it.
+double wait_behind_spindle(const std::vector<ControlEvent>& events);
 
 /// What of `b` is not as in `a`, by name: "feed"; "" where a program would go on alike. `position` is compared where both know it.
 std::string difference(const HeldState& a, const HeldState& b);

@@ -120,6 +120,7 @@ void ModeWords::set_other(int code, const Block& block) {
     const bool smooths = control_.rules.macros == MacroLanguage::kFanuc && !block.has('I') && !block.has('J');
     if (!smooths && (block.has_axis() || block.has('I') || block.has('J')))
       control_.refuse("G5.1 is a spline, which is not read; post lines and arcs");
+    if (smooths && block.has('Q') && block.value('Q') == 0) return;  // off
     control_.condition(
         "blending",
         "G5.1 lets the control smooth the path within a bound of its own; the exact path is checked");

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdlib>
 #include <iterator>
 #include <map>
 #include <optional>
@@ -18,6 +19,7 @@
 #include "base/tolerances.h"
 #include "base/units.h"
 #include "read/gcode/control/compensation_words.h"
+#include "read/gcode/control/held_state.h"
 #include "read/gcode/klartext/approach.h"
 #include "read/gcode/klartext/words.h"
 #include "read/gcode/motion/arc.h"
@@ -44,8 +46,18 @@ class Reader {
       : compensation_(compensation), builder_(builder) {}
 
   bool read(std::string_view text);
+  /// As scan_stops(), up to the first block that computes or calls.
+  StopScan scan(std::string_view text, int line);
 
  private:
+  void take_lines(std::string_view text);
+  bool next(Words& words);
+  void execute(Words& words);
+  StopBlock stop_at(const std::vector<std::string>& words);
+  Hindrance hindrance_at(const std::vector<std::string>& words) const;
+  HeldState held();
+  void keep(const std::vector<std::string>& words);
+  void keep_coolant(Coolant before, Coolant now);
   bool flow(const std::vector<std::string>& words);
   void call_label(const std::vector<std::string>& words);
   void tell_calls();
@@ -162,6 +174,8 @@ class Reader {
   std::optional<Vec2> heading_;       ///< in plan, at the end of the last move
   bool last_rapid_ = false;           ///< the last block that moves is one of FMAX
   bool ended_ = false;
+  HeldWords held_words_;               ///< while stops are scanned
+  std::string* definition_ = nullptr;  ///< of those, to which lines of parameters belong
 };
 
 /// "LBL 5", "LBL "NAME"": what stands behind LBL.
@@ -193,26 +207,40 @@ bool has_corner(std::string_view line) {
   });
 }
 
-bool Reader::read(std::string_view text) {
+void Reader::take_lines(std::string_view text) {
   Lines lines(text);
   for (std::string_view line; lines.next(line);) {
     lines_.push_back(line);
     has_corners_ = has_corners_ || has_corner(line);
   }
+}
+
+bool Reader::read(std::string_view text) {
+  take_lines(text);
+  for (Words words; next(words);) execute(words);
+  if (approach_) refuse_open_approach();
+  return ended_;
+}
+
+/// The next block with words; false where the program ends.
+bool Reader::next(Words& words) {
   while (!ended_ && next_ < lines_.size()) {
     const std::string_view line = lines_[next_++];
     line_ = static_cast<int>(next_);
     if (++executed_ > lines_.size() + kMostRepeated)
       refuse("over " + std::to_string(kMostRepeated) +
              " lines are repeated up to here; a loop that never ends, or too long a program");
-    Words words = words_of(line);
+    words = words_of(line);
     read_marker(words.comment, builder_);
-    if (words.words.empty() || flow(words.words)) continue;
-    if (takes_values(words.words)) parameters_.put_values(words.words, place());
-    block(words);
+    if (!words.words.empty()) return true;
   }
-  if (approach_) refuse_open_approach();
-  return ended_;
+  return false;
+}
+
+void Reader::execute(Words& words) {
+  if (flow(words.words)) return;
+  if (takes_values(words.words)) parameters_.put_values(words.words, place());
+  block(words);
 }
 
 /// Labels, their calls and FN functions; whether the block is one of them.
@@ -589,7 +617,11 @@ void Reader::refuse_if_it_changes_moves(int m) const {
                            {97, "cuts small steps of a contour otherwise"},
                            {98, "cuts open corners otherwise"},
                            {103, "feeds down by a share of the feed"},
+                           {109, "feeds faster or slower along arcs"},
+                           {110, "feeds slower along arcs inside"},
                            {118, "lets the handwheel move beside the path"},
+                           {128, "holds the tip while rotary axes turn"},
+                           {130, "takes places in axes that are not tilted"},
                            {136, "makes feeds count for a turn of the spindle"}};
   for (const Row& row : kRows)
     if (row.m == m)
@@ -747,6 +779,10 @@ Vec2 Reader::polar_target(const PathWords& words) {
 
 void Reader::line(const PathWords& words, bool polar) {
   Target to = words.absolute;
+  const auto none = [](const Target& places) {
+    return std::none_of(places.begin(), places.end(), [](const auto& place) { return place.has_value(); });
+  };
+  if (!polar && !approach_ && none(words.absolute) && none(words.incremental)) return;  // F or M alone
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (words.incremental[axis]) to[axis] = at(axis) + *words.incremental[axis];
   }
@@ -1041,7 +1077,160 @@ void Reader::depart_by(const ContactWords& contact, const Contact& from, const P
   straight(outside);
 }
 
+/// Whether the block jumps, calls, or gives a Q parameter of the programmer's own a value.
+bool computes_or_calls(const std::vector<std::string>& words) {
+  if (words[0] == "CALL") return true;
+  if (words[0].rfind("FN", 0) == 0 && (words[0].size() == 2 || is_digit(words[0][2]))) return true;
+  if (words[0][0] != 'Q' || words[0].size() < 2 || !is_digit(words[0][1])) return false;
+  return std::atoi(words[0].c_str() + 1) < kFirstOfCycles;
+}
+
+/// Whether a word of the block states a place, or calls a cycle.
+bool goes_somewhere(const std::vector<std::string>& words) {
+  if (words[0] == "CYCL") return words.size() > 1 && words[1] == "CALL";
+  if (words[0] == "CC" || words[0] == "TRANS" || words[0] == "TOOL" || words[0] == "BLK") return false;
+  return std::any_of(words.begin() + 1, words.end(),
+                     [](const std::string& word) {
+                       constexpr std::string_view kPlaces[] = {"X",  "Y",  "Z",  "IX",  "IY",
+                                                               "IZ", "PR", "PA", "IPA", "LEN"};
+                       return word == "M99" || word == "M140" ||
+                              std::any_of(std::begin(kPlaces), std::end(kPlaces),
+                                          [&](std::string_view place) { return word.rfind(place, 0) == 0; });
+                     }) ||
+         words[0] == "M99";
+}
+
+/// The number of a tool or its name stands behind TOOL CALL.
+bool puts_tool_in(const std::vector<std::string>& words) {
+  return words.size() > 2 && words[0] == "TOOL" && words[1] == "CALL" &&
+         (is_digit(words[2][0]) || words[2][0] == '"');
+}
+
+StopScan Reader::scan(std::string_view text, int line) {
+  take_lines(text);
+  StopScan scan;
+  for (Words words; next(words);) {
+    const StopBlock stop = stop_at(words.words);
+    scan.blocks.push_back(stop);
+    if (computes_or_calls(words.words)) {
+      scan.macro_line = line_;
+      if (line_ < line || scan.held) break;
+    }
+    if (line_ >= line && !scan.held) {
+      scan.held = held();
+      scan.held_line = line_;
+    }
+    if (line_ >= line && stop.moves && !scan.moving) {
+      scan.moving = held();
+      scan.moving_line = line_;
+    }
+    if (scan.macro_line > 0) break;
+    const Coolant before = builder_.drive.coolant;
+    execute(words);
+    keep(words.words);
+    keep_coolant(before, builder_.drive.coolant);
+  }
+  return scan;
+}
+
+StopBlock Reader::stop_at(const std::vector<std::string>& words) {
+  StopBlock stop;
+  stop.line = line_;
+  stop.moves = goes_somewhere(words);
+  stop.changes_tool = puts_tool_in(words);
+  const Target& at = builder_.position();
+  stop.is_placed = at[0] && at[1] && at[2];
+  stop.z = at[2].value_or(0);
+  stop.tool = builder_.drive.tool;
+  stop.hindrance = hindrance_at(words);
+  return stop;
+}
+
+Hindrance Reader::hindrance_at(const std::vector<std::string>& words) const {
+  const std::string& first = words[0];
+  const bool goes_on = first == "CT" || first == "CTP" || first == "DEP" || is_corner(first);
+  if (builder_.compensates()) return Hindrance::kCompensation;
+  if (approach_ || goes_on || builder_.waits_at_corner()) return Hindrance::kCorner;
+  const bool is_shifted = std::any_of(datum_.begin(), datum_.end(), [](double mm) { return mm != 0; });
+  if (turned_ != 0 || is_shifted) return Hindrance::kMap;
+  const bool is_second_line = first == "CYCL" && words.size() > 2 && words[1] == "DEF" &&
+                              words[2].find('.') != std::string::npos &&
+                              words[2].find(".0") == std::string::npos;
+  if (first[0] == 'Q' || is_second_line) return Hindrance::kDefinition;
+  return Hindrance::kNone;
+}
+
+HeldState Reader::held() {
+  HeldState state;
+  state.modes.unit = unit_;
+  state.modes.feed = feed_;
+  state.modes.speed = speed_;
+  state.modes.spindle = spindle_;
+  state.modes.coolant = builder_.drive.coolant;
+  state.modes.length = builder_.length;
+  state.modes.path = builder_.path_control;
+  state.tool = state.next_tool = builder_.drive.tool;
+  state.tool_said = state.changer = !held_words_.tool_calls.empty();
+  state.position = builder_.position();
+  state.shift[2] = longer_;
+  state.at_home = builder_.at_home_height();
+  state.spindle_wait = wait_behind_spindle(builder_.events());
+  state.words = held_words_;
+  if (pole_) state.pole = *pole_;
+  return state;
+}
+
+/// The text of a block without its number, as a line.
+std::string unnumbered(std::string_view line) {
+  while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+  std::size_t digits = 0;
+  while (digits < line.size() && is_digit(line[digits])) ++digits;
+  if (digits < line.size() && is_blank(line[digits])) line.remove_prefix(digits);
+  while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
+  while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
+  return std::string(line) + "\n";
+}
+
+/// What the block that was executed leaves behind, as the text that brings it back.
+void Reader::keep(const std::vector<std::string>& words) {
+  HeldWords& kept = held_words_;
+  const std::string text = unnumbered(lines_[static_cast<std::size_t>(line_) - 1]);
+  const std::string second = words.size() > 1 ? words[1] : "";
+  if (words[0] == "TOOL" && second == "CALL") {
+    if (puts_tool_in(words)) kept.tool_calls.clear();
+    kept.tool_calls += text;
+  } else if (words[0] == "CYCL" && second == "DEF" && words.size() > 2) {
+    const std::string number = words[2].substr(0, words[2].find('.'));
+    const bool begins = words[2].find('.') == std::string::npos || words[2].find(".0") != std::string::npos;
+    std::string* const of = number == "32" ? &kept.path : number == "247" ? &kept.offset : &kept.cycle;
+    definition_ = number == "7" || number == "9" || number == "10" ? nullptr : of;
+    if (definition_) *definition_ = begins ? text : *definition_ + text;
+  } else if (words[0][0] == 'Q') {
+    if (definition_) *definition_ += text;
+  } else if (words[0] == "L" && std::find(words.begin(), words.end(), "M91") != words.end()) {
+    const bool is_up = std::none_of(words.begin(), words.end(), [](const std::string& word) {
+      return word[0] == 'X' || word[0] == 'Y' || word.rfind("IX", 0) == 0 || word.rfind("IY", 0) == 0;
+    });
+    if (is_up) kept.home = text;
+  }
+}
+
+void Reader::keep_coolant(Coolant before, Coolant now) {
+  if (before == now) return;
+  held_words_.coolant.clear();
+  if (has_flood(now)) held_words_.coolant.emplace_back("M8");
+  if (has_mist(now)) held_words_.coolant.emplace_back("M7");
+}
+
 }  // namespace
+
+StopScan scan_klartext_stops(std::string_view text, const std::string& file_name,
+                             const ReadControllerOptions& options, int line) {
+  Diagnostics diagnostics;
+  std::vector<Condition> conditions;
+  ToolpathBuilder builder({file_name, options.home_z, options.safe_z}, diagnostics, conditions);
+  return Reader(options.compensation, builder).scan(text, line);
+}
 
 bool read_klartext(std::string_view text, const CompensationValues& compensation, ToolpathBuilder& builder) {
   return Reader(compensation, builder).read(text);

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <map>
+#include <string>
 #include <string_view>
 
+#include "read/gcode/control/held_state.h"
 #include "read/gcode/motion/builder.h"
 #include "read/gcode/motion/compensation.h"
+#include "read/gcode/program/program.h"
 
 namespace clearcut::read::gcode {
 
@@ -27,5 +30,10 @@ void make_hole(const HoleCycle& cycle, double unit, ToolpathBuilder& builder, in
 /// Returns whether END PGM or M30 was seen. Throws InputError for blocks that would move the tool in ways
 /// that are not understood.
 bool read_klartext(std::string_view text, const CompensationValues& compensation, ToolpathBuilder& builder);
+
+/// As scan_stops(), of a Klartext program. Blocks with radius compensation, between the moves of a corner, behind a shift of the datum and
+/// within definitions cannot be begun anew; the scan ends where the program begins to compute or call.
+StopScan scan_klartext_stops(std::string_view text, const std::string& file_name,
+                             const ReadControllerOptions& options, int line);
 
 }  // namespace clearcut::read::gcode

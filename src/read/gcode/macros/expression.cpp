@@ -300,13 +300,18 @@ double Expression::arc_tangent() {
   if (has_comma && style_ == MacroStyle::kLinuxCnc) refuse("ATAN asks for two brackets, as in ATAN[y]/[x]");
   const double second = has_comma ? terms(1).number : 0;
   if (!skip("]")) refuse("an expression lacks its ']'; close it");
-  if (has_comma) return degrees(base::atan2(first, second));
+  if (has_comma) return angle_of_sides(first, second);
   if (!skip("/")) {
     if (style_ == MacroStyle::kLinuxCnc) refuse("ATAN asks for two numbers, as in ATAN[y]/[x]");
     return degrees(base::atan(first));
   }
   if (next() != '[') refuse("ATAN asks for two brackets, as in ATAN[y]/[x]");
-  return degrees(base::atan2(first, bracket().number));
+  return angle_of_sides(first, bracket().number);
+}
+
+double Expression::angle_of_sides(double opposite, double adjacent) {
+  const double angle = degrees(base::atan2(opposite, adjacent));
+  return angle < 0 ? variables_.angle_below_zero(angle) : angle;
 }
 
 double Expression::applied(int function, double argument) const {

@@ -27,6 +27,8 @@ class MacroVariables {
   virtual MacroValue numbered(int number) = 0;
   virtual double named(const std::string& name) = 0;
   virtual bool exists(const std::string& name) const = 0;
+  /// What ATAN gives for two sides whose angle, from -180 to 180 degrees, is below 0.
+  virtual double angle_below_zero(double degrees) { return degrees; }
 };
 
 /// Reads values from a line without blanks and in upper case; `at` moves behind what was read. Throws InputError(place, ...) for what
@@ -64,6 +66,7 @@ class Expression {
   MacroValue existence();
   double plain_number();
   double arc_tangent();
+  double angle_of_sides(double opposite, double adjacent);
   Operator peek(std::size_t& length) const;
   MacroValue computed(int kind, MacroValue left, MacroValue right) const;
   double applied(int function, double argument) const;

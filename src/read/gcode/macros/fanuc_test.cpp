@@ -88,6 +88,10 @@ TEST(FanucMacros, MeasuredMovesAndModes) {
 
 TEST(FanucMacros, AnglesOfTwoSidesInBothForms) {
   EXPECT_EQ(ends("#1 = ATAN[3.,-3.]\nG1 X#1 Y[ATAN[3.]/[-3.]]\nX[ATAN[1.]]\nM30\n%\n"), "|135 135|45 135");
+  const std::string below = kHead + "G1 X[ATAN[-3.]/[-3.]]\nM30\n%\n";
+  EXPECT_EQ(ends_as(Dialect::kFanuc, below), "|225 0");
+  EXPECT_EQ(ends_as(Dialect::kHaas, below), "|-135 0");
+  EXPECT_THAT(names_of(read_as(Dialect::kFanuc, below)), HasSubstr("atan-range@7"));
   EXPECT_THAT(refusal_as(Dialect::kFanuc, kHead + "#1 = ATAN[3.,\nM30\n"), HasSubstr("a number is missing"));
   EXPECT_THAT(refusal_as(Dialect::kLinuxCnc, "G21 G90\n#1 = atan[3,4]\nM2\n"),
               HasSubstr("ATAN asks for two brackets"));

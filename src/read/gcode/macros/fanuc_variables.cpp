@@ -64,6 +64,18 @@ double FanucVariables::named(const std::string& name) {
   control_.refuse("#<" + name + "> is no variable of the control; named parameters are LinuxCNC's");
 }
 
+/// Fanuc has a parameter that decides; as delivered it takes away what is below 0.
+double FanucVariables::angle_below_zero(double degrees) {
+  if (control_.rules.macros != MacroLanguage::kFanuc) return degrees;
+  const bool counts_from_zero = control_.rules.dialect == Dialect::kFanuc;
+  control_.condition("atan-range",
+                     counts_from_zero
+                         ? "ATAN of two sides gives angles from 0 to 360 degrees in the control, "
+                           "as it is delivered (parameter 6004.0)"
+                         : "ATAN of two sides gives angles from -180 to 180 degrees in the control");
+  return counts_from_zero ? degrees + 360 : degrees;
+}
+
 MacroValue FanucVariables::unstated(int number) {
   const std::string name = shown_variable(number);
   if (control_.rules.macros == MacroLanguage::kMach) {

@@ -22,6 +22,7 @@ class FanucVariables : public MacroStore {
   double named(const std::string& name) override;
   bool exists(const std::string&) const override { return false; }
   void assign(const Assignment& assignment) override;
+  double angle_below_zero(double degrees) override;
 
   /// Of a macro that G65 calls.
   void enter(Locals locals) { locals_.push_back(std::move(locals)); }
