@@ -437,7 +437,8 @@ TEST(Coverage, OfRandomPartsByAllStrategies) {
   }
   print_table(table);
   std::cout << programs << " programs, " << proven << " proven at 0.01 mm, " << finer << " at 0.005 mm; "
-            << far << " more go farther than 1.07 m\n";
+            << far
+            << " more have centers of arcs, or coordinates, beyond 1.07 m, which no claim can be about\n";
   EXPECT_EQ(proven, count);
   EXPECT_GE(finer, count - count / 50 - 1);
 }

@@ -33,7 +33,8 @@ constexpr double kLegalSpare = 8;   // nm, likewise for places too near to a wal
 constexpr double kOnLine = 1.5;     // nm within which a corner counts as on a cutting line
 constexpr double kSliver = 4;       // nm; parts that are no wider are not cut off
 constexpr int kMostWork = 300'000;  // pieces looked at and cuts of the centers' tiles, in all
-constexpr int kDeepest = 400;       // successive cuts leading to one tile
+constexpr int kMostCompared = 3'000'000;  // pieces with tiles of centers, in all
+constexpr int kDeepest = 400;             // successive cuts leading to one tile
 
 /// Why there is no witness.
 struct NotFound {
@@ -474,7 +475,7 @@ class Tiling {
   ccw::Int largest_;  // nm; larger tiles are halved
   Mesh cover_, centre_;
   std::vector<Labelled> tiles_, illegal_;
-  int work_ = 0;
+  int work_ = 0, compared_ = 0;
   struct Maybe {
     Polygon polygon;
     Points hull;
@@ -680,7 +681,12 @@ bool Tiling::out_of_reach(const Polygon& polygon, const Points& hull) {
   const ccw::Box box = box_of(hull).grown(ccw::Wide(reach));
   int trims = 0;
   for (std::size_t i = 0; i < maybe_.size();) {
-    if (!maybe_[i].box.meets(box) || ccw::apart(hull, maybe_[i].hull, ccw::Wide(reach))) {
+    if (!maybe_[i].box.meets(box)) {
+      ++i;
+      continue;
+    }
+    if (++compared_ > kMostCompared) throw NotFound{"no tiling was found near " + place(spot(hull[0]))};
+    if (ccw::apart(hull, maybe_[i].hull, ccw::Wide(reach))) {
       ++i;
       continue;
     }
