@@ -28,17 +28,13 @@ using ccw::Point;
 using ccw::Points;
 using ccw::Text;
 
-/// nm; neighbours insert corners into finished tiles.
-struct Spare {
-  double bound;  ///< kept off every bound
-  double wall;   ///< distance of a tile's piece from its line
-};
-constexpr Spare kUsualSpare{14, 8};
-constexpr Spare kLeastSpare{5, 2};  // where a place is nearly as far from all cuts as it may be
+constexpr double kSpare = 14;       // nm kept off every bound: neighbours insert corners into finished tiles
 constexpr double kLegalSpare = 8;   // nm, likewise for places too near to a wall
 constexpr double kOnLine = 1.5;     // nm within which a corner counts as on a cutting line
+constexpr double kSliver = 4;       // nm; parts that are no wider are not cut off
 constexpr int kMostWork = 300'000;  // pieces looked at and cuts of the centers' tiles, in all
-constexpr int kDeepest = 400;       // successive cuts leading to one tile
+constexpr int kMostCompared = 3'000'000;  // pieces with tiles of centers, in all
+constexpr int kDeepest = 400;             // successive cuts leading to one tile
 
 /// Why there is no witness.
 struct NotFound {
@@ -165,14 +161,14 @@ class Mesh {
     return out;
   }
   /// Distance of its parts of the boundary from their walls.
-  double slack(const Polygon& polygon, double line) const {
+  double slack(const Polygon& polygon) const {
     double widest = 0;
     for (const Half h : polygon) {
       const Side& side = at(h);
       if (side.wall < 0) continue;
       const Curve& wall = walls_[static_cast<std::size_t>(side.wall)].curve;
       widest =
-          std::max(widest, wall.arc ? static_cast<double>(ccw::slack_of(wall, side.from, side.to)) : line);
+          std::max(widest, wall.arc ? static_cast<double>(ccw::slack_of(wall, side.from, side.to)) : 8.0);
     }
     return widest;
   }
@@ -439,7 +435,7 @@ struct Setting {
 class Tiling {
  public:
   /// Tiling of a feature.
-  Tiling(const Setting& setting, const ccw::Claim& claim, Spare spare);
+  Tiling(const Setting& setting, const ccw::Claim& claim);
   /// Tiling around a rapid.
   Tiling(const Setting& setting, std::size_t move);
 
@@ -468,19 +464,18 @@ class Tiling {
   void replace(std::size_t index, std::vector<Polygon>& above, std::vector<Polygon>& below);
   /// Permitted excess of a tile beyond the radius of its cut, nm.
   double beyond_of(const Polygon& polygon) const {
-    return (is_rapid_ ? 0 : static_cast<double>(setting_.asked.uncut) - cover_.slack(polygon, spare_.wall)) -
-           setting_.blend() - spare_.bound;
+    return (is_rapid_ ? 0 : static_cast<double>(setting_.asked.uncut) - cover_.slack(polygon)) -
+           setting_.blend() - kSpare;
   }
 
   const Setting& setting_;
-  Spare spare_;
   bool is_rapid_;
   std::vector<ccw::Wall> target_, allowed_;
   double radius_, legal_ = 0;
   ccw::Int largest_;  // nm; larger tiles are halved
   Mesh cover_, centre_;
   std::vector<Labelled> tiles_, illegal_;
-  int work_ = 0;
+  int work_ = 0, compared_ = 0;
   struct Maybe {
     Polygon polygon;
     Points hull;
@@ -529,6 +524,14 @@ std::vector<Swath> Tiling::swaths(std::size_t before, ccw::Int level) const {
     out.back().point = point;
   }
   return out;
+}
+
+/// Whether a cut leaves more than a sliver on both sides. Cutting slivers off would not end: their corners get into the
+/// neighbours' edges, off the line by their rounding.
+bool divides(const Cut& line, const Points& hull) {
+  double low = 0, high = 0;
+  for (const Point p : hull) low = std::min(low, line.side(p)), high = std::max(high, line.side(p));
+  return low < -kSliver && high > kSliver;
 }
 
 Cut halving(const ccw::Box& box) {
@@ -592,7 +595,7 @@ void Tiling::settle(const Polygon& whole, const std::vector<Swath>& swaths, ccw:
       cut = cut_for(hull, bound, near, piece, beyond);
     }
     std::pair<std::vector<Polygon>, std::vector<Polygon>> parts;
-    if (cut) parts = cover_.cut(piece.polygon, *cut);
+    if (cut && divides(*cut, hull)) parts = cover_.cut(piece.polygon, *cut);
     if (parts.first.empty() || parts.second.empty()) {
       if (!is_rapid_ && out_of_reach(piece.polygon, hull)) {
         tiles_.push_back({1, 0, piece.polygon});
@@ -674,16 +677,22 @@ std::optional<Cut> Tiling::cut_for(const Points& hull, double beyond, const std:
 
 /// Whether no legal center is near; cuts off illegal parts of the centers' tiles as far as needed.
 bool Tiling::out_of_reach(const Polygon& polygon, const Points& hull) {
-  const double reach = radius_ + cover_.slack(polygon, spare_.wall) + spare_.bound;
+  const double reach = radius_ + cover_.slack(polygon) + kSpare;
   const ccw::Box box = box_of(hull).grown(ccw::Wide(reach));
   int trims = 0;
   for (std::size_t i = 0; i < maybe_.size();) {
-    if (!maybe_[i].box.meets(box) || ccw::apart(hull, maybe_[i].hull, ccw::Wide(reach))) {
+    if (!maybe_[i].box.meets(box)) {
+      ++i;
+      continue;
+    }
+    if (++compared_ > kMostCompared) throw NotFound{"no tiling was found near " + place(spot(hull[0]))};
+    if (ccw::apart(hull, maybe_[i].hull, ccw::Wide(reach))) {
       ++i;
       continue;
     }
     auto [mine, at] = nearest_between(hull, maybe_[i].hull);
-    if (length(mine - at) < 2) {  // one inside of the other, or both on one wall
+    // One inside of the other, or both on one wall.
+    if (const double far = length(mine - at); far < 2 || far >= reach) {
       at = {};
       for (const Point p : hull) at = at + (1.0 / static_cast<double>(hull.size())) * spot(p);
     }
@@ -786,9 +795,8 @@ void Tiling::replace(std::size_t index, std::vector<Polygon>& above, std::vector
   }
 }
 
-Tiling::Tiling(const Setting& setting, const ccw::Claim& claim, Spare spare)
+Tiling::Tiling(const Setting& setting, const ccw::Claim& claim)
     : setting_(setting),
-      spare_(spare),
       is_rapid_(false),
       target_(setting.part.features[claim.feature].target.walls),
       allowed_(setting.part.features[claim.feature].allowed.walls),
@@ -808,19 +816,13 @@ Tiling::Tiling(const Setting& setting, const ccw::Claim& claim, Spare spare)
 
 /// A polygon around the area that must be cut for the rapid.
 Tiling::Tiling(const Setting& setting, std::size_t index)
-    : setting_(setting),
-      spare_(kUsualSpare),
-      is_rapid_(true),
-      radius_(0),
-      largest_(0),
-      cover_(target_),
-      centre_(allowed_) {
+    : setting_(setting), is_rapid_(true), radius_(0), largest_(0), cover_(target_), centre_(allowed_) {
   const ccw::Move& move = setting.program.moves[index];
   const ccw::Int radius = setting.tool_of(move)->radius;
   radius_ = static_cast<double>(radius);
   largest_ = 3 * radius;
   const double inner_radius = radius_ - static_cast<double>(setting.asked.rapid) + setting.blend() + 10,
-               outer = radius_ - setting.blend() - 2 * spare_.bound;
+               outer = radius_ - setting.blend() - 2 * kSpare;
   if (outer <= inner_radius) throw NotFound{"the rim of rapids is too narrow for the blending"};
   const int count = 4 + static_cast<int>(std::ceil(
                             kPi / base::acos(inner_radius / (inner_radius + 0.5 * (outer - inner_radius)))));
@@ -1185,14 +1187,6 @@ const WitnessFeature& planned(const WitnessQuestion& question, const ccw::Part& 
   return *found;
 }
 
-Tiling tiling_of(const Setting& setting, const ccw::Claim& claim) {
-  try {
-    return Tiling(setting, claim, kUsualSpare);
-  } catch (const NotFound&) {
-    return Tiling(setting, claim, kLeastSpare);
-  }
-}
-
 Claimed claimed(const Setting& setting, const WitnessQuestion& question, std::size_t index) {
   const ccw::Feature& feature = setting.part.features[index];
   const WitnessFeature& asked = planned(question, setting.part, index);
@@ -1207,7 +1201,7 @@ Claimed claimed(const Setting& setting, const WitnessQuestion& question, std::si
   claim.radius = to_nm(asked.diameter / 2);
   claim.wall_stock = to_nm(asked.wall_stock);
   claim.floor_stock = to_nm(asked.floor_stock);
-  const Tiling tiling = tiling_of(setting, claim);
+  const Tiling tiling(setting, claim);
   if (!tiling.any_cut()) throw NotFound{"the cutter reaches nothing of it down to its floor"};
   return {claim, tiling.cover(), tiling.centre()};
 }
