@@ -11,7 +11,7 @@
 namespace clearcut::link {
 namespace {
 
-/// mm above the material down to which the mill moves at the rapid.
+/// mm above the material down to which the tool moves at the rapid.
 constexpr double kAbove = 1;
 
 class ThreadPath {
@@ -143,6 +143,7 @@ class TrackLinker {
       list_->vertical(std::max(options_.cross_z, clear_z_), MoveKind::kRapid, {});
       list_->line(first.path.from, MoveKind::kRapid, {});
     }
+    if (is_standing(track) && list_->z() > first.z_from) lift_between_plunges();
     if (list_->z() > clear_z_) list_->vertical(clear_z_, MoveKind::kRapid, {});
     if (list_->z() < first.z_from) {
       list_->vertical(first.z_from, MoveKind::kRetract, options_.feed);
@@ -183,6 +184,20 @@ class TrackLinker {
     if (list_->z() < z) list_->vertical(z, MoveKind::kRetract, options_.feed);
     list_->line(to, MoveKind::kLink, options_.feed);
     return true;
+  }
+
+  static bool is_standing(const Track& track) {
+    return std::all_of(track.pieces.begin(), track.pieces.end(),
+                       [](const Track::Piece& piece) { return piece.path.from == piece.path.to; });
+  }
+
+  /// In the middle of a round area, on which the tip only goes down: out of the cut, so that no plunge is deeper than one pass, and back
+  /// to just above its end.
+  void lift_between_plunges() {
+    const double end = list_->z();
+    if (end >= clear_z_) return;
+    list_->vertical(clear_z_, MoveKind::kRapid, {});
+    list_->vertical(std::min(clear_z_, end + kAbove), MoveKind::kRapid, {});
   }
 
   MmPerMin feed_of(const Track::Piece& piece) const {

@@ -81,6 +81,17 @@ TEST(VCarving, NoPassTakesMoreThanTheStepdown) {
   }
 }
 
+/// Dots of letters: the tip goes down in the middle alone, in plunges that are no deeper than a pass.
+TEST(VCarving, RoundAreasAreGoneDownIntoByTheStepdown) {
+  for (const double stepdown : {0.4, 1.0}) {
+    auto options = with({"vbit:60deg:6"});
+    options.stepdown = stepdown;
+    const PlanResult result = plan_part(drawn(circle("VCARVE", {3, 2}, 1.5)), options);
+    EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << stepdown << ": " << faults_of(result.findings);
+    EXPECT_EQ(result.findings.all.rapid_in_material, 0);
+  }
+}
+
 /// Its tip cannot stand in the narrow ends of a floor: they are none of its faults. What it can reach is.
 TEST(VCarving, ABitWithAFlatTipIsCleanAndAProgramNotDeepEnoughIsNot) {
   const auto triangle = [](const std::string& layer) {
