@@ -37,6 +37,18 @@ TEST(Chamfering, EdgesOfPocketsIslandsHolesAndCutOutsAreBrokenClean) {
   }
 }
 
+/// The tip of a chamfer mill goes deeper than its chamfer: what smaller mills have to cut in the corners must be gone before.
+TEST(Chamfering, ComesAfterWhatIsLeftInThePocket) {
+  auto options = with({"endmill:6", "endmill:2", "chamfer:90deg:8"});
+  options.shop.rest = true;
+  options.stepdown = 0.4;
+  const PlanResult result =
+      plan_part(drawn(box("POCKET_D2", 0, 0, 30, 20) + box("CHAMFER_D0.4", 0, 0, 30, 20)), options);
+  EXPECT_EQ(faults_of(result.findings), "");
+  ASSERT_EQ(result.findings.features.size(), 3U);
+  EXPECT_EQ(result.findings.features.back().name, "CHAMFER_D0.4");
+}
+
 TEST(Chamfering, TwentyMicrometresTooDeepTooWideOrTooShallowIsFaulty) {
   const auto options = with({"endmill:5", "chamfer:90deg:8:tip=0.4"});
   const Part part = drawn(plate(all_edges("CHAMFER_D0.5")));

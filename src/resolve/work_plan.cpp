@@ -203,6 +203,34 @@ std::optional<std::size_t> first_step_under(const Part& part, const Workingstep&
   return std::nullopt;
 }
 
+/// mm. A chamfer's line this near to a wall is along its edge.
+constexpr double kAlongEdge = 0.01;
+
+/// Position in the workplan of the first later step that breaks an edge of the feature: its tip goes where the material beside the edge
+/// must be gone.
+std::optional<std::size_t> first_chamfer_of(const Part& part, const Workingstep& step) {
+  const Feature& feature = feature_of(part, step);
+  const Box around = box(feature.target).grown(kAlongEdge);
+  const auto is_on_edge = [&](Vec2 p) {
+    return std::any_of(feature.target.begin(), feature.target.end(), [&](const Region& region) {
+      const auto edges = region.edges();
+      return std::any_of(edges.begin(), edges.end(),
+                         [&](const Edge& edge) { return distance(edge, p) <= kAlongEdge; });
+    });
+  };
+  bool later = false;
+  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
+    const Feature& other = feature_of(part, part.workplan[i]);
+    if (later && other.chamfer &&
+        std::any_of(other.chamfer->line.begin(), other.chamfer->line.end(), [&](const Edge& edge) {
+          return around.contains(edge.at(0.5)) && is_on_edge(edge.at(0.5));
+        }))
+      return i;
+    later = later || part.workplan[i].feature == step.feature;
+  }
+  return std::nullopt;
+}
+
 /// Radians turned at once by a cutter of `radius` mm in the sharpest corner between walls of `loop`.
 double sharpest_turn(const Loop& loop, double radius) {
   double sharpest = 0;
@@ -262,6 +290,8 @@ void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources
   for (const Workingstep& step : last_milling_steps(part)) {
     const auto under = first_step_under(part, step, options.tol);
     if (!has_rest_steps(part, step, under.has_value(), options)) continue;
+    const auto chamfer = first_chamfer_of(part, step);
+    const auto next = under && chamfer ? std::min(under, chamfer) : under ? under : chamfer;
     const double fits =
         features::largest_fitting_diameter(feature_of(part, step), options.tol) + options.tol.fit;
     for (std::size_t i = 0; i < mills.size(); ++i) {
@@ -271,8 +301,8 @@ void add_rest_steps(Part& part, const PlanOptions& options, StepSources& sources
           meets_steeper_walls(part, feature_of(part, step), tool, options.tol) ||
           !reaches_more_than_before(part, step, tool))
         continue;
-      if (under) {
-        before[*under].push_back(rest_step(step, mills[i], part, options, sources));
+      if (next) {
+        before[*next].push_back(rest_step(step, mills[i], part, options, sources));
       } else {
         at_end.emplace_back(static_cast<int>(i), rest_step(step, mills[i], part, options, sources));
       }
