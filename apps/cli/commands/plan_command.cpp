@@ -129,18 +129,6 @@ std::string advice_of(const Part& part, const PlanOptions& options) {
                      fewer);
 }
 
-/// Of several parts how many there are and how many are clean.
-std::string parts_line(const CopiesMade& made) {
-  std::string told =
-      fmt::format("{} parts on {} by {} mm, {} clean", made.parts, trimmed(made.sheet.width(), 3),
-                  trimmed(made.sheet.height(), 3), made.clean_parts);
-  if (made.turned > 0) told += fmt::format("; {} are turned by 90 degrees", made.turned);
-  if (made.misses()) told += fmt::format("; {} of {} do not fit", *made.wanted - made.parts, *made.wanted);
-  if (made.at_most && *made.at_most > made.parts && (made.misses() || !made.wanted))
-    told += fmt::format("; no layout has more than {}", *made.at_most);
-  return told;
-}
-
 /// Plans while a line says how far it is; warnings of reading do not vanish behind an error.
 PlanResult planned(const PlanCommand& command, const Part& part, PlanOptions options) {
   try {

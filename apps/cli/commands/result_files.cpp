@@ -3,6 +3,7 @@
 #include <clearcut/error.h>
 #include <clearcut/file.h>
 #include <clearcut/part.h>
+#include <clearcut/text.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -235,6 +236,17 @@ std::string checked_by_program(const WitnessFile& witness, const Proven& what, b
                                   answer->substr(answer->find('\n') + 1));
   for (const std::string& one : witness.found.missing) lines += "NOT PROVED: " + one + "\n";
   return lines;
+}
+
+std::string parts_line(const CopiesMade& made) {
+  std::string told =
+      fmt::format("{} parts on {} by {} mm, {} clean", made.parts, trimmed(made.sheet.width(), 3),
+                  trimmed(made.sheet.height(), 3), made.clean_parts);
+  if (made.turned > 0) told += fmt::format("; {} are turned by 90 degrees", made.turned);
+  if (made.misses()) told += fmt::format("; {} of {} do not fit", *made.wanted - made.parts, *made.wanted);
+  if (made.at_most && *made.at_most > made.parts && (made.misses() || !made.wanted))
+    told += fmt::format("; no layout has more than {}", *made.at_most);
+  return told;
 }
 
 }  // namespace clearcut::cli

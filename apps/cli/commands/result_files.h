@@ -1,5 +1,5 @@
 // Files beside the program: set-up sheets, whose kind is given by the ending of their names, and witnesses, output of
-// --witness and checked by a separate program for --prove.
+// --witness and checked by a separate program for --prove. What the terminal says of them, and of several parts on a sheet.
 #pragma once
 
 #include <clearcut/file.h>
@@ -48,5 +48,8 @@ std::vector<OutputFile> witness_files(const WitnessFile& witness, const std::str
 std::string witness_lines(const WitnessFile& witness, const std::string& path, const Proven& what);
 /// Runs clearcut-check on them: "proved by witness (checked in 0.04 s)", or the refusal. Sets `proved`.
 std::string checked_by_program(const WitnessFile& witness, const Proven& what, bool& proved);
+
+/// Of several parts how many there are and how many are clean.
+std::string parts_line(const CopiesMade& made);
 
 }  // namespace clearcut::cli

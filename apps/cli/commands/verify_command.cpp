@@ -124,6 +124,7 @@ int run(const VerifyCommand& command) {
                                 ? verdict_and_reasons(result.findings)
                                 : dialect_line(command, result) + write_table(result, table_width())));
   if (result.margin) print_line(margin_line(*result.margin));
+  if (result.copies && command.json != "-") print_line(parts_line(*result.copies));
   return asks_proof(command) ? tell_proof(command, witness, proven, exit_code_of(result.findings))
                              : exit_code_of(result.findings);
 }
