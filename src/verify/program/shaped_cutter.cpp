@@ -213,7 +213,7 @@ template <typename Function>
 double greatest_of_concave(double low, double high, const Function& value) {
   double best = std::max(value(low), value(high));
   double a = high - kGolden * (high - low), b = low + kGolden * (high - low), fa = value(a), fb = value(b);
-  while (high - low > kExact) {
+  for (int i = 0; i < kSections; ++i) {
     best = std::max({best, fa, fb});
     if (fa < fb) {
       low = a, a = b, fa = fb;
@@ -295,24 +295,13 @@ class ShapedCheck {
     if (worst.excess > 0) keep(wall, worst);
   }
 
-  /// Golden section search. Below the wall's top the excess is concave, because the distance from the wall is convex.
+  /// Below the wall's top the excess is concave, because the distance from the wall is convex.
   void by_sections(const Wall& wall, std::array<double, 2> range, Sample& worst) const {
-    const auto asked = [&](double t) {
+    greatest_of_concave(range[0], range[1], [&](double t) {
       const Sample found = sample(wall, t);
       if (found.excess > worst.excess) worst = found;
       return found.excess;
-    };
-    auto [low, high] = range;
-    double a = high - kGolden * (high - low), b = low + kGolden * (high - low), fa = asked(a), fb = asked(b);
-    for (int i = 0; i < kSections; ++i) {
-      if (fa < fb) {
-        low = a, a = b, fa = fb;
-        fb = asked(b = low + kGolden * (high - low));
-      } else {
-        high = b, b = a, fb = fa;
-        fa = asked(a = high - kGolden * (high - low));
-      }
-    }
+    });
   }
 
   Edge piece_of(double from, double to) const {
