@@ -10,6 +10,7 @@
 #include "base/units.h"
 #include "order/tsplib.h"
 #include "read/gcode/gcode.h"
+#include "read/gcode/laying.h"
 #include "read/job/job_file.h"
 #include "read/job/machine_file.h"
 #include "read/job/read_part.h"
@@ -157,11 +158,11 @@ TEST(Corpus, EveryJobAndToolLibraryIsReadOrRefused) {
   EXPECT_GE(refused, 8);
 }
 
-/// The same for points and tours, and for Klartext without its first line.
+/// The same for points and tours, for programs that lay a line, and for Klartext without its first line.
 TEST(Corpus, EveryTourAndKlartextIsReadOrRefused) {
   const fs::path corpus = fs::path(CLEARCUT_SOURCE_DIR) / "tests" / "corpus";
   int read = 0, refused = 0;
-  for (const std::string kind : {"tsplib", "klartext"}) {
+  for (const std::string kind : {"tsplib", "klartext", "laying"}) {
     ASSERT_TRUE(fs::is_directory(corpus / kind)) << kind;
     for (const auto& entry : fs::directory_iterator(corpus / kind)) {
       const std::string text = read_file(entry.path().string());
@@ -169,6 +170,8 @@ TEST(Corpus, EveryTourAndKlartextIsReadOrRefused) {
       try {
         if (kind == "klartext") {
           read::gcode::read_gcode(text.starts_with("0") ? text : "0 BEGIN PGM A MM\n" + text, name);
+        } else if (kind == "laying") {
+          read::gcode::read_laying(text, name);
         } else if (name.ends_with(".tour")) {
           order::read_tsplib_tour(text, name, 6);
         } else {

@@ -62,7 +62,6 @@ class LayingReader {
     if (!motion_) throw InputError(place_, "a place without G0 or G1 before it");
     const Vec2 from = at_;
     const bool is_first = !known_;
-    if (is_first && block.has('E')) throw InputError(place_, "filament is fed before any place is known");
     if (block.has('X')) at_.x = block.value('X');
     if (block.has('Y')) at_.y = block.value('Y');
     const double z_before = z_;
@@ -75,6 +74,8 @@ class LayingReader {
     const bool by_power = cuts && beam_ && power_ > 0;
     const bool lays = by_power || (cuts && fed > 0);
     lays_by_power_ = lays_by_power_ || by_power;
+    if (is_first && (lays || block.has('E')))
+      throw InputError(place_, "lays before any place is known; begin with G0 X Y");
     if (lays && z_ != z_before) throw InputError(place_, "a move that lays changes its height");
     if (lays && from == at_) throw InputError(place_, "lays without a move");
     if (is_first || from == at_) return;

@@ -51,6 +51,8 @@ TEST(Laying, OtherWordsAreRefusedWithTheirLine) {
   EXPECT_THAT(refusal_of("G0 X1 Y1\nG1 X2 Z1 E1\n"), HasSubstr("changes its height"));
   EXPECT_THAT(refusal_of("G0 X1 Y1\nM3 S5\nG1 X2 E1\n"), HasSubstr("not both"));
   EXPECT_THAT(refusal_of("G1 X1 Y1 E1\n"), HasSubstr("before any place"));
+  EXPECT_THAT(refusal_of("M4 S300\nG1 X9 F1200\n"), HasSubstr("a.nc:2: lays before any place"));
+  EXPECT_THAT(refusal_of("M4 S300\nG0 X9\nG0 Y9\nG1 X5\n"), HasSubstr("a.nc:4: lays before any place"));
   EXPECT_THAT(refusal_of("X1 Y1\n"), HasSubstr("without G0 or G1"));
 }
 
