@@ -922,7 +922,7 @@ class RimFinder {
       if (move.rapid || !tool || move.lowest() + tool->point > z) continue;
       Swath one = swath_of(k, ccw::low_part(move, tool->point, z), *tool);
       boxes.push_back(one.box);
-      at->second.swaths.push_back(std::move(one));
+      at->second.swaths.push_back(one);
     }
     at->second.grid = ccw::Grid(std::move(boxes));
     return at->second;

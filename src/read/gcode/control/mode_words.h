@@ -20,9 +20,7 @@ class ModeWords {
   /// M70 to M73.
   void save_or_restore(int m);
   /// Takes other modes as those that M70 has kept; returns those before.
-  std::optional<Modes> exchange_saved(std::optional<Modes> other) {
-    return std::exchange(saved_, std::move(other));
-  }
+  std::optional<Modes> exchange_saved(std::optional<Modes> other) { return std::exchange(saved_, other); }
   void dwell(const Block& block);
   void end(int m);
 
