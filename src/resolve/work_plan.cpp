@@ -188,47 +188,43 @@ Workingstep rest_step(const Workingstep& step, int mill, const Part& part, const
   return rest;
 }
 
-/// Position in the workplan of the first later step on a feature below that of `step`: material left by `step` would
-/// remain over it.
-std::optional<std::size_t> first_step_under(const Part& part, const Workingstep& step,
-                                            const Tolerances& tol) {
-  const Feature& feature = feature_of(part, step);
+/// Position in the workplan of the first step behind the first one on the feature of `step` whose own feature is as wanted.
+template <typename Wanted>
+std::optional<std::size_t> first_later(const Part& part, const Workingstep& step, const Wanted& is_wanted) {
   bool later = false;
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
-    const Feature& other = feature_of(part, part.workplan[i]);
-    if (later && other.floor_z < feature.floor_z && !intersect(other.target, feature.target, tol).empty())
-      return i;
+    if (later && is_wanted(feature_of(part, part.workplan[i]))) return i;
     later = later || part.workplan[i].feature == step.feature;
   }
   return std::nullopt;
 }
 
+/// The first later step on a feature below that of `step`: material left by `step` would remain over it.
+std::optional<std::size_t> first_step_under(const Part& part, const Workingstep& step,
+                                            const Tolerances& tol) {
+  const Feature& feature = feature_of(part, step);
+  return first_later(part, step, [&](const Feature& other) {
+    return other.floor_z < feature.floor_z && !intersect(other.target, feature.target, tol).empty();
+  });
+}
+
 /// mm. A chamfer's line this near to a wall is along its edge.
 constexpr double kAlongEdge = 0.01;
 
-/// Position in the workplan of the first later step that breaks an edge of the feature: its tip goes where the material beside the edge
-/// must be gone.
+/// The first later step that breaks an edge of the feature: its tip goes where the material beside the edge must be gone.
 std::optional<std::size_t> first_chamfer_of(const Part& part, const Workingstep& step) {
   const Feature& feature = feature_of(part, step);
   const Box around = box(feature.target).grown(kAlongEdge);
-  const auto is_on_edge = [&](Vec2 p) {
-    return std::any_of(feature.target.begin(), feature.target.end(), [&](const Region& region) {
-      const auto edges = region.edges();
-      return std::any_of(edges.begin(), edges.end(),
-                         [&](const Edge& edge) { return distance(edge, p) <= kAlongEdge; });
-    });
+  const std::vector<Edge> walls = edges_of(feature.target);
+  const auto is_on_wall = [&](const Edge& edge) {
+    const Vec2 middle = edge.at(0.5);
+    return around.contains(middle) && std::any_of(walls.begin(), walls.end(), [&](const Edge& wall) {
+             return distance(wall, middle) <= kAlongEdge;
+           });
   };
-  bool later = false;
-  for (std::size_t i = 0; i < part.workplan.size(); ++i) {
-    const Feature& other = feature_of(part, part.workplan[i]);
-    if (later && other.chamfer &&
-        std::any_of(other.chamfer->line.begin(), other.chamfer->line.end(), [&](const Edge& edge) {
-          return around.contains(edge.at(0.5)) && is_on_edge(edge.at(0.5));
-        }))
-      return i;
-    later = later || part.workplan[i].feature == step.feature;
-  }
-  return std::nullopt;
+  return first_later(part, step, [&](const Feature& other) {
+    return other.chamfer && std::any_of(other.chamfer->line.begin(), other.chamfer->line.end(), is_on_wall);
+  });
 }
 
 /// Radians turned at once by a cutter of `radius` mm in the sharpest corner between walls of `loop`.

@@ -19,8 +19,8 @@ struct LoadFeeds {
   MmPerMin cutting;         ///< level moves at this feed may go faster; all others only slower
   double acceleration = 0;  ///< mm/s2; stretches too short to accelerate keep the speed of their neighbours
   bool divides = true;      ///< moves may be divided at changes of the load
-  double displaced =
-      0;  ///< mm; how far the digits of the program may move a path aside after its feed is set
+  /// mm; how far the digits of the program may move a path aside after its feed is set.
+  double displaced = 0;
 };
 
 /// Sets the feed of every feed move of `section`, whose tool must be a mill that clears floors. Removes from

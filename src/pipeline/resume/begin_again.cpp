@@ -126,10 +126,10 @@ class BeginWriter {
     if (!crosses_first) add_words({"G0", over(0), over(1)});
     for (const std::string& word : words_.coolant) add(word);
     if (stays_up) return;
-    if (z >= way_.safe_z - kSamePlaceMm) return;
-    if (z >= way_.entry_z - kSamePlaceMm || way_.plunge <= 0) return add_words({"G0", at(2)});
-    if (way_.entry_z < way_.safe_z - kSamePlaceMm) add_words({"G0", at(2, way_.entry_z)});
-    add_words({"G1", at(2), feed_word(way_.plunge)});
+    const WayDown down = way_down(held_, way_);
+    if (down.rapid_to) add_words({"G0", at(2, *down.rapid_to)});
+    if (!down.feed_to) return;
+    add_words({"G1", at(2, *down.feed_to), feed_word(way_.plunge)});
     if (way_.beside) add_words({"G1", at(0), at(1), feed_word(lead_feed())});
   }
   /// mm/min; into the place from beside it.
@@ -195,6 +195,14 @@ class BeginWriter {
 };
 
 }  // namespace
+
+WayDown way_down(const read::gcode::HeldState& held, const WayIn& way) {
+  const double z = *held.position[2];
+  if (z >= way.safe_z - kSamePlaceMm) return {};
+  if (z >= way.entry_z - kSamePlaceMm || way.plunge <= 0) return {z, std::nullopt};
+  if (way.entry_z < way.safe_z - kSamePlaceMm) return {way.entry_z, z};
+  return {std::nullopt, z};
+}
 
 std::string lines_that_begin_again(const read::gcode::HeldState& held, const read::gcode::DialectRules& rules,
                                    const WayIn& way, int line) {

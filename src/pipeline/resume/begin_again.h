@@ -22,6 +22,14 @@ struct WayIn {
   bool tools_by_comments = false;   ///< the control has no words for tools
 };
 
+/// Heights of the way down to where the program goes on, mm; absent: no such move.
+struct WayDown {
+  std::optional<double> rapid_to;  ///< above what stands
+  std::optional<double> feed_to;   ///< at the plunge feed
+};
+/// From the safe height to the height of the held place. `held` has a place.
+WayDown way_down(const read::gcode::HeldState& held, const WayIn& way);
+
 /// Lines, each with its end, in the control's language. Throws nothing: what they do is read back by the caller.
 std::string lines_that_begin_again(const read::gcode::HeldState& held, const read::gcode::DialectRules& rules,
                                    const WayIn& way, int line);

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "base/tolerances.h"
 #include "pipeline/resume/begin_again.h"
 
 namespace clearcut::pipeline {
@@ -76,10 +75,11 @@ class KlartextBegin {
     if (!stays_up) add("L " + height(std::max(way_.safe_z, z)) + " R0 FMAX");
     if (!crosses_first) add(over);
     out_ += coolant();
-    if (stays_up || z >= way_.safe_z - kSamePlaceMm) return;
-    if (z >= way_.entry_z - kSamePlaceMm || way_.plunge <= 0) return add("L " + height(z) + " R0 FMAX");
-    if (way_.entry_z < way_.safe_z - kSamePlaceMm) add("L " + height(way_.entry_z) + " R0 FMAX");
-    add("L " + height(z) + " R0" + feed_word(way_.plunge));
+    if (stays_up) return;
+    const WayDown down = way_down(held_, way_);
+    if (down.rapid_to) add("L " + height(*down.rapid_to) + " R0 FMAX");
+    if (!down.feed_to) return;
+    add("L " + height(*down.feed_to) + " R0" + feed_word(way_.plunge));
     if (!way_.beside) return;
     add("L " + plan({*held_.position[0], *held_.position[1]}, 6) + " R0" +
         feed_word(held_.modes.feed > 0 ? held_.modes.feed : way_.plunge));

@@ -1,7 +1,6 @@
 #include "plan/cover/places_left.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 

@@ -1191,7 +1191,7 @@ std::string unnumbered(std::string_view line) {
   return std::string(line) + "\n";
 }
 
-/// What the block that was executed leaves behind, as the text that brings it back.
+/// Keeps the text of an executed block whose effect lasts, so that a resumed program can repeat it.
 void Reader::keep(const std::vector<std::string>& words) {
   HeldWords& kept = held_words_;
   const std::string text = unnumbered(lines_[static_cast<std::size_t>(line_) - 1]);
