@@ -211,14 +211,6 @@ Json fault(const Fault& findings) {
   return json;
 }
 
-Json file(const CertificateFile& one) {
-  Json json;
-  json["role"] = one.role;
-  json["name"] = one.name;
-  json["sha256"] = one.sha256;
-  return json;
-}
-
 Json program(const CertificateInfo& info) {
   Json json;
   json["name"] = info.program_name;
@@ -315,6 +307,14 @@ void add_contours(Json& json, const CertificateInfo& info) {
 
 }  // namespace
 
+Json certificate_file(const CertificateFile& file) {
+  Json json;
+  json["role"] = file.role;
+  json["name"] = file.name;
+  json["sha256"] = file.sha256;
+  return json;
+}
+
 std::string certificate_json(const Part& part, const Findings& findings, const CertificateInfo& info) {
   Json json;
   json["schema"] = "clearcut-certificate-2";
@@ -323,7 +323,7 @@ std::string certificate_json(const Part& part, const Findings& findings, const C
   json["part"] = part.name;
   json["source_file"] = part.source_file;
   json["inputs"] = Json::array();
-  for (const CertificateFile& one : info.inputs) json["inputs"].push_back(file(one));
+  for (const CertificateFile& one : info.inputs) json["inputs"].push_back(certificate_file(one));
   json["program"] = program(info);
   json["question"] = certificate_question(part, findings, info);
   json["verdict"] = verdict_words(findings);

@@ -17,6 +17,9 @@ nlohmann::ordered_json condition_json(const Condition& condition);
 /// Rounded to 1e-6, so that the same figure has the same text for any order of summation; null if not finite.
 nlohmann::ordered_json certificate_number(double value);
 
+/// Keys role, name, sha256.
+nlohmann::ordered_json certificate_file(const CertificateFile& file);
+
 nlohmann::ordered_json certificate_question(const Part& part, const Findings& findings,
                                             const CertificateInfo& info);
 

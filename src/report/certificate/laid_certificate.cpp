@@ -29,8 +29,7 @@ std::string laid_certificate(const LaidFindings& findings, const LaidCertificate
   json["version"] = info.version;
   json["arguments"] = info.arguments;
   json["inputs"] = Json::array();
-  for (const CertificateFile& file : info.inputs)
-    json["inputs"].push_back({{"role", file.role}, {"name", file.name}, {"sha256", file.sha256}});
+  for (const CertificateFile& file : info.inputs) json["inputs"].push_back(certificate_file(file));
   json["program"] = {{"name", info.program_name}, {"sha256", sha256_hex(info.program)}};
   json["strategy"] = info.strategy;
   json["stepover"] = info.stepover;
