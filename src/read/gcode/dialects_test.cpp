@@ -317,6 +317,19 @@ TEST(GcodeConditions, AToleranceOfNothingIsNone) {
   const std::string head = "G21 G90\nG0 X0 Y0 Z1\n";
   EXPECT_EQ(conditions(head + "G64 P0 Q0\nG1 X5 F9\nM2"), conditions(head + "G64\nG1 X5 F9\nM2"));
   EXPECT_EQ(conditions(head + "G64 P0.01 Q0\nG1 X5 F9\nM2"), "");
+  const auto said = [](Dialect dialect, const std::string& word) {
+    return conditions_as(dialect,
+                         "G21 G90 G17 G94 G54\nG0 X0. Y0. Z5.\n" + word + "\nG1 X5. F100.\nG0 Z5.\nM30\n");
+  };
+  for (const char* none : {"G187 P2", "G187 P2 E0.", "G187 E0", "G187 E-0.01"})
+    EXPECT_EQ(said(Dialect::kHaas, none), "blending@4") << none;
+  EXPECT_EQ(said(Dialect::kHaas, "G187 P2 E0.01"), "");
+  for (const Dialect mach : {Dialect::kMach3, Dialect::kMach4})
+    EXPECT_EQ(said(mach, "G64 P0.01"), said(mach, "G64 P0")) << "P means nothing there";
+  EXPECT_EQ(said(Dialect::kFanuc, "G61\nG5.1 Q1"), "blending@4");
+  EXPECT_EQ(said(Dialect::kFanuc, "G61\nG5.1 Q0"), "") << "it ends the smoothing";
+  EXPECT_THAT(refusal(Dialect::kFanuc, "G21 G90 G17\nG0 X0. Y0. Z5.\nG05 P0\nM30\n"),
+              HasSubstr("G5 is not read"));
 }
 
 TEST(Dialects, SmoothingOfOneControlIsASplineOfAnother) {

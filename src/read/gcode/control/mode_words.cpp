@@ -146,7 +146,7 @@ void ModeWords::set_path(int code, const Block& block) {
     path.mode = bounded ? PathMode::kTolerance : PathMode::kContinuous;
     if (bounded) path.tolerance_mm = control_.mm(block.value('P'));
     if (bounded && block.has('Q')) path.merging_mm = control_.mm(block.value('Q'));
-  } else if (block.has('E')) {
+  } else if (block.has('E') && block.value('E') > 0) {
     path.mode = PathMode::kTolerance;
     path.tolerance_mm = control_.mm(block.value('E'));
   } else {

@@ -589,8 +589,9 @@ void Reader::cycle(const std::vector<std::string>& words) {
   } else if (number_word == "32.0") {
     builder_.path_control = {};
   } else if (number_word == "32.1" && words.size() > 3 && words[3][0] == 'T') {
+    // T0 states none: the control then keeps to what it was set up with.
     const double tolerance = number(words[3].substr(1)) * unit_;
-    builder_.path_control = {PathMode::kTolerance, tolerance, std::nullopt};
+    if (tolerance > 0) builder_.path_control = {PathMode::kTolerance, tolerance, std::nullopt};
   } else if (cycle == "247") {
     chooses_datum_ = true;
     builder_.condition("datum-247", line_, "the datum that cycle 247 chooses lies where the work's zero is");

@@ -125,6 +125,18 @@ TEST(KlartextDatum, AxesAreTurned) {
             "|10 5|5 0");
 }
 
+TEST(KlartextTolerance, OfNothingIsNone) {
+  const auto path_after = [](const std::string& tolerance) {
+    return read_gcode(program_of("CYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1" + tolerance + "\nL X+5 F100"),
+                      "test.ngc")
+        .control.spans.back()
+        .state.path;
+  };
+  EXPECT_EQ(path_after(" T0.01"), (PathControl{PathMode::kTolerance, 0.01, std::nullopt}));
+  for (const char* none : {"", " T0", " T0.000"})
+    EXPECT_EQ(path_after(none).mode, PathMode::kUnstated) << none;
+}
+
 TEST(KlartextFeeds, FautoIsTheFeedOfTheToolsCall) {
   const auto feeds = [](const std::string& blocks) {
     std::string told;

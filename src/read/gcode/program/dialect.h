@@ -115,7 +115,7 @@ struct DialectRules {
   std::string_view unit_words = "neither G20 nor G21";
   std::string_view no_path_word = "neither G61 nor a path tolerance";
   std::string_view blends_freely = "G64 without P";
-  std::string_view blends_by_setting = "G187 without E";
+  std::string_view blends_by_setting = "G187 without E above 0";
 
   // What the verdict asks of its programs.
   bool needs_lengths = false;       ///< without a word for the tool's length it cuts at wrong heights

@@ -83,6 +83,10 @@ TEST(Sinumerik, CornersAreRoundedAsStated) {
   EXPECT_EQ(path_after("CYCLE832(0.1,_ROUGH,1)").tolerance_mm, 0.1);
   EXPECT_EQ(path_after("CYCLE832(0.1,_ROUGH,1)\nCYCLE832(0,_OFF,1)").mode, PathMode::kUnstated);
   EXPECT_EQ(path_after("CYCLE832(0.1,3)\nCYCLE832()").mode, PathMode::kUnstated);
+  for (const char* nothing : {"CYCLE832(0,_FINISH,1)", "CYCLE832(,1)", "G642 CTOL=0"})
+    EXPECT_EQ(path_after(nothing).mode, PathMode::kSmoothness) << nothing;
+  EXPECT_EQ(path_after("CYCLE832(0.1,1)\nCTOL=0").mode, PathMode::kSmoothness);
+  EXPECT_EQ(path_after("G641 ADIS=0").mode, PathMode::kContinuous);
   EXPECT_EQ(named("G64\nG1 X5"), "blending@5");
   EXPECT_EQ(named("G642\nG1 X5"), "blending@5");
   EXPECT_EQ(named("G642 CTOL=0.01\nG9 G1 X5\nG601"), "");
