@@ -58,18 +58,39 @@ TEST(HolePlan, AThroughHoleIsDrilledByItsPointBelowTheStock) {
 }
 
 /// 0.0001 inch is 2.54 um: this place is missed by 1.8 um, and the cutter is as wide as its hole.
-TEST(HolePlan, APlaceThatTheDigitsMissIsAFaultAndSaidWithWhatHelps) {
+TEST(HolePlan, APlaceThatTheDigitsOfInchesMissIsThePlace) {
   const Part part = drawn(kBlock + circle("DRILL_D5", {11.6243, 11.6243}, 3));
   auto options = with({"drill:6"});
   options.post.dialect = "haas";
   options.post.inch = true;
+  const PlanResult result = plan_part(part, options);
+  expect_clean(result);
+  EXPECT_THAT(warnings_of(result.part), Not(HasSubstr("--decimals")));
+  // 0.0003 inch more is 6.5 um beside the place.
+  const Findings beside = changed(part, result, "G81 X0.4576", "G81 X0.4579", options, read::gcode::Dialect::kHaas);
+  EXPECT_TRUE(has(beside, FaultKind::kGouge)) << faults_of(beside);
+}
+
+TEST(HolePlan, APlaceThatCoarserDigitsMissIsAFaultAndSaidWithWhatHelps) {
+  const Part part = drawn(kBlock + circle("DRILL_D5", {11.6249, 11.6249}, 3));
+  auto options = with({"drill:6"});
+  options.post.decimals = 2;
   const PlanResult coarse = plan_part(part, options);
   EXPECT_TRUE(has(coarse.findings, FaultKind::kGouge)) << coarse.program;
-  EXPECT_THAT(warnings_of(coarse.part), HasSubstr("add --decimals 5"));
-  options.post.decimals = 5;
-  const PlanResult fine = plan_part(part, options);
-  expect_clean(fine);
-  EXPECT_THAT(warnings_of(fine.part), Not(HasSubstr("--decimals")));
+  EXPECT_THAT(warnings_of(coarse.part), HasSubstr("add --decimals 3"));
+}
+
+/// Walls of a milled hole are no places: the same hole, bored by a mill, has its allowance of 0.001 mm.
+TEST(HolePlan, AMilledHoleKeepsItsWall) {
+  const Part part = drawn(kBlock + circle("POCKET_D5", {11, 11}, 4));
+  const auto options = with({"endmill:6"});
+  const PlanResult result = plan_part(part, options);
+  expect_clean(result);
+  EXPECT_THAT(result.program, HasSubstr("X12 "));
+  std::string wide = result.program;
+  for (auto at = wide.find("X12 "); at != std::string::npos; at = wide.find("X12 ", at + 1)) wide.replace(at, 4, "X12.003 ");
+  const Findings beside = check_program(part, wide, "wide", options, read::gcode::Dialect::kLinuxCnc).findings;
+  EXPECT_TRUE(has(beside, FaultKind::kGouge)) << faults_of(beside);
 }
 
 /// A mill as wide as its slot has no more room than a drill: its middle, 25 mm, is missed by 1.2 um.

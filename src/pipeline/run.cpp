@@ -161,10 +161,10 @@ Toolpath certified_toolpath(Selection& selection, const ResolvedPlan& plan, Plan
 /// Every workingstep planned, and the program of the chosen plans certified.
 class CertifiedPlan {
  public:
-  /// `known`: what is said of the part before planning.
-  CertifiedPlan(const ResolvedPlan& plan, double reserve_share, const StrategyTable& strategies,
-                ProgressMeter& meter, const PlanResult& known)
-      : works(step_works(plan, reserve_share)),
+  /// `reserve_shares`: see step_works(). `known`: what is said of the part before planning.
+  CertifiedPlan(const ResolvedPlan& plan, const std::vector<double>& reserve_shares,
+                const StrategyTable& strategies, ProgressMeter& meter, const PlanResult& known)
+      : works(step_works(plan, reserve_shares)),
         selection(planned_selection(works, plan, strategies, meter)),
         result(known) {
     report_what_does_not_fit(result.part, selection, works, plan);
@@ -180,30 +180,42 @@ class CertifiedPlan {
   Toolpath toolpath;
 };
 
-/// Shares of the stock kept for the rounding of digits with which a plan is tried: the more is kept, the wider a strip stays in places
-/// that narrow down to the width of the cutter. The certificate decides which plan is right.
+/// Shares of the stock kept for the rounding of digits with which a workingstep is tried: the more is kept, the wider a strip stays
+/// in places that narrow down to the width of the cutter. The certificate decides which plan is right.
 constexpr double kReserveShares[] = {1, 0.5, 0.2};
 /// mm of a strip in a narrowing place by 1 mm of stock kept on both of its walls, where these meet at 10 degrees.
 constexpr double kStripByReserve = 12;
 
-/// Whether stock kept for the rounding of digits may be what leaves material uncut.
-bool may_be_left_by_reserve(const Findings& findings, const ResolvedPlan& plan) {
+/// Gives `share` to every workingstep on a feature where stock kept for the rounding of digits may be what leaves material uncut.
+/// False if there is none.
+bool lower_reserves(double share, const Findings& findings, const ResolvedPlan& plan,
+                    std::vector<double>& reserve_shares) {
+  if (reserve_for_digits(plan) <= 0) return false;
   const double widest = 2 * plan.tol.uncut + kStripByReserve * reserve_for_digits(plan);
-  return reserve_for_digits(plan) > 0 &&
-         std::any_of(findings.faults.begin(), findings.faults.end(), [&](const Fault& fault) {
-           return fault.kind == FaultKind::kUncut && fault.size <= widest;
-         });
+  bool lowered = false;
+  for (const FeatureFindings& step : findings.features) {
+    if (step.workingstep < 0) continue;
+    if (std::none_of(findings.faults.begin(), findings.faults.end(), [&](const Fault& fault) {
+          return fault.kind == FaultKind::kUncut && fault.feature == step.name && fault.size <= widest;
+        }))
+      continue;
+    reserve_shares[static_cast<std::size_t>(step.workingstep)] = share;
+    lowered = true;
+  }
+  return lowered;
 }
 
-/// The plan with all of that stock; where this leaves material uncut, the first of those with less stock and fewer faults.
+/// The plan with all of that stock; where this leaves material uncut, the one with the fewest faults of those with less stock
+/// there.
 std::unique_ptr<CertifiedPlan> certified_plan(const ResolvedPlan& plan, const StrategyTable& strategies,
                                               ProgressMeter& meter, const PlanResult& known) {
   std::unique_ptr<CertifiedPlan> best;
+  std::vector<double> reserve_shares(plan.part.workplan.size(), 1);
   for (const double share : kReserveShares) {
-    auto next = std::make_unique<CertifiedPlan>(plan, share, strategies, meter, known);
+    if (best && !lower_reserves(share, best->result.findings, plan, reserve_shares)) break;
+    auto next = std::make_unique<CertifiedPlan>(plan, reserve_shares, strategies, meter, known);
     const auto faults = [](const CertifiedPlan& one) { return one.result.findings.faults.size(); };
     if (!best || faults(*next) < faults(*best)) best = std::move(next);
-    if (!may_be_left_by_reserve(best->result.findings, plan)) break;
   }
   return best;
 }

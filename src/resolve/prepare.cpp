@@ -419,6 +419,7 @@ Part prepare(Part part, const PlanOptions& options, StepSources& sources) {
   shape_profiles(part, options, sources);
   shape_carvings(part, options, sources);
   lean_walls(part);
+  allow_for_places_of_holes(part, options.tol);
   const std::size_t without_rest = part.workplan.size();
   add_rest_steps(part, options, sources);
   relieve_pockets(part, options);

@@ -18,6 +18,7 @@
 #include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "model/cutter_profile.h"
+#include "resolve/features/shaping.h"
 #include "resolve/resolve.h"
 #include "resolve/tabs.h"
 #include "resolve/values/cutting_values.h"
@@ -25,8 +26,6 @@
 namespace clearcut::resolve {
 namespace {
 
-/// mm. How far a cutter may be beside a line that it follows: the coarsest digits of a control put it 0.0018 mm beside it.
-constexpr double kBesideLine = 0.005;
 /// mm. Floors narrower than this beyond the mill's diameter are left to the bit.
 constexpr double kRoom = 0.01;
 

@@ -157,13 +157,13 @@ bool is_wall_finishing(const Workingstep& step, const Feature& feature, const Re
 /// layers of a step with a wider cutter may all be below.
 class RoomOfEarlierSteps {
  public:
-  RoomOfEarlierSteps(const ResolvedPlan& plan, double reserve_share)
-      : plan_(plan), reserve_share_(reserve_share) {}
+  RoomOfEarlierSteps(const ResolvedPlan& plan, const std::vector<double>& reserve_shares)
+      : plan_(plan), reserve_shares_(reserve_shares) {}
 
   /// The boundary of the highest layer of `step` at z or below.
   std::optional<Regions> operator()(int step, double z) {
     const auto [known, added] = layers_.try_emplace(step);
-    if (added) known->second = standing_layers(step, plan_, reserve_share_);
+    if (added) known->second = standing_layers(step, plan_, reserve_shares_[static_cast<std::size_t>(step)]);
     for (const Layer& layer : known->second)
       if (layer.z <= z + plan_.tol.coincident) return layer.allowed;
     return std::nullopt;
@@ -171,21 +171,21 @@ class RoomOfEarlierSteps {
 
  private:
   const ResolvedPlan& plan_;
-  const double reserve_share_;
+  const std::vector<double>& reserve_shares_;
   std::map<int, std::vector<Layer>> layers_;  ///< from the top down
 };
 
 /// The layers with the material left by earlier steps of the feature or an earlier program, if the step cuts only
 /// this: rest machining and finishing.
 std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, const ResolvedPlan& plan,
-                                   double reserve_share) {
+                                   const std::vector<double>& reserve_shares) {
   const Part& part = plan.part;
   const auto& step = part.workplan[static_cast<std::size_t>(index)];
   const bool finishing = finishes(step.operation) && resolve::follows_milling(part, index);
   const bool met = resolve::meets_earlier(part, index, plan.earlier);
   const std::optional<Toolpath> earlier = met ? plan.earlier : std::nullopt;
   std::vector<LayerLeft> out;
-  RoomOfEarlierSteps rooms(plan, reserve_share);
+  RoomOfEarlierSteps rooms(plan, reserve_shares);
   const bool runs_into_others = !MeetingPockets(part, index, plan.tol).empty();
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const bool last = i + 1 == layers.size();
@@ -240,21 +240,22 @@ bool is_carried_alone(const Toolpath& earlier) {
                      [](const Section& section) { return section.carried_below.has_value(); });
 }
 
-StepWork step_work(int index, const ResolvedPlan& plan, double reserve_share) {
+StepWork step_work(int index, const ResolvedPlan& plan, const std::vector<double>& reserve_shares) {
   const Part& part = plan.part;
+  const double reserve_share = reserve_shares[static_cast<std::size_t>(index)];
   StepWork work;
   work.workingstep = index;
   const Feature& feature = feature_of(part, part.workplan[static_cast<std::size_t>(index)]);
   work.meets_others = meets_others(part, feature);
   work.wall_top = top_of_flush_walls(part, feature, plan.tol);
   work.hole = stated_step(index, plan);
-  if (!work.hole) work.hole = carve_step(index, plan);
+  if (!work.hole) work.hole = carve_step(index, reserve_share, plan);
   if (!work.hole) work.hole = formed_hole_step(index, plan);
   if (!work.hole) work.hole = t_slot_step(index, plan);
   if (work.hole) return work;
   const auto standing = standing_layers(index, plan, reserve_share);
   work.hole = hole_step(standing, index, plan);
-  work.layers = layers_left(standing, index, plan, reserve_share);
+  work.layers = layers_left(standing, index, plan, reserve_shares);
   work.done_before = plan.earlier && !standing.empty() && work.layers.empty();
   // A hole drilled in an earlier set-up is not drilled again.
   if (work.done_before && is_carried_alone(*plan.earlier)) work.hole.reset();
@@ -267,15 +268,19 @@ double reserve_for_digits(const ResolvedPlan& plan) {
   return printing_reserve(post::rounding_of(plan.post), plan);
 }
 
-std::vector<StepWork> step_works(const ResolvedPlan& plan, double reserve_share) {
+std::vector<StepWork> step_works(const ResolvedPlan& plan, const std::vector<double>& reserve_shares) {
   std::vector<StepWork> works(plan.part.workplan.size());
   on_threads(plan.threads, [&] {
     parallel_in_order(works.size(), [&](std::size_t i) {
       throw_if_cancelled(plan.cancel);
-      works[i] = step_work(static_cast<int>(i), plan, reserve_share);
+      works[i] = step_work(static_cast<int>(i), plan, reserve_shares);
     });
   });
   return works;
+}
+
+std::vector<StepWork> step_works(const ResolvedPlan& plan) {
+  return step_works(plan, std::vector<double>(plan.part.workplan.size(), 1));
 }
 
 namespace {

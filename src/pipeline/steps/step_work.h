@@ -35,9 +35,11 @@ struct StepWork {
 /// mm; stock that is kept on walls so that the rounding of a control's digits puts no path into them; 0 for fine digits.
 double reserve_for_digits(const ResolvedPlan& plan);
 
-/// The work of every workingstep, in the order of the workplan, with a share of reserve_for_digits() kept on walls. Cost O(layers)
+/// The work of every workingstep, in the order of the workplan, with its share of reserve_for_digits() kept on walls. Cost O(layers)
 /// booleans a step.
-std::vector<StepWork> step_works(const ResolvedPlan& plan, double reserve_share = 1);
+std::vector<StepWork> step_works(const ResolvedPlan& plan, const std::vector<double>& reserve_shares);
+/// The same with all of reserve_for_digits().
+std::vector<StepWork> step_works(const ResolvedPlan& plan);
 
 /// Steps of work (base/work_budget.h, about 8 us each) permitted to each strategy for all workingsteps if several are
 /// tried; every workingstep has a share by its area, at least the smaller number.

@@ -48,11 +48,21 @@ Regions cleared_before(int workingstep, const Region& region, const ResolvedPlan
   return cleared;
 }
 
-/// mm; distance of a flank from material not to be cut if tips are printed to `rounding`. Kept minimal: in sharp
-/// corners several times this distance is left.
-double aside_of(double slope, double rounding, const ResolvedPlan& plan) {
-  return kChords + std::max(0.0, rounding * (1 + slope) - 0.9 * plan.tol.gouge);
-}
+/// Distances of a flank from material not to be cut. Kept minimal: in sharp corners several times this distance is left.
+class Aside {
+ public:
+  /// `share`: of the distance by which the rounding of digits may displace the flank.
+  Aside(double slope, double share, const ResolvedPlan& plan)
+      : slope_(slope), share_(share), spare_(0.9 * plan.tol.gouge) {}
+
+  /// mm; for tips that are printed to `rounding` mm.
+  double for_rounding(double rounding) const {
+    return kChords + share_ * std::max(0.0, rounding * (1 + slope_) - spare_);
+  }
+
+ private:
+  double slope_, share_, spare_;
+};
 
 /// The free area up to every height at which material ends, from the top of a chamfer on.
 std::vector<plan::carve::StandingUpTo> standing_above(const Feature& feature, const ResolvedPlan& plan) {
@@ -77,26 +87,27 @@ std::vector<plan::carve::StandingUpTo> standing_above(const Feature& feature, co
 }
 
 plan::carve::TrackSets chamfer_tracks(const Feature& feature, const Tool& tool, double stepdown,
-                                      const ResolvedPlan& plan) {
+                                      double reserve_share, const ResolvedPlan& plan) {
   plan::carve::ChamferShape shape;
   shape.top = feature.top_z;
   shape.slope = flank_slope(tool);
   shape.tip_radius = tool.tip_diameter / 2;
   shape.tool_radius = tool.radius();
-  shape.aside = kOffsets + aside_of(shape.slope, post::rounding_of(plan.post), plan);
+  shape.aside = kOffsets + Aside(shape.slope, reserve_share, plan).for_rounding(post::rounding_of(plan.post));
   shape.stepdown = stepdown;
   return plan::carve::chamfer_edge(*feature.chamfer, shape, standing_above(feature, plan), plan.tol).sets;
 }
 
 plan::carve::CarveShape carve_shape(const Feature& feature, const Tool& tool, double stepdown,
-                                    const ResolvedPlan& plan) {
+                                    double reserve_share, const ResolvedPlan& plan) {
   plan::carve::CarveShape shape;
   shape.top = feature.top_z;
   shape.floor = feature.floor_z;
   shape.slope = flank_slope(tool);
   shape.tip_radius = tool.tip_diameter / 2;
-  shape.aside = aside_of(shape.slope, post::rounding_of_lines(plan.post), plan);
-  shape.arcs_aside = aside_of(shape.slope, post::rounding_of(plan.post), plan) - shape.aside;
+  const Aside aside(shape.slope, reserve_share, plan);
+  shape.aside = aside.for_rounding(post::rounding_of_lines(plan.post));
+  shape.arcs_aside = aside.for_rounding(post::rounding_of(plan.post)) - shape.aside;
   shape.stepdown = stepdown;
   shape.cusp = kCusp;
   return shape;
@@ -128,17 +139,17 @@ struct Tracks {
   link::TipRoom room;
 };
 
-Tracks tracks_of(int workingstep, const ResolvedPlan& plan) {
+Tracks tracks_of(int workingstep, double reserve_share, const ResolvedPlan& plan) {
   const Workingstep& step = plan.part.workplan[static_cast<std::size_t>(workingstep)];
   const Feature& feature = feature_of(plan.part, step);
   const Tool& tool = tool_of(plan.part, step);
   const double stepdown = plan.steps[static_cast<std::size_t>(workingstep)].stepdown;
-  if (feature.chamfer) return {chamfer_tracks(feature, tool, stepdown, plan), {}};
+  if (feature.chamfer) return {chamfer_tracks(feature, tool, stepdown, reserve_share, plan), {}};
   if (feature.profile)
     return {plan::carve::engrave_line(feature.profile->line, feature.profile->closed, feature.top_z,
                                       feature.floor_z, stepdown),
             {}};
-  const auto shape = carve_shape(feature, tool, stepdown, plan);
+  const auto shape = carve_shape(feature, tool, stepdown, reserve_share, plan);
   Tracks tracks;
   for (const Region& region : feature.target) {
     for (auto& set :
@@ -151,12 +162,12 @@ Tracks tracks_of(int workingstep, const ResolvedPlan& plan) {
 
 }  // namespace
 
-std::optional<Section> carve_step(int workingstep, const ResolvedPlan& plan) {
+std::optional<Section> carve_step(int workingstep, double reserve_share, const ResolvedPlan& plan) {
   const Workingstep& step = plan.part.workplan[static_cast<std::size_t>(workingstep)];
   if (!is_carved(feature_of(plan.part, step), tool_of(plan.part, step))) return std::nullopt;
   const link::LinkOptions link =
       link_options(plan, workingstep, plan.steps[static_cast<std::size_t>(workingstep)].entry);
-  Tracks tracks = tracks_of(workingstep, plan);
+  Tracks tracks = tracks_of(workingstep, reserve_share, plan);
   Section section =
       link::link_tracks(std::move(tracks.sets), plan.part.top_z() + link.above_material, link, tracks.room);
   describe(section, workingstep, plan);

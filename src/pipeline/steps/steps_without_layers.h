@@ -12,8 +12,9 @@
 
 namespace clearcut::pipeline {
 
-/// The section of a carved workingstep; nothing if it is cleared layer by layer.
-std::optional<Section> carve_step(int workingstep, const ResolvedPlan& plan);
+/// The section of a carved workingstep; nothing if it is cleared layer by layer. `reserve_share`: of the distance from walls
+/// that is kept because the rounding of a control's digits displaces the tip.
+std::optional<Section> carve_step(int workingstep, double reserve_share, const ResolvedPlan& plan);
 
 /// The section of a workingstep on a formed hole; nothing for any other.
 std::optional<Section> formed_hole_step(int workingstep, const ResolvedPlan& plan);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <utility>
+#include <vector>
 
 #include "base/text.h"
 #include "features/round_hole.h"
@@ -68,6 +69,18 @@ void take_near_drills(Part& part, const PlanOptions& options) {
                                          (drilled > drawn ? "wider" : "narrower") +
                                          ", and no tool at hand makes its size (drills are taken within " +
                                          trimmed(features::kNearDrill, 3) + " mm)");
+  }
+}
+
+void allow_for_places_of_holes(Part& part, const Tolerances& tol) {
+  std::vector<bool> plunged(part.features.size(), true);
+  for (const Workingstep& step : part.workplan)
+    if (!makes_holes(tool_of(part, step))) plunged[static_cast<std::size_t>(step.feature)] = false;
+  for (std::size_t i = 0; i < part.features.size(); ++i) {
+    Feature& feature = part.features[i];
+    if (feature.kind != FeatureKind::kRoundHole || !plunged[i]) continue;
+    if (const auto hole = features::round_hole_of(feature, tol))
+      feature.allowed = disc(hole->center, hole->radius + kBesideLine);
   }
 }
 

@@ -8,6 +8,10 @@
 
 namespace clearcut::resolve {
 
+/// mm. How far a cutter may be beside a line that it follows, or beside the place of a hole as wide as itself: the coarsest
+/// digits of a control, 0.0001 inch, put it up to 0.0018 mm beside it.
+inline constexpr double kBesideLine = 0.005;
+
 /// If the stock's top is above that of every feature, a planar face over the whole stock becomes the first step of
 /// the workplan, with a note. Without tools in the options, the step uses the widest of the part's cutters that clear
 /// floors.
@@ -28,6 +32,10 @@ void shape_holes(Part& part, const PlanOptions& options, StepSources& sources);
 /// Sets the width of plain round holes that no available tool can make or mill to that of the nearest drill, if it is
 /// within features::kNearDrill; reports this in part.diagnostics, once for all holes of one size.
 void take_near_drills(Part& part, const PlanOptions& options);
+
+/// Lets holes that only drills, reamers, taps and other plunging tools make lie kBesideLine beside their places. Holes that are
+/// milled keep their walls.
+void allow_for_places_of_holes(Part& part, const Tolerances& tol);
 
 /// Finds the walls of the part's chamfers and sets the chamfers' strips; chamfers by cutters with a non-cutting tip
 /// are moved after the cut-out of their wall. Throws InputError if there is no wall along a line, or if an obstacle
