@@ -62,6 +62,7 @@ struct Point {
   Point operator-(Point b) const { return {x - b.x, y - b.y}; }
   Point operator+(Point b) const { return {x + b.x, y + b.y}; }
   Point left() const { return {-y, x}; }
+  bool in_range() const { return std::max({x, -x, y, -y}) < kLargest; }
   Text place() const { return "X" + mm(x) + " Y" + mm(y); }
 };
 using Points = std::vector<Point>;
@@ -125,7 +126,6 @@ struct Curve {
   Int low = 0, high = 0;
   bool full() const { return first == last; }
   bool opposite() const { return cross(first, last) == 0 && dot(first, last) < 0; }
-  bool quarter() const { return !full() && cross(first, last) >= 0 && dot(first, last) >= 0; }  // up to 90
   bool half() const { return !full() && (cross(first, last) > 0 || opposite()); }  // up to 180 degrees
   /// Whether direction v lies in its sector, ends included.
   bool sees(Point v) const {
@@ -137,8 +137,7 @@ struct Curve {
 };
 /// Names the center and what follows from it; `wider` is added to the distances of the ends from it.
 Curve arc_of(Point a, Point b, Point center, bool clockwise, Int wider, const Text& where) {
-  if (center.x >= kLargest || center.x <= -kLargest || center.y >= kLargest || center.y <= -kLargest)
-    reject(where + ": an arc's center is beyond 1.07 m");
+  if (!center.in_range()) reject(where + ": an arc's center is beyond 1.07 m");
   Curve c{a, b, true, clockwise, center, (clockwise ? b : a) - center, (clockwise ? a : b) - center};
   c.low = Int(root_down(std::min(square(c.first), square(c.last)))) - wider;
   c.high = Int(root_up(std::max(square(c.first), square(c.last)))) + wider;
@@ -186,9 +185,9 @@ bool in_sector(const Curve& c, const Points& hull) {
   if (c.full()) return true;
   const bool after = all_reach(hull, c.first.left(), -kEdge, c.center);
   const bool before = all_reach(hull, Point{} - c.last.left(), -kEdge, c.center);
-  if (c.half() || c.quarter())
+  if (c.half())
     return after && before &&
-           (!c.quarter() ||
+           (dot(c.first, c.last) < 0 ||
             (all_reach(hull, c.first, -kEdge, c.center) && all_reach(hull, c.last, -kEdge, c.center)));
   if (after || before) return true;
   for (const Point n :
@@ -254,7 +253,7 @@ void halve(const Curve& c, Point u, Point v, Int most, int depth, Points& out) {
   halve(c, u, middle, most, depth - 1, out);
   halve(c, middle, v, most, depth - 1, out);
 }
-/// A polyline that stays within `error` of the curve, point by point in order (L6).
+/// A polyline from a to b that stays within `error` of the curve, point by point in order (L6).
 struct Chords {
   Points points;
   Wide error = 0;
@@ -286,9 +285,9 @@ Chords chords_of(const Curve& c, Int most = kChord) {
   }
   for (Point& p : out.points) {
     p = p + c.center;
-    if (p.x >= kLargest || p.x <= -kLargest || p.y >= kLargest || p.y <= -kLargest)
-      reject("an arc reaches beyond 1.07 m");
+    if (!p.in_range()) reject("an arc reaches beyond 1.07 m");
   }
+  if (c.clockwise) std::reverse(out.points.begin(), out.points.end());
   return out;
 }
 
@@ -618,7 +617,7 @@ void add_outline(Region& region, const Json& outline, Int unit, bool island, boo
     walls.push_back({bulged(a, b, vertices[i].second, outline.where), region.outlines});
     const Chords chords = chords_of(walls.back().curve);
     for (std::size_t k = 1; k < chords.points.size(); ++k)
-      area += cross(chords.points[k - 1], chords.points[k]) * (walls.back().curve.clockwise ? -1 : 1);
+      area += cross(chords.points[k - 1], chords.points[k]);
   }
   if (area == 0) outline.fail("an outline without area");
   if ((area > 0) == island) {  // turned, so that what is to be cut lies to the left
@@ -627,8 +626,7 @@ void add_outline(Region& region, const Json& outline, Int unit, bool island, boo
       std::swap(wall.curve.a, wall.curve.b), wall.curve.clockwise = wall.curve.arc && !wall.curve.clockwise;
   }
   for (const Wall& wall : walls) {
-    Chords chords = chords_of(wall.curve);
-    if (wall.curve.clockwise) std::reverse(chords.points.begin(), chords.points.end());
+    const Chords chords = chords_of(wall.curve);
     for (std::size_t k = 1; k < chords.points.size(); ++k)
       region.segments.push_back({chords.points[k - 1], chords.points[k], chords.error, region.walls.size()});
     region.walls.push_back(wall);
@@ -1267,8 +1265,7 @@ class WitnessReader {
     for (Point& p : out_.vertices) {
       const Int dx = number();
       p = {at.x + dx, at.y + (dx > 0 ? signed_number() : 1 + number())};
-      if (p.x >= kLargest || p.x <= -kLargest || p.y >= kLargest || p.y <= -kLargest)
-        refuse("the witness has a vertex out of range");
+      if (!p.in_range()) refuse("the witness has a vertex out of range");
       at = p;
     }
     out_.claims.resize(count());
@@ -1438,7 +1435,6 @@ const Tool* tool_numbered(const std::vector<Tool>& tools, Int number) {
 /// Places along a move: its chords', or no more than 0.02 mm apart.
 Points steps_of(const Curve& path) {
   Points points = chords_of(path, kStepChord).points;
-  if (path.clockwise) std::reverse(points.begin(), points.end());
   if (path.arc) return points;
   const Point d = path.b - path.a;
   const Int count = Int(root_up(square(d))) / kStep + 1;

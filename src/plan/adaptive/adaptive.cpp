@@ -167,6 +167,8 @@ class AdaptivePlanner {
     auto passes = path_.take_passes();
     remaining_.forget_beyond(uncut_);
     smooth_links(passes, remaining_, clock_);
+    for (Pass& pass : passes)
+      straighten_wide_arcs(pass, {remaining_.legal(), ResidualLimits::kWall, ResidualLimits::kWall});
     return passes;
   }
 

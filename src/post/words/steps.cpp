@@ -14,7 +14,8 @@ namespace clearcut::post {
 
 namespace {
 
-constexpr double kSmallestArc = 0.002;         // mm, radius and chord; LinuxCNC refuses radii below 0.00127
+/// mm, radius and chord. LinuxCNC refuses printed radii below 0.00127, docs/claim.md below 0.002: printing takes up to kFineDeviation.
+constexpr double kSmallestArc = 0.0025;
 constexpr double kFewestSteps = 10;            // of the grid; least radius of arcs
 constexpr double kSmallestSweep = kPi / 1800;  // 0.1 degree
 constexpr double kLargestSweep =

@@ -81,6 +81,24 @@ TEST(Steps, ArcsOfSomeGridStepsStayArcs) {
   EXPECT_EQ(steps_of(small, rules(3)).back().turn, Turn::kStraight);
 }
 
+TEST(Steps, PrintedRadiiAreNoTinierThanProofsTake) {
+  Random random(5);
+  int arcs = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const Move move = arc_move({random.between(-9, 9), random.between(-9, 9)}, random.between(0.0019, 0.003),
+                               random.between(0, 6), random.between(1.5, 4));
+    std::vector<Step> steps;
+    append_steps(move, rules(4).grid.ticks(move.path.from, move.z_from), rules(4), steps);
+    for (const Step& step : steps) {
+      if (step.turn == Turn::kStraight) continue;
+      ++arcs;
+      EXPECT_GE(std::hypot(static_cast<double>(step.i), static_cast<double>(step.j)), 20)
+          << "steps of 0.1 um";
+    }
+  }
+  EXPECT_GT(arcs, 500);
+}
+
 TEST(Steps, MotionThatRoundsToNothingIsLeftOut) {
   EXPECT_TRUE(steps_of({Edge::line({0, 0}, {0.00004, 0}), 0, 0, MoveKind::kCut, MmPerMin::of(1), 0}, rules(4))
                   .empty());

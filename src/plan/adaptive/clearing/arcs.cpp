@@ -171,7 +171,8 @@ namespace {
 
 class Easer {
  public:
-  Easer(Pass& pass, const EasingJob& job) : pass_(pass), job_(job) {}
+  Easer(Pass& pass, const Deviation& deviation, const MachineClock& clock)
+      : pass_(pass), deviation_(deviation), clock_(clock) {}
 
   std::vector<Edge> run() {
     std::vector<Edge> path;
@@ -223,9 +224,9 @@ class Easer {
     if (before.to != after.from) return std::nullopt;
     const double turn = std::abs(turn_at_joint(before, after));
     if (turn < kLeastKink || turn > kLargestKink) return std::nullopt;
-    const bool at_wall = job_.legal.is_near_boundary(before.to, job_.most);
-    const double within = at_wall ? job_.at_wall : job_.most;
-    const double full = job_.clock.radius_at(job_.clock.feed.mm_per_s()) * base::tan(turn / 2);
+    const bool at_wall = deviation_.legal.is_near_boundary(before.to, deviation_.most);
+    const double within = at_wall ? deviation_.at_wall : deviation_.most;
+    const double full = clock_.radius_at(clock_.feed.mm_per_s()) * base::tan(turn / 2);
     const double of_before = std::min({full, kTakenOfMove * whole, kTakenOfMove * before.length()}),
                  of_after = std::min(full, kTakenOfMove * after.length());
     double taken = std::min(of_before, taken_for(before, after, of_after));
@@ -249,8 +250,8 @@ class Easer {
 
   bool is_legal(const Edge& arc) const {
     const Vec2 middle = arc.at(0.5);
-    return job_.legal.holds_line(arc.from, middle) && job_.legal.holds_line(middle, arc.to) &&
-           (!arc.is_arc() || job_.legal.contains(middle));
+    return deviation_.legal.holds_line(arc.from, middle) && deviation_.legal.holds_line(middle, arc.to) &&
+           (!arc.is_arc() || deviation_.legal.contains(middle));
   }
 
   /// Seconds of `cuts` in place of the moves from `first` to before `end`, with some moves beside them.
@@ -266,19 +267,72 @@ class Easer {
     kinds.insert(kinds.end(), cuts.size(), MoveKind::kCut);
     moves.insert(moves.end(), at(pass_.path, end), at(pass_.path, to));
     kinds.insert(kinds.end(), at(pass_.kinds, end), at(pass_.kinds, to));
-    return job_.clock.seconds(moves, kinds);
+    return clock_.seconds(moves, kinds);
   }
 
   Pass& pass_;
-  const EasingJob& job_;
+  const Deviation& deviation_;
+  const MachineClock& clock_;
   std::vector<Edge> changed_;
 };
 
 }  // namespace
 
-std::vector<Edge> ease_joints(Pass& pass, const EasingJob& job) {
-  if (!job.clock.runs() || pass.path.empty() || pass.kinds.size() != pass.path.size()) return {};
-  return Easer(pass, job).run();
+std::vector<Edge> ease_joints(Pass& pass, const Deviation& deviation, const MachineClock& clock) {
+  if (!clock.runs() || pass.path.empty() || pass.kinds.size() != pass.path.size()) return {};
+  return Easer(pass, deviation, clock).run();
+}
+
+namespace {
+
+/// As few lines as deviate from the arc by no more than `within` mm.
+Path lines_along(const Edge& arc, double within) {
+  const double step = 2 * base::acos(1 - within / arc.radius());
+  const int count = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep()) / step)));
+  Path lines;
+  for (int i = 1; i <= count; ++i) {
+    const Vec2 from = lines.empty() ? arc.from : lines.back().to;
+    lines.push_back(Edge::line(from, i == count ? arc.to : arc.at(static_cast<double>(i) / count)));
+  }
+  return lines;
+}
+
+/// The lines in place of a wide arc, or none: at walls closer to it than elsewhere.
+Path straightened(const Edge& arc, const Deviation& deviation) {
+  for (const double within : {deviation.most, deviation.at_wall}) {
+    Path lines = lines_along(arc, within);
+    const bool fits = std::all_of(lines.begin(), lines.end(), [&](const Edge& line) {
+      return deviation.legal.holds_line(line.from, line.to) &&
+             (within <= deviation.at_wall || !deviation.legal.is_near_boundary(line.to, within));
+    });
+    if (fits) return lines;
+  }
+  return {};
+}
+
+}  // namespace
+
+bool is_wide_arc(const Edge& edge) {
+  return edge.is_arc() && edge.radius() > kNarrowArc &&
+         std::max(std::abs(edge.center.x), std::abs(edge.center.y)) > kFarthestCenter;
+}
+
+std::vector<Edge> straighten_wide_arcs(Pass& pass, const Deviation& deviation) {
+  std::vector<Edge> replaced;
+  Path path;
+  std::vector<MoveKind> kinds;
+  for (std::size_t i = 0; i < pass.path.size(); ++i) {
+    const Edge& edge = pass.path[i];
+    Path lines = is_wide_arc(edge) ? straightened(edge, deviation) : Path{};
+    if (!lines.empty()) replaced.push_back(edge);
+    if (lines.empty()) lines.push_back(edge);
+    path.insert(path.end(), lines.begin(), lines.end());
+    if (!pass.kinds.empty()) kinds.insert(kinds.end(), lines.size(), pass.kinds[i]);
+  }
+  if (replaced.empty()) return replaced;
+  pass.path = std::move(path);
+  pass.kinds = std::move(kinds);
+  return replaced;
 }
 
 }  // namespace clearcut::plan::adaptive

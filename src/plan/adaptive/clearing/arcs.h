@@ -32,16 +32,28 @@ struct EasedJoint {
 /// The arc that leaves `before` `taken` mm ahead of its end and joins `after`; nothing if no arc does within half of either.
 std::optional<EasedJoint> eased_joint(const Edge& before, const Edge& after, double taken);
 
-/// Where joints may be eased, and for what.
-struct EasingJob {
+/// How far moves may deviate from what was planned.
+struct Deviation {
   const LegalArea& legal;  ///< where the centre may be
-  const MachineClock& clock;
-  double at_wall = 0;  ///< mm; at the border of the legal area arcs deviate by no more
-  double most = 0;     ///< mm; elsewhere
+  double at_wall = 0;      ///< mm; at the border of the legal area
+  double most = 0;         ///< mm; elsewhere
 };
 
 /// Eases the kinks within each run of cuts of a pass, where the machine is faster so. Returns the moves that changed, as they
 /// were.
-std::vector<Edge> ease_joints(Pass& pass, const EasingJob& job);
+std::vector<Edge> ease_joints(Pass& pass, const Deviation& deviation, const MachineClock& clock);
+
+/// mm. Programs are proven whose arcs have their centers within 1.07 m of zero in x and in y (docs/claim.md); arcs about centers
+/// beyond this are nearly straight where the part is not itself as large.
+inline constexpr double kFarthestCenter = 1000;
+/// mm. Tighter arcs stay arcs wherever they are: those of parts of a metre.
+inline constexpr double kNarrowArc = 400;
+
+/// Whether an arc is so wide that its center is beyond kFarthestCenter.
+bool is_wide_arc(const Edge& edge);
+
+/// Writes the wide arcs of a pass as lines that deviate from them by no more than is permitted and stay in the legal area; arcs that no such
+/// lines replace stay. Returns the arcs that were replaced.
+std::vector<Edge> straighten_wide_arcs(Pass& pass, const Deviation& deviation);
 
 }  // namespace clearcut::plan::adaptive

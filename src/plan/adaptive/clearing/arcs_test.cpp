@@ -62,13 +62,13 @@ TEST(EasedJoints, KinkIsEasedWithinItsBoundWhereTheMachineIsFaster) {
   pass.kinds = {MoveKind::kCut, MoveKind::kCut};
   const Pass kinked = pass;
   const MachineClock clock = router_on_linuxcnc();
-  EXPECT_EQ(ease_joints(pass, {legal, clock, 0.0015, 0.01}).size(), 2u);
+  EXPECT_EQ(ease_joints(pass, {legal, 0.0015, 0.01}, clock).size(), 2u);
   ASSERT_EQ(pass.path.size(), 3u);
   EXPECT_LE(distance(pass.path[1], Vec2{0, 0}), 0.01);
   EXPECT_LT(clock.seconds(pass.path, pass.kinds), clock.seconds(kinked.path, kinked.kinds) - 0.02);
 
   Pass unknown_machine = kinked;
-  EXPECT_TRUE(ease_joints(unknown_machine, {legal, {}, 0.0015, 0.01}).empty());
+  EXPECT_TRUE(ease_joints(unknown_machine, {legal, 0.0015, 0.01}, {}).empty());
   EXPECT_EQ(unknown_machine.path, kinked.path);
 }
 
@@ -78,10 +78,47 @@ TEST(EasedJoints, ArcsAtWallsDeviateLess) {
   pass.path = {Edge::line({-19, -20}, {0, -20}), edge_along({0, -20}, direction_of(0.1), 15, 0)};
   pass.kinds = {MoveKind::kCut, MoveKind::kCut};
   const MachineClock clock = router_on_linuxcnc();
-  ease_joints(pass, {legal, clock, 0.0015, 0.01});
+  ease_joints(pass, {legal, 0.0015, 0.01}, clock);
   for (const Edge& edge : pass.path) EXPECT_TRUE(legal.contains(edge.at(0.5)));
   ASSERT_EQ(pass.path.size(), 3u);
   EXPECT_LE(distance(pass.path[1], Vec2{0, -20}), 0.0015);
+}
+
+TEST(WideArcs, AreWrittenAsLinesWithinWhatIsPermitted) {
+  const LegalArea legal(square_of(50));
+  const Edge wide = edge_along({-10, 3}, direction_of(0.2), 25, 1 / 1500.0),
+             narrow = edge_along(wide.to, wide.tangent_at(1), 10, 1 / 300.0);
+  Pass pass;
+  pass.path = {wide, narrow};
+  pass.kinds = {MoveKind::kCut, MoveKind::kLink};
+  const auto replaced = straighten_wide_arcs(pass, {legal, 0.0015, 0.005});
+  ASSERT_EQ(replaced, (std::vector<Edge>{wide}));
+  ASSERT_EQ(pass.kinds.size(), pass.path.size());
+  EXPECT_EQ(pass.path.back(), narrow);
+  EXPECT_EQ(pass.path.size(), 5U) << "7.7 mm each have a sagitta of 0.005 mm";
+  EXPECT_EQ(pass.path.front().from, wide.from);
+  double mm = 0;
+  for (std::size_t i = 0; i + 1 < pass.path.size(); ++i) {
+    const Edge& line = pass.path[i];
+    EXPECT_FALSE(line.is_arc());
+    EXPECT_EQ(pass.kinds[i], MoveKind::kCut);
+    EXPECT_EQ(line.to, pass.path[i + 1].from);
+    for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) EXPECT_LE(distance(wide, line.at(t)), 0.005 + 1e-9);
+    mm += line.length();
+  }
+  EXPECT_NEAR(mm, wide.length(), 1e-4);
+}
+
+TEST(WideArcs, StayWhereLinesWouldLeaveTheLegalArea) {
+  // An arc along a wall of the same radius, which bulges inwards: lines along it run outside of the area by their sagitta.
+  const Edge wall = edge_along({-20, 0}, {1, 0}, 40, -1 / 1200.0);
+  const LegalArea legal(
+      {Region::from_valid_loops({wall, Edge::line(wall.to, {0, 60}), Edge::line({0, 60}, wall.from)}, {})});
+  Pass pass;
+  pass.path = {wall};
+  pass.kinds = {MoveKind::kCut};
+  EXPECT_TRUE(straighten_wide_arcs(pass, {legal, 0.0015, 0.005}).empty());
+  EXPECT_EQ(pass.path, (Path{wall}));
 }
 
 }  // namespace

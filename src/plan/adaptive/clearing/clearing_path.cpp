@@ -186,10 +186,11 @@ std::vector<Edge> ClearingPath::moves() const {
   return moves;
 }
 
-void ClearingPath::ease_joints(const EasingJob& job) {
+void ClearingPath::ease_joints(const Deviation& deviation, const MachineClock& clock) {
   const auto ease = [&](Pass& pass) {
-    const auto changed = adaptive::ease_joints(pass, job);
-    replaced_.insert(replaced_.end(), changed.begin(), changed.end());
+    for (const auto& changed :
+         {straighten_wide_arcs(pass, deviation), adaptive::ease_joints(pass, deviation, clock)})
+      replaced_.insert(replaced_.end(), changed.begin(), changed.end());
   };
   for (Pass& pass : passes_) ease(pass);
   ease(pass_);

@@ -67,7 +67,7 @@ class ClearingPath {
   /// Whether p is cleared by cuts that were joined into others, which run a little beside them and may not clear it.
   bool is_beside_joined(Vec2 p) const;
   /// Puts arcs in the place of the kinks between cuts, where that saves the machine time.
-  void ease_joints(const EasingJob& job);
+  void ease_joints(const Deviation& deviation, const MachineClock& clock);
   /// All passes; ends the current one.
   std::vector<Pass> take_passes();
 

@@ -61,8 +61,9 @@ bool AdaptiveFinish::run(bool open, int most_rests, StepPictures& pictures) {
   cut_walls();
   if (open) cut_wall_ends();
   pictures.after("trochoidal steps");
-  path_.ease_joints({remaining_.legal(), clock_, ResidualLimits::kWall,
-                     std::min(kMostEase, kEaseOfEngagement * base::sin(limit_)) * radius_});
+  path_.ease_joints({remaining_.legal(), ResidualLimits::kWall,
+                     std::min(kMostEase, kEaseOfEngagement * base::sin(limit_)) * radius_},
+                    clock_);
   const bool all = cut_rests(open, most_rests);
   pictures.after("rests");
   return all;
