@@ -197,6 +197,21 @@ TEST(StepNc, RoundHoleBlindAndThrough) {
   EXPECT_NEAR(area(part.features[0].target), 100 * kPi, 1e-9);
 }
 
+/// Down to the underside of the stock it is as wide as it should be: the point of the drill goes below.
+TEST(StepNc, ThroughHolesAreDrilledTheirWholeWidthDown) {
+  Program p;
+  p.feature("ROUND_HOLE('HOLE',#3,(#30),#28,#23,#63,$,#70)").with(70, "THROUGH_BOTTOM_CONDITION()");
+  p.with(63, "TOLERANCED_LENGTH_MEASURE(10.,$)").with(25, "CARTESIAN_POINT('',(0.,0.,-20.))");
+  p.with(30, "DRILLING($,$,'DRILL',$,$,#31,#34,#35,$,$,$,$,$,$)").with(32, "TWIST_DRILL(#33,2,$,$,$)");
+  p.with(33, "MILLING_TOOL_DIMENSION(10.,1.5707963267948966,$,40.,$,$,$)");
+  EXPECT_NEAR(p.read().features[0].floor_z, -25, 1e-6) << "5 mm of the point of 90 degrees";
+  p.with(25, "CARTESIAN_POINT('',(0.,0.,-27.))");
+  EXPECT_EQ(p.read().features[0].floor_z, -27) << "deep enough as it is";
+  p.with(25, "CARTESIAN_POINT('',(0.,0.,-20.))")
+      .with(30, "DRILLING($,$,'DRILL',$,$,#31,#34,#35,$,20.,$,$,$,$)");
+  EXPECT_EQ(p.read().features[0].floor_z, -20) << "a stated cutting depth has precedence";
+}
+
 TEST(StepNc, TaperedHolesAreRoundPocketsWithLeaningWalls) {
   Program program;
   program.feature("ROUND_HOLE('HOLE',#3,(),#28,#23,#62,#40,#41)").with(41, "FLAT_HOLE_BOTTOM()");

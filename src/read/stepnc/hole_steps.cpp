@@ -74,6 +74,18 @@ int Reader::add_hole(const Feature& like, const Draft& draft, const std::string&
   return static_cast<int>(part_.features.size()) - 1;
 }
 
+namespace {
+
+/// mm. How much deeper than the hole's floor a drill goes, so that the hole has its width down to the underside of the stock: the length of
+/// the point. None where the hole ends elsewhere, because the point would cut what lies below it.
+double below_through_hole(const Feature& hole, const Tool& tool, const std::optional<Stock>& stock) {
+  if (!hole.through || tool.kind != ToolKind::kDrill || !stock || hole.floor_z > stock->z_bottom + kLevel)
+    return 0;
+  return std::max(0.0, hole.floor_z - (stock->z_bottom - point_length(tool)));
+}
+
+}  // namespace
+
 /// The hole itself, or one of its own where the operation goes to another depth.
 int Reader::hole_for(std::size_t index, const StatedOperation& stated, const Node& node) {
   const Draft& draft = drafts_[index];
@@ -84,7 +96,9 @@ int Reader::hole_for(std::size_t index, const StatedOperation& stated, const Nod
   if (stated.hole == HoleKind::kCountersunk) return countersink_for(draft, hole, stated, node);
   fit_to_tool(hole, draft, tool);
   const double full = hole.top_z - hole.floor_z;
-  const double depth = stated.depth.value_or(full);
+  const bool is_narrower = makes_holes(tool) && tool.diameter < *hole.hole_diameter - context_.tol.fit;
+  const double beyond = is_narrower ? 0 : below_through_hole(hole, tool, part_.stock);
+  const double depth = stated.depth.value_or(full + beyond);
   if (std::abs(depth - full) < kLevel) return features_of_draft_[index].back();
   if (depth > full && !hole.through)
     context_.diagnostics.doubt(context_.file.place(node.line()), kNotFollowed,
@@ -92,7 +106,6 @@ int Reader::hole_for(std::size_t index, const StatedOperation& stated, const Nod
                                    " mm deep (cutting_depth) and " + hole.name + " is " + trimmed(full, 3) +
                                    " mm deep; it is made no deeper");
   if (depth > full && !hole.through) return features_of_draft_[index].back();
-  const bool is_narrower = makes_holes(tool) && tool.diameter < *hole.hole_diameter - context_.tol.fit;
   if (depth > full && !is_narrower) {
     hole.floor_z = hole.top_z - depth;  // all its steps may go as far: it goes through
     return features_of_draft_[index].back();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "base/error.h"
 #include "base/random.h"
@@ -144,6 +145,34 @@ double area_of(const std::string& curve) {
                         .with(85, "BEZIER_CURVE('',3,(#71,#72,#73,#74),.UNSPECIFIED.,.F.,.F.)")
                         .read();
   return area(part.features.at(0).target);
+}
+
+/// A pocket over a triangle whose first side is a line trimmed by points, from (20, 10) to (40, 10).
+Program trimmed_by_points(const std::string& point, const std::string& direction, const std::string& sense) {
+  Program p;
+  p.with(27, "GENERAL_CLOSED_PROFILE($,#70)").with(70, "COMPOSITE_CURVE('',(#71,#72),.F.)");
+  p.with(71, "COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#73)");
+  p.with(72, "COMPOSITE_CURVE_SEGMENT(.CONTINUOUS.,.T.,#74)");
+  p.with(73, "TRIMMED_CURVE('',#75,(#80),(#81)," + sense + ",.CARTESIAN.)");
+  p.with(74, "POLYLINE('',(#81,#82,#80))").with(75, "LINE('',#76,#77)");
+  p.with(76, "CARTESIAN_POINT('',(" + point + ",0.))").with(77, "VECTOR('',#78,3.)");
+  p.with(78, "DIRECTION('',(" + direction + ",0.))").with(80, "CARTESIAN_POINT('',(20.,10.,0.))");
+  p.with(81, "CARTESIAN_POINT('',(40.,10.,0.))").with(82, "CARTESIAN_POINT('',(30.,40.,0.))");
+  return p;
+}
+
+TEST(StepNc, LinesTrimmedByPointsThatLieOnThemAreFollowed) {
+  const std::string wrong = "as its trim points do";
+  for (const auto& [point, direction, sense] :
+       {std::tuple{"20.,10.", "1.,0.", ".T."}, {"-7.,10.", "-1.,0.", ".F."}, {"20.,10.", "1.,0.", "$"}}) {
+    const std::string said = all_diagnostics(trimmed_by_points(point, direction, sense).read());
+    for (const char* entity : {"LINE", "TRIMMED_CURVE", "VECTOR", "the line"})
+      EXPECT_THAT(said, ::testing::Not(HasSubstr(std::string("not followed: ") + entity))) << point;
+  }
+  for (const auto& [point, direction, sense] :
+       {std::tuple{"20.,11.", "1.,0.", ".T."}, {"20.,10.", "1.,0.1", ".T."}, {"20.,10.", "1.,0.", ".F."}})
+    EXPECT_THAT(all_diagnostics(trimmed_by_points(point, direction, sense).read()), HasSubstr(wrong))
+        << point << " " << direction << " " << sense;
 }
 
 TEST(StepNc, EllipsesAndSplinesBecomeLinesAndArcs) {

@@ -111,9 +111,29 @@ Path arc_path(const Node& curve, const Node& base, Context& context) {
                       counter_clockwise ? Turn::kCounterClockwise : Turn::kClockwise)};
 }
 
-Path line_path(const Node& curve, const Node& base) {
-  const auto end = [&](std::size_t argument) {
-    const Trim trim = trim_of(curve, argument);
+/// A line whose ends are trimmed by points needs neither its own point nor its direction. Where they are stated, they have to agree with
+/// the points: else one of both is wrong, and nobody knows which.
+void check_on_line(const Node& curve, const Node& base, Vec2 a, Vec2 b, Context& context) {
+  const auto vector = base.sound_ref(2);
+  if (base.unset(1) || !vector || vector->unset(1) || a == b) return;
+  const Vec2 through = in_plan(location_of(base.needed_ref(1, "point")));
+  const Vec2 direction = in_plan(axis_of(vector->needed_ref(1, "direction")));
+  vector->use(2);  // the parameters of points are not asked for
+  const double length = norm(direction);
+  const auto off = [&](Vec2 p) {
+    return length > 0 ? std::abs(cross(direction, p - through)) / length : 0.0;
+  };
+  const bool forwards = dot(direction, b - a) >= 0, stated_forwards = curve.flag(4).value_or(forwards);
+  if (std::max(off(a), off(b)) <= kOffCircle && length > 0 && forwards == stated_forwards) return;
+  context.diagnostics.doubt(context.file.place(curve.line()), kNotFollowed,
+                            "not followed: the line of " + curve.label() + " (" + base.label() +
+                                ") does not go from " + shown(a) + " to " + shown(b) +
+                                " as its trim points do; the points are used");
+}
+
+Path line_path(const Node& curve, const Node& base, Context& context) {
+  const Trim first = trim_of(curve, 2), second = trim_of(curve, 3);
+  const auto end = [&](const Trim& trim) {
     if (trim.point) return *trim.point;
     const Node vector = base.needed_ref(2, "direction");
     const Vec2 direction = in_plan(axis_of(vector.needed_ref(1, "direction")));
@@ -122,7 +142,8 @@ Path line_path(const Node& curve, const Node& base) {
     return in_plan(location_of(base.needed_ref(1, "point"))) +
            unit(direction) * (magnitude * *trim.parameter);
   };
-  const Vec2 a = end(2), b = end(3);
+  const Vec2 a = end(first), b = end(second);
+  check_on_line(curve, base, a, b, context);
   return a == b ? Path{} : Path{Edge::line(a, b)};
 }
 
@@ -234,7 +255,7 @@ Path path_at(const Node& curve, Context& context, int depth) {
   if (curve.is("TRIMMED_CURVE")) {
     const Node base = curve.needed_ref(1, "basis curve");
     if (base.is("CIRCLE")) return arc_path(curve, base, context);
-    if (base.is("LINE")) return line_path(curve, base);
+    if (base.is("LINE")) return line_path(curve, base, context);
     base.fail("only lines and circles can be trimmed here; write the outline with lines and arcs");
   }
   curve.fail(
