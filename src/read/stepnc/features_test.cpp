@@ -208,6 +208,10 @@ TEST(StepNc, ThroughHolesAreDrilledTheirWholeWidthDown) {
   p.with(25, "CARTESIAN_POINT('',(0.,0.,-27.))");
   EXPECT_EQ(p.read().features[0].floor_z, -27) << "deep enough as it is";
   p.with(25, "CARTESIAN_POINT('',(0.,0.,-20.))")
+      .with(33, "MILLING_TOOL_DIMENSION(10.,1.5707963267948966,$,22.,$,$,$)");
+  EXPECT_EQ(p.read().features[0].floor_z, -22) << "its flutes are no longer";
+  EXPECT_THAT(all_diagnostics(p.read()), HasSubstr("its width down to 3 mm over the underside"));
+  p.with(25, "CARTESIAN_POINT('',(0.,0.,-20.))")
       .with(30, "DRILLING($,$,'DRILL',$,$,#31,#34,#35,$,20.,$,$,$,$)");
   EXPECT_EQ(p.read().features[0].floor_z, -20) << "a stated cutting depth has precedence";
 }
