@@ -181,28 +181,43 @@ void add_loops(const Region& region, LayerPasses& result) {
   result.legal.push_back(region);
 }
 
-/// Radians turned at once by a cutter of `radius` mm in the sharpest corner between walls of `loop`.
-double sharpest_turn(const Loop& loop, double radius) {
-  double sharpest = 0;
+/// Radians; engagement of a cutter of `radius` mm along a straight wall of which it takes `stock` mm.
+double engagement_along_wall(double radius, double stock) {
+  return base::acos(std::max(-1.0, 1 - stock / radius));
+}
+
+/// The same inside a wall round an arc; at the most what its turn adds to the straight wall.
+double engagement_inside(const Edge& arc, double radius, double stock) {
+  const double wall = arc.radius(), away = wall - radius;
+  const double most = std::min(kPi, engagement_along_wall(radius, stock) + arc.sweep());
+  if (away <= 0) return most;
+  const double inside = wall - stock;
+  const double cosine = (inside * inside - away * away - radius * radius) / (2 * away * radius);
+  return std::min(most, base::acos(std::clamp(cosine, -1.0, 1.0)));
+}
+
+double engagement_along(const Loop& loop, double radius, double stock) {
+  double most = engagement_along_wall(radius, stock);
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const Edge& edge = loop[i];
     const Vec2 in = edge.tangent_at(1), out = loop[(i + 1) % loop.size()].tangent_at(0);
-    sharpest = std::max(sharpest, base::atan2(cross(in, out), dot(in, out)));
-    if (edge.turn == Turn::kCounterClockwise && edge.radius() <= radius)
-      sharpest = std::max(sharpest, std::min(kPi, edge.sweep()));
+    const double turn = base::atan2(cross(in, out), dot(in, out));
+    most = std::max(most, engagement_along_wall(radius, stock) + turn);
+    if (edge.turn == Turn::kCounterClockwise) most = std::max(most, engagement_inside(edge, radius, stock));
   }
-  return sharpest;
+  return most;
 }
 
 }  // namespace
 
 double engagement_along_walls(const Regions& area, double radius, double stock) {
-  double sharpest = 0;
+  double most = 0;
   for (const Region& region : area) {
-    sharpest = std::max(sharpest, sharpest_turn(region.outer(), radius));
-    for (const Loop& island : region.islands()) sharpest = std::max(sharpest, sharpest_turn(island, radius));
+    most = std::max(most, engagement_along(region.outer(), radius, stock));
+    for (const Loop& island : region.islands())
+      most = std::max(most, engagement_along(island, radius, stock));
   }
-  return sharpest + base::acos(std::max(-1.0, 1 - stock / radius));
+  return most;
 }
 
 LayerPasses plan_walls(const Layer& layer, const Tolerances& tol) {

@@ -35,7 +35,7 @@ ClearingArea clearing_area(const Layer& layer, const Tolerances& tol);
 bool closed_all_round(const Layer& layer);
 
 /// Radians; greatest engagement of a pass along the walls of `area` by a cutter of `radius` mm that takes `stock` mm: in a corner between two
-/// walls it cuts the stock of both at once, its turn more than along a straight wall.
+/// walls it cuts the stock of both at once, its turn more than along a straight wall; inside an arc hardly wider than itself as much.
 double engagement_along_walls(const Regions& area, double radius, double stock);
 
 /// A closed pass on each boundary of the legal area, tool_radius + wall_stock off the wall and oriented as
