@@ -23,7 +23,7 @@ class KlartextBegin {
 
   std::string text(int line) {
     add(fmt::format("; RESUMED BEFORE LINE {}", line));
-    out_ += held_.words.offset + held_.words.path;
+    out_ += held_.words.offset + held_.words.path + held_.words.tool_definitions;
     if (!way_.is_needed) return out_ + coolant() + what_holds() + feed_alone();
     out_ += held_.words.home + held_.words.tool_calls;
     if (held_.modes.spindle != 5) add(fmt::format("M{}", held_.modes.spindle));

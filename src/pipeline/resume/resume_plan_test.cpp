@@ -221,6 +221,15 @@ std::string klartext_refused(int line) {
   return "none";
 }
 
+/// What the program itself says of its tools holds for the resumed one as well.
+TEST(ResumeKlartext, DefinitionsOfToolsAreRepeated) {
+  std::string program = kKlartext;
+  const std::string definition = "TOOL DEF 1 L+0 R+3";
+  program.insert(program.find("5 TOOL CALL"), "5 " + definition + "\n");
+  const ResumedProgram resumed = resumed_alone(program, 13, read::gcode::Dialect::kHeidenhain);
+  EXPECT_LT(resumed.program.find(definition), resumed.program.find("TOOL CALL 1"));
+}
+
 TEST(ResumeKlartext, BringsTheControlIntoTheStateBeforeTheLine) {
   const ResumedProgram resumed = klartext_resumed(12);
   EXPECT_EQ(faults_of(resumed.after.findings), "");

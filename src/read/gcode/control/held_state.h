@@ -49,6 +49,7 @@ struct HeldWords {
   std::vector<std::string> zeros;    ///< lines that write work offsets into the control's table
   std::string home;                  ///< of the last way straight up to a place of the machine: "G91 G28 Z0"
   bool local_shift = false;          ///< G52 was said
+  std::string tool_definitions;      ///< Klartext: lines that state lengths and radii of tools
   std::string tool_calls;            ///< Klartext: lines from the last change of tools on
   std::string cycle;                 ///< Klartext: lines of the definition of the last cycle for holes
 };

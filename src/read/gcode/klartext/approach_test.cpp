@@ -178,5 +178,33 @@ TEST(KlartextApproach, IsRefusedWhereItIsNotWhole) {
   EXPECT_THAT(refused("APPR LT X+10 Y+0 LEN5 RL F100\nL Y+20 RR"), HasSubstr("another than that of APPR"));
 }
 
+/// TOOL DEF states what the control compensates by, and from where heights count.
+TEST(KlartextTools, DefinitionsAreHeldBesideTheToolsGiven) {
+  const auto read = [](const std::string& definition) {
+    ReadControllerOptions options;
+    options.dialect = Dialect::kHeidenhain;
+    options.compensation.radii = {{1, kToolRadius}};
+    options.compensation.is_stated = true;
+    const std::string program = "0 BEGIN PGM A MM\n" + definition +
+                                "\nTOOL CALL 1 Z S1000\nCYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.01\n"
+                                "L X+0 Y+0 Z-1 R0 FMAX M3\nL X+10 RL F200\nL X+30\nL Z+50 R0 FMAX M30\n"
+                                "END PGM A MM\n";
+    try {
+      std::string names;
+      for (const Condition& one : read_gcode(program, "test.h", options).conditions)
+        names += one.name + " " + one.text + "\n";
+      return names;
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_THAT(read("TOOL DEF 1 L+12.5 R+3"), HasSubstr("tool-length-def TOOL DEF in line 2"));
+  EXPECT_THAT(read("TOOL DEF 1 L+12.5 R+3"), HasSubstr("12.5 mm"));
+  EXPECT_THAT(read("TOOL DEF 1 R+4"), HasSubstr("states a radius of 4 mm for T1"));
+  EXPECT_THAT(read("TOOL DEF 1 L+0 R+3 X5"), HasSubstr("TOOL DEF with 'X5'"));
+  for (const char* none : {"TOOL DEF 1", "TOOL DEF 1 R+3", "TOOL DEF 2 L+7 R+4"})
+    EXPECT_THAT(read(none), ::testing::Not(HasSubstr("TOOL DEF"))) << none;
+}
+
 }  // namespace
 }  // namespace clearcut::read::gcode

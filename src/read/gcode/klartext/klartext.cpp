@@ -67,6 +67,8 @@ class Reader {
   bool corner_follows() const;
   void round_corner(const std::vector<std::string>& words);
   void tool_call(const std::vector<std::string>& words);
+  void define_tool(const std::vector<std::string>& words);
+  void say_length_of_definition();
   void cycle(const std::vector<std::string>& words);
   void define_hole(const std::vector<std::string>& words, std::size_t first);
   double cycle_value(const std::string& text) const;
@@ -99,7 +101,14 @@ class Reader {
     int line = 0;
   };
 
+  /// What the program itself says of a tool, mm.
+  struct ToolDefinition {
+    std::optional<double> length, radius;
+    int line = 0;
+  };
+
   void compensate(PathWords::Radius wanted);
+  void refuse_other_radius(double radius) const;
   ToolOffset offset_by(PathWords::Radius wanted) const;
   void begin_offset(const ToolOffset& offset);
   void end_offset();
@@ -162,11 +171,12 @@ class Reader {
   double tool_feed_ = 0;  ///< mm/min, F of TOOL CALL
   double speed_ = 0;
   int spindle_ = 5;
-  double wider_ = 0;               ///< DR, mm: the tool counts as that much larger
-  std::array<double, 3> datum_{};  ///< mm, by cycle 7 and TRANS DATUM
-  double turned_ = 0;              ///< degrees, by cycle 10
-  bool chooses_datum_ = false;     ///< cycle 247 was defined
-  double longer_ = 0;              ///< DL, mm: every height is that much off
+  std::map<int, ToolDefinition> definitions_;  ///< of TOOL DEF, by the number of the tool
+  double wider_ = 0;                           ///< DR, mm: the tool counts as that much larger
+  std::array<double, 3> datum_{};              ///< mm, by cycle 7 and TRANS DATUM
+  double turned_ = 0;                          ///< degrees, by cycle 10
+  bool chooses_datum_ = false;                 ///< cycle 247 was defined
+  double longer_ = 0;                          ///< DL, mm: every height is that much off
   std::optional<Vec2> pole_;
   std::optional<HoleCycle> hole_;  ///< as last defined; CYCL CALL and M99 make it
   std::optional<Approach> approach_;
@@ -322,6 +332,8 @@ void Reader::block(const Words& found) {
     builder_.say_units(unit_ != 1, line_);
   } else if (first == "TOOL" && second == "CALL") {
     tool_call(words);
+  } else if (first == "TOOL" && second == "DEF") {
+    define_tool(words);
   } else if (first == "CYCL" && second == "CALL") {
     call_cycle(words);
   } else if (first == "CYCL") {
@@ -407,7 +419,35 @@ void Reader::tool_call(const std::vector<std::string>& words) {
     }
   }
   if (changed || longer != 0) set_length(longer);
+  if (changed) say_length_of_definition();
   set_drive();
+}
+
+/// TOOL DEF states length and radius of a tool in the program; with a number alone it only has the changer bring the tool
+/// near.
+void Reader::define_tool(const std::vector<std::string>& words) {
+  if (words.size() < 4 || !is_digit(words[2][0])) return;
+  ToolDefinition tool;
+  tool.line = line_;
+  for (std::size_t k = 3; k < words.size(); ++k) {
+    const std::string& word = words[k];
+    if (word.size() < 2 || (word[0] != 'L' && word[0] != 'R'))
+      refuse("TOOL DEF with '" + word.substr(0, 20) +
+             "' is not read; it states L and R of a tool, such as L+0 R+3");
+    (word[0] == 'L' ? tool.length : tool.radius) = number(word.substr(1)) * unit_;
+  }
+  if (tool.radius && *tool.radius < 0) refuse("TOOL DEF with a radius below 0; correct it");
+  definitions_[static_cast<int>(number(words[2]))] = tool;
+}
+
+/// Heights count from a length that the program states, so that the zero is to be touched off with it.
+void Reader::say_length_of_definition() {
+  const auto found = definitions_.find(builder_.drive.tool);
+  if (found == definitions_.end() || !found->second.length) return;
+  builder_.condition("tool-length-def", line_,
+                     "TOOL DEF in line " + std::to_string(found->second.line) + " states the length of T" +
+                         std::to_string(found->first) + ", " + trimmed(*found->second.length, 4) +
+                         " mm: heights are right where the zero was touched off with this length");
 }
 
 void Reader::set_length(double longer) {
@@ -711,10 +751,22 @@ void Reader::compensate(PathWords::Radius wanted) {
     refuse("the side of radius compensation changes while it is on; end it by R0 before");
 }
 
+/// The control compensates by what TOOL DEF states, which a radius of another tool contradicts. Both are stated in decimals,
+/// which inches round.
+void Reader::refuse_other_radius(double radius) const {
+  const auto found = definitions_.find(builder_.drive.tool);
+  if (found == definitions_.end() || !found->second.radius) return;
+  if (std::abs(*found->second.radius - radius) <= kSamePlaceMm) return;
+  refuse("TOOL DEF in line " + std::to_string(found->second.line) + " states a radius of " +
+         trimmed(*found->second.radius, 4) + " mm for T" + std::to_string(found->first) +
+         ", and radius compensation is checked with " + trimmed(radius, 4) + " mm; correct one of them");
+}
+
 Reader::ToolOffset Reader::offset_by(PathWords::Radius wanted) const {
   const int tool = builder_.drive.tool;
-  const double radius =
-      compensation_of(compensation_, builder_, tool, tool, "the tool table", line_) + wider_;
+  const double of_table = compensation_of(compensation_, builder_, tool, tool, "the tool table", line_);
+  refuse_other_radius(of_table);
+  const double radius = of_table + wider_;
   const bool is_left = (wanted == PathWords::Radius::kLeft) != (radius < 0);
   return {is_left ? CompensationSide::kLeft : CompensationSide::kRight, std::abs(radius)};
 }
@@ -1200,6 +1252,8 @@ void Reader::keep(const std::vector<std::string>& words) {
   if (words[0] == "TOOL" && second == "CALL") {
     if (puts_tool_in(words)) kept.tool_calls.clear();
     kept.tool_calls += text;
+  } else if (words[0] == "TOOL" && second == "DEF" && words.size() > 3) {
+    kept.tool_definitions += text;
   } else if (words[0] == "CYCL" && second == "DEF" && words.size() > 2) {
     const std::string number = words[2].substr(0, words[2].find('.'));
     const bool begins = words[2].find('.') == std::string::npos || words[2].find(".0") != std::string::npos;
