@@ -67,7 +67,8 @@ TEST(HolePlan, APlaceThatTheDigitsOfInchesMissIsThePlace) {
   expect_clean(result);
   EXPECT_THAT(warnings_of(result.part), Not(HasSubstr("--decimals")));
   // 0.0003 inch more is 6.5 um beside the place.
-  const Findings beside = changed(part, result, "G81 X0.4576", "G81 X0.4579", options, read::gcode::Dialect::kHaas);
+  const Findings beside =
+      changed(part, result, "G81 X0.4576", "G81 X0.4579", options, read::gcode::Dialect::kHaas);
   EXPECT_TRUE(has(beside, FaultKind::kGouge)) << faults_of(beside);
 }
 
@@ -88,8 +89,10 @@ TEST(HolePlan, AMilledHoleKeepsItsWall) {
   expect_clean(result);
   EXPECT_THAT(result.program, HasSubstr("X12 "));
   std::string wide = result.program;
-  for (auto at = wide.find("X12 "); at != std::string::npos; at = wide.find("X12 ", at + 1)) wide.replace(at, 4, "X12.003 ");
-  const Findings beside = check_program(part, wide, "wide", options, read::gcode::Dialect::kLinuxCnc).findings;
+  for (auto at = wide.find("X12 "); at != std::string::npos; at = wide.find("X12 ", at + 1))
+    wide.replace(at, 4, "X12.003 ");
+  const Findings beside =
+      check_program(part, wide, "wide", options, read::gcode::Dialect::kLinuxCnc).findings;
   EXPECT_TRUE(has(beside, FaultKind::kGouge)) << faults_of(beside);
 }
 
