@@ -16,6 +16,9 @@ constexpr double kTouchPerRadius = 1e-15;
 constexpr double kStraightBulge = 1e-8;
 /// Newton rounds after which a crossing of circles is as exact as doubles allow.
 constexpr int kRounds = 4;
+/// Edges meet at places within the touching distance of both: farther apart than twice this distance they do not meet. The
+/// rest is for rounding.
+constexpr double kSurelyApart = 4;
 
 /// Radius of the circle through the middle between the two ends' radii, by one square root.
 double circle_radius(const Edge& arc) {
@@ -165,6 +168,25 @@ std::vector<Vec2> crossing_candidates(const Edge& a, const Edge& b) {
   return out;
 }
 
+/// Whether all of `other` certainly lies on one side of a straight edge's line, too far from it to meet the edge: an edge in
+/// a scan of many is told apart by a few products, without looking for the places at which both meet.
+bool is_beside(const Edge& line, const Edge& other) {
+  const double touch = kSurelyApart * touch_of(line, other);
+  const Vec2 d = line.to - line.from;
+  const double length_squared = norm_squared(d);
+  if (other.is_arc()) {
+    const double across = cross(d, other.center - line.from), reach = circle_radius(other) + touch;
+    return across * across > reach * reach * length_squared;
+  }
+  const double first = cross(d, other.from - line.from), last = cross(d, other.to - line.from);
+  const double least = touch * touch * length_squared;
+  return (first > 0) == (last > 0) && first * first > least && last * last > least;
+}
+
+bool surely_apart(const Edge& a, const Edge& b) {
+  return (!a.is_arc() && is_beside(a, b)) || (!b.is_arc() && is_beside(b, a));
+}
+
 /// Two meeting places are one when the edges stay together between them.
 bool same_contact(Vec2 p, Vec2 q, const Edge& a, const Edge& b, double touch) {
   if (norm_squared(p - q) <= 4 * touch * touch) return true;
@@ -275,7 +297,7 @@ double distance(const Edge& edge, Vec2 p) {
 }
 
 double distance(const Edge& a, const Edge& b) {
-  if (!intersections(a, b).empty()) return 0;
+  if (!surely_apart(a, b) && !intersections(a, b).empty()) return 0;
   double best = std::min({distance(b, a.from), distance(b, a.to), distance(a, b.from), distance(a, b.to)});
   // Beyond the ends, only places on a common normal through the centres can be nearest.
   const auto try_normal = [&best](const Edge& arc, const Edge& other, Vec2 through) {

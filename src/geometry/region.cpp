@@ -219,10 +219,30 @@ std::string loop_fault(const Loop& loop, bool may_be_flat) {
   return signed_area(loop) == 0 && !may_be_flat ? "a loop encloses nothing" + at(loop.front().from) : "";
 }
 
-/// Whether the edges go through each other, each with both of its ends clear of the other. Edges with one common
-/// point touch if they are tangent there; edges with two common points touch if the piece between stays near.
+bool is_clear(const Edge& edge, Vec2 p) {
+  return distance(edge, p) > kCrossing;
+}
+
+/// Whether neighbouring edges go through each other at a point away from their ends, and the piece of `a` between that point and
+/// their common end `corner` does not stay near `b`.
+bool cross_beside(Vec2 corner, const Edge& a, const Edge& b) {
+  const double from = nearest(a, corner).t;
+  const auto meetings = intersections(a, b);
+  return std::any_of(meetings.begin(), meetings.end(), [&](Vec2 p) {
+    const double t = nearest(a, p).t;
+    const bool is_end = std::min({distance(p, a.from), distance(p, a.to), distance(p, b.from),
+                                  distance(p, b.to)}) <= kCrossing;
+    return !is_end && is_clear(b, a.at((t + from) / 2)) &&
+           std::abs(cross(a.tangent_at(t), b.tangent_at(nearest(b, p).t))) > kTangent;
+  });
+}
+
+/// Whether the edges go through each other, each with both of its ends clear of the other, or neighbours beside their common corner.
+/// Edges with one common point touch if they are tangent there; edges with two common points touch if the piece between stays near.
 bool go_through(const Edge& a, const Edge& b) {
-  const auto clear = [](const Edge& edge, Vec2 p) { return distance(edge, p) > kCrossing; };
+  if (a.to == b.from) return cross_beside(a.to, a, b);
+  if (b.to == a.from) return cross_beside(a.from, a, b);
+  const auto clear = is_clear;
   if (!clear(a, b.from) || !clear(a, b.to) || !clear(b, a.from) || !clear(b, a.to)) return false;
   const std::vector<Vec2> meetings = intersections(a, b);
   if (meetings.empty()) return false;

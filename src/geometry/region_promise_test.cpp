@@ -56,6 +56,14 @@ TEST(RegionPromise, BrokenByCrossings) {
   EXPECT_THAT(broken_promise(square(0, 0, 10), {disc}), HasSubstr("cross"));
 }
 
+/// Two arcs that bow inwards go through each other before they meet in their corner.
+TEST(RegionPromise, BrokenByNeighboursThatCross) {
+  const std::vector<BulgeVertex> corners{{{11, 9}, -0.2}, {{-12, 0}, -0.2}, {{1, -5}, -0.2}};
+  EXPECT_THAT(broken_promise(loop_from_bulges(corners), {}), HasSubstr("cross"));
+  const std::vector<BulgeVertex> straight{{{11, 9}, 0}, {{-12, 0}, 0}, {{1, -5}, 0.1}};
+  EXPECT_EQ(broken_promise(loop_from_bulges(straight), {}), "");
+}
+
 TEST(RegionPromise, BrokenByIslandsInWrongPlaces) {
   EXPECT_THAT(broken_promise(square(0, 0, 10), {square(20, 0, 2)}), HasSubstr("outside"));
   EXPECT_THAT(broken_promise(square(0, 0, 10), {square(2, 2, 6), square(4, 4, 1)}),

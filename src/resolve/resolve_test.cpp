@@ -87,26 +87,6 @@ TEST(Resolve, WhatOnlyPlungesNeedsNoOtherFeed) {
   expect_value(plan, "feed", "120", Origin::kDerived, "the plunge feed: the tool only plunges");
 }
 
-/// All that is warned of.
-std::string warnings_of(const ResolvedPlan& plan) {
-  std::string text;
-  for (const Diagnostic& one : plan.part.diagnostics.items())
-    if (one.severity == Severity::kWarning) text += one.what;
-  return text;
-}
-
-TEST(Resolve, FinishedWallsThatCannotKeepTheEngagementInCornersAreSaid) {
-  PlanOptions options;
-  options.shop.finish = "walls";
-  EXPECT_EQ(warnings_of(resolve(pocket(), options, table())), "");
-  options.engagement_deg = 90;
-  // A quarter turn, and acos(1 - 0.3 / 4) along the wall.
-  EXPECT_THAT(warnings_of(resolve(pocket(), options, table())),
-              HasSubstr("engaged by 113 degrees in the sharpest corner"));
-  options.engagement_deg = 115;
-  EXPECT_EQ(warnings_of(resolve(pocket(), options, table())), "");
-}
-
 TEST(Resolve, OptionsGoBeforeThePart) {
   Part part = pocket();
   part.workplan[0].operation.cutting.feed = MmPerMin::of(700);

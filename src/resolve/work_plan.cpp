@@ -227,43 +227,6 @@ std::optional<std::size_t> first_chamfer_of(const Part& part, const Workingstep&
   });
 }
 
-/// Radians turned at once by a cutter of `radius` mm in the sharpest corner between walls of `loop`.
-double sharpest_turn(const Loop& loop, double radius) {
-  double sharpest = 0;
-  for (std::size_t i = 0; i < loop.size(); ++i) {
-    const Edge& edge = loop[i];
-    const Vec2 in = edge.tangent_at(1), out = loop[(i + 1) % loop.size()].tangent_at(0);
-    sharpest = std::max(sharpest, base::atan2(cross(in, out), dot(in, out)));
-    if (edge.turn == Turn::kCounterClockwise && edge.radius() <= radius)
-      sharpest = std::max(sharpest, std::min(kPi, edge.sweep()));
-  }
-  return sharpest;
-}
-
-/// In a corner of two walls, the cutter cuts the stock of both at once: if the resulting engagement exceeds the
-/// limit, no path along the wall can keep the limit.
-void warn_of_corners(const Workingstep& walls, const PlanOptions& options, Part& part) {
-  if (!options.engagement_deg) return;
-  const double radius = tool_of(part, walls).radius();
-  const double stock = options.shop.finish_stock.value_or(kWallStock) / options.shop.finish_steps.value_or(1);
-  if (stock <= 0 || stock >= radius) return;
-  double sharpest = 0;
-  for (const Region& region : feature_of(part, walls).target) {
-    sharpest = std::max(sharpest, sharpest_turn(region.outer(), radius));
-    for (const Loop& island : region.islands()) sharpest = std::max(sharpest, sharpest_turn(island, radius));
-  }
-  const double most = Radians::of(sharpest + base::acos(1 - stock / radius)).degrees();
-  if (sharpest <= 0 || most <= *options.engagement_deg) return;
-  part.diagnostics.warn(
-      walls.name,
-      fmt::format(
-          "along walls with {} mm of stock T{} is engaged by {} degrees in the sharpest corner, whatever "
-          "the way, where {} are the limit; leave out the finishing of walls, or limit the "
-          "engagement to {}",
-          trimmed(stock, 3), tool_of(part, walls).number, trimmed(std::ceil(most), 0),
-          trimmed(*options.engagement_deg, 1), trimmed(std::ceil(most), 0)));
-}
-
 }  // namespace
 
 Finish finish_of(const ShopOptions& shop) {
@@ -334,7 +297,6 @@ void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& so
   }
   part.workplan.insert(part.workplan.end(), floors.begin(), floors.end());
   part.workplan.insert(part.workplan.end(), walls.begin(), walls.end());
-  for (const Workingstep& step : walls) warn_of_corners(step, options, part);
 }
 
 }  // namespace clearcut::resolve

@@ -294,7 +294,10 @@ bool touches_itself(const ClipperLib::Paths& contours) {
   });
 }
 
-/// Contours that touch themselves are split there. Polyclipping has an option for this split (StrictlySimple), but
+/// Units of the grid. Walls that two regions share are rounded to places this near to each other; spikes of that width stay between them.
+constexpr double kSpike = 2;
+
+/// Contours that touch themselves lose their spikes and are split there. Polyclipping has an option for this split (StrictlySimple), but
 /// its cost is that of all points for every touch, and boundaries running along each other over long stretches become
 /// many contours that share edges. Polyclipping could nest contours, too (PolyTree), but at the cost of all points
 /// for every place where two contours share an edge.
@@ -304,9 +307,14 @@ Regions executed(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, C
   // Execute returns false if there was no input; loops without area are no input to polyclipping.
   if (!clipper.Execute(operation, contours, fill, fill)) return {};
   std::erase_if(contours, [](const ClipperLib::Path& contour) { return contour.size() < 3; });
+  bool touching = touches_itself(contours);
+  if (touching) {
+    ClipperLib::CleanPolygons(contours, kSpike);
+    std::erase_if(contours, [](const ClipperLib::Path& contour) { return contour.size() < 3; });
+    touching = touches_itself(contours);
+  }
   sources.look_up(contours);
   Regions regions;
-  const bool touching = touches_itself(contours);
   for (const NestedContour& nested : touching ? split_contours(contours) : nested_contours(contours))
     append_region(nested, sources, tol, regions);
   return regions;

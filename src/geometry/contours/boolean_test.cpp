@@ -219,6 +219,31 @@ TEST(Boolean, AreasOfRandomPairsAddUp) {
   }
 }
 
+/// Parts of a region share its walls, rounded anew to the grid: beside and between both run strips of a nanometre.
+TEST(Boolean, PartsOfARandomRegionAreMissingFromItAfterwards) {
+  Random random(3);
+  for (int i = 0; i < 400; ++i) {
+    std::vector<BulgeVertex> corners;
+    const int count = 3 + static_cast<int>(random.below(6));
+    for (int k = 0; k < count; ++k)
+      corners.push_back({direction_of(2 * kPi * (k + random.between(0, 0.5)) / count) * random.between(5, 15),
+                         random.below(3) == 0 ? random.between(-0.2, 0.4) : 0.0});
+    const Loop outline = loop_from_bulges(corners);
+    if (!broken_promise(outline, {}).empty()) continue;
+    const Regions whole = one(outline);
+    const Vec2 at = corners[random.below(static_cast<std::uint64_t>(count))].point;
+    const Regions disc = one(circle(at * random.between(0.5, 1), random.between(1, 6)));
+    const Regions part = intersect(whole, disc, kTol), rest = subtract(whole, part, kTol);
+    EXPECT_NEAR(area(rest), area(whole) - area(part), 0.05) << i;
+    EXPECT_NEAR(area(unite(rest, part, kTol)), area(whole), 0.05) << i;
+    const Regions again = subtract(whole, rest, kTol);
+    EXPECT_NEAR(area(again), area(part), 0.05) << i;
+    const Regions half = intersect(rest, one(circle(at, 8)), kTol);
+    EXPECT_NEAR(area(subtract(rest, half, kTol)), area(rest) - area(half), 0.05) << i;
+    EXPECT_NEAR(area(subtract(whole, half, kTol)), area(whole) - area(half), 0.05) << i;
+  }
+}
+
 /// An outline round the origin with up to three more points within `off` mm of each corner, every third edge an arc.
 Loop outline_with_tiny_edges(Random& random, double off) {
   std::vector<BulgeVertex> vertices;

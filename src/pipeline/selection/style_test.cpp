@@ -101,16 +101,34 @@ TEST(Style, OneThatIsNoneIsRefused) {
   EXPECT_THROW(resolve::check(asked("", "sloppy")), InputError);
 }
 
-/// Corners between finished walls go beyond a narrow limit; the clearing before them keeps to it by its own strategy.
-TEST(LimitedEngagement, HoldsInTheClearingWhereFinishedCornersCannotKeepIt) {
-  resolve::PlanOptions options = with({"endmill:4"});
+double feed_of(const FeatureFindings& step) {
+  return step.figures.feed_mm;
+}
+
+/// Along a wall, a cutter would take the stock of both walls of a corner at once: 116 degrees and more. Corners are cut by arcs.
+TEST(LimitedEngagement, HoldsInTheCornersOfFinishedWalls) {
+  for (const double limit : {60.0, 90.0, 110.0}) {
+    resolve::PlanOptions options = with({"endmill:4"});
+    options.engagement_deg = limit;
+    options.shop.finish = "walls";
+    const PlanResult result = plan_part(drawn(box("POCKET_D2", 0, 0, 20, 20)), options);
+    ASSERT_EQ(result.findings.features.size(), 2U);
+    EXPECT_TRUE(result.findings.all.clean) << limit;
+    EXPECT_LE(result.findings.all.engagement.max_deg, limit + 2);
+    // A pass along the walls has 64 mm.
+    EXPECT_LT(feed_of(result.findings.features.back()), 140) << limit;
+  }
+}
+
+/// The small mill comes from what the wide one has cleared, and cuts four corners, not the boxes around them.
+TEST(LimitedEngagement, RestsAreCutFromWhatIsCleared) {
+  resolve::PlanOptions options = with({"endmill:6", "endmill:2"});
   options.engagement_deg = 60;
-  options.shop.finish = "walls";
-  const PlanResult result = plan_part(drawn(box("POCKET_D2", 0, 0, 20, 20)), options);
+  options.shop.rest = true;
+  const PlanResult result = plan_part(drawn(box("POCKET_D4", 0, 0, 40, 30)), options);
   ASSERT_EQ(result.findings.features.size(), 2U);
-  EXPECT_LE(result.findings.features.front().figures.engagement.max_deg, 62);
-  EXPECT_GT(result.findings.features.back().figures.engagement.max_deg, 100);
-  EXPECT_FALSE(result.findings.all.clean);
+  EXPECT_TRUE(result.findings.all.clean);
+  EXPECT_LT(feed_of(result.findings.features.back()), 400);
 }
 
 }  // namespace

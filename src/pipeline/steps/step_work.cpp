@@ -15,6 +15,7 @@
 #include "model/cutter_profile.h"
 #include "pipeline/steps/other_features.h"
 #include "pipeline/steps/steps_without_layers.h"
+#include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 #include "post/post.h"
 #include "resolve/left_over.h"
@@ -144,13 +145,29 @@ bool finishes(const Operation& operation) {
 /// mm. Greatest stock finished by one pass along the walls, as a share of the cutter's diameter.
 constexpr double kThinStock = 0.5;
 
+/// Whether a pass along the walls would exceed the limit of engagement in their corners. Between passes of the same width nothing is
+/// left.
+bool is_over_limit_along_walls(const Workingstep& step, const Regions& left, const Layer& layer,
+                               const ResolvedPlan& plan) {
+  if (!plan.engagement_deg || left.empty()) return false;
+  double stock = 0;  // mm that earlier steps leave
+  for (const Workingstep& other : plan.part.workplan) {
+    if (&other == &step) break;
+    if (other.feature != step.feature || !clears_floors(tool_of(plan.part, other))) continue;
+    stock = other.operation.allowance_side - step.operation.allowance_side;
+  }
+  return stock > plan.tol.uncut && plan::engagement_along_walls(layer.allowed, layer.tool_radius, stock) >
+                                       Radians::of_degrees(*plan.engagement_deg).radians();
+}
+
 /// Whether one pass along the walls finishes the step: thin stock in a pocket closed all round, above the floor or
 /// with a floor finished by another step.
 bool is_wall_finishing(const Workingstep& step, const Feature& feature, const Regions& left, bool last,
-                       const Layer& layer, const Tolerances& tol) {
+                       const Layer& layer, const ResolvedPlan& plan) {
   if (!closed_all_round(feature) || !finishes(step.operation)) return false;
+  if (is_over_limit_along_walls(step, left, layer, plan)) return false;
   if (step.operation.kind == OperationKind::kFinishing && last) return false;
-  return !resolve::is_thicker_than(left, 2 * kThinStock * layer.tool_radius, tol);
+  return !resolve::is_thicker_than(left, 2 * kThinStock * layer.tool_radius, plan.tol);
 }
 
 /// Boundaries of earlier steps of a feature that overlaps other pockets: those are open down to their floors, and the
@@ -198,7 +215,7 @@ std::vector<LayerLeft> layers_left(const std::vector<Layer>& layers, int index, 
       if (runs_into_others) room = [&](int earlier_step) { return rooms(earlier_step, one.layer.z); };
       const Regions left = resolve::left_over(part, index, one.layer, earlier, plan.tol, room);
       one.walls_only =
-          finishing && is_wall_finishing(step, feature_of(part, step), left, last, one.layer, plan.tol);
+          finishing && is_wall_finishing(step, feature_of(part, step), left, last, one.layer, plan);
       if (!one.walls_only) one.layer.target = left, one.layer.rest = true;
       one.rest = true;
     }

@@ -54,24 +54,47 @@ bool has_open_side(const Layer& layer) {
 /// Greatest engagement that cuts from open sides aim at: with the centre inside of the edge, on which wider cuts run, they leave
 /// material behind them on the open side.
 const Radians kMostFromOutside = Radians::of_degrees(90);
+/// The same for what earlier steps have left. Cuts aimed at far more than a pass along a thin strip of it would be engaged run straight at
+/// the wall and end there: they aim at this many times as much, within bounds.
+constexpr double kTimesAlongStrip = 2.5;
+const Radians kLeastIntoRest = Radians::of_degrees(45), kMostIntoRest = Radians::of_degrees(70);
+
+/// mm; mean width of strips.
+double mean_width(const Regions& strips) {
+  double rim = 0;
+  for (const Region& region : strips)
+    for (const Edge& edge : region.edges()) rim += edge.length();
+  return rim > 0 ? 2 * area(strips) / rim : 0;
+}
+
+/// Radians; greatest engagement that cuts of a cutter of `radius` mm into `strips` aim at.
+double most_into_rest(const Regions& strips, double radius) {
+  const double along = base::acos(std::max(-1.0, 1 - mean_width(strips) / radius));
+  return std::clamp(kTimesAlongStrip * along, kLeastIntoRest.radians(), kMostIntoRest.radians());
+}
 
 /// A layer as its cuts are planned.
 struct CutLayer {
   Layer layer;
-  bool open = false;        ///< beside stock: cuts come in from outside
-  double floor_radius = 0;  ///< mm; of the flat part of the cutter's end
-  double limit = 0;         ///< radians; the engagement that cuts aim at
+  bool open = false;          ///< beside stock: cuts come in from outside
+  double floor_radius = 0;    ///< mm; of the flat part of the cutter's end
+  double limit = 0;           ///< radians; the engagement that cuts aim at
+  std::vector<Loop> cleared;  ///< along which a cutter of this radius has cut before
 };
 
 /// Beside open sides the material has not been cut before, so that a cutter with rounded corners meets its edge with its whole radius:
 /// cuts are planned with that. In closed areas the flat part of its end meets what earlier cuts have left on the floor.
-CutLayer cut_layer(const Layer& layer, const AdaptiveOptions& options) {
-  CutLayer cut{layer, layer.stock && has_open_side(layer), layer.tool_radius,
-               options.engagement.radians() * options.limit_share - EngagementTolerance::kMargin};
+/// `most_from_outside`: radians; greatest engagement that cuts from open sides aim at.
+CutLayer cut_layer(const Layer& layer, bool open, double most_from_outside, const AdaptiveOptions& options) {
+  CutLayer cut{layer,
+               open,
+               layer.tool_radius,
+               options.engagement.radians() * options.limit_share - EngagementTolerance::kMargin,
+               {}};
   if (!cut.open) return cut;
   cut.layer.tool_radius += layer.rounded;
   cut.layer.wall_stock -= layer.rounded;
-  cut.limit = std::min(cut.limit, kMostFromOutside.radians() * options.limit_share);
+  cut.limit = std::min(cut.limit, most_from_outside * options.limit_share);
   return cut;
 }
 
@@ -126,6 +149,8 @@ class AdaptivePlanner {
         retracts_(retracts),
         cancel_(options.cancel) {
     leave_corners();
+    for (const Loop& way : cut.cleared)
+      for (const Edge& edge : way) remaining_.cut(edge);
     for (const PredrilledHole& hole : cut.layer.holes) remaining_.remove_disc(hole.center, hole.diameter / 2);
     uncut_ = remaining_.cuts();
   }
@@ -178,7 +203,12 @@ class AdaptivePlanner {
   void cut_from_outside() {
     clearing_.walls.update(remaining_, legal_.box());
     cut_fronts_from_above();
-    const Wall outline(legal_.outer());
+    cut_from_air(legal_.outer());
+    for (const Loop& island : legal_.islands()) cut_from_air(island);
+  }
+
+  void cut_from_air(const Loop& loop) {
+    const Wall outline(loop);
     const double end = outline.length();
     for (double s = 0; s < end; s += kAirPitch * radius_) {
       if (cut_from_air(outline, s)) cut_fronts_from_above();
@@ -377,26 +407,44 @@ std::vector<Regions> parts_apart(const Regions& target, double apart) {
   return parts;
 }
 
-/// What earlier steps have left, part by part: each is cut from the open sides that it has towards what they have cut, and counts as
-/// filling its box.
-std::vector<Layer> layers_of_rest(const Layer& layer, const Tolerances& tol) {
-  std::vector<Layer> layers;
+/// Loops along which a cutter of `radius` clears an area, without corners that it does not reach.
+std::vector<Loop> ways_over(const Regions& area, double radius, const Tolerances& tol) {
+  std::vector<Loop> ways;
+  for (double away = radius * (1 + kBesideAir);; away += 2 * radius * (1 - kBesideAir)) {
+    const Regions centers = inset(area, away, tol);
+    if (centers.empty()) return ways;
+    for (const Region& region : centers) {
+      ways.push_back(region.outer());
+      ways.insert(ways.end(), region.islands().begin(), region.islands().end());
+    }
+  }
+}
+
+/// What earlier steps have left, part by part: each is cut from the sides that it has towards what they have cut.
+std::vector<CutLayer> cuts_of_rest(const Layer& layer, const AdaptiveOptions& options,
+                                   const Tolerances& tol) {
+  std::vector<CutLayer> cuts;
   const double reach = (1 + kBeyondOpenSides) * layer.tool_radius + layer.wall_stock;
   for (Regions& part : parts_apart(layer.target, 2 * reach)) {
     Layer one = layer;
     one.stock = box(part);
     one.allowed = intersect(layer.allowed, dilate(part, reach, tol), tol);
+    const Regions around = intersect(layer.allowed, dilate(part, reach + layer.tool_radius, tol), tol);
+    const Regions cleared = subtract(around, part, tol);
+    const Regions centers = inset(one.allowed, layer.tool_radius + layer.wall_stock, tol);
+    const Regions strips = intersect(part, dilate(centers, layer.tool_radius, tol), tol);
     one.target = std::move(part);
-    layers.push_back(std::move(one));
+    CutLayer cut = cut_layer(one, true, most_into_rest(strips, layer.tool_radius), options);
+    cut.cleared = ways_over(cleared, cut.layer.tool_radius, tol);
+    cuts.push_back(std::move(cut));
   }
-  return layers;
+  return cuts;
 }
 
 /// Adds the passes of one layer, or of one part of it.
-void add_layer(const Layer& layer, const AdaptiveOptions& options, const Tolerances& tol,
+void add_layer(const CutLayer& cut, const AdaptiveOptions& options, const Tolerances& tol,
                LayerPasses& result) {
-  const double first = layer.tool_radius + layer.wall_stock;
-  const CutLayer cut = cut_layer(layer, options);
+  const double first = cut.layer.tool_radius + cut.layer.wall_stock;
   for (const auto& region : area_near_target(cut.layer, tol)) {
     const Clearance clearance(region, tol);
     auto legal = clearance.inset(first);
@@ -405,7 +453,7 @@ void add_layer(const Layer& layer, const AdaptiveOptions& options, const Toleran
       add_passes(result, passes_of(legal[i], inner[i], clearance, cut, options));
       result.legal.push_back(std::move(legal[i]));
     }
-    add_fit_lines(result, clearance.fit_lines(first, layer.reserve));
+    add_fit_lines(result, clearance.fit_lines(first, cut.layer.reserve));
   }
 }
 
@@ -418,9 +466,10 @@ LayerPasses plan_adaptive(const Layer& layer, const AdaptiveOptions& options, co
   result.target = layer.target;
   result.strategy = "adaptive";
   if (layer.rest && options.rest_alone) {
-    for (const Layer& part : layers_of_rest(layer, tol)) add_layer(part, options, tol, result);
+    for (const CutLayer& part : cuts_of_rest(layer, options, tol)) add_layer(part, options, tol, result);
   } else {
-    add_layer(layer, options, tol, result);
+    add_layer(cut_layer(layer, layer.stock && has_open_side(layer), kMostFromOutside.radians(), options),
+              options, tol, result);
   }
   return result;
 }

@@ -181,7 +181,29 @@ void add_loops(const Region& region, LayerPasses& result) {
   result.legal.push_back(region);
 }
 
+/// Radians turned at once by a cutter of `radius` mm in the sharpest corner between walls of `loop`.
+double sharpest_turn(const Loop& loop, double radius) {
+  double sharpest = 0;
+  for (std::size_t i = 0; i < loop.size(); ++i) {
+    const Edge& edge = loop[i];
+    const Vec2 in = edge.tangent_at(1), out = loop[(i + 1) % loop.size()].tangent_at(0);
+    sharpest = std::max(sharpest, base::atan2(cross(in, out), dot(in, out)));
+    if (edge.turn == Turn::kCounterClockwise && edge.radius() <= radius)
+      sharpest = std::max(sharpest, std::min(kPi, edge.sweep()));
+  }
+  return sharpest;
+}
+
 }  // namespace
+
+double engagement_along_walls(const Regions& area, double radius, double stock) {
+  double sharpest = 0;
+  for (const Region& region : area) {
+    sharpest = std::max(sharpest, sharpest_turn(region.outer(), radius));
+    for (const Loop& island : region.islands()) sharpest = std::max(sharpest, sharpest_turn(island, radius));
+  }
+  return sharpest + base::acos(std::max(-1.0, 1 - stock / radius));
+}
 
 LayerPasses plan_walls(const Layer& layer, const Tolerances& tol) {
   LayerPasses result;

@@ -34,6 +34,10 @@ ClearingArea clearing_area(const Layer& layer, const Tolerances& tol);
 /// Whether the layer is a pocket closed all round. The target is inside `allowed`, so the two are compared by area.
 bool closed_all_round(const Layer& layer);
 
+/// Radians; greatest engagement of a pass along the walls of `area` by a cutter of `radius` mm that takes `stock` mm: in a corner between two
+/// walls it cuts the stock of both at once, its turn more than along a straight wall.
+double engagement_along_walls(const Regions& area, double radius, double stock);
+
 /// A closed pass on each boundary of the legal area, tool_radius + wall_stock off the wall and oriented as
 /// contours are, and a pass on each line on which the cutter just fits. Costs one offset.
 LayerPasses plan_walls(const Layer& layer, const Tolerances& tol);

@@ -194,11 +194,12 @@ class ResidualGraph {
 
   /// Orders the vertices depth first, the longest branch last. Without recursion, because axes may be long.
   void measure_from(std::size_t start) {
-    children_.assign(place_.size(), {});
-    std::vector<double> length(place_.size(), 0);
+    // Everything connected with `start` is walked here, once: earlier walks were elsewhere, and their entries may stay.
+    children_.resize(place_.size());
+    length_.resize(place_.size(), 0);
+    seen_.resize(place_.size(), false);
     std::vector<std::size_t> order{start};
-    std::vector<bool> seen(place_.size(), false);
-    seen[start] = true;
+    seen_[start] = true;
     for (std::size_t next = 0; next < order.size(); ++next) {
       const std::size_t v = order[next];
       for (std::size_t i = 0; i < links_at_[v].size(); ++i) {
@@ -206,13 +207,13 @@ class ResidualGraph {
         if (link.gone || link.walked) continue;
         link.walked = true;
         std::size_t u = other_end(links_at_[v][i], v);
-        if (seen[u]) {
+        if (seen_[u]) {
           u = copy_of(u);  // the link closes a cycle: this link is followed from here as a dead end
           children_.emplace_back();
-          length.push_back(0);
-          seen.push_back(true);
+          length_.push_back(0);
+          seen_.push_back(true);
         } else {
-          seen[u] = true;
+          seen_[u] = true;
           order.push_back(u);
         }
         children_[v].push_back(u);
@@ -220,10 +221,10 @@ class ResidualGraph {
     }
     for (auto v = order.rbegin(); v != order.rend(); ++v) {
       auto& below = children_[*v];
-      const auto beyond = [&](std::size_t u) { return length[u] + distance(place_[*v], place_[u]); };
+      const auto beyond = [&](std::size_t u) { return length_[u] + distance(place_[*v], place_[u]); };
       std::sort(below.begin(), below.end(),
                 [&](std::size_t a, std::size_t b) { return beyond(a) < beyond(b); });
-      if (!below.empty()) length[*v] = beyond(below.back());
+      if (!below.empty()) length_[*v] = beyond(below.back());
     }
   }
 
@@ -259,6 +260,8 @@ class ResidualGraph {
   std::vector<std::vector<Served>> served_;
   std::vector<Link> links_;
   std::vector<std::vector<std::size_t>> children_;
+  std::vector<double> length_;  ///< mm; of the longest branch below a walked vertex
+  std::vector<bool> seen_;      ///< by a walk
   std::size_t last_new_ = 0;
 };
 

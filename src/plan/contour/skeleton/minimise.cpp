@@ -32,22 +32,37 @@ constexpr double kDamping = 0.02;
 /// Stiffness of the witnesses in the last step, 1 / radius.
 constexpr double kStiffest = 2e4;
 
-Vec2 nearest_on_ring(const Path& ring, Vec2 p, Vec2* tangent = nullptr) {
-  Vec2 best;
-  double best_distance = std::numeric_limits<double>::infinity();
-  for (const auto& edge : ring) {
-    const auto on = nearest(edge, p);
-    if (on.distance >= best_distance) continue;
-    best_distance = on.distance;
-    best = on.point;
-    if (tangent) *tangent = edge.tangent_at(on.t);
-  }
-  return best;
-}
+/// mm. Boxes of arcs are greater by this, far above their rounding.
+constexpr double kBoxRounding = 1e-9;
 
 }  // namespace
 
 struct BandMinimiser::Impl {
+  /// An unchanged ring with the boxes of its edges: wall rings have thousands of edges, and the ends of paths slide along them
+  /// in every step.
+  class RingIndex {
+   public:
+    explicit RingIndex(const Path& ring) : ring_(&ring) {
+      tree_.build(static_cast<std::uint32_t>(ring.size()),
+                  [&](std::uint32_t i) { return ring[i].box().grown(kBoxRounding); });
+    }
+
+    /// The point of the ring nearest to p, and optionally the direction of the ring there.
+    Vec2 nearest_to(Vec2 p, Vec2* tangent = nullptr) const {
+      const Edge& edge = (*ring_)[tree_.nearest(p, [&](std::uint32_t i) {
+        const double d = nearest((*ring_)[i], p).distance;
+        return d * d;
+      })];
+      const Nearest on = nearest(edge, p);
+      if (tangent) *tangent = edge.tangent_at(on.t);
+      return on.point;
+    }
+
+   private:
+    const Path* ring_;
+    BoxTree tree_;
+  };
+
   /// A band at its current place, with precomputed values for distances to it.
   struct Segment {
     Vec2 a;
@@ -69,6 +84,8 @@ struct BandMinimiser::Impl {
                       [&](std::size_t cell, Vec2) { fixed_in_.add(cell, i); });
     }
     fixed_in_.build(grid_.count());
+    rings_.reserve(paths_.skeleton.rings.size());
+    for (const Path& ring : paths_.skeleton.rings) rings_.emplace_back(ring);
   }
 
   /// See BandMinimiser::relax.
@@ -312,17 +329,20 @@ struct BandMinimiser::Impl {
     }
   }
 
+  const RingIndex& ring_of(const FlexPoint& vertex) const {
+    return rings_[static_cast<std::size_t>(vertex.ring)];
+  }
+
   Vec2 slide_step(std::uint32_t i) const {
     Vec2 tangent{1, 0};
-    nearest_on_ring(paths_.skeleton.rings[static_cast<std::size_t>(paths_.skeleton.points[i].ring)],
-                    paths_.at(i), &tangent);
+    ring_of(paths_.skeleton.points[i]).nearest_to(paths_.at(i), &tangent);
     return tangent * (-dot(gradient_[i], tangent) / dot(tangent, diagonal_[i] * tangent));
   }
 
   void slide() {
     for (auto& vertex : paths_.skeleton.points) {
       if (vertex.ring < 0) continue;
-      vertex.at = nearest_on_ring(paths_.skeleton.rings[static_cast<std::size_t>(vertex.ring)], vertex.at);
+      vertex.at = ring_of(vertex).nearest_to(vertex.at);
     }
   }
 
@@ -426,6 +446,7 @@ struct BandMinimiser::Impl {
   double moved_since_listing_ = 0;
   CellGrid grid_;
   CellLists bands_in_, fixed_in_;
+  std::vector<RingIndex> rings_;  ///< by the skeleton's numbers of rings
   /// Bands at their places during the last listing; built for the first query by a witness far from all bands.
   BoxTree tree_;
   bool tree_is_built_ = false;
