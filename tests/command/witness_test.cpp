@@ -112,6 +112,45 @@ TEST(Witness, OfTheFishheadHasAllFeaturesAndBothTools) {
   EXPECT_LT(fs::file_size(witness), 400'000);
 }
 
+/// A circle in a program that leaves 9.45 of the 10 micrometres that may be left: blending takes half of one, so that the chords of the
+/// wall have 50 nm.
+TEST(Witness, NearTheBoundIsFoundWithShorterChords) {
+  const ScratchFolder folder;
+  const auto circle = [&](const std::string& name, const std::string& radius) {
+    return folder.file(
+        name, R"({"units": "mm", "depth": 2, "outer": [[)" + radius + ", 0, 1], [-" + radius + ", 0, 1]]}");
+  };
+  const std::string wanted = circle("wanted.json", "10"), made = circle("made.json", "9.99055"),
+                    program = folder.path("c.nc"), witness = folder.path("c.ccw");
+  run_clearcut({"plan", made, "--tool", "endmill:6", "-o", program, "--quiet"});
+  run_clearcut({"verify", program, "--part", wanted, "--tool", "endmill:6", "--witness", witness, "--quiet"});
+  const CommandResult checked = shell(folder, kChecker + " " + program + " " + wanted + " " + witness);
+  EXPECT_EQ(checked.exit_code, 0) << checked.out;
+  EXPECT_EQ(
+      shell(folder, kChecker + " " + program + " " + wanted + " " + witness + " --uncut 0.0099").exit_code,
+      1);
+}
+
+TEST(Witness, OfABossADeeperPocketAndAHoleInAFloor) {
+  const ScratchFolder folder;
+  const std::string part = folder.file(
+                        "b.json",
+                        R"({"units": "mm", "stock": {"x": [0, 60], "y": [0, 50], "z": [-20, 0]}, "pockets": [
+{"name": "around", "kind": "closed_pocket", "depth": 6, "outer": [[5, 5], [55, 5], [55, 45], [5, 45]],
+ "islands": [[[20, 18], [36, 18], [36, 32], [20, 32]]]},
+{"name": "boss", "kind": "step", "depth": 2, "outer": [[20, 18], [36, 18], [36, 32], [20, 32]],
+ "allowed": [{"outer": [[5, 5], [55, 5], [55, 45], [5, 45]]}]},
+{"name": "deeper", "kind": "closed_pocket", "top": -6, "depth": 4, "outer": [[40, 20], [53, 20], [53, 38], [40, 38]]},
+{"name": "hole", "kind": "round_hole", "top": -6, "depth": 9, "outer": [[16, 10, 1], [8, 10, 1]]}]})"),
+                    program = folder.path("b.nc"), witness = folder.path("b.ccw");
+  run_clearcut({"plan", part, "--tool", "endmill:5", "-o", program, "--witness", witness, "--quiet"});
+  const CommandResult checked = shell(folder, kChecker + " " + program + " " + part + " " + witness);
+  EXPECT_EQ(checked.exit_code, 0) << checked.out;
+  EXPECT_THAT(checked.out, HasSubstr("feature 1 (boss) all of it"));
+  EXPECT_THAT(checked.out, HasSubstr("feature 2 (deeper) what a cutter"));
+  EXPECT_THAT(checked.out, HasSubstr("feature 3 (hole) all of it"));
+}
+
 /// Two drilled holes and a pocket with another tool.
 const char kHolesAndPocket[] =
     R"({"units": "mm", "stock": {"x": [0, 60], "y": [0, 40], "z": [-10, 0]}, "pockets": [

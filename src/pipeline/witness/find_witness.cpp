@@ -434,8 +434,8 @@ struct Setting {
 /// Tiles one polygon by the cuts of moves: for a claimed feature, or around a rapid.
 class Tiling {
  public:
-  /// Tiling of a feature.
-  Tiling(const Setting& setting, const ccw::Claim& claim);
+  /// Tiling of a feature; walls as chords within `sagitta` nm of them.
+  Tiling(const Setting& setting, const ccw::Claim& claim, double sagitta);
   /// Tiling around a rapid.
   Tiling(const Setting& setting, std::size_t move);
 
@@ -795,7 +795,7 @@ void Tiling::replace(std::size_t index, std::vector<Polygon>& above, std::vector
   }
 }
 
-Tiling::Tiling(const Setting& setting, const ccw::Claim& claim)
+Tiling::Tiling(const Setting& setting, const ccw::Claim& claim, double sagitta)
     : setting_(setting),
       is_rapid_(false),
       target_(setting.part.features[claim.feature].target.walls),
@@ -808,7 +808,6 @@ Tiling::Tiling(const Setting& setting, const ccw::Claim& claim)
   const Polygon whole = region(centre_, allowed_, std::min(20'000.0, radius_ / 10));
   const Points hull = ccw::hull_of(centre_.corners(whole));
   maybe_.push_back({whole, hull, box_of(hull)});
-  const double sagitta = static_cast<double>(setting.asked.uncut) / 12;
   const ccw::Int floor = setting.part.features[claim.feature].floor + claim.floor_stock +
                          setting.asked.level - setting.program.lift;
   settle(region(cover_, target_, sagitta), swaths(setting.program.moves.size(), floor), floor);
@@ -1187,6 +1186,21 @@ const WitnessFeature& planned(const WitnessQuestion& question, const ccw::Part& 
   return *found;
 }
 
+/// Chords along bulged walls take their sagitta from what may be left there. Where that is too much, shorter ones take less.
+Tiling tiling_of(const Setting& setting, const ccw::Claim& claim) {
+  constexpr double kSagitta = 1.0 / 12, kFineSagitta = 1.0 / 100;
+  const double uncut = static_cast<double>(setting.asked.uncut);
+  const auto& walls = setting.part.features[claim.feature].target.walls;
+  const bool bulged =
+      std::any_of(walls.begin(), walls.end(), [](const ccw::Wall& wall) { return wall.curve.arc; });
+  if (!bulged) return {setting, claim, kSagitta * uncut};
+  try {
+    return {setting, claim, kSagitta * uncut};
+  } catch (const NotFound&) {
+    return {setting, claim, kFineSagitta * uncut};
+  }
+}
+
 Claimed claimed(const Setting& setting, const WitnessQuestion& question, std::size_t index) {
   const ccw::Feature& feature = setting.part.features[index];
   const WitnessFeature& asked = planned(question, setting.part, index);
@@ -1201,7 +1215,7 @@ Claimed claimed(const Setting& setting, const WitnessQuestion& question, std::si
   claim.radius = to_nm(asked.diameter / 2);
   claim.wall_stock = to_nm(asked.wall_stock);
   claim.floor_stock = to_nm(asked.floor_stock);
-  const Tiling tiling(setting, claim);
+  const Tiling tiling = tiling_of(setting, claim);
   if (!tiling.any_cut()) throw NotFound{"the cutter reaches nothing of it down to its floor"};
   return {claim, tiling.cover(), tiling.centre()};
 }
