@@ -221,6 +221,18 @@ double bound_of(const FeatureWork& work, const Feature& feature) {
   return length_bound(question).mm;
 }
 
+/// mm; bound_of() of all works, on up to `threads` threads: the search for the points of a bound takes longer than all other
+/// findings together.
+std::vector<double> bounds_of(const std::vector<FeatureWork>& works, const Part& part, int threads) {
+  std::vector<double> bounds(works.size());
+  on_threads(threads, [&] {
+    parallel_for(std::size_t{0}, works.size(), [&](std::size_t i) {
+      bounds[i] = bound_of(works[i], part.features[static_cast<std::size_t>(works[i].feature)]);
+    });
+  });
+  return bounds;
+}
+
 bool is_clean(const Figures& figures, const Tolerances& tol) {
   return figures.uncut_thickness_mm <= tol.uncut && figures.gouge_mm <= tol.gouge &&
          figures.rapid_in_material == 0;
@@ -261,7 +273,8 @@ class FindingsBuilder {
       findings_.faults.push_back(std::move(fault));
     findings_.all = figures_of(all, part_.top_z());
     for (std::size_t i = 0; i < by_step.size(); ++i) add_feature(static_cast<int>(i), by_step[i]);
-    for (const FeatureWork& work : works_) check_coverage(work);
+    const std::vector<double> bounds = bounds_of(works_, part_, options_.threads);
+    for (std::size_t i = 0; i < works_.size(); ++i) check_coverage(works_[i], bounds[i]);
     for (const CarvingWork& work : carvings_) add_carving(work);
     set_clean();
     fold_causes(part_, program_, options_, findings_.faults);
@@ -303,7 +316,8 @@ class FindingsBuilder {
       findings_.faults.push_back(std::move(fault));
   }
 
-  void check_coverage(const FeatureWork& work) {
+  /// `bound`: mm; see bound_of().
+  void check_coverage(const FeatureWork& work, double bound) {
     const Feature& feature = part_.features[work.feature];
     const LevelCoverage& worst = worst_level(work);
     FeatureFindings& found = findings_.features[work.last_workingstep];
@@ -317,7 +331,6 @@ class FindingsBuilder {
     }
     for (Fault& fault : faults_of_work(feature, work, options_.tol))
       findings_.faults.push_back(std::move(fault));
-    const double bound = bound_of(work, feature);
     for (FeatureFindings& step : findings_.features) {
       if (part_.workplan[step.workingstep].feature != work.feature) continue;
       for (LayerFindings& layer : step.layers) {

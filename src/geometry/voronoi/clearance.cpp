@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "base/error.h"
 #include "geometry/contours/boolean.h"
@@ -163,12 +164,18 @@ struct Clearance::Impl {
   Region region;
   Tolerances tol;
   voronoi::Diagram diagram;
-  voronoi::Axis axis;
-  std::vector<AxisPoint> centers;
 
-  Impl(const Region& of, const Tolerances& with) : region(of), tol(with), diagram(diagram_of(of, with)) {
-    axis = voronoi::make_axis(diagram);
-    centers = voronoi::find_centers(axis, diagram, tol.fit);
+  Impl(const Region& of, const Tolerances& with) : region(of), tol(with), diagram(diagram_of(of, with)) {}
+
+  /// Made at the first question for it: offsets need none.
+  const voronoi::Axis& axis() const {
+    std::call_once(axis_is_made_, [&] { axis_ = voronoi::make_axis(diagram); });
+    return axis_;
+  }
+
+  const std::vector<AxisPoint>& centers() const {
+    std::call_once(centers_are_found_, [&] { centers_ = voronoi::find_centers(axis(), diagram, tol.fit); });
+    return centers_;
   }
 
   std::vector<Regions> insets(const std::vector<double>& ascending) const {
@@ -188,6 +195,11 @@ struct Clearance::Impl {
     for (auto& of_level : loops) result.push_back(nested(std::move(of_level)));
     return result;
   }
+
+ private:
+  mutable std::once_flag axis_is_made_, centers_are_found_;
+  mutable voronoi::Axis axis_;
+  mutable std::vector<AxisPoint> centers_;
 };
 
 Clearance::Clearance(const Region& region, const Tolerances& tol)
@@ -206,7 +218,7 @@ std::vector<Regions> Clearance::insets(const std::vector<double>& ascending) con
 
 std::vector<Path> Clearance::fit_lines(double d, double reserve) const {
   const double least = d - reserve - (reserve > 0 ? kCoarseFitShare : kFitShare) * impl_->tol.fit;
-  auto lines = voronoi::fit_lines(impl_->axis, impl_->diagram, {least, d - reserve, d + kMargin},
+  auto lines = voronoi::fit_lines(impl_->axis(), impl_->diagram, {least, d - reserve, d + kMargin},
                                   kStubFactor * impl_->tol.fit);
   for (Path& line : lines) {
     if (line.front().from == line.back().to) continue;
@@ -221,12 +233,12 @@ std::vector<Path> Clearance::fit_lines(double d, double reserve) const {
 }
 
 const MedialAxis& Clearance::axis() const {
-  return impl_->axis.graph;
+  return impl_->axis().graph;
 }
 std::vector<AxisPoint> Clearance::axis_curve(int edge, double chord) const {
-  const auto& graph = impl_->axis.graph;
+  const auto& graph = impl_->axis().graph;
   const AxisEdge ends = graph.edges.at(static_cast<std::size_t>(edge));
-  const voronoi::Walls walls = impl_->axis.walls[static_cast<std::size_t>(edge)];
+  const voronoi::Walls walls = impl_->axis().walls[static_cast<std::size_t>(edge)];
   const AxisPoint a = graph.points[static_cast<std::size_t>(ends.a)];
   const AxisPoint b = graph.points[static_cast<std::size_t>(ends.b)];
   std::vector<AxisPoint> curve{a};
@@ -236,7 +248,7 @@ std::vector<AxisPoint> Clearance::axis_curve(int edge, double chord) const {
 }
 
 const std::vector<AxisPoint>& Clearance::centers() const {
-  return impl_->centers;
+  return impl_->centers();
 }
 double Clearance::max() const {
   return impl_->diagram.largest;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace clearcut::order {
 
@@ -36,7 +38,8 @@ ExchangeSearch::ExchangeSearch(const Moves& moves, const Objective& objective, c
       random_(seed),
       value_(evaluate(objective, moves, start)),
       path_value_(objective.path_dependent() ? objective.path_value(moves) : nullptr),
-      queued_(static_cast<std::size_t>(path_.size())) {
+      queued_(static_cast<std::size_t>(path_.size())),
+      rules_(groups_of(moves.problem())) {
   if (path_value_) path_part_ = path_value_->of(start);
 }
 
@@ -130,10 +133,25 @@ double ExchangeSearch::stretch_value(int before, int length) const {
   return value;
 }
 
+/// Many nodes often have the same nodes before them, such as everything else before all cut-outs: thousands of rules are then
+/// one group, which holds if its last earlier node comes before its first later one.
+std::vector<ExchangeSearch::RuleGroup> ExchangeSearch::groups_of(const Problem& problem) {
+  std::map<int, std::vector<int>> before;
+  for (const Precedence& rule : problem.precedence) before[rule.after].push_back(rule.before);
+  std::map<std::vector<int>, std::vector<int>> after;
+  for (auto& [node, earlier] : before) {
+    std::sort(earlier.begin(), earlier.end());
+    after[std::move(earlier)].push_back(node);
+  }
+  std::vector<RuleGroup> groups;
+  for (const auto& [earlier, later] : after) groups.push_back({earlier, later});
+  return groups;
+}
+
 bool ExchangeSearch::keeps_rules() const {
   const Problem& problem = moves_.problem();
   if (extra_ < 0) return true;
-  if (problem.start < 0 && problem.end < 0 && problem.precedence.empty()) return true;
+  if (problem.start < 0 && problem.end < 0 && rules_.empty()) return true;
   const int n = path_.size(), origin = path_.position(extra_);
   const auto rank = [&](int v) {
     const int from_origin = path_.position(v) - origin;
@@ -143,15 +161,19 @@ bool ExchangeSearch::keeps_rules() const {
     const int first = backwards ? n - 1 : 1, last = backwards ? 1 : n - 1;
     if (problem.start >= 0 && rank(problem.start) != first) return false;
     if (problem.end >= 0 && rank(problem.end) != last) return false;
-    const auto& rules = problem.precedence;
-    const auto keeps = [&](const Precedence& p) { return (rank(p.before) < rank(p.after)) != backwards; };
+    const auto place = [&](int v) { return backwards ? n - rank(v) : rank(v); };
+    const auto comes_first = [&](int a, int b) { return place(a) < place(b); };
     // The rule that was broken last is the likeliest to be broken again.
-    std::size_t& broken = broken_[backwards ? 1 : 0];
-    if (broken < rules.size() && !keeps(rules[broken])) return false;
-    const auto found = std::find_if_not(rules.begin(), rules.end(), keeps);
-    if (found == rules.end()) return true;
-    broken = static_cast<std::size_t>(found - rules.begin());
-    return false;
+    Precedence& broken = broken_[backwards ? 1 : 0];
+    if (broken.before != broken.after && !comes_first(broken.before, broken.after)) return false;
+    for (const RuleGroup& group : rules_) {
+      const int earlier = *std::max_element(group.before.begin(), group.before.end(), comes_first);
+      const int later = *std::min_element(group.after.begin(), group.after.end(), comes_first);
+      if (comes_first(earlier, later)) continue;
+      broken = {earlier, later};
+      return false;
+    }
+    return true;
   };
   return holds(false) || holds(true);
 }

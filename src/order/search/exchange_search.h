@@ -66,6 +66,12 @@ class ExchangeSearch {
   void touch(int v);
   void drain(const StopWatch& watch);
 
+  /// Rules of precedence with the same earlier nodes: each of `before` comes before each of `after`.
+  struct RuleGroup {
+    std::vector<int> before, after;
+  };
+  static std::vector<RuleGroup> groups_of(const Problem& problem);
+
   /// The problem as if every straight move were legal.
   struct Straight {
     explicit Straight(const Problem& problem);
@@ -92,8 +98,9 @@ class ExchangeSearch {
   std::size_t head_ = 0;
   std::vector<char> queued_;
   std::vector<int> segments_;
-  /// Of the rules of precedence, along the path and against it: the one that was broken last.
-  mutable std::array<std::size_t, 2> broken_{};
+  std::vector<RuleGroup> rules_;
+  /// Along the path and against it: a broken rule of precedence, the last one found.
+  mutable std::array<Precedence, 2> broken_{};
 };
 
 }  // namespace clearcut::order

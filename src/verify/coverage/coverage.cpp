@@ -448,13 +448,16 @@ class CoverageProof {
   /// centre.
   double keep_nearest_legals(const Cell& cell, Range& legals) {
     double least = kInfinite;
-    const auto apart = [&](int k) { return distance(legal_.boundary().edges()[legals_[k]], cell.center); };
     const Range from = legals;
-    for (int k = from.begin; k < from.end; ++k) least = std::min(least, apart(k));
+    apart_.clear();
+    for (int k = from.begin; k < from.end; ++k) {
+      apart_.push_back(distance(legal_.boundary().edges()[legals_[k]], cell.center));
+      least = std::min(least, apart_.back());
+    }
     if (from.end - from.begin == 1) return least;
     legals.begin = end(legals_);
     for (int k = from.begin; k < from.end; ++k) {
-      if (apart(k) <= least + 2 * cell.reach()) legals_.push_back(legals_[k]);
+      if (apart_[k - from.begin] <= least + 2 * cell.reach()) legals_.push_back(legals_[k]);
     }
     legals.end = end(legals_);
     return least;
@@ -478,6 +481,7 @@ class CoverageProof {
   // Stacks of items near the cells from the whole target down to the current one.
   std::vector<NearSwath> swaths_;
   std::vector<int> outline_, legals_;
+  std::vector<double> apart_;  ///< mm; of the legal edges near a cell from its centre
   std::vector<Vec2> extremes_;
   int leaves_ = 0;
   double worst_width_ = 0;

@@ -50,7 +50,8 @@ struct BandMinimiser::Impl {
     /// The point of the ring nearest to p, and optionally the direction of the ring there.
     Vec2 nearest_to(Vec2 p, Vec2* tangent = nullptr) const {
       const Edge& edge = (*ring_)[tree_.nearest(p, [&](std::uint32_t i) {
-        const double d = nearest((*ring_)[i], p).distance;
+        const Edge& one = (*ring_)[i];
+        const double d = one.is_arc() ? distance(one, p) : nearest(one, p).distance;
         return d * d;
       })];
       const Nearest on = nearest(edge, p);
