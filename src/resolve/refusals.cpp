@@ -67,6 +67,11 @@ void refuse_spent_hole(const Feature& feature) {
                                trimmed(feature.floor_z, 3)));
 }
 
+void refuse_above_stock(const Part& part, const Workingstep& step) {
+  if (part.stock) refuse_above_stock(feature_of(part, step), *part.stock);
+  refuse_spent_hole(feature_of(part, step));
+}
+
 void refuse_below_stock(const Part& part, const Feature& feature) {
   if (!part.stock || feature.through) return;
   const double below = part.stock->z_bottom - feature.floor_z;
@@ -293,22 +298,16 @@ void drop_unused_features(Part& part) {
 }  // namespace
 
 void refuse_above_stock(const Part& part) {
-  for (const Workingstep& step : part.workplan) {
-    if (part.stock) refuse_above_stock(feature_of(part, step), *part.stock);
-    refuse_spent_hole(feature_of(part, step));
-  }
+  for (const Workingstep& step : part.workplan) refuse_above_stock(part, step);
 }
 
-std::optional<Part> without_impossible_steps(const Part& asked, const Part& prepared, const Tolerances& tol) {
-  std::map<std::string, std::string> impossible;  // why, by step and feature
-  for (const Workingstep& step : prepared.workplan) {
-    if (!is_of_program(step)) continue;
-    try {
-      refuse_step(prepared, step);
-    } catch (const InputError& error) {
-      impossible.emplace(work_key(prepared, step), error.what());
-    }
-  }
+namespace {
+
+/// Why steps are impossible, by work_key().
+using Impossible = std::map<std::string, std::string>;
+
+/// The part without these steps, each said not to be machined; nothing if that are none or all.
+std::optional<Part> without(const Part& asked, const Impossible& impossible, const Tolerances& tol) {
   if (impossible.empty()) return std::nullopt;
   Part rest = asked;
   rest.workplan.clear();
@@ -326,6 +325,33 @@ std::optional<Part> without_impossible_steps(const Part& asked, const Part& prep
   const std::vector<double> tops = features::stacked_tops(rest, tol);
   for (std::size_t i = 0; i < tops.size(); ++i) rest.features[i].top_z = tops[i];
   return rest;
+}
+
+/// The steps of the part's own program for which `refuse` throws.
+template <typename Refuse>
+Impossible refused_steps(const Part& part, const Refuse& refuse) {
+  Impossible impossible;
+  for (const Workingstep& step : part.workplan) {
+    if (!is_of_program(step)) continue;
+    try {
+      refuse(step);
+    } catch (const InputError& error) {
+      impossible.emplace(work_key(part, step), error.what());
+    }
+  }
+  return impossible;
+}
+
+}  // namespace
+
+std::optional<Part> without_steps_above_stock(const Part& asked, const Tolerances& tol) {
+  return without(
+      asked, refused_steps(asked, [&](const Workingstep& step) { refuse_above_stock(asked, step); }), tol);
+}
+
+std::optional<Part> without_impossible_steps(const Part& asked, const Part& prepared, const Tolerances& tol) {
+  return without(asked,
+                 refused_steps(prepared, [&](const Workingstep& step) { refuse_step(prepared, step); }), tol);
 }
 
 void tell_of_shallow(Part& part, const Tolerances& tol) {

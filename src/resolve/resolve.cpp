@@ -336,8 +336,10 @@ ResolvedPlan resolve(const Part& part, const PlanOptions& options, const Strateg
 }
 
 ResolvedPlan resolve_possible(const Part& part, const PlanOptions& options, const StrategyTable& strategies) {
-  ResolvedPlan plan = resolve(part, options, strategies);
-  const auto rest = without_impossible_steps(part, plan.part, options.tol);
+  const auto below = without_steps_above_stock(part, options.tol);
+  const Part& asked = below ? *below : part;
+  ResolvedPlan plan = resolve(asked, options, strategies);
+  const auto rest = without_impossible_steps(asked, plan.part, options.tol);
   return rest ? resolve(*rest, options, strategies) : std::move(plan);
 }
 

@@ -74,12 +74,16 @@ void tell_of_shallow(Part& part, const Tolerances& tol);
 /// other steps. `prepared`: `asked` with its tools.
 std::optional<Part> without_impossible_steps(const Part& asked, const Part& prepared, const Tolerances& tol);
 
+/// For a STEP-NC program: `asked` without the workingsteps above the stock, whose material earlier set-ups or a lower blank have taken, in
+/// the same way.
+std::optional<Part> without_steps_above_stock(const Part& asked, const Tolerances& tol);
+
 /// An option takes precedence over the values of the part's operations, these over the defaults; see docs/input.md.
 /// The values of the result are listed with their sources. A strategy named in a file but missing in `strategies` is
 /// noted in the part's diagnostics, by workingstep; an unknown strategy of an option or a job is an InputError.
 ResolvedPlan resolve(const Part& part, const PlanOptions& options, const StrategyTable& strategies);
 
-/// As resolve(), without the workingsteps that the part's tools cannot make; see without_impossible_steps().
+/// As resolve(), without the workingsteps that the part's tools cannot make or that lie above its stock; see without_impossible_steps().
 ResolvedPlan resolve_possible(const Part& part, const PlanOptions& options, const StrategyTable& strategies);
 
 /// The options for a program without a part: limits, machine, material, tools. The result's part has no work, and

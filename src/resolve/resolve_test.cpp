@@ -225,6 +225,30 @@ TEST(Resolve, FeaturesAboveTheMaterialAreRefused) {
   EXPECT_EQ(refusal(1, 0, FeatureKind::kPlanarFace), "");
 }
 
+/// Of a STEP-NC program only that step is left out, and said; a drawing is refused.
+TEST(Resolve, StepsOfAProgramAboveTheStockAreLeftOut) {
+  Part part = pocket();
+  part.stock = Stock{box(part.features[0].target), -20, 0};
+  part.features.push_back(part.features[0]);
+  part.features[1].name = "GONE";
+  part.features[1].top_z = 6;
+  part.features[1].floor_z = 1;
+  part.workplan[0].source = "#10";
+  part.workplan.push_back(part.workplan[0]);
+  part.workplan[1].feature = 1;
+  part.workplan[1].source = "#20";
+  part.workplan[1].name = "second";
+  const ResolvedPlan plan = resolve_possible(part, {}, table());
+  ASSERT_EQ(plan.part.workplan.size(), 1U);
+  EXPECT_EQ(plan.part.workplan[0].source, "#10");
+  std::string said;
+  for (const Diagnostic& one : plan.part.diagnostics.items()) said += one.what + "\n";
+  EXPECT_THAT(said,
+              HasSubstr("workingstep #20 'second' is left out: GONE: it lies above the material: z 1 to 6"));
+  part.workplan[1].source = "line 4";
+  EXPECT_THROW(resolve_possible(part, {}, table()), InputError);
+}
+
 /// A drill of nearly the size makes a hole that no other tool makes.
 TEST(Resolve, DrillsOfNearlyTheSizeAreTaken) {
   const auto drilled = [](double hole, const std::vector<const char*>& tools, std::string* said = nullptr) {
