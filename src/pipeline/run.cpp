@@ -131,10 +131,10 @@ void rank_by_figures(Selection& selection, const ResolvedPlan& plan, const PlanR
   for (std::size_t k = 0; k < most; ++k) {
     throw_if_cancelled(plan.cancel);
     selection.take(k);
-    for (FeatureFindings& feature : findings_on(selection, plan, known).features) {
+    for (const FeatureFindings& feature : findings_on(selection, plan, known).features) {
       if (feature.workingstep < 0) continue;
       auto& of_step = found[static_cast<std::size_t>(feature.workingstep)];
-      if (k < of_step.size()) of_step[k] = std::move(feature.figures);
+      if (k < of_step.size()) of_step[k] = feature.figures;
     }
   }
   for (std::size_t step = 0; step < selection.steps(); ++step) {
