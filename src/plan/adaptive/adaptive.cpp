@@ -55,7 +55,7 @@ bool has_open_side(const Layer& layer) {
 /// material behind them on the open side.
 const Radians kMostFromOutside = Radians::of_degrees(90);
 /// The same for what earlier steps have left. Cuts aimed at far more than a pass along a thin strip of it would be engaged run straight at
-/// the wall and end there: they aim at this many times as much, within bounds.
+/// the wall and end there: they aim at this many times as much, within bounds, and thick rests at what a pass along them would be.
 constexpr double kTimesAlongStrip = 2.5;
 const Radians kLeastIntoRest = Radians::of_degrees(45), kMostIntoRest = Radians::of_degrees(70);
 
@@ -70,7 +70,9 @@ double mean_width(const Regions& strips) {
 /// Radians; greatest engagement that cuts of a cutter of `radius` mm into `strips` aim at.
 double most_into_rest(const Regions& strips, double radius) {
   const double along = base::acos(std::max(-1.0, 1 - mean_width(strips) / radius));
-  return std::clamp(kTimesAlongStrip * along, kLeastIntoRest.radians(), kMostIntoRest.radians());
+  const double into_strip =
+      std::clamp(kTimesAlongStrip * along, kLeastIntoRest.radians(), kMostIntoRest.radians());
+  return std::max(into_strip, std::min(along, kMostFromOutside.radians()));
 }
 
 /// A layer as its cuts are planned.
