@@ -242,12 +242,11 @@ bool cross_beside(Vec2 corner, const Edge& a, const Edge& b) {
 bool go_through(const Edge& a, const Edge& b) {
   if (a.to == b.from) return cross_beside(a.to, a, b);
   if (b.to == a.from) return cross_beside(a.from, a, b);
-  const auto clear = is_clear;
-  if (!clear(a, b.from) || !clear(a, b.to) || !clear(b, a.from) || !clear(b, a.to)) return false;
+  if (!is_clear(a, b.from) || !is_clear(a, b.to) || !is_clear(b, a.from) || !is_clear(b, a.to)) return false;
   const std::vector<Vec2> meetings = intersections(a, b);
   if (meetings.empty()) return false;
   const double t = nearest(a, meetings.front()).t, last = nearest(a, meetings.back()).t;
-  if (meetings.size() > 1) return clear(b, a.at((t + last) / 2));
+  if (meetings.size() > 1) return is_clear(b, a.at((t + last) / 2));
   const Vec2 along_b = b.tangent_at(nearest(b, meetings.front()).t);
   return std::abs(cross(a.tangent_at(t), along_b)) > kTangent;
 }

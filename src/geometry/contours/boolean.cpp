@@ -294,10 +294,7 @@ bool touches_itself(const ClipperLib::Paths& contours) {
   });
 }
 
-/// Units of the grid. Walls that two regions share are rounded to places this near to each other; spikes of that width stay between them.
-constexpr double kSpike = 2;
-
-/// Contours that touch themselves lose their spikes and are split there. Polyclipping has an option for this split (StrictlySimple), but
+/// Contours that touch themselves lose the spikes that stay between walls that two regions share, and are split there. Polyclipping has an option for this split (StrictlySimple), but
 /// its cost is that of all points for every touch, and boundaries running along each other over long stretches become
 /// many contours that share edges. Polyclipping could nest contours, too (PolyTree), but at the cost of all points
 /// for every place where two contours share an edge.
@@ -309,7 +306,7 @@ Regions executed(ClipperLib::Clipper& clipper, ClipperLib::ClipType operation, C
   std::erase_if(contours, [](const ClipperLib::Path& contour) { return contour.size() < 3; });
   bool touching = touches_itself(contours);
   if (touching) {
-    ClipperLib::CleanPolygons(contours, kSpike);
+    ClipperLib::CleanPolygons(contours, kGridRounding);
     std::erase_if(contours, [](const ClipperLib::Path& contour) { return contour.size() < 3; });
     touching = touches_itself(contours);
   }

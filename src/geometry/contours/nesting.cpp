@@ -13,9 +13,6 @@ namespace {
 
 using ClipperLib::IntPoint;
 
-/// Units of the grid by which a point may be beside the edge that it is rounded from.
-constexpr double kRounding = 2;
-
 Vec2 place_of(const IntPoint& p) {
   return {static_cast<double>(p.X), static_cast<double>(p.Y)};
 }
@@ -128,7 +125,7 @@ std::optional<std::size_t> ContourIndex::smallest_around(const ClipperLib::Path&
       const bool turns_otherwise = (areas_[outer] > 0) != (own > 0);
       const bool may_contain = turns_otherwise && (member == areas_.size() || area > std::abs(own));
       // A point of a shared edge may be rounded into the contour beside it.
-      const Box around = boxes_[outer].grown(kRounding);
+      const Box around = boxes_[outer].grown(kGridRounding);
       const bool holds_box = around.contains(own_box.min) && around.contains(own_box.max);
       if (!may_contain || !holds_box || (smallest && area >= std::abs(areas_[*smallest]))) return;
       if (!starts_on_it || lies_in(inner, contours_[outer])) smallest = outer;
@@ -138,8 +135,8 @@ std::optional<std::size_t> ContourIndex::smallest_around(const ClipperLib::Path&
   // A hole always has a contour around it, but the points of a wall that both share may be rounded out of it.
   for (std::size_t i = 0; own < 0 && !smallest && i < inner.size(); ++i) {
     const IntPoint &a = inner[i], &b = inner[(i + 1) % inner.size()];
-    look_from(a);
-    if (!smallest) look_from(IntPoint((a.X + b.X) / 2, (a.Y + b.Y) / 2));
+    look_from(IntPoint((a.X + b.X) / 2, (a.Y + b.Y) / 2));
+    if (!smallest) look_from(b);
   }
   return smallest;
 }

@@ -10,6 +10,9 @@
 
 namespace clearcut::inline geometry {
 
+/// Units of the grid by which a point may be beside the edge that it is rounded from, as on walls that two contours share.
+inline constexpr double kGridRounding = 2;
+
 /// Finds the contours about another one, by a ray from one of its points. Keeps a reference to `contours`, which must
 /// outlive the index. Contours must not cross each other; they may touch. A contour directly inside another one has
 /// the opposite orientation, as polyclipping returns them: two contours of the same orientation that share an edge

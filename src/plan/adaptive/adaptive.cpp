@@ -14,6 +14,7 @@
 #include "plan/adaptive/finish/finish.h"
 #include "plan/adaptive/smooth_links.h"
 #include "plan/adaptive/trace/wall_cuts.h"
+#include "plan/common/clearing_area.h"
 #include "plan/common/layers.h"
 
 namespace clearcut::plan::adaptive {
@@ -39,6 +40,8 @@ constexpr double kBeyondOpenSides = 1.01;
 constexpr double kAirPitch = 0.5;
 constexpr double kBesideAir = 0.005;
 constexpr double kNearStock = 0.05;
+/// Share of the tool radius by which loops over an area cleared before overlap, and stay off its border.
+constexpr double kOverlap = 0.005;
 /// Shares of the tool radius: length of wall on both sides of a corner that clearing leaves to the arcs between
 /// the corner's walls. It is kLeftToCorner less arc_gain(), which is near 1 where many arcs would be needed, but
 /// at least kLeastLeft.
@@ -62,14 +65,13 @@ const Radians kLeastIntoRest = Radians::of_degrees(45), kMostIntoRest = Radians:
 /// mm; mean width of strips.
 double mean_width(const Regions& strips) {
   double rim = 0;
-  for (const Region& region : strips)
-    for (const Edge& edge : region.edges()) rim += edge.length();
+  for (const Loop& loop : loops_of(strips)) rim += length(loop);
   return rim > 0 ? 2 * area(strips) / rim : 0;
 }
 
 /// Radians; greatest engagement that cuts of a cutter of `radius` mm into `strips` aim at.
 double most_into_rest(const Regions& strips, double radius) {
-  const double along = base::acos(std::max(-1.0, 1 - mean_width(strips) / radius));
+  const double along = engagement_along_wall(radius, mean_width(strips));
   const double into_strip =
       std::clamp(kTimesAlongStrip * along, kLeastIntoRest.radians(), kMostIntoRest.radians());
   return std::max(into_strip, std::min(along, kMostFromOutside.radians()));
@@ -412,13 +414,10 @@ std::vector<Regions> parts_apart(const Regions& target, double apart) {
 /// Loops along which a cutter of `radius` clears an area, without corners that it does not reach.
 std::vector<Loop> ways_over(const Regions& area, double radius, const Tolerances& tol) {
   std::vector<Loop> ways;
-  for (double away = radius * (1 + kBesideAir);; away += 2 * radius * (1 - kBesideAir)) {
+  for (double away = radius * (1 + kOverlap);; away += 2 * radius * (1 - kOverlap)) {
     const Regions centers = inset(area, away, tol);
     if (centers.empty()) return ways;
-    for (const Region& region : centers) {
-      ways.push_back(region.outer());
-      ways.insert(ways.end(), region.islands().begin(), region.islands().end());
-    }
+    for (Loop& loop : loops_of(centers)) ways.push_back(std::move(loop));
   }
 }
 

@@ -181,12 +181,15 @@ void add_loops(const Region& region, LayerPasses& result) {
   result.legal.push_back(region);
 }
 
-/// Radians; engagement of a cutter of `radius` mm along a straight wall of which it takes `stock` mm.
+}  // namespace
+
 double engagement_along_wall(double radius, double stock) {
   return base::acos(std::max(-1.0, 1 - stock / radius));
 }
 
-/// The same inside a wall round an arc; at the most what its turn adds to the straight wall.
+namespace {
+
+/// Radians; the engagement inside a wall round an arc; at the most what its turn adds to the straight wall.
 double engagement_inside(const Edge& arc, double radius, double stock) {
   const double wall = arc.radius(), away = wall - radius;
   const double most = std::min(kPi, engagement_along_wall(radius, stock) + arc.sweep());

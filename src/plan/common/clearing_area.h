@@ -34,6 +34,9 @@ ClearingArea clearing_area(const Layer& layer, const Tolerances& tol);
 /// Whether the layer is a pocket closed all round. The target is inside `allowed`, so the two are compared by area.
 bool closed_all_round(const Layer& layer);
 
+/// Radians; engagement of a cutter of `radius` mm along a straight wall of which it takes `stock` mm.
+double engagement_along_wall(double radius, double stock);
+
 /// Radians; greatest engagement of a pass along the walls of `area` by a cutter of `radius` mm that takes `stock` mm: in a corner between two
 /// walls it cuts the stock of both at once, its turn more than along a straight wall; inside an arc hardly wider than itself as much.
 double engagement_along_walls(const Regions& area, double radius, double stock);

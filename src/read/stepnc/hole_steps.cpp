@@ -76,14 +76,21 @@ int Reader::add_hole(const Feature& like, const Draft& draft, const std::string&
 
 namespace {
 
-/// mm. How much deeper than the hole's floor a drill goes, so that the hole has its width down to the underside of the stock: the length of
-/// the point, as far as its flutes allow. None where the hole ends elsewhere, because the point would cut what lies below it.
-double below_through_hole(const Feature& hole, const Tool& tool, const std::optional<Stock>& stock) {
+/// The end of a through hole by a drill, mm.
+struct ThroughEnd {
+  double beyond = 0;  ///< how much deeper than its floor the drill goes
+  double over = 0;    ///< how far over the underside of the stock its width ends nevertheless
+};
+
+/// The hole has its width down to the underside if the drill's point goes below it, as far as its flutes allow. Nothing where the hole ends
+/// elsewhere, because the point would cut what lies below it.
+ThroughEnd end_of_through_hole(const Feature& hole, const Tool& tool, const std::optional<Stock>& stock) {
   if (!hole.through || tool.kind != ToolKind::kDrill || !stock || hole.floor_z > stock->z_bottom + kLevel)
-    return 0;
+    return {};
   const double whole = std::max(0.0, hole.floor_z - (stock->z_bottom - point_length(tool)));
   const double room = tool.flute_length ? *tool.flute_length - (stock->z_top - hole.floor_z) : whole;
-  return std::min(whole, std::max(0.0, room));
+  const double beyond = std::min(whole, std::max(0.0, room));
+  return {beyond, whole - beyond};
 }
 
 }  // namespace
@@ -99,16 +106,14 @@ int Reader::hole_for(std::size_t index, const StatedOperation& stated, const Nod
   fit_to_tool(hole, draft, tool);
   const double full = hole.top_z - hole.floor_z;
   const bool is_narrower = makes_holes(tool) && tool.diameter < *hole.hole_diameter - context_.tol.fit;
-  const double beyond = is_narrower ? 0 : below_through_hole(hole, tool, part_.stock);
-  const double depth = stated.depth.value_or(full + beyond);
-  const double point = hole.floor_z - beyond + point_length(tool);
-  if (!stated.depth && !is_narrower && tool.kind == ToolKind::kDrill && hole.through && part_.stock &&
-      hole.floor_z < part_.stock->z_bottom + kLevel && point > part_.stock->z_bottom + kLevel)
-    context_.diagnostics.doubt(
-        context_.file.place(node.line()), kNotFollowed,
-        "not followed: " + hole.name + " goes through, and the flutes of " + node.label() +
-            "'s drill are too short for its point: the hole has its width down to " +
-            trimmed(point - part_.stock->z_bottom, 3) + " mm over the underside; use a longer drill");
+  const ThroughEnd end = is_narrower ? ThroughEnd{} : end_of_through_hole(hole, tool, part_.stock);
+  const double depth = stated.depth.value_or(full + end.beyond);
+  if (!stated.depth && end.over > kLevel)
+    context_.diagnostics.doubt(context_.file.place(node.line()), kNotFollowed,
+                               "not followed: " + hole.name + " goes through, and the flutes of " +
+                                   node.label() +
+                                   "'s drill are too short for its point: the hole has its width down to " +
+                                   trimmed(end.over, 3) + " mm over the underside; use a longer drill");
   if (std::abs(depth - full) < kLevel) return features_of_draft_[index].back();
   if (depth > full && !hole.through)
     context_.diagnostics.doubt(context_.file.place(node.line()), kNotFollowed,

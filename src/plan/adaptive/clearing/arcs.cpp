@@ -287,13 +287,10 @@ namespace {
 
 /// As few lines as deviate from the arc by no more than `within` mm.
 Path lines_along(const Edge& arc, double within) {
-  const double step = 2 * base::acos(1 - within / arc.radius());
-  const int count = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep()) / step)));
+  std::vector<Vec2> points{arc.from};
+  append_flattened(arc, within, points);
   Path lines;
-  for (int i = 1; i <= count; ++i) {
-    const Vec2 from = lines.empty() ? arc.from : lines.back().to;
-    lines.push_back(Edge::line(from, i == count ? arc.to : arc.at(static_cast<double>(i) / count)));
-  }
+  for (std::size_t i = 1; i < points.size(); ++i) lines.push_back(Edge::line(points[i - 1], points[i]));
   return lines;
 }
 
