@@ -15,6 +15,17 @@
 #include "geometry/contours/mitred_inset.h"
 
 namespace clearcut::inline options {
+Works work_of(const Part& part, const Workingstep& step) {
+  const Feature& feature = feature_of(part, step);
+  const Tool& tool = tool_of(part, step);
+  if (makes_holes(tool) || is_formed(feature)) return kHoleMaking;
+  if (feature.t_slot) return kUndercutting;
+  if (feature.chamfer) return kChamfering;
+  if (feature.carving) return kCarving;
+  if (feature.profile) return feature.profile->side == ProfileSide::kOn ? kFollowing : kProfiling;
+  return feature.hole_diameter && *feature.hole_diameter <= 2 * tool.diameter ? kBoring : kClearing;
+}
+
 namespace {
 
 struct WorkName {
@@ -66,18 +77,6 @@ bool any_move(const Situation& at, const std::function<bool(const Move&)>& holds
   for (const Section& section : at.toolpath.sections)
     if (std::any_of(section.moves.begin(), section.moves.end(), holds)) return true;
   return false;
-}
-
-/// The kind of work by which `step` makes its feature.
-Works work_of(const Part& part, const Workingstep& step) {
-  const Feature& feature = feature_of(part, step);
-  const Tool& tool = tool_of(part, step);
-  if (makes_holes(tool) || is_formed(feature)) return kHoleMaking;
-  if (feature.t_slot) return kUndercutting;
-  if (feature.chamfer) return kChamfering;
-  if (feature.carving) return kCarving;
-  if (feature.profile) return feature.profile->side == ProfileSide::kOn ? kFollowing : kProfiling;
-  return feature.hole_diameter && *feature.hole_diameter <= 2 * tool.diameter ? kBoring : kClearing;
 }
 
 bool is_work(const Situation& at, const Workingstep& step, unsigned works) {
@@ -194,12 +193,16 @@ unsigned works_of(const ResolvedPlan& plan) {
   return works;
 }
 
+std::string names_of_works(unsigned works) {
+  std::vector<std::string> names;
+  for (const WorkName& one : kWorkNames)
+    if ((works & one.work) != 0) names.emplace_back(one.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 std::string idle_on_works(const Row& row, unsigned works) {
   if (works == 0 || (row.effect.works & works) != 0) return "";
-  std::vector<std::string> served;
-  for (const WorkName& one : kWorkNames)
-    if ((row.effect.works & one.work) != 0) served.emplace_back(one.name);
-  return fmt::format("it serves {}, and the part has none", fmt::join(served, ", "));
+  return "it serves " + names_of_works(row.effect.works) + ", and the part has none";
 }
 
 /// Through cuts of solids, and profiles of drawings, go deeper than the material.

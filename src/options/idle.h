@@ -26,8 +26,14 @@ InputKinds input_kind_of(const Part& part);
 /// Why a row has no effect on input of this kind: "has no effect on a STEP solid; it serves ..."; "" if it has one.
 std::string idle_on_input(const Row& row, InputKinds input);
 
+/// The kind of work by which `step` makes its feature.
+Works work_of(const Part& part, const Workingstep& step);
+
 /// The kinds of work of a plan. Bits of Works.
 unsigned works_of(const ResolvedPlan& plan);
+
+/// "pockets, slots, steps and faces, profiles".
+std::string names_of_works(unsigned works);
 
 /// Why a row has no effect on a part with these kinds of work: "it serves pockets and faces, and the part has none"; ""
 /// if it has one.

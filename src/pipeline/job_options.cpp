@@ -1,6 +1,9 @@
 #include "pipeline/job_options.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <map>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -154,6 +157,38 @@ std::string idle(const std::string& reason) {
   return reason.empty() ? "" : "has no effect: " + reason + "; leave it out";
 }
 
+/// What is not cleared is cut along its outline or axis: no other strategy than contour has an effect on it.
+unsigned works_served(const Row& row, const ResolvedStep& step) {
+  const bool along_outlines = !step.strategy || step.strategy->name == "contour";
+  return row.name == "strategy" && !along_outlines ? kClearing | kBoring : row.effect.works;
+}
+
+/// Throws InputError for a key of a job's operation that serves none of the workingsteps that the operation became.
+void refuse_keys_for_others(const ResolvedPlan& plan, const PlanOptions& asked) {
+  struct Stated {
+    bool serves = false;
+    unsigned served = kAllWorks;
+    std::string feature;
+  };
+  std::map<std::string, Stated> by_place;
+  for (const ResolvedValue& value : plan.values) {
+    const Row* row = row_named(value.name);
+    if (value.step < 0 || value.source.origin != Origin::kJobFile || !row || !row->is_of_operations) continue;
+    const Source* of_whole = asked.sources.find(source_name(*row));
+    if (of_whole && of_whole->text == value.source.text) continue;
+    const auto i = static_cast<std::size_t>(value.step);
+    const Workingstep& step = plan.part.workplan[i];
+    Stated& stated = by_place[place_of(*row, value.source)];
+    if (stated.feature.empty()) stated.feature = feature_of(plan.part, step).name;
+    stated.served = works_served(*row, plan.steps[i]);
+    stated.serves = stated.serves || (stated.served & work_of(plan.part, step)) != 0;
+  }
+  for (const auto& [place, stated] : by_place)
+    if (!stated.serves)
+      throw InputError(place, fmt::format("has no effect on {}: it serves {}; leave it out", stated.feature,
+                                          names_of_works(stated.served)));
+}
+
 }  // namespace
 
 void refuse_options_for_others(const ResolvedPlan& plan, const PlanOptions& asked) {
@@ -163,6 +198,7 @@ void refuse_options_for_others(const ResolvedPlan& plan, const PlanOptions& aske
     const std::string reason = idle_on_input(row, input);
     return reason.empty() ? idle(idle_on_works(row, works)) : reason;
   });
+  if (asked.refuse_idle) refuse_keys_for_others(plan, asked);
 }
 
 void refuse_idle_options(const PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan,

@@ -303,6 +303,29 @@ TEST_P(EffectOfOptions, NoObjectiveIsSilent) {
   }
 }
 
+/// A key of one operation is refused where it serves none of what the operation makes, although the rest of the part has such work.
+TEST(OptionEffects, KeysOfOperationsForOtherWorkAreRefused) {
+  const ScratchFolder folder;
+  folder.file("p.dxf", "0\nSECTION\n2\nENTITIES\n" + rectangle_on("PROFILE_D3") +
+                           "0\nCIRCLE\n8\nPOCKET_D2\n10\n15\n20\n10\n40\n6\n0\nENDSEC\n0\nEOF\n");
+  const auto planned = [&](const std::string& key) {
+    const std::string job =
+        folder.file("job.toml",
+                    "[part]\nfile = \"p.dxf\"\nunit = \"mm\"\n[[tool]]\nnumber = 1\ndiameter = 4\n"
+                    "[[operation]]\nfeature = \"PROFILE_D3\"\n" +
+                        key + "\n[[operation]]\nfeature = \"POCKET_D2\"\nstepover = 0.3\n");
+    return run_clearcut({"plan", job, "-o", folder.path("o.ngc"), "--quiet"});
+  };
+  EXPECT_LE(planned("feed = 700").exit_code, 1);
+  EXPECT_LE(planned("strategy = \"contour\"").exit_code, 1);
+  for (const char* key : {"strategy = \"zigzag\"", "stepover = 0.3"}) {
+    const auto run = planned(key);
+    EXPECT_EQ(run.exit_code, 2) << key;
+    EXPECT_THAT(run.err, testing::HasSubstr("job.toml:9")) << key;
+    EXPECT_THAT(run.err, testing::HasSubstr("has no effect on PROFILE_D3: it serves pockets")) << key;
+  }
+}
+
 TEST(OptionsPage, IsMadeOfTheTable) {
   EXPECT_EQ(run_clearcut({"generate", "table"}).out, read_file(CLEARCUT_SOURCE_DIR "/docs/options.md"))
       << "make it anew: clearcut generate table > docs/options.md";
