@@ -15,6 +15,7 @@
 #include "features/standing.h"
 #include "geometry/contours/boolean.h"
 #include "model/results/findings.h"
+#include "model/results/nothing_to_machine.h"
 #include "read/stepnc/operation.h"
 #include "read/stepnc/reader.h"
 #include "read/stepnc/toolpaths.h"
@@ -359,9 +360,11 @@ void Reader::make_workingsteps(const Tools& tools) {
   }
   tell_stops_after_the_last(stops);
   if (!part_.workplan.empty()) return;
-  if (program_.steps.size() == 1) throw *first_error_;
-  throw InputError("", std::string(first_error_->what()) + " (and none of the other " +
-                           std::to_string(program_.steps.size() - 1) + " workingsteps can be machined)");
+  std::string why = first_error_->what();
+  if (program_.steps.size() > 1)
+    why += " (and none of the other " + std::to_string(program_.steps.size() - 1) +
+           " workingsteps can be machined)";
+  throw NothingToMachine("", why, context_.diagnostics);
 }
 
 /// What bears on a plan only where it comes near a limit, so that whoever compares the file sees it: sizes of tools, planes of retracts.
