@@ -17,37 +17,45 @@ struct MaterialName {
 };
 
 /// Within words: "ALUMINUM", "Edelstahl".
-constexpr MaterialName kParts[] = {
-    {"ALUMIN", "aluminium"},   {"STAINLESS", "stainless"}, {"EDELSTAHL", "stainless"},
-    {"STEEL", "steel"},        {"BRASS", "brass"},         {"MESSING", "brass"},
-    {"TITAN", "titanium"},     {"PLYWOOD", "plywood"},     {"HARDWOOD", "hardwood"},
-    {"SOFTWOOD", "softwood"},  {"PLASTIC", "plastic"},     {"ACETAL", "plastic"},
-    {"DELRIN", "plastic"},     {"NYLON", "plastic"},       {"ACRYLIC", "plastic"},
-    {"POLYCARB", "plastic"},   {"POLYETHYL", "plastic"},   {"CAST IRON", "cast-iron"},
-    {"GRAUGUSS", "cast-iron"}, {"BRONZE", kNotInTable},    {"COPPER", kNotInTable},
-    {"ALLOY STEEL", "alloy-steel"}};
+constexpr MaterialName kParts[] = {{"ALUMIN", "aluminium"},    {"STAINLESS", "stainless"},
+                                   {"EDELSTAHL", "stainless"}, {"STEEL", "steel"},
+                                   {"BRASS", "brass"},         {"MESSING", "brass"},
+                                   {"TITAN", "titanium"},      {"PLYWOOD", "plywood"},
+                                   {"HARDWOOD", "hardwood"},   {"SOFTWOOD", "softwood"},
+                                   {"PLASTIC", "plastic"},     {"ACETAL", "plastic"},
+                                   {"DELRIN", "plastic"},      {"NYLON", "plastic"},
+                                   {"ACRYLIC", "plastic"},     {"POLYCARB", "plastic"},
+                                   {"POLYETHYL", "plastic"},   {"CAST IRON", "cast-iron"},
+                                   {"GRAUGUSS", "cast-iron"},  {"BRONZE", kNotInTable},
+                                   {"COPPER", kNotInTable},    {"ALLOY STEEL", "alloy-steel"}};
 
 /// Whole words.
 constexpr MaterialName kWords[] = {
-    {"MDF", "mdf"},       {"POM", "plastic"},  {"PMMA", "plastic"}, {"HDPE", "plastic"}, {"PEEK", "plastic"},
-    {"PVC", "plastic"},   {"PTFE", "plastic"}, {"ABS", "plastic"},  {"PA6", "plastic"},  {"PA66", "plastic"},
-    {"INOX", "stainless"}, {"STAHL", "steel"},  {"OAK", "hardwood"}, {"BEECH", "hardwood"},
-    {"PINE", "softwood"}, {"SPRUCE", "softwood"}};
+    {"MDF", "mdf"},      {"POM", "plastic"},    {"PMMA", "plastic"},   {"HDPE", "plastic"},
+    {"PEEK", "plastic"}, {"PVC", "plastic"},    {"PTFE", "plastic"},   {"ABS", "plastic"},
+    {"PA6", "plastic"},  {"PA66", "plastic"},   {"INOX", "stainless"}, {"STAHL", "steel"},
+    {"OAK", "hardwood"}, {"BEECH", "hardwood"}, {"PINE", "softwood"},  {"SPRUCE", "softwood"}};
 
 /// Wrought alloys of aluminium that are named by their number alone; numbers of steels have four digits, too.
 constexpr std::string_view kAluminiumNumbers[] = {"2007", "2011", "2017", "2024", "3003", "5052",
                                                   "5083", "5754", "6005", "6026", "6060", "6061",
                                                   "6063", "6082", "7020", "7022", "7050", "7075"};
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
 
 bool are_digits(std::string_view text, std::size_t count) {
   return text.size() == count && std::all_of(text.begin(), text.end(), is_digit);
 }
 
-bool begins(std::string_view word, std::string_view with) { return word.substr(0, with.size()) == with; }
+bool begins(std::string_view word, std::string_view with) {
+  return word.substr(0, with.size()) == with;
+}
 
-bool has(std::string_view word, std::string_view part) { return word.find(part) != std::string_view::npos; }
+bool has(std::string_view word, std::string_view part) {
+  return word.find(part) != std::string_view::npos;
+}
 
 /// `head`, then at least `digits` digits: C45E, S235JR.
 bool is_code(std::string_view word, std::string_view head, std::size_t digits) {
@@ -98,7 +106,8 @@ const char* of_short_name(std::string_view word) {
   static constexpr std::string_view kStructural[] = {"S235", "S275", "S355", "E295", "E335", "E360"};
   static constexpr std::string_view kCastIron[] = {"GJL", "GJS", "GG20", "GG25", "GG30", "GGG40", "GGG50"};
   if (is_any_code(word, kAluminium)) return "aluminium";
-  if (is_any_code(word, kStructural) || is_code(word, "ST", 2) || is_code(word, "C", 2) || is_code(word, "CK", 2))
+  if (is_any_code(word, kStructural) || is_code(word, "ST", 2) || is_code(word, "C", 2) ||
+      is_code(word, "CK", 2))
     return "steel";
   if (is_any_code(word, kCastIron)) return "cast-iron";
   if (begins(word, "CUZN") || is_code(word, "CW5", 2) || is_code(word, "CW6", 2) || is_code(word, "MS", 2))
