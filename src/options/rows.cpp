@@ -129,8 +129,9 @@ std::vector<Row> input_rows() {
        .group = Group::kInput,
        .checks = kCheckOfPart,
        .kind = kFiles,
-       .sentence = "Program of a set-up before --setup, in order (repeatable): the stock is the material "
-                   "left by these programs",
+       .sentence =
+           "Program of a set-up before --setup, in order (repeatable), none for a set-up without one: the "
+           "stock is the material left by these programs",
        .field = CLEARCUT_FIELD(input.earlier_setups),
        .type = "FILE"},
       {.name = "unit",

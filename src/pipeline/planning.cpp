@@ -20,6 +20,7 @@
 #include "kinematics/planner.h"
 #include "link/sections/load_feeds.h"
 #include "model/results/findings.h"
+#include "model/results/nothing_to_machine.h"
 #include "model/section_names.h"
 #include "pipeline/selection/selection.h"
 #include "pipeline/steps/certify.h"
@@ -367,7 +368,12 @@ void report_what_does_not_fit(Part& part, const Selection& selection, const std:
   const bool done_before =
       std::any_of(works.begin(), works.end(), [](const StepWork& work) { return work.done_before; });
   if (nothing && !done_before) {
-    throw InputError(part.source_file, "nothing can be cut: " + no_passes(0, selection, works, plan));
+    Diagnostics said = part.diagnostics;
+    for (std::size_t i = 0; i < part.workplan.size(); ++i)
+      say_not_machined(said, part.source_file, feature_of(part, part.workplan[i]).name,
+                       part.workplan[i].name + ": " + no_passes(i, selection, works, plan));
+    throw NothingToMachine(part.source_file, "nothing can be cut: " + no_passes(0, selection, works, plan),
+                           std::move(said));
   }
   for (std::size_t i = 0; i < part.workplan.size(); ++i) {
     const auto& step = part.workplan[i];

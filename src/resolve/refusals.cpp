@@ -13,6 +13,7 @@
 #include "geometry/contours/boolean.h"
 #include "geometry/voronoi/clearance.h"
 #include "model/results/findings.h"
+#include "model/results/nothing_to_machine.h"
 #include "resolve/features/clamps.h"
 #include "resolve/resolve.h"
 
@@ -306,7 +307,7 @@ namespace {
 /// Why steps are impossible, by work_key().
 using Impossible = std::map<std::string, std::string>;
 
-/// The part without these steps, each said not to be machined; nothing if that are none or all.
+/// The part without these steps, each said not to be machined; nothing if that are none. Throws NothingToMachine if that are all.
 std::optional<Part> without(const Part& asked, const Impossible& impossible, const Tolerances& tol) {
   if (impossible.empty()) return std::nullopt;
   Part rest = asked;
@@ -320,7 +321,9 @@ std::optional<Part> without(const Part& asked, const Impossible& impossible, con
     say_not_machined(rest.diagnostics, asked.source_file, feature_of(asked, step).name,
                      "workingstep " + step.source + " '" + step.name + "' is left out: " + why->second);
   }
-  if (rest.workplan.empty() || rest.workplan.size() == asked.workplan.size()) return std::nullopt;
+  if (rest.workplan.empty())
+    throw NothingToMachine("", impossible.at(work_key(asked, asked.workplan.front())), rest.diagnostics);
+  if (rest.workplan.size() == asked.workplan.size()) return std::nullopt;
   drop_unused_features(rest);
   const std::vector<double> tops = features::stacked_tops(rest, tol);
   for (std::size_t i = 0; i < tops.size(); ++i) rest.features[i].top_z = tops[i];

@@ -70,6 +70,52 @@ TEST(StepNcSetups, AreProgramsOfTheirOwnThatAreVerifiedEach) {
             0);
 }
 
+/// `text` with each `from` replaced.
+std::string with(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+/// The pocket of one set-up is narrower than its mill, or lies above the block, or is of a kind that is not planned.
+TEST(StepNcSetups, OfWhichNothingCanBeMachinedAreLeftOutAndSaid) {
+  const std::string own_profile = with(two_setups(), "ENDSEC;\nEND",
+                                       "#54=CIRCULAR_CLOSED_PROFILE($,#55);\n"
+                                       "#55=TOLERANCED_LENGTH_MEASURE(5.,$);\nENDSEC;\nEND");
+  const auto narrow = [&](const std::string& pocket) {
+    const std::size_t at = own_profile.find("CLOSED_POCKET('" + pocket);
+    std::string text = own_profile;
+    return text.replace(text.find("#50", at), 3, "#54");
+  };
+  const std::string above = with(two_setups(), "(16.,20.,12.)", "(16.,20.,19.)");
+  const std::string unknown = with(two_setups(), "CLOSED_POCKET('LEFT'", "EDGE_ROUND('LEFT'");
+  for (const std::string& text : {narrow("LEFT"), above, unknown, narrow("RIGHT")}) {
+    const ScratchFolder folder;
+    const std::string part = folder.file("two.p21", text);
+    const std::filesystem::path place = std::filesystem::path(part).parent_path();
+    const auto planned = run_clearcut({"plan", part, "-o", (place / "two.ngc").string()});
+    const bool is_first = text != narrow("RIGHT");
+    EXPECT_EQ(planned.exit_code, 1) << planned.out << planned.err;
+    EXPECT_THAT(planned.out, HasSubstr("2 set-ups, verdict: FAULTY"));
+    EXPECT_THAT(planned.out, HasSubstr(is_first ? "NOT MACHINED: LEFT\n" : "NOT MACHINED: RIGHT\n"));
+    EXPECT_EQ(std::filesystem::exists(place / "two-1.ngc"), !is_first);
+    EXPECT_EQ(std::filesystem::exists(place / "two-2.ngc"), is_first);
+    if (!is_first) continue;
+    const auto verified = run_clearcut({"verify", (place / "two-2.ngc").string(), "--part", part, "--setup",
+                                        "2", "--earlier-setup", "none", "--accept", "out-of-reach"});
+    EXPECT_EQ(verified.exit_code, 0) << verified.out << verified.err;
+  }
+}
+
+TEST(StepNcSetups, AreRefusedWhereNothingOfAnyCanBeMachined) {
+  const ScratchFolder folder;
+  const std::string part = folder.file("two.p21", with(two_setups(), ",20.,12.)", ",20.,19.)"));
+  const std::string program = (std::filesystem::path(part).parent_path() / "two.ngc").string();
+  const auto planned = run_clearcut({"plan", part, "-o", program});
+  EXPECT_EQ(planned.exit_code, 2);
+  EXPECT_THAT(planned.err, HasSubstr("LEFT"));
+}
+
 TEST(StepNcSetups, ThatAreNotThereAreRefused) {
   const ScratchFolder folder;
   const std::string part = folder.file("two.p21", two_setups());

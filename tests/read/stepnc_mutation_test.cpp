@@ -652,7 +652,6 @@ const Unchanged kUnchangedOfFiles[] = {
     {"", "cutmode", false, "says the same as the rotation"},
     {"", "its_priority", false, "a path is followed where nothing is stated"},
     {"", "its_type", false, "a path of the trajectory where nothing is stated"},
-    {"MILLING_MACHINE_FUNCTIONS", "coolant", true, "flood beside coolant through the spindle"},
     {"CIRCULAR_PATTERN", "base_feature_diameter", false, "as far out as the feature that is repeated"},
     {"RECTANGULAR_PATTERN", "row_layout_direction", false, "square to its direction where none is stated"},
     {"STEP", "wall_boundary", false, "upright where none is stated"},

@@ -229,6 +229,7 @@ Part PlanArguments::read_program_setup(int number, SetupPlace& place) const {
 Part PlanArguments::on_what_is_left(Part part, Block block) const {
   if (setup_.number == 1 || block == Block::kWhole) return part;
   if (setup_.machined.empty()) setup_.machined = machined_before();
+  if (setup_.machined.empty()) return part;  // nothing was cut in any of them
   setup_.carried = carried_stock(setup_.machined, setup_.place, part);
   part.stock = setup_.carried->block;
   part.diagnostics.note("set-up", setup_.carried->told);
@@ -247,6 +248,7 @@ std::vector<MachinedSetup> PlanArguments::machined_before() const {
   std::vector<MachinedSetup> machined;
   for (int number = 1; number < setup_.number; ++number) {
     const std::string& program = setup_.earlier_programs[static_cast<std::size_t>(number - 1)];
+    if (program == kNoProgram) continue;
     PlanArguments before = *this;
     before.setup_ = {};
     before.setup_.number = number;
@@ -319,7 +321,8 @@ std::vector<CertificateFileName> PlanArguments::input_files() const {
   if (machine_file && (is_file(*machine_file) || !library_machine(*machine_file)))
     files.push_back({"machine", *machine_file});
   if (job && !machine_file && job->machine_file) files.push_back({"machine", job->machine_file->string()});
-  for (const std::string& program : setup_.earlier_programs) files.push_back({"earlier program", program});
+  for (const std::string& program : setup_.earlier_programs)
+    if (program != kNoProgram) files.push_back({"earlier program", program});
   if (stock_.has_solid()) files.push_back({"stock", *stock_.from});
   if (const auto earlier = stock_.program(job)) files.push_back({"earlier program", *earlier});
   return files;

@@ -18,10 +18,13 @@
 
 namespace clearcut::cli {
 
+/// In the place of a program: nothing was cut in the set-up.
+inline constexpr const char* kNoProgram = "none";
+
 /// The chosen one of several set-ups of a job, and data of earlier ones.
 struct ChosenSetup {
   int number = 0;                             ///< from 1; 0: none was chosen
-  std::vector<std::string> earlier_programs;  ///< programs of the earlier set-ups, in order
+  std::vector<std::string> earlier_programs;  ///< programs of the earlier set-ups, in order, or kNoProgram
   std::vector<MachinedSetup> machined;        ///< set-ups already planned
   SetupPlace place;                           ///< place of the set-up read
   std::optional<CarriedStock> carried;        ///< stock left by earlier set-ups

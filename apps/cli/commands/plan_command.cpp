@@ -165,6 +165,7 @@ struct PlannedSetup {
   PlanCommand command;
   PlanOptions options;
   PlanResult result;
+  std::optional<NothingToMachine> left_out;  ///< why it has no program
 };
 
 /// "part.ngc" of the second set-up is "part-2.ngc".
@@ -178,26 +179,58 @@ void number_outputs(PlanCommand& command, int setup) {
   }
 }
 
-/// The set-ups of a job one after the other, each on the stock left by earlier ones.
-std::vector<PlannedSetup> planned_setups(const PlanCommand& command, int count) {
-  std::vector<PlannedSetup> setups;
-  for (int number = 1; number <= count; ++number) {
-    PlannedSetup one{command, {}, {}};
-    PlanArguments& arguments = one.command.arguments;
-    arguments.setup().number = number;
-    for (const PlannedSetup& before : setups)
-      arguments.setup().machined.push_back(
-          {before.result.part, before.result.toolpath, before.command.arguments.setup().place});
-    number_outputs(one.command, number);
+/// Reads and plans one set-up. In a STEP-NC program one of which nothing can be machined is left out.
+void plan_setup(PlannedSetup& one) {
+  PlanArguments& arguments = one.command.arguments;
+  try {
     const Part part = arguments.read();
     one.options = arguments.options();
     if (one.options.copies.any())
       throw InputError(one.options.copies.name(),
                        "is for a part in one set-up; take one set-up with --setup");
     one.result = planned(one.command, part, one.options);
+  } catch (const NothingToMachine& error) {
+    if (arguments.job()) throw;
+    one.left_out = error;
+  }
+}
+
+/// The set-ups of a job one after the other, each on the stock left by earlier ones.
+std::vector<PlannedSetup> all_setups(const PlanCommand& command, int count) {
+  std::vector<PlannedSetup> setups;
+  for (int number = 1; number <= count; ++number) {
+    PlannedSetup one{command, {}, {}, {}};
+    ChosenSetup& setup = one.command.arguments.setup();
+    setup.number = number;
+    for (const PlannedSetup& before : setups) {
+      if (before.left_out) continue;
+      setup.machined.push_back(
+          {before.result.part, before.result.toolpath, before.command.arguments.setup().place});
+    }
+    if (number > 1 && setup.machined.empty()) setup.earlier_programs.assign(setups.size(), kNoProgram);
+    number_outputs(one.command, number);
+    plan_setup(one);
     setups.push_back(std::move(one));
   }
+  const auto is_left_out = [](const PlannedSetup& one) { return one.left_out.has_value(); };
+  if (std::all_of(setups.begin(), setups.end(), is_left_out)) throw *setups.front().left_out;
   return setups;
+}
+
+/// The set-ups that have programs.
+std::vector<PlannedSetup> planned_setups(const PlanCommand& command, int count) {
+  std::vector<PlannedSetup> setups = all_setups(command, count);
+  std::erase_if(setups, [](const PlannedSetup& one) { return one.left_out.has_value(); });
+  return setups;
+}
+
+/// Prints why a set-up has no program.
+void tell_left_out(const PlannedSetup& one) {
+  const Diagnostics& said = one.left_out->said();
+  print_line("set-up " + std::to_string(one.command.arguments.setup().number) +
+             ": no program, as nothing in it can be machined: " + one.left_out->what());
+  if (!one.command.quiet) print(said, true);
+  for (const auto& name : names_not_machined(said)) print_line("NOT MACHINED: " + name);
 }
 
 int explain_setups(const PlanCommand& command, int count) {
@@ -233,6 +266,7 @@ std::vector<OutputFile> files_of_setups(const std::vector<PlannedSetup>& setups,
   std::vector<OutputFile> files;
   std::vector<SetupSheet> sheets;
   for (const PlannedSetup& one : setups) {
+    if (one.left_out) continue;
     PlanCommand others = one.command;
     others.sheet.clear();
     for (OutputFile& file : output_files(others, one.options, one.result)) files.push_back(std::move(file));
@@ -264,7 +298,7 @@ void refuse_for_setups(const PlanCommand& command, int count) {
                      std::to_string(count) + " set-ups are as many programs; name a file for them");
 }
 
-/// A program for each set-up, and one sheet with a page for each.
+/// A program for each set-up of which something can be machined, and one sheet with a page for each.
 int run_setups(const PlanCommand& command, int count) {
   refuse_for_setups(command, count);
   if (command.output.empty()) return explain_setups(command, count);
@@ -272,10 +306,15 @@ int run_setups(const PlanCommand& command, int count) {
   if (!command.sheet.empty()) names.push_back(command.sheet);
   const std::vector<std::string> inputs = inputs_of_setups(command, count);
   check_outputs(names, inputs);
-  const std::vector<PlannedSetup> setups = planned_setups(command, count);
+  const std::vector<PlannedSetup> setups = all_setups(command, count);
   write_outputs(files_of_setups(setups, command.sheet), inputs);
   Verdict worst = Verdict::kClean;
   for (const PlannedSetup& one : setups) {
+    if (one.left_out) {
+      tell_left_out(one);
+      worst = Verdict::kFaulty;
+      continue;
+    }
     print_line(one.result.part.name + ": " + one.command.output);
     tell(one.command, one.result, one.options);
     worst = std::max(worst, verdict_of(one.result.findings));

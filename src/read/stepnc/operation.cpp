@@ -169,13 +169,13 @@ void read_cutting(const Node& node, const Tool& tool, Hand hand, Operation& oper
     context.note("no technology; the planner's default feed and speed are used", node);
   }
   if (const auto functions = node.ref(7)) {
+    const bool flood = functions->flag(0) == true;
     const bool through_tool = functions->flag(3) == true;
     if (through_tool)
-      context.warn(
-          "coolant through the spindle is switched on as flood; a word of the machine's own may be needed",
-          *functions);
-    const Coolant coolant =
-        coolant_of(functions->flag(0) == true || through_tool, functions->flag(2) == true);
+      context.warn(std::string("coolant through the spindle") + (flood ? "" : " alone") +
+                       " is switched on as flood; a word of the machine's own may be needed",
+                   *functions);
+    const Coolant coolant = coolant_of(flood || through_tool, functions->flag(2) == true);
     if (coolant != Coolant::kOff) operation.cutting.coolant = coolant;
     read_properties(*functions, operation, context);
   }

@@ -15,6 +15,8 @@
 #include "features/standing.h"
 #include "geometry/contours/boolean.h"
 #include "model/results/findings.h"
+#include "model/results/nothing_to_machine.h"
+#include "read/stepnc/materials.h"
 #include "read/stepnc/operation.h"
 #include "read/stepnc/reader.h"
 #include "read/stepnc/toolpaths.h"
@@ -359,9 +361,11 @@ void Reader::make_workingsteps(const Tools& tools) {
   }
   tell_stops_after_the_last(stops);
   if (!part_.workplan.empty()) return;
-  if (program_.steps.size() == 1) throw *first_error_;
-  throw InputError("", std::string(first_error_->what()) + " (and none of the other " +
-                           std::to_string(program_.steps.size() - 1) + " workingsteps can be machined)");
+  std::string why = first_error_->what();
+  if (program_.steps.size() > 1)
+    why += " (and none of the other " + std::to_string(program_.steps.size() - 1) +
+           " workingsteps can be machined)";
+  throw NothingToMachine("", why, context_.diagnostics);
 }
 
 /// What bears on a plan only where it comes near a limit, so that whoever compares the file sees it: sizes of tools, planes of retracts.
@@ -392,34 +396,11 @@ void Reader::tell_what_is_read() {
   tell_material();
 }
 
-namespace {
-
-/// Words of a file for a material of the planner's own table.
-struct MaterialWord {
-  std::string_view word;
-  const char* material;
-};
-constexpr MaterialWord kMaterialWords[] = {
-    {"ALUMIN", "aluminium"},    {"STAINLESS", "stainless"}, {"ALLOY STEEL", "alloy-steel"},
-    {"CAST IRON", "cast-iron"}, {"STEEL", "steel"},         {"BRASS", "brass"},
-    {"TITAN", "titanium"},      {"PLYWOOD", "plywood"},     {"MDF", "mdf"},
-    {"HARDWOOD", "hardwood"},   {"SOFTWOOD", "softwood"},   {"PLASTIC", "plastic"}};
-
-const char* material_of(std::string text) {
-  for (char& c : text)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  for (const MaterialWord& row : kMaterialWords)
-    if (text.find(row.word) != std::string::npos) return row.material;
-  return nullptr;
-}
-
-}  // namespace
-
 /// Where an operation states no feed or no speed, and the file the material: how those of the material are had.
 void Reader::tell_material() {
   if (!program_.workpiece || program_.workpiece->unset(1)) return;
   const std::string stated = program_.workpiece->shown(1);
-  const char* material = material_of(stated);
+  const std::string material = recognised_material(stated);
   std::string of;
   for (const Workingstep& step : part_.workplan) {
     const CuttingData& cutting = step.operation.cutting;
@@ -429,8 +410,8 @@ void Reader::tell_material() {
   }
   if (of.empty()) return;
   const std::string remedy =
-      material != nullptr
-          ? std::string("--material ") + material + " has those of the workpiece's material"
+      !material.empty()
+          ? "--material " + material + " has those of the workpiece's material"
           : "none of the materials of --material is recognised in " + stated + "; choose one, or give both";
   context_.note("no feed or no speed is stated for " + of + "; " + remedy, *program_.workpiece);
 }

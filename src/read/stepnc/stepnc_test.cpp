@@ -388,6 +388,8 @@ TEST(StepNc, WhereFeedsAreMissingTheMaterialIsNamedThatHasThem) {
   p.with(30, "BOTTOM_AND_SIDE_MILLING($,$,'OP',$,$,#31,$,$,$,$,$,$,$,$,$,$)");
   EXPECT_THAT(all_diagnostics(p.read()),
               HasSubstr("no feed or no speed is stated for #30; --material aluminium"));
+  p.with(91, "MATERIAL('EN 10083','42CrMo4',())");
+  EXPECT_THAT(all_diagnostics(p.read()), HasSubstr("--material alloy-steel"));
 }
 
 TEST(StepNc, OtherSchemasAreRefusedByName) {
