@@ -2,6 +2,7 @@
 // states move by move.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -266,6 +267,8 @@ struct Part {
   std::vector<PredrilledHole> predrilled;  ///< predrilled holes, as deep as any feature around them
   std::vector<KeepOut> keep_outs = {};
   Diagnostics diagnostics;
+  /// Options that were found to have no effect on this part while it was prepared, with the reason.
+  std::map<std::string, std::string> idle = {};
 
   double top_z() const;   ///< stock top, or the highest feature top
   double safe_z() const;  ///< clearance_z; else 10 mm above the top and at least 2 mm above all keep-outs

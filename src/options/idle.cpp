@@ -1,6 +1,7 @@
 #include "options/idle.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -15,6 +16,20 @@
 
 namespace clearcut::inline options {
 namespace {
+
+struct WorkName {
+  Works work;
+  const char* name;
+};
+
+constexpr std::array<WorkName, 8> kWorkNames{{{kClearing, "pockets, slots, steps and faces"},
+                                              {kBoring, "round holes that are milled"},
+                                              {kProfiling, "profiles"},
+                                              {kFollowing, "lines to engrave"},
+                                              {kCarving, "carvings"},
+                                              {kChamfering, "chamfers"},
+                                              {kUndercutting, "T-slots"},
+                                              {kHoleMaking, "drilled holes"}}};
 
 struct InputKindName {
   InputKinds kind;
@@ -53,26 +68,56 @@ bool any_move(const Situation& at, const std::function<bool(const Move&)>& holds
   return false;
 }
 
-bool is_drilled(const Situation& at, const Workingstep& step) {
-  const Tool& tool = tool_of(at.plan.part, step);
-  return makes_holes(tool) || is_formed(feature_of(at.plan.part, step));
+/// The kind of work by which `step` makes its feature.
+Works work_of(const Part& part, const Workingstep& step) {
+  const Feature& feature = feature_of(part, step);
+  const Tool& tool = tool_of(part, step);
+  if (makes_holes(tool) || is_formed(feature)) return kHoleMaking;
+  if (feature.t_slot) return kUndercutting;
+  if (feature.chamfer) return kChamfering;
+  if (feature.carving) return kCarving;
+  if (feature.profile) return feature.profile->side == ProfileSide::kOn ? kFollowing : kProfiling;
+  return feature.hole_diameter && *feature.hole_diameter <= 2 * tool.diameter ? kBoring : kClearing;
 }
 
-bool is_milled(const Situation& at, const Workingstep& step) {
-  return !is_drilled(at, step);
-}
-
-/// Whether a mill bores the hole along one helix, with any strategy.
-bool is_bored(const Situation& at, const Workingstep& step) {
-  const Feature& feature = feature_of(at.plan.part, step);
-  return feature.hole_diameter && *feature.hole_diameter <= 2 * tool_of(at.plan.part, step).diameter;
+bool is_work(const Situation& at, const Workingstep& step, unsigned works) {
+  return (work_of(at.plan.part, step) & works) != 0;
 }
 
 /// Whether the feature is cleared layer by layer with one strategy or another.
 bool is_cleared(const Situation& at, const Workingstep& step) {
-  const Feature& feature = feature_of(at.plan.part, step);
-  return is_milled(at, step) && !is_bored(at, step) && !feature.profile && !feature.chamfer &&
-         !feature.carving && !feature.t_slot;
+  return is_work(at, step, kClearing);
+}
+
+/// Whether a section of these works has such a move.
+bool any_move_of(const Situation& at, unsigned works, const std::function<bool(const Move&)>& holds) {
+  return std::any_of(at.toolpath.sections.begin(), at.toolpath.sections.end(), [&](const Section& section) {
+    if (section.workingstep < 0) return false;
+    const Workingstep& step = at.plan.part.workplan[static_cast<std::size_t>(section.workingstep)];
+    return is_work(at, step, works) && std::any_of(section.moves.begin(), section.moves.end(), holds);
+  });
+}
+
+bool is_ramp(const Move& move) {
+  return move.kind == MoveKind::kRamp;
+}
+
+bool is_lead(const Move& move) {
+  return move.kind == MoveKind::kLeadIn || move.kind == MoveKind::kLeadOut;
+}
+
+/// Whether the toolpath has cuts of a step of this kind.
+bool any_operation(const Situation& at, OperationKind kind) {
+  return std::any_of(at.toolpath.sections.begin(), at.toolpath.sections.end(), [&](const Section& section) {
+    if (section.workingstep < 0 || section.moves.empty()) return false;
+    return at.plan.part.workplan[static_cast<std::size_t>(section.workingstep)].operation.kind == kind;
+  });
+}
+
+/// What the preparation of the part found to be without effect; "" if it has one.
+std::string found_idle(const Situation& at, const char* option) {
+  const auto found = at.plan.part.idle.find(option);
+  return found == at.plan.part.idle.end() ? "" : found->second;
 }
 
 /// Whether a candidate was planned with a path other than the kept one.
@@ -90,7 +135,7 @@ std::set<std::string> planned_strategies(const Situation& at,
                                          const std::function<bool(const Workingstep&)>& counts) {
   std::set<std::string> names;
   for (const StrategySelection& selection : at.selections) {
-    if (selection.workingstep < 0) continue;
+    if (selection.workingstep < 0 || selection.made_alike) continue;
     const Workingstep& step = at.plan.part.workplan[static_cast<std::size_t>(selection.workingstep)];
     if (!is_cleared(at, step) || !counts(step)) continue;
     for (const CandidateResult& candidate : selection.candidates)
@@ -143,38 +188,91 @@ std::string idle_on_input(const Row& row, InputKinds input) {
                      served_by(row.effect.inputs));
 }
 
+unsigned works_of(const ResolvedPlan& plan) {
+  unsigned works = 0;
+  for (const Workingstep& step : plan.part.workplan) works |= work_of(plan.part, step);
+  return works;
+}
+
+std::string idle_on_works(const Row& row, unsigned works) {
+  if (works == 0 || (row.effect.works & works) != 0) return "";
+  std::vector<std::string> served;
+  for (const WorkName& one : kWorkNames)
+    if ((row.effect.works & one.work) != 0) served.emplace_back(one.name);
+  return fmt::format("it serves {}, and the part has none", fmt::join(served, ", "));
+}
+
 /// Through cuts of solids, and profiles of drawings, go deeper than the material.
 std::string cuts_through_nothing(const Situation& at) {
   const Part& part = at.plan.part;
   const bool through = std::any_of(part.features.begin(), part.features.end(), [&](const Feature& feature) {
-    if (!part.is_solid) return feature.profile.has_value();
+    if (!part.is_solid) return feature.profile && feature.profile->side != ProfileSide::kOn;
     return feature.through || (part.stock && feature.floor_z <= part.stock->z_bottom);
   });
-  return unless(through,
-                part.is_solid ? "nothing is cut through the material" : "the drawing has no profile");
+  return unless(through, part.is_solid ? "nothing is cut through the material"
+                                       : "the drawing has no profile beside an outline");
 }
 
 std::string frees_nothing(const Situation& at) {
-  const auto& features = at.plan.part.features;
-  return unless(std::any_of(features.begin(), features.end(),
-                            [](const Feature& feature) { return feature.profile.has_value(); }),
-                "the part has no profile and no line through the material that would cut a piece free");
+  return found_idle(at, "skin");
+}
+
+std::string leaves_no_tabs(const Situation& at) {
+  return found_idle(at, "tabs");
 }
 
 std::string without_tabs(const Situation& at) {
-  const std::string nothing = frees_nothing(at);
-  if (!nothing.empty()) return nothing;
-  return unless(at.asked.tabs.any(), "no tabs are asked for; see --tabs");
+  if (!at.asked.tabs.any()) return "no tabs are asked for; see --tabs";
+  return leaves_no_tabs(at);
 }
 
-std::string mills_nothing(const Situation& at) {
-  return unless(any_step(at, [&](const auto& step, const auto&) { return is_milled(at, step); }),
-                "nothing is milled, all is made along the tool's axis");
+std::string leaves_no_stock_on_walls(const Situation& at) {
+  return unless(any_step(at, [](const Workingstep& step,
+                                const ResolvedStep&) { return step.operation.allowance_side > 0; }),
+                "nothing is made to which stock could be left on walls");
 }
 
-std::string clears_nothing(const Situation& at) {
-  return unless(any_step(at, [&](const auto& step, const auto&) { return is_cleared(at, step); }),
-                "no pocket, slot, step or face is cleared");
+std::string leaves_no_stock_on_floors(const Situation& at) {
+  return unless(any_step(at, [](const Workingstep& step,
+                                const ResolvedStep&) { return step.operation.allowance_floor > 0; }),
+                "nothing is made to which stock could be left on floors");
+}
+
+std::string loads_no_mill(const Situation& at) {
+  return unless(any_step(at,
+                         [&](const Workingstep& step, const ResolvedStep&) {
+                           return is_work(at, step, kMilling) && mills_upright(tool_of(at.plan.part, step));
+                         }),
+                "it follows the engagement of end mills, and none cuts");
+}
+
+std::string follows_no_strategy(const Situation& at) {
+  const std::string name = at.asked.strategy.value_or("auto");
+  const bool along_outlines = name == "auto" || name == "contour";
+  return unless(
+      along_outlines || std::any_of(at.selections.begin(), at.selections.end(),
+                                    [](const StrategySelection& one) { return !one.made_alike; }),
+      "no pocket, slot, step or face is cleared; outlines and lines are cut along themselves, round "
+      "holes along a helix");
+}
+
+/// Profiles and lines are entered along themselves, open sides from outside. Where an entry as asked has no room, that is
+/// said elsewhere.
+std::string enters_otherwise(const Situation& at) {
+  const EntryKind asked = at.asked.entry.value_or(EntryKind::kPlunge);
+  const bool from_above = any_step(at, [&](const Workingstep& step, const ResolvedStep&) {
+    return is_work(at, step, kClearing | kBoring) && closed_all_round(feature_of(at.plan.part, step));
+  });
+  if (from_above) return "";
+  const unsigned works =
+      asked == EntryKind::kHelix ? kClearing | kBoring : kClearing | kBoring | kProfiling | kFollowing;
+  return unless(
+      any_move_of(at, works,
+                  asked == EntryKind::kPlunge
+                      ? [](const Move& move) { return move.kind == MoveKind::kPlunge; }
+                      : std::function<bool(const Move&)>(is_ramp)),
+      "nothing is entered from above so: outlines and lines are entered along themselves, open sides "
+      "from outside");
 }
 
 std::string without_zigzag(const Situation& at) {
@@ -224,41 +322,38 @@ std::string without_objective(const Situation& at) {
   return unless_planned(at, {"tour", "cover"}, "the strategies tour and cover");
 }
 
+/// Carvings rise and sink along their outlines; these moves are no entries.
 std::string without_ramps(const Situation& at) {
-  return unless(any_move(at, [](const Move& move) { return move.kind == MoveKind::kRamp; }),
+  return unless(any_move_of(at, kMilling & ~kCarving, is_ramp),
                 "nothing is entered along a helix or a ramp; see --entry");
 }
 
 std::string without_helix(const Situation& at) {
   const bool asked = any_step(at, [&](const Workingstep& step, const ResolvedStep& resolved) {
-    return is_milled(at, step) && !is_bored(at, step) && resolved.entry == EntryKind::kHelix;
+    return is_cleared(at, step) && resolved.entry == EntryKind::kHelix &&
+           closed_all_round(feature_of(at.plan.part, step));
   });
-  const bool any =
-      std::any_of(at.toolpath.sections.begin(), at.toolpath.sections.end(), [&](const Section& section) {
-        const auto step = static_cast<std::size_t>(section.workingstep);
-        return section.workingstep >= 0 && !is_bored(at, at.plan.part.workplan[step]) &&
-               std::any_of(section.moves.begin(), section.moves.end(), is_helix);
-      });
-  return unless(asked || any, "nothing is entered along a helix; see --entry helix");
+  return unless(asked || any_move_of(at, kClearing, is_helix),
+                "nothing is entered along a helix; see --entry helix");
 }
 
 std::string enters_no_hole(const Situation& at) {
   const auto& holes = at.plan.part.predrilled;
   const bool used = std::any_of(holes.begin(), holes.end(), [&](const PredrilledHole& hole) {
-    return std::any_of(
-        at.plan.part.features.begin(), at.plan.part.features.end(), [&](const Feature& feature) {
-          return std::any_of(feature.target.begin(), feature.target.end(),
-                             [&](const Region& region) { return region.contains(hole.center); });
-        });
+    return any_step(at, [&](const Workingstep& step, const ResolvedStep&) {
+      return is_work(at, step, kHoleMaking | kBoring | kClearing) &&
+             contains(feature_of(at.plan.part, step).target, hole.center);
+    });
   });
-  return unless(used, "the hole lies in nothing that is cut");
+  return unless(used, "the hole lies in nothing that is entered from above");
 }
 
 std::string without_leads(const Situation& at) {
-  return unless(
-      any_step(at, [&](const Workingstep& step,
-                       const ResolvedStep& resolved) { return is_milled(at, step) && resolved.lead > 0; }),
-      "no pass begins with a lead; see --lead");
+  const bool asked = any_step(at, [&](const Workingstep& step, const ResolvedStep& resolved) {
+    return is_work(at, step, kMilling) && resolved.lead > 0;
+  });
+  if (!asked) return "no pass begins with a lead; see --lead";
+  return unless(any_move(at, is_lead), "no pass begins with a lead, since none has room");
 }
 
 std::string without_margin(const Situation& at) {
@@ -274,8 +369,9 @@ std::string without_open_sides(const Situation& at) {
 }
 
 std::string without_links(const Situation& at) {
-  return unless(any_move(at, [](const Move& move) { return move.kind == MoveKind::kLink; }),
-                "no pass is linked to the next at depth");
+  return unless(
+      any_move_of(at, kMilling & ~kCarving, [](const Move& move) { return move.kind == MoveKind::kLink; }),
+      "no pass is linked to the next at depth");
 }
 
 std::string plunges_nowhere(const Situation& at) {
@@ -283,13 +379,7 @@ std::string plunges_nowhere(const Situation& at) {
                 "nothing is plunged into");
 }
 
-std::string ramps_nowhere(const Situation& at) {
-  return without_ramps(at);
-}
-
 std::string without_slot_feed(const Situation& at) {
-  const std::string nothing = mills_nothing(at);
-  if (!nothing.empty()) return nothing;
   return unless(any_step(at,
                          [](const Workingstep&, const ResolvedStep& step) {
                            return step.slot_feed.mm_per_min() != step.feed.mm_per_min();
@@ -298,9 +388,8 @@ std::string without_slot_feed(const Situation& at) {
 }
 
 std::string without_feed_rule(const Situation& at) {
-  const std::string nothing = mills_nothing(at);
-  if (!nothing.empty()) return nothing;
-  return unless(at.plan.feed_rule.has_value(), "feeds are as stated; see --feed-by");
+  if (!at.plan.feed_rule) return "feeds are as stated; see --feed-by";
+  return loads_no_mill(at);
 }
 
 std::string has_one_mill(const Situation& at) {
@@ -309,9 +398,16 @@ std::string has_one_mill(const Situation& at) {
                 "there is one mill alone; give several with --tool");
 }
 
+std::string finishes_nothing(const Situation& at) {
+  return unless(
+      any_operation(at, OperationKind::kSideFinishing) || any_operation(at, OperationKind::kBottomFinishing),
+      "no wall and no floor is there to be finished");
+}
+
 std::string finishes_no_walls(const Situation& at) {
-  return unless(at.plan.finish == Finish::kWalls || at.plan.finish == Finish::kAll,
-                "no walls are finished; see --finish walls");
+  if (at.plan.finish != Finish::kWalls && at.plan.finish != Finish::kAll)
+    return "no walls are finished; see --finish walls";
+  return unless(any_operation(at, OperationKind::kSideFinishing), "no wall is there to be finished");
 }
 
 std::string writes_no_compensation(const Situation& at) {
@@ -321,14 +417,15 @@ std::string writes_no_compensation(const Situation& at) {
 }
 
 std::string finishes_no_floor(const Situation& at) {
-  return unless(at.plan.finish == Finish::kFloor || at.plan.finish == Finish::kAll,
-                "no floors are finished; see --finish floor");
+  if (at.plan.finish != Finish::kFloor && at.plan.finish != Finish::kAll)
+    return "no floors are finished; see --finish floor";
+  return unless(any_operation(at, OperationKind::kBottomFinishing), "no floor is there to be finished");
 }
 
 std::string without_leaning_walls(const Situation& at) {
   return unless(any_step(at,
                          [&](const Workingstep& step, const ResolvedStep&) {
-                           return is_milled(at, step) &&
+                           return is_work(at, step, kClearing | kBoring) &&
                                   feature_of(at.plan.part, step).wall_slope.radians() > 0;
                          }),
                 "no wall leans");
@@ -348,33 +445,8 @@ std::string states_no_toolpaths(const Situation& at) {
       "the file states no toolpaths");
 }
 
-namespace {
-
-/// Whether two edges of a line meet at an angle.
-bool has_corner(const Path& line) {
-  constexpr double kTangent = 1e-3;
-  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const Vec2 in = line[i].tangent_at(1), out = line[i + 1].tangent_at(0);
-    if (std::abs(cross(in, out)) > kTangent) return true;
-  }
-  return false;
-}
-
-}  // namespace
-
-std::string has_no_corners(const Situation& at) {
-  return unless(
-      any_step(at,
-               [&](const Workingstep& step, const ResolvedStep&) {
-                 const Feature& feature = feature_of(at.plan.part, step);
-                 if (is_drilled(at, step)) return false;
-                 if (feature.profile) return has_corner(feature.profile->line);
-                 return std::any_of(feature.target.begin(), feature.target.end(), [](const Region& region) {
-                   return has_corner(region.outer()) ||
-                          std::any_of(region.islands().begin(), region.islands().end(), has_corner);
-                 });
-               }),
-      "no pocket and no profile has a corner");
+std::string relieves_no_corner(const Situation& at) {
+  return found_idle(at, "dogbones");
 }
 
 std::string plans_corners_otherwise(const Situation& at) {

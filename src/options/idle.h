@@ -16,7 +16,7 @@ namespace clearcut::inline options {
 struct Situation {
   const ResolvedPlan& plan;
   const PlanOptions& asked;
-  const Toolpath& toolpath;
+  const Toolpath& toolpath;  ///< as planned, before it was written
   const std::vector<StrategySelection>& selections;
 };
 
@@ -26,12 +26,23 @@ InputKinds input_kind_of(const Part& part);
 /// Why a row has no effect on input of this kind: "has no effect on a STEP solid; it serves ..."; "" if it has one.
 std::string idle_on_input(const Row& row, InputKinds input);
 
+/// The kinds of work of a plan. Bits of Works.
+unsigned works_of(const ResolvedPlan& plan);
+
+/// Why a row has no effect on a part with these kinds of work: "it serves pockets and faces, and the part has none"; ""
+/// if it has one.
+std::string idle_on_works(const Row& row, unsigned works);
+
 // Each function returns the reason in words that follow "has no effect: ", or "" if the option has an effect.
 std::string cuts_through_nothing(const Situation& at);
 std::string frees_nothing(const Situation& at);
 std::string without_tabs(const Situation& at);
-std::string mills_nothing(const Situation& at);
-std::string clears_nothing(const Situation& at);
+std::string leaves_no_tabs(const Situation& at);
+std::string leaves_no_stock_on_walls(const Situation& at);
+std::string leaves_no_stock_on_floors(const Situation& at);
+std::string loads_no_mill(const Situation& at);
+std::string follows_no_strategy(const Situation& at);
+std::string enters_otherwise(const Situation& at);
 std::string without_zigzag(const Situation& at);
 std::string without_contours(const Situation& at);
 std::string without_reflex_corners(const Situation& at);
@@ -46,14 +57,14 @@ std::string without_margin(const Situation& at);
 std::string without_open_sides(const Situation& at);
 std::string without_links(const Situation& at);
 std::string plunges_nowhere(const Situation& at);
-std::string ramps_nowhere(const Situation& at);
 std::string without_slot_feed(const Situation& at);
 std::string without_feed_rule(const Situation& at);
 std::string has_one_mill(const Situation& at);
+std::string finishes_nothing(const Situation& at);
 std::string finishes_no_walls(const Situation& at);
 std::string writes_no_compensation(const Situation& at);
 std::string finishes_no_floor(const Situation& at);
-std::string has_no_corners(const Situation& at);
+std::string relieves_no_corner(const Situation& at);
 std::string plans_corners_otherwise(const Situation& at);
 std::string bears_on_no_feeds(const Situation& at);
 std::string changes_no_feeds(const Situation& at);

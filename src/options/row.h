@@ -71,11 +71,26 @@ enum Checks : unsigned {
   kAllChecks = 7
 };
 
+/// Kinds of work on a feature. Bits of a set.
+enum Works : unsigned {
+  kHoleMaking = 1,      ///< along the tool's axis: drills, taps, reamers and the like
+  kBoring = 2,          ///< a round hole milled along a helix
+  kClearing = 4,        ///< areas, layer by layer: pockets, slots, steps, faces
+  kProfiling = 8,       ///< beside an outline
+  kFollowing = 16,      ///< along a line: engraving
+  kCarving = 32,        ///< by a cone as deep as the outline is wide
+  kChamfering = 64,     ///< the edge of a wall
+  kUndercutting = 128,  ///< T-slots
+  kMilling = 254,
+  kAllWorks = 255
+};
+
 struct Situation;
 
 /// Cases in which an option has an effect. In all other cases the option is refused.
 struct Effect {
   unsigned inputs = kAllInputs;
+  unsigned works = kAllWorks;
   /// Why the option has no effect in this plan, in words: "no pass begins with a lead, see --lead"; "" if it has an
   /// effect. Null: it always has one.
   std::string (*idle_because)(const Situation&) = nullptr;

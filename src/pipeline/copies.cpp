@@ -31,15 +31,20 @@ bool is_cut_out(const Feature& feature) {
   return feature.profile && feature.profile->closed && feature.profile->side == ProfileSide::kOutside;
 }
 
-/// What stays of a part, or is to be kept free for it.
+/// What stays of a part, or is to be kept free for it: with its outlines what is cut apart from them.
 Box box_of_part(const Part& part) {
   Box outlines, cut;
   for (const Feature& feature : part.features) {
     if (is_cut_out(feature)) outlines.add(box(feature.profile->line));
     cut.add(box(feature.target));
   }
-  if (!outlines.empty()) return outlines;
-  return part.stock ? part.stock->plan : cut;
+  if (outlines.empty()) return part.stock ? part.stock->plan : cut;
+  Box all = outlines;
+  for (const Feature& feature : part.features) {
+    const Box own = box(feature.target);
+    if (!is_cut_out(feature) && !own.overlaps(outlines)) all.add(own);
+  }
+  return all;
 }
 
 /// Where the cutter comes below the top of the work, its full width.

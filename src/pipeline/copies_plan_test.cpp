@@ -39,6 +39,21 @@ resolve::PlanOptions in_grid(resolve::PlanOptions options, const std::string& co
   return options;
 }
 
+/// What is cut apart from the outlines that are cut out is of the part, too: it lies on the sheet, beside the other copies.
+TEST(Copies, WhatLiesBesideTheOutlinesIsOfThePart) {
+  const Part part = drawn(box("PROFILE_D3", 0, 40, 20, 60) + box("INSIDE_D3", 30, 0, 42, 12) +
+                          box("POCKET_D2", -30, 2, -10, 14));
+  for (const char* sheet : {"160x140", "140x160"}) {
+    resolve::PlanOptions options = with({"endmill:3"});
+    options.copies.sheet = sheet;
+    options.copies.edge = 2;
+    const PlanResult result = plan_part(part, options);
+    EXPECT_TRUE(result.findings.all.clean) << faults_of(result.findings);
+    ASSERT_TRUE(result.copies);
+    EXPECT_EQ(result.copies->parts, 4);
+  }
+}
+
 TEST(Copies, EachPartIsMadeAndEachToolComesOnce) {
   const resolve::PlanOptions options = with({"endmill:6", "drill:5"});
   const PlanResult result = plan_part(plate(), in_grid(options, "3x2", 4));

@@ -134,23 +134,46 @@ bool is_stated(const Source* source) {
 
 }  // namespace
 
-void refuse_idle_options(const PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan,
-                         const PlanOptions& options) {
+namespace {
+
+/// Calls `reason_of` with each row whose value the user or a job states and which requests something. Throws InputError
+/// with the first reason that is not empty.
+template <typename ReasonOf>
+void refuse_stated(const PlanOptions& options, const ReasonOf& reason_of) {
   if (!options.refuse_idle) return;
   const Asked asked{options, {}};
-  const Situation situation{plan, options, result.toolpath, result.selections};
-  const InputKinds input = input_kind_of(plan.part);
   for (const Row& row : rows()) {
     const Source* source = options.sources.find(source_name(row));
     if (!is_stated(source) || asks_nothing(row, asked)) continue;
-    std::string reason = idle_on_input(row, input);
+    const std::string reason = reason_of(row);
     if (!reason.empty()) throw InputError(place_of(row, *source), reason);
-    if (row.effect.idle_because) reason = row.effect.idle_because(situation);
-    if (row.group == Group::kController && row.name != "post")
-      reason = idle_in_program(row, result, planned, plan, asked);
-    if (!reason.empty())
-      throw InputError(place_of(row, *source), "has no effect: " + reason + "; leave it out");
   }
+}
+
+std::string idle(const std::string& reason) {
+  return reason.empty() ? "" : "has no effect: " + reason + "; leave it out";
+}
+
+}  // namespace
+
+void refuse_options_for_others(const ResolvedPlan& plan, const PlanOptions& asked) {
+  const InputKinds input = input_kind_of(plan.part);
+  const unsigned works = works_of(plan);
+  refuse_stated(asked, [&](const Row& row) {
+    const std::string reason = idle_on_input(row, input);
+    return reason.empty() ? idle(idle_on_works(row, works)) : reason;
+  });
+}
+
+void refuse_idle_options(const PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan,
+                         const PlanOptions& options) {
+  const Asked asked{options, {}};
+  const Situation situation{plan, options, planned, result.selections};
+  refuse_stated(options, [&](const Row& row) {
+    if (row.group == Group::kController && row.name != "post")
+      return idle(idle_in_program(row, result, planned, plan, asked));
+    return row.effect.idle_because ? idle(row.effect.idle_because(situation)) : std::string();
+  });
 }
 
 }  // namespace clearcut::pipeline

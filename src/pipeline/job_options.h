@@ -27,6 +27,10 @@ std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::Libra
 void read_earlier_program(resolve::PlanOptions& options, const std::string& file,
                           std::optional<read::gcode::Dialect> dialect = {});
 
+/// Throws InputError for the first option of the user or of a job (by `asked.sources`) that serves other inputs or other
+/// kinds of work than those of this part, before it is planned.
+void refuse_options_for_others(const ResolvedPlan& plan, const PlanOptions& asked);
+
 /// Throws InputError for the first option of the user or of a job (by `asked.sources`) without effect in this plan,
 /// naming its purpose. `planned` is the toolpath before posting.
 void refuse_idle_options(const PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan,

@@ -133,12 +133,26 @@ StepPlan plan_step(const StepWork& work, const StrategyCandidate& candidate, con
   return plan;
 }
 
+namespace {
+
+/// Whether the feature is cut along its outline, whatever the strategy.
+bool follows_outline(const Feature& feature) {
+  return feature.profile || feature.carving || feature.chamfer || feature.t_slot;
+}
+
+}  // namespace
+
 std::vector<SelectionStep> selection_steps(const ResolvedPlan& plan, const StrategyTable& strategies) {
   std::vector<SelectionStep> steps;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     const auto& step = plan.part.workplan[i];
+    ResolvedStep resolved = plan.steps[i];
+    if (resolved.strategy && follows_outline(feature_of(plan.part, step))) {
+      const StrategyEntry* contour = strategies.find("contour");
+      if (contour) resolved.strategy = contour;
+    }
     steps.push_back({feature_of(plan.part, step).name, static_cast<int>(i), tool_of(plan.part, step).radius(),
-                     plan.steps[i].feed, candidates_for(plan.steps[i], plan, strategies)});
+                     plan.steps[i].feed, candidates_for(resolved, plan, strategies)});
   }
   return steps;
 }

@@ -83,6 +83,7 @@ std::size_t candidates_in(const std::vector<SelectionStep>& steps) {
 /// Refuses impossible requests, and reports requests without effect.
 void look_at_what_is_asked(const ResolvedPlan& plan, const resolve::PlanOptions& options, Part& part) {
   resolve::refuse_what_cannot_be(part, options);
+  refuse_options_for_others(plan, options);
   refuse_beyond_machine(plan);
   resolve::tell_of_shallow(part, options.tol);
   refuse_what_means_nothing(plan, part.diagnostics);

@@ -262,8 +262,20 @@ void leave_skin(Feature& feature, double skin, Diagnostics& diagnostics) {
                                      (feature.profile->closed ? ", which holds what it surrounds" : ""));
 }
 
+/// Whether something goes through the material that tabs hold, or a skin.
+bool holds_anything(const Part& part, const std::set<int>& through, bool by_tabs) {
+  return std::any_of(part.workplan.begin(), part.workplan.end(), [&](const Workingstep& step) {
+    const bool pointed = is_carved(feature_of(part, step), tool_of(part, step));
+    return through.contains(step.feature) && !(by_tabs && pointed);
+  });
+}
+
 /// Reports that tabs have no effect on a part without profiles, and on lines engraved into the material.
 void tell_of_nothing_held(Part& part, const TabOptions& tabs, const std::set<int>& through) {
+  if (tabs.any() && !holds_anything(part, through, true))
+    part.idle["tabs"] = "nothing comes free of the material that end mills cut out; see --op profile:outer";
+  if (tabs.skin && !holds_anything(part, through, false))
+    part.idle["skin"] = "nothing comes free of the material; see --op profile:outer";
   std::string first;
   int count = 0;
   bool any_profile = false;

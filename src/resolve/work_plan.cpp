@@ -137,13 +137,18 @@ void add_wall_steps(const Workingstep& last, const Part& part, const ShopOptions
                               shop, sources));
 }
 
+/// The slot of a followed line is as wide as its cutter: it has no walls to be finished.
+bool has_walls(const Feature& feature) {
+  return !feature.profile || feature.profile->side != ProfileSide::kOn;
+}
+
 /// The step that finishes a floor with the tool of `roughing`: the whole floor, or with `rest` the material that wider tools left
 /// of it. It keeps a distance from walls that are finished afterwards.
-Workingstep floor_step(const Workingstep& roughing, bool rest, const ShopOptions& shop,
+Workingstep floor_step(const Workingstep& roughing, bool rest, const Part& part, const ShopOptions& shop,
                        StepSources& sources) {
   Workingstep step = named_step(roughing, "_floor", OperationKind::kBottomFinishing, sources);
   step.operation.rest = rest;
-  if (finish_of(shop) == Finish::kAll) {
+  if (finish_of(shop) == Finish::kAll && has_walls(feature_of(part, roughing))) {
     step.operation.allowance_side += shop.finish_stock.value_or(kWallStock);
     sources[step_key(step)].set("allowance", {Origin::kDerived, kForFinishing});
   }
@@ -157,14 +162,14 @@ void add_floor_steps(const Part& part, int feature, const ShopOptions& shop, std
   for (const Workingstep& step : part.workplan) {
     const Tool& tool = tool_of(part, step);
     if (step.feature != feature || !clears_floors(tool) || (before && !reaches_more(tool, *before))) continue;
-    floors.push_back(floor_step(step, before != nullptr, shop, sources));
+    floors.push_back(floor_step(step, before != nullptr, part, shop, sources));
     before = &tool;
   }
 }
 
-void leave_stock(Operation& operation, const ShopOptions& shop, Sources& sources) {
+void leave_stock(Operation& operation, const Feature& feature, const ShopOptions& shop, Sources& sources) {
   const Finish finish = finish_of(shop);
-  if (finish != Finish::kFloor) {
+  if (finish != Finish::kFloor && has_walls(feature)) {
     operation.allowance_side += shop.finish_stock.value_or(kWallStock);
     sources.set("allowance", {Origin::kDerived, kForFinishing});
   }
@@ -286,14 +291,15 @@ void add_finishing_steps(Part& part, const PlanOptions& options, StepSources& so
     const auto hole = features::round_hole_of(feature_of(part, last), options.tol);
     if (hole && features::makes_hole(tool_of(part, last), *hole, options.tol)) continue;
     if (finish != Finish::kWalls) add_floor_steps(part, last.feature, shop, floors, sources);
-    if (finish != Finish::kFloor) add_wall_steps(last, part, shop, walls, sources);
+    if (finish != Finish::kFloor && has_walls(feature_of(part, last)))
+      add_wall_steps(last, part, shop, walls, sources);
   }
   for (Workingstep& step : part.workplan) {
     const auto same = [&](const Workingstep& other) { return other.feature == step.feature; };
     const bool finished =
         std::any_of(floors.begin(), floors.end(), same) || std::any_of(walls.begin(), walls.end(), same);
     if (finished && clears_floors(tool_of(part, step)))
-      leave_stock(step.operation, shop, sources[step_key(step)]);
+      leave_stock(step.operation, feature_of(part, step), shop, sources[step_key(step)]);
   }
   part.workplan.insert(part.workplan.end(), floors.begin(), floors.end());
   part.workplan.insert(part.workplan.end(), walls.begin(), walls.end());

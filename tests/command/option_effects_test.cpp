@@ -30,7 +30,7 @@ const std::map<std::string, std::string> kValues{{"origin", "centre"},
                                                  {"unit", "inch"},
                                                  {"layer", "NONE"},
                                                  {"top", "1"},
-                                                 {"depth", "3"},
+                                                 {"depth", "4"},
                                                  {"up", "-Z"},
                                                  {"turn", "90"},
                                                  {"body", "1"},
@@ -41,7 +41,7 @@ const std::map<std::string, std::string> kValues{{"origin", "centre"},
                                                  {"tab-at", "0,0"},
                                                  {"tab-shape", "triangular"},
                                                  {"tab-width", "3"},
-                                                 {"tab-height", "1"},
+                                                 {"tab-height", "0.8"},
                                                  {"skin", "0.3"},
                                                  {"scale", "2"},
                                                  {"tool", "endmill:5"},
@@ -179,10 +179,56 @@ constexpr const char* kSvg =
 constexpr const char* kOutline =
     R"({"name":"p","units":"mm","outer":[[0,0,0],[30,0,0],[30,20,0],[0,20,0]],"top":0,"depth":2})";
 
+/// What an option needs beside it to have an effect. It is tried with this and without.
+const std::map<std::string, std::string> kNeeds{{"tab-shape", "--tabs=2"},
+                                                {"tab-width", "--tabs=2"},
+                                                {"tab-height", "--tabs=2"},
+                                                {"entry-angle", "--entry=ramp"},
+                                                {"ramp-feed", "--entry=ramp"},
+                                                {"helix-diameter", "--entry=helix"},
+                                                {"lead-angle", "--lead=1"},
+                                                {"lead-feed", "--lead=1"},
+                                                {"reference-engagement", "--feed-by=removal"},
+                                                {"reference-feed", "--feed-by=removal"},
+                                                {"finish-stock", "--finish=all"},
+                                                {"finish-stock-floor", "--finish=all"},
+                                                {"finish-depths", "--finish=walls"},
+                                                {"finish-steps", "--finish=walls"},
+                                                {"spring-passes", "--finish=walls"},
+                                                {"compensation", "--finish=walls"}};
+
+/// Drawings of one kind of work each.
+struct DrawnWork {
+  std::string entities;
+  std::vector<std::string> tools;
+};
+
+std::string rectangle_on(const std::string& layer) {
+  return "0\nLWPOLYLINE\n8\n" + layer +
+         "\n90\n4\n70\n1\n10\n0\n20\n0\n10\n30\n20\n0\n10\n30\n20\n20\n10\n0\n20\n20\n";
+}
+
+const std::map<std::string, DrawnWork> kDrawnWorks{
+    {"profile", {rectangle_on("PROFILE_D3"), {"endmill:6"}}},
+    {"cut-out", {rectangle_on("INSIDE_D3"), {"endmill:3"}}},
+    {"line", {"0\nLINE\n8\nENGRAVE_D1\n10\n0\n20\n0\n11\n30\n21\n10\n", {"endmill:2"}}},
+    {"engraving", {rectangle_on("ENGRAVE_D1"), {"vbit:60deg:6"}}},
+    {"carving", {rectangle_on("VCARVE"), {"vbit:90deg:30"}}},
+    {"face", {rectangle_on("FACE_D1"), {"endmill:8"}}},
+    {"chamfer",
+     {rectangle_on("PROFILE_D3") + rectangle_on("CHAMFER_D0.5"), {"endmill:4", "chamfer:90deg:8"}}},
+    {"hole", {"0\nCIRCLE\n8\nDRILL_D5\n10\n15\n20\n10\n40\n2\n", {"drill:4"}}}};
+
 /// The input of a kind and what a plan of it needs.
 std::vector<std::string> words_for(const std::string& kind, const ScratchFolder& folder) {
   const std::string examples = std::string(CLEARCUT_SOURCE_DIR) + "/examples/";
   if (kind == "dxf") return {folder.file("p.dxf", kDxf), "--tool", "endmill:6"};
+  if (const auto work = kDrawnWorks.find(kind); work != kDrawnWorks.end()) {
+    std::vector<std::string> words{
+        folder.file("p.dxf", "0\nSECTION\n2\nENTITIES\n" + work->second.entities + "0\nENDSEC\n0\nEOF\n")};
+    for (const std::string& tool : work->second.tools) words.insert(words.end(), {"--tool", tool});
+    return words;
+  }
   if (kind == "svg") return {folder.file("p.svg", kSvg), "--depth", "2", "--tool", "endmill:6"};
   if (kind == "outline") return {folder.file("p.json", kOutline), "--tool", "endmill:6"};
   if (kind == "board") return {examples + "board-PTH.drl", "--depth", "1.6", "--tool", "endmill:0.5"};
@@ -190,9 +236,9 @@ std::vector<std::string> words_for(const std::string& kind, const ScratchFolder&
   return {examples + "strategies.p21"};
 }
 
-class OptionEffects : public testing::TestWithParam<const char*> {};
+class EffectOfOptions : public testing::TestWithParam<const char*> {};
 
-TEST_P(OptionEffects, NoOptionIsSilent) {
+TEST_P(EffectOfOptions, NoOptionIsSilent) {
   const ScratchFolder folder;
   const auto words = words_for(GetParam(), folder);
   const Outcome plain = outcome_of(folder, words);
@@ -201,21 +247,46 @@ TEST_P(OptionEffects, NoOptionIsSilent) {
   for (const Row& row : rows()) {
     if (kQuiet.contains(row.name) || kElsewhere.contains(row.name)) continue;
     if (std::find(words.begin(), words.end(), "--" + row.name) != words.end() && row.name != "tool") continue;
-    auto with = words;
-    with.push_back("--" + row.name);
-    if (row.kind != ValueKind::kFlag) with.back() += "=" + value_for(row);
-    const Outcome outcome = outcome_of(folder, with);
-    ++pairs;
-    if (outcome.exit_code == 2)
-      EXPECT_FALSE(outcome.message.empty()) << row.name;
-    else
-      EXPECT_FALSE(outcome == plain) << "--" << row.name << " changes nothing of a " << GetParam();
+    const auto expect_effect = [&](std::vector<std::string> with, const Outcome& without) {
+      with.push_back("--" + row.name);
+      if (row.kind != ValueKind::kFlag) with.back() += "=" + value_for(row);
+      const Outcome outcome = outcome_of(folder, with);
+      ++pairs;
+      if (outcome.exit_code == 2)
+        EXPECT_FALSE(outcome.message.empty()) << row.name;
+      else
+        EXPECT_FALSE(outcome == without) << "--" << row.name << " changes nothing of a " << GetParam();
+    };
+    expect_effect(words, plain);
+    const auto needs = kNeeds.find(row.name);
+    if (needs == kNeeds.end() || !kDrawnWorks.contains(GetParam())) continue;
+    auto beside = words;
+    beside.push_back(needs->second);
+    const Outcome without = outcome_of(folder, beside);
+    if (without.exit_code != 2) expect_effect(beside, without);
   }
   EXPECT_GT(pairs, 70);
 }
 
+/// An option for other kinds of work is refused before the part is planned, with those that it serves.
+TEST(OptionEffects, OptionsForOtherWorkAreRefusedWithWhatTheyServe) {
+  const ScratchFolder folder;
+  const auto refusal = [&](const std::string& kind, const std::string& option) {
+    auto words = words_for(kind, folder);
+    words.push_back(option);
+    return outcome_of(folder, words).message;
+  };
+  EXPECT_THAT(refusal("engraving", "--lead=1"),
+              testing::HasSubstr("it serves pockets, slots, steps and faces"));
+  EXPECT_THAT(refusal("carving", "--style=machinist"), testing::HasSubstr("and the part has none"));
+  EXPECT_THAT(refusal("engraving", "--tabs=3"), testing::HasSubstr("nothing comes free"));
+  EXPECT_THAT(refusal("profile", "--strategy=zigzag"), testing::HasSubstr("no pocket, slot, step or face"));
+  EXPECT_THAT(refusal("profile", "--dogbones=corner"), testing::HasSubstr("inside corner"));
+  EXPECT_THAT(refusal("line", "--finish=walls"), testing::HasSubstr("has no effect"));
+}
+
 /// Objectives of load choose among plans on each input, or are refused.
-TEST_P(OptionEffects, NoObjectiveIsSilent) {
+TEST_P(EffectOfOptions, NoObjectiveIsSilent) {
   const ScratchFolder folder;
   auto words = words_for(GetParam(), folder);
   words.push_back("--material=steel");
@@ -282,8 +353,11 @@ TEST(Init, KeepsWhatItIsGiven) {
   EXPECT_EQ(motion_of(read_file(folder.path("said.nc"))), motion_of(read_file(folder.path("typed.nc"))));
 }
 
-INSTANTIATE_TEST_SUITE_P(Inputs, OptionEffects,
+INSTANTIATE_TEST_SUITE_P(Inputs, EffectOfOptions,
                          testing::Values("dxf", "svg", "outline", "board", "solid", "stepnc"));
+INSTANTIATE_TEST_SUITE_P(Works, EffectOfOptions,
+                         testing::Values("profile", "cut-out", "line", "engraving", "carving", "face",
+                                         "chamfer", "hole"));
 
 }  // namespace
 }  // namespace clearcut

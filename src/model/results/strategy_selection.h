@@ -36,6 +36,7 @@ struct StrategySelection {
   std::string feature;
   int workingstep = -1;
   std::vector<CandidateResult> candidates;
+  bool made_alike = false;  ///< by any strategy: along the outline, or on one helix
 
   /// Name of the kept strategy; "" if there is none.
   std::string kept() const;

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -52,6 +54,7 @@ class ExchangeSearch {
   bool accept_if_better();
   bool keeps_rules() const;
   void kick();
+  /// Values of the objective; those of small problems are computed once.
   double edge(int a, int b) const;
   /// No more than edge(a, b), and without a search for a legal detour.
   double least_edge(int a, int b) const;
@@ -72,6 +75,24 @@ class ExchangeSearch {
   };
   static std::vector<RuleGroup> groups_of(const Problem& problem);
 
+  /// A table of `count` values that are asked again and again. Values of large tables are made anew each time: the table would
+  /// take more time and memory than it saves.
+  class KnownValues {
+   public:
+    explicit KnownValues(std::size_t count);
+    /// The value at `place`, made by `make` if it is asked for the first time.
+    template <typename Make>
+    double at(std::size_t place, const Make& make) {
+      if (values_.empty()) return make();
+      double& value = values_[place];
+      if (std::isnan(value)) value = make();
+      return value;
+    }
+
+   private:
+    std::vector<double> values_;  ///< NaN: not asked yet
+  };
+
   /// The problem as if every straight move were legal.
   struct Straight {
     explicit Straight(const Problem& problem);
@@ -85,6 +106,7 @@ class ExchangeSearch {
   const Neighbours& neighbours_;
   int extra_ = -1;  ///< -1 for closed tours
   ArrayTour path_;
+  mutable KnownValues known_edges_, known_corners_;
   Random random_;
   Exchange exchange_;
   double value_ = 0;

@@ -238,7 +238,8 @@ bool Selection::next(std::size_t step) {
 std::vector<StrategySelection> Selection::selections() const {
   std::vector<StrategySelection> selections;
   for (std::size_t step = 0; step < steps_.size(); ++step) {
-    StrategySelection selection{steps_[step].feature, steps_[step].workingstep, {}};
+    StrategySelection selection{
+        steps_[step].feature, steps_[step].workingstep, {}, ranked_[step].all.front().plan.hole};
     for (const auto& one : ranked_[step].all) {
       const bool planned = is_planned(one);
       selection.candidates.push_back({one.candidate.strategy->name, one.candidate.stepover.text, one.outcome,

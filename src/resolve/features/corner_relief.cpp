@@ -98,6 +98,9 @@ class CornerRelief {
   CornerRelief(Part& part, const PlanOptions& options, double radius)
       : part_(part), tol_(options.tol), t_bone_(*options.shop.dogbones == "t-bone"), radius_(radius) {}
 
+  /// Whether a corner was found that needs relief, with room for it or not.
+  bool has_corners() const { return !made_.empty() || left_ > 0; }
+
   /// Returns whether the feature has got a bone.
   bool relieve(std::size_t index) {
     feature_ = &part_.features[index];
@@ -204,7 +207,7 @@ class CornerRelief {
       part_.diagnostics.warn(
           feature_->name,
           fmt::format("{} inside corners have no {}: the cutter has no room there, the walls lean, or a bone "
-                      "would break through a wall",
+                      "would break through a wall or an edge that is broken",
                       left_, t_bone_ ? "T-bone" : "dogbone"));
   }
 
@@ -247,24 +250,31 @@ void raise_top(Part& part, std::size_t index, const Tolerances& tol) {
       std::max(part.features[index].top_z, features::stacked_tops(as_drawn, tol)[index]);
 }
 
-void relieve(Part& part, const PlanOptions& options, bool profiles) {
-  if (!options.shop.dogbones) return;
+/// Returns whether a corner was found that needs relief.
+bool relieve(Part& part, const PlanOptions& options, bool profiles) {
+  bool any = false;
   for (std::size_t i = 0; i < part.features.size(); ++i) {
     if (!takes_relief(part.features[i]) || part.features[i].profile.has_value() != profiles) continue;
     const auto radius = narrowest_radius(part, i);
-    if (radius && CornerRelief(part, options, *radius).relieve(i) && !profiles)
-      raise_top(part, i, options.tol);
+    if (!radius) continue;
+    CornerRelief relief(part, options, *radius);
+    if (relief.relieve(i) && !profiles) raise_top(part, i, options.tol);
+    any = any || relief.has_corners();
   }
+  return any;
 }
 
 }  // namespace
 
 void relieve_profiles(Part& part, const PlanOptions& options) {
-  relieve(part, options, true);
+  if (!options.shop.dogbones) return;
+  if (!relieve(part, options, true))
+    part.idle["dogbones"] = "no pocket and no profile has an inside corner to relieve";
 }
 
 void relieve_pockets(Part& part, const PlanOptions& options) {
-  relieve(part, options, false);
+  if (!options.shop.dogbones) return;
+  if (relieve(part, options, false)) part.idle.erase("dogbones");
 }
 
 }  // namespace clearcut::resolve
