@@ -10,6 +10,7 @@ namespace clearcut::read::gcode {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::string refusal(Dialect dialect, const std::string& text) {
   try {
@@ -75,6 +76,74 @@ TEST(GcodeConditions, WordsThatLostWhatUsesThem) {
   EXPECT_EQ(conditions_as(Dialect::kGrbl, start + "G4 P2\nG10 L2 P1 X0\nG2 X2 Y2 I1 J1\n"), "g10@3");
   EXPECT_EQ(conditions_as(Dialect::kHaas, "G21 G61 G17 G90 G0 X0. Y0. Z5. F9.\nG1 X5. J2.\nM30"), "")
       << "takes no notice";
+}
+
+TEST(GcodeConditions, WordsThatTheControlStopsAtWithoutAPlace) {
+  const std::string start = "G21 G61 G17 G90 G0 X0 Y0 Z5 F9 S100\n";
+  for (const char* word :
+       {"G2", "G3", "G33", "G33.1", "G38.2", "G52", "G53", "G76", "G87", "G88", "G92", "M62", "M65"})
+    EXPECT_EQ(conditions(start + word + "\nG1 X5\nM2"), "stray-word@2") << word;
+  for (const char* word : {"G2 I1", "G0", "G1", "G2 X2 I1", "G53 G0 X0"})
+    EXPECT_THAT(conditions(start + word + "\nG1 X5\nM2"), Not(HasSubstr("stray-word"))) << word;
+  for (const char* word : {"G2", "G38.2", "G92"})
+    EXPECT_EQ(conditions_as(Dialect::kGrbl, start + word + "\nG1 X5\n"), "stray-word@2") << word;
+  EXPECT_EQ(conditions_as(Dialect::kFanuc, "G21 G61 G17 G90 G0 X0. Y0. Z5. F9.\nG2\nG1 X5.\nM30"), "");
+}
+
+TEST(GcodeConditions, WordsThatLinuxCncDoesNotTakeTogether) {
+  const std::string start = "G21 G61 G17 G90 G0 X0 Y0 Z5 F9 S100\n";
+  for (const char* words : {"M3 M73", "M70 M72", "M6 M61 Q0", "M62 M64 P1", "M3 M8 M48 M0 M6",
+                            "G4 P1 G53 G0 X0", "G43 G49", "G4 P1 G2 X2 I1"})
+    EXPECT_THAT(conditions(start + words + "\nM2"), HasSubstr("stray-word@2")) << words;
+  for (const char* words :
+       {"M3 M8 M48", "M6 M3", "M0 M70", "G53 G0 X0", "G2 X2 I1 P1", "G2 X0 I1 P2", "G90 G91.1"})
+    EXPECT_THAT(conditions(start + words + "\nM2"), Not(HasSubstr("stray-word"))) << words;
+  EXPECT_EQ(conditions("G21 G61 G17 G90 G0 X0 Y0 Z5\nG1\nX5 F9\nM2"), "stray-word@2");
+  EXPECT_EQ(conditions("G21 G61 G17 G90 G0 X0 Y0 Z5\nG1 F9\nX5\nM2"), "");
+}
+
+TEST(GcodeConditions, WordsThatLinuxCncDoesNotHave) {
+  for (const char* word : {"G9", "G15", "G50", "G69"}) {
+    EXPECT_THAT(refusal(Dialect::kLinuxCnc, word), HasSubstr("is no word of linuxcnc")) << word;
+    EXPECT_EQ(refusal(Dialect::kHaas, word), "") << word;
+  }
+  EXPECT_EQ(conditions("G21 G61 G17 G90 G0 X0 Y0 Z5\nM117\nM2"), "m117@2");
+}
+
+/// LinuxCNC stops at the next feed move without F, although the mode is the one that was in force.
+TEST(GcodeDialects, TheWordOfAFeedModeEndsTheFeed) {
+  const auto feed = [](Dialect dialect, const std::string& end) {
+    const std::string start = "G21 G61 G17 G90 G94 G0 X0. Y0. Z5.\nG1 X5. F9.\nG94\n";
+    return read_as(dialect, start + end + "\nM30").toolpath.sections.back().moves.back().feed.mm_per_min();
+  };
+  for (const Dialect dialect : {Dialect::kLinuxCnc, Dialect::kTormach}) {
+    EXPECT_EQ(feed(dialect, "X9."), 0) << name_of(dialect);
+    EXPECT_EQ(feed(dialect, "X9. F9."), 9) << name_of(dialect);
+  }
+  for (const Dialect dialect : {Dialect::kGrbl, Dialect::kFanuc, Dialect::kHaas, Dialect::kMach3})
+    EXPECT_EQ(feed(dialect, "X9."), 9) << name_of(dialect);
+}
+
+/// In a hole, below R: Fanuc, Haas and Mazak go to the next one at this height, NIST's interpreter goes up before.
+TEST(GcodeDialects, ACycleBegunBelowItsR) {
+  const auto first_height = [](Dialect dialect) {
+    const Program read =
+        read_as(dialect, "G21 G61 G17 G90 G94 G98 G0 X0. Y0. Z-1.\nG81 X9. Z-3. R1. F9.\nG80\nM30");
+    const std::vector<Move>& moves = read.toolpath.sections.back().moves;
+    const auto over =
+        std::find_if(moves.begin(), moves.end(), [](const Move& move) { return move.path.to.x == 9; });
+    return over->z_from;
+  };
+  for (const Dialect dialect : {Dialect::kFanuc, Dialect::kHaas, Dialect::kMazak})
+    EXPECT_EQ(first_height(dialect), -1) << name_of(dialect);
+  for (const Dialect dialect : {Dialect::kLinuxCnc, Dialect::kMach3, Dialect::kMach4})
+    EXPECT_EQ(first_height(dialect), 1) << name_of(dialect);
+}
+
+TEST(GcodeConditions, RepeatsOfACycleAreNoLength) {
+  const std::string start = "G21 G61 G17 G90 G94 G98 G0 X0. Y0. Z5. F9.\n";
+  EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G91 G81 X9. Z-8. R-4. K3\nG80\nM30"), "");
+  EXPECT_EQ(conditions_as(Dialect::kFanuc, start + "G91 G81 X9. Z-8 R-4. K3\nG80\nM30"), "decimal-point@2");
 }
 
 TEST(GcodeConditions, ACutterThatStaysInTheWork) {

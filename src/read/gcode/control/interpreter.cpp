@@ -80,7 +80,7 @@ bool is_arc(int motion) {
 
 /// LinuxCNC's own words of the user, M100 to M199, may use any.
 bool has_user_word(const Block& block) {
-  return std::any_of(block.m.begin(), block.m.end(), [](int code) { return code >= 1000 && code <= 1990; });
+  return std::any_of(block.m.begin(), block.m.end(), is_user_word);
 }
 
 bool is_used_by_motion(char letter, int motion) {
@@ -133,10 +133,43 @@ bool is_used_on_grbl(char letter, const Block& block, int motion) {
   return letter != 'Q' && is_used_by_motion(letter, motion);
 }
 
-/// M words of which LinuxCNC takes one in a block.
+/// M words of which LinuxCNC takes one in a block, and how many of any kind.
 const std::vector<Codes>& groups_of_m() {
-  static const std::vector<Codes> groups{{0, 10, 20, 300, 600}, {30, 40, 50, 190}, {70, 80, 90}, {480, 490}};
+  static const std::vector<Codes> groups{
+      {0, 10, 20, 300, 600}, {30, 40, 50, 190, 700, 710, 720, 730}, {60, 610},
+      {70, 80, 90},          {480, 490, 500, 510, 520, 530},        {620, 630, 640, 650, 660, 670, 680}};
   return groups;
+}
+constexpr std::size_t kMostMWords = 4;
+
+/// G words of which LinuxCNC takes one in a block, beside the modal groups that hold for all controls.
+const std::vector<Codes>& groups_of_g() {
+  static const std::vector<Codes> groups{
+      {40, 100, 280, 281, 300, 301, 520, 530, 920, 921, 922, 923}, {430, 431, 432, 490}, {610, 611, 640}};
+  return groups;
+}
+
+bool has_two_of_one(const std::vector<Codes>& groups, const Codes& said) {
+  return std::any_of(groups.begin(), groups.end(), [&](const Codes& group) {
+    return std::count_if(said.begin(), said.end(), [&](int code) {
+             return std::find(group.begin(), group.end(), code) != group.end();
+           }) > 1;
+  });
+}
+
+/// The G word that the control does not take without a place or a distance, "" if there is none.
+std::string word_without_axes(const Block& block, int said, bool is_grbl) {
+  if (block.has_axis() || block.is_polar()) return "";
+  const bool has_center = block.has('I') || block.has('J') || block.has('K') || block.has('R');
+  if (is_arc(said) && !has_center) return g_word(said);
+  for (const int code : {382, 383, 384, 385, 920})
+    if (has_g(block, code)) return g_word(code);
+  if (is_grbl) return "";
+  if (is_drill_cycle(said)) return g_word(said);
+  for (const int code : {330, 331, 520, 760, 870, 880})
+    if (has_g(block, code)) return g_word(code);
+  if (has_g(block, 530) && said != 0 && said != 10) return g_word(530);
+  return "";
 }
 
 /// What the control stops at, "" if it takes the block.
@@ -148,13 +181,18 @@ std::string stray_word(const Control& control, const Block& block) {
         is_grbl ? is_used_on_grbl(letter, block, motion) : is_used_on_linuxcnc(letter, block, motion);
     if (block.has(letter) && !used) return std::string(1, letter) + " word, which no word of its block uses";
   }
-  const bool wants_axes = is_drill_cycle(said) || said == 331;
-  if (!is_grbl && wants_axes && !block.has_axis()) return g_word(said) + " without axis words";
+  const std::string word = word_without_axes(block, said, is_grbl);
+  if (!word.empty()) return word + " without axis words";
   if (is_grbl) return "";
-  for (const Codes& group : groups_of_m()) {
-    const auto among = [&](int code) { return std::find(group.begin(), group.end(), code) != group.end(); };
-    if (std::count_if(block.m.begin(), block.m.end(), among) > 1) return "two M words of one kind in a block";
-  }
+  if (any_of(block.m, {620, 630, 640, 650}) && !block.has('P'))
+    return "a word of an output without its P word";
+  if (has_two_of_one(groups_of_m(), block.m)) return "two M words of one kind in a block";
+  if (block.m.size() > kMostMWords) return "more than four M words in a block";
+  if (has_two_of_one(groups_of_g(), block.g)) return "two G words of one kind in a block";
+  const bool has_feed =
+      control.modes.feed > 0 || block.has('F') || control.modes.feed_mode == FeedMode::kInverseTime;
+  if (said == 10 && !has_feed && !has_g(block, 930) && !has_g(block, 530)) return "G1 before any feed";
+  if (is_arc(said) && has_g(block, 40)) return "G4 beside an arc, which takes its P as turns";
   return "";
 }
 

@@ -155,9 +155,9 @@ void ModeWords::set_path(int code, const Block& block) {
   control_.modes.path = control_.builder.path_control = path;
 }
 
-/// A feed of one kind means nothing in another.
+/// A feed of one kind means nothing in another; LinuxCNC asks for another one even where the mode stays the same.
 void ModeWords::set_feed_mode(FeedMode mode) {
-  if (mode != control_.modes.feed_mode) control_.modes.feed = 0;
+  if (mode != control_.modes.feed_mode || control_.rules.feed_mode_drops_feed) control_.modes.feed = 0;
   control_.modes.feed_mode = mode;
 }
 
@@ -276,7 +276,9 @@ void ModeWords::set_drive(int m, const Block& block) {
     control_.macro("M99 P jumps to another block, which the control has no word for; post without it");
   if (m == 290) control_.tied_by_m29 = true;
   if (control_.rules.saves_modes && m >= 700 && m <= 730) return;
-  if (std::find(std::begin(kStillWords), std::end(kStillWords), m) != std::end(kStillWords)) return;
+  const bool of_user = control_.rules.m.user_words && is_user_word(m);
+  if (!of_user && std::find(std::begin(kStillWords), std::end(kStillWords), m) != std::end(kStillWords))
+    return;
   const std::string word = m_word(m);
   control_.condition("m" + word.substr(1), word + " is unknown here and moves nothing");
 }

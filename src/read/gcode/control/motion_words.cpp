@@ -135,7 +135,9 @@ void MotionWords::check_words_said(const Block& block) {
     control_.condition("g17", "the program states no plane before its arcs or cycles; the control is in G17");
   }
   if (!control_.rules.points_matter) return;
+  const bool counts_holes = is_drill_cycle(motion_in(block) >= 0 ? motion_in(block) : control_.motion);
   for (const char letter : {'X', 'Y', 'Z', 'I', 'J', 'K', 'R', 'Q'}) {
+    if (letter == 'K' && counts_holes) continue;
     if (block.has(letter) && block.is_whole(letter) && block.value(letter) != 0) {
       control_.condition("decimal-point",
                          std::string(1, letter) +
@@ -311,7 +313,8 @@ void CannedCycles::set_cycle_heights(Hole& hole) {
   const double level = control_.cycle.level + shift;
   hole.r = *control_.cycle.r + (control_.modes.absolute ? shift : level);
   hole.bottom = *control_.cycle.z + (control_.modes.absolute ? shift : hole.r);
-  hole.clear = control_.modes.return_to_level ? std::max(level, hole.r) : hole.r;
+  const double initial = control_.rules.cycle_goes_over_below_r ? level : std::max(level, hole.r);
+  hole.clear = control_.modes.return_to_level ? initial : hole.r;
   if (!control_.modes.absolute) control_.depends_on_dialect = true;
   if (hole.r < hole.bottom) control_.refuse("drilling cycle whose R lies below its Z; correct it");
   if (control_.return_said || std::max(level, hole.r) == hole.r) return;
@@ -368,15 +371,16 @@ void CannedCycles::execute(const Block& block) {
   }
 }
 
-/// LinuxCNC goes up only where the cycles began below R, and takes the rest of the way up with the way over.
+/// LinuxCNC goes up only where the cycles began below R, and takes the rest of the way up with the way over. Fanuc and
+/// its like go over the hole first, at whatever height they are.
 void CannedCycles::go_over_hole(const Block& block, const Hole& hole) {
   const PlaneAxes axes = axes_of(control_.modes.plane);
   Target over, down;
   down[axes.across] = hole.r;
   const double at = *control_.builder.position()[axes.across];
-  if (control_.rules.cycle_rises_over ? control_.cycle.level + control_.frame.shift(axes.across) < hole.r
-                                      : at < hole.r)
-    control_.builder.rapid(down, control_.line);
+  const double from =
+      control_.rules.cycle_rises_over ? control_.cycle.level + control_.frame.shift(axes.across) : at;
+  if (from < hole.r && !control_.rules.cycle_goes_over_below_r) control_.builder.rapid(down, control_.line);
   const Target said = control_.target(block);
   for (const std::size_t axis : {axes.first, axes.second}) over[axis] = said[axis];
   const double now = *control_.builder.position()[axes.across];

@@ -20,6 +20,9 @@ constexpr int kGrblWords[] = {0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 
 
 constexpr int kGrblMiscellaneous[] = {0, 10, 20, 30, 40, 50, 70, 80, 90, 300, 560, 990};
 
+// Exact stop once, and the ends of modes that LinuxCNC does not have: it stops there.
+constexpr int kMissingOnLinuxCnc[] = {90, 150, 500, 690};
+
 // LinuxCNC, "M-Codes" of its manual.
 constexpr int kLinuxCncMiscellaneous[] = {0,   10,  20,  30,  40,  50,  60,  70,  80,  90,  190,
                                           300, 480, 490, 500, 510, 520, 530, 600, 610, 620, 630,
@@ -83,31 +86,33 @@ constexpr DialectRules mach4_rules() {
 
 /// In the order of Dialect.
 constexpr std::array kRules{
-    DialectRules{
-        .dialect = Dialect::kLinuxCnc,
-        .name = "linuxcnc",
-        .title = "LinuxCNC",
-        .planner = MotionPlanner::kLinuxCnc,
-        .macros = MacroLanguage::kLinuxCnc,
-        .g = {kProbing | kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets | kKeptShifts |
-              kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters | kCompensation | kStatedRadii},
-        .m = {.only = kLinuxCncMiscellaneous,
-              .user_words = true,
-              .at_others = ", which stops there; its set-up has a REMAP for it that moves nothing"},
-        .stray_words = StrayWords::kLinuxCnc,
-        .zero_length_is_off = false,
-        .bounded_blending = true,
-        .returns_to_r = true,
-        .cycle_rises_over = true,
-        .cycle_needs_dwell = true,
-        .feeds_out_to_clear = true,
-        .keeps_cycle_words = false,
-        .rereads_cycle_numbers = true,
-        .feed_in_unit_before = true,
-        .resets_modes = true,
-        .saves_modes = true,
-        .polar_words = true,
-        .compensation = kOfInterpreter},
+    DialectRules{.dialect = Dialect::kLinuxCnc,
+                 .name = "linuxcnc",
+                 .title = "LinuxCNC",
+                 .planner = MotionPlanner::kLinuxCnc,
+                 .macros = MacroLanguage::kLinuxCnc,
+                 .g = {.sets = kProbing | kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets |
+                               kKeptShifts | kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters |
+                               kCompensation | kStatedRadii,
+                       .missing = kMissingOnLinuxCnc},
+                 .m = {.only = kLinuxCncMiscellaneous,
+                       .user_words = true,
+                       .at_others = ", which stops there; its set-up has a REMAP for it that moves nothing"},
+                 .stray_words = StrayWords::kLinuxCnc,
+                 .zero_length_is_off = false,
+                 .bounded_blending = true,
+                 .returns_to_r = true,
+                 .cycle_rises_over = true,
+                 .cycle_needs_dwell = true,
+                 .feeds_out_to_clear = true,
+                 .keeps_cycle_words = false,
+                 .rereads_cycle_numbers = true,
+                 .feed_in_unit_before = true,
+                 .feed_mode_drops_feed = true,
+                 .resets_modes = true,
+                 .saves_modes = true,
+                 .polar_words = true,
+                 .compensation = kOfInterpreter},
     DialectRules{.dialect = Dialect::kGrbl,
                  .name = "grbl",
                  .title = "Grbl",
@@ -132,6 +137,7 @@ constexpr std::array kRules{
         .g = {kPlanMaps | kSkipMoves | kDrillCycles | kToolLengths | kOffsetsByNumber | kCompensation},
         .stray_words = StrayWords::kCorners,
         .lengths_by_number = true,
+        .cycle_goes_over_below_r = true,
         .taps = TapRule::kTiedByM29,
         .radius_beats_center = true,
         .home_is_top = true,
@@ -160,6 +166,7 @@ constexpr std::array kRules{
                  .m = {.missing = kSpindleAndFlood},
                  .stray_words = StrayWords::kCorners,
                  .lengths_by_number = true,
+                 .cycle_goes_over_below_r = true,
                  .taps = TapRule::kTied,
                  .radius_beats_center = true,
                  .home_is_top = true,
@@ -229,6 +236,7 @@ constexpr std::array kRules{
                  .g = {kDrillCycles | kToolLengths | kOffsetsByNumber | kExactStopBesidePath | kCompensation},
                  .stray_words = StrayWords::kCorners,
                  .lengths_by_number = true,
+                 .cycle_goes_over_below_r = true,
                  .radius_beats_center = true,
                  .home_is_top = true,
                  .no_home_in_cycle = true,
@@ -265,6 +273,7 @@ constexpr std::array kRules{
         .keeps_cycle_words = false,
         .rereads_cycle_numbers = true,
         .feed_in_unit_before = true,
+        .feed_mode_drops_feed = true,
         .resets_modes = true,
         .saves_modes = true,
         .compensation = kOfInterpreter},
@@ -352,6 +361,7 @@ std::vector<Dialect> word_address_dialects() {
 
 bool knows_g(const DialectRules& rules, int code) {
   if (!rules.g.only.empty()) return among(rules.g.only, code);
+  if (among(rules.g.missing, code)) return false;
   for (const SpecialWords& words : kSpecialWords)
     if (words.first <= code && code <= words.last) return (rules.g.sets & words.set) != 0;
   return true;
@@ -359,7 +369,11 @@ bool knows_g(const DialectRules& rules, int code) {
 
 bool knows_m(const DialectRules& rules, int code) {
   if (rules.m.only.empty()) return !among(rules.m.missing, code);
-  return among(rules.m.only, code) || (rules.m.user_words && code >= kFirstOfUser && code <= kLastOfUser);
+  return among(rules.m.only, code) || (rules.m.user_words && is_user_word(code));
+}
+
+bool is_user_word(int code) {
+  return code >= kFirstOfUser && code <= kLastOfUser;
 }
 
 }  // namespace clearcut::read::gcode

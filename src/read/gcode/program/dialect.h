@@ -88,8 +88,9 @@ enum GWordSet : unsigned {
 
 /// Which G words a control has.
 struct GWords {
-  unsigned sets = 0;               ///< of GWordSet
-  std::span<const int> only = {};  ///< in tenths; not empty: all that it has, whatever `sets` says
+  unsigned sets = 0;                  ///< of GWordSet
+  std::span<const int> only = {};     ///< in tenths; not empty: all that it has, whatever `sets` says
+  std::span<const int> missing = {};  ///< in tenths, of the words that most controls have
 };
 
 /// Which M words a control has. Where both lists are empty it has all.
@@ -134,25 +135,27 @@ struct DialectRules {
   bool returns_to_r = false;       ///< cycles return to R until a G98 is seen
   bool cycle_rises_over =
       false;  ///< the way over the next hole goes up to the height before the cycles at once
-  bool cycle_needs_dwell = false;   ///< G82, G86, G88 and G89 stop the control without their P word
-  bool feeds_out_to_clear = false;  ///< G89, G74, G84 feed up to the clear height, not to R
+  bool cycle_goes_over_below_r = false;  ///< from below R it goes over the hole at that height, and up there
+  bool cycle_needs_dwell = false;        ///< G82, G86, G88 and G89 stop the control without their P word
+  bool feeds_out_to_clear = false;       ///< G89, G74, G84 feed up to the clear height, not to R
   TapRule taps = TapRule::kAsItTurns;
   bool keeps_cycle_words = true;  ///< Z, R and Q hold from one cycle word to another
   bool rereads_cycle_numbers =
       false;                         ///< G20, G21 within a cycle: the numbers it holds count in the new units
   bool feed_in_unit_before = false;  ///< F beside G20 or G21 counts in the unit before them
-  bool radius_beats_center = false;  ///< R with I, J: R is taken
-  bool home_is_top = false;          ///< machine Z zero is the upper end of the travel
-  bool home_is_switches = false;     ///< G28 drives to the end switches, past no place on the way
-  bool no_home_in_cycle = false;     ///< G28 and G30 within a drilling cycle are an alarm
-  bool adds_to_offsets = false;      ///< G10 L2 in G91 adds to the offset
-  bool resets_modes = false;         ///< begins in G17, G90, G94, G54, G80 whatever ran before
-  bool always_in_xy = false;         ///< arcs and cycles are in the XY plane unless a word says otherwise
-  bool always_mm = false;            ///< begins in mm
-  bool points_matter = false;        ///< X10 may mean 10 increments
-  bool centers_set_up = false;       ///< without G90.1, G91.1 its set-up says which
-  bool dwell_by_x = false;           ///< G4 X: seconds
-  bool dwell_in_ms = false;          ///< G4 P: milliseconds
+  bool feed_mode_drops_feed = false;     ///< G93, G94, G95 end the feed in force, also in the same mode
+  bool radius_beats_center = false;      ///< R with I, J: R is taken
+  bool home_is_top = false;              ///< machine Z zero is the upper end of the travel
+  bool home_is_switches = false;         ///< G28 drives to the end switches, past no place on the way
+  bool no_home_in_cycle = false;         ///< G28 and G30 within a drilling cycle are an alarm
+  bool adds_to_offsets = false;          ///< G10 L2 in G91 adds to the offset
+  bool resets_modes = false;             ///< begins in G17, G90, G94, G54, G80 whatever ran before
+  bool always_in_xy = false;             ///< arcs and cycles are in the XY plane unless a word says otherwise
+  bool always_mm = false;                ///< begins in mm
+  bool points_matter = false;            ///< X10 may mean 10 increments
+  bool centers_set_up = false;           ///< without G90.1, G91.1 its set-up says which
+  bool dwell_by_x = false;               ///< G4 X: seconds
+  bool dwell_in_ms = false;              ///< G4 P: milliseconds
   bool dwell_with_point_in_s = false;    ///< where P has a decimal point: seconds
   bool dwell_by_s = false;               ///< G4 S: seconds
   bool saves_modes = false;              ///< M70 to M73
@@ -185,5 +188,7 @@ std::vector<Dialect> word_address_dialects();
 bool knows_g(const DialectRules& rules, int code);
 /// The same of M words. Where it is false a control stops, does nothing or something that is no business of milling.
 bool knows_m(const DialectRules& rules, int code);
+/// M100 to M199, in tenths: on LinuxCNC programs of the user's.
+bool is_user_word(int code);
 
 }  // namespace clearcut::read::gcode
