@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "read/gcode/recognise.h"
 #include "read/gcode/test_told_program.h"
 
 namespace clearcut::read::gcode {
@@ -106,6 +107,8 @@ TEST(GcodeConditions, WordsThatLinuxCncDoesNotHave) {
   for (const char* word : {"G9", "G15", "G50", "G69"}) {
     EXPECT_THAT(refusal(Dialect::kLinuxCnc, word), HasSubstr("is no word of linuxcnc")) << word;
     EXPECT_EQ(refusal(Dialect::kHaas, word), "") << word;
+    EXPECT_EQ(recognised("G90 G17\n" + std::string(word) + "\nG0 X1.\nM30\n", "").dialect, Dialect::kFanuc)
+        << word;
   }
   EXPECT_EQ(conditions("G21 G61 G17 G90 G0 X0 Y0 Z5\nM117\nM2"), "m117@2");
 }

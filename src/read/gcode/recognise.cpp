@@ -66,6 +66,7 @@ void note_traits(const Block& block, std::string_view line, Traits& traits) {
     traits.arcs_stated = traits.arcs_stated || code == 911;
     traits.old_units = traits.old_units || ((code == 700 || code == 710) && !is_turning_cycle(block));
     traits.jumps = traits.jumps || code == 650 || code == 680 || code == 511 || code == 160 || code == 310;
+    traits.jumps = traits.jumps || code == 90 || code == 150 || code == 500 || code == 690;
     traits.marlin = traits.marlin || (code == 40 && block.has('S') && !block.has('P'));
     const bool known = group_of(code) == Group::kUnknown || knows_g(rules_of(Dialect::kGrbl), code);
     traits.beyond_grbl = traits.beyond_grbl || !known;
