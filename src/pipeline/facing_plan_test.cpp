@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <random>
 #include <string>
 
+#include "pipeline/check.h"
 #include "pipeline/test_drawings.h"
 
 namespace clearcut::pipeline {
@@ -42,6 +44,38 @@ TEST(Facing, ProfilesBeginAtTheHighestMaterialOverTheirKerfs) {
       box("STOCK_D12", 0, 0, 100, 70) + box("FACE_D1", 0, 0, 60, 70) + box("PROFILE_D4", 20, 20, 57, 50);
   const PlanResult result = plan_part(drawn(sheet), options);
   EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << faults_of(result.findings);
+}
+
+/// What lies beside a face has walls: what another program cuts of them is a gouge, and their corners are out of reach.
+TEST(Facing, WallsBesideAFaceStand) {
+  const resolve::PlanOptions options = with({"endmill:3"});
+  const std::string face = box("FACE_D3", 70, 0, 90, 20);
+  for (const char* layer : {"POCKET_D2", "INSIDE_D2", "POCKET_D5"}) {
+    const Part part = drawn(box(layer, 0, 0, 30, 22) + face);
+    const PlanResult result = plan_part(part, options);
+    EXPECT_TRUE(result.findings.all.clean) << layer << faults_of(result.findings);
+    const std::string wider = plan_part(drawn(box(layer, 0, 0, 31, 22) + face), options).program;
+    EXPECT_TRUE(has(check_program(part, wider, "wider.ngc", options).findings, FaultKind::kGouge)) << layer;
+  }
+}
+
+/// Pockets and cut-outs at random distances and turns beside a face are made as without it.
+TEST(Facing, WhatLiesBesideAFaceIsMadeAsWithoutIt) {
+  const char* const asked = std::getenv("CLEARCUT_RANDOM_PARTS");
+  const int parts = asked ? std::atoi(asked) : 24;
+  for (int seed = 0; seed < parts; ++seed) {
+    std::mt19937 random(static_cast<unsigned>(seed));
+    std::uniform_real_distribution<double> turn(0, kPi), gap(0.3, 12), size(8, 16);
+    const double a = turn(random), half = size(random);
+    std::vector<BulgeVertex> corners;
+    for (int i = 0; i < 4; ++i) corners.push_back({direction_of(a + i * kPi / 2 + (i % 2) * 0.4) * half});
+    const double from = half + gap(random);
+    const std::string layer = seed % 2 == 0 ? "POCKET_D2" : "INSIDE_D2";
+    const resolve::PlanOptions options = with({"endmill:3"});
+    const Part part = drawn(outline(layer, corners) + box("FACE_D2", from, -20, from + 25, 20));
+    const PlanResult result = plan_part(part, options);
+    EXPECT_TRUE(result.findings.all.clean) << seed << faults_of(result.findings);
+  }
 }
 
 class FacesOfRandomOutlines : public ::testing::TestWithParam<int> {};

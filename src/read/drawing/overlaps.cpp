@@ -8,6 +8,7 @@
 #include "base/tolerances.h"
 #include "geometry/contours/boolean.h"
 #include "geometry/region.h"
+#include "geometry/voronoi/clearance.h"
 #include "read/common/text.h"
 #include "read/drawing/drawing.h"
 #include "read/repair/repair.h"
@@ -329,6 +330,51 @@ void set_stock(Part& part, const std::vector<ShapedGroup>& groups, const std::ve
     if (shaped.group.depth)
       stock.z_bottom = stock.z_top - checked_depth(*shaped.group.depth, shaped.group.where);
     part.stock = stock;
+  }
+}
+
+namespace {
+
+/// mm around a feature kept from the cutter of a face beside it.
+constexpr double kKeptWidths[] = {20, 10, 5, 2, 1, 0.5, 0.2, 0.1};
+
+/// Everything within the outlines of a feature with walls of its own; empty for faces, broken edges and lines.
+Regions body_of(const Feature& feature) {
+  Regions body;
+  if (feature.kind == FeatureKind::kPlanarFace || feature.chamfer) return body;
+  if (feature.profile) {
+    if (feature.profile->closed && feature.profile->side != ProfileSide::kOn)
+      body.push_back(Region::from_valid_loops(feature.profile->line, {}));
+    return body;
+  }
+  for (const Region& region : feature.target) body.push_back(Region::from_valid_loops(region.outer(), {}));
+  return body;
+}
+
+/// mm; the share of the material between the face and the feature apart from it that is kept. 0: they touch, or one is within the
+/// other.
+double kept_width(const Regions& body, const Regions& face, const Tolerances& tol) {
+  if (contains(face, body.front().outer().front().from)) return 0;
+  for (const double width : kKeptWidths) {
+    if (!box(body).grown(2 * width).overlaps(box(face))) return width;
+    if (intersect(dilate(body, 2 * width, tol), face, tol).empty()) return width;
+  }
+  return 0;
+}
+
+}  // namespace
+
+void keep_faces_off_others(std::vector<Feature>& features, const Tolerances& tol) {
+  for (Feature& face : features) {
+    if (face.kind != FeatureKind::kPlanarFace) continue;
+    Regions kept;
+    for (const Feature& other : features) {
+      const Regions body = body_of(other);
+      if (body.empty()) continue;
+      const double width = kept_width(body, face.target, tol);
+      if (width > 0) kept = unite(kept, dilate(body, width, tol), tol);
+    }
+    if (!kept.empty()) face.allowed = subtract(face.allowed, kept, tol);
   }
 }
 
