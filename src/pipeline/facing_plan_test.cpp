@@ -46,14 +46,18 @@ TEST(Facing, ProfilesBeginAtTheHighestMaterialOverTheirKerfs) {
   EXPECT_EQ(verdict_of(result.findings), Verdict::kClean) << faults_of(result.findings);
 }
 
-/// What lies beside a face has walls: what another program cuts of them is a gouge, and their corners are out of reach.
+/// What lies beside a face or an isolated piece has walls: what another program cuts of them is a gouge, and their corners are out of
+/// reach.
 TEST(Facing, WallsBesideAFaceStand) {
   const resolve::PlanOptions options = with({"endmill:3"});
-  const std::string face = box("FACE_D3", 70, 0, 90, 20);
-  for (const char* layer : {"POCKET_D2", "INSIDE_D2", "POCKET_D5"}) {
+  for (const auto& [layer, open] :
+       {std::pair("POCKET_D2", "FACE_D3"), std::pair("INSIDE_D2", "FACE_D3"),
+        std::pair("POCKET_D5", "FACE_D3"), std::pair("POCKET_D2", "ISOLATE_D3_W4"),
+        std::pair("INSIDE_D2", "ISOLATE_D3_W4")}) {
+    const std::string face = box(open, 70, 0, 90, 20);
     const Part part = drawn(box(layer, 0, 0, 30, 22) + face);
     const PlanResult result = plan_part(part, options);
-    EXPECT_TRUE(result.findings.all.clean) << layer << faults_of(result.findings);
+    EXPECT_TRUE(result.findings.all.clean) << layer << " " << open << faults_of(result.findings);
     const std::string wider = plan_part(drawn(box(layer, 0, 0, 31, 22) + face), options).program;
     EXPECT_TRUE(has(check_program(part, wider, "wider.ngc", options).findings, FaultKind::kGouge)) << layer;
   }

@@ -431,7 +431,7 @@ void add_drawn_features(Part& part, std::vector<DrawnGroup> groups, const ReadOp
   if (features.empty()) throw InputError(part.source_file, nothing_found(part.diagnostics));
   ask_of_cut_away(part, features, options);
   std::stable_sort(features.begin(), features.end(), goes_before);
-  keep_faces_off_others(features, options.tol);
+  keep_open_features_off_others(features, options.tol);
   set_stock(part, shaped, features, options);
   const bool several_floors = have_several_floors(features);
   add_features(part, std::move(features));

@@ -335,8 +335,12 @@ void set_stock(Part& part, const std::vector<ShapedGroup>& groups, const std::ve
 
 namespace {
 
-/// mm around a feature kept from the cutter of a face beside it.
+/// mm around a feature kept from the cutter of a face or an isolation beside it.
 constexpr double kKeptWidths[] = {20, 10, 5, 2, 1, 0.5, 0.2, 0.1};
+
+bool is_open_all_round(const Feature& feature) {
+  return feature.kind == FeatureKind::kPlanarFace || feature.kind == FeatureKind::kIsolation;
+}
 
 /// Everything within the outlines of a feature with walls of its own; empty for faces, broken edges and lines.
 Regions body_of(const Feature& feature) {
@@ -351,30 +355,33 @@ Regions body_of(const Feature& feature) {
   return body;
 }
 
-/// mm; the share of the material between the face and the feature apart from it that is kept. 0: they touch, or one is within the
-/// other.
-double kept_width(const Regions& body, const Regions& face, const Tolerances& tol) {
-  if (contains(face, body.front().outer().front().from)) return 0;
+/// mm; the share of the material between `open` and the feature apart from it that is kept. 0: they touch, one is within the other, or
+/// the material is kept anyway.
+double kept_width(const Regions& body, const Feature& open, const Tolerances& tol) {
+  const Vec2 place = body.front().outer().front().from;
+  if (contains(open.target, place) || !contains(open.allowed, place)) return 0;
   for (const double width : kKeptWidths) {
-    if (!box(body).grown(2 * width).overlaps(box(face))) return width;
-    if (intersect(dilate(body, 2 * width, tol), face, tol).empty()) return width;
+    if (!box(body).grown(2 * width).overlaps(box(open.target))) return width;
+    if (intersect(dilate(body, 2 * width, tol), open.target, tol).empty()) return width;
   }
   return 0;
 }
 
 }  // namespace
 
-void keep_faces_off_others(std::vector<Feature>& features, const Tolerances& tol) {
-  for (Feature& face : features) {
-    if (face.kind != FeatureKind::kPlanarFace) continue;
+void keep_open_features_off_others(std::vector<Feature>& features, const Tolerances& tol) {
+  for (Feature& open : features) {
+    if (!is_open_all_round(open)) continue;
     Regions kept;
     for (const Feature& other : features) {
+      if (&other == &open || (other.hole_diameter && open.kind == FeatureKind::kIsolation)) continue;
       const Regions body = body_of(other);
-      if (body.empty()) continue;
-      const double width = kept_width(body, face.target, tol);
-      if (width > 0) kept = unite(kept, dilate(body, width, tol), tol);
+      const double width = body.empty() ? 0 : kept_width(body, open, tol);
+      if (width == 0) continue;
+      const Regions around = dilate(body, width, tol);
+      kept.insert(kept.end(), around.begin(), around.end());
     }
-    if (!kept.empty()) face.allowed = subtract(face.allowed, kept, tol);
+    if (!kept.empty()) open.allowed = subtract(open.allowed, unite_all(kept, tol), tol);
   }
 }
 

@@ -36,10 +36,10 @@ std::optional<DrawingQuestion> question_of_layers(const std::vector<ShapedGroup>
 void unite_overlapping_layers(std::vector<ShapedGroup>& groups, const ReadOptions& options,
                               Diagnostics& diagnostics);
 
-/// Keeps the cutter of a face, which may leave the face on all sides, off what lies apart from it: there the material beside the
-/// face is the wall of another feature. The way to that wall is halved between both, up to 20 mm. Cost: a few booleans for
-/// each feature whose box overlaps the face's and that lies beside it.
-void keep_faces_off_others(std::vector<Feature>& features, const Tolerances& tol);
+/// Keeps the cutter of a face or an isolation, which may leave these on all sides, off what lies apart from them: there the material
+/// beside them is the wall of another feature. The way to that wall is halved between both, up to 20 mm. Drilled holes need no wall
+/// kept beside an isolation. Cost: a few booleans for each feature whose box overlaps and that lies beside.
+void keep_open_features_off_others(std::vector<Feature>& features, const Tolerances& tol);
 
 /// The question about the first feature wholly removed by a pocket around it that is at least as deep and begins at
 /// the same height: a shallower pocket may be a step, any other feature may be intended on the floor. Nothing if
