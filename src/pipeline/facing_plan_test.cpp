@@ -63,6 +63,22 @@ TEST(Facing, WallsBesideAFaceStand) {
   }
 }
 
+/// Floors beside a deeper face or isolated piece are kept, too.
+TEST(Facing, FloorsBesideADeeperFaceStand) {
+  const resolve::PlanOptions options = with({"endmill:3", "drill:5"});
+  for (const char* open : {"FACE_D3", "ISOLATE_D3_W4"}) {
+    const std::string beside = box(open, 70, 0, 90, 20);
+    const auto gouges = [&](const std::string& asked, const std::string& cut) {
+      const std::string program = plan_part(drawn(cut + beside), options).program;
+      return has(check_program(drawn(asked + beside), program, "other.ngc", options).findings,
+                 FaultKind::kGouge);
+    };
+    EXPECT_TRUE(gouges(circle("DRILL_D1", {10, 10}, 2.5), circle("DRILL_D1.3", {10, 10}, 2.5))) << open;
+    EXPECT_TRUE(gouges(box("FACE_D1", 0, 0, 30, 20), box("FACE_D1.3", 0, 0, 30, 20))) << open;
+    EXPECT_FALSE(gouges(box("FACE_D1", 0, 0, 30, 20), box("FACE_D1", 0, 0, 30, 20))) << open;
+  }
+}
+
 /// Pockets and cut-outs at random distances and turns beside a face are made as without it.
 TEST(Facing, WhatLiesBesideAFaceIsMadeAsWithoutIt) {
   const char* const asked = std::getenv("CLEARCUT_RANDOM_PARTS");

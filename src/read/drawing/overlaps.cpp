@@ -342,10 +342,18 @@ bool is_open_all_round(const Feature& feature) {
   return feature.kind == FeatureKind::kPlanarFace || feature.kind == FeatureKind::kIsolation;
 }
 
-/// Everything within the outlines of a feature with walls of its own; empty for faces, broken edges and lines.
+/// Whether the feature has walls or a floor that `open` beside it could spoil. Of faces it is the floor, if that is higher; so of
+/// holes beside isolated pieces, which may be thousands on a board.
+bool can_be_spoiled(const Feature& feature, const Feature& open) {
+  const bool has_floor_alone = feature.kind == FeatureKind::kPlanarFace ||
+                               (feature.hole_diameter && open.kind == FeatureKind::kIsolation);
+  return !has_floor_alone || feature.floor_z > open.floor_z + kSamePlaceMm;
+}
+
+/// Everything within the outlines of a feature; empty for broken edges and lines.
 Regions body_of(const Feature& feature) {
   Regions body;
-  if (feature.kind == FeatureKind::kPlanarFace || feature.chamfer) return body;
+  if (feature.chamfer) return body;
   if (feature.profile) {
     if (feature.profile->closed && feature.profile->side != ProfileSide::kOn)
       body.push_back(Region::from_valid_loops(feature.profile->line, {}));
@@ -374,7 +382,7 @@ void keep_open_features_off_others(std::vector<Feature>& features, const Toleran
     if (!is_open_all_round(open)) continue;
     Regions kept;
     for (const Feature& other : features) {
-      if (&other == &open || (other.hole_diameter && open.kind == FeatureKind::kIsolation)) continue;
+      if (&other == &open || !can_be_spoiled(other, open)) continue;
       const Regions body = body_of(other);
       const double width = body.empty() ? 0 : kept_width(body, open, tol);
       if (width == 0) continue;

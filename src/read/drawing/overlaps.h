@@ -37,8 +37,8 @@ void unite_overlapping_layers(std::vector<ShapedGroup>& groups, const ReadOption
                               Diagnostics& diagnostics);
 
 /// Keeps the cutter of a face or an isolation, which may leave these on all sides, off what lies apart from them: there the material
-/// beside them is the wall of another feature. The way to that wall is halved between both, up to 20 mm. Drilled holes need no wall
-/// kept beside an isolation. Cost: a few booleans for each feature whose box overlaps and that lies beside.
+/// beside them is the wall of another feature. The way to that wall is halved between both, up to 20 mm. Drilled holes deeper than
+/// an isolation need no wall kept beside it. Cost: a few booleans for each feature whose box overlaps and that lies beside.
 void keep_open_features_off_others(std::vector<Feature>& features, const Tolerances& tol);
 
 /// The question about the first feature wholly removed by a pocket around it that is at least as deep and begins at
