@@ -15,6 +15,7 @@
 #include "geometry/contours/mitred_inset.h"
 
 namespace clearcut::inline options {
+
 Works work_of(const Part& part, const Workingstep& step) {
   const Feature& feature = feature_of(part, step);
   const Tool& tool = tool_of(part, step);
@@ -73,12 +74,6 @@ bool any_step(const Situation& at,
   return false;
 }
 
-bool any_move(const Situation& at, const std::function<bool(const Move&)>& holds) {
-  for (const Section& section : at.toolpath.sections)
-    if (std::any_of(section.moves.begin(), section.moves.end(), holds)) return true;
-  return false;
-}
-
 bool is_work(const Situation& at, const Workingstep& step, unsigned works) {
   return (work_of(at.plan.part, step) & works) != 0;
 }
@@ -89,7 +84,7 @@ bool is_cleared(const Situation& at, const Workingstep& step) {
 }
 
 /// Whether a section of these works has such a move.
-bool any_move_of(const Situation& at, unsigned works, const std::function<bool(const Move&)>& holds) {
+bool any_move(const Situation& at, unsigned works, const std::function<bool(const Move&)>& holds) {
   return std::any_of(at.toolpath.sections.begin(), at.toolpath.sections.end(), [&](const Section& section) {
     if (section.workingstep < 0) return false;
     const Workingstep& step = at.plan.part.workplan[static_cast<std::size_t>(section.workingstep)];
@@ -269,11 +264,9 @@ std::string enters_otherwise(const Situation& at) {
   if (from_above) return "";
   const unsigned works =
       asked == EntryKind::kHelix ? kClearing | kBoring : kClearing | kBoring | kProfiling | kFollowing;
+  const MoveKind entry = asked == EntryKind::kPlunge ? MoveKind::kPlunge : MoveKind::kRamp;
   return unless(
-      any_move_of(at, works,
-                  asked == EntryKind::kPlunge
-                      ? [](const Move& move) { return move.kind == MoveKind::kPlunge; }
-                      : std::function<bool(const Move&)>(is_ramp)),
+      any_move(at, works, [&](const Move& move) { return move.kind == entry; }),
       "nothing is entered from above so: outlines and lines are entered along themselves, open sides "
       "from outside");
 }
@@ -327,7 +320,7 @@ std::string without_objective(const Situation& at) {
 
 /// Carvings rise and sink along their outlines; these moves are no entries.
 std::string without_ramps(const Situation& at) {
-  return unless(any_move_of(at, kMilling & ~kCarving, is_ramp),
+  return unless(any_move(at, kMilling & ~kCarving, is_ramp),
                 "nothing is entered along a helix or a ramp; see --entry");
 }
 
@@ -336,7 +329,7 @@ std::string without_helix(const Situation& at) {
     return is_cleared(at, step) && resolved.entry == EntryKind::kHelix &&
            closed_all_round(feature_of(at.plan.part, step));
   });
-  return unless(asked || any_move_of(at, kClearing, is_helix),
+  return unless(asked || any_move(at, kClearing, is_helix),
                 "nothing is entered along a helix; see --entry helix");
 }
 
@@ -356,7 +349,7 @@ std::string without_leads(const Situation& at) {
     return is_work(at, step, kMilling) && resolved.lead > 0;
   });
   if (!asked) return "no pass begins with a lead; see --lead";
-  return unless(any_move(at, is_lead), "no pass begins with a lead, since none has room");
+  return unless(any_move(at, kAllWorks, is_lead), "no pass begins with a lead, since none has room");
 }
 
 std::string without_margin(const Situation& at) {
@@ -373,12 +366,12 @@ std::string without_open_sides(const Situation& at) {
 
 std::string without_links(const Situation& at) {
   return unless(
-      any_move_of(at, kMilling & ~kCarving, [](const Move& move) { return move.kind == MoveKind::kLink; }),
+      any_move(at, kMilling & ~kCarving, [](const Move& move) { return move.kind == MoveKind::kLink; }),
       "no pass is linked to the next at depth");
 }
 
 std::string plunges_nowhere(const Situation& at) {
-  return unless(any_move(at, [](const Move& move) { return move.kind == MoveKind::kPlunge; }),
+  return unless(any_move(at, kAllWorks, [](const Move& move) { return move.kind == MoveKind::kPlunge; }),
                 "nothing is plunged into");
 }
 

@@ -142,9 +142,8 @@ namespace {
 /// Calls `reason_of` with each row whose value the user or a job states and which requests something. Throws InputError
 /// with the first reason that is not empty.
 template <typename ReasonOf>
-void refuse_stated(const PlanOptions& options, const ReasonOf& reason_of) {
-  if (!options.refuse_idle) return;
-  const Asked asked{options, {}};
+void refuse_stated(const Asked& asked, const ReasonOf& reason_of) {
+  const PlanOptions& options = asked.plan;
   for (const Row& row : rows()) {
     const Source* source = options.sources.find(source_name(row));
     if (!is_stated(source) || asks_nothing(row, asked)) continue;
@@ -192,20 +191,22 @@ void refuse_keys_for_others(const ResolvedPlan& plan, const PlanOptions& asked) 
 }  // namespace
 
 void refuse_options_for_others(const ResolvedPlan& plan, const PlanOptions& asked) {
+  if (!asked.refuse_idle) return;
   const InputKinds input = input_kind_of(plan.part);
   const unsigned works = works_of(plan);
-  refuse_stated(asked, [&](const Row& row) {
+  refuse_stated({asked, {}}, [&](const Row& row) {
     const std::string reason = idle_on_input(row, input);
     return reason.empty() ? idle(idle_on_works(row, works)) : reason;
   });
-  if (asked.refuse_idle) refuse_keys_for_others(plan, asked);
+  refuse_keys_for_others(plan, asked);
 }
 
 void refuse_idle_options(const PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan,
                          const PlanOptions& options) {
+  if (!options.refuse_idle) return;
   const Asked asked{options, {}};
   const Situation situation{plan, options, planned, result.selections};
-  refuse_stated(options, [&](const Row& row) {
+  refuse_stated(asked, [&](const Row& row) {
     if (row.group == Group::kController && row.name != "post")
       return idle(idle_in_program(row, result, planned, plan, asked));
     return row.effect.idle_because ? idle(row.effect.idle_because(situation)) : std::string();

@@ -54,6 +54,7 @@ void note_traits(const Block& block, std::string_view line, Traits& traits) {
     const bool semicolon = comment.data() > line.data() && comment.data()[-1] == ';';
     (semicolon ? traits.semicolons : traits.parentheses) = true;
   }
+  const auto missing = rules_of(Dialect::kLinuxCnc).g.missing;
   for (const int code : block.g) {
     traits.blend_bound = traits.blend_bound || (code == 640 && block.has('P'));
     traits.blend_plain = traits.blend_plain || (code == 640 && !block.has('P'));
@@ -66,7 +67,7 @@ void note_traits(const Block& block, std::string_view line, Traits& traits) {
     traits.arcs_stated = traits.arcs_stated || code == 911;
     traits.old_units = traits.old_units || ((code == 700 || code == 710) && !is_turning_cycle(block));
     traits.jumps = traits.jumps || code == 650 || code == 680 || code == 511 || code == 160 || code == 310;
-    traits.jumps = traits.jumps || code == 90 || code == 150 || code == 500 || code == 690;
+    traits.jumps = traits.jumps || std::find(missing.begin(), missing.end(), code) != missing.end();
     traits.marlin = traits.marlin || (code == 40 && block.has('S') && !block.has('P'));
     const bool known = group_of(code) == Group::kUnknown || knows_g(rules_of(Dialect::kGrbl), code);
     traits.beyond_grbl = traits.beyond_grbl || !known;

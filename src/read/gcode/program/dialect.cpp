@@ -84,35 +84,53 @@ constexpr DialectRules mach4_rules() {
   return rules;
 }
 
+constexpr DialectRules linuxcnc_rules() {
+  DialectRules rules;
+  rules.dialect = Dialect::kLinuxCnc;
+  rules.name = "linuxcnc";
+  rules.title = "LinuxCNC";
+  rules.planner = MotionPlanner::kLinuxCnc;
+  rules.macros = MacroLanguage::kLinuxCnc;
+  rules.g.sets = kProbing | kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets | kKeptShifts |
+                 kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters | kCompensation | kStatedRadii;
+  rules.g.missing = kMissingOnLinuxCnc;
+  rules.m.only = kLinuxCncMiscellaneous;
+  rules.m.user_words = true;
+  rules.m.at_others = ", which stops there; its set-up has a REMAP for it that moves nothing";
+  rules.stray_words = StrayWords::kLinuxCnc;
+  rules.zero_length_is_off = false;
+  rules.bounded_blending = true;
+  rules.returns_to_r = true;
+  rules.cycle_rises_over = true;
+  rules.cycle_needs_dwell = true;
+  rules.feeds_out_to_clear = true;
+  rules.keeps_cycle_words = false;
+  rules.rereads_cycle_numbers = true;
+  rules.feed_in_unit_before = true;
+  rules.feed_mode_drops_feed = true;
+  rules.resets_modes = true;
+  rules.saves_modes = true;
+  rules.polar_words = true;
+  rules.compensation = kOfInterpreter;
+  return rules;
+}
+
+/// PathPilot runs LinuxCNC's interpreter.
+constexpr DialectRules tormach_rules() {
+  DialectRules rules = linuxcnc_rules();
+  rules.dialect = Dialect::kTormach;
+  rules.name = "tormach";
+  rules.title = "Tormach PathPilot";
+  rules.g.sets &= ~static_cast<unsigned>(kProbing);
+  rules.g.missing = {};
+  rules.m.at_others = ", which stops there; its set-up has a word for it that moves nothing";
+  rules.polar_words = false;
+  return rules;
+}
+
 /// In the order of Dialect.
 constexpr std::array kRules{
-    DialectRules{.dialect = Dialect::kLinuxCnc,
-                 .name = "linuxcnc",
-                 .title = "LinuxCNC",
-                 .planner = MotionPlanner::kLinuxCnc,
-                 .macros = MacroLanguage::kLinuxCnc,
-                 .g = {.sets = kProbing | kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets |
-                               kKeptShifts | kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters |
-                               kCompensation | kStatedRadii,
-                       .missing = kMissingOnLinuxCnc},
-                 .m = {.only = kLinuxCncMiscellaneous,
-                       .user_words = true,
-                       .at_others = ", which stops there; its set-up has a REMAP for it that moves nothing"},
-                 .stray_words = StrayWords::kLinuxCnc,
-                 .zero_length_is_off = false,
-                 .bounded_blending = true,
-                 .returns_to_r = true,
-                 .cycle_rises_over = true,
-                 .cycle_needs_dwell = true,
-                 .feeds_out_to_clear = true,
-                 .keeps_cycle_words = false,
-                 .rereads_cycle_numbers = true,
-                 .feed_in_unit_before = true,
-                 .feed_mode_drops_feed = true,
-                 .resets_modes = true,
-                 .saves_modes = true,
-                 .polar_words = true,
-                 .compensation = kOfInterpreter},
+    linuxcnc_rules(),
     DialectRules{.dialect = Dialect::kGrbl,
                  .name = "grbl",
                  .title = "Grbl",
@@ -252,31 +270,7 @@ constexpr std::array kRules{
                  .compensation = kOfFanuc,
                  .radius_number_stays = true},
     // PathPilot is built on LinuxCNC's interpreter. Its work offsets by number (G54.1 P) are not read.
-    DialectRules{
-        .dialect = Dialect::kTormach,
-        .name = "tormach",
-        .title = "Tormach PathPilot",
-        .planner = MotionPlanner::kLinuxCnc,
-        .macros = MacroLanguage::kLinuxCnc,
-        .g = {kDrillCycles | kToolLengths | kStatedLengths | kFractionalOffsets | kKeptShifts |
-              kExactStopBesidePath | kStoredPlaces | kAbsoluteCenters | kCompensation | kStatedRadii},
-        .m = {.only = kLinuxCncMiscellaneous,
-              .user_words = true,
-              .at_others = ", which stops there; its set-up has a word for it that moves nothing"},
-        .stray_words = StrayWords::kLinuxCnc,
-        .zero_length_is_off = false,
-        .bounded_blending = true,
-        .returns_to_r = true,
-        .cycle_rises_over = true,
-        .cycle_needs_dwell = true,
-        .feeds_out_to_clear = true,
-        .keeps_cycle_words = false,
-        .rereads_cycle_numbers = true,
-        .feed_in_unit_before = true,
-        .feed_mode_drops_feed = true,
-        .resets_modes = true,
-        .saves_modes = true,
-        .compensation = kOfInterpreter},
+    tormach_rules(),
 };
 
 constexpr bool rows_are_in_order() {
