@@ -362,14 +362,16 @@ CheckResult check_text(const Part& part, const ProgramText& text, const resolve:
   result.findings =
       check(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan, stated);
   if (resolve::writes_wear(options.shop))
-    check_wear(result.findings, {wear_range_of(options.shop), plan.tol.uncut, read.compensated_tools, {}},
+    check_wear(result.findings,
+               {wear_range_of(options.shop), read.compensated_tools, &result.part, &result.toolpath},
                [&](double wear) {
                  auto shifted = read_program(text, options, tools, part.top_z(), by_hand, wear);
                  const Part cut = worn(result.part, read.compensated_tools, wear);
                  number_sections(shifted.toolpath, cut);
                  SectionNames(cut).settle(shifted.toolpath);
-                 return check(cut, shifted.toolpath, shifted.control, shifted.conditions, shifted.dialect,
-                              plan, stated);
+                 Findings found = check(cut, shifted.toolpath, shifted.control, shifted.conditions,
+                                        shifted.dialect, plan, stated);
+                 return WornProgram{std::move(shifted.toolpath), std::move(found)};
                });
   add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
