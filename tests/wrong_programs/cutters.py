@@ -105,7 +105,7 @@ def cutters():
             tools=["endmill:6:T1"])
 
     # A ball leaves cusps on the floor, which is accepted; what it leaves above them is not.
-    for name, mill in (("ball", "ball:6"), ("cone", "chamfer:120deg:6")):
+    for name, mill in (("ball", "ball:6"), ("cone", "chamfer:110deg:6")):
         alone = {"tools": [f"{mill}:T1"], "asked": {"accept": ["out-of-reach"]}}
         c.right(f"right-{name}-alone", CYCLES, cleared([1, 4, 7]), "clears all above the cusps that its end leaves", **alone)
         c.add(f"{name}-ring", CYCLES, cleared([1, 7]), "FAULTY", "uncut", "leaves a ring between its passes", **alone)
