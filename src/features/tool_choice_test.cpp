@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "geometry/region.h"
 
@@ -57,6 +58,29 @@ TEST(Fitting, StripsAlongAStraightSideTakeAny) {
       {-kOpenReach, -0.04}, {kOpenReach, -0.04}, {kOpenReach, kOpenReach}, {-kOpenReach, kOpenReach}};
   strip.allowed = {Region::from_valid_loops(loop_from_points(corners), {})};
   EXPECT_GT(largest_for(strip), kOpenReach / 2);
+}
+
+/// A chamfer mill does not cut with its flat tip, which would have to go down into the material of a line.
+TEST(Engraving, IsNotForTheFlatTipOfAChamferMill) {
+  Feature line;
+  line.kind = FeatureKind::kEngraving;
+  line.profile = ProfileCut{};
+  line.profile->side = ProfileSide::kOn;
+  const auto cone = [](ToolKind kind, double tip) {
+    Tool tool{.kind = kind, .diameter = 8};
+    tool.tip_angle = Radians::of_degrees(90);
+    tool.tip_diameter = tip;
+    return tool;
+  };
+  const Tool chamfer = cone(ToolKind::kChamferMill, 0.4), sharp = cone(ToolKind::kChamferMill, 0),
+             bit = cone(ToolKind::kVBit, 0.4), ball{.kind = ToolKind::kBallEndMill, .diameter = 2},
+             mill{.kind = ToolKind::kEndMill, .diameter = 3}, drill{.kind = ToolKind::kDrill, .diameter = 5};
+  const auto chosen = [&](const std::vector<Tool>& tools) { return tool_for(line, tools, {}, {}); };
+  EXPECT_EQ(chosen({drill, chamfer, ball}), 2);
+  EXPECT_EQ(chosen({ball, chamfer, bit}), 2);
+  EXPECT_EQ(chosen({chamfer, mill}), 1);
+  EXPECT_EQ(chosen({mill, sharp}), 1);
+  EXPECT_EQ(chosen({drill, chamfer}), 1) << "there is nothing else";
 }
 
 }  // namespace
