@@ -66,15 +66,21 @@ TEST(Engraving, IsNotForTheFlatTipOfAChamferMill) {
   line.kind = FeatureKind::kEngraving;
   line.profile = ProfileCut{};
   line.profile->side = ProfileSide::kOn;
-  const auto cone = [](ToolKind kind, double tip) {
-    Tool tool{.kind = kind, .diameter = 8};
-    tool.tip_angle = Radians::of_degrees(90);
-    tool.tip_diameter = tip;
-    return tool;
+  const auto tool = [](ToolKind kind, double diameter) {
+    Tool one;
+    one.kind = kind;
+    one.diameter = diameter;
+    return one;
+  };
+  const auto cone = [&](ToolKind kind, double tip) {
+    Tool one = tool(kind, 8);
+    one.tip_angle = Radians::of_degrees(90);
+    one.tip_diameter = tip;
+    return one;
   };
   const Tool chamfer = cone(ToolKind::kChamferMill, 0.4), sharp = cone(ToolKind::kChamferMill, 0),
-             bit = cone(ToolKind::kVBit, 0.4), ball{.kind = ToolKind::kBallEndMill, .diameter = 2},
-             mill{.kind = ToolKind::kEndMill, .diameter = 3}, drill{.kind = ToolKind::kDrill, .diameter = 5};
+             bit = cone(ToolKind::kVBit, 0.4), ball = tool(ToolKind::kBallEndMill, 2),
+             mill = tool(ToolKind::kEndMill, 3), drill = tool(ToolKind::kDrill, 5);
   const auto chosen = [&](const std::vector<Tool>& tools) { return tool_for(line, tools, {}, {}); };
   EXPECT_EQ(chosen({drill, chamfer, ball}), 2);
   EXPECT_EQ(chosen({ball, chamfer, bit}), 2);

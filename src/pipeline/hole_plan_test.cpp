@@ -82,7 +82,7 @@ TEST(HolePlan, TappedAndBoredHolesMayLieBesideTheirPlacesAsDrilledOnesMay) {
       options.post.inch = true;
       expect_clean(plan_part(drawn(kBlock + hole), options));
     };
-    in_inches(circle("TAP_M6_D8", {15, 20}, 3), {"drill:5", "tap:M6:floating"});
+    in_inches(circle("TAP_M6_D7", {15, 20}, 3), {"drill:5", "tap:M6:floating"});
     in_inches(circle("BORE_D6", {10, 20}, 7), {"endmill:4", "boringbar:14"});
   }
 }
