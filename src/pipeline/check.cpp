@@ -86,20 +86,24 @@ bool is_cleared_or_drilled(const Feature& feature) {
   }
 }
 
-/// Whether a feature into which no tool of its steps goes has room for one of `tools`: what the program leaves out must not
+/// Whether one of `tools` goes into a feature, or leaves the fillet at the foot of its walls, and no tool of its steps does: what the program leaves out must not
 /// count as out of reach of the tools that it calls.
 bool leaves_a_feature_out(const Part& part, const std::vector<Tool>& tools, const Tolerances& tol) {
   for (std::size_t i = 0; i < part.features.size(); ++i) {
     const Feature& feature = part.features[i];
     if (!is_cleared_or_drilled(feature)) continue;
     double narrowest = std::numeric_limits<double>::infinity();
+    bool keeps_fillet = false;
     for (const Workingstep& step : part.workplan) {
-      if (step.feature == static_cast<int>(i)) narrowest = std::min(narrowest, tool_of(part, step).diameter);
+      if (step.feature != static_cast<int>(i)) continue;
+      narrowest = std::min(narrowest, tool_of(part, step).diameter);
+      keeps_fillet = keeps_fillet || features::keeps_fillet(tool_of(part, step), feature);
     }
     if (!std::isfinite(narrowest)) continue;
     const double fits = features::largest_fitting_diameter(feature, tol) + tol.fit;
     const auto best = static_cast<std::size_t>(features::tool_for(feature, tools, {}, tol));
     if (narrowest > fits && tools[best].diameter <= fits) return true;
+    if (!keeps_fillet && features::keeps_fillet(tools[best], feature)) return true;
   }
   return false;
 }
