@@ -3,6 +3,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -10,6 +12,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "features/round_hole.h"
+#include "features/tool_choice.h"
 #include "model/results/findings.h"
 #include "model/section_names.h"
 #include "pipeline/copies.h"
@@ -71,16 +74,52 @@ void number_sections(Toolpath& toolpath, const Part& part) {
   }
 }
 
-/// The question with the tools called by the program; with all given tools if the part cannot be made with only the
-/// called ones, because the program leaves work out. `asked` becomes the resolved options.
+bool is_cleared_or_drilled(const Feature& feature) {
+  switch (feature.kind) {
+    case FeatureKind::kClosedPocket:
+    case FeatureKind::kOpenPocket:
+    case FeatureKind::kSlot:
+    case FeatureKind::kRoundHole:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Whether one of `tools` goes into a feature, or leaves the fillet at the foot of its walls, and no tool of its steps does: what the program leaves out must not
+/// count as out of reach of the tools that it calls.
+bool leaves_a_feature_out(const Part& part, const std::vector<Tool>& tools, const Tolerances& tol) {
+  for (std::size_t i = 0; i < part.features.size(); ++i) {
+    const Feature& feature = part.features[i];
+    if (!is_cleared_or_drilled(feature)) continue;
+    double narrowest = std::numeric_limits<double>::infinity();
+    bool keeps_fillet = false;
+    for (const Workingstep& step : part.workplan) {
+      if (step.feature != static_cast<int>(i)) continue;
+      narrowest = std::min(narrowest, tool_of(part, step).diameter);
+      keeps_fillet = keeps_fillet || features::keeps_fillet(tool_of(part, step), feature);
+    }
+    if (!std::isfinite(narrowest)) continue;
+    const double fits = features::largest_fitting_diameter(feature, tol) + tol.fit;
+    const auto best = static_cast<std::size_t>(features::tool_for(feature, tools, {}, tol));
+    if (narrowest > fits && tools[best].diameter <= fits) return true;
+    if (!keeps_fillet && features::keeps_fillet(tools[best], feature)) return true;
+  }
+  return false;
+}
+
+/// The question with the tools called by the program; with all given tools if the part, or one of its features, cannot be made with
+/// only the called ones, because the program leaves work out. `asked` becomes the resolved options.
 ResolvedPlan resolved_for(const Toolpath& toolpath, const Part& part, resolve::PlanOptions& asked,
                           const StrategyTable& strategies) {
   resolve::PlanOptions called = with_tools_of(toolpath, asked);
   if (called.tools.size() < asked.tools.size()) {
     try {
       ResolvedPlan plan = resolve::resolve(part, called, strategies);
-      asked = std::move(called);
-      return plan;
+      if (!leaves_a_feature_out(plan.part, asked.tools, plan.tol)) {
+        asked = std::move(called);
+        return plan;
+      }
     } catch (const InputError&) {  // reported below if it also fails with all tools
     }
   }
