@@ -14,6 +14,7 @@
 #include "pipeline/stated_machine.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
+#include "read/job/read_part.h"
 #include "resolve/values/names.h"
 
 namespace clearcut::pipeline {
@@ -103,6 +104,58 @@ std::string place_of(const Row& row, const Source& source) {
   return source.origin == Origin::kJobFile ? source.text + ": " + row.job_key() : source.text;
 }
 
+/// "2,5": outlines of one drawing, by their numbers.
+bool is_by_number(const read::LayerRule& rule) {
+  return !rule.pattern.empty() && rule.pattern.find_first_not_of("0123456789, ") == std::string::npos;
+}
+
+/// The job of the first part for another file: without what it says of places and of single features.
+read::JobFile for_another_part(read::JobFile job, const std::string& file) {
+  job.part_file = file;
+  std::erase_if(job.operations, [](const read::OperationRule& rule) { return rule.feature != "*"; });
+  std::erase_if(job.read.layer_rules, is_by_number);
+  job.sequence.clear();
+  job.keep_outs.clear();
+  job.predrilled.clear();
+  if (!job.stock) return job;
+  job.stock->x.reset();
+  job.stock->y.reset();
+  return job;
+}
+
+/// Throws InputError for what a job of a further part states of the whole plan otherwise than `options`.
+void refuse_other_sheet(const read::JobFile& job, const PlanOptions& options) {
+  if (!job.setups.empty())
+    throw InputError(job.file, "has several set-ups; parts that lie on one sheet have one");
+  Asked sheet{options, {}}, own{job.whole, {}};
+  own.plan.machine = job.machine;
+  for (const Row& row : rows()) {
+    const Source* const source = job.sources.find(source_name(row));
+    if (!source || row.is_of_operations || !row.field.is_of_plan) continue;
+    if (row.field.get(sheet, row.names) != row.field.get(own, row.names))
+      throw InputError(source->text + ": " + row.job_key(),
+                       "is of the whole sheet, for which the first part states another value or none");
+  }
+}
+
+NestedPart read_nested_part(const NestedFile& named, const PlanOptions& options,
+                            const std::optional<read::JobFile>& of_first, read::ReadOptions over) {
+  NestedPart nested;
+  nested.count = named.count;
+  std::erase_if(over.layer_rules, is_by_number);
+  const bool has_own_job = read::is_job_file(named.file);
+  if (!has_own_job && !of_first) {
+    nested.part = read::read_part(named.file, over);
+    return nested;
+  }
+  const read::JobFile job =
+      has_own_job ? read::read_job(named.file) : for_another_part(*of_first, named.file);
+  if (has_own_job) refuse_other_sheet(job, options);
+  nested.part = read::part_of_job(job, over, nested.step_sources, nested.step_published);
+  nested.tool_cutting = cutting_of_tools(read::tools_of_job(job), job.preset);
+  return nested;
+}
+
 /// Whether the value is the one that requests no effect: 0 tabs, a lift of 0 mm.
 bool asks_nothing(const Row& row, const Asked& asked) {
   if (!row.neutral || !row.field.get) return false;
@@ -136,6 +189,18 @@ bool is_stated(const Source* source) {
 }
 
 }  // namespace
+
+std::vector<NestedPart> read_nested_parts(const PlanOptions& options,
+                                          const std::optional<read::JobFile>& of_first,
+                                          const read::ReadOptions& over) {
+  std::vector<NestedPart> parts;
+  for (const std::string& text : options.copies.with) {
+    const auto named = nested_file(text);
+    if (!named) throw InputError("--nest-with " + text, "needs a file, or a file and a number of parts");
+    parts.push_back(read_nested_part(*named, options, of_first, over));
+  }
+  return parts;
+}
 
 namespace {
 
