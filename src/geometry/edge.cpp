@@ -16,6 +16,8 @@ constexpr double kTouchPerRadius = 1e-15;
 constexpr double kStraightBulge = 1e-8;
 /// Newton rounds after which a crossing of circles is as exact as doubles allow.
 constexpr int kRounds = 4;
+/// Share of the distance at which edges meet: shorter steps towards a crossing change nothing.
+constexpr double kConverged = 1e-3;
 /// Edges meet at places within the touching distance of both: farther apart than twice this distance they do not meet. The
 /// rest is for rounding.
 constexpr double kSurelyApart = 4;
@@ -98,13 +100,12 @@ Beyond beyond(const Edge& edge, Vec2 p) {
   return {norm(v) - circle_radius(edge), unit(v)};
 }
 
-/// A crossing again, one step of Newton nearer to both curves.
-Vec2 polished(Vec2 p, const Edge& a, const Edge& b) {
+/// Newton's step from a crossing towards one that is nearer to both whole curves.
+Vec2 step_to_both(Vec2 p, const Edge& a, const Edge& b) {
   const Beyond from_a = beyond(a, p), from_b = beyond(b, p);
   const double det = cross(from_a.outward, from_b.outward);
-  if (det == 0) return p;
-  const Vec2 step = left_of(from_a.outward) * from_b.distance - left_of(from_b.outward) * from_a.distance;
-  return p - step / det;
+  if (det == 0) return {0, 0};
+  return (left_of(from_b.outward) * from_a.distance - left_of(from_a.outward) * from_b.distance) / det;
 }
 
 /// The candidate, moved onto both edges exactly: formulas of circles lose digits if a circle is huge or both edges
@@ -113,7 +114,10 @@ std::optional<Vec2> place_on_both(Vec2 p, const Edge& a, const Edge& b, double t
   for (int round = 0; round < kRounds; ++round) {
     if (distance(a, p) <= touch && distance(b, p) <= touch) return p;
     if (!a.is_arc() && !b.is_arc()) break;
-    p = polished(p, a, b);
+    const Vec2 step = step_to_both(p, a, b);
+    // The place is on both whole curves already, beyond an end of one of the edges.
+    if (norm_squared(step) <= kConverged * kConverged * touch * touch) break;
+    p = p + step;
   }
   return std::nullopt;
 }

@@ -255,13 +255,17 @@ void Material::for_parts_at(const Sweep& sweep, double z, int own, F&& f) const 
   }
 }
 
-/// mm; lowest height at which the surface of a sweep's cutter, moved `aside` mm away, passed over p; infinite if this
-/// height is not below `below`.
-double Material::surface_over(const Sweep& sweep, Vec2 p, double aside, double below) const {
-  const CutterProfile profile = sweep.cutter == kCylinder
-                                    ? CutterProfile::cylinder(sweep.shape.radius)
-                                    : cutters_[static_cast<std::size_t>(sweep.cutter)].removes;
-  const double least = sweep.z_low + profile.height_at(distance(sweep.path, p) + aside);
+/// The profile of what a sweep has removed.
+CutterProfile Material::profile_of(const Sweep& sweep) const {
+  return sweep.cutter == kCylinder ? CutterProfile::cylinder(sweep.shape.radius)
+                                   : cutters_[static_cast<std::size_t>(sweep.cutter)].removes;
+}
+
+/// mm; lowest height at which the surface of a sweep's cutter, moved `aside` mm away, passed over p, which is `apart` mm
+/// from the sweep's path; infinite if this height is not below `below`.
+double Material::surface_over(const Sweep& sweep, Vec2 p, double apart, double aside, double below) const {
+  const CutterProfile profile = profile_of(sweep);
+  const double least = sweep.z_low + profile.height_at(apart + aside);
   if (least >= below) return std::numeric_limits<double>::infinity();
   if (sweep.z_low == sweep.z_high) return least;
   const auto height = [&](double t) {
@@ -315,7 +319,7 @@ double Material::height_of_cylinder(const Sweep& sweep, Vec2 p) const {
 /// mm; height left by a sweep over p, with `own` the querying cutter; infinite if the height is not below `below`.
 double Material::height_of(const Sweep& sweep, Vec2 p, int own, double below) const {
   if (sweep.cutter == kCylinder) return height_of_cylinder(sweep, p);
-  const double surface = surface_over(sweep, p, 0, below);
+  const double surface = surface_over(sweep, p, distance(sweep.path, p), 0, below);
   if (sweep.cutter != own) return surface;
   Sweep upright = sweep;
   upright.shape.radius = cutters_[static_cast<std::size_t>(own)].circle;
@@ -543,7 +547,7 @@ std::optional<Vec2> Material::in_reach(const Edge& path, double radius, double z
   std::vector<Cover> covers;
   for (const std::uint32_t i : sweeps_about(path, radius)) {
     const Sweep& sweep = sweeps_[i];
-    if (sweep.z_low > z) continue;
+    if (sweep.z_low > z || (sweep.cutter != own && profile_of(sweep).widest <= 0)) continue;
     const Box swept =
         (sweep.path.from == sweep.path.to ? Box{sweep.path.from, sweep.path.from} : sweep.path.box())
             .grown(sweep.shape.radius);
@@ -598,22 +602,31 @@ class ProfileSearch {
     return meets_top(p) ? std::optional(p) : std::nullopt;
   }
 
-  /// Whether a sweep has removed all material over `low` within `reach` of the center.
-  bool frees(const Material::Sweep& sweep, Vec2 center, double reach, double low) const {
+  /// Whether a sweep has removed all material over `low` within `reach` of the center, which is `apart` mm from its path.
+  bool frees(const Material::Sweep& sweep, Vec2 center, double apart, double reach, double low) const {
+    if (sweep.z_low > low) return false;
     const double above = std::nextafter(low, std::numeric_limits<double>::infinity());
-    return material_.surface_over(sweep, center, reach, std::min(above, material_.z_top_)) <= low;
+    return material_.surface_over(sweep, center, apart, reach, std::min(above, material_.z_top_)) <= low;
   }
 
-  /// Whether a sweep has removed the material over `low` at the center, or at a place as near to it as slivers are thin.
-  bool frees_beside(const Material::Sweep& sweep, Vec2 center, double low) const {
-    if (frees(sweep, center, 0, low)) return true;
-    if (beside_ <= 0) return false;
+  /// Whether a sweep has removed the material over `low` at the center, `apart` mm from its path, or at a place as near
+  /// to it as slivers are thin.
+  bool frees_beside(const Material::Sweep& sweep, Vec2 center, double apart, double low) const {
+    if (frees(sweep, center, apart, 0, low)) return true;
+    if (beside_ <= 0 || !may_free(sweep, apart - beside_, low)) return false;
     constexpr double kSkew = kDiagonal / 2;
     for (const Vec2 aside : {Vec2{1, 0}, Vec2{kSkew, kSkew}, Vec2{0, 1}, Vec2{-kSkew, kSkew}}) {
-      if (frees(sweep, center + aside * beside_, 0, low) || frees(sweep, center - aside * beside_, 0, low))
-        return true;
+      for (const Vec2 p : {center + aside * beside_, center - aside * beside_}) {
+        if (frees(sweep, p, distance(sweep.path, p), 0, low)) return true;
+      }
     }
     return false;
+  }
+
+  /// Whether a sweep, at its lowest, comes down to `low` at a distance of `apart` mm from its path; rounding excepted.
+  bool may_free(const Material::Sweep& sweep, double apart, double low) const {
+    constexpr double kRounding = 1e-9;
+    return sweep.z_low + material_.profile_of(sweep).height_at(apart - kRounding) <= low + kRounding;
   }
 
   std::optional<Vec2> visit(Vec2 center, double half, std::size_t begin, std::size_t end) {
@@ -623,18 +636,20 @@ class ProfileSearch {
     if (material_.plan_ && !cell.overlaps(*material_.plan_)) return std::nullopt;
     const double low = surface(apart - reach), here = surface(apart);
     if (low >= material_.z_top_) return std::nullopt;
-    if (last_ != nullptr && frees(*last_, center, reach, low)) return std::nullopt;
+    if (last_ != nullptr && frees(*last_, center, distance(last_->path, center), reach, low))
+      return std::nullopt;
     const std::size_t mark = near_.size();
     bool middle_free = false;
     for (std::size_t k = begin; k < end; ++k) {
       const Material::Sweep& sweep = *near_[k];
-      if (frees(sweep, center, reach, low)) {
+      const double to_path = distance(sweep.path, center);
+      if (frees(sweep, center, to_path, reach, low)) {
         last_ = &sweep;
         near_.resize(mark);
         return std::nullopt;
       }
-      middle_free = middle_free || frees_beside(sweep, center, here);
-      if (distance(sweep.path, center) - reach < sweep.shape.radius) near_.push_back(near_[k]);
+      middle_free = middle_free || frees_beside(sweep, center, to_path, here);
+      if (to_path - reach < sweep.shape.radius) near_.push_back(near_[k]);
     }
     const auto found = search(center, half, mark, middle_free);
     near_.resize(mark);
@@ -680,6 +695,7 @@ std::optional<Vec2> Material::in_reach_of_profile(const Edge& path, const Cutter
   std::vector<const Sweep*> near;
   for (const std::uint32_t i : sweeps_about(path, radius)) {
     const Sweep& sweep = sweeps_[i];
+    if (profile_of(sweep).widest <= 0) continue;
     const Box swept =
         (sweep.path.from == sweep.path.to ? Box{sweep.path.from, sweep.path.from} : sweep.path.box())
             .grown(sweep.shape.radius);

@@ -172,7 +172,8 @@ class Material {
   double radius_over(const Cutter& cutter, double above, bool is_own) const;
   template <typename F>
   void for_parts_at(const Sweep& sweep, double z, int own, F&& f) const;
-  double surface_over(const Sweep& sweep, Vec2 p, double aside, double below) const;
+  CutterProfile profile_of(const Sweep& sweep) const;
+  double surface_over(const Sweep& sweep, Vec2 p, double apart, double aside, double below) const;
   double height_of_cylinder(const Sweep& sweep, Vec2 p) const;
   double height_of(const Sweep& sweep, Vec2 p, int own, double below) const;
   const Grid& grid_for(double radius) const;

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "base/random.h"
 #include "verify/coverage/coverage.h"
@@ -137,11 +139,12 @@ struct Raster {
   static constexpr double kStep = 0.2;
   struct Sample {
     Vec2 p;
-    double to_legal = 1e9;  ///< distance to the nearest legal grid point: at most half a diagonal too long
-    double excess = 1e9;    ///< distance to the nearest path less the radius
+    /// Distance to the nearest legal grid point, at most half a diagonal too long; huge where it is farther than asked about.
+    double to_legal = 1e9;
+    double excess = 1e9;  ///< distance to the nearest path less the radius
   };
   std::vector<Sample> samples;
-  std::vector<Vec2> legal;  ///< grid points where the centre may be
+  std::vector<Vec2> legal;  ///< grid points where the centre may be, ascending in x
 
   Raster(const Region& region, double radius, double allowance, const std::vector<Swath>& swaths) {
     for (double x = -16; x <= 16; x += kStep) {
@@ -153,13 +156,22 @@ struct Raster {
       }
     }
     for (Sample& sample : samples) {
-      double squared = 1e9;
-      for (const Vec2 c : legal) squared = std::min(squared, norm_squared(c - sample.p));
+      double squared = 1e18;
+      for (const Vec2 c : legal_about(sample.p.x, radius + 2 * kStep)) {
+        squared = std::min(squared, norm_squared(c - sample.p));
+      }
       sample.to_legal = std::sqrt(squared);
       for (const Swath& swath : swaths) {
         sample.excess = std::min(sample.excess, distance(swath.path, sample.p) - swath.radius);
       }
     }
+  }
+
+  /// The legal grid points whose x is no farther from this one.
+  std::span<const Vec2> legal_about(double x, double far) const {
+    const auto by_x = [](Vec2 p, double at) { return p.x < at; };
+    const auto begin = std::lower_bound(legal.begin(), legal.end(), x - far, by_x);
+    return {begin, std::lower_bound(begin, legal.end(), x + far, by_x)};
   }
 };
 
@@ -167,7 +179,8 @@ struct Raster {
 bool all_within_reach(const Raster& raster, Vec2 center, double disc, double radius) {
   for (int i = 0; i < 192; ++i) {
     const Vec2 q = center + direction_of(2 * kPi * i / 64) * (disc * (1 + i % 3) / 3);
-    if (std::none_of(raster.legal.begin(), raster.legal.end(),
+    const auto near = raster.legal_about(q.x, radius + Raster::kStep);
+    if (std::none_of(near.begin(), near.end(),
                      [&](Vec2 c) { return norm_squared(c - q) <= radius * radius; }))
       return false;
   }
