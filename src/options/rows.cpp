@@ -1191,7 +1191,7 @@ std::vector<Row> copies_rows() {
        .group = Group::kCopies,
        .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kWhole,
-       .sentence = "Number of parts to make of the sheet",
+       .sentence = "Number of parts to make of the sheet; beside others, of the first",
        .fallback = "as many as fit",
        .field = CLEARCUT_FIELD(plan.copies.count),
        .range = between(1, kMostCopies),

@@ -17,6 +17,7 @@
 #include "base/units.h"
 #include "model/section_names.h"
 #include "options/copies_options.h"
+#include "pipeline/job_options.h"
 #include "pipeline/nesting/kinds.h"
 #include "pipeline/nesting/one_kind.h"
 #include "pipeline/nesting/several_kinds.h"
@@ -510,6 +511,20 @@ std::string told_of(const CopiesQuestion& question, const Kinds& kinds, std::siz
                      kinds.size() > 1 ? "each kind is " : "");
 }
 
+/// Throws InputError for an option that has an effect on none of several kinds.
+void refuse_idle_for_all(const std::vector<PlannedKind>& kinds, const Kinds& asked) {
+  std::vector<IdleOption> idle =
+      idle_options(kinds.front().result, kinds.front().plan, asked.front().options);
+  for (std::size_t kind = 1; kind < kinds.size(); ++kind) {
+    const auto own = idle_options(kinds[kind].result, kinds[kind].plan, asked[kind].options);
+    std::erase_if(idle, [&](const IdleOption& one) {
+      return std::none_of(own.begin(), own.end(),
+                          [&](const IdleOption& other) { return other.place == one.place; });
+    });
+  }
+  if (!idle.empty()) throw InputError(idle.front().place, idle.front().reason);
+}
+
 /// Throws InputError where the program is the same without subprograms.
 void refuse_idle_subprograms(const resolve::PlanOptions& options, const ResolvedPlan& plan,
                              const Toolpath& toolpath, const PlanResult& result) {
@@ -711,6 +726,7 @@ PlanResult plan_copies(const Part& part, const resolve::PlanOptions& options) {
         std::max(overhang, overhang_of(one.box, swept_by(one.result.planned, one.plan.part), in_x, in_y));
     for_tabs = std::max(for_tabs, gap_for_tabs(one.plan.part));
   }
+  if (kinds.size() > 1 && options.refuse_idle) refuse_idle_for_all(planned, kinds);
   question.gap = gap_of(options.copies, overhang);
   if (options.tabs.any() && !options.copies.gap) question.gap = std::max(question.gap, for_tabs);
   for (const PlannedKind& one : planned) refuse_without_walls(question, one.plan.part, one.box);

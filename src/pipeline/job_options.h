@@ -37,6 +37,16 @@ std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::Libra
 void read_earlier_program(resolve::PlanOptions& options, const std::string& file,
                           std::optional<read::gcode::Dialect> dialect = {});
 
+/// An option without effect: its place ("--lead", "job.toml:12: lead"), and why it has none.
+struct IdleOption {
+  std::string place;
+  std::string reason;
+};
+
+/// All options of the user or of a job (by `asked.sources`) without effect in the plan of one of several parts.
+std::vector<IdleOption> idle_options(const PlanResult& result, const ResolvedPlan& plan,
+                                     const PlanOptions& asked);
+
 /// Throws InputError for the first option of the user or of a job (by `asked.sources`) that serves other inputs or other
 /// kinds of work than those of this part, before it is planned.
 void refuse_options_for_others(const ResolvedPlan& plan, const PlanOptions& asked);

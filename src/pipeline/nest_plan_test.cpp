@@ -2,15 +2,19 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <set>
 
 #include "base/random.h"
 #include "pipeline/check.h"
 #include "pipeline/copies.h"
+#include "pipeline/job_options.h"
 #include "pipeline/test_drawings.h"
 #include "post/post.h"
 
@@ -352,6 +356,88 @@ TEST(NestOfKinds, WhatCannotBeOnOneSheetIsRefused) {
   EXPECT_FALSE(nested_file("bar.dxf:99999"));
   EXPECT_EQ(nested_file("C:\\a.dxf")->file, "C:\\a.dxf");
   EXPECT_EQ(nested_file("a.dxf:12")->count, 12);
+}
+
+/// An option that serves one of the kinds is none too many; one that serves none is refused.
+TEST(NestOfKinds, OptionsServeOneKindAtLeast) {
+  resolve::PlanOptions options = on_sheet("200x120");
+  options.tabs.count = 2;
+  options.copies.gap = 10;
+  options.sources.set("tabs", {Origin::kUser, "--tabs"});
+  options.copies.count = 1;
+  options.nested = {nested(cut_out("plate.dxf", 50, 34), 1)};
+  const Part first = block_with_pocket("lid.dxf", 40, 30);
+  EXPECT_EQ(nest_refusal(first, options), "no refusal");
+  options.nested = {nested(block_with_holes("bar.dxf", 60, 14), 1)};
+  EXPECT_THAT(nest_refusal(first, options), HasSubstr("--tabs: has no effect"));
+}
+
+/// A folder with the files of further parts.
+class FilesOfKinds : public ::testing::Test {
+ protected:
+  FilesOfKinds()
+      : folder_(std::filesystem::path(::testing::TempDir()) / ("clearcut_nest_" + std::to_string(getpid()))) {
+    std::filesystem::create_directories(folder_);
+    write("lid.dxf", drawing(box("STOCK_D6", 0, 0, 40, 30) + rounded_box("POCKET_D3", 4, 5, 36, 25, 3.5)));
+  }
+  ~FilesOfKinds() override { std::filesystem::remove_all(folder_); }
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  void write(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
+
+  /// What is asked of the sheet of a job whose [plan] ends in `plan`, with the parts that it names.
+  std::pair<Part, resolve::PlanOptions> asked(const std::string& plan) const {
+    write("sheet.toml",
+          "[part]\nfile = \"lid.dxf\"\n[[tool]]\nnumber = 1\nkind = \"endmill\"\ndiameter = 4\n[plan]\n"
+          "nest = \"200x100\"\ngap = 8\nedge = 6\ncount = 1\n" +
+              plan);
+    const read::JobFile job = read::read_job(path("sheet.toml"));
+    std::pair<Part, resolve::PlanOptions> all{read::part_of_job(job, {}), options_of_job(job)};
+    all.second.nested = read_nested_parts(all.second, job, {});
+    all.second.threads = 1;
+    return all;
+  }
+  std::string asked_refusal(const std::string& plan) const {
+    try {
+      asked(plan);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no refusal";
+  }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// A drawing is cut with the tools of the sheet's job, a job with its own.
+TEST_F(FilesOfKinds, AreReadByTheJobOfTheSheetOrTheirOwn) {
+  write("own.toml",
+        "[part]\nfile = \"lid.dxf\"\n[[tool]]\nnumber = 1\nkind = \"endmill\"\ndiameter = 5\n"
+        "[plan]\nfeed = 700\n");
+  const auto [part, options] = asked("feed = 900\nnest_with = [\"lid.dxf:1\", \"own.toml:2\"]\n");
+  ASSERT_EQ(options.nested.size(), 2U);
+  const PlanResult planned = plan_part(part, options);
+  EXPECT_EQ(faults_of(planned.findings), "");
+  EXPECT_EQ(planned.copies->parts, 4);
+  ASSERT_EQ(planned.part.tools.size(), 2U);
+  EXPECT_EQ(planned.part.tools[1].number, 2);
+  EXPECT_THAT(planned.program, HasSubstr("F900"));
+  EXPECT_THAT(planned.program, HasSubstr("F700"));
+  const CheckResult read = check_program(part, planned.program, "sheet.ngc", options);
+  EXPECT_EQ(faults_of(read.findings), "");
+  EXPECT_EQ(read.copies->clean_parts, 4);
+}
+
+/// What a part's own job says of the whole plan is refused where the sheet is planned otherwise.
+TEST_F(FilesOfKinds, MayNotStateAnotherSheet) {
+  const std::string part =
+      "[part]\nfile = \"lid.dxf\"\n[[tool]]\nnumber = 1\nkind = \"endmill\"\ndiameter = 5\n";
+  write("own.toml", part + "[plan]\ntabs = 3\n");
+  EXPECT_THAT(asked_refusal("nest_with = [\"own.toml\"]\n"), HasSubstr("tabs: is of the whole sheet"));
+  EXPECT_EQ(asked_refusal("tabs = 3\nnest_with = [\"own.toml\"]\n"), "no refusal");
+  write("own.toml", part + "[machine]\nmax_feed = 500\n");
+  EXPECT_THAT(asked_refusal("nest_with = [\"own.toml\"]\n"), HasSubstr("states another [machine]"));
+  EXPECT_THAT(asked_refusal("nest_with = [\"none.dxf\"]\n"), HasSubstr("none.dxf"));
 }
 
 /// Fewer than are wanted: the rest is told by kind.
