@@ -138,7 +138,8 @@ class StateCheck {
     // Their necks are narrower than their cutting parts; contact of a T-slot cutter's neck is checked separately.
     if (checked.tool->kind == ToolKind::kThreadMill || checked.tool->kind == ToolKind::kTSlot)
       return std::nullopt;
-    const double depth = std::max(checked.load.axial_mm, part_.top_z() - checked.low_z());
+    const auto& wall = checked.load.wall_beyond_flutes;
+    const double depth = std::max(checked.load.axial_mm, wall ? wall->height : 0);
     if (depth <= *checked.tool->flute_length + kHeightSlack) return std::nullopt;
     return fault(FaultKind::kBeyondFlutes, checked, depth,
                  "Cuts " + trimmed(depth, 3) + " mm deep with flutes of " +
