@@ -63,6 +63,22 @@ TEST(Facing, WallsBesideAFaceStand) {
   }
 }
 
+/// Engraved lines beside a deeper face are no deeper than drawn, and stand apart from its cutter.
+TEST(Facing, LinesBesideADeeperFaceKeepTheirDepth) {
+  const resolve::PlanOptions options = with({"endmill:6", "ball:2"});
+  const std::string beside = box("FACE_D1", 60, 0, 90, 20);
+  const auto gouges = [&](const std::string& asked, const std::string& cut) {
+    const std::string program = plan_part(drawn(cut + beside), options).program;
+    return has(check_program(drawn(asked + beside), program, "other.ngc", options).findings,
+               FaultKind::kGouge);
+  };
+  const auto lines = [](const std::string& layer) {
+    return circle(layer, {20, 10}, 8) + "0\nLINE\n8\n" + layer + "\n10\n0\n20\n0\n11\n30\n21\n-5\n";
+  };
+  EXPECT_TRUE(gouges(lines("ENGRAVE_D0.5"), lines("ENGRAVE_D0.8")));
+  EXPECT_FALSE(gouges(lines("ENGRAVE_D0.5"), lines("ENGRAVE_D0.5")));
+}
+
 /// Floors beside a deeper face or isolated piece are kept, too.
 TEST(Facing, FloorsBesideADeeperFaceStand) {
   const resolve::PlanOptions options = with({"endmill:3", "drill:5"});

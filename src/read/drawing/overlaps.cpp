@@ -345,18 +345,39 @@ bool is_open_all_round(const Feature& feature) {
 /// Whether the feature has walls or a floor that `open` beside it could spoil. Of faces it is the floor, if that is higher; so of
 /// holes beside isolated pieces, which may be thousands on a board.
 bool can_be_spoiled(const Feature& feature, const Feature& open) {
-  const bool has_floor_alone = feature.kind == FeatureKind::kPlanarFace ||
-                               (feature.hole_diameter && open.kind == FeatureKind::kIsolation);
+  const bool is_fine = feature.hole_diameter || feature.kind == FeatureKind::kEngraving;
+  const bool has_floor_alone =
+      feature.kind == FeatureKind::kPlanarFace || (is_fine && open.kind == FeatureKind::kIsolation);
   return !has_floor_alone || feature.floor_z > open.floor_z + kSamePlaceMm;
 }
 
-/// Everything within the outlines of a feature; empty for broken edges and lines.
-Regions body_of(const Feature& feature) {
+/// mm; half the width of a line, so that it has an area. Radians; arcs of lines are chords of no more.
+constexpr double kHalfLine = 0.01, kChordOfLine = 0.1;
+
+/// A narrow strip along a line.
+Regions strip_along(const Path& line, const Tolerances& tol) {
+  std::vector<Loop> pieces;
+  for (const Edge& edge : line) {
+    const int chords = std::max(1, static_cast<int>(std::ceil(std::abs(edge.sweep()) / kChordOfLine)));
+    for (int i = 0; i < chords; ++i) {
+      const Vec2 from = edge.at(static_cast<double>(i) / chords), to = edge.at((i + 1.0) / chords);
+      if (distance(from, to) <= kSamePlaceMm) continue;
+      const Vec2 along = (to - from) * (kHalfLine / distance(from, to)), aside{-along.y, along.x};
+      const Vec2 corners[] = {from - along - aside, to + along - aside, to + along + aside,
+                              from - along + aside};
+      pieces.push_back(loop_from_points(corners));
+    }
+  }
+  return unite_loops(pieces, tol);
+}
+
+/// Everything within the outlines of a feature; of a line a narrow strip; empty for broken edges.
+Regions body_of(const Feature& feature, const Tolerances& tol) {
   Regions body;
   if (feature.chamfer) return body;
   if (feature.profile) {
-    if (feature.profile->closed && feature.profile->side != ProfileSide::kOn)
-      body.push_back(Region::from_valid_loops(feature.profile->line, {}));
+    if (feature.profile->side == ProfileSide::kOn) return strip_along(feature.profile->line, tol);
+    if (feature.profile->closed) body.push_back(Region::from_valid_loops(feature.profile->line, {}));
     return body;
   }
   for (const Region& region : feature.target) body.push_back(Region::from_valid_loops(region.outer(), {}));
@@ -383,7 +404,7 @@ void keep_open_features_off_others(std::vector<Feature>& features, const Toleran
     Regions kept;
     for (const Feature& other : features) {
       if (&other == &open || !can_be_spoiled(other, open)) continue;
-      const Regions body = body_of(other);
+      const Regions body = body_of(other, tol);
       const double width = body.empty() ? 0 : kept_width(body, open, tol);
       if (width == 0) continue;
       const Regions around = dilate(body, width, tol);
