@@ -4,6 +4,7 @@
 
 #include "base/elementary.h"
 #include "base/text.h"
+#include "model/tool.h"
 #include "read/stepnc/operation.h"
 #include "read/stepnc/reader.h"
 
@@ -57,11 +58,15 @@ void Reader::check_hole_end(const Draft& draft, const std::vector<std::size_t>& 
   constexpr double kSameCorner = 0.05;  // mm
   const HoleEnd& end = draft.hole_end;
   bool drilled = false, milled = false, ends_so = false, said = true;
+  double point = kEverywhere, depth = 0;  // mm; of the drill with the shortest point, and of the hole
   for (const std::size_t step : steps) {
     const Tool& tool = tool_of_step(step);
     const bool straight = goes_straight_down(part_.workplan[step].operation);
     drilled = drilled || (straight && tool.kind == ToolKind::kDrill);
     milled = milled || !straight;
+    if (straight) point = std::min(point, point_length(tool));
+    const Feature& hole = feature_of(part_.workplan[step]);
+    depth = std::max(depth, hole.top_z - hole.floor_z);
     if (end.bottom == HoleBottom::kCone && straight && tool.kind == ToolKind::kDrill) {
       said = said && tool.tip_angle.has_value();
       ends_so = ends_so ||
@@ -72,6 +77,11 @@ void Reader::check_hole_end(const Draft& draft, const std::vector<std::size_t>& 
   }
   const std::string where = context_.file.place(draft.node.line());
   const std::string name = draft.node.label();
+  if (drilled && !milled && depth < point - kLevel)
+    context_.diagnostics.warn(
+        where, name + ": it is " + trimmed(depth, 3) + " mm deep, and the point of its drill is " +
+                   trimmed(point, 3) +
+                   " mm long: nowhere has it its diameter; mill it, or state a greater depth");
   if (end.bottom == HoleBottom::kFlat) {
     if (drilled && !milled)
       context_.note("its flat bottom ends in the cone of the drill, whose tip goes down to the depth",
