@@ -285,6 +285,15 @@ TEST(StepNcHoles, EndAsTheirToolsDoOrItIsSaid) {
       ElementsAre(HasSubstr("with a radius of 5 mm")));
 }
 
+TEST(StepNcHoles, ThatGoThroughEndAtTheUndersideOrItIsSaid) {
+  Program program = hole("DRILLING($,$,'D',5.,$,#31,#34,#35,$,$,$,$,$,$)", "THROUGH_BOTTOM_CONDITION()");
+  program.with(25, "CARTESIAN_POINT('',(0.,0.,-20.))");
+  EXPECT_THAT(conditions_of(program.read()), IsEmpty());
+  program.with(25, "CARTESIAN_POINT('',(0.,0.,-19.7))");
+  EXPECT_THAT(conditions_of(program.read()),
+              ElementsAre(HasSubstr("ends 0.3 mm over the underside of the stock")));
+}
+
 TEST(StepNcHoles, ShallowerThanThePointOfTheirDrillAreNamed) {
   Program program = hole("DRILLING($,$,'D',5.,$,#31,#34,#35,$,$,$,$,$,$)");
   const auto told = [&](const std::string& depth) {

@@ -52,6 +52,26 @@ void Reader::check_holes() {
   }
 }
 
+/// What is said to go through, and ends over the underside of the stock with nothing below it. In programs of several set-ups another one may
+/// cut what is below.
+void Reader::check_through_ends() {
+  if (!part_.stock || program_.setups.size() > 1) return;
+  for (const auto& [index, steps] : steps_of_draft_) {
+    const Draft& draft = drafts_[index];
+    if (!draft.through || steps.empty()) continue;
+    const Feature& feature = feature_of_draft(index);
+    const double short_by = feature.floor_z - part_.stock->z_bottom;
+    const auto is_below = [&](const Feature& other) {
+      return other.floor_z < feature.floor_z - kLevel && box(other.target).overlaps(box(feature.target));
+    };
+    if (short_by <= kLevel || std::any_of(part_.features.begin(), part_.features.end(), is_below)) continue;
+    context_.diagnostics.doubt(context_.file.place(draft.node.line()), kNotFollowed,
+                               "not followed: " + draft.node.label() +
+                                   " is said to go through, and its depth ends " + trimmed(short_by, 3) +
+                                   " mm over the underside of the stock; it is cut as deep as that");
+  }
+}
+
 /// Whether the tools leave the bottom that is asked for.
 void Reader::check_hole_end(const Draft& draft, const std::vector<std::size_t>& steps) {
   constexpr double kSameTip = 0.0175;   // radians: a degree
