@@ -21,8 +21,16 @@ const KnownOption& option_named(const std::string& name, const std::vector<Known
   throw InputError("options", "'" + name + "' is no option; GET /options lists those there are");
 }
 
+/// Without a number of parts behind a colon.
+std::string file_in(const std::string& value) {
+  const auto colon = value.rfind(':');
+  const bool has_number = colon != std::string::npos && colon + 1 < value.size() &&
+                          value.find_first_not_of("0123456789", colon + 1) == std::string::npos;
+  return has_number ? value.substr(0, colon) : value;
+}
+
 void check_file(const std::string& option, const std::string& value, const std::set<std::string>& files) {
-  if (!files.contains(value))
+  if (!files.contains(value) && !files.contains(file_in(value)))
     throw InputError(option, "'" + value + "' was not sent; send that file with the request");
 }
 

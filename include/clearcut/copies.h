@@ -1,4 +1,5 @@
-// One part several times on one sheet, in one program: PlanOptions::copies asks plan_part() and check_program() for it.
+// One part several times on one sheet, beside parts of other kinds (PlanOptions::nested), in one program: PlanOptions::copies asks
+// plan_part() and check_program() for it.
 #pragma once
 
 #include "clearcut/plan.h"
@@ -8,7 +9,12 @@
 namespace clearcut {
 
 using model::CopiesMade;
+using model::KindMade;
+using model::PlaceMade;
 using options::CopiesOptions;
+using options::nested_file;
+using options::NestedFile;
+using options::NestedPart;
 using pipeline::sheet_of_copies;
 using pipeline::SheetOfCopies;
 

@@ -35,6 +35,7 @@ using pipeline::options_of_job;
 using pipeline::plan_part;
 using pipeline::PlanResult;
 using pipeline::read_earlier_program;
+using pipeline::read_nested_parts;
 using resolve::parse_keep_out;
 using resolve::parse_predrilled;
 using resolve::parse_stock;

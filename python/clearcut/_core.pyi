@@ -94,6 +94,7 @@ class Settings(TypedDict, total=False):
     wear_range: Length | None
     copies: str | None
     nest: str | None
+    nest_with: Sequence[str]
     gap: Length | None
     edge: Length | None
     count: int | None
@@ -333,6 +334,7 @@ class PlanOptions:
     wear_range: Length | None
     copies: str | None
     nest: str | None
+    nest_with: Sequence[str]
     gap: Length | None
     edge: Length | None
     count: int | None

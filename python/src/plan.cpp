@@ -71,14 +71,55 @@ ProgressCallback told(const py::object& progress) {
   };
 }
 
+/// The further parts of a sheet, each read as a part is without options. Their files become inputs.
+void read_nested(AskedOptions& options, std::vector<CertificateFile>& inputs) {
+  if (!options.nested.empty()) return;
+  options.nested = read_nested_parts(options, {}, {});
+  for (const std::string& text : options.copies.with)
+    inputs.push_back(certificate_file("part", nested_file(text)->file));
+}
+
+py::dict dict_of(const CopiesMade& made) {
+  py::dict out;
+  out["parts"] = made.parts;
+  out["clean_parts"] = made.clean_parts;
+  out["turned"] = made.turned;
+  out["gap_mm"] = made.gap;
+  out["wanted"] = made.wanted;
+  out["at_most"] = made.at_most;
+  if (made.kinds.empty()) return out;
+  py::list kinds, places;
+  for (const KindMade& kind : made.kinds) {
+    py::dict one;
+    one["name"] = kind.name;
+    one["parts"] = kind.parts;
+    one["clean_parts"] = kind.clean_parts;
+    one["turned"] = kind.turned;
+    one["wanted"] = kind.wanted;
+    kinds.append(one);
+  }
+  for (const PlaceMade& place : made.places) {
+    py::dict one;
+    one["name"] = made.kinds[place.kind].name;
+    one["at_mm"] = std::pair(place.taken.min.x, place.taken.min.y);
+    one["size_mm"] = std::pair(place.taken.width(), place.taken.height());
+    one["turned"] = place.turned;
+    places.append(one);
+  }
+  out["kinds"] = kinds;
+  out["places"] = places;
+  return out;
+}
+
 Plan plan(const GivenPart& part, AskedOptions options, const std::vector<OwnStrategy>& strategies,
           const py::object& progress, const py::object& cancel) {
   Plan plan;
   plan.table = table_with(strategies);
   options.strategies = plan.table.get();
   check_options(options);
-  plan.options = options;
   plan.inputs = joined(part.inputs, options.files);
+  read_nested(options, plan.inputs);
+  plan.options = options;
   options.progress = told(progress);
   auto result = interruptible(cancel, [part = part.part, options, table = plan.table](std::stop_token stop) {
     PlanOptions own = options;
@@ -103,8 +144,9 @@ Check asked_check(const std::vector<CertificateFile>& inputs, const std::string&
   Check check;
   options.strategies = nullptr;
   check_options(options);
-  check.options = options;
   check.inputs = joined(inputs, options.files);
+  read_nested(options, check.inputs);
+  check.options = options;
   check.program = program;
   check.name = name;
   check.dialect_stated = dialect.has_value();
@@ -186,15 +228,7 @@ void add_checked(py::class_<Class>& checked) {
           "copies",
           [](const Class& self) -> py::object {
             if (!self.result->copies) return py::none();
-            const CopiesMade& made = *self.result->copies;
-            py::dict out;
-            out["parts"] = made.parts;
-            out["clean_parts"] = made.clean_parts;
-            out["turned"] = made.turned;
-            out["gap_mm"] = made.gap;
-            out["wanted"] = made.wanted;
-            out["at_most"] = made.at_most;
-            return out;
+            return dict_of(*self.result->copies);
           },
           "Copies of the part in one program: how many there are, how many are clean; None for one part.")
       .def_property_readonly(

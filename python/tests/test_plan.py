@@ -475,6 +475,16 @@ class Own(unittest.TestCase):
         check = clearcut.verify(pocket(), plan.program, tools="endmill:6", dialect="linuxcnc", copies="2x1", gap=10)
         self.assertEqual(check.copies["clean_parts"], 2)
         self.assertIsNone(clearcut.plan(pocket(), tools="endmill:6").copies)
+
+    def test_parts_of_several_kinds_lie_on_one_sheet(self):
+        plate, flat = str(EXAMPLES / "inlay_hole.dxf"), str(EXAMPLES / "inlay_plug.dxf")
+        sheet = {"tools": "vbit:90deg:12", "nest": "300x200", "gap": 5, "count": 2, "nest_with": [flat + ":1"]}
+        plan = clearcut.plan(plate, **sheet)
+        self.assertEqual([(kind["name"], kind["parts"]) for kind in plan.copies["kinds"]], [("inlay_hole.dxf", 2), ("inlay_plug.dxf", 1)])
+        self.assertEqual(len(plan.copies["places"]), 3)
+        self.assertIn(flat, plan.inputs)
+        check = clearcut.verify(plate, plan.program, dialect="linuxcnc", **sheet)
+        self.assertEqual(check.copies["clean_parts"], plan.copies["clean_parts"])
         with self.assertRaisesRegex(clearcut.InputError, "--gap: lies between copies"):
             clearcut.plan(pocket(), tools="endmill:6", gap=10)
 

@@ -40,4 +40,14 @@ std::optional<std::pair<double, double>> size_of_sheet(const std::string& text) 
   return std::pair(*width, *height);
 }
 
+std::optional<NestedFile> nested_file(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  const std::string number = colon == std::string::npos ? "" : text.substr(colon + 1);
+  if (number.empty() || number.find_first_not_of("-0123456789") != std::string::npos)
+    return text.empty() ? std::nullopt : std::optional(NestedFile{text, {}});
+  const auto count = count_in(number);
+  if (colon == 0 || !count || *count > kMostCopies) return std::nullopt;
+  return NestedFile{text.substr(0, colon), count};
+}
+
 }  // namespace clearcut::inline options

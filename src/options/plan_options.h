@@ -57,6 +57,15 @@ struct ToolCutting {
   std::optional<double> stepover;  ///< fraction of the diameter
 };
 
+/// A part of another kind for the sheet that CopiesOptions::sheet fills, as it was read from one of CopiesOptions::with.
+struct NestedPart {
+  Part part;
+  std::optional<int> count;               ///< absent: as many as fit
+  std::vector<ToolCutting> tool_cutting;  ///< of its own tools, as PlanOptions::tool_cutting
+  StepSources step_sources;
+  StepChoices step_published;
+};
+
 struct PlanOptions {
   std::vector<Tool> tools;  ///< replace the part's own; empty keeps those
   /// Cutting data of `tools`, else of the part's own, in their order; tools beyond its end have none.
@@ -78,6 +87,7 @@ struct PlanOptions {
   ShopOptions shop;
   TabOptions tabs;
   CopiesOptions copies;
+  std::vector<NestedPart> nested;          ///< one for each of copies.with, read by the caller
   std::vector<PredrilledHole> predrilled;  ///< besides the part's own
   std::vector<KeepOut> keep_outs;          ///< besides the part's own
   std::optional<Toolpath> earlier;         ///< an earlier program already run on this stock

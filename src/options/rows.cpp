@@ -1120,6 +1120,10 @@ bool is_sheet(const std::string& text) {
   return size_of_sheet(text).has_value();
 }
 
+bool is_nested_file(const std::string& text) {
+  return nested_file(text).has_value();
+}
+
 std::vector<Row> copies_rows() {
   return {
       {.name = "copies",
@@ -1147,6 +1151,20 @@ std::vector<Row> copies_rows() {
        .example = "600x400",
        .is_known = is_sheet,
        .known = "the width and height of a sheet, for example 600x400"},
+      {.name = "nest-with",
+       .group = Group::kCopies,
+       .checks = kCheckOfPart,
+       .kind = kFiles,
+       .sentence = "File of another part for the sheet (repeatable), with :N behind it how many of it; it is "
+                   "read by the same options without numbers of outlines, a job by its own",
+       .fallback = "the part alone",
+       .field = CLEARCUT_FIELD(plan.copies.with),
+       .type = "FILE[:N]",
+       .table = JobTable::kPlan,
+       .example = "lid.dxf:4",
+       .is_known = is_nested_file,
+       .known = "a file, or a file and a number of parts from 1 to 10000, for example lid.dxf:4",
+       .effect = {kAllInputs, kAllWorks, fills_no_sheet}},
       {.name = "gap",
        .group = Group::kCopies,
        .checks = kCheckOfPart | kCheckOfTexts,
@@ -1173,7 +1191,7 @@ std::vector<Row> copies_rows() {
        .group = Group::kCopies,
        .checks = kCheckOfPart | kCheckOfTexts,
        .kind = kWhole,
-       .sentence = "Number of parts to make of the sheet",
+       .sentence = "Number of parts to make of the sheet; beside others, of the first",
        .fallback = "as many as fit",
        .field = CLEARCUT_FIELD(plan.copies.count),
        .range = between(1, kMostCopies),

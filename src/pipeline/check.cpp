@@ -3,6 +3,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -10,6 +13,7 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "features/round_hole.h"
+#include "features/tool_choice.h"
 #include "model/results/findings.h"
 #include "model/section_names.h"
 #include "pipeline/copies.h"
@@ -71,20 +75,58 @@ void number_sections(Toolpath& toolpath, const Part& part) {
   }
 }
 
-/// The question with the tools called by the program; with all given tools if the part cannot be made with only the
-/// called ones, because the program leaves work out. `asked` becomes the resolved options.
-ResolvedPlan resolved_for(const Toolpath& toolpath, const Part& part, resolve::PlanOptions& asked,
-                          const StrategyTable& strategies) {
+bool is_cleared_or_drilled(const Feature& feature) {
+  switch (feature.kind) {
+    case FeatureKind::kClosedPocket:
+    case FeatureKind::kOpenPocket:
+    case FeatureKind::kSlot:
+    case FeatureKind::kRoundHole:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Whether one of `tools` goes into a feature, or leaves the fillet at the foot of its walls, and no tool of its steps does: what the program leaves out must not
+/// count as out of reach of the tools that it calls.
+bool leaves_a_feature_out(const Part& part, const std::vector<Tool>& tools, const Tolerances& tol) {
+  for (std::size_t i = 0; i < part.features.size(); ++i) {
+    const Feature& feature = part.features[i];
+    if (!is_cleared_or_drilled(feature)) continue;
+    double narrowest = std::numeric_limits<double>::infinity();
+    bool keeps_fillet = false;
+    for (const Workingstep& step : part.workplan) {
+      if (step.feature != static_cast<int>(i)) continue;
+      narrowest = std::min(narrowest, tool_of(part, step).diameter);
+      keeps_fillet = keeps_fillet || features::keeps_fillet(tool_of(part, step), feature);
+    }
+    if (!std::isfinite(narrowest)) continue;
+    const double fits = features::largest_fitting_diameter(feature, tol) + tol.fit;
+    const auto best = static_cast<std::size_t>(features::tool_for(feature, tools, {}, tol));
+    if (narrowest > fits && tools[best].diameter <= fits) return true;
+    if (!keeps_fillet && features::keeps_fillet(tools[best], feature)) return true;
+  }
+  return false;
+}
+
+/// Decides every value of a question with other options.
+using Resolver = std::function<ResolvedPlan(const resolve::PlanOptions&)>;
+
+/// The question with the tools called by the program; with all given tools if the part, or one of its features, cannot be made with
+/// only the called ones, because the program leaves work out. `asked` becomes the resolved options.
+ResolvedPlan resolved_for(const Toolpath& toolpath, resolve::PlanOptions& asked, const Resolver& resolved) {
   resolve::PlanOptions called = with_tools_of(toolpath, asked);
   if (called.tools.size() < asked.tools.size()) {
     try {
-      ResolvedPlan plan = resolve::resolve(part, called, strategies);
-      asked = std::move(called);
-      return plan;
+      ResolvedPlan plan = resolved(called);
+      if (!leaves_a_feature_out(plan.part, asked.tools, plan.tol)) {
+        asked = std::move(called);
+        return plan;
+      }
     } catch (const InputError&) {  // reported below if it also fails with all tools
     }
   }
-  return resolve::resolve(part, asked, strategies);
+  return resolved(asked);
 }
 
 /// Values stated for the tool of a workingstep of `prepared` take precedence over those of `stated`, the step as read
@@ -144,11 +186,23 @@ void add_drive(std::map<int, verify::StatedDrive>& drives, int tool, const Cutti
   all.least_rpm = std::min(all.least_rpm, rpm);
 }
 
+/// The number behind the last point, with the point: the place of a part on a sheet; "" for other names.
+std::string_view place_in(std::string_view name) {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos || dot + 1 == name.size()) return {};
+  const std::string_view number = name.substr(dot);
+  return number.find_first_not_of("0123456789", 1) == std::string_view::npos ? number : std::string_view();
+}
+
 /// Whether `name` is that of a step that was put beside the step `of`: for tabs, for the neck of a T-slot, for what a narrower mill
 /// still reaches, or for finishing.
-bool follows_from(const std::string& name, const std::string& of) {
+bool follows_from(std::string_view name, std::string_view of) {
+  if (const std::string_view place = place_in(of); !place.empty() && place == place_in(name)) {
+    name.remove_suffix(place.size());
+    of.remove_suffix(place.size());
+  }
   if (!name.starts_with(of)) return false;
-  std::string_view ending = std::string_view(name).substr(of.size());
+  std::string_view ending = name.substr(of.size());
   constexpr std::string_view kRest = "_rest_T";
   if (ending.starts_with(kRest)) {
     const std::size_t end = ending.find_first_not_of("0123456789", kRest.size());
@@ -329,24 +383,19 @@ void take_first(ResolvedPlan& plan, const FirstPart* first) {
   plan.earlier_state = first->state;
 }
 
-CheckResult check_sheet(const Part& part, const ProgramText& text, const resolve::PlanOptions& options,
-                        const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first);
-
-/// `reference_feeds`: as check_program(). `first`: null where nothing of the same program has run before.
-CheckResult check_text(const Part& part, const ProgramText& text, const resolve::PlanOptions& options,
-                       const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first) {
-  require_copies(options.copies);
-  if (options.copies.any()) return check_sheet(part, text, options, reference_feeds, first);
-  const StrategyTable& strategies = strategies_of(options);
+/// Of one part, or of a sheet as one; `resolve_part` decides its values.
+CheckResult check_resolved(const Part& part, const ProgramText& text, const resolve::PlanOptions& options,
+                           const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first,
+                           const Resolver& resolve_part) {
   std::optional<ResolvedPlan> resolved;
-  if (text.names_no_tools()) resolved = resolve::resolve(part, options, strategies);
+  if (text.names_no_tools()) resolved = resolve_part(options);
   const std::vector<Tool>& tools = options.tools.empty() ? part.tools : options.tools;
   const HandTools by_hand = resolved ? as_worked(resolved->part) : HandTools{};
   auto read = read_program(text, options, tools, part.top_z(), by_hand);
   require_tools(!options.tools.empty() || !part.tools.empty(), read.toolpath, text);
   CheckResult result;
   resolve::PlanOptions asked = numbered_by(read.toolpath, options);
-  if (!resolved) resolved = resolved_for(called_by(read.toolpath, first), part, asked, strategies);
+  if (!resolved) resolved = resolved_for(called_by(read.toolpath, first), asked, resolve_part);
   take_first(*resolved, first);
   const ResolvedPlan& plan = *resolved;
   result.part = plan.part;
@@ -362,14 +411,16 @@ CheckResult check_text(const Part& part, const ProgramText& text, const resolve:
   result.findings =
       check(result.part, result.toolpath, result.control, read.conditions, result.dialect, plan, stated);
   if (resolve::writes_wear(options.shop))
-    check_wear(result.findings, {wear_range_of(options.shop), plan.tol.uncut, read.compensated_tools, {}},
+    check_wear(result.findings,
+               {wear_range_of(options.shop), read.compensated_tools, &result.part, &result.toolpath},
                [&](double wear) {
                  auto shifted = read_program(text, options, tools, part.top_z(), by_hand, wear);
                  const Part cut = worn(result.part, read.compensated_tools, wear);
                  number_sections(shifted.toolpath, cut);
                  SectionNames(cut).settle(shifted.toolpath);
-                 return check(cut, shifted.toolpath, shifted.control, shifted.conditions, shifted.dialect,
-                              plan, stated);
+                 Findings found = check(cut, shifted.toolpath, shifted.control, shifted.conditions,
+                                        shifted.dialect, plan, stated);
+                 return WornProgram{std::move(shifted.toolpath), std::move(found)};
                });
   add_conditions_of_part(result.part, plan, result.findings);
   add_not_machined(result.part.diagnostics, result.findings);
@@ -383,11 +434,23 @@ CheckResult check_sheet(const Part& part, const ProgramText& text, const resolve
   SheetOfCopies sheet = sheet_of_copies(part, options);
   resolve::PlanOptions of_sheet = options;
   of_sheet.copies = {};
-  CheckResult result = check_text(sheet.part, text, of_sheet, reference_feeds, first);
+  of_sheet.nested.clear();
+  of_sheet.tool_cutting = sheet.tool_cutting;
+  CheckResult result = check_resolved(sheet.part, text, of_sheet, reference_feeds, first, sheet.resolved);
   sheet.made.sheet = result.part.stock ? result.part.stock->plan : Box{};
   count_clean_parts(result.findings, sheet.made);
   result.copies = sheet.made;
   return result;
+}
+
+/// `reference_feeds`: as check_program(). `first`: null where nothing of the same program has run before.
+CheckResult check_text(const Part& part, const ProgramText& text, const resolve::PlanOptions& options,
+                       const std::map<int, MmPerMin>& reference_feeds, const FirstPart* first) {
+  require_copies(options.copies);
+  if (options.copies.any()) return check_sheet(part, text, options, reference_feeds, first);
+  return check_resolved(part, text, options, reference_feeds, first, [&](const resolve::PlanOptions& asked) {
+    return resolve::resolve(part, asked, strategies_of(options));
+  });
 }
 
 CheckResult check_text_alone(const std::optional<Stock>& stock, const ProgramText& text,

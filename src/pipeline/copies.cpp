@@ -17,6 +17,11 @@
 #include "base/units.h"
 #include "model/section_names.h"
 #include "options/copies_options.h"
+#include "pipeline/job_options.h"
+#include "pipeline/nesting/kinds.h"
+#include "pipeline/nesting/one_kind.h"
+#include "pipeline/nesting/several_kinds.h"
+#include "pipeline/nesting/tool_runs.h"
 #include "pipeline/run.h"
 #include "pipeline/selection/strategies.h"
 #include "pipeline/steps/certify.h"
@@ -27,24 +32,43 @@
 namespace clearcut::pipeline {
 namespace {
 
-bool is_cut_out(const Feature& feature) {
-  return feature.profile && feature.profile->closed && feature.profile->side == ProfileSide::kOutside;
+Box outlines_of(const Part& part) {
+  Box outlines;
+  for (const Feature& feature : part.features)
+    if (is_cut_out(feature)) outlines.add(box(feature.profile->line));
+  return outlines;
+}
+
+/// What is cut of a part apart from the outlines that are cut out; without outlines and block all of it.
+std::vector<const Feature*> cut_beside(const Part& part, const Box& outlines) {
+  std::vector<const Feature*> beside;
+  if (outlines.empty() && part.stock) return beside;
+  for (const Feature& feature : part.features)
+    if (!is_cut_out(feature) && (outlines.empty() || !box(feature.target).overlaps(outlines)))
+      beside.push_back(&feature);
+  return beside;
 }
 
 /// What stays of a part, or is to be kept free for it: with its outlines what is cut apart from them.
 Box box_of_part(const Part& part) {
-  Box outlines, cut;
-  for (const Feature& feature : part.features) {
-    if (is_cut_out(feature)) outlines.add(box(feature.profile->line));
-    cut.add(box(feature.target));
-  }
-  if (outlines.empty()) return part.stock ? part.stock->plan : cut;
-  Box all = outlines;
-  for (const Feature& feature : part.features) {
-    const Box own = box(feature.target);
-    if (!is_cut_out(feature) && !own.overlaps(outlines)) all.add(own);
-  }
+  Box all = outlines_of(part);
+  const auto beside = cut_beside(part, all);
+  if (all.empty() && part.stock) return part.stock->plan;
+  for (const Feature* const feature : beside) all.add(box(feature->target));
   return all;
+}
+
+/// A feature whose wall is a side of the part's box, so that beside it there must be material; null: there is none.
+const Feature* wall_at_side(const Part& part, const Box& own, bool in_x, bool in_y) {
+  const auto is_at = [](double a, double b) { return std::abs(a - b) < kSamePlaceMm; };
+  for (const Feature* const feature : cut_beside(part, outlines_of(part))) {
+    if (feature->kind != FeatureKind::kClosedPocket && feature->kind != FeatureKind::kInsideProfile) continue;
+    const Box cut = box(feature->target);
+    if ((in_x && (is_at(cut.min.x, own.min.x) || is_at(cut.max.x, own.max.x))) ||
+        (in_y && (is_at(cut.min.y, own.min.y) || is_at(cut.max.y, own.max.y))))
+      return feature;
+  }
+  return nullptr;
 }
 
 /// Where the cutter comes below the top of the work, its full width.
@@ -89,34 +113,48 @@ Section placed(Section section, const read::PlanPlacement& place, int first_step
   return section;
 }
 
-using Places = std::vector<read::PlanPlacement>;
+/// Where one part lies, and which one it is.
+struct PartPlace {
+  std::size_t kind = 0;
+  read::PlanPlacement at;
+};
+using Places = std::vector<PartPlace>;
 
 std::string numbered(const std::string& name, int copy) {
   return fmt::format("{}.{}", name, copy + 1);
 }
 
-/// The copies as one part: features and steps of the first, then of the second, and so on.
-Part sheet_of(const Part& one, const Places& places) {
-  Part sheet = one;
+/// All features and steps of one part, numbered and placed.
+void add_part(const Part& one, const read::PlanPlacement& place, int number, Part& sheet) {
+  Part copy = read::with_placement(one, place);
+  const auto first = static_cast<int>(sheet.features.size());
+  for (Feature& feature : copy.features) {
+    feature.name = numbered(feature.name, number);
+    sheet.features.push_back(std::move(feature));
+  }
+  for (Workingstep& step : copy.workplan) {
+    step.name = numbered(step.name, number);
+    step.feature += first;
+    sheet.workplan.push_back(std::move(step));
+  }
+  for (const PredrilledHole& hole : copy.predrilled) sheet.predrilled.push_back(hole);
+  if (!copy.stock) return;
+  if (!sheet.stock) sheet.stock = Stock{{}, copy.stock->z_bottom, copy.stock->z_top};
+  sheet.stock->plan.add(copy.stock->plan);
+}
+
+/// The parts of all places as one part: features and steps of the first place, then of the second, and so on. `kinds`: one part of each.
+Part sheet_of(const std::vector<const Part*>& kinds, const Places& places) {
+  Part sheet = *kinds.front();
   sheet.features.clear();
   sheet.workplan.clear();
   sheet.predrilled.clear();
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    Part copy = read::with_placement(one, places[k]);
-    const auto first = static_cast<int>(sheet.features.size());
-    for (Feature& feature : copy.features) {
-      feature.name = numbered(feature.name, static_cast<int>(k));
-      sheet.features.push_back(std::move(feature));
-    }
-    for (Workingstep& step : copy.workplan) {
-      step.name = numbered(step.name, static_cast<int>(k));
-      step.feature += first;
-      sheet.workplan.push_back(std::move(step));
-    }
-    for (const PredrilledHole& hole : copy.predrilled) sheet.predrilled.push_back(hole);
-    if (!sheet.stock) continue;
-    if (k == 0) sheet.stock->plan = {};
-    sheet.stock->plan.add(copy.stock->plan);
+  sheet.stock.reset();
+  for (std::size_t k = 0; k < places.size(); ++k)
+    add_part(*kinds[places[k].kind], places[k].at, static_cast<int>(k), sheet);
+  for (std::size_t kind = 1; kind < kinds.size(); ++kind) {
+    sheet.name += " + " + kinds[kind]->name;
+    sheet.order_free = sheet.order_free && kinds[kind]->order_free;
   }
   return sheet;
 }
@@ -130,7 +168,7 @@ struct CopiesQuestion {
   double gap = 0;
   double step =
       0;  ///< places are whole multiples of it, so that subprograms are rounded alike at each; 0: any
-  std::optional<int> count;
+  std::optional<int> count;     ///< of the first kind
   std::vector<KeepOut> clamps;  ///< on the sheet to fill
 };
 
@@ -161,7 +199,7 @@ Places places_in_grid(const CopiesQuestion& question, const Box& own) {
   for (int row = 0; row < question.up; ++row)
     for (int k = 0; k < question.across; ++k) {
       const int column = row % 2 == 0 ? k : question.across - 1 - k;
-      places.push_back({false, {column * pitch.x, row * pitch.y}});
+      places.push_back({0, {false, {column * pitch.x, row * pitch.y}}});
     }
   return places;
 }
@@ -182,7 +220,12 @@ bool is_beside_clamps(const NestPlace& place, const CopiesQuestion& question, co
   });
 }
 
-Places places_on_sheet(const CopiesQuestion& question, const Box& own) {
+/// So that the corner of the box that is the lower left one after the turn comes to `at`.
+read::PlanPlacement with_corner_at(Vec2 at, bool turned, const Box& own) {
+  return {turned, at - (turned ? Vec2{-own.max.y, own.min.x} : own.min)};
+}
+
+Places places_of_one_kind(const CopiesQuestion& question, const Box& own) {
   std::vector<NestPlace> found = nest(nest_question_of(question, own));
   std::erase_if(found, [&](const NestPlace& one) { return !is_beside_clamps(one, question, own); });
   if (found.empty())
@@ -195,20 +238,59 @@ Places places_on_sheet(const CopiesQuestion& question, const Box& own) {
   if (question.count && *question.count < static_cast<int>(found.size()))
     found.resize(static_cast<std::size_t>(*question.count));
   Places places;
-  for (const NestPlace& one : found) {
-    // The corner of the box that is the lower left one after the turn.
-    const Vec2 corner = one.turned ? Vec2{-own.max.y, own.min.x} : own.min;
-    places.push_back({one.turned, one.at - corner});
-  }
+  for (const NestPlace& one : found) places.push_back({0, with_corner_at(one.at, one.turned, own)});
   return places;
 }
 
-Places places_of(const CopiesQuestion& question, const Box& own) {
-  Places places = question.fills_sheet ? places_on_sheet(question, own) : places_in_grid(question, own);
+/// How many of each kind have a place: "lid.dxf 4, box.dxf 0".
+std::string counts_by_kind(const Kinds& kinds, const std::vector<KindPlace>& places) {
+  std::string told;
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind)
+    told += fmt::format("{}{} {}", kind == 0 ? "" : ", ", kinds[kind].name,
+                        std::count_if(places.begin(), places.end(),
+                                      [&](const KindPlace& place) { return place.kind == kind; }));
+  return told;
+}
+
+/// Throws InputError for the first kind of which no part has a place.
+void refuse_without_place(const CopiesQuestion& question, const Kinds& kinds, const std::vector<Box>& boxes,
+                          const std::vector<KindPlace>& places) {
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    if (std::any_of(places.begin(), places.end(), [&](const KindPlace& one) { return one.kind == kind; }))
+      continue;
+    throw InputError(
+        "--nest",
+        fmt::format("not one part of {}, {} by {} mm, fits on {} by {} mm with {} mm of its edge left "
+                    "free{} beside the others; of each kind there would be: {}",
+                    kinds[kind].name, trimmed(boxes[kind].width(), 3), trimmed(boxes[kind].height(), 3),
+                    trimmed(question.width, 3), trimmed(question.height, 3), trimmed(question.edge, 3),
+                    question.clamps.empty() ? "" : ", beside the clamps and", counts_by_kind(kinds, places)));
+  }
+}
+
+Places places_of_several_kinds(const CopiesQuestion& question, const Kinds& kinds,
+                               const std::vector<Box>& boxes) {
+  KindsQuestion asked{question.width, question.height, question.edge, question.gap, {}, {}};
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind)
+    asked.kinds.push_back({boxes[kind].width(), boxes[kind].height(), kinds[kind].count});
+  for (const KeepOut& clamp : question.clamps) asked.kept_free.push_back(clamp.plan);
+  const std::vector<KindPlace> found = nest_kinds(asked);
+  refuse_without_place(question, kinds, boxes, found);
+  Places places;
+  for (const KindPlace& one : found)
+    places.push_back({one.kind, with_corner_at(one.at, one.turned, boxes[one.kind])});
+  return places;
+}
+
+/// `boxes`: of one part of each kind.
+Places places_of(const CopiesQuestion& question, const Kinds& kinds, const std::vector<Box>& boxes) {
+  Places places = kinds.size() > 1       ? places_of_several_kinds(question, kinds, boxes)
+                  : question.fills_sheet ? places_of_one_kind(question, boxes.front())
+                                         : places_in_grid(question, boxes.front());
   if (question.step == 0) return places;
-  for (read::PlanPlacement& place : places)
-    place.by = {std::round(place.by.x / question.step) * question.step,
-                std::round(place.by.y / question.step) * question.step};
+  for (PartPlace& place : places)
+    place.at.by = {std::round(place.at.by.x / question.step) * question.step,
+                   std::round(place.at.by.y / question.step) * question.step};
   return places;
 }
 
@@ -239,23 +321,71 @@ struct PlacedPath {
   std::vector<int> same_moves;
 };
 
-/// Each tool does its work on all parts before the next comes in; every other tool begins where the one before ended.
-PlacedPath placed_by_tool(const Toolpath& one, const Places& places, int steps) {
+/// The part of one kind, planned.
+struct PlannedKind {
+  PlanResult result;
+  ResolvedPlan plan;
+  Box box;
+};
+
+/// Consecutive sections with one tool, from the first to before the last.
+struct ToolStay {
+  int tool = 0;
+  std::size_t begin = 0, end = 0;
+};
+
+std::vector<ToolStay> runs_of(const Toolpath& toolpath) {
+  std::vector<ToolStay> runs;
+  const auto& sections = toolpath.sections;
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    if (runs.empty() || runs.back().tool != sections[i].tool_number)
+      runs.push_back({sections[i].tool_number, i, i});
+    runs.back().end = i + 1;
+  }
+  return runs;
+}
+
+/// The first workingstep of each place.
+std::vector<int> first_steps(const std::vector<PlannedKind>& kinds, const Places& places) {
+  std::vector<int> first;
+  int next = 0;
+  for (const PartPlace& place : places) {
+    first.push_back(next);
+    next += static_cast<int>(kinds[place.kind].plan.steps.size());
+  }
+  return first;
+}
+
+/// Each tool does its work on all parts before the next comes in; every other tool begins where the one before ended. The order of tools
+/// is one for all kinds.
+PlacedPath placed_by_tool(const std::vector<PlannedKind>& kinds, const Places& places) {
+  std::vector<std::vector<ToolStay>> runs;
+  std::vector<std::vector<int>> tools;
+  std::vector<std::size_t> first_section{0};
+  for (const PlannedKind& kind : kinds) {
+    runs.push_back(runs_of(kind.result.planned));
+    tools.emplace_back();
+    for (const ToolStay& run : runs.back()) tools.back().push_back(run.tool);
+    first_section.push_back(first_section.back() + kind.result.planned.sections.size());
+  }
+  const std::vector<int> first = first_steps(kinds, places);
   PlacedPath all;
   bool back = false;
-  const auto& sections = one.sections;
-  for (std::size_t begin = 0; begin < sections.size();) {
-    std::size_t end = begin + 1;
-    while (end < sections.size() && sections[end].tool_number == sections[begin].tool_number) ++end;
+  for (const SharedRun& shared : merged_runs(tools)) {
+    std::vector<const ToolStay*> of_kind(kinds.size(), nullptr);
+    for (const SharedRun::Share& share : shared.shares) of_kind[share.kind] = &runs[share.kind][share.run];
     for (std::size_t n = 0; n < places.size(); ++n) {
       const std::size_t k = back ? places.size() - 1 - n : n;
-      for (std::size_t i = begin; i < end; ++i) {
-        all.toolpath.sections.push_back(placed(sections[i], places[k], static_cast<int>(k) * steps));
-        all.same_moves.push_back(2 * static_cast<int>(i) + (places[k].turned ? 2 : 1));
+      const std::size_t kind = places[k].kind;
+      if (!of_kind[kind]) continue;
+      for (std::size_t i = of_kind[kind]->begin; i < of_kind[kind]->end; ++i) {
+        all.toolpath.sections.push_back(
+            placed(kinds[kind].result.planned.sections[i], places[k].at, first[k]));
+        all.same_moves.push_back(2 * static_cast<int>(first_section[kind] + i) +
+                                 (places[k].at.turned ? 2 : 1));
       }
     }
     back = !back;
-    begin = end;
   }
   return all;
 }
@@ -270,6 +400,15 @@ void refuse_for_copies(const resolve::PlanOptions& options) {
     throw InputError("--after", "what ran before was cut into one part, not into copies; leave it out");
   if (!options.predrilled.empty())
     throw InputError("--predrilled", "names places on one part; state such holes in the part's own file");
+}
+
+/// Files of further parts are read before anything is planned.
+void refuse_unread(const resolve::PlanOptions& options) {
+  if (options.copies.with.size() > options.nested.size())
+    throw InputError("--nest-with", options.copies.with[options.nested.size()] +
+                                        " is not read; give its part in PlanOptions::nested");
+  if (!options.nested.empty() && !options.copies.sheet)
+    throw InputError("--nest-with", "lies on a sheet that is filled; add --nest");
 }
 
 /// Numbers and spacings of tabs are those of each outline, which has its tabs at the same places on each copy.
@@ -297,23 +436,58 @@ double gap_for_tabs(const Part& part) {
   return 2 * widest_kerf(part) + kLeastWeb;
 }
 
-/// Clamps on a sheet to fill are in its coordinates, not in those of the part that is planned.
-std::vector<KeepOut> take_clamps(Part& part, resolve::PlanOptions& options) {
-  std::vector<KeepOut> clamps = std::move(part.keep_outs);
-  clamps.insert(clamps.end(), options.keep_outs.begin(), options.keep_outs.end());
-  part.keep_outs.clear();
-  options.keep_outs.clear();
-  return clamps;
+/// mm; a thinner wall is none.
+constexpr double kLeastWall = 0.1;
+
+/// Throws InputError where a pocket's own wall would have no thickness: at the sheet's edge, or beside another part.
+void refuse_without_walls(const CopiesQuestion& question, const Part& part, const Box& own) {
+  const Feature* const at_edge = question.fills_sheet ? wall_at_side(part, own, true, true) : nullptr;
+  if (at_edge && question.edge < kLeastWall)
+    throw InputError("--edge",
+                     fmt::format("{} mm leave no wall of {} at the edge of the sheet, where its part ends; "
+                                 "give the thickness of the wall",
+                                 trimmed(question.edge, 3), at_edge->name));
+  const Feature* const beside = wall_at_side(part, own, question.fills_sheet || question.across > 1,
+                                             question.fills_sheet || question.up > 1);
+  if (beside && question.gap < kLeastWall)
+    throw InputError(
+        "--gap", fmt::format("{} mm between parts leave no wall of {}, with which its part ends; give the "
+                             "thickness of the wall",
+                             trimmed(question.gap, 3), beside->name));
 }
 
-CopiesMade made_of(const CopiesQuestion& question, const Places& places, const Box& own) {
+/// The box of one part where it lies.
+Box placed_box(const Box& own, const read::PlanPlacement& place) {
+  Box placed;
+  placed.add(place.placed(own.min));
+  placed.add(place.placed(own.max));
+  return placed;
+}
+
+void count_by_kind(const Kinds& kinds, const Places& places, const std::vector<Box>& boxes,
+                   CopiesMade& made) {
+  for (const Kind& kind : kinds) made.kinds.push_back({kind.name, 0, 0, 0, kind.count});
+  for (const PartPlace& place : places) {
+    KindMade& kind = made.kinds[place.kind];
+    ++kind.parts;
+    kind.turned += place.at.turned ? 1 : 0;
+    made.places.push_back({place.kind, placed_box(boxes[place.kind], place.at), place.at.turned});
+  }
+}
+
+CopiesMade made_of(const CopiesQuestion& question, const Kinds& kinds, const Places& places,
+                   const std::vector<Box>& boxes) {
   CopiesMade made;
   made.parts = static_cast<int>(places.size());
   made.turned = static_cast<int>(
-      std::count_if(places.begin(), places.end(), [](const auto& place) { return place.turned; }));
+      std::count_if(places.begin(), places.end(), [](const PartPlace& place) { return place.at.turned; }));
   made.gap = question.gap;
+  if (kinds.size() > 1) {
+    count_by_kind(kinds, places, boxes, made);
+    return made;
+  }
   made.wanted = question.count;
-  if (question.fills_sheet) made.at_most = most_by_area(nest_question_of(question, own));
+  if (question.fills_sheet) made.at_most = most_by_area(nest_question_of(question, boxes.front()));
   return made;
 }
 
@@ -327,12 +501,28 @@ std::optional<std::size_t> part_of_name(const std::string& name) {
   return number - 1;
 }
 
-std::string told_of(const CopiesQuestion& question, std::size_t parts) {
+std::string told_of(const CopiesQuestion& question, const Kinds& kinds, std::size_t parts) {
   const std::string where = question.fills_sheet ? fmt::format("on {} by {} mm", trimmed(question.width, 3),
                                                                trimmed(question.height, 3))
                                                  : fmt::format("{}x{}", question.across, question.up);
-  return fmt::format("{} parts, {}, {} mm apart; planned once and placed", parts, where,
-                     trimmed(question.gap, 3));
+  const std::string what = kinds.size() > 1 ? fmt::format("{} parts of {} kinds", parts, kinds.size())
+                                            : fmt::format("{} parts", parts);
+  return fmt::format("{}, {}, {} mm apart; {}planned once and placed", what, where, trimmed(question.gap, 3),
+                     kinds.size() > 1 ? "each kind is " : "");
+}
+
+/// Throws InputError for an option that has an effect on none of several kinds.
+void refuse_idle_for_all(const std::vector<PlannedKind>& kinds, const Kinds& asked) {
+  std::vector<IdleOption> idle =
+      idle_options(kinds.front().result, kinds.front().plan, asked.front().options);
+  for (std::size_t kind = 1; kind < kinds.size(); ++kind) {
+    const auto own = idle_options(kinds[kind].result, kinds[kind].plan, asked[kind].options);
+    std::erase_if(idle, [&](const IdleOption& one) {
+      return std::none_of(own.begin(), own.end(),
+                          [&](const IdleOption& other) { return other.place == one.place; });
+    });
+  }
+  if (!idle.empty()) throw InputError(idle.front().place, idle.front().reason);
 }
 
 /// Throws InputError where the program is the same without subprograms.
@@ -348,22 +538,105 @@ void refuse_idle_subprograms(const resolve::PlanOptions& options, const Resolved
         "has no effect: there is one part, or all that is cut are holes by cycles; leave it out");
 }
 
-/// The path of the one part and its plan at all places; the plan becomes that of the sheet.
-PlacedPath take_places(const Toolpath& one, ResolvedPlan& plan, const Places& places,
-                       const CopiesQuestion& question) {
-  const auto steps = static_cast<int>(plan.steps.size());
-  const std::vector<ResolvedStep> of_one = plan.steps;
-  for (std::size_t k = 1; k < places.size(); ++k)
-    plan.steps.insert(plan.steps.end(), of_one.begin(), of_one.end());
-  plan.part = sheet_of(plan.part, places);
+/// The plan of the sheet: that of the first kind, with the parts and steps of all places.
+ResolvedPlan plan_of_sheet(const std::vector<PlannedKind>& kinds, const Places& places,
+                           const CopiesQuestion& question) {
+  ResolvedPlan plan = kinds.front().plan;
+  plan.steps.clear();
+  std::vector<const Part*> parts;
+  for (const PlannedKind& kind : kinds) parts.push_back(&kind.plan.part);
+  for (const PartPlace& place : places) {
+    const auto& steps = kinds[place.kind].plan.steps;
+    plan.steps.insert(plan.steps.end(), steps.begin(), steps.end());
+  }
+  plan.part = sheet_of(parts, places);
   if (question.fills_sheet) {
     take_block(question, plan.part);
     plan.part.keep_outs = question.clamps;
   }
-  PlacedPath path = placed_by_tool(one, places, steps);
-  const SectionNames names(plan.part);
+  return plan;
+}
+
+/// The path of all parts, its sections named by their workingsteps.
+PlacedPath path_of_sheet(const std::vector<PlannedKind>& kinds, const Places& places, const Part& sheet) {
+  PlacedPath path = placed_by_tool(kinds, places);
+  const SectionNames names(sheet);
   for (Section& section : path.toolpath.sections) section.label = names.of(section.workingstep);
   return path;
+}
+
+void say(const Diagnostic& one, const std::string& where, Diagnostics& all) {
+  switch (one.severity) {
+    case Severity::kNote:
+      return all.note(where, one.what);
+    case Severity::kRepair:
+      return all.repair(where, one.what);
+    case Severity::kWarning:
+      return one.condition.empty() ? all.warn(where, one.what) : all.doubt(where, one.condition, one.what);
+    case Severity::kSkipped:
+      return all.skip(where, one.what);
+  }
+}
+
+/// What was said of the parts of a kind beside the first, at its file.
+void append_said(const Diagnostics& said, const std::string& name, Diagnostics& all) {
+  const auto is_known = [&](const Diagnostic& one) {
+    return std::any_of(all.items().begin(), all.items().end(), [&](const Diagnostic& known) {
+      return known.where == one.where && known.what == one.what;
+    });
+  };
+  for (const Diagnostic& one : said.items()) {
+    const bool names_file = one.where.find(name) != std::string::npos;
+    if (!is_known(one)) say(one, names_file ? one.where : name + ": " + one.where, all);
+  }
+}
+
+/// What is known of the plans of all kinds, on the first part of each; only the findings are still those of one part.
+PlanResult result_of(std::vector<PlannedKind>& kinds, const Kinds& asked, const Places& places) {
+  PlanResult result = std::move(kinds.front().result);
+  const std::vector<int> first = first_steps(kinds, places);
+  for (std::size_t kind = 1; kind < kinds.size(); ++kind) {
+    PlanResult& own = kinds[kind].result;
+    const auto place =
+        std::find_if(places.begin(), places.end(), [&](const PartPlace& one) { return one.kind == kind; });
+    const int step = first[static_cast<std::size_t>(place - places.begin())];
+    append_said(own.part.diagnostics, asked[kind].name, result.part.diagnostics);
+    for (ResolvedValue& value : own.values) {
+      if (value.step < 0) continue;
+      value.step += step;
+      result.values.push_back(std::move(value));
+    }
+    for (StrategySelection& one : own.selections) {
+      if (one.workingstep >= 0) one.workingstep += step;
+      result.selections.push_back(std::move(one));
+    }
+    for (report::ContourLevels& one : own.contours) result.contours.push_back(std::move(one));
+  }
+  return result;
+}
+
+/// The plan that a program of the sheet is checked with.
+ResolvedPlan resolved_sheet(const Kinds& kinds, const Places& places, const CopiesQuestion& question,
+                            const resolve::PlanOptions& asked) {
+  std::vector<PlannedKind> resolved;
+  for (const Kind& kind : kinds) {
+    resolve::PlanOptions own = asked;
+    own.keep_outs = kind.options.keep_outs;
+    own.step_sources = kind.options.step_sources;
+    own.step_published = kind.options.step_published;
+    if (asked.tools.empty()) own.tool_cutting = kind.options.tool_cutting;
+    resolved.push_back({{}, resolve::resolve(kind.part, own, strategies_of(asked)), {}});
+  }
+  ResolvedPlan plan = plan_of_sheet(resolved, places, question);
+  for (std::size_t kind = 1; kind < kinds.size(); ++kind)
+    append_said(resolved[kind].plan.part.diagnostics, kinds[kind].name, plan.part.diagnostics);
+  return plan;
+}
+
+PlannedKind planned_kind(const Kind& kind) {
+  PlannedKind planned{plan_one_part(kind.part, kind.options), resolved_one(kind.part, kind.options), {}};
+  planned.box = box_of_part(planned.plan.part);
+  return planned;
 }
 
 }  // namespace
@@ -375,6 +648,7 @@ void require_copies(const CopiesOptions& copies) {
     throw InputError("--subprograms", "are of copies; add --copies or --nest");
   if (!copies.any() && copies.gap) throw InputError("--gap", "lies between copies; add --copies or --nest");
   if (copies.sheet) return;
+  if (!copies.with.empty()) throw InputError("--nest-with", "lies on a sheet that is filled; add --nest");
   if (copies.edge) throw InputError("--edge", "is of a sheet that is filled; add --nest");
   if (copies.count) throw InputError("--count", "is of a sheet that is filled; add --nest");
 }
@@ -387,27 +661,41 @@ void count_clean_parts(const Findings& findings, CopiesMade& made) {
   }
   const bool any_of_none = std::any_of(findings.faults.begin(), findings.faults.end(),
                                        [](const Fault& fault) { return fault.feature.empty(); });
-  made.clean_parts = any_of_none ? 0 : static_cast<int>(std::count(clean.begin(), clean.end(), true));
+  if (any_of_none) clean.assign(clean.size(), false);
+  made.clean_parts = static_cast<int>(std::count(clean.begin(), clean.end(), true));
+  for (std::size_t k = 0; k < made.places.size(); ++k)
+    made.kinds[made.places[k].kind].clean_parts += clean[k] ? 1 : 0;
 }
 
 SheetOfCopies sheet_of_copies(const Part& part, const resolve::PlanOptions& options) {
   require_copies(options.copies);
+  refuse_unread(options);
   refuse_for_checks(options);
   CopiesQuestion question = question_of(options.copies);
   if (options.copies.subprograms) question.step = printed_step(options.post);
   question.gap = *options.copies.gap;
-  Part bare = part;
-  resolve::PlanOptions own = options;
-  if (question.fills_sheet) question.clamps = take_clamps(bare, own);
-  const Part resolved = resolved_one(bare, own).part;
-  const Box box = box_of_part(resolved);
-  if (options.tabs.any() && question.gap < gap_for_tabs(resolved))
+  const Kinds kinds = kinds_of(part, options, question.clamps);
+  std::vector<Box> boxes;
+  std::vector<const Part*> parts;
+  double for_tabs = 0;
+  for (const Kind& kind : kinds) {
+    const Part resolved = resolved_one(kind.part, kind.options).part;
+    boxes.push_back(box_of_part(resolved));
+    refuse_without_walls(question, resolved, boxes.back());
+    parts.push_back(&kind.part);
+    for_tabs = std::max(for_tabs, gap_for_tabs(resolved));
+  }
+  if (options.tabs.any() && question.gap < for_tabs)
     throw InputError("--tabs",
                      fmt::format("of parts {} mm apart are not checked: the kerfs of neighbours meet, and "
                                  "what is left between holds no tab; they are from {} mm on",
-                                 trimmed(question.gap, 3), trimmed(gap_for_tabs(resolved), 3)));
-  const Places places = places_of(question, box);
-  SheetOfCopies sheet{sheet_of(bare, places), made_of(question, places, box)};
+                                 trimmed(question.gap, 3), trimmed(for_tabs, 3)));
+  const Places places = places_of(question, kinds, boxes);
+  SheetOfCopies sheet{sheet_of(parts, places), made_of(question, kinds, places, boxes),
+                      kinds.front().options.tool_cutting,
+                      [kinds, places, question](const resolve::PlanOptions& asked) {
+                        return resolved_sheet(kinds, places, question, asked);
+                      }};
   if (question.fills_sheet) {
     take_block(question, sheet.part);
     sheet.part.keep_outs = part.keep_outs;
@@ -417,6 +705,7 @@ SheetOfCopies sheet_of_copies(const Part& part, const resolve::PlanOptions& opti
 
 PlanResult plan_copies(const Part& part, const resolve::PlanOptions& options) {
   require_copies(options.copies);
+  refuse_unread(options);
   refuse_for_copies(options);
   if (options.copies.subprograms && !post::has_subprograms(options.post.dialect))
     throw InputError("--subprograms", options.post.dialect +
@@ -424,35 +713,43 @@ PlanResult plan_copies(const Part& part, const resolve::PlanOptions& options) {
                                           "another control");
   CopiesQuestion question = question_of(options.copies);
   if (options.copies.subprograms) question.step = printed_step(options.post);
-  Part bare = part;
-  resolve::PlanOptions own = options;
-  if (question.fills_sheet) question.clamps = take_clamps(bare, own);
-  PlanResult result = plan_one_part(bare, own);
-  ResolvedPlan plan = resolved_one(bare, own);
-  const Box box = box_of_part(plan.part);
+  const Kinds kinds = kinds_of(part, options, question.clamps);
+  std::vector<PlannedKind> planned;
+  std::vector<Box> boxes;
   const bool in_x = question.fills_sheet || question.across > 1,
              in_y = question.fills_sheet || question.up > 1;
-  question.gap = gap_of(options.copies, overhang_of(box, swept_by(result.planned, plan.part), in_x, in_y));
-  if (options.tabs.any() && !options.copies.gap)
-    question.gap = std::max(question.gap, gap_for_tabs(plan.part));
-  const Places places = places_of(question, box);
-  const PlacedPath path = take_places(result.planned, plan, places, question);
+  double overhang = 0, for_tabs = 0;
+  for (const Kind& kind : kinds) {
+    const PlannedKind& one = planned.emplace_back(planned_kind(kind));
+    boxes.push_back(one.box);
+    overhang =
+        std::max(overhang, overhang_of(one.box, swept_by(one.result.planned, one.plan.part), in_x, in_y));
+    for_tabs = std::max(for_tabs, gap_for_tabs(one.plan.part));
+  }
+  if (kinds.size() > 1 && options.refuse_idle) refuse_idle_for_all(planned, kinds);
+  question.gap = gap_of(options.copies, overhang);
+  if (options.tabs.any() && !options.copies.gap) question.gap = std::max(question.gap, for_tabs);
+  for (const PlannedKind& one : planned) refuse_without_walls(question, one.plan.part, one.box);
+  const Places places = places_of(question, kinds, boxes);
+  ResolvedPlan plan = plan_of_sheet(planned, places, question);
+  const PlacedPath path = path_of_sheet(planned, places, plan.part);
   const Toolpath& toolpath = path.toolpath;
   if (options.copies.subprograms) plan.post.subprograms = path.same_moves;
+  PlanResult result = result_of(planned, kinds, places);
   Diagnostics said = std::move(result.part.diagnostics);
-  said.note("copies", told_of(question, places.size()));
-  if (options.tabs.any() && places.size() > 1 && question.gap < gap_for_tabs(plan.part))
+  said.note("copies", told_of(question, kinds, places.size()));
+  if (options.tabs.any() && places.size() > 1 && question.gap < for_tabs)
     said.doubt("copies", "loose-part",
                fmt::format(
                    "the kerfs of neighbours meet where parts are less than {} mm apart, so that tabs between "
                    "parts hold to nothing; what is cut free is held otherwise",
-                   trimmed(gap_for_tabs(plan.part), 3)));
+                   trimmed(for_tabs, 3)));
   result.part = plan.part;
   result.part.diagnostics = std::move(said);
   certify(result, toolpath, plan);
   complete_verdict(toolpath, plan, result);
   refuse_idle_subprograms(options, plan, toolpath, result);
-  CopiesMade& made = result.copies.emplace(made_of(question, places, box));
+  CopiesMade& made = result.copies.emplace(made_of(question, kinds, places, boxes));
   made.sheet = plan.part.stock ? plan.part.stock->plan : swept_by(toolpath, plan.part);
   count_clean_parts(result.findings, made);
   result.planned = toolpath;
@@ -462,89 +759,6 @@ PlanResult plan_copies(const Part& part, const resolve::PlanOptions& options) {
 PlanResult plan_part(const Part& part, const resolve::PlanOptions& options) {
   require_copies(options.copies);
   return options.copies.any() ? plan_copies(part, options) : plan_one_part(part, options);
-}
-
-namespace {
-
-/// Share of a rectangle by which sums of lengths may miss a whole number of them.
-constexpr double kWhole = 1e-9;
-
-/// How many rectangles of `side` fit into `length` with a gap between them. mm.
-int fitting(double length, double side, double gap) {
-  if (length < side * (1 - kWhole)) return 0;
-  return static_cast<int>(std::floor((length + gap) / (side + gap) + kWhole));
-}
-
-/// A grid of rectangles, from its lower left corner, mm.
-struct NestBlock {
-  Vec2 at;
-  int across = 0, up = 0;
-  bool turned = false;
-  int count() const { return across * up; }
-};
-
-NestBlock block_in(const NestQuestion& q, Vec2 at, double width, double height, bool turned) {
-  const double w = turned ? q.part_height : q.part_width, h = turned ? q.part_width : q.part_height;
-  return {at, fitting(width, w, q.gap), fitting(height, h, q.gap), turned};
-}
-
-void append(const NestBlock& block, const NestQuestion& q, std::vector<NestPlace>& places) {
-  const double w = block.turned ? q.part_height : q.part_width,
-               h = block.turned ? q.part_width : q.part_height;
-  for (int row = 0; row < block.up; ++row)
-    for (int k = 0; k < block.across; ++k) {
-      const int column = row % 2 == 0 ? k : block.across - 1 - k;
-      places.push_back({block.at + Vec2{column * (w + q.gap), row * (h + q.gap)}, block.turned});
-    }
-}
-
-}  // namespace
-
-std::vector<NestPlace> nest(const NestQuestion& q) {
-  const Vec2 corner{q.edge, q.edge};
-  const double width = q.width - 2 * q.edge, height = q.height - 2 * q.edge;
-  NestBlock first, second;
-  const auto consider = [&](const NestBlock& a, const NestBlock& b) {
-    if (a.count() + b.count() > first.count() + second.count()) {
-      first = a;
-      second = b;
-    }
-  };
-  for (const bool turned : {false, true}) {
-    const NestBlock whole = block_in(q, corner, width, height, turned);
-    consider(whole, {});
-    const double w = turned ? q.part_height : q.part_width, h = turned ? q.part_width : q.part_height;
-    for (int columns = 1; columns < whole.across; ++columns) {
-      NestBlock left = whole;
-      left.across = columns;
-      const double used = columns * (w + q.gap);
-      consider(left, block_in(q, corner + Vec2{used, 0}, width - used, height, !turned));
-    }
-    for (int rows = 1; rows < whole.up; ++rows) {
-      NestBlock low = whole;
-      low.up = rows;
-      const double used = rows * (h + q.gap);
-      consider(low, block_in(q, corner + Vec2{0, used}, width, height - used, !turned));
-    }
-    // All of one orientation, and what is left over beside or above them.
-    const double across = whole.across * (w + q.gap), up = whole.up * (h + q.gap);
-    consider(whole, block_in(q, corner + Vec2{across, 0}, width - across, height, !turned));
-    consider(whole, block_in(q, corner + Vec2{0, up}, width, height - up, !turned));
-  }
-  std::vector<NestPlace> places;
-  append(first, q, places);
-  append(second, q, places);
-  return places;
-}
-
-int most_by_area(const NestQuestion& q) {
-  const double width = q.width - 2 * q.edge, height = q.height - 2 * q.edge;
-  if (fitting(std::max(width, height), std::max(q.part_width, q.part_height), q.gap) == 0 ||
-      fitting(std::min(width, height), std::min(q.part_width, q.part_height), q.gap) == 0)
-    return 0;
-  // Each takes its own area and that of the gaps to its right and above.
-  return static_cast<int>(std::floor(
-      (width + q.gap) * (height + q.gap) / ((q.part_width + q.gap) * (q.part_height + q.gap)) + kWhole));
 }
 
 }  // namespace clearcut::pipeline

@@ -1,10 +1,11 @@
-// One part several times on one sheet: planned once, its path placed, and all of it certified from the text of one
-// program. The places: rectangles of one size on a rectangular sheet, some of them turned by 90 degrees.
+// One part several times on one sheet, or several kinds of parts: each kind is planned once, its path placed, and all of it
+// certified from the text of one program.
 #pragma once
 
+#include <functional>
 #include <vector>
 
-#include "geometry/vec2.h"
+#include "model/options/resolved_plan.h"
 #include "model/part.h"
 #include "model/results/copies_made.h"
 #include "model/results/findings.h"
@@ -13,10 +14,15 @@
 
 namespace clearcut::pipeline {
 
-/// The copies as one part.
+/// The parts of a sheet as one part.
 struct SheetOfCopies {
   Part part;
   CopiesMade made;  ///< none of its parts is counted as clean yet
+  /// Of the tools of the part, as PlanOptions::tool_cutting.
+  std::vector<resolve::ToolCutting> tool_cutting = {};
+  /// The plan that the sheet is checked with: each kind is resolved by itself with these options, as it is planned, before it is placed.
+  /// Throws as resolve::resolve().
+  std::function<ResolvedPlan(const resolve::PlanOptions&)> resolved = {};
 };
 
 /// The sheet of the copies that options.copies asks for as a part, for checking programs of it: each feature and step as often as there
@@ -25,13 +31,13 @@ struct SheetOfCopies {
 /// Throws  InputError where the gap is not stated, and where a sheet holds no part.
 SheetOfCopies sheet_of_copies(const Part& part, const resolve::PlanOptions& options);
 
-/// Plans the part once and places its path for each copy, in the order of tools, and of places for each tool. Features are named "NAME.1"
-/// and so on.
+/// Plans the part, and each of options.nested, once and places its path for each copy, in the order of tools, and of places for each
+/// tool. Features are named "NAME.1" and so on, by places numbered through. Parts of several kinds share one table of tools.
 ///
 /// Shape   The box of a part is that of its outer profiles; without such that of its block, else of what is cut. Blocks of copies are one
 ///         block; that of a sheet to fill is the sheet.
 /// Gap     Where none is stated, what the cutter needs beside a part, and two kerfs where there are tabs.
-/// Throws  InputError where the cutter would come into the next part's box: the gap that suffices is named.
+/// Throws  InputError for parts of which the sheet holds none, or that have another top or thickness than the first; where the cutter would come into the next part's box: the gap that suffices is named.
 PlanResult plan_copies(const Part& part, const resolve::PlanOptions& options);
 
 /// Throws InputError where options of copies are there without copies, or contradict each other.
@@ -39,27 +45,5 @@ void require_copies(const CopiesOptions& copies);
 
 /// How many of the `made.parts` parts are clean.
 void count_clean_parts(const Findings& findings, CopiesMade& made);
-
-/// Where the lower left corner of one lies, mm from that of the sheet.
-struct NestPlace {
-  Vec2 at;
-  bool turned = false;
-};
-
-/// Lengths in mm.
-struct NestQuestion {
-  double width = 0, height = 0;            ///< of the sheet
-  double edge = 0;                         ///< of the sheet, that stays free
-  double gap = 0;                          ///< between two rectangles
-  double part_width = 0, part_height = 0;  ///< of the rectangle, as it is not turned
-};
-
-/// The best of all layouts of two blocks: columns (or rows) of one orientation, and the rest of the sheet filled with the other. Rows from
-/// below, there and back.
-///
-/// Bound   most_by_area() of the same question: no layout of whatever kind has more.
-/// Cost    O(columns + rows) layouts, each by arithmetic alone.
-std::vector<NestPlace> nest(const NestQuestion& question);
-int most_by_area(const NestQuestion& question);
 
 }  // namespace clearcut::pipeline

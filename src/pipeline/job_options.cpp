@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "base/error.h"
 #include "base/file.h"
@@ -14,6 +15,7 @@
 #include "pipeline/stated_machine.h"
 #include "post/post.h"
 #include "read/gcode/gcode.h"
+#include "read/job/read_part.h"
 #include "resolve/values/names.h"
 
 namespace clearcut::pipeline {
@@ -103,6 +105,80 @@ std::string place_of(const Row& row, const Source& source) {
   return source.origin == Origin::kJobFile ? source.text + ": " + row.job_key() : source.text;
 }
 
+/// "2,5": outlines of one drawing, by their numbers.
+bool is_by_number(const read::LayerRule& rule) {
+  return !rule.pattern.empty() && rule.pattern.find_first_not_of("0123456789, ") == std::string::npos;
+}
+
+/// The job of the first part for another file: without what it says of places and of single features.
+read::JobFile for_another_part(read::JobFile job, const std::string& file) {
+  job.part_file = file;
+  std::erase_if(job.operations, [](const read::OperationRule& rule) { return rule.feature != "*"; });
+  std::erase_if(job.read.layer_rules, is_by_number);
+  job.sequence.clear();
+  job.keep_outs.clear();
+  job.predrilled.clear();
+  if (!job.stock) return job;
+  job.stock->x.reset();
+  job.stock->y.reset();
+  return job;
+}
+
+bool is_same_machine(const Machine& a, const Machine& b) {
+  const auto values = [](const Machine& m) {
+    return std::tie(m.name, m.rapid, m.acceleration, m.junction_deviation, m.planner, m.axis_rapid,
+                    m.axis_acceleration, m.jerk, m.speed_jump, m.arc_tolerance, m.max_spindle_rpm,
+                    m.min_spindle_rpm, m.spindle_power_w, m.spindle_torque_nm, m.max_feed, m.cutting_force_n,
+                    m.stiffness, m.program_number, m.spindle_wait_s, m.tool_change_s, m.path_tolerance,
+                    m.travel);
+  };
+  const auto places = [](const MachinePlaces& p) {
+    return std::tie(p.start, p.origins, p.stated_origins, p.reference, p.second_reference);
+  };
+  return values(a) == values(b) && a.places.has_value() == b.places.has_value() &&
+         (!a.places || places(*a.places) == places(*b.places));
+}
+
+/// Throws InputError for what a job of a further part states of the whole plan otherwise than `options`.
+void refuse_other_sheet(const read::JobFile& job, const PlanOptions& options) {
+  if (!job.setups.empty())
+    throw InputError(job.file, "has several set-ups; parts that lie on one sheet have one");
+  if (job.after || job.stock_from)
+    throw InputError(job.file, "states what is left of its block; parts of one sheet begin with a whole one");
+  if (!job.stated_keep_outs.empty() || !job.keep_outs.empty())
+    throw InputError(job.file, "states clamps, which are those of the sheet; state them with the first part");
+  if (!job.stated_predrilled.empty())
+    throw InputError(job.file, "states predrilled holes in its [plan]; write them as [[predrilled]]");
+  if (!is_same_machine(job.machine, Machine{}) && !is_same_machine(job.machine, options.machine))
+    throw InputError(job.file, "states another [machine] than the first part; a sheet is cut on one");
+  const Asked sheet{options, {}}, own{job.whole, {}};
+  for (const Row& row : rows()) {
+    const Source* const source = job.sources.find(source_name(row));
+    if (!source || row.is_of_operations || !row.field.is_of_plan || row.group == Group::kMachine) continue;
+    if (row.field.get(sheet, row.names) != row.field.get(own, row.names))
+      throw InputError(source->text + ": " + row.job_key(),
+                       "is of the whole sheet, for which the first part states another value or none");
+  }
+}
+
+NestedPart read_nested_part(const NestedFile& named, const PlanOptions& options,
+                            const std::optional<read::JobFile>& of_first, read::ReadOptions over) {
+  NestedPart nested;
+  nested.count = named.count;
+  std::erase_if(over.layer_rules, is_by_number);
+  const bool has_own_job = read::is_job_file(named.file);
+  if (!has_own_job && !of_first) {
+    nested.part = read::read_part(named.file, over);
+    return nested;
+  }
+  const read::JobFile job =
+      has_own_job ? read::read_job(named.file) : for_another_part(*of_first, named.file);
+  if (has_own_job) refuse_other_sheet(job, options);
+  nested.part = read::part_of_job(job, over, nested.step_sources, nested.step_published);
+  nested.tool_cutting = cutting_of_tools(read::tools_of_job(job), job.preset);
+  return nested;
+}
+
 /// Whether the value is the one that requests no effect: 0 tabs, a lift of 0 mm.
 bool asks_nothing(const Row& row, const Asked& asked) {
   if (!row.neutral || !row.field.get) return false;
@@ -137,19 +213,35 @@ bool is_stated(const Source* source) {
 
 }  // namespace
 
+std::vector<NestedPart> read_nested_parts(const PlanOptions& options,
+                                          const std::optional<read::JobFile>& of_first,
+                                          const read::ReadOptions& over) {
+  std::vector<NestedPart> parts;
+  for (const std::string& text : options.copies.with) {
+    const auto named = nested_file(text);
+    if (!named) throw InputError("--nest-with " + text, "needs a file, or a file and a number of parts");
+    parts.push_back(read_nested_part(*named, options, of_first, over));
+  }
+  return parts;
+}
+
 namespace {
 
-/// Calls `reason_of` with each row whose value the user or a job states and which requests something. Throws InputError
-/// with the first reason that is not empty.
+/// Asks `reason_of` about each row whose value the user or a job states and which requests something: those with a reason.
 template <typename ReasonOf>
-void refuse_stated(const Asked& asked, const ReasonOf& reason_of) {
-  const PlanOptions& options = asked.plan;
+std::vector<IdleOption> stated_without_effect(const Asked& asked, const ReasonOf& reason_of) {
+  std::vector<IdleOption> idle;
   for (const Row& row : rows()) {
-    const Source* source = options.sources.find(source_name(row));
+    const Source* source = asked.plan.sources.find(source_name(row));
     if (!is_stated(source) || asks_nothing(row, asked)) continue;
     const std::string reason = reason_of(row);
-    if (!reason.empty()) throw InputError(place_of(row, *source), reason);
+    if (!reason.empty()) idle.push_back({place_of(row, *source), reason});
   }
+  return idle;
+}
+
+void refuse_first(const std::vector<IdleOption>& idle) {
+  if (!idle.empty()) throw InputError(idle.front().place, idle.front().reason);
 }
 
 std::string idle(const std::string& reason) {
@@ -190,27 +282,48 @@ void refuse_keys_for_others(const ResolvedPlan& plan, const PlanOptions& asked) 
 
 }  // namespace
 
-void refuse_options_for_others(const ResolvedPlan& plan, const PlanOptions& asked) {
-  if (!asked.refuse_idle) return;
+namespace {
+
+std::vector<IdleOption> options_for_others(const ResolvedPlan& plan, const PlanOptions& asked) {
   const InputKinds input = input_kind_of(plan.part);
   const unsigned works = works_of(plan);
-  refuse_stated({asked, {}}, [&](const Row& row) {
+  return stated_without_effect({asked, {}}, [&](const Row& row) {
     const std::string reason = idle_on_input(row, input);
     return reason.empty() ? idle(idle_on_works(row, works)) : reason;
   });
+}
+
+std::vector<IdleOption> options_without_effect(const PlanResult& result, const Toolpath& planned,
+                                               const ResolvedPlan& plan, const PlanOptions& options) {
+  const Asked asked{options, {}};
+  const Situation situation{plan, options, planned, result.selections};
+  return stated_without_effect(asked, [&](const Row& row) {
+    if (row.group == Group::kController && row.name != "post")
+      return idle(idle_in_program(row, result, planned, plan, asked));
+    return row.effect.idle_because ? idle(row.effect.idle_because(situation)) : std::string();
+  });
+}
+
+}  // namespace
+
+void refuse_options_for_others(const ResolvedPlan& plan, const PlanOptions& asked) {
+  if (!asked.refuse_idle) return;
+  refuse_first(options_for_others(plan, asked));
   refuse_keys_for_others(plan, asked);
 }
 
 void refuse_idle_options(const PlanResult& result, const Toolpath& planned, const ResolvedPlan& plan,
                          const PlanOptions& options) {
   if (!options.refuse_idle) return;
-  const Asked asked{options, {}};
-  const Situation situation{plan, options, planned, result.selections};
-  refuse_stated(asked, [&](const Row& row) {
-    if (row.group == Group::kController && row.name != "post")
-      return idle(idle_in_program(row, result, planned, plan, asked));
-    return row.effect.idle_because ? idle(row.effect.idle_because(situation)) : std::string();
-  });
+  refuse_first(options_without_effect(result, planned, plan, options));
+}
+
+std::vector<IdleOption> idle_options(const PlanResult& result, const ResolvedPlan& plan,
+                                     const PlanOptions& asked) {
+  std::vector<IdleOption> idle = options_for_others(plan, asked);
+  for (IdleOption& one : options_without_effect(result, result.planned, plan, asked))
+    idle.push_back(std::move(one));
+  return idle;
 }
 
 }  // namespace clearcut::pipeline

@@ -17,6 +17,16 @@ namespace clearcut::pipeline {
 /// InputError for unknown strategies, even if overridden by a later rule, and for unreadable files.
 resolve::PlanOptions options_of_job(const read::JobFile& job);
 
+/// The parts of options.copies.with, each read from its file with the options `over` as the first part was, of a job with what the job
+/// `of_first` says of all parts: its [part] without places, its tools, its [plan] and the operations of "*". A job is read as it is.
+/// Numbers of outlines are those of the first part's drawing alone.
+///
+/// Throws  as read_part() and part_of_job(), and where a job of a further part has several set-ups, or states for the whole plan what
+///         `options` do not: that is of the sheet.
+std::vector<NestedPart> read_nested_parts(const resolve::PlanOptions& options,
+                                          const std::optional<read::JobFile>& of_first,
+                                          const read::ReadOptions& over);
+
 /// Cutting data stated by a library for its tools, in their order; `preset` names one of several sets, "" the first.
 std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::LibraryTool>& tools,
                                                    const std::string& preset);
@@ -26,6 +36,16 @@ std::vector<resolve::ToolCutting> cutting_of_tools(const std::vector<read::Libra
 /// program: recognised. Throws InputError.
 void read_earlier_program(resolve::PlanOptions& options, const std::string& file,
                           std::optional<read::gcode::Dialect> dialect = {});
+
+/// An option without effect: its place ("--lead", "job.toml:12: lead"), and why it has none.
+struct IdleOption {
+  std::string place;
+  std::string reason;
+};
+
+/// All options of the user or of a job (by `asked.sources`) without effect in the plan of one of several parts.
+std::vector<IdleOption> idle_options(const PlanResult& result, const ResolvedPlan& plan,
+                                     const PlanOptions& asked);
 
 /// Throws InputError for the first option of the user or of a job (by `asked.sources`) that serves other inputs or other
 /// kinds of work than those of this part, before it is planned.

@@ -118,7 +118,8 @@ const std::map<std::string, std::string> kValues{{"origin", "centre"},
                                                  {"most-shared", "0.3"}};
 
 /// Rows whose values are files, or that need a job with set-ups: they have tests of their own.
-const std::set<std::string> kElsewhere{"setup", "earlier-setup", "stock-from", "tools", "machine", "after"};
+const std::set<std::string> kElsewhere{"setup",   "earlier-setup", "stock-from", "tools",
+                                       "machine", "after",         "nest-with"};
 
 std::string value_for(const Row& row) {
   const auto found = kValues.find(row.name);

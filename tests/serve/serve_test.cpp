@@ -267,6 +267,7 @@ TEST(Serve, RefusesWhatItMustNotDo) {
            {square("--tools /etc/passwd"), "was not sent"},
            {square("--machine=../../machine.toml"), "was not sent"},
            {square("--after square.ngc"), "was not sent"},
+           {square("--nest 200x100 --nest-with /etc/passwd:2"), "was not sent"},
            {square("--output /tmp/x.ngc"), "not for the server"},
            {square("--svg=x.svg"), "not for the server"},
            {square("-o x.ngc"), "no option"},

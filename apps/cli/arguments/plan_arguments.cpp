@@ -325,6 +325,9 @@ std::vector<CertificateFileName> PlanArguments::input_files() const {
     if (program != kNoProgram) files.push_back({"earlier program", program});
   if (stock_.has_solid()) files.push_back({"stock", *stock_.from});
   if (const auto earlier = stock_.program(job)) files.push_back({"earlier program", *earlier});
+  const auto& typed = typed_.plan.copies.with;
+  for (const std::string& text : typed.empty() && job ? job->whole.copies.with : typed)
+    if (const auto named = nested_file(text)) files.push_back({"part", named->file});
   return files;
 }
 
@@ -373,6 +376,20 @@ void forget_tabs_of_job(const OptionValues& values, TabOptions& tabs) {
 
 }  // namespace
 
+/// The further parts of a sheet.
+std::vector<NestedPart> PlanArguments::nested(const PlanOptions& options,
+                                              const std::optional<JobFile>& from_job) const {
+  if (options.copies.with.empty()) return {};
+  if (setup_.number > 0)
+    throw InputError("--nest-with", "lies beside a part in one set-up; leave out --setup");
+  if (stock_.has_solid())
+    throw InputError("--stock-from", "is the block of one part, not a sheet for several; leave it out");
+  std::vector<NestedPart> parts = read_nested_parts(options, from_job, read_options());
+  if (typed_.input.clearance_z)
+    for (NestedPart& one : parts) one.part.clearance_z = typed_.input.clearance_z;
+  return parts;
+}
+
 /// The command line takes precedence over the job, the job over the defaults.
 PlanOptions PlanArguments::options() const {
   const auto from_job = job();
@@ -416,6 +433,7 @@ PlanOptions PlanArguments::options() const {
   resolve::add_places(typed_.input.keep_outs, typed_.input.predrilled, options);
   options.step_published = step_published_;
   take_solver(options, from_job.has_value());
+  options.nested = nested(options, from_job);
   options.refuse_idle = options.refuse_idle && refuses_idle_;
   check_options(options);
   return options;

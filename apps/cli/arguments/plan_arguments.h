@@ -95,6 +95,7 @@ class PlanArguments {
   Part read_setup(const JobFile& whole, Block block) const;
   Part read_program_setup(int number, SetupPlace& place) const;
   Part on_what_is_left(Part part, Block block) const;
+  std::vector<NestedPart> nested(const PlanOptions& options, const std::optional<JobFile>& from_job) const;
   std::vector<MachinedSetup> machined_before() const;
   std::optional<read::gcode::Dialect> control(const PostOptions& of_job) const;
   ReadOptions read_options() const;

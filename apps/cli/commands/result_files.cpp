@@ -238,6 +238,35 @@ std::string checked_by_program(const WitnessFile& witness, const Proven& what, b
   return lines;
 }
 
+namespace {
+
+/// "1-3, 7": numbers of the places of a kind.
+std::string numbers_of(std::size_t kind, const std::vector<PlaceMade>& places) {
+  std::string told;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (places[k].kind != kind) continue;
+    std::size_t last = k;
+    while (last + 1 < places.size() && places[last + 1].kind == kind) ++last;
+    told += fmt::format("{}{}", told.empty() ? "" : ", ", k + 1);
+    if (last > k) told += fmt::format("-{}", last + 1);
+    k = last;
+  }
+  return told;
+}
+
+std::string kinds_lines(const CopiesMade& made) {
+  std::string told;
+  for (std::size_t kind = 0; kind < made.kinds.size(); ++kind) {
+    const KindMade& one = made.kinds[kind];
+    told += fmt::format("\n{}: {} parts, {} clean, numbered {}", one.name, one.parts, one.clean_parts,
+                        numbers_of(kind, made.places));
+    if (one.missing() > 0) told += fmt::format("; {} of {} do not fit", one.missing(), *one.wanted);
+  }
+  return told;
+}
+
+}  // namespace
+
 std::string parts_line(const CopiesMade& made) {
   std::string told =
       fmt::format("{} parts on {} by {} mm, {} clean", made.parts, trimmed(made.sheet.width(), 3),
@@ -246,7 +275,7 @@ std::string parts_line(const CopiesMade& made) {
   if (made.misses()) told += fmt::format("; {} of {} do not fit", *made.wanted - made.parts, *made.wanted);
   if (made.at_most && *made.at_most > made.parts && (made.misses() || !made.wanted))
     told += fmt::format("; no layout has more than {}", *made.at_most);
-  return told;
+  return told + kinds_lines(made);
 }
 
 }  // namespace clearcut::cli

@@ -50,6 +50,7 @@ const labelOfOption = {
   '--accept': 'Holds at the machine',
   '--inch': 'Program in inches',
   '--op': 'What it is for',
+  '--nest-with': 'Other parts on the sheet, FILE or FILE:NUMBER',
   '--setup': 'Set-up to plan alone',
   '--earlier-setup': 'Programs of the set-ups before it'
 };
@@ -73,7 +74,7 @@ const shownAnswer = (option, mm) => isOfLengths(option) && lengths.inch ? change
 /** @type {(option: CommandOption, text: string) => string} */
 const answerInMm = (option, text) => isOfLengths(option) ? inMm(text) : text.trim();
 /** Options that name a file which was chosen. @type {(option: CommandOption) => boolean} */
-const namesFile = option => option.file === true && nameOfOption(option) !== '--machine';
+const namesFile = option => option.file === true && !['--machine', '--nest-with'].includes(nameOfOption(option));
 
 /** The values that a field proposes, once in the page. @type {(option: CommandOption) => string} */
 function listOfValues(option) {

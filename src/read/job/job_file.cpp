@@ -171,6 +171,7 @@ void read_plan_section(DataSection section, JobFile& job) {
   take_options(section, JobTable::kPlan, OptionsOf::kWhole, asked);
   job.whole = std::move(asked.plan);
   if (asked.input.after) job.after = beside(job.file, *asked.input.after);
+  for (std::string& nested : job.whole.copies.with) nested = beside(job.file, nested).string();
   job.stated_keep_outs = asked.input.keep_outs;
   job.stated_predrilled = asked.input.predrilled;
   job.clearance_z = asked.input.clearance_z;

@@ -349,6 +349,10 @@ TEST_F(Job, CopiesAreKeysOfThePlan) {
   EXPECT_EQ(read.whole.copies.grid, "3x2");
   EXPECT_EQ(read.whole.copies.gap, 4);
   EXPECT_FALSE(read.whole.copies.sheet);
+  const JobFile sheet = job(kPart + "[plan]\nnest = \"600x400\"\nnest_with = [\"lid.dxf:4\"]\n");
+  EXPECT_THAT(sheet.whole.copies.with, testing::ElementsAre((folder_ / "lid.dxf:4").string()));
+  EXPECT_THAT(refusal(kPart + "[plan]\nnest_with = [\"lid.dxf:0\"]\n"),
+              HasSubstr("a file and a number of parts"));
   EXPECT_THAT(refusal(kPart + "[plan]\ncopies = \"3\"\n"), HasSubstr("columns and rows"));
   EXPECT_THAT(refusal(kPart + "[plan]\nnest = \"600\"\n"), HasSubstr("the width and height of a sheet"));
 }

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/file.h"
 #include "base/text.h"
+#include "options/copies_options.h"
 #include "options/row.h"
 #include "read/common/text.h"
 
@@ -63,7 +64,8 @@ ProjectFile read_project(const std::string& path) {
       throw InputError(place, texts.empty() ? "needs a value" : "takes no value");
     if (row->kind == ValueKind::kFile || row->kind == ValueKind::kFiles) {
       for (std::string& text : texts)
-        if (is_file(path + "/" + text)) text = path + "/" + text;
+        if (is_file(path + "/" + text) || is_file(path + "/" + nested_file(text).value_or(NestedFile{}).file))
+          text = path + "/" + text;
     }
     project.options[name] = std::move(texts);
   }

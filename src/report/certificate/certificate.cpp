@@ -292,6 +292,19 @@ void add_copies(Json& json, const CertificateInfo& info) {
   out["gap_mm"] = number(copies.gap);
   if (copies.wanted) out["wanted"] = *copies.wanted;
   if (copies.at_most) out["at_most"] = *copies.at_most;
+  for (const KindMade& kind : copies.kinds) {
+    Json one{{"name", kind.name},
+             {"parts", kind.parts},
+             {"clean_parts", kind.clean_parts},
+             {"turned", kind.turned}};
+    if (kind.wanted) one["wanted"] = *kind.wanted;
+    out["kinds"].push_back(std::move(one));
+  }
+  for (const PlaceMade& made : copies.places)
+    out["places"].push_back({{"name", copies.kinds[made.kind].name},
+                             {"at_mm", {number(made.taken.min.x), number(made.taken.min.y)}},
+                             {"size_mm", {number(made.taken.width()), number(made.taken.height())}},
+                             {"turned", made.turned}});
 }
 
 void add_contours(Json& json, const CertificateInfo& info) {
