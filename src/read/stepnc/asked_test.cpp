@@ -285,6 +285,25 @@ TEST(StepNcHoles, EndAsTheirToolsDoOrItIsSaid) {
       ElementsAre(HasSubstr("with a radius of 5 mm")));
 }
 
+TEST(StepNcHoles, ThatGoThroughEndAtTheUndersideOrItIsSaid) {
+  Program program = hole("DRILLING($,$,'D',5.,$,#31,#34,#35,$,$,$,$,$,$)", "THROUGH_BOTTOM_CONDITION()");
+  program.with(25, "CARTESIAN_POINT('',(0.,0.,-20.))");
+  EXPECT_THAT(conditions_of(program.read()), IsEmpty());
+  program.with(25, "CARTESIAN_POINT('',(0.,0.,-19.7))");
+  EXPECT_THAT(conditions_of(program.read()),
+              ElementsAre(HasSubstr("ends 0.3 mm over the underside of the stock")));
+}
+
+TEST(StepNcHoles, ShallowerThanThePointOfTheirDrillAreNamed) {
+  Program program = hole("DRILLING($,$,'D',5.,$,#31,#34,#35,$,$,$,$,$,$)");
+  const auto told = [&](const std::string& depth) {
+    return all_diagnostics(program.with(25, "CARTESIAN_POINT('',(0.,0.,-" + depth + "))").read());
+  };
+  EXPECT_THAT(told("2.9"), HasSubstr("nowhere has it its diameter"));
+  EXPECT_THAT(told("3.1"), ::testing::Not(HasSubstr("nowhere has it its diameter")))
+      << "the point has 3.004 mm";
+}
+
 TEST(StepNcHoles, TakeTheSizeOfADrillWithinTheirField) {
   Program program = hole("DRILLING($,$,'D',5.,$,#31,#34,#35,$,$,$,$,$,$)");
   program.with(70, "TOLERANCED_LENGTH_MEASURE(10.,#73)").with(73, "PLUS_MINUS_VALUE(0.2,0.,3)");

@@ -4,6 +4,7 @@
 
 #include "base/elementary.h"
 #include "base/text.h"
+#include "model/tool.h"
 #include "read/stepnc/operation.h"
 #include "read/stepnc/reader.h"
 
@@ -51,17 +52,41 @@ void Reader::check_holes() {
   }
 }
 
+/// What is said to go through, and ends over the underside of the stock with nothing below it. In programs of several set-ups another one may
+/// cut what is below.
+void Reader::check_through_ends() {
+  if (!part_.stock || program_.setups.size() > 1) return;
+  for (const auto& [index, steps] : steps_of_draft_) {
+    const Draft& draft = drafts_[index];
+    if (!draft.through || steps.empty()) continue;
+    const Feature& feature = feature_of_draft(index);
+    const double short_by = feature.floor_z - part_.stock->z_bottom;
+    const auto is_below = [&](const Feature& other) {
+      return other.floor_z < feature.floor_z - kLevel && box(other.target).overlaps(box(feature.target));
+    };
+    if (short_by <= kLevel || std::any_of(part_.features.begin(), part_.features.end(), is_below)) continue;
+    context_.diagnostics.doubt(context_.file.place(draft.node.line()), kNotFollowed,
+                               "not followed: " + draft.node.label() +
+                                   " is said to go through, and its depth ends " + trimmed(short_by, 3) +
+                                   " mm over the underside of the stock; it is cut as deep as that");
+  }
+}
+
 /// Whether the tools leave the bottom that is asked for.
 void Reader::check_hole_end(const Draft& draft, const std::vector<std::size_t>& steps) {
   constexpr double kSameTip = 0.0175;   // radians: a degree
   constexpr double kSameCorner = 0.05;  // mm
   const HoleEnd& end = draft.hole_end;
   bool drilled = false, milled = false, ends_so = false, said = true;
+  double point = kEverywhere, depth = 0;  // mm; of the drill with the shortest point, and of the hole
   for (const std::size_t step : steps) {
     const Tool& tool = tool_of_step(step);
     const bool straight = goes_straight_down(part_.workplan[step].operation);
     drilled = drilled || (straight && tool.kind == ToolKind::kDrill);
     milled = milled || !straight;
+    if (straight) point = std::min(point, point_length(tool));
+    const Feature& hole = feature_of(part_.workplan[step]);
+    depth = std::max(depth, hole.top_z - hole.floor_z);
     if (end.bottom == HoleBottom::kCone && straight && tool.kind == ToolKind::kDrill) {
       said = said && tool.tip_angle.has_value();
       ends_so = ends_so ||
@@ -72,6 +97,11 @@ void Reader::check_hole_end(const Draft& draft, const std::vector<std::size_t>& 
   }
   const std::string where = context_.file.place(draft.node.line());
   const std::string name = draft.node.label();
+  if (drilled && !milled && depth < point - kLevel)
+    context_.diagnostics.warn(
+        where, name + ": it is " + trimmed(depth, 3) + " mm deep, and the point of its drill is " +
+                   trimmed(point, 3) +
+                   " mm long: nowhere has it its diameter; mill it, or state a greater depth");
   if (end.bottom == HoleBottom::kFlat) {
     if (drilled && !milled)
       context_.note("its flat bottom ends in the cone of the drill, whose tip goes down to the depth",

@@ -91,6 +91,7 @@ class Reader {
   int add_hole(const Feature& like, const Draft& draft, const std::string& name, double width, double floor);
   void check_previous(std::size_t draft, const StatedOperation& stated, const Node& node);
   void check_holes();
+  void check_through_ends();
   void check_members();
   void check_hole_end(const Draft& draft, const std::vector<std::size_t>& steps);
   void check_fillets();

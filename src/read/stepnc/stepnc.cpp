@@ -55,6 +55,7 @@ Part Reader::read(int number) {
   make_workingsteps(tools);
   tell_what_is_read();
   check_holes();
+  check_through_ends();
   check_rounded_bottoms();
   check_undercuts();
   check_members();
